@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# GLSL -> SPIR-V -> validated -> a C array in a header <luxo/shaders/NAME.h>, so that a program carries its shaders.
+# NAME is the file name with dots as underscores; the array is `luxo_NAME`.
+
+find_program(LUXO_GLSLANG glslangValidator REQUIRED)
+find_program(LUXO_SPIRV_VAL spirv-val REQUIRED)
+
+function(luxo_shaders target)
+  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders)
+  file(MAKE_DIRECTORY ${out})
+  set(headers)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(file ${source} NAME)
+    string(REPLACE "." "_" name ${file})
+    add_custom_command(
+      OUTPUT ${out}/${name}.h
+      COMMAND ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${CMAKE_SOURCE_DIR}/shaders
+              $<$<CONFIG:Debug>:-gVS> --depfile ${out}/${name}.d -o ${out}/${name}.spv ${source}
+      COMMAND ${LUXO_SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${out}/${name}.spv
+      COMMAND ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${CMAKE_SOURCE_DIR}/shaders
+              $<$<CONFIG:Debug>:-gVS> --vn luxo_${name} -o ${out}/${name}.h ${source}
+      DEPENDS ${source} DEPFILE ${out}/${name}.d
+      COMMENT "Compiling shader ${file}" VERBATIM)
+    list(APPEND headers ${out}/${name}.h)
+  endforeach()
+  add_custom_target(${target}_spirv DEPENDS ${headers})
+  add_library(${target} INTERFACE)
+  add_dependencies(${target} ${target}_spirv)
+  target_include_directories(${target} INTERFACE ${CMAKE_BINARY_DIR}/generated ${CMAKE_SOURCE_DIR}/shaders)
+endfunction()

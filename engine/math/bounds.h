@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bounding boxes and spheres in double; every operation is conservative: what was inside stays inside.
+#pragma once
+
+#include <limits>
+
+#include "math/transform.h"
+
+namespace luxo {
+
+/// Axis-aligned box. The default holds nothing.
+struct Box {
+  Vec3 min{std::numeric_limits<double>::infinity()};
+  Vec3 max{-std::numeric_limits<double>::infinity()};
+
+  [[nodiscard]] bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+  [[nodiscard]] Vec3 center() const { return min + 0.5 * (max - min); }
+  [[nodiscard]] Vec3 extent() const { return max - min; }
+  [[nodiscard]] bool contains(const Vec3& p) const {
+    return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z && p.z <= max.z;
+  }
+  void add(const Vec3& point) {
+    min = glm::min(min, point);
+    max = glm::max(max, point);
+  }
+  void add(const Box& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+struct Sphere {
+  Vec3 center{0};
+  double radius = 0;
+};
+
+/// Smallest sphere around the box, rounded outward by 1e-15 relative.
+[[nodiscard]] Sphere sphereAround(const Box& box);
+
+/// Box around the transformed box (Arvo 1990), rounded outward.
+[[nodiscard]] Box transformBounds(const Transform& t, const Box& box);
+
+}  // namespace luxo

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "math/interval.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/vec.h"
+
+namespace luxo {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double down(double x, int steps = 1) {
+  for (int i = 0; i < steps; ++i) x = std::nextafter(x, -kInfinity);
+  return x;
+}
+
+double up(double x, int steps = 1) {
+  for (int i = 0; i < steps; ++i) x = std::nextafter(x, kInfinity);
+  return x;
+}
+
+/// Outward by `steps`; a NaN bound (infinity minus infinity, zero times infinity) says nothing is known.
+Interval outward(double lo, double hi, int steps = 1) {
+  if (std::isnan(lo) || std::isnan(hi)) return Interval::everything();
+  return {down(lo, steps), up(hi, steps)};
+}
+
+constexpr int kLibrarySteps = 4;
+
+/// Whether x holds a point `offset + k * period`, k integer; yes when in doubt by rounding.
+bool holdsPoint(const Interval& x, double offset, double period) {
+  const double k = std::ceil((x.lo - offset) / period - 1e-9);
+  return offset + k * period <= x.hi + 1e-9 * std::max(1.0, std::abs(x.hi));
+}
+
+}  // namespace
+
+Interval operator-(const Interval& x) {
+  return {-x.hi, -x.lo};
+}
+
+Interval operator+(const Interval& x, const Interval& y) {
+  return outward(x.lo + y.lo, x.hi + y.hi);
+}
+
+Interval operator-(const Interval& x, const Interval& y) {
+  return outward(x.lo - y.hi, x.hi - y.lo);
+}
+
+Interval operator*(const Interval& x, const Interval& y) {
+  if (x == Interval(0) || y == Interval(0)) return {};  // exact, and 0 * infinity bounds stay meaningful
+  const double a = x.lo * y.lo, b = x.lo * y.hi, c = x.hi * y.lo, d = x.hi * y.hi;
+  if (std::isnan(a) || std::isnan(b) || std::isnan(c) || std::isnan(d)) return Interval::everything();
+  return outward(std::min({a, b, c, d}), std::max({a, b, c, d}));
+}
+
+Interval operator/(const Interval& x, const Interval& y) {
+  if (y.contains(0)) return Interval::everything();
+  return x * outward(1 / y.hi, 1 / y.lo);
+}
+
+Interval hull(const Interval& x, const Interval& y) {
+  return {std::min(x.lo, y.lo), std::max(x.hi, y.hi)};
+}
+
+Interval square(const Interval& x) {
+  const double a = x.lo * x.lo, b = x.hi * x.hi;
+  const double lowest = x.contains(0) ? 0 : std::min(a, b);
+  return {lowest > 0 ? down(lowest) : 0, up(std::max(a, b))};
+}
+
+Interval pow(const Interval& x, int exponent) {
+  if (exponent == 0) return {1};
+  if (exponent < 0) return Interval(1) / pow(x, -exponent);
+  Interval result = exponent % 2 == 0 ? square(x) : x;
+  for (int n = exponent % 2 == 0 ? 2 : 1; n < exponent; n += 2) result = result * square(x);
+  return result;
+}
+
+Interval sqrt(const Interval& x) {
+  if (x.hi < 0 || x.lo < 0) return x.hi < 0 ? Interval::everything() : Interval(0, up(std::sqrt(x.hi)));
+  return {std::max(0.0, down(std::sqrt(x.lo))), up(std::sqrt(x.hi))};
+}
+
+Interval exp(const Interval& x) {
+  const Interval wide = outward(std::exp(x.lo), std::exp(x.hi), kLibrarySteps);
+  return {std::max(0.0, wide.lo), wide.hi};
+}
+
+Interval log(const Interval& x) {
+  if (x.lo <= 0)
+    return x.hi > 0 ? Interval(-kInfinity, up(std::log(x.hi), kLibrarySteps)) : Interval::everything();
+  return outward(std::log(x.lo), std::log(x.hi), kLibrarySteps);
+}
+
+Interval sin(const Interval& x) {
+  if (!(x.width() < kTau) || !(x.magnitude() < 1e9)) return {-1, 1};
+  const double a = std::sin(x.lo), b = std::sin(x.hi);
+  const Interval ends = outward(std::min(a, b), std::max(a, b), kLibrarySteps);
+  return {holdsPoint(x, -kPi / 2, kTau) ? -1 : std::max(-1.0, ends.lo),
+          holdsPoint(x, kPi / 2, kTau) ? 1 : std::min(1.0, ends.hi)};
+}
+
+Interval cos(const Interval& x) {
+  if (!(x.width() < kTau) || !(x.magnitude() < 1e9)) return {-1, 1};
+  const double a = std::cos(x.lo), b = std::cos(x.hi);
+  const Interval ends = outward(std::min(a, b), std::max(a, b), kLibrarySteps);
+  return {holdsPoint(x, kPi, kTau) ? -1 : std::max(-1.0, ends.lo),
+          holdsPoint(x, 0, kTau) ? 1 : std::min(1.0, ends.hi)};
+}
+
+Interval tan(const Interval& x) {
+  if (!(x.width() < kPi) || !(x.magnitude() < 1e9) || holdsPoint(x, kPi / 2, kPi))
+    return Interval::everything();
+  return outward(std::tan(x.lo), std::tan(x.hi), kLibrarySteps);
+}
+
+Interval sinh(const Interval& x) {
+  return outward(std::sinh(x.lo), std::sinh(x.hi), kLibrarySteps);
+}
+
+Interval cosh(const Interval& x) {
+  const double a = std::cosh(x.lo), b = std::cosh(x.hi);
+  const Interval ends = outward(std::min(a, b), std::max(a, b), kLibrarySteps);
+  return {x.contains(0) ? 1 : std::max(1.0, ends.lo), ends.hi};
+}
+
+Interval tanh(const Interval& x) {
+  const Interval wide = outward(std::tanh(x.lo), std::tanh(x.hi), kLibrarySteps);
+  return {std::max(-1.0, wide.lo), std::min(1.0, wide.hi)};
+}
+
+}  // namespace luxo
