@@ -2,7 +2,9 @@
 #include "math/interval.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "math/vec.h"
 
@@ -11,14 +13,16 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double down(double x, int steps = 1) {
-  for (int i = 0; i < steps; ++i) x = std::nextafter(x, -kInfinity);
-  return x;
+/// The double `steps` above x: doubles of one sign are ordered as their bit patterns are.
+double up(double x, int steps = 1) {
+  if (!(std::abs(x) < kInfinity)) return x;
+  if (x == 0) return steps * std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  return std::bit_cast<double>(x > 0 ? bits + steps : bits - steps);
 }
 
-double up(double x, int steps = 1) {
-  for (int i = 0; i < steps; ++i) x = std::nextafter(x, kInfinity);
-  return x;
+double down(double x, int steps = 1) {
+  return -up(-x, steps);
 }
 
 /// Outward by `steps`; a NaN bound (infinity minus infinity, zero times infinity) says nothing is known.
@@ -67,6 +71,7 @@ Interval hull(const Interval& x, const Interval& y) {
 
 Interval square(const Interval& x) {
   const double a = x.lo * x.lo, b = x.hi * x.hi;
+  if (x == Interval(0)) return {};
   const double lowest = x.contains(0) ? 0 : std::min(a, b);
   return {lowest > 0 ? down(lowest) : 0, up(std::max(a, b))};
 }
@@ -80,6 +85,7 @@ Interval pow(const Interval& x, int exponent) {
 }
 
 Interval sqrt(const Interval& x) {
+  if (x == Interval(0)) return {};
   if (x.hi < 0 || x.lo < 0) return x.hi < 0 ? Interval::everything() : Interval(0, up(std::sqrt(x.hi)));
   return {std::max(0.0, down(std::sqrt(x.lo))), up(std::sqrt(x.hi))};
 }
