@@ -9,51 +9,21 @@
 
 namespace luxo {
 
-Expr operator-(Expr x) {
-  return Graph::apply(Op::Negate, x);
-}
-Expr operator+(Expr x, Expr y) {
-  return Graph::apply(Op::Add, x, y);
-}
-Expr operator-(Expr x, Expr y) {
-  return Graph::apply(Op::Subtract, x, y);
-}
-Expr operator*(Expr x, Expr y) {
-  return Graph::apply(Op::Multiply, x, y);
-}
-Expr operator/(Expr x, Expr y) {
-  return Graph::apply(Op::Divide, x, y);
-}
-Expr pow(Expr x, int exponent) {
-  return Graph::apply(Op::Power, x, {}, exponent);
-}
-Expr sqrt(Expr x) {
-  return Graph::apply(Op::Sqrt, x);
-}
-Expr exp(Expr x) {
-  return Graph::apply(Op::Exp, x);
-}
-Expr log(Expr x) {
-  return Graph::apply(Op::Log, x);
-}
-Expr sin(Expr x) {
-  return Graph::apply(Op::Sin, x);
-}
-Expr cos(Expr x) {
-  return Graph::apply(Op::Cos, x);
-}
-Expr tan(Expr x) {
-  return Graph::apply(Op::Tan, x);
-}
-Expr sinh(Expr x) {
-  return Graph::apply(Op::Sinh, x);
-}
-Expr cosh(Expr x) {
-  return Graph::apply(Op::Cosh, x);
-}
-Expr tanh(Expr x) {
-  return Graph::apply(Op::Tanh, x);
-}
+Expr operator-(Expr x) { return Graph::apply(Op::Negate, x); }
+Expr operator+(Expr x, Expr y) { return Graph::apply(Op::Add, x, y); }
+Expr operator-(Expr x, Expr y) { return Graph::apply(Op::Subtract, x, y); }
+Expr operator*(Expr x, Expr y) { return Graph::apply(Op::Multiply, x, y); }
+Expr operator/(Expr x, Expr y) { return Graph::apply(Op::Divide, x, y); }
+Expr pow(Expr x, int exponent) { return Graph::apply(Op::Power, x, {}, exponent); }
+Expr sqrt(Expr x) { return Graph::apply(Op::Sqrt, x); }
+Expr exp(Expr x) { return Graph::apply(Op::Exp, x); }
+Expr log(Expr x) { return Graph::apply(Op::Log, x); }
+Expr sin(Expr x) { return Graph::apply(Op::Sin, x); }
+Expr cos(Expr x) { return Graph::apply(Op::Cos, x); }
+Expr tan(Expr x) { return Graph::apply(Op::Tan, x); }
+Expr sinh(Expr x) { return Graph::apply(Op::Sinh, x); }
+Expr cosh(Expr x) { return Graph::apply(Op::Cosh, x); }
+Expr tanh(Expr x) { return Graph::apply(Op::Tanh, x); }
 
 std::size_t Graph::NodeHash::operator()(const Node& node) const noexcept {
   std::uint64_t h = static_cast<std::uint64_t>(node.op) * 0x9e3779b97f4a7c15u;
@@ -68,9 +38,7 @@ Expr Graph::intern(const Node& node) {
   return {this, entry->second};
 }
 
-Expr Graph::variable(std::uint32_t index) {
-  return intern({.op = Op::Variable, .a = index});
-}
+Expr Graph::variable(std::uint32_t index) { return intern({.op = Op::Variable, .a = index}); }
 
 std::uint32_t Graph::nodeOf(Expr f) {
   if (!f.isConstant()) {

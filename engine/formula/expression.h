@@ -80,9 +80,7 @@ class Expr {
 
 /// A point of space given by three expressions: what a surface formula returns.
 using ExprPoint = std::array<Expr, 3>;
-[[nodiscard]] inline ExprPoint point(Expr x, Expr y, Expr z) {
-  return {x, y, z};
-}
+[[nodiscard]] inline ExprPoint point(Expr x, Expr y, Expr z) { return {x, y, z}; }
 
 /// One operation. Operands always have smaller indices than the node itself, so index order is evaluation
 /// order.

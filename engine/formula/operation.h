@@ -19,9 +19,7 @@ namespace luxo {
   return result;
 }
 
-[[nodiscard]] inline Interval integerPower(const Interval& x, int n) {
-  return pow(x, n);
-}
+[[nodiscard]] inline Interval integerPower(const Interval& x, int n) { return pow(x, n); }
 
 /// The value of one operation; `Number` is double or Interval.
 template <class Number>

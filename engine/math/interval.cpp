@@ -21,9 +21,7 @@ double up(double x, int steps = 1) {
   return std::bit_cast<double>(x > 0 ? bits + steps : bits - steps);
 }
 
-double down(double x, int steps = 1) {
-  return -up(-x, steps);
-}
+double down(double x, int steps = 1) { return -up(-x, steps); }
 
 /// Outward by `steps`; a NaN bound (infinity minus infinity, zero times infinity) says nothing is known.
 Interval outward(double lo, double hi, int steps = 1) {
@@ -41,17 +39,15 @@ bool holdsPoint(const Interval& x, double offset, double period) {
 
 }  // namespace
 
-Interval operator-(const Interval& x) {
-  return {-x.hi, -x.lo};
-}
+Interval operator-(const Interval& x) { return {-x.hi, -x.lo}; }
 
 Interval operator+(const Interval& x, const Interval& y) {
+  if (x == Interval(0)) return y;  // exact: a derivative that vanishes identically stays exactly zero
+  if (y == Interval(0)) return x;
   return outward(x.lo + y.lo, x.hi + y.hi);
 }
 
-Interval operator-(const Interval& x, const Interval& y) {
-  return outward(x.lo - y.hi, x.hi - y.lo);
-}
+Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
 Interval operator*(const Interval& x, const Interval& y) {
   if (x == Interval(0) || y == Interval(0)) return {};  // exact, and 0 * infinity bounds stay meaningful
@@ -65,9 +61,7 @@ Interval operator/(const Interval& x, const Interval& y) {
   return x * outward(1 / y.hi, 1 / y.lo);
 }
 
-Interval hull(const Interval& x, const Interval& y) {
-  return {std::min(x.lo, y.lo), std::max(x.hi, y.hi)};
-}
+Interval hull(const Interval& x, const Interval& y) { return {std::min(x.lo, y.lo), std::max(x.hi, y.hi)}; }
 
 Interval square(const Interval& x) {
   const double a = x.lo * x.lo, b = x.hi * x.hi;
@@ -123,9 +117,7 @@ Interval tan(const Interval& x) {
   return outward(std::tan(x.lo), std::tan(x.hi), kLibrarySteps);
 }
 
-Interval sinh(const Interval& x) {
-  return outward(std::sinh(x.lo), std::sinh(x.hi), kLibrarySteps);
-}
+Interval sinh(const Interval& x) { return outward(std::sinh(x.lo), std::sinh(x.hi), kLibrarySteps); }
 
 Interval cosh(const Interval& x) {
   const double a = std::cosh(x.lo), b = std::cosh(x.hi);

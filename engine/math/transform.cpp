@@ -14,13 +14,9 @@ Transform operator*(const Transform& aFromB, const Transform& bFromC) {
   return {aFromB.linear * bFromC.linear, aFromB.linear * bFromC.translation + aFromB.translation};
 }
 
-Vec3 transformPoint(const Transform& t, const Vec3& point) {
-  return t.linear * point + t.translation;
-}
+Vec3 transformPoint(const Transform& t, const Vec3& point) { return t.linear * point + t.translation; }
 
-Vec3 transformDirection(const Transform& t, const Vec3& direction) {
-  return t.linear * direction;
-}
+Vec3 transformDirection(const Transform& t, const Vec3& direction) { return t.linear * direction; }
 
 Mat3 normalMatrix(const Mat3& linear) {
   const Vec3 &a = linear[0], &b = linear[1], &c = linear[2];
@@ -48,9 +44,7 @@ double largestStretch(const Mat3& linear) {
   return scale * std::sqrt(largest) * (1 + 1e-12);
 }
 
-bool mirrors(const Transform& t) {
-  return glm::determinant(t.linear) < 0;
-}
+bool mirrors(const Transform& t) { return glm::determinant(t.linear) < 0; }
 
 Mat3 rotation(const Vec3& axis, double angleRadians) {
   const Vec3 d = unit(axis);

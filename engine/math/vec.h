@@ -31,9 +31,7 @@ using Mat4f = glm::mat4;
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kTau = 2 * std::numbers::pi;
 
-[[nodiscard]] constexpr double radians(double degrees) {
-  return degrees * (kPi / 180);
-}
+[[nodiscard]] constexpr double radians(double degrees) { return degrees * (kPi / 180); }
 
 /// Unit vector along v, right for any finite length from 1e-300 to 1e300; the zero vector stays zero.
 [[nodiscard]] inline Vec3 unit(const Vec3& v) {

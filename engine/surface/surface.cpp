@@ -45,24 +45,12 @@ Surface::Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
   description_ = std::move(description);
 }
 
-const std::string& Surface::name() const {
-  return description_->traits.name;
-}
-const Domain& Surface::domain() const {
-  return description_->domain;
-}
-const Topology& Surface::topology() const {
-  return description_->topology;
-}
-const std::vector<Animated<double>>& Surface::parameters() const {
-  return description_->parameters;
-}
-std::optional<Paraboloid> Surface::paraboloid() const {
-  return description_->traits.paraboloid;
-}
-std::optional<Vec3> Surface::flatNormal() const {
-  return description_->traits.flatNormal;
-}
+const std::string& Surface::name() const { return description_->traits.name; }
+const Domain& Surface::domain() const { return description_->domain; }
+const Topology& Surface::topology() const { return description_->topology; }
+const std::vector<Animated<double>>& Surface::parameters() const { return description_->parameters; }
+std::optional<Paraboloid> Surface::paraboloid() const { return description_->traits.paraboloid; }
+std::optional<Vec3> Surface::flatNormal() const { return description_->traits.flatNormal; }
 
 namespace {
 

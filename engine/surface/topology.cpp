@@ -41,9 +41,7 @@ Samples sample(const Tape& tangents, const std::vector<double>& u, const std::ve
   return samples;
 }
 
-bool finite(const Vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
+bool finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 double extentOf(const Samples& samples) {
   Box box;

@@ -6,9 +6,7 @@
 
 namespace luxo {
 
-double toleranceLevel(double tolerance) {
-  return std::exp2(std::floor(2 * std::log2(tolerance)) / 2);
-}
+double toleranceLevel(double tolerance) { return std::exp2(std::floor(2 * std::log2(tolerance)) / 2); }
 
 std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<const double> parameters,
                                            Segments segments) {

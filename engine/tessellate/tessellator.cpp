@@ -21,8 +21,8 @@ struct Coefficients {
 Coefficients coefficientsOf(const Surface& surface, std::span<const double> parameters) {
   const PartialBounds m = surface.partialBounds(parameters);
   const double du = surface.domain().u.width(), dv = surface.domain().v.width();
-  // Within its plane a flat surface is covered exactly whatever its interior edges are: only its borders, curves of
-  // constant u or v, deviate, and a curve has no mixed term.
+  // Within its plane a flat surface is covered exactly whatever its interior edges are: only its borders,
+  // curves of constant u or v, deviate, and a curve has no mixed term.
   const double mixed = surface.flatNormal() ? 0 : m.uv;
   return {m.uu * du * du, mixed * du * dv, m.vv * dv * dv};
 }
