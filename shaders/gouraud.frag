@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interpolated colour of the side that is seen.
+#version 460
+
+layout(location = 0) in vec4 inFront;
+layout(location = 1) in vec4 inBack;
+
+layout(location = 0) out vec4 outColor;
+
+void main() { outColor = gl_FrontFacing ? inFront : inBack; }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light per vertex (Gouraud shading): the colour of each side is evaluated here and interpolated.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/illumination.glsl"
+#include "lib/scene.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+
+layout(location = 0) out vec4 outFront;
+layout(location = 1) out vec4 outBack;
+
+invariant gl_Position;
+
+void main() {
+  InstanceData instance = instances[gl_InstanceIndex];
+  vec3 position = relativeFromObject(instance, inPosition);
+  vec3 n = normalize(instance.normalFromObject * inNormal);
+  vec3 v = -position * inversesqrt(dot(position, position));
+  Material material =
+      Material(instance.ambient, instance.diffuse, instance.specular, instance.shininess, instance.flags);
+  bool twoSided = (instance.flags & kTwoSided) != 0;
+  outFront = vec4(illuminated(material, position, n, v), instance.opacity);
+  outBack = vec4(illuminated(material, position, twoSided ? -n : n, v), instance.opacity);
+  gl_Position = view.clipFromRelative * vec4(position, 1);
+}

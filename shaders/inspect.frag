@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Geometry instead of light: as numbers (auxiliary outputs) or as colours (debug views). Alpha is 1 where a surface is.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/scene.glsl"
+
+// What is written: 0 position relative to the eye, 1 normal, 2 parameters, 3 depth, 4 number of the node.
+layout(constant_id = 0) const uint kQuantity = 0;
+layout(constant_id = 1) const bool kAsColor = false;
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec4 inParameters;
+layout(location = 3) in float inWeight;
+layout(location = 4) flat in vec2 inCorner;
+layout(location = 5) flat in vec4 inDomain;
+layout(location = 6) flat in vec2 inCell;
+layout(location = 7) flat in uvec2 inFlagsId;
+
+layout(location = 0) out vec4 outValue;
+
+vec2 surfaceParameters() {
+  // The last column is the one whose corner is one cell below the upper end; half a cell of room for rounding.
+  vec2 upperEnd = inDomain.xy + inDomain.zw;
+  bvec2 lastCell = greaterThan(inCorner, upperEnd - 1.5 * inCell);
+  bool upperU = (inFlagsId.x & kSeamU) != 0 && lastCell.x;
+  bool upperV = (inFlagsId.x & kSeamV) != 0 && lastCell.y;
+  return vec2((upperU ? inParameters.z : inParameters.x) / max(inWeight, 1e-6), upperV ? inParameters.w : inParameters.y);
+}
+
+// Colours of neighbouring numbers lie a golden angle apart on the hue circle: any few nodes are told apart.
+vec3 colorOfId(uint id) {
+  vec3 hue = fract(float(id) * 0.61803399 + vec3(0.0, 1.0 / 3.0, 2.0 / 3.0));
+  return 0.15 + 0.75 * smoothstep(0.0, 1.0, abs(2.0 * hue - 1.0));
+}
+
+void main() {
+  vec3 value;
+  if (kQuantity == 0) {
+    value = inPosition;
+  } else if (kQuantity == 1) {
+    vec3 n = normalize(inNormal);
+    if ((inFlagsId.x & kTwoSided) != 0 && !gl_FrontFacing) n = -n;
+    value = kAsColor ? 0.5 + 0.5 * n : n;
+  } else if (kQuantity == 2) {
+    vec2 uv = surfaceParameters();
+    value = vec3(kAsColor ? (uv - inDomain.xy) / inDomain.zw : uv, 0);
+  } else if (kQuantity == 3) {
+    float depth = dot(inPosition, view.forward);
+    float nearness = (view.depthRange.y - depth) / max(view.depthRange.y - view.depthRange.x, 1e-30);
+    value = vec3(kAsColor ? 0.02 + 0.98 * clamp(nearness, 0.0, 1.0) : depth);
+  } else {
+    value = kAsColor ? colorOfId(inFlagsId.y) : vec3(inFlagsId.y);
+  }
+  outValue = vec4(value, 1);
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light per fragment, with the interpolated normal (Phong shading) or the facet's own (flat shading).
+// Out: scene-linear colour and opacity.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/illumination.glsl"
+
+layout(constant_id = 2) const bool kFacetNormal = false;
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) flat in vec3 inAmbient;
+layout(location = 3) flat in vec3 inDiffuse;
+layout(location = 4) flat in vec3 inSpecular;
+layout(location = 5) flat in vec2 inShininessOpacity;
+layout(location = 6) flat in uint inFlags;
+
+layout(location = 0) out vec4 outColor;
+
+void main() {
+  // The facet is flat, so the derivatives of its position span it; which of its sides is seen, the rasteriser knows.
+  vec3 n;
+  if (kFacetNormal) {
+    vec3 facet = cross(dFdx(inPosition), dFdy(inPosition));
+    n = facet * inversesqrt(max(dot(facet, facet), 1e-37));
+    bool towardViewer = dot(n, inPosition) < 0.0;
+    n = towardViewer == (gl_FrontFacing || (inFlags & kTwoSided) != 0) ? n : -n;
+  } else {
+    n = normalize(inNormal);
+    if ((inFlags & kTwoSided) != 0 && !gl_FrontFacing) n = -n;
+  }
+  vec3 v = -inPosition * inversesqrt(dot(inPosition, inPosition));
+  Material material = Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inFlags);
+  outColor = vec4(illuminated(material, inPosition, n, v), inShininessOpacity.y);
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices of a surface, for shading per fragment. In: object space. Out: relative to the eye, axes of the world.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/scene.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+
+layout(location = 0) out vec3 outPosition;
+layout(location = 1) out vec3 outNormal;
+layout(location = 2) flat out vec3 outAmbient;
+layout(location = 3) flat out vec3 outDiffuse;
+layout(location = 4) flat out vec3 outSpecular;
+layout(location = 5) flat out vec2 outShininessOpacity;
+layout(location = 6) flat out uint outFlags;
+
+invariant gl_Position;
+
+void main() {
+  InstanceData instance = instances[gl_InstanceIndex];
+  outPosition = relativeFromObject(instance, inPosition);
+  outNormal = normalize(instance.normalFromObject * inNormal);
+  outAmbient = instance.ambient;
+  outDiffuse = instance.diffuse;
+  outSpecular = instance.specular;
+  outShininessOpacity = vec2(instance.shininess, instance.opacity);
+  outFlags = instance.flags;
+  gl_Position = view.clipFromRelative * vec4(outPosition, 1);
+}
