@@ -147,9 +147,12 @@ std::vector<std::vector<double>> Tape::run(std::span<const double> u, std::span<
   return results;
 }
 
-std::vector<Interval> Tape::bound(const Interval& u, const Interval& v,
-                                  std::span<const double> parameters) const {
-  std::vector<Interval> values(instructions_.size());
+void Tape::bound(const Interval& u, const Interval& v, std::span<const double> parameters,
+                 std::span<Interval> bounds) const {
+  LUXO_REQUIRE_COMPARE(bounds.size(), ==, outputs_.size());
+  // Bounds are asked for by the thousand: the registers are kept from call to call.
+  static thread_local std::vector<Interval> values;
+  values.resize(instructions_.size());
   for (std::size_t k = 0; k < instructions_.size(); ++k) {
     const Instruction& i = instructions_[k];
     if (i.op == Op::Constant) {
@@ -162,9 +165,7 @@ std::vector<Interval> Tape::bound(const Interval& u, const Interval& v,
       values[k] = operate(i.op, values[i.a], values[i.b], static_cast<int>(i.value));
     }
   }
-  std::vector<Interval> result;
-  for (const std::uint32_t output : outputs_) result.push_back(values[output]);
-  return result;
+  for (std::size_t k = 0; k < outputs_.size(); ++k) bounds[k] = values[outputs_[k]];
 }
 
 }  // namespace luxo

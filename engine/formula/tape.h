@@ -33,9 +33,10 @@ class Tape {
                                                               std::span<const double> v,
                                                               std::span<const double> parameters) const;
 
-  /// Intervals that hold every output over the rectangle u x v (rigorous: outward rounding).
-  [[nodiscard]] std::vector<Interval> bound(const Interval& u, const Interval& v,
-                                            std::span<const double> parameters) const;
+  /// Intervals that hold every output over the rectangle u x v (rigorous: outward rounding). `bounds` takes
+  /// one per output.
+  void bound(const Interval& u, const Interval& v, std::span<const double> parameters,
+             std::span<Interval> bounds) const;
 
  private:
   /// What a value depends on decides how often it is computed.

@@ -2,6 +2,7 @@
 #include "surface/bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 
@@ -10,14 +11,18 @@ namespace {
 
 constexpr int kPositionCells = 16;
 constexpr int kMostRectangles = 512;
-constexpr double kTightEnough = 1.05;
+constexpr double kTightEnough = 1.1;
 
-/// Upper end of the Euclidean length of a vector of three intervals.
-double lengthBound(const std::vector<Interval>& values, int first) {
-  return sqrt(square(values[first]) + square(values[first + 1]) + square(values[first + 2])).hi;
+/// Upper end of the Euclidean length, over a rectangle, of the second derivative whose outputs start at
+/// `first`.
+double lengthBound(const SurfaceFunction& function, std::size_t first, const Domain& d,
+                   std::span<const double> parameters) {
+  std::array<Interval, 9> p;
+  function.second.bound(d.u, d.v, parameters, p);
+  return sqrt(square(p[first]) + square(p[first + 1]) + square(p[first + 2])).hi;
 }
 
-double boundLength(const SurfaceFunction& function, int firstOutput, const Domain& domain,
+double boundLength(const SurfaceFunction& function, std::size_t firstOutput, const Domain& domain,
                    std::span<const double> parameters) {
   struct Rectangle {
     double bound;
@@ -27,10 +32,9 @@ double boundLength(const SurfaceFunction& function, int firstOutput, const Domai
   double taken = 0;  // a length that is really reached somewhere
   std::priority_queue<Rectangle> open;
   const auto look = [&](const Domain& d) {
-    const Interval u(d.u.mid()), v(d.v.mid());
-    const double middle = lengthBound(function.second.bound(u, v, parameters), firstOutput);
+    const double middle = lengthBound(function, firstOutput, {d.u.mid(), d.v.mid()}, parameters);
     if (std::isfinite(middle)) taken = std::max(taken, middle);
-    open.push({lengthBound(function.second.bound(d.u, d.v, parameters), firstOutput), d});
+    open.push({lengthBound(function, firstOutput, d, parameters), d});
   };
   look(domain);
   for (int seen = 1; seen < kMostRectangles && open.top().bound > kTightEnough * taken; ++seen) {
@@ -58,7 +62,8 @@ Box boundPosition(const SurfaceFunction& function, const Domain& domain, std::sp
   Box box;
   for (int j = 0; j < kPositionCells; ++j)
     for (int i = 0; i < kPositionCells; ++i) {
-      const auto p = function.position.bound(part(domain.u, i), part(domain.v, j), parameters);
+      std::array<Interval, 3> p;
+      function.position.bound(part(domain.u, i), part(domain.v, j), parameters, p);
       box.add(Vec3(p[0].lo, p[1].lo, p[2].lo));
       box.add(Vec3(p[0].hi, p[1].hi, p[2].hi));
     }

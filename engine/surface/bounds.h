@@ -13,7 +13,7 @@ namespace luxo {
                                 std::span<const double> parameters);
 
 /// Suprema of |Suu|, |Suv|, |Svv| over the domain: never below the true ones; the rectangle with the worst
-/// bound is split until the bound is within 5 % of a value that is really taken, or 512 rectangles were
+/// bound is split until the bound is within 10 % of a value that is really taken, or 512 rectangles were
 /// looked at. A second derivative that is unbounded on the domain gives infinity.
 [[nodiscard]] PartialBounds boundPartials(const SurfaceFunction& function, const Domain& domain,
                                           std::span<const double> parameters);
