@@ -25,14 +25,14 @@ Expr sinh(Expr x) { return Graph::apply(Op::Sinh, x); }
 Expr cosh(Expr x) { return Graph::apply(Op::Cosh, x); }
 Expr tanh(Expr x) { return Graph::apply(Op::Tanh, x); }
 
-std::size_t Graph::NodeHash::operator()(const Node& node) const noexcept {
+std::size_t Graph::NodeHash::operator()(const ExprNode& node) const noexcept {
   std::uint64_t h = static_cast<std::uint64_t>(node.op) * 0x9e3779b97f4a7c15u;
   h ^= (static_cast<std::uint64_t>(node.a) << 32 | node.b) + 0x9e3779b97f4a7c15u + (h << 6) + (h >> 2);
   h ^= std::bit_cast<std::uint64_t>(node.value) * 0xff51afd7ed558ccdu + (h << 6) + (h >> 2);
   return static_cast<std::size_t>(h ^ (h >> 31));
 }
 
-Expr Graph::intern(const Node& node) {
+Expr Graph::intern(const ExprNode& node) {
   const auto [entry, isNew] = index_.try_emplace(node, static_cast<std::uint32_t>(nodes_.size()));
   if (isNew) nodes_.push_back(node);
   return {this, entry->second};
@@ -82,7 +82,7 @@ Expr Graph::apply(Op op, Expr x, Expr y, int exponent) {
   }
 
   Graph* graph = x.isConstant() ? y.graph_ : x.graph_;
-  Node node{.op = op, .a = graph->nodeOf(x)};
+  ExprNode node{.op = op, .a = graph->nodeOf(x)};
   if (binary) node.b = graph->nodeOf(y);
   if (op == Op::Power) node.value = exponent;
   if (op == Op::Negate && graph->nodes_[node.a].op == Op::Negate) return {graph, graph->nodes_[node.a].a};
@@ -113,7 +113,7 @@ Expr Graph::derivative(Expr f, std::uint32_t index) {
   LUXO_REQUIRE(f.graph_ == this);
   std::vector<Expr> d(nodes_.size());  // of the nodes that exist now; the derivatives themselves add more
   for (const std::uint32_t i : reachable(*this, {f.node_})) {
-    const Node node = nodes_[i];
+    const ExprNode node = nodes_[i];
     const auto operand = [&](std::uint32_t n) {
       return nodes_[n].op == Op::Constant ? Expr(nodes_[n].value) : Expr(this, n);
     };

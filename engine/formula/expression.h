@@ -84,12 +84,12 @@ using ExprPoint = std::array<Expr, 3>;
 
 /// One operation. Operands always have smaller indices than the node itself, so index order is evaluation
 /// order.
-struct Node {
+struct ExprNode {
   Op op = Op::Constant;
   std::uint32_t a = 0, b = 0;  ///< operands; for Variable, a = which
   double value = 0;            ///< Constant: its value; Power: its exponent
 
-  friend bool operator==(const Node&, const Node&) = default;
+  friend bool operator==(const ExprNode&, const ExprNode&) = default;
 };
 
 /// Owns the nodes. Not copyable (expressions point into it); not thread-safe while it grows.
@@ -106,7 +106,7 @@ class Graph {
   /// shared.
   [[nodiscard]] Expr derivative(Expr f, std::uint32_t index);
 
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<ExprNode>& nodes() const { return nodes_; }
   /// Index of the node behind `f`; a constant becomes a node.
   [[nodiscard]] std::uint32_t nodeOf(Expr f);
 
@@ -115,13 +115,13 @@ class Graph {
 
  private:
   struct NodeHash {
-    std::size_t operator()(const Node& node) const noexcept;
+    std::size_t operator()(const ExprNode& node) const noexcept;
   };
 
-  Expr intern(const Node& node);
+  Expr intern(const ExprNode& node);
 
-  std::vector<Node> nodes_;
-  std::unordered_map<Node, std::uint32_t, NodeHash> index_;
+  std::vector<ExprNode> nodes_;
+  std::unordered_map<ExprNode, std::uint32_t, NodeHash> index_;
 };
 
 /// Indices of all nodes that `roots` need, ascending: a valid order of evaluation.

@@ -58,7 +58,7 @@ Tape::Tape(Graph& graph, std::span<const Expr> outputs) {
 
   std::vector<std::uint32_t> instructionOf(graph.nodes().size());
   for (const std::uint32_t n : order) {
-    const Node& node = graph.nodes()[n];
+    const ExprNode& node = graph.nodes()[n];
     Instruction instruction{.op = node.op, .a = node.a, .b = node.b, .value = node.value};
     if (node.op == Op::Variable) {
       instruction.rate = node.a == 0 ? Rate::PerColumn : node.a == 1 ? Rate::PerRow : Rate::Once;
