@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene: nodes in a hierarchy, materials, cameras, and how to picture them. Built by value, read at any
+// time.
+//
+//     Scene scene;
+//     const MaterialId red = scene.add(Material{.diffuse = {0.8, 0.1, 0.1}});
+//     scene.add(Node{.rotation = spin({0, 1, 0}, 0.5), .surface = torus(2, 0.5), .material = red});
+//     Snapshot snapshot = takeSnapshot(scene, 1.5, {1280, 720});
+//
+// Units: metres, radians, seconds, linear RGB. Reading is safe from any thread while nobody writes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/animated.h"
+#include "math/bounds.h"
+#include "math/transform.h"
+#include "scene/camera.h"
+#include "scene/ids.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "surface/surface.h"
+
+namespace luxo {
+
+/// Right-handed, about an axis of any length; a zero axis is allowed only with angle 0.
+struct Rotation {
+  Vec3 axis{0, 1, 0};
+  double angle = 0;  ///< radians
+
+  friend bool operator==(const Rotation&, const Rotation&) = default;
+};
+
+/// Turns for ever: the angle is rate * time, from absolute time (math/transform.h, angleAt).
+[[nodiscard]] Animated<Rotation> spin(const Vec3& axis, double radiansPerSecond);
+
+/// A uniform grid instead of a tolerance.
+struct Segments {
+  int u = 1, v = 1;
+
+  friend bool operator==(const Segments&, const Segments&) = default;
+};
+
+/// parentFromNode = translation * rotation * scale; all three, and visibility, are inherited.
+struct Node {
+  std::string name = {};
+  NodeId parent = {};  ///< none: the world
+  Animated<Vec3> translation = Vec3(0);
+  Animated<Rotation> rotation = Rotation{};
+  Animated<Vec3> scale = Vec3(1);
+  Surface surface = {};
+  MaterialId material = {};  ///< none: Material{}
+  std::optional<Light> light = std::nullopt;
+  Animated<bool> visible = true;  ///< false: neither the node nor what hangs on it exists for the picture
+  std::optional<Segments> segments = std::nullopt;
+};
+
+/// What the picture is when nobody asks otherwise.
+struct RenderSettings {
+  PixelSize size = {1280, 720};
+  double time = 0;
+  double fps = 24;
+  int samples = 1;
+  double tolerance = 0.5;  ///< pixels
+  Shading shading = Shading::Phong;
+  Vec3 background{0.02, 0.025, 0.03};
+  Vec3 ambient{0.1};
+
+  friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
+};
+
+class Scene {
+ public:
+  /// A node as stored. Slots are never reused, so ids stay unique.
+  struct Entry {
+    Node node;
+    bool removed = false;
+    std::optional<Box>
+        constantBounds;  ///< object space, found once, for surfaces whose parameters never change
+  };
+
+  Scene();
+
+  /// Parents and casters first: a node may only name what exists (asserted), so one pass in order evaluates
+  /// the hierarchy. Throws Error(Scene) naming the thing and the value for constants out of range.
+  NodeId add(Node node);
+  MaterialId add(Material material);
+  CameraId add(Camera camera);  ///< the first one added is the default
+
+  /// Replaces, with the checks of add. A node's parent must have a smaller id.
+  void set(NodeId id, Node node);
+  void set(MaterialId id, Material material);
+  void set(CameraId id, Camera camera);
+  void set(const RenderSettings& settings);
+
+  void remove(NodeId id);  ///< with everything that hangs on it
+
+  [[nodiscard]] const Node& operator[](NodeId id) const;
+  [[nodiscard]] const Material& operator[](MaterialId id) const;
+  [[nodiscard]] const Camera& operator[](CameraId id) const;
+  [[nodiscard]] const RenderSettings& settings() const { return settings_; }
+
+  /// The first of that name, or nothing. Linear.
+  [[nodiscard]] std::optional<NodeId> findNode(std::string_view name) const;
+  [[nodiscard]] std::optional<CameraId> findCamera(std::string_view name) const;
+
+  [[nodiscard]] const std::vector<Entry>& nodes() const {
+    return nodes_;
+  }  ///< index = id, removed ones included
+  [[nodiscard]] const std::vector<Material>& materials() const {
+    return materials_;
+  }  ///< the first is Material{}
+  [[nodiscard]] const std::vector<Camera>& cameras() const { return cameras_; }
+
+  /// Whether anything is a function of time: if not, one snapshot is right for all times.
+  [[nodiscard]] bool movesWithTime() const;
+  /// Grows with every change made through this interface.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+ private:
+  Entry checked(Node node, std::uint32_t index) const;
+
+  std::vector<Entry> nodes_;
+  std::vector<Material> materials_;
+  std::vector<Camera> cameras_;
+  RenderSettings settings_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace luxo

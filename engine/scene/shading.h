@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a pixel's colour is found, and the names users write for it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace luxo {
+
+enum class Shading {
+  Flat,       ///< one normal per triangle
+  Gouraud,    ///< light at vertices, interpolated
+  Phong,      ///< light in every pixel, from the interpolated normal
+  Wireframe,  ///< the edges of the triangles
+  Normal,     ///< view of data: world normal
+  Uv,         ///< view of data: surface parameters
+  Depth,      ///< view of data: distance along the view axis
+  Id,         ///< view of data: the node's number
+};
+
+inline constexpr std::array<std::string_view, 8> kShadingNames = {"flat",   "gouraud", "phong", "wireframe",
+                                                                  "normal", "uv",      "depth", "id"};
+
+[[nodiscard]] constexpr std::string_view nameOf(Shading shading) {
+  return kShadingNames[static_cast<std::size_t>(shading)];
+}
+
+/// The shading of that name, or nothing.
+[[nodiscard]] constexpr std::optional<Shading> shadingNamed(std::string_view name) {
+  for (std::size_t i = 0; i < kShadingNames.size(); ++i)
+    if (kShadingNames[i] == name) return static_cast<Shading>(i);
+  return std::nullopt;
+}
+
+}  // namespace luxo

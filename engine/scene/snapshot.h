@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene at one moment: flat, read-only, in double. Everything downstream reads this and never the scene.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/shade.h"
+#include "scene/view.h"
+
+namespace luxo {
+
+/// A visible node with a surface.
+struct SnapshotNode {
+  NodeId id;
+  std::uint32_t number =
+      0;  ///< from 1, in depth-first order over all nodes of the scene: what the `id` view shows
+  Transform worldFromObject;
+  Surface surface;
+  std::vector<double> parameters;  ///< of the surface, at this moment
+  Box boundsObject, boundsWorld;   ///< conservative
+  MaterialId material;             ///< always valid
+  std::optional<Segments> segments;
+
+  /// Same node, same picture: surfaces compare by identity, numbers bit by bit.
+  friend bool operator==(const SnapshotNode& a, const SnapshotNode& b);
+};
+
+/// A light of a visible node.
+struct SnapshotLight {
+  NodeId id;
+  /// w = 1: position in the world. w = 0: unit direction toward the light, a point at infinity.
+  Vec4 positionWorld{0};
+  Vec3 radiance{0};  ///< color * intensity
+  Light::Attenuation attenuation = Light::Attenuation::None;
+  std::optional<ShadeRule> shade;  ///< the exact shadow of the lamp shade around this light
+
+  [[nodiscard]] bool directional() const { return positionWorld.w == 0; }
+  friend bool operator==(const SnapshotLight&, const SnapshotLight&) = default;
+};
+
+struct Snapshot {
+  View view;
+  std::vector<SnapshotNode> nodes;  ///< by ascending id
+  /// In an order that depends on the lights alone, so that sums over lights round the same way however the
+  /// scene was put together.
+  std::vector<SnapshotLight> lights;
+  std::vector<Material> materials;  ///< index = MaterialId
+  Vec3 background{0}, ambient{0};
+
+  /// Whether both make the same picture at the same quality. The time itself is not compared. Cost: linear.
+  friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+
+/// Evaluates the scene: one linear pass, parents before children. No id: the scene's first camera, or where
+/// it has none fitCamera() around the scene at its default time (so that an animation does not make the
+/// camera breathe). Throws Error(Scene) naming the node or camera, the value and the time: values that are
+/// not finite, a zero axis with an angle, a bad camera, a shadow that is not supported yet (Light::Shadow).
+[[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
+                                    CameraId camera = {});
+[[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
+                                    const Camera& camera);
+
+/// What differs between two moments of one scene: consumers upload only that.
+struct Changes {
+  bool structure =
+      false;  ///< nodes came, went or changed surface, material or segments: everything below lists all
+  std::vector<std::uint32_t> moved;     ///< indices into next.nodes whose transform differs
+  std::vector<std::uint32_t> deformed;  ///< indices into next.nodes whose surface parameters differ
+  bool view = false, lights = false, materials = false,
+       environment = false;  ///< environment: background, ambient
+
+  [[nodiscard]] bool any() const {
+    return structure || !moved.empty() || !deformed.empty() || view || lights || materials || environment;
+  }
+};
+
+/// Exact comparison; changesSince(a, b).any() == (a != b).
+[[nodiscard]] Changes changesSince(const Snapshot& previous, const Snapshot& next);
+
+}  // namespace luxo
