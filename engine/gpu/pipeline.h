@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Graphics pipelines as data: everything has a default, one struct overrides it.
+#pragma once
+
+#include "gpu/descriptor.h"
+#include "gpu/handle.h"
+#include "gpu/vk.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace luxo::gpu {
+
+enum class Blend {
+  None,
+  Alpha,  ///< source over destination, colours not premultiplied; alpha becomes coverage
+};
+
+/// For dynamic rendering. Viewport, scissor, cull mode and front face are always dynamic (see below).
+struct GraphicsPipelineDesc {
+  std::string_view name;
+  std::span<const std::uint32_t> vertexShader;    ///< SPIR-V, entry `main`
+  std::span<const std::uint32_t> fragmentShader;  ///< SPIR-V; empty = depth only
+
+  std::vector<VkVertexInputBindingDescription> bindings;  ///< none: the shader pulls or makes its vertices
+  std::vector<VkVertexInputAttributeDescription> attributes;
+  VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VkPolygonMode polygonMode = VK_POLYGON_MODE_FILL;  ///< others need features().fillModeNonSolid
+
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  bool sampleShading = false;  ///< the fragment shader runs per sample; needs features().sampleRateShading
+  std::vector<VkFormat> colorFormats;
+  VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth buffer, and none of the next three
+
+  bool depthTest = true;
+  bool depthWrite = true;
+  VkCompareOp depthCompare = VK_COMPARE_OP_GREATER;  ///< reversed depth: nearer is greater, cleared to 0
+  float depthBiasConstant = 0;
+  float depthBiasSlope = 0;
+
+  Blend blend = Blend::None;  ///< of the first attachment; the others are always overwritten
+
+  std::vector<std::uint32_t>
+      specialization;                   ///< the bits of the constants with ids 0, 1, ..., in both stages
+  std::uint32_t pushConstantBytes = 0;  ///< at most 128 everywhere; seen by both stages
+  std::vector<VkDescriptorSetLayout> setLayouts;
+};
+
+class GraphicsPipeline {
+ public:
+  GraphicsPipeline() = default;
+  /// 0.4 to 1.1 ms; a CPU device compiles at the first draw instead (20 to 43 ms). Throws Error on failure.
+  GraphicsPipeline(Context& context, const GraphicsPipelineDesc& desc);
+
+  operator VkPipeline() const noexcept { return pipeline_; }
+  explicit operator bool() const noexcept { return static_cast<bool>(pipeline_); }
+  [[nodiscard]] VkPipelineLayout layout() const noexcept { return layout_; }
+
+  void bind(VkCommandBuffer commands) const;
+  /// Requires pushConstantBytes bytes.
+  void push(VkCommandBuffer commands, std::span<const std::byte> constants) const;
+  void bindSet(VkCommandBuffer commands, std::uint32_t index, VkDescriptorSet set,
+               std::span<const std::uint32_t> dynamicOffsets = {}) const;
+
+ private:
+  Handle<VkPipelineLayout> layout_;
+  Handle<VkPipeline> pipeline_;
+};
+
+/// Viewport and scissor of the whole target with y up: clip-space (-1, -1) is the bottom left, depth goes 0
+/// to 1. VK_FRONT_FACE_COUNTER_CLOCKWISE then means counter-clockwise as seen in the picture.
+void setViewport(VkCommandBuffer commands, VkExtent2D extent);
+
+}  // namespace luxo::gpu
