@@ -20,7 +20,7 @@ function(luxo_shaders target)
       COMMAND ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${CMAKE_SOURCE_DIR}/shaders
               $<$<CONFIG:Debug>:-gVS> --vn luxo_${name} -o ${out}/${name}.h ${source}
       DEPENDS ${source} DEPFILE ${out}/${name}.d
-      COMMENT "Compiling shader ${file}" VERBATIM)
+      COMMENT "Compiling shader ${file}" COMMAND_EXPAND_LISTS VERBATIM)
     list(APPEND headers ${out}/${name}.h)
   endforeach()
   add_custom_target(${target}_spirv DEPENDS ${headers})

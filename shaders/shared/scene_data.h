@@ -79,7 +79,7 @@ struct LightSet {
 
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
-static_assert(sizeof(ViewData) == 84 && sizeof(InstanceData) == 188 && sizeof(LightData) == 32 && sizeof(ShadeData) == 32);
+static_assert(sizeof(ViewData) == 84 && sizeof(InstanceData) == 160 && sizeof(LightData) == 32 && sizeof(ShadeData) == 32);
 }  // namespace luxo::shared
 #endif
 #endif

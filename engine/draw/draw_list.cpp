@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/draw_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "base/error.h"
+
+namespace luxo {
+namespace {
+
+// Light that is interpolated between vertices needs vertices where light changes, also on flat surfaces.
+constexpr double kGouraudSpacingPx = 12;
+constexpr double kGouraudMostSegments = 128;
+
+Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
+
+bool needsLights(const DrawState& state) {
+  return state.output == Output::Color &&
+         (state.shading == Shading::Flat || state.shading == Shading::Gouraud ||
+          state.shading == Shading::Phong);
+}
+
+/// Longest parameter curves of a surface in either direction, object units, by sampling: a size, not a proof.
+Vec2 curveLengths(const Surface& surface, std::span<const double> parameters) {
+  constexpr int kSamples = 9;
+  const Domain& domain = surface.domain();
+  std::vector<double> u(kSamples), v(kSamples);
+  for (int i = 0; i < kSamples; ++i) {
+    u[i] = domain.u.lo + domain.u.width() * (i + 0.5) / kSamples;
+    v[i] = domain.v.lo + domain.v.width() * (i + 0.5) / kSamples;
+  }
+  const SurfacePoints points = surface.evaluateGrid(u, v, parameters);
+  Vec2 longest(0);
+  for (std::size_t k = 0; k < points.du.size(); ++k)
+    longest = glm::max(longest, Vec2(glm::length(points.du[k]) * domain.u.width(),
+                                     glm::length(points.dv[k]) * domain.v.width()));
+  return longest;
+}
+
+Segments segmentsOf(const SnapshotNode& node, const VisibleNode& visible, Shading shading, const View& view) {
+  if (node.segments) return *node.segments;
+  Segments segments = segmentsFor(node.surface, node.parameters, toleranceLevel(visible.toleranceObject));
+  if (shading != Shading::Gouraud) return segments;
+  const double pixelsPerUnit =
+      visible.stretch * visible.pixelsPerUnit / (view.perspective() ? visible.nearestDepth : 1);
+  const Vec2 wanted = curveLengths(node.surface, node.parameters) * pixelsPerUnit / kGouraudSpacingPx;
+  segments.u =
+      std::max(segments.u, static_cast<std::uint32_t>(std::clamp(wanted.x, 1.0, kGouraudMostSegments)));
+  segments.v =
+      std::max(segments.v, static_cast<std::uint32_t>(std::clamp(wanted.y, 1.0, kGouraudMostSegments)));
+  return segments;
+}
+
+/// Collects the distinct sets of lights; equal sets share one entry.
+class LightSets {
+ public:
+  LightSets(const Snapshot& snapshot, std::vector<shared::LightSet>& sets)
+      : snapshot_(snapshot), sets_(sets) {
+    indexOf({});  // draws without light have a set to bind
+  }
+
+  struct Choice {
+    std::uint32_t index = 0, plain = 0, shaded = 0;
+    std::uint32_t shadeOf = 0;  ///< 1 + which of the shaded lights the node is the shade of; 0: none
+  };
+
+  Choice choose(std::span<const std::uint32_t> lights, const SnapshotNode& node) {
+    if (lights.size() > shared::kMostLights)
+      throw Error(ErrorKind::Scene,
+                  fmt::format("{} lights reach one node (number {}); at most {} may", lights.size(),
+                              node.number, shared::kMostLights),
+                  "use fewer lights");
+    std::vector<std::uint32_t> order(lights.begin(), lights.end());
+    const auto firstShaded = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t light) {
+      return !snapshot_.lights[light].shade.has_value();
+    });
+    Choice choice;
+    choice.plain = static_cast<std::uint32_t>(firstShaded - order.begin());
+    choice.shaded = static_cast<std::uint32_t>(order.end() - firstShaded);
+    for (std::uint32_t i = 0; i < choice.shaded; ++i)
+      if (snapshot_.lights[order[choice.plain + i]].shade->caster == node.id) choice.shadeOf = i + 1;
+    choice.index = indexOf(order);
+    return choice;
+  }
+
+ private:
+  std::uint32_t indexOf(const std::vector<std::uint32_t>& order) {
+    const auto [entry, isNew] = known_.try_emplace(order, static_cast<std::uint32_t>(sets_.size()));
+    if (isNew) sets_.push_back(build(order));
+    return entry->second;
+  }
+
+  [[nodiscard]] shared::LightSet build(const std::vector<std::uint32_t>& order) const {
+    shared::LightSet set{};
+    std::size_t shade = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const SnapshotLight& light = snapshot_.lights[order[i]];
+      const Vec3 position =
+          light.directional() ? Vec3(light.positionWorld) : Vec3(light.positionWorld) - snapshot_.view.eye;
+      set.lights[i] = {.position = Vec4f(toFloat(position), light.positionWorld.w),
+                       .radiance = toFloat(light.radiance),
+                       .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
+      if (light.shade)
+        set.shades[shade++] = {
+            .focus = toFloat(light.shade->focus - snapshot_.view.eye),
+            .axis = toFloat(light.shade->axis),
+            .cosRim = static_cast<float>(light.shade->cosRim),
+            .focalLength = static_cast<float>(light.shade->focalLength * light.shade->scale)};
+    }
+    return set;
+  }
+
+  const Snapshot& snapshot_;
+  std::vector<shared::LightSet>& sets_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
+};
+
+std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible, const Material& material,
+                      std::uint32_t shadeOf) {
+  const Topology& t = node.surface.topology();
+  return (visible.twoSided ? shared::kTwoSided : 0) |
+         (material.lectureSpecular ? shared::kLectureSpecular : 0) | (t.seamU() ? shared::kSeamU : 0) |
+         (t.seamV() ? shared::kSeamV : 0) | (t.collapsedVMin() ? shared::kCollapsedVMin : 0) |
+         (t.collapsedVMax() ? shared::kCollapsedVMax : 0) | shadeOf << shared::kShadeShift;
+}
+
+shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& node,
+                                const VisibleNode& visible, const Mesh& mesh, std::uint32_t shadeOf) {
+  const Material& material = snapshot.materials[node.material.index];
+  const Domain& domain = node.surface.domain();
+  const Mat3 normals = normalMatrix(node.worldFromObject.linear);
+  double largest = 0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normals[column][row]));
+  return {.relativeFromObject = Mat3f(node.worldFromObject.linear),
+          .translation = toFloat(node.worldFromObject.translation - snapshot.view.eye),
+          .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
+          .ambient = toFloat(material.ambientOrDiffuse() * snapshot.ambient),
+          .diffuse = toFloat(material.diffuse),
+          .specular = toFloat(material.specular),
+          .shininess = static_cast<float>(material.shininess),
+          .opacity = static_cast<float>(material.opacity),
+          .flags = flagsOf(node, visible, material, shadeOf),
+          .id = node.number,
+          .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width()),
+          .cell = Vec2f(domain.u.width() / mesh.segments.u, domain.v.width() / mesh.segments.v)};
+}
+
+shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) {
+  const View& view = snapshot.view;
+  // The nearest and farthest depth any visible node can have: the scale of the depth view.
+  double nearest = std::numeric_limits<double>::infinity(), farthest = view.near;
+  for (const auto* list : {&visible.opaque, &visible.transparent})
+    for (const VisibleNode& v : *list) {
+      const Sphere sphere = sphereAround(snapshot.nodes[v.node].boundsWorld);
+      nearest = std::min(nearest, v.nearestDepth);
+      farthest = std::max(farthest, v.centerDepth + sphere.radius);
+    }
+  Mat4 eyeFromRelative(view.eyeFromWorld);
+  return {.clipFromRelative = Mat4f(view.clipFromEye * eyeFromRelative),
+          .forward = toFloat(view.forward()),
+          .depthRange = Vec2f(std::min(nearest, farthest), farthest)};
+}
+
+FaceCulling cullingOf(const VisibleNode& visible, const DrawOptions& options) {
+  return visible.hideBackFaces && options.cullBackFaces ? FaceCulling::Back : FaceCulling::None;
+}
+
+}  // namespace
+
+DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
+                   MeshCache& meshes) {
+  DrawList list;
+  list.view = viewData(snapshot, visible);
+  LightSets lightSets(snapshot, list.lightSets);
+
+  struct Item {
+    DrawBatch batch;
+    shared::InstanceData instance;
+  };
+  const auto itemOf = [&](const VisibleNode& v, bool blended) {
+    const SnapshotNode& node = snapshot.nodes[v.node];
+    const Shading shading = snapshot.materials[node.material.index].shading.value_or(options.shading);
+    Item item;
+    item.batch.state = {.shading = shading, .output = options.output, .blended = blended};
+    item.batch.mesh = meshes.get(node.surface, node.parameters, segmentsOf(node, v, shading, snapshot.view));
+    item.batch.culling = cullingOf(v, options);
+    item.batch.mirrored = v.mirrored;
+    LightSets::Choice choice;
+    if (needsLights(item.batch.state))
+      choice = lightSets.choose(std::span(visible.lights).subspan(v.firstLight, v.lightCount), node);
+    item.batch.lightSet = choice.index;
+    item.batch.state.plainLights = choice.plain;
+    item.batch.state.shadedLights = choice.shaded;
+    item.instance = instanceOf(snapshot, node, v, *item.batch.mesh, choice.shadeOf);
+    list.boundPx = std::max(list.boundPx, boundPx(snapshot.view, v, item.batch.mesh->bound));
+    return item;
+  };
+  const auto sameDraw = [](const DrawBatch& a, const DrawBatch& b) {
+    return a.state == b.state && a.mesh == b.mesh && a.culling == b.culling && a.mirrored == b.mirrored &&
+           a.lightSet == b.lightSet;
+  };
+  const auto append = [&](std::vector<DrawBatch>& batches, DrawBatch batch,
+                          std::span<const shared::InstanceData> instances) {
+    batch.firstInstance = static_cast<std::uint32_t>(list.instances.size());
+    batch.instanceCount = static_cast<std::uint32_t>(instances.size());
+    list.instances.insert(list.instances.end(), instances.begin(), instances.end());
+    batches.push_back(std::move(batch));
+  };
+
+  // Opaque: every node joins the first draw of its kind, so that draws stay roughly front to back.
+  struct Group {
+    DrawBatch batch;
+    std::vector<shared::InstanceData> instances;
+  };
+  std::vector<Group> groups;
+  std::map<std::tuple<DrawState, const Mesh*, FaceCulling, bool, std::uint32_t>, std::size_t> groupOf;
+  for (const VisibleNode& v : visible.opaque) {
+    Item item = itemOf(v, false);
+    const DrawBatch& b = item.batch;
+    const auto [entry, isNew] =
+        groupOf.try_emplace({b.state, b.mesh.get(), b.culling, b.mirrored, b.lightSet}, groups.size());
+    if (isNew) groups.push_back({item.batch, {}});
+    groups[entry->second].instances.push_back(item.instance);
+  }
+  for (Group& group : groups) append(list.opaque, std::move(group.batch), group.instances);
+
+  // Transparent: order is everything, so only neighbours merge. A closed surface shows its inside first.
+  for (const VisibleNode& v : visible.transparent) {
+    const Item item = itemOf(v, true);
+    const bool closed = snapshot.nodes[v.node].surface.closed();
+    if (closed && item.batch.culling == FaceCulling::None) {
+      for (const FaceCulling culling : {FaceCulling::Front, FaceCulling::Back}) {
+        DrawBatch batch = item.batch;
+        batch.culling = culling;
+        append(list.transparent, std::move(batch), {&item.instance, 1});
+      }
+    } else if (!list.transparent.empty() && sameDraw(list.transparent.back(), item.batch)) {
+      list.instances.push_back(item.instance);
+      ++list.transparent.back().instanceCount;
+    } else {
+      append(list.transparent, item.batch, {&item.instance, 1});
+    }
+  }
+  return list;
+}
+
+}  // namespace luxo

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes on the device: uploaded when first drawn, dropped when nobody holds the mesh any more.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "tessellate/mesh.h"
+
+namespace luxo {
+
+/// One mesh as the shaders read it: float, object space.
+struct DeviceMesh {
+  gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex
+  gpu::Buffer parameters;  ///< (u, v): 8 bytes a vertex; empty until a view of geometry needs it
+  gpu::Buffer indices;
+  VkIndexType indexType = VK_INDEX_TYPE_UINT16;
+  std::uint32_t indexCount = 0;
+};
+
+class MeshStore {
+ public:
+  explicit MeshStore(gpu::Context& context) : context_(&context) {}
+
+  [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Mesh>& mesh, bool withParameters);
+
+  /// Drops the meshes that are gone. The device may still be drawing them: destruction is deferred.
+  void dropUnused();
+
+ private:
+  struct Entry {
+    std::weak_ptr<const Mesh> mesh;
+    DeviceMesh device;
+  };
+
+  gpu::Context* context_;
+  std::map<const Mesh*, Entry> entries_;
+};
+
+}  // namespace luxo

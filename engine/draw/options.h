@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What to make of a snapshot: quality, what is written to the pixels, and which work may be skipped.
+#pragma once
+
+#include "scene/shading.h"
+
+namespace luxo {
+
+/// What the pixels hold: the picture, or an auxiliary output (AOV) of the geometry.
+enum class Output { Color, Depth, Position, Normal, Uv, Id };
+
+/// Work that is left out when the picture does not need it. No choice here changes a bit of any image.
+struct Skips {
+  bool frustum = true;    ///< nodes outside the picture
+  bool small = true;      ///< nodes that cover no sample
+  bool backface = true;   ///< faces and nodes that turn their back
+  bool lights = true;     ///< lights that cannot reach a node
+  bool unchanged = true;  ///< uploads of what the device already has
+  bool passes = true;     ///< passes with nothing to draw
+
+  friend bool operator==(const Skips&, const Skips&) = default;
+};
+
+struct DrawOptions {
+  Shading shading = Shading::Phong;  ///< of materials that do not say otherwise
+  Output output = Output::Color;
+  double tolerancePx = 0.5;   ///< how far a mesh may be from its surface on the screen
+  int samples = 1;            ///< per pixel: 1 or 4; auxiliary outputs always take 1, they are never averaged
+  bool cullBackFaces = true;  ///< off: both faces of everything are rasterised, for looking at meshes
+  Skips skips;
+
+  friend bool operator==(const DrawOptions&, const DrawOptions&) = default;
+};
+
+}  // namespace luxo

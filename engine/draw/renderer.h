@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene -> picture, without any window. The one class a user of luxo needs.
+//
+//     luxo::Renderer renderer;
+//     renderer.render(scene).image.save("picture.png");
+#pragma once
+
+#include <memory>
+
+#include "draw/options.h"
+#include "draw/scene_painter.h"
+#include "draw/statistics.h"
+#include "gpu/context.h"
+#include "gpu/transfer.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "scene/snapshot.h"
+
+namespace luxo {
+
+/// Scene-linear float samples, unclamped: three channels, or one for depth and id. Where nothing is hit,
+/// auxiliary outputs are 0 and depth is +infinity.
+struct Picture {
+  Image image;
+  FrameStatistics statistics;
+};
+
+/// The options a scene asks for itself.
+[[nodiscard]] DrawOptions drawOptions(const RenderSettings& settings);
+
+/// Keeps meshes, pipelines and buffers from picture to picture, so that the next one does less.
+/// Single-threaded.
+class Renderer {
+ public:
+  /// On the best device; throws Error(Device) when there is none.
+  Renderer();
+  /// On a device of the caller's, which must outlive the renderer.
+  explicit Renderer(gpu::Context& context);
+
+  /// The scene as its own settings describe it: size, time, shading, first camera.
+  [[nodiscard]] Picture render(const Scene& scene);
+  /// Throws Error(Scene) for what cannot be drawn, Error(Retry) when the device runs out of memory or is
+  /// lost.
+  [[nodiscard]] Picture render(const Snapshot& snapshot, const DrawOptions& options = {});
+
+  [[nodiscard]] gpu::Context& context() { return *context_; }
+
+ private:
+  [[nodiscard]] Image readPicture(const Snapshot& snapshot, Output output);
+
+  std::unique_ptr<gpu::Context> owned_;
+  gpu::Context* context_;
+  gpu::FrameRing frames_;
+  ScenePainter painter_;
+  gpu::Readback readback_;
+  VkExtent2D readbackExtent_{};
+};
+
+}  // namespace luxo

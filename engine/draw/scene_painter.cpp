@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/scene_painter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+
+#include "gpu/barrier.h"
+#include "gpu/debug.h"
+
+namespace luxo {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Milliseconds since the start or the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> elapsed = now - start_;
+    start_ = now;
+    return elapsed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+CullOptions cullOptions(const DrawOptions& options, int samples) {
+  return {.tolerancePx = options.tolerancePx,
+          .samples = samples,
+          .reachPx = options.shading == Shading::Wireframe ? 1.0 : 0.0,
+          .frustum = options.skips.frustum,
+          .small = options.skips.small,
+          .backface = options.skips.backface,
+          .lights = options.skips.lights};
+}
+
+void addCounts(FrameCounts& to, const CullCounts& from) {
+  to.nodes += from.nodes;
+  to.drawn += from.drawn;
+  to.culledFrustum += from.culledFrustum;
+  to.culledSmall += from.culledSmall;
+  to.culledBackface += from.culledBackface;
+  to.culledLights += from.culledLights;
+}
+
+/// What stands where nothing is drawn.
+VkClearColorValue backgroundOf(const Snapshot& snapshot, Output output) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  const Vec3f b(snapshot.background);
+  if (output == Output::Color) return {{b.x, b.y, b.z, 1}};
+  return {{output == Output::Depth ? infinity : 0.0f, 0, 0, 0}};
+}
+
+struct PassTargets {
+  gpu::Texture& color;
+  gpu::Texture* resolved;  ///< averaged into at the end of the pass; null without multisampling
+  gpu::Texture& depth;
+};
+
+void beginPass(VkCommandBuffer commands, const PassTargets& targets, VkAttachmentLoadOp load,
+               VkClearColorValue background) {
+  VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                  .imageView = targets.color.view(),
+                                  .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                  .loadOp = load,
+                                  .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                  .clearValue = {.color = background}};
+  if (targets.resolved) {
+    color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+    color.resolveImageView = targets.resolved->view();
+    color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  }
+  const VkRenderingAttachmentInfo depth{
+      .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+      .imageView = targets.depth.view(),
+      .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+      .loadOp = load,
+      .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+      .clearValue = {.depthStencil = {0.0f, 0}}};  // reversed: 0 is infinitely far
+  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                  .renderArea = {{0, 0}, targets.color.extent()},
+                                  .layerCount = 1,
+                                  .colorAttachmentCount = 1,
+                                  .pColorAttachments = &color,
+                                  .pDepthAttachment = &depth};
+  vkCmdBeginRendering(commands, &rendering);
+  gpu::setViewport(commands, targets.color.extent());
+}
+
+VkCullModeFlags cullMode(FaceCulling culling) {
+  return culling == FaceCulling::None   ? VK_CULL_MODE_NONE
+         : culling == FaceCulling::Back ? VK_CULL_MODE_BACK_BIT
+                                        : VK_CULL_MODE_FRONT_BIT;
+}
+
+}  // namespace
+
+ScenePainter::ScenePainter(gpu::Context& context, Precision precision)
+    : context_(&context), pipelines_(context), store_(context) {
+  format_.color =
+      precision == Precision::Full ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
+  const VkDeviceSize alignment = std::max<VkDeviceSize>(context.limits().minUniformBufferOffsetAlignment, 1);
+  lightStride_ = (sizeof(shared::LightSet) + alignment - 1) / alignment * alignment;
+}
+
+void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
+                          const DrawOptions& options, FrameStatistics& statistics) {
+  const bool auxiliary = options.output != Output::Color;
+  const VkSampleCountFlagBits samples =
+      auxiliary ? VK_SAMPLE_COUNT_1_BIT
+                : context_->supportedSamples(static_cast<std::uint32_t>(options.samples));
+  const gpu::Counters before = context_->counters();
+  const std::uint64_t tessellatedBefore = meshes_.tessellated();
+  Stopwatch watch;
+
+  const VisibleList visible = cull(snapshot, cullOptions(options, samples));
+  addCounts(statistics.count, visible.counts);
+  statistics.ms.cull += watch.lap();
+
+  const DrawList list = listDraws(snapshot, visible, options, meshes_);
+  statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
+  statistics.count.tessellated += meshes_.tessellated() - tessellatedBefore;
+  statistics.ms.tessellate += watch.lap();
+
+  format_.samples = samples;
+  prepareTargets({static_cast<std::uint32_t>(snapshot.view.size.width),
+                  static_cast<std::uint32_t>(snapshot.view.size.height)},
+                 samples);
+  store_.dropUnused();
+  upload(list, !options.skips.unchanged);
+  const VkDescriptorSet set = frames.descriptors().write(
+      pipelines_.sceneLayout(),
+      {view_.buffer, instances_.buffer, {lights_.buffer, 0, sizeof(shared::LightSet)}});
+
+  using enum gpu::Use;
+  const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
+  const auto pass = [&](const char* name, const std::vector<DrawBatch>& batches, VkAttachmentLoadOp load) {
+    const gpu::Label label(*context_, commands, name);
+    const auto contents = load == VK_ATTACHMENT_LOAD_OP_CLEAR ? gpu::Contents::Discard : gpu::Contents::Keep;
+    gpu::use(commands, {{color_, ColorAttachment, contents}, {depth_, DepthAttachment, contents}});
+    if (resolved_) gpu::use(commands, {{resolved_, ResolveTarget, gpu::Contents::Discard}});
+    beginPass(commands, targets, load, backgroundOf(snapshot, options.output));
+    paint(commands, set, batches, statistics);
+    vkCmdEndRendering(commands);
+    ++statistics.count.passes;
+  };
+  pass("opaque", list.opaque, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  if (!list.transparent.empty() || !options.skips.passes)
+    pass("transparent", list.transparent, VK_ATTACHMENT_LOAD_OP_LOAD);
+
+  const gpu::Counters after = context_->counters();
+  statistics.count.uploadBytes += after.uploadedBytes - before.uploadedBytes;
+  statistics.count.pipelinesCreated += after.pipelinesCreated - before.pipelinesCreated;
+  statistics.ms.upload += watch.lap();
+}
+
+void ScenePainter::prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples) {
+  const bool fits = color_ && color_.extent().width == extent.width &&
+                    color_.extent().height == extent.height && color_.samples() == samples;
+  if (fits) return;
+  constexpr VkImageUsageFlags kPicture =
+      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  constexpr VkImageUsageFlags kDrawnOnly = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  const bool multisampled = samples != VK_SAMPLE_COUNT_1_BIT;
+  color_ = gpu::Texture(*context_, {.extent = extent,
+                                    .format = format_.color,
+                                    .usage = multisampled ? kDrawnOnly : kPicture,
+                                    .samples = samples,
+                                    .name = "color"});
+  resolved_ =
+      multisampled
+          ? gpu::Texture(
+                *context_,
+                {.extent = extent, .format = format_.color, .usage = kPicture, .name = "color resolved"})
+          : gpu::Texture();
+  depth_ = gpu::Texture(*context_, {.extent = extent,
+                                    .format = format_.depth,
+                                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                    .samples = samples,
+                                    .name = "depth"});
+}
+
+void ScenePainter::upload(const DrawList& list, bool always) {
+  write(view_, std::as_bytes(std::span(&list.view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "view", always);
+  // A buffer has at least one element, so that there is something to bind.
+  static const std::vector<shared::InstanceData> kNoInstance(1);
+  const auto& instances = list.instances.empty() ? kNoInstance : list.instances;
+  write(instances_, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "instances",
+        always);
+  std::vector<std::byte> lights(lightStride_ * list.lightSets.size());
+  for (std::size_t i = 0; i < list.lightSets.size(); ++i)
+    std::memcpy(lights.data() + i * lightStride_, &list.lightSets[i], sizeof(shared::LightSet));
+  write(lights_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
+}
+
+void ScenePainter::write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
+                         const char* name, bool always) {
+  if (!always && std::equal(bytes.begin(), bytes.end(), mirror.bytes.begin(), mirror.bytes.end())) return;
+  if (!mirror.buffer || mirror.buffer.size() < bytes.size()) {
+    mirror.buffer =
+        gpu::Buffer(*context_, {.size = std::max<VkDeviceSize>(bytes.size(), 2 * mirror.bytes.size()),
+                                .usage = usage,
+                                .name = name});
+  } else {
+    // The frame before may still be reading; it is the only one that can be.
+    context_->timeline().wait(context_->timeline().submitted());
+  }
+  mirror.buffer.write(0, bytes);
+  mirror.bytes.assign(bytes.begin(), bytes.end());
+}
+
+void ScenePainter::paint(VkCommandBuffer commands, VkDescriptorSet set, const std::vector<DrawBatch>& batches,
+                         FrameStatistics& statistics) {
+  for (const DrawBatch& batch : batches) {
+    const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
+    const bool withParameters = readsParameters(batch.state);
+    const DeviceMesh& mesh = store_.get(batch.mesh, withParameters);
+    const auto lightOffset = static_cast<std::uint32_t>(batch.lightSet * lightStride_);
+
+    pipeline.bind(commands);
+    pipeline.bindSet(commands, 0, set, {&lightOffset, 1});
+    vkCmdSetCullMode(commands, cullMode(batch.culling));
+    vkCmdSetFrontFace(commands, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};
+    constexpr VkDeviceSize kOffsets[] = {0, 0};
+    vkCmdBindVertexBuffers(commands, 0, withParameters ? 2 : 1, streams, kOffsets);
+    vkCmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
+    vkCmdDrawIndexed(commands, mesh.indexCount, batch.instanceCount, 0, 0, batch.firstInstance);
+
+    ++statistics.count.drawCalls;
+    statistics.count.instances += batch.instanceCount;
+    statistics.count.triangles += batch.mesh->triangleCount() * batch.instanceCount;
+    statistics.count.vertices += batch.mesh->positions.size() * batch.instanceCount;
+  }
+}
+
+}  // namespace luxo

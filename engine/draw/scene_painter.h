@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records a snapshot into a command buffer: culls, tessellates, uploads what changed, draws the passes.
+// The renderer (files) and the viewer (window) both paint with it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "draw/mesh_store.h"
+#include "draw/options.h"
+#include "draw/scene_pipelines.h"
+#include "draw/statistics.h"
+#include "gpu/frame.h"
+#include "gpu/texture.h"
+
+namespace luxo {
+
+/// Precision of the linear picture: files take Full, which is exact to float; a window shows 8 bits and takes
+/// Half.
+enum class Precision { Full, Half };
+
+class ScenePainter {
+ public:
+  ScenePainter(gpu::Context& context, Precision precision);
+
+  /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
+  /// is in target() once the recording has been submitted and is complete. Throws Error(Scene).
+  void record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
+              const DrawOptions& options, FrameStatistics& statistics);
+
+  /// The last recorded picture: scene-linear RGBA, one sample, row 0 at the top.
+  [[nodiscard]] gpu::Texture& target() { return resolved_ ? resolved_ : color_; }
+
+ private:
+  /// A buffer that follows what the host has: written only when its bytes differ from the last.
+  struct Mirror {
+    gpu::Buffer buffer;
+    std::vector<std::byte> bytes;
+  };
+
+  void prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples);
+  void upload(const DrawList& list, bool always);
+  void write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage, const char* name,
+             bool always);
+  void paint(VkCommandBuffer commands, VkDescriptorSet set, const std::vector<DrawBatch>& batches,
+             FrameStatistics& statistics);
+
+  gpu::Context* context_;
+  PassFormat format_;
+  ScenePipelines pipelines_;
+  MeshCache meshes_;
+  MeshStore store_;
+  Mirror view_, instances_, lights_;
+  VkDeviceSize lightStride_ = 0;
+  gpu::Texture color_, resolved_, depth_;
+};
+
+}  // namespace luxo

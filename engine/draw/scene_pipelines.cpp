@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/scene_pipelines.h"
+
+#include <string>
+
+#include "base/error.h"
+#include "luxo/shaders/gouraud_frag.h"
+#include "luxo/shaders/gouraud_vert.h"
+#include "luxo/shaders/inspect_frag.h"
+#include "luxo/shaders/inspect_vert.h"
+#include "luxo/shaders/surface_frag.h"
+#include "luxo/shaders/surface_vert.h"
+#include "luxo/shaders/wireframe_frag.h"
+
+namespace luxo {
+namespace {
+
+// The numbers inspect.frag knows its quantities by.
+enum class Quantity : std::uint32_t { Position, Normal, Parameters, Depth, Id };
+
+struct Inspection {
+  Quantity quantity;
+  bool asColor;
+};
+
+/// What a state shows of the geometry, if it shows geometry.
+std::optional<Inspection> inspectionOf(const DrawState& state) {
+  switch (state.output) {
+    case Output::Position:
+      return Inspection{Quantity::Position, false};
+    case Output::Normal:
+      return Inspection{Quantity::Normal, false};
+    case Output::Uv:
+      return Inspection{Quantity::Parameters, false};
+    case Output::Depth:
+      return Inspection{Quantity::Depth, false};
+    case Output::Id:
+      return Inspection{Quantity::Id, false};
+    case Output::Color:
+      break;
+  }
+  switch (state.shading) {
+    case Shading::Normal:
+      return Inspection{Quantity::Normal, true};
+    case Shading::Uv:
+      return Inspection{Quantity::Parameters, true};
+    case Shading::Depth:
+      return Inspection{Quantity::Depth, true};
+    case Shading::Id:
+      return Inspection{Quantity::Id, true};
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Whether two states differ in nothing that a pipeline is made of: what is not lit does not count lights.
+DrawState canonical(DrawState state) {
+  if (state.output != Output::Color) state.shading = Shading::Phong;
+  return state;
+}
+
+}  // namespace
+
+bool readsParameters(const DrawState& state) { return inspectionOf(state).has_value(); }
+
+ScenePipelines::ScenePipelines(gpu::Context& context)
+    : context_(&context),
+      sceneLayout_(context, {{.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+                             {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+                             {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC}}) {}
+
+const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const PassFormat& format) {
+  const DrawState state = canonical(wanted);
+  const auto found = pipelines_.find({state, format});
+  if (found != pipelines_.end()) return found->second;
+  return pipelines_.emplace(std::pair{state, format}, make(state, format)).first->second;
+}
+
+gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFormat& format) const {
+  gpu::GraphicsPipelineDesc desc{
+      .name = nameOf(state.shading),
+      .vertexShader = luxo_surface_vert,
+      .fragmentShader = luxo_surface_frag,
+      .bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}},
+      .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
+                     {1, 0, VK_FORMAT_R32G32B32_SFLOAT, sizeof(Vec3f)}},
+      .samples = format.samples,
+      .colorFormats = {format.color},
+      .depthFormat = format.depth,
+      .depthWrite = !state.blended,
+      .blend = state.blended && state.output == Output::Color ? gpu::Blend::Alpha : gpu::Blend::None,
+      .specialization = {state.plainLights, state.shadedLights},
+      .setLayouts = {sceneLayout_},
+  };
+  if (const auto inspection = inspectionOf(state)) {
+    desc.vertexShader = luxo_inspect_vert;
+    desc.fragmentShader = luxo_inspect_frag;
+    desc.bindings.push_back({1, sizeof(Vec2f), VK_VERTEX_INPUT_RATE_VERTEX});
+    desc.attributes.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, 0});
+    desc.specialization = {static_cast<std::uint32_t>(inspection->quantity), inspection->asColor};
+    // Geometry is not seen through: the nearest surface counts, transparent or not.
+    desc.depthWrite = true;
+    desc.blend = gpu::Blend::None;
+  } else if (state.shading == Shading::Gouraud) {
+    desc.vertexShader = luxo_gouraud_vert;
+    desc.fragmentShader = luxo_gouraud_frag;
+  } else if (state.shading == Shading::Wireframe) {
+    if (!context_->features().fillModeNonSolid)
+      throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
+                  "choose another shading or another --device");
+    desc.fragmentShader = luxo_wireframe_frag;
+    desc.polygonMode = VK_POLYGON_MODE_LINE;
+    desc.specialization.clear();
+  } else {
+    desc.specialization.push_back(state.shading == Shading::Flat);
+  }
+  return {*context_, desc};
+}
+
+}  // namespace luxo

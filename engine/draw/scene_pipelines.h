@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pipelines of the scene passes, each made when a draw first needs it.
+#pragma once
+
+#include <compare>
+#include <map>
+
+#include "draw/draw_list.h"
+#include "gpu/descriptor.h"
+#include "gpu/pipeline.h"
+
+namespace luxo {
+
+/// What the targets of a pass are; part of what a pipeline is made for.
+struct PassFormat {
+  VkFormat color = VK_FORMAT_R32G32B32A32_SFLOAT;
+  VkFormat depth = VK_FORMAT_D32_SFLOAT;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+
+  friend auto operator<=>(const PassFormat&, const PassFormat&) = default;
+};
+
+/// Whether draws of this state read the mesh's surface parameters.
+[[nodiscard]] bool readsParameters(const DrawState& state);
+
+class ScenePipelines {
+ public:
+  explicit ScenePipelines(gpu::Context& context);
+
+  [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const PassFormat& format);
+  /// Set 0 of every pipeline: view, instances, lights (shared/scene_data.h).
+  [[nodiscard]] const gpu::DescriptorLayout& sceneLayout() const { return sceneLayout_; }
+
+ private:
+  [[nodiscard]] gpu::GraphicsPipeline make(const DrawState& state, const PassFormat& format) const;
+
+  gpu::Context* context_;
+  gpu::DescriptorLayout sceneLayout_;
+  std::map<std::pair<DrawState, PassFormat>, gpu::GraphicsPipeline> pipelines_;
+};
+
+}  // namespace luxo

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a frame cost, what it skipped and how wrong it can be: the numbers behind `--report`.
+#pragma once
+
+#include <cstdint>
+
+namespace luxo {
+
+/// Milliseconds of the host's clock, except gpu, which is the device's where it has timestamps.
+struct FrameTimes {
+  double total = 0, animate = 0, tessellate = 0, cull = 0, upload = 0, gpu = 0, readback = 0, encode = 0;
+};
+
+struct FrameCounts {
+  std::uint64_t nodes = 0;  ///< with a surface, visible in the scene
+  std::uint64_t drawn = 0;
+  std::uint64_t culledFrustum = 0, culledSmall = 0, culledBackface = 0, culledLights = 0;
+  std::uint64_t drawCalls = 0, instances = 0;
+  std::uint64_t triangles = 0, vertices = 0;  ///< submitted, every instance counted
+  std::uint64_t submits = 0;
+  std::uint64_t uploadBytes = 0;
+  std::uint64_t tessellated = 0;  ///< meshes made for this frame
+  std::uint64_t pipelinesCreated = 0;
+  std::uint64_t passes = 0, shadowPasses = 0;
+};
+
+struct FrameError {
+  double tolerancePx = 0;
+  /// Proven: no drawn point of a mesh is farther than this on the screen from the surface it stands for.
+  /// Infinite where a node passes the eye or its formula has no proven bounds.
+  double boundPx = 0;
+};
+
+struct FrameStatistics {
+  FrameTimes ms;
+  FrameCounts count;
+  FrameError error;
+};
+
+}  // namespace luxo

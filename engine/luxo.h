@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one include for users of luxo: surfaces, scenes, the renderer, images.
+#pragma once
+
+#include "draw/renderer.h"
+#include "image/compare.h"
+#include "image/format.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "scene/snapshot.h"
+#include "surface/library.h"
+#include "surface/surface.h"
