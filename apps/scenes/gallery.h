@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The named surfaces side by side: one picture to see them all by. Built-in scene `gallery`.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace luxo {
+
+/// Eight surfaces in two rows on a floor, two lights, one still camera; the flag waves.
+[[nodiscard]] Scene gallery();
+
+}  // namespace luxo
