@@ -23,6 +23,7 @@
 #include "scene/ids.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "surface/segments.h"
 #include "surface/surface.h"
 
 namespace luxo {
@@ -38,13 +39,6 @@ struct Rotation {
 /// Turns for ever: the angle is rate * time, from absolute time (math/transform.h, angleAt).
 [[nodiscard]] Animated<Rotation> spin(const Vec3& axis, double radiansPerSecond);
 
-/// A uniform grid instead of a tolerance.
-struct Segments {
-  int u = 1, v = 1;
-
-  friend bool operator==(const Segments&, const Segments&) = default;
-};
-
 /// parentFromNode = translation * rotation * scale; all three, and visibility, are inherited.
 struct Node {
   std::string name = {};
@@ -56,7 +50,7 @@ struct Node {
   MaterialId material = {};  ///< none: Material{}
   std::optional<Light> light = std::nullopt;
   Animated<bool> visible = true;  ///< false: neither the node nor what hangs on it exists for the picture
-  std::optional<Segments> segments = std::nullopt;
+  std::optional<Segments> segments = std::nullopt;  ///< a uniform grid instead of a tolerance
 };
 
 /// What the picture is when nobody asks otherwise.

@@ -6,14 +6,9 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "surface/segments.h"
 
 namespace luxo {
-
-/// How many pieces each parameter direction is cut into.
-struct Segments {
-  std::uint32_t u = 1, v = 1;
-  friend bool operator==(const Segments&, const Segments&) = default;
-};
 
 /// Indexed triangle list in object space, metres, double. Front faces (counter-clockwise from outside) follow
 /// the surface's outward normal. The first vertex of every triangle lies in the lower-left corner of its
