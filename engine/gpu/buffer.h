@@ -41,7 +41,7 @@ class Buffer {
 
   /// Empty when the host cannot see it; never empty for Upload and Readback. After writing here, call
   /// flush().
-  [[nodiscard]] std::span<std::byte> mapped() const noexcept { return buffer_.memory().mapped; }
+  [[nodiscard]] std::span<std::byte> mapped() const noexcept;
   void flush();
 
   /// What the device wrote. Requires mapped memory, and that the submission, in which Use::HostRead came

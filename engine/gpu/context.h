@@ -2,14 +2,15 @@
 // One Vulkan device, ready to draw: the first thing to make and the last to go.
 #pragma once
 
+#include "gpu/adapter.h"
 #include "gpu/device.h"
+#include "gpu/instance.h"
 #include "gpu/memory.h"
 #include "gpu/timeline.h"
 #include "gpu/validation.h"
 #include "gpu/vk.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,7 +31,7 @@ struct ContextDesc {
   /// What the window system needs, as it names them.
   std::vector<const char*> instanceExtensions;
   /// Set to present: the device must support swapchains and its queue must satisfy this. Empty = no window.
-  std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queueFamily)> canPresent;
+  CanPresent canPresent;
   /// False treats MemoryUse::Device as out of the host's reach everywhere, as it is on most GPUs: every such
   /// write is staged. For tests.
   bool mapDeviceMemory = true;
@@ -73,9 +74,9 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  [[nodiscard]] const DeviceInfo& deviceInfo() const noexcept { return info_; }
+  [[nodiscard]] const DeviceInfo& deviceInfo() const noexcept { return adapter_.info; }
   [[nodiscard]] const Features& features() const noexcept { return features_; }
-  [[nodiscard]] const VkPhysicalDeviceLimits& limits() const noexcept { return properties_.limits; }
+  [[nodiscard]] const VkPhysicalDeviceLimits& limits() const noexcept { return adapter_.properties.limits; }
   /// The largest supported count of samples, for colour and depth together, that is at most `wanted`.
   [[nodiscard]] VkSampleCountFlagBits supportedSamples(std::uint32_t wanted) const noexcept;
 
@@ -89,10 +90,10 @@ class Context {
 
   // The raw objects, for the code that must speak Vulkan itself.
   [[nodiscard]] VkInstance instance() const noexcept { return instance_.get(); }
-  [[nodiscard]] VkPhysicalDevice physicalDevice() const noexcept { return physicalDevice_; }
+  [[nodiscard]] VkPhysicalDevice physicalDevice() const noexcept { return adapter_.device; }
   [[nodiscard]] VkDevice device() const noexcept { return device_.get(); }
   [[nodiscard]] VkQueue queue() const noexcept { return queue_; }
-  [[nodiscard]] std::uint32_t queueFamily() const noexcept { return queueFamily_; }
+  [[nodiscard]] std::uint32_t queueFamily() const noexcept { return adapter_.queueFamily; }
   [[nodiscard]] VkPipelineCache pipelineCache() const noexcept;
 
   // The parts the rest of this folder builds on.
@@ -109,34 +110,22 @@ class Context {
   void endLabel(VkCommandBuffer commands) const;
 
  private:
-  struct DestroyInstance {
-    void operator()(VkInstance instance) const { vkDestroyInstance(instance, nullptr); }
-  };
-  struct DestroyMessenger {
-    VkInstance instance = VK_NULL_HANDLE;
-    using pointer = VkDebugUtilsMessengerEXT;
-    void operator()(VkDebugUtilsMessengerEXT messenger) const;
-  };
   struct DestroyDevice {
     void operator()(VkDevice device) const { vkDestroyDevice(device, nullptr); }
   };
 
-  void createInstance(const ContextDesc& desc);
-  void pickDevice(const ContextDesc& desc);
-  void createDevice(const ContextDesc& desc);
+  void startVulkan(const ContextDesc& desc);
+  [[nodiscard]] Adapter chooseAdapter(const ContextDesc& desc) const;
+  void createDevice(bool presents);
 
   std::shared_ptr<ValidationLog> log_;
   Counters counters_;
   bool mapDeviceMemory_;
-  bool debugUtils_ = false;
   // Destroyed from the last to the first.
-  std::unique_ptr<VkInstance_T, DestroyInstance> instance_;
-  std::unique_ptr<VkDebugUtilsMessengerEXT_T, DestroyMessenger> messenger_;
-  VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
-  VkPhysicalDeviceProperties properties_{};
-  DeviceInfo info_;
+  Instance instance_;
+  Messenger messenger_;
+  Adapter adapter_;
   Features features_;
-  std::uint32_t queueFamily_ = 0;
   std::unique_ptr<VkDevice_T, DestroyDevice> device_;
   VkQueue queue_ = VK_NULL_HANDLE;
   PFN_vkSetDebugUtilsObjectNameEXT nameObject_ = nullptr;

@@ -2,6 +2,7 @@
 // Frames: recording one while the device works on the one before.
 #pragma once
 
+#include "gpu/command_pool.h"
 #include "gpu/descriptor.h"
 #include "gpu/handle.h"
 #include "gpu/timeline.h"
@@ -48,14 +49,14 @@ class FrameRing {
 
  private:
   struct Frame {
-    explicit Frame(Context& context) : descriptors(context) {}
-    Handle<VkCommandPool> pool;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
+    explicit Frame(Context& context) : pool(context), descriptors(context) {}
+    CommandPool pool;
     DescriptorArena descriptors;
     std::uint64_t submission = 0;
   };
 
   void drop();
+  [[nodiscard]] std::uint32_t firstQuery() const noexcept { return static_cast<std::uint32_t>(2 * slot_); }
 
   Context* context_;
   Handle<VkQueryPool> timestamps_;  // first and last of each frame; empty without

@@ -77,6 +77,9 @@ class Memory {
  private:
   MemoryBlock& addBlock(const AllocationDesc& desc, std::uint32_t type, VkDeviceSize size, bool shared);
   void removeBlock(MemoryBlock& block);
+  [[nodiscard]] bool coherent(const Allocation& allocation) const;
+  [[nodiscard]] VkMappedMemoryRange mappedRange(const Allocation& allocation, VkDeviceSize offset,
+                                                VkDeviceSize size) const;
   [[nodiscard]] Allocation take(MemoryBlock& block, VkDeviceSize offset, VkDeviceSize size);
 
   VkDevice device_;

@@ -65,6 +65,7 @@ class GraphicsPipeline {
                std::span<const std::uint32_t> dynamicOffsets = {}) const;
 
  private:
+  std::uint32_t pushConstantBytes_ = 0;
   Handle<VkPipelineLayout> layout_;
   Handle<VkPipeline> pipeline_;
 };

@@ -49,6 +49,7 @@ class PipelineCache {
 
  private:
   [[nodiscard]] std::vector<std::byte> data() const;
+  void save() const noexcept;
 
   VkDevice device_;
   CacheIdentity identity_;

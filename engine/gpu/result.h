@@ -8,7 +8,7 @@
 
 namespace luxo::gpu {
 
-/// "VK_ERROR_DEVICE_LOST"; "VkResult 12345" has no name of its own and gives "VK_RESULT_UNKNOWN".
+/// "VK_ERROR_DEVICE_LOST"; for a number that has no name here "VK_RESULT_UNKNOWN".
 [[nodiscard]] const char* resultName(VkResult result) noexcept;
 
 /// Throws luxo::Error. Device lost and out of memory are ErrorKind::Retry, no or unfit driver is Device,

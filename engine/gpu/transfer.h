@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "gpu/command_pool.h"
 #include "gpu/texture.h"
 #include "gpu/vk.h"
 
@@ -61,12 +62,14 @@ class Uploads {
     VkDeviceSize used = 0;
   };
   struct Batch {  // what one submission carries
-    Handle<VkCommandPool> pool;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
+    CommandPool pool;
     std::vector<Chunk> chunks;
+    std::vector<VkBuffer> written;  // since the last barrier
   };
 
+  [[nodiscard]] bool staged() const noexcept { return static_cast<bool>(batch_.pool.pool); }
   void begin();
+  void orderAfterEarlierWrites(VkBuffer destination);
   [[nodiscard]] Chunk& room(VkDeviceSize size);
 
   Context* context_;

@@ -77,9 +77,6 @@ class ResourceState {
   /// buffer, or a read of what is already seen there.
   [[nodiscard]] std::optional<Dependency> advance(Use use, Contents contents = Contents::Keep);
 
-  /// For images that others move between layouts (a classic render pass): what they left behind.
-  void assume(Use use);
-
   [[nodiscard]] VkImageLayout layout() const noexcept { return layout_; }
 
  private:

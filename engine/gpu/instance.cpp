@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/instance.h"
+
+#include "base/error.h"
+#include "gpu/result.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace luxo::gpu {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+bool hasLayer(std::string_view name) {
+  std::uint32_t count = 0;
+  check(vkEnumerateInstanceLayerProperties(&count, nullptr), "list Vulkan layers");
+  std::vector<VkLayerProperties> layers(count);
+  check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "list Vulkan layers");
+  return std::ranges::any_of(layers, [&](const VkLayerProperties& layer) { return layer.layerName == name; });
+}
+
+}  // namespace
+
+bool hasInstanceExtension(const char* name) {
+  std::uint32_t count = 0;
+  check(vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr), "list Vulkan extensions");
+  std::vector<VkExtensionProperties> extensions(count);
+  check(vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data()), "list Vulkan extensions");
+  return std::ranges::any_of(extensions, [&](const VkExtensionProperties& extension) {
+    return std::string_view(extension.extensionName) == name;
+  });
+}
+
+Instance createInstance(const InstanceDesc& desc) {
+  if (desc.validation != nullptr && !hasLayer(kValidationLayer)) {
+    throw Error(ErrorKind::Device, "cannot validate: the Vulkan validation layer is not installed",
+                "apt install vulkan-validationlayers");
+  }
+  static constexpr std::array kChecks{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+  // Chained to the instance, the messenger also hears of its creation and destruction.
+  VkDebugUtilsMessengerCreateInfoEXT messenger{};
+  if (desc.validation != nullptr) messenger = messengerInfo(*desc.validation);
+  const VkValidationFeaturesEXT checks{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+                                       .pNext = &messenger,
+                                       .enabledValidationFeatureCount = kChecks.size(),
+                                       .pEnabledValidationFeatures = kChecks.data()};
+  const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                      .pApplicationName = "luxo",
+                                      .pEngineName = "luxo",
+                                      .apiVersion = VK_API_VERSION_1_3};
+  const bool validates = desc.validation != nullptr;
+  const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                  .pNext = validates ? &checks : nullptr,
+                                  .pApplicationInfo = &application,
+                                  .enabledLayerCount = validates ? 1u : 0u,
+                                  .ppEnabledLayerNames = &kValidationLayer,
+                                  .enabledExtensionCount = static_cast<std::uint32_t>(desc.extensions.size()),
+                                  .ppEnabledExtensionNames = desc.extensions.data()};
+  VkInstance instance = VK_NULL_HANDLE;
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return nullptr;  // how the loader says that it found no driver
+  check(result, "start Vulkan");
+  return Instance(instance);
+}
+
+void DestroyMessenger::operator()(VkDebugUtilsMessengerEXT messenger) const {
+  const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+      vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
+  destroy(instance, messenger, nullptr);
+}
+
+Messenger listen(VkInstance instance, ValidationLog& log) {
+  const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+      vkGetInstanceProcAddr(instance, "vkCreateDebugUtilsMessengerEXT"));
+  const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo(log);
+  VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
+  check(create(instance, &info, nullptr, &messenger), "listen to the validation layer");
+  return Messenger(messenger, DestroyMessenger{instance});
+}
+
+}  // namespace luxo::gpu

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/pipeline.h"
+
+#include "base/assert.h"
+#include "gpu/debug.h"
+#include "gpu/result.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+namespace luxo::gpu {
+namespace {
+
+constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+std::uint32_t count(const auto& range) { return static_cast<std::uint32_t>(range.size()); }
+
+// Lives as long as it takes to build the pipeline, so it is destroyed at once.
+class ShaderModule {
+ public:
+  ShaderModule(VkDevice device, std::span<const std::uint32_t> spirv, std::string_view pipeline)
+      : device_(device) {
+    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                        .codeSize = spirv.size_bytes(),
+                                        .pCode = spirv.data()};
+    check(vkCreateShaderModule(device_, &info, nullptr, &module_),
+          fmt::format("load a shader of pipeline \"{}\"", pipeline));
+  }
+  ~ShaderModule() { vkDestroyShaderModule(device_, module_, nullptr); }
+  ShaderModule(const ShaderModule&) = delete;
+  ShaderModule& operator=(const ShaderModule&) = delete;
+
+  operator VkShaderModule() const noexcept { return module_; }
+
+ private:
+  VkDevice device_;
+  VkShaderModule module_ = VK_NULL_HANDLE;
+};
+
+VkPipelineColorBlendAttachmentState blendState(Blend blend) {
+  VkPipelineColorBlendAttachmentState state{.colorWriteMask =
+                                                VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                                                VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
+  if (blend == Blend::None) return state;
+  state.blendEnable = VK_TRUE;
+  state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+  state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  return state;
+}
+
+std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipelineDesc& desc) {
+  std::vector<VkPipelineColorBlendAttachmentState> states(desc.colorFormats.size(), blendState(Blend::None));
+  if (!states.empty()) states.front() = blendState(desc.blend);
+  return states;
+}
+
+Handle<VkPipelineLayout> createLayout(Context& context, const GraphicsPipelineDesc& desc) {
+  const VkPushConstantRange constants{.stageFlags = kStages, .size = desc.pushConstantBytes};
+  const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                        .setLayoutCount = count(desc.setLayouts),
+                                        .pSetLayouts = desc.setLayouts.data(),
+                                        .pushConstantRangeCount = desc.pushConstantBytes > 0 ? 1u : 0u,
+                                        .pPushConstantRanges = &constants};
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  check(vkCreatePipelineLayout(context.device(), &info, nullptr, &layout),
+        fmt::format("create the layout of pipeline \"{}\"", desc.name));
+  return {context, layout};
+}
+
+void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc) {
+  const Features& features = context.features();
+  LUXO_REQUIRE(!desc.vertexShader.empty());
+  LUXO_REQUIRE(!desc.colorFormats.empty() || desc.depthFormat != VK_FORMAT_UNDEFINED);
+  LUXO_REQUIRE(desc.polygonMode == VK_POLYGON_MODE_FILL || features.fillModeNonSolid);
+  LUXO_REQUIRE(!desc.sampleShading || features.sampleRateShading);
+  LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
+}
+
+VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, VkPipelineLayout layout) {
+  std::vector<VkSpecializationMapEntry> entries;
+  for (std::uint32_t id = 0; id < desc.specialization.size(); ++id) {
+    entries.push_back({.constantID = id, .offset = id * 4, .size = 4});
+  }
+  const VkSpecializationInfo specialization{.mapEntryCount = count(entries),
+                                            .pMapEntries = entries.data(),
+                                            .dataSize = desc.specialization.size() * 4,
+                                            .pData = desc.specialization.data()};
+  const auto stage = [&](VkShaderStageFlagBits bit, VkShaderModule module) {
+    return VkPipelineShaderStageCreateInfo{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                           .stage = bit,
+                                           .module = module,
+                                           .pName = "main",
+                                           .pSpecializationInfo = &specialization};
+  };
+  const ShaderModule vertex(context.device(), desc.vertexShader, desc.name);
+  std::vector stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex)};
+  std::optional<ShaderModule> fragment;
+  if (!desc.fragmentShader.empty()) {
+    fragment.emplace(context.device(), desc.fragmentShader, desc.name);
+    stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment));
+  }
+
+  const VkPipelineVertexInputStateCreateInfo input{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+      .vertexBindingDescriptionCount = count(desc.bindings),
+      .pVertexBindingDescriptions = desc.bindings.data(),
+      .vertexAttributeDescriptionCount = count(desc.attributes),
+      .pVertexAttributeDescriptions = desc.attributes.data()};
+  const VkPipelineInputAssemblyStateCreateInfo assembly{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO, .topology = desc.topology};
+  const VkPipelineViewportStateCreateInfo viewport{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
+  const bool biased = desc.depthBiasConstant != 0 || desc.depthBiasSlope != 0;
+  const VkPipelineRasterizationStateCreateInfo raster{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+      .polygonMode = desc.polygonMode,
+      .depthBiasEnable = biased,
+      .depthBiasConstantFactor = desc.depthBiasConstant,
+      .depthBiasSlopeFactor = desc.depthBiasSlope,
+      .lineWidth = 1};
+  const VkPipelineMultisampleStateCreateInfo multisample{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+      .rasterizationSamples = desc.samples,
+      .sampleShadingEnable = desc.sampleShading,
+      .minSampleShading = 1};
+  const bool depth = desc.depthFormat != VK_FORMAT_UNDEFINED;
+  const VkPipelineDepthStencilStateCreateInfo depthState{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+      .depthTestEnable = depth && desc.depthTest,
+      .depthWriteEnable = depth && desc.depthWrite,
+      .depthCompareOp = desc.depthCompare};
+  const auto attachments = blendStates(desc);
+  const VkPipelineColorBlendStateCreateInfo blend{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+      .attachmentCount = count(attachments),
+      .pAttachments = attachments.data()};
+  static constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                       VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+  const VkPipelineDynamicStateCreateInfo dynamic{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+      .dynamicStateCount = kDynamic.size(),
+      .pDynamicStates = kDynamic.data()};
+  const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+                                                .colorAttachmentCount = count(desc.colorFormats),
+                                                .pColorAttachmentFormats = desc.colorFormats.data(),
+                                                .depthAttachmentFormat = desc.depthFormat};
+  const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                          .pNext = &rendering,
+                                          .stageCount = count(stages),
+                                          .pStages = stages.data(),
+                                          .pVertexInputState = &input,
+                                          .pInputAssemblyState = &assembly,
+                                          .pViewportState = &viewport,
+                                          .pRasterizationState = &raster,
+                                          .pMultisampleState = &multisample,
+                                          .pDepthStencilState = &depthState,
+                                          .pColorBlendState = &blend,
+                                          .pDynamicState = &dynamic,
+                                          .layout = layout};
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateGraphicsPipelines(context.device(), context.pipelineCache(), 1, &info, nullptr, &pipeline),
+        fmt::format("create the pipeline \"{}\"", desc.name));
+  return pipeline;
+}
+
+}  // namespace
+
+GraphicsPipeline::GraphicsPipeline(Context& context, const GraphicsPipelineDesc& desc)
+    : pushConstantBytes_(desc.pushConstantBytes) {
+  requireConsistent(context, desc);
+  layout_ = createLayout(context, desc);
+  pipeline_ = {context, createPipeline(context, desc, layout_)};
+  setName(context, static_cast<VkPipeline>(pipeline_), desc.name);
+  ++context.counted().pipelinesCreated;
+}
+
+void GraphicsPipeline::bind(VkCommandBuffer commands) const {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+}
+
+void GraphicsPipeline::push(VkCommandBuffer commands, std::span<const std::byte> constants) const {
+  LUXO_REQUIRE_COMPARE(constants.size(), ==, pushConstantBytes_);
+  vkCmdPushConstants(commands, layout_, kStages, 0, pushConstantBytes_, constants.data());
+}
+
+void GraphicsPipeline::bindSet(VkCommandBuffer commands, std::uint32_t index, VkDescriptorSet set,
+                               std::span<const std::uint32_t> dynamicOffsets) const {
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, index, 1, &set,
+                          count(dynamicOffsets), dynamicOffsets.data());
+}
+
+void setViewport(VkCommandBuffer commands, VkExtent2D extent) {
+  const auto width = static_cast<float>(extent.width);
+  const auto height = static_cast<float>(extent.height);
+  const VkViewport viewport{.y = height, .width = width, .height = -height, .maxDepth = 1};
+  const VkRect2D scissor{.extent = extent};
+  vkCmdSetViewport(commands, 0, 1, &viewport);
+  vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+}  // namespace luxo::gpu
