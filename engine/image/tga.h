@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Truevision TGA to and from memory.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "image/image.h"
+
+namespace luxo {
+
+/// 8-bit sRGB, uncompressed, top row first: 24 bit, or 32 bit for four channels; one channel is written as
+/// grey.
+[[nodiscard]] std::vector<std::byte> encodeTga(const Image& image);
+
+/// Grey (8 bit: one channel) or true colour (24, 32 bit: three or four channels), uncompressed or run-length
+/// encoded, in any of the four orders of rows and columns; given linear. `name` is for messages.
+/// Error(Scene): damaged, or a kind not named here (palettes, 15 and 16 bit).
+[[nodiscard]] Image decodeTga(std::span<const std::byte> bytes, std::string_view name);
+
+}  // namespace luxo
