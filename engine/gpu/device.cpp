@@ -61,13 +61,10 @@ std::optional<std::size_t> firstUsable(std::span<const DeviceInfo> devices,
                         : "update the driver, or draw on the processor: apt install mesa-vulkan-drivers");
 }
 
-std::size_t chooseNumber(std::span<const DeviceInfo> devices, std::size_t number) {
-  if (number >= devices.size()) throwNotFound(devices, fmt::format("there is no Vulkan device {}", number));
-  if (!devices[number].usable()) {
-    throwNotFound(devices, fmt::format("Vulkan device {} ({}) is not usable: {}", number,
-                                       devices[number].name, devices[number].missing));
-  }
-  return number;
+[[noreturn]] void throwUnusable(std::span<const DeviceInfo> devices, std::string_view wanted,
+                                const DeviceInfo& device) {
+  throwNotFound(devices,
+                fmt::format("Vulkan device {} ({}) is not usable: {}", wanted, device.name, device.missing));
 }
 
 std::size_t chooseName(std::span<const DeviceInfo> devices, std::string_view wanted) {
@@ -78,11 +75,8 @@ std::size_t chooseName(std::span<const DeviceInfo> devices, std::string_view wan
     if (devices[i].usable()) return i;
     if (unusable == nullptr) unusable = &devices[i];
   }
-  if (unusable != nullptr) {
-    throwNotFound(devices, fmt::format("Vulkan device \"{}\" ({}) is not usable: {}", wanted, unusable->name,
-                                       unusable->missing));
-  }
-  throwNotFound(devices, fmt::format("no Vulkan device is called \"{}\"", wanted));
+  if (unusable != nullptr) throwUnusable(devices, wanted, *unusable);
+  throwNotFound(devices, fmt::format("there is no Vulkan device {}", wanted));
 }
 
 }  // namespace
@@ -113,7 +107,12 @@ std::size_t chooseDevice(std::span<const DeviceInfo> devices, std::string_view w
     throw Error(ErrorKind::Device, "no Vulkan device found: no installed driver offers one", noDriverHint());
   }
   const std::string name = lower(wanted);
-  if (const auto number = parseNumber(name)) return chooseNumber(devices, *number);
+  if (const auto number = parseNumber(name)) {
+    if (*number >= devices.size())
+      throwNotFound(devices, fmt::format("there is no Vulkan device {}", wanted));
+    if (!devices[*number].usable()) throwUnusable(devices, wanted, devices[*number]);
+    return *number;
+  }
   const bool keyword = name == "auto" || name == "gpu" || name == "cpu";
   if (!keyword) return chooseName(devices, wanted);
 

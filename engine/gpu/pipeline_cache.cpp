@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -86,8 +87,8 @@ fs::path cacheDirectory() {
 std::vector<std::byte> packCache(const CacheIdentity& identity, std::span<const std::byte> data) {
   const Header header{.identity = identity, .size = data.size(), .checksum = checksumOf(data)};
   const auto bytes = std::as_bytes(std::span(&header, 1));
-  std::vector<std::byte> file(bytes.begin(), bytes.end());
-  file.insert(file.end(), data.begin(), data.end());
+  std::vector<std::byte> file(bytes.size() + data.size());
+  std::copy(data.begin(), data.end(), std::copy(bytes.begin(), bytes.end(), file.begin()));
   return file;
 }
 

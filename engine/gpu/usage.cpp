@@ -15,6 +15,19 @@ constexpr VkAccessFlags2 kDepthAccesses =
 constexpr VkAccessFlags2 kColorAccesses =
     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
 
+bool applies(const Scope& scope, ResourceKind kind) {
+  switch (scope.layout) {
+    case VK_IMAGE_LAYOUT_UNDEFINED:
+      return kind == ResourceKind::Buffer;
+    case VK_IMAGE_LAYOUT_GENERAL:
+    case VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL:
+    case VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL:
+      return true;
+    default:
+      return kind == ResourceKind::Image;
+  }
+}
+
 }  // namespace
 
 const char* useName(Use use) noexcept {
@@ -103,7 +116,7 @@ ResourceState ResourceState::acquired(VkPipelineStageFlags2 waitStage) {
 std::optional<Dependency> ResourceState::advance(Use use, Contents contents) {
   const Scope scope = scopeOf(use);
   const bool image = kind_ == ResourceKind::Image;
-  LUXO_REQUIRE(!image || scope.layout != VK_IMAGE_LAYOUT_UNDEFINED);
+  LUXO_REQUIRE(applies(scope, kind_));
   const VkImageLayout layout = image ? scope.layout : VK_IMAGE_LAYOUT_UNDEFINED;
   const bool moves = layout != layout_;
 
