@@ -3,7 +3,7 @@
 // formulas.
 //
 // Every skip is a proof: switching any of them off never changes a bit of the image. Margins cover what
-// happens later in single precision: 2^-20 of the distance to the eye for vertices, 1/128 pixel for their
+// happens later in single precision: 2^-20 of the distance to the eye for vertices, 1/32 pixel for their
 // snap to the raster.
 #pragma once
 
@@ -17,11 +17,13 @@ namespace luxo {
 struct CullOptions {
   double tolerancePx = 0.5;  ///< how far a mesh may be from its surface on the screen
   int samples = 1;           ///< per pixel, 1 or 4, at Vulkan's standard positions
-  double reachPx = 0;        ///< how far drawn primitives reach beyond their geometry: 1 for lines
-  bool frustum = true;       ///< skip nodes outside the picture
-  bool small = true;         ///< skip nodes that cover no sample
-  bool backface = true;      ///< skip what only turns its back to the viewer
-  bool lights = true;        ///< skip lights that cannot reach a node
+  /// Of materials that do not say otherwise. Lines reach a pixel beyond their surface and hide nothing behind
+  /// it.
+  Shading shading = Shading::Phong;
+  bool frustum = true;   ///< skip nodes outside the picture
+  bool small = true;     ///< skip nodes that cover no sample
+  bool backface = true;  ///< skip what only turns its back to the viewer
+  bool lights = true;    ///< skip lights that cannot reach a node
 };
 
 /// One node to draw.
@@ -31,11 +33,10 @@ struct VisibleNode {
   /// stretch, z the nearest depth, phi the angle off axis (accuracy bound of a perspective image);
   /// orthographic: tau / f / stretch.
   double toleranceObject = 0;
-  double nearestDepth = 0;  ///< lower bound of the depth of any point, clamped to the near plane
-  double centerDepth = 0;   ///< depth of the centre of the bounds
-  double pixelsPerUnit =
-      0;               ///< f sqrt(1 + tan^2 phi): pixels at depth 1 per metre of the world; orthographic: f
-  double stretch = 1;  ///< metres of the world per metre of the object, at most
+  double nearestDepth = 0;   ///< lower bound of the depth of any point, clamped to the near plane
+  double centerDepth = 0;    ///< depth of the centre of the bounds
+  double pixelsPerUnit = 0;  ///< f sqrt(1 + tan^2 phi), at depth 1; orthographic: pixels per metre
+  double stretch = 1;        ///< metres of the world per metre of the object, at most
   std::uint32_t firstLight = 0, lightCount = 0;  ///< range of VisibleList::lights
   bool mirrored = false;                         ///< the transform turns counter-clockwise into clockwise
   bool twoSided = false;                         ///< the normal turns toward the viewer

@@ -28,7 +28,7 @@ class Stopwatch {
 CullOptions cullOptions(const DrawOptions& options, int samples) {
   return {.tolerancePx = options.tolerancePx,
           .samples = samples,
-          .reachPx = options.shading == Shading::Wireframe ? 1.0 : 0.0,
+          .shading = options.shading,
           .frustum = options.skips.frustum,
           .small = options.skips.small,
           .backface = options.skips.backface,

@@ -7,6 +7,8 @@
 // normals decide).
 #pragma once
 
+#include <optional>
+
 #include "math/transform.h"
 #include "scene/ids.h"
 #include "surface/surface.h"
@@ -25,10 +27,10 @@ struct ShadeRule {
   friend bool operator==(const ShadeRule&, const ShadeRule&) = default;
 };
 
-/// The rule of a shade placed by a similarity. Throws Error(Scene) "not supported yet" when the transform is
-/// none, to a relative 1e-9: a sheared or unevenly scaled paraboloid has no focus.
-[[nodiscard]] ShadeRule shadeRule(const Paraboloid& paraboloid, const Transform& worldFromShade,
-                                  NodeId caster);
+/// The rule of a shade placed by a similarity, to a relative 1e-9. Nothing for any other transform: a sheared
+/// or unevenly scaled paraboloid has no focus.
+[[nodiscard]] std::optional<ShadeRule> shadeRule(const Paraboloid& paraboloid,
+                                                 const Transform& worldFromShade, NodeId caster);
 
 /// Whether the light at the focus reaches a point that is not on the shade itself. Decides right unless the
 /// point is within a relative 1e-14 of the border.

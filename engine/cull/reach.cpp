@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cull/reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace luxo {
+
+namespace {
+
+/// Corners of the box in the shade's plane of symmetry through the box's centre: seen from the focus, `along`
+/// the axis and `aside` toward the centre. `distance` is the true distance from the focus.
+struct Corner {
+  double along = 0, aside = 0, distance = 0;
+};
+
+using Corners = std::array<Corner, 8>;
+
+Corners cornersFromFocus(const ShadeRule& rule, const Transform& worldFromObject, const Box& box) {
+  const auto fromFocus = [&](const Vec3& p) { return transformPoint(worldFromObject, p) - rule.focus; };
+  const Vec3 center = fromFocus(box.center());
+  const Vec3 toward = unit(center - glm::dot(center, rule.axis) * rule.axis);
+  Corners corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 q = fromFocus(
+        {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z});
+    corners[i] = {glm::dot(q, rule.axis), glm::dot(q, toward), glm::length(q)};
+  }
+  return corners;
+}
+
+/// Whether all corners, and so the whole box, are beyond the plane a * along + b * aside = c, by `slack`
+/// metres.
+bool beyond(const Corners& corners, double a, double b, double c, double slack) {
+  const double margin = c + slack * std::hypot(a, b);
+  return std::ranges::all_of(corners, [&](const Corner& q) { return a * q.along + b * q.aside > margin; });
+}
+
+bool outsideCone(const Corners& corners, double cosRim, double slack) {
+  const double sinRim = std::sqrt((1 - cosRim) * (1 + cosRim));
+  // Wider than a half space, the cone's dark complement is convex: its corners decide for the box.
+  if (cosRim < 0)
+    return std::ranges::all_of(corners,
+                               [&](const Corner& q) { return q.along < cosRim * q.distance - slack; });
+  return beyond(corners, -1, 0, 0, slack) || beyond(corners, -sinRim, cosRim, 0, slack);
+}
+
+/// Outside the solid of points nearer to the focus than to the directrix, cut at the rim: beyond the rim it
+/// lies within the cone. Its tangent plane at radius r is r * aside - 2 f * (along + f) = r^2 / 2.
+bool outsideShade(const Corners& corners, const ShadeRule& rule, double slack) {
+  const double f = rule.focalLength, rim = 2 * std::sqrt(f * rule.height);
+  if (beyond(corners, 1, 0, rule.height - f, slack)) return true;
+  for (const double part : {0.0, 0.25, 0.5, 1.0}) {
+    const double r = part * rim;
+    if (beyond(corners, -2 * f, r, 0.5 * r * r + 2 * f * f, slack)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool canLight(const ShadeRule& rule, const Transform& worldFromObject, const Box& boundsObject,
+              double slack) {
+  const Corners corners = cornersFromFocus(rule, worldFromObject, boundsObject);
+  return !(outsideCone(corners, rule.cosRim, slack) && outsideShade(corners, rule, slack));
+}
+
+}  // namespace luxo

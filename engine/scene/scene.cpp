@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/assert.h"
+#include "base/error.h"
+
+namespace luxo {
+
+namespace {
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void requireFinite(const Node& node, std::string_view name, const Animated<Vec3>& value) {
+  if (!value.isConstant()) return;  // checked when a snapshot evaluates it
+  const Vec3 v = value.at(0);
+  if (!finite(v))
+    throw Error(ErrorKind::Scene, fmt::format("node '{}': {} is ({}, {}, {}); it must be finite", node.name,
+                                              name, v.x, v.y, v.z));
+}
+
+void validate(const Node& node) {
+  requireFinite(node, "translation", node.translation);
+  requireFinite(node, "scale", node.scale);
+  if (node.segments && (node.segments->u < 1 || node.segments->v < 1))
+    throw Error(ErrorKind::Scene, fmt::format("node '{}': segments are {} x {}; they must be at least 1",
+                                              node.name, node.segments->u, node.segments->v));
+  if (node.light) validate(*node.light, node.name);
+}
+
+void validate(const RenderSettings& s) {
+  const auto reject = [](std::string_view name, const std::string& found, std::string_view wanted) {
+    throw Error(ErrorKind::Scene,
+                fmt::format("render settings: {} is {}; it must be {}", name, found, wanted));
+  };
+  const auto color = [&](std::string_view name, const Vec3& c) {
+    if (!finite(c) || c.x < 0 || c.y < 0 || c.z < 0)
+      reject(name, fmt::format("({}, {}, {})", c.x, c.y, c.z), "finite and not negative");
+  };
+  color("background", s.background);
+  color("ambient", s.ambient);
+  if (!std::isfinite(s.time)) reject("time", fmt::format("{}", s.time), "finite");
+  if (!(s.fps > 0 && std::isfinite(s.fps))) reject("fps", fmt::format("{}", s.fps), "above 0");
+  if (!(s.tolerance > 0 && std::isfinite(s.tolerance)))
+    reject("tolerance", fmt::format("{}", s.tolerance), "above 0");
+}
+
+bool constantParameters(const Surface& surface) {
+  return std::ranges::all_of(surface.parameters(), &Animated<double>::isConstant);
+}
+
+bool movesWithTime(const Node& node) {
+  return !(node.translation.isConstant() && node.rotation.isConstant() && node.scale.isConstant() &&
+           node.visible.isConstant() && (!node.surface.valid() || constantParameters(node.surface)));
+}
+
+std::optional<Box> constantBounds(const Surface& surface) {
+  if (!surface.valid() || !constantParameters(surface)) return std::nullopt;
+  std::vector<double> parameters;
+  for (const Animated<double>& parameter : surface.parameters()) parameters.push_back(parameter.at(0));
+  return surface.bounds(parameters);
+}
+
+template <class Id, class Things, class Name>
+std::optional<Id> findNamed(const Things& things, Name matches) {
+  const auto found = std::ranges::find_if(things, matches);
+  if (found == things.end()) return std::nullopt;
+  return Id{static_cast<std::uint32_t>(found - things.begin())};
+}
+
+}  // namespace
+
+Animated<Rotation> spin(const Vec3& axis, double radiansPerSecond) {
+  return [=](double t) { return Rotation{axis, angleAt(radiansPerSecond, t)}; };
+}
+
+Scene::Scene() : materials_{Material{.name = "default"}} {}
+
+Scene::Entry Scene::checked(Node node, std::uint32_t index) const {
+  const auto exists = [&](NodeId id) { return id.index < nodes_.size() && !nodes_[id.index].removed; };
+  LUXO_REQUIRE(!node.parent.valid() || (node.parent.index < index && exists(node.parent)));
+  if (node.light) LUXO_REQUIRE(std::ranges::all_of(node.light->casters, exists));
+  if (!node.material.valid()) node.material = MaterialId{0};
+  LUXO_REQUIRE_COMPARE(node.material.index, <, materials_.size());
+  validate(node);
+  std::optional<Box> bounds = constantBounds(node.surface);
+  return {.node = std::move(node), .constantBounds = bounds};
+}
+
+NodeId Scene::add(Node node) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(checked(std::move(node), index));
+  ++version_;
+  return {index};
+}
+
+MaterialId Scene::add(Material material) {
+  validate(material);
+  materials_.push_back(std::move(material));
+  ++version_;
+  return {static_cast<std::uint32_t>(materials_.size() - 1)};
+}
+
+CameraId Scene::add(Camera camera) {
+  cameras_.push_back(std::move(camera));
+  ++version_;
+  return {static_cast<std::uint32_t>(cameras_.size() - 1)};
+}
+
+void Scene::set(NodeId id, Node node) {
+  LUXO_REQUIRE(id.index < nodes_.size() && !nodes_[id.index].removed);
+  nodes_[id.index] = checked(std::move(node), id.index);
+  ++version_;
+}
+
+void Scene::set(MaterialId id, Material material) {
+  LUXO_REQUIRE_COMPARE(id.index, <, materials_.size());
+  validate(material);
+  materials_[id.index] = std::move(material);
+  ++version_;
+}
+
+void Scene::set(CameraId id, Camera camera) {
+  LUXO_REQUIRE_COMPARE(id.index, <, cameras_.size());
+  cameras_[id.index] = std::move(camera);
+  ++version_;
+}
+
+void Scene::set(const RenderSettings& settings) {
+  validate(settings);
+  settings_ = settings;
+  ++version_;
+}
+
+void Scene::remove(NodeId id) {
+  LUXO_REQUIRE_COMPARE(id.index, <, nodes_.size());
+  nodes_[id.index].removed = true;
+  for (std::size_t i = id.index + 1; i < nodes_.size(); ++i) {
+    const NodeId parent = nodes_[i].node.parent;
+    if (parent.valid() && nodes_[parent.index].removed) nodes_[i].removed = true;
+  }
+  ++version_;
+}
+
+const Node& Scene::operator[](NodeId id) const {
+  LUXO_REQUIRE_COMPARE(id.index, <, nodes_.size());
+  return nodes_[id.index].node;
+}
+
+const Material& Scene::operator[](MaterialId id) const {
+  LUXO_REQUIRE_COMPARE(id.index, <, materials_.size());
+  return materials_[id.index];
+}
+
+const Camera& Scene::operator[](CameraId id) const {
+  LUXO_REQUIRE_COMPARE(id.index, <, cameras_.size());
+  return cameras_[id.index];
+}
+
+std::optional<NodeId> Scene::findNode(std::string_view name) const {
+  return findNamed<NodeId>(nodes_,
+                           [&](const Entry& entry) { return !entry.removed && entry.node.name == name; });
+}
+
+std::optional<CameraId> Scene::findCamera(std::string_view name) const {
+  return findNamed<CameraId>(cameras_, [&](const Camera& camera) { return camera.name == name; });
+}
+
+bool Scene::movesWithTime() const {
+  return std::ranges::any_of(
+             nodes_, [](const Entry& entry) { return !entry.removed && luxo::movesWithTime(entry.node); }) ||
+         std::ranges::any_of(cameras_, &Camera::movesWithTime);
+}
+
+}  // namespace luxo

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/snapshot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "base/assert.h"
+#include "base/error.h"
+
+namespace luxo {
+
+namespace {
+
+/// The light must sit in the focus to this part of the shade's size: rounding down a deep hierarchy, not a
+/// millimetre.
+constexpr double kFocusTolerance = 1e-9;
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+[[noreturn]] void reject(const Node& node, double time, const std::string& what, std::string hint = {}) {
+  throw Error(ErrorKind::Scene, fmt::format("node '{}' at time {}: {}", node.name, time, what),
+              std::move(hint));
+}
+
+Vec3 finiteAt(const Node& node, std::string_view name, const Animated<Vec3>& value, double time) {
+  const Vec3 v = value.at(time);
+  if (!finite(v))
+    reject(node, time, fmt::format("{} is ({}, {}, {}); it must be finite", name, v.x, v.y, v.z));
+  return v;
+}
+
+Mat3 rotationAt(const Node& node, double time) {
+  const auto [axis, angle] = node.rotation.at(time);
+  if (!finite(axis) || !std::isfinite(angle))
+    reject(node, time,
+           fmt::format("rotation by {} about ({}, {}, {}) is not finite", angle, axis.x, axis.y, axis.z));
+  if (axis == Vec3(0) && angle != 0)
+    reject(node, time, fmt::format("rotation by {} rad about a zero axis", angle),
+           "give an axis that is not zero");
+  return rotation(axis, angle);
+}
+
+Transform parentFromNode(const Node& node, double time) {
+  return compose(finiteAt(node, "translation", node.translation, time), rotationAt(node, time),
+                 finiteAt(node, "scale", node.scale, time));
+}
+
+/// Every node of the scene at one moment; index = NodeId.
+struct Placed {
+  Transform worldFromNode;
+  bool visible = false;
+};
+
+std::vector<Placed> placeNodes(const Scene& scene, double time) {
+  std::vector<Placed> placed(scene.nodes().size());
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const auto& [node, removed, bounds] = scene.nodes()[i];
+    if (removed || !node.visible.at(time)) continue;
+    const Placed* parent = node.parent.valid() ? &placed[node.parent.index] : nullptr;
+    if (parent && !parent->visible) continue;
+    const Transform local = parentFromNode(node, time);
+    placed[i] = {parent ? parent->worldFromNode * local : local, true};
+    const Transform& t = placed[i].worldFromNode;
+    if (!finite(t.translation) || !finite(t.linear[0]) || !finite(t.linear[1]) || !finite(t.linear[2]))
+      reject(node, time, "its place in the world is not finite",
+             "scales or translations above it are too large");
+  }
+  return placed;
+}
+
+/// Numbers from 1 in depth-first order: a node's number is its parent's plus the sizes of what comes in
+/// between.
+std::vector<std::uint32_t> numberNodes(const Scene& scene) {
+  const auto& nodes = scene.nodes();
+  std::vector<std::uint32_t> subtree(nodes.size()), number(nodes.size()), next(nodes.size());
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    if (nodes[i].removed) continue;
+    subtree[i] += 1;
+    if (nodes[i].node.parent.valid()) subtree[nodes[i].node.parent.index] += subtree[i];
+  }
+  std::uint32_t nextRoot = 1;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].removed) continue;
+    std::uint32_t& free = nodes[i].node.parent.valid() ? next[nodes[i].node.parent.index] : nextRoot;
+    number[i] = free;
+    next[i] = free + 1;
+    free += subtree[i];
+  }
+  return number;
+}
+
+SnapshotNode takeNode(const Scene::Entry& entry, double time) {
+  const Node& node = entry.node;
+  SnapshotNode taken{.surface = node.surface, .material = node.material, .segments = node.segments};
+  for (const Animated<double>& parameter : node.surface.parameters()) {
+    taken.parameters.push_back(parameter.at(time));
+    if (!std::isfinite(taken.parameters.back()))
+      reject(node, time,
+             fmt::format("parameter {} of its surface '{}' is {}; it must be finite", taken.parameters.size(),
+                         node.surface.name(), taken.parameters.back()));
+  }
+  taken.boundsObject = entry.constantBounds ? *entry.constantBounds : node.surface.bounds(taken.parameters);
+  return taken;
+}
+
+std::vector<SnapshotNode> takeNodes(const Scene& scene, const std::vector<Placed>& placed, double time) {
+  const std::vector<std::uint32_t> numbers = numberNodes(scene);
+  std::vector<SnapshotNode> nodes;
+  for (std::uint32_t i = 0; i < placed.size(); ++i) {
+    const Scene::Entry& entry = scene.nodes()[i];
+    if (!placed[i].visible || !entry.node.surface.valid()) continue;
+    SnapshotNode node = takeNode(entry, time);
+    node.id = {i};
+    node.number = numbers[i];
+    node.worldFromObject = placed[i].worldFromNode;
+    node.boundsWorld = transformBounds(node.worldFromObject, node.boundsObject);
+    nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
+/// What casts the light's shadow at this moment: only what is visible does.
+std::vector<NodeId> visibleCasters(const Light& light, const Scene& scene,
+                                   const std::vector<Placed>& placed) {
+  std::vector<NodeId> casters;
+  const auto consider = [&](NodeId id) {
+    if (placed[id.index].visible && scene[id].surface.valid()) casters.push_back(id);
+  };
+  for (std::uint32_t i = 0; light.casters.empty() && i < placed.size(); ++i) consider({i});
+  std::ranges::for_each(light.casters, consider);
+  return casters;
+}
+
+std::optional<ShadeRule> resolveShadow(const Node& node, const Scene& scene,
+                                       const std::vector<Placed>& placed, const Vec4& light, double time) {
+  if (node.light->shadow == Light::Shadow::None) return std::nullopt;
+  const auto unsupported = [&](const std::string& why) {
+    reject(node, time, "its light's shadow is not supported yet: " + why,
+           "exact shadows need one paraboloid shade named in `casters`, with the point light at its focus");
+  };
+  if (node.light->shadow == Light::Shadow::Map) unsupported("shadow maps");
+  if (light.w == 0) unsupported("an exact shadow of a directional light");
+  const std::vector<NodeId> casters = visibleCasters(*node.light, scene, placed);
+  if (casters.empty()) return std::nullopt;
+  if (casters.size() > 1) unsupported(fmt::format("{} nodes cast it", casters.size()));
+
+  const Node& shade = scene[casters[0]];
+  const std::optional<Paraboloid> paraboloid = shade.surface.paraboloid();
+  if (!paraboloid) unsupported(fmt::format("its caster '{}' is not a paraboloid", shade.name));
+  const std::optional<ShadeRule> rule =
+      shadeRule(*paraboloid, placed[casters[0].index].worldFromNode, casters[0]);
+  if (!rule) unsupported(fmt::format("'{}' is scaled unevenly or sheared, so it has no focus", shade.name));
+  const double distance = glm::length(Vec3(light) - rule->focus);
+  if (!(distance <= kFocusTolerance * (rule->focalLength + rule->height)))
+    unsupported(fmt::format("it is {} m away from the focus of '{}'", distance, shade.name));
+  return rule;
+}
+
+/// By content, so that the order in which the scene was put together leaves no trace. What rarely changes
+/// with time comes first. Shaded lights last.
+bool precedes(const SnapshotLight& a, const SnapshotLight& b) {
+  const auto key = [](const SnapshotLight& l) {
+    return std::tuple(l.shade.has_value(), l.attenuation, l.radiance.x, l.radiance.y, l.radiance.z,
+                      l.positionWorld.w, l.positionWorld.x, l.positionWorld.y, l.positionWorld.z);
+  };
+  return key(a) < key(b);
+}
+
+std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Placed>& placed, double time) {
+  std::vector<SnapshotLight> lights;
+  for (std::uint32_t i = 0; i < placed.size(); ++i) {
+    const Node& node = scene.nodes()[i].node;
+    if (!placed[i].visible || !node.light) continue;
+    SnapshotLight light{.id = {i},
+                        .positionWorld = Vec4(placed[i].worldFromNode.translation, 1),
+                        .radiance = node.light->color * node.light->intensity,
+                        .attenuation = node.light->attenuation};
+    if (!finite(light.radiance)) reject(node, time, "its light's color * intensity is not finite");
+    if (node.light->type == Light::Type::Directional) {
+      const Vec3 towardLight = unit(transformDirection(placed[i].worldFromNode, Vec3(0, 0, 1)));
+      if (towardLight == Vec3(0)) reject(node, time, "its light has no direction: the scale along z is zero");
+      light.positionWorld = Vec4(towardLight, 0);
+    }
+    light.shade = resolveShadow(node, scene, placed, light.positionWorld, time);
+    lights.push_back(std::move(light));
+  }
+  std::ranges::sort(lights, precedes);
+  return lights;
+}
+
+Box boundsOf(const std::vector<SnapshotNode>& nodes) {
+  Box box;
+  for (const SnapshotNode& node : nodes) box.add(node.boundsWorld);
+  return box;
+}
+
+/// Everything but the view.
+Snapshot takeUnseen(const Scene& scene, double time) {
+  if (!std::isfinite(time))
+    throw Error(ErrorKind::Scene, fmt::format("cannot picture the scene at time {}", time));
+  const std::vector<Placed> placed = placeNodes(scene, time);
+  return {.nodes = takeNodes(scene, placed, time),
+          .lights = takeLights(scene, placed, time),
+          .materials = scene.materials(),
+          .background = scene.settings().background,
+          .ambient = scene.settings().ambient};
+}
+
+Snapshot withView(Snapshot snapshot, const Camera& camera, double time, PixelSize size) {
+  snapshot.view = viewAt(camera, time, size, boundsOf(snapshot.nodes));
+  return snapshot;
+}
+
+/// Whether both draw the same mesh with the same pipeline, wherever it is.
+bool sameThing(const SnapshotNode& a, const SnapshotNode& b) {
+  return a.id == b.id && a.number == b.number && a.surface.identity() == b.surface.identity() &&
+         a.material == b.material && a.segments == b.segments;
+}
+
+}  // namespace
+
+bool operator==(const SnapshotNode& a, const SnapshotNode& b) {
+  return sameThing(a, b) && a.worldFromObject == b.worldFromObject && a.parameters == b.parameters;
+}
+
+Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, const Camera& camera) {
+  return withView(takeUnseen(scene, timeSeconds), camera, timeSeconds, size);
+}
+
+Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, CameraId camera) {
+  Snapshot snapshot = takeUnseen(scene, timeSeconds);
+  if (camera.valid() || !scene.cameras().empty())
+    return withView(std::move(snapshot), scene[camera.valid() ? camera : CameraId{0}], timeSeconds, size);
+  const double fitTime = scene.settings().time;
+  const bool sameMoment = timeSeconds == fitTime || !scene.movesWithTime();
+  const Box bounds = boundsOf(sameMoment ? snapshot.nodes : takeUnseen(scene, fitTime).nodes);
+  return withView(std::move(snapshot), fitCamera(bounds, size), timeSeconds, size);
+}
+
+Changes changesSince(const Snapshot& previous, const Snapshot& next) {
+  Changes changes{.view = !(previous.view == next.view),
+                  .lights = previous.lights != next.lights,
+                  .materials = previous.materials != next.materials,
+                  .environment = previous.background != next.background || previous.ambient != next.ambient};
+  changes.structure = !std::ranges::equal(previous.nodes, next.nodes, sameThing);
+  for (std::uint32_t i = 0; i < next.nodes.size(); ++i) {
+    if (changes.structure || previous.nodes[i].worldFromObject != next.nodes[i].worldFromObject)
+      changes.moved.push_back(i);
+    if (changes.structure || previous.nodes[i].parameters != next.nodes[i].parameters)
+      changes.deformed.push_back(i);
+  }
+  return changes;
+}
+
+}  // namespace luxo
