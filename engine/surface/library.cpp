@@ -35,19 +35,16 @@ Surface rectangle(double sizeX, double sizeZ) {
 
 Surface disk(double radius) {
   requirePositive("disk", {{"radius", radius}});
-  return surface(
-      [=](auto u, auto v) {
-        const auto rho = radius * v;
-        return point(rho * cos(kTau * u), 0, -(rho * sin(kTau * u)));
+  return revolve(
+      [=](auto v) {
+        return ProfilePoint{radius * v, 0};
       },
-      kUnitSquare, {.name = "disk", .orientation = -1, .flatNormal = Vec3(0, 1, 0)});
+      {.name = "disk", .orientation = -1, .flatNormal = Vec3(0, 1, 0)});
 }
 
 Surface cylinder(double radius, double height) {
   requirePositive("cylinder", {{"radius", radius}, {"height", height}});
-  return surface(
-      [=](auto u, auto v) { return point(radius * cos(kTau * u), height * v, -(radius * sin(kTau * u))); },
-      kUnitSquare, {.name = "cylinder"});
+  return revolve([=](auto v) { return ProfilePoint{radius, height * v}; }, {.name = "cylinder"});
 }
 
 Surface cone(double radius, double topRadius, double height) {
@@ -55,34 +52,31 @@ Surface cone(double radius, double topRadius, double height) {
   if (!(radius >= 0 && topRadius >= 0 && std::isfinite(radius + topRadius)))
     throw Error(ErrorKind::Scene, fmt::format("cone: its radii are {} and {}", radius, topRadius),
                 "give radii that are finite and not negative");
-  return surface(
-      [=](auto u, auto v) {
-        const auto rho = radius * (1 - v) + topRadius * v;
-        return point(rho * cos(kTau * u), height * v, -(rho * sin(kTau * u)));
+  return revolve(
+      [=](auto v) {
+        return ProfilePoint{radius * (1 - v) + topRadius * v, height * v};
       },
-      kUnitSquare, {.name = "cone"});
+      {.name = "cone"});
 }
 
 Surface sphere(double radius) {
   requirePositive("sphere", {{"radius", radius}});
-  return surface(
-      [=](auto u, auto v) {
+  return revolve(
+      [=](auto v) {
         const auto latitude = kPi * (v - 0.5);
-        const auto rho = radius * cos(latitude);
-        return point(rho * cos(kTau * u), radius * sin(latitude), -(rho * sin(kTau * u)));
+        return ProfilePoint{radius * cos(latitude), radius * sin(latitude)};
       },
-      kUnitSquare, {.name = "sphere"});
+      {.name = "sphere"});
 }
 
 Surface paraboloid(double focalLength, double height) {
   requirePositive("paraboloid", {{"focal length", focalLength}, {"height", height}});
   const double rim = 2 * std::sqrt(focalLength * height);
-  return surface(
-      [=](auto u, auto v) {
-        const auto rho = rim * v;
-        return point(rho * cos(kTau * u), height * (v * v), -(rho * sin(kTau * u)));
+  return revolve(
+      [=](auto v) {
+        return ProfilePoint{rim * v, height * (v * v)};
       },
-      kUnitSquare, {.name = "paraboloid", .paraboloid = Paraboloid{focalLength, height}});
+      {.name = "paraboloid", .paraboloid = Paraboloid{focalLength, height}});
 }
 
 Surface torus(double major, double minor) {
@@ -91,12 +85,11 @@ Surface torus(double major, double minor) {
     throw Error(ErrorKind::Scene,
                 fmt::format("torus: major radius {} is not larger than minor radius {}", major, minor),
                 "a ring torus needs major > minor");
-  return surface(
-      [=](auto u, auto v) {
-        const auto rho = major + minor * cos(kTau * v);
-        return point(rho * cos(kTau * u), minor * sin(kTau * v), -(rho * sin(kTau * u)));
+  return revolve(
+      [=](auto v) {
+        return ProfilePoint{major + minor * cos(kTau * v), minor * sin(kTau * v)};
       },
-      kUnitSquare, {.name = "torus"});
+      {.name = "torus"});
 }
 
 Surface flag(const FlagDesc& desc) {

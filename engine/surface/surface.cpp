@@ -51,6 +51,7 @@ const Topology& Surface::topology() const { return description_->topology; }
 const std::vector<Animated<double>>& Surface::parameters() const { return description_->parameters; }
 std::optional<Paraboloid> Surface::paraboloid() const { return description_->traits.paraboloid; }
 std::optional<Vec3> Surface::flatNormal() const { return description_->traits.flatNormal; }
+bool Surface::revolution() const { return description_->traits.revolution; }
 
 namespace {
 

@@ -77,6 +77,7 @@ struct SurfaceTraits {
   double orientation = 1;  ///< for open surfaces; closed ones are measured by their signed volume
   std::optional<Paraboloid> paraboloid;
   std::optional<Vec3> flatNormal;  ///< unit normal of a surface that lies in one plane
+  bool revolution = false;         ///< u turns a profile once around the Y axis (see revolve())
 };
 
 /// Points and derivatives at several parameters: structure of arrays, one entry per point.
@@ -105,6 +106,7 @@ class Surface {
   [[nodiscard]] const std::vector<Animated<double>>& parameters() const;
   [[nodiscard]] std::optional<Paraboloid> paraboloid() const;
   [[nodiscard]] std::optional<Vec3> flatNormal() const;
+  [[nodiscard]] bool revolution() const;
 
   /// S, Su, Sv at one point or at every (u[i], v[i]). Object space, metres. Exact derivatives, rounded.
   [[nodiscard]] SurfacePoints evaluate(std::span<const double> u, std::span<const double> v,
@@ -141,6 +143,24 @@ template <class Formula, class... Parameters>
       (static_cast<void>(parameters), graph.variable(next++))...};
   const ExprPoint position = std::apply([&](auto... p) { return formula(u, v, p...); }, free);
   return {compileSurface(graph, position), domain, {Animated<double>(parameters)...}, std::move(traits)};
+}
+
+/// A profile in the half plane of the Y axis: its distance from the axis and its height.
+struct ProfilePoint {
+  Expr radius, height;
+};
+
+/// The surface that the profile `(auto v) -> ProfilePoint`, v in 0..1, leaves when u, in 0..1, turns it once
+/// around the Y axis from +X toward -Z: (radius cos 2 pi u, height, -radius sin 2 pi u).
+template <class Profile>
+[[nodiscard]] Surface revolve(const Profile& profile, SurfaceTraits traits = {}) {
+  traits.revolution = true;
+  return surface(
+      [&](auto u, auto v) {
+        const ProfilePoint p = profile(v);
+        return point(p.radius * cos(kTau * u), p.height, -(p.radius * sin(kTau * u)));
+      },
+      {}, std::move(traits));
 }
 
 }  // namespace luxo

@@ -22,7 +22,7 @@ struct Mesh {
   std::vector<std::uint32_t> indices;
   Segments segments;
   double bound =
-      0;  ///< proven: no point of the surface is farther (object units) from the triangle it belongs to
+      0;  ///< proven: no point of the surface is farther (object units) from its own cell's triangles
 
   [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
 };

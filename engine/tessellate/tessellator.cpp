@@ -21,9 +21,12 @@ struct Coefficients {
 Coefficients coefficientsOf(const Surface& surface, std::span<const double> parameters) {
   const PartialBounds m = surface.partialBounds(parameters);
   const double du = surface.domain().u.width(), dv = surface.domain().v.width();
-  // Within its plane a flat surface is covered exactly whatever its interior edges are: only its borders,
-  // curves of constant u or v, deviate, and a curve has no mixed term.
-  const double mixed = surface.flatNormal() ? 0 : m.uv;
+  // The mixed term measures how far points slide along the surface, which moves nothing that is seen
+  // - on a flat surface, which is covered exactly whatever its interior edges are: only its borders deviate;
+  // - on a surface of revolution, whose cells are plane trapezoids between two rings: a point is within vv /
+  // 8 nv^2 of
+  //   the chord of its meridian, and that within radius (1 - cos(pi / nu)) <= uu / 8 nu^2 of the trapezoid.
+  const double mixed = surface.flatNormal() || surface.revolution() ? 0 : m.uv;
   return {m.uu * du * du, mixed * du * dv, m.vv * dv * dv};
 }
 
