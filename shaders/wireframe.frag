@@ -2,7 +2,7 @@
 // The edges of the triangles in the material's own colour, bright enough to be seen on any background.
 #version 460
 
-layout(location = 3) flat in vec3 inDiffuse;
+layout(location = 0) flat in vec3 inDiffuse;
 
 layout(location = 0) out vec4 outColor;
 

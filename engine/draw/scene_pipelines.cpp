@@ -11,6 +11,7 @@
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_vert.h"
 #include "luxo/shaders/wireframe_frag.h"
+#include "luxo/shaders/wireframe_vert.h"
 
 namespace luxo {
 namespace {
@@ -108,7 +109,9 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
     if (!context_->features().fillModeNonSolid)
       throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
                   "choose another shading or another --device");
+    desc.vertexShader = luxo_wireframe_vert;
     desc.fragmentShader = luxo_wireframe_frag;
+    desc.attributes.pop_back();
     desc.polygonMode = VK_POLYGON_MODE_LINE;
     desc.specialization.clear();
   } else {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices of a surface whose edges are drawn in one colour.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/scene.glsl"
+
+layout(location = 0) in vec3 inPosition;
+
+layout(location = 0) flat out vec3 outDiffuse;
+
+invariant gl_Position;
+
+void main() {
+  InstanceData instance = instances[gl_InstanceIndex];
+  outDiffuse = instance.diffuse;
+  gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
+}
