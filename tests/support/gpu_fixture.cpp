@@ -23,6 +23,7 @@ bool deviceRequired() {
 }  // namespace
 
 void GpuTest::SetUp() {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // drivers run threads, which a mere fork would lose
   gpu::ContextDesc desc = contextDesc();
   desc.validation = true;
   desc.validationLog = log_;
