@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void requireSameShape(const Image& a, const Image& b) {
   if (a.width() == b.width() && a.height() == b.height() && a.channels() == b.channels()) return;
-  throw Error(ErrorKind::Usage,
+  throw Error(ErrorKind::Requirement,
               fmt::format("cannot compare {} x {} pixels of {} channels with {} x {} of {}", a.width(),
                           a.height(), a.channels(), b.width(), b.height(), b.channels()),
               "both pictures need the same size and the same channels");

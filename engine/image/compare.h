@@ -28,7 +28,7 @@ struct Comparison {
   int maxX = 0, maxY = 0;             ///< the first pixel, row by row, with the largest difference
 };
 
-/// Error(Usage) when width, height or channels differ.
+/// Error(Requirement) when width, height or channels differ.
 [[nodiscard]] Comparison compare(const Image& a, const Image& b,
                                  ComparisonSpace space = ComparisonSpace::Linear);
 
