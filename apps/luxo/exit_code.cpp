@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exit_code.h"
+
+#include <new>
+
+#include "console.h"
+
+namespace luxo {
+
+int exitCodeOf(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::Internal:
+      return exit_code::kInternal;
+    case ErrorKind::Usage:
+      return exit_code::kUsage;
+    case ErrorKind::Scene:
+      return exit_code::kScene;
+    case ErrorKind::Device:
+      return exit_code::kDevice;
+    case ErrorKind::Write:
+      return exit_code::kWrite;
+    case ErrorKind::Requirement:
+      return exit_code::kRequirement;
+    case ErrorKind::Retry:
+      return exit_code::kRetry;
+  }
+  return exit_code::kInternal;
+}
+
+int runToExitCode(const std::function<int()>& body) {
+  const auto report = [](const Error& error) {
+    printError(error);
+    return exitCodeOf(error.kind());
+  };
+  try {
+    return body();
+  } catch (const Error& error) {
+    return report(error);
+  } catch (const std::bad_alloc&) {
+    return report(
+        {ErrorKind::Retry, "out of memory", "ask for a smaller size, or try again when more is free"});
+  } catch (const std::exception& error) {
+    return report(
+        {ErrorKind::Internal, error.what(), "this is a bug in luxo; please report it with the command"});
+  }
+}
+
+}  // namespace luxo

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "option_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "base/error.h"
+#include "suggestion.h"
+
+namespace luxo {
+namespace {
+
+using Names = std::vector<std::string>;
+
+[[noreturn]] void refuse(std::string_view option, const std::string& text, std::string_view why,
+                         const std::string& hint) {
+  throw Error(ErrorKind::Usage, fmt::format("{} '{}': {}", option, text, why), hint);
+}
+
+[[noreturn]] void refuseUntilSupported(std::string_view option, const std::string& text,
+                                       const std::string& hint) {
+  throw Error(ErrorKind::Scene, fmt::format("{} '{}' is not supported yet", option, text), hint);
+}
+
+template <class Number>
+std::optional<Number> wholeNumber(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> finiteNumber(std::string_view text) {
+  const auto value = wholeNumber<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+Names split(const std::string& text, char separator) {
+  Names parts;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+bool isName(std::string_view text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !text.empty() && letter(text[0]) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || digit(c); });
+}
+
+bool contains(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+[[noreturn]] void refuseName(std::string_view option, const std::string& text, const Names& known,
+                             std::string_view what) {
+  refuse(option, text, fmt::format("there is no such {}", what),
+         didYouMean(text, known, fmt::format("one of {}", listed(known))));
+}
+
+// The number or fraction in `part` of the option's whole text.
+double numberIn(std::string_view option, const std::string& whole, std::string_view part) {
+  const std::size_t slash = part.find('/');
+  const auto above = finiteNumber(part.substr(0, slash));
+  const auto below =
+      slash == std::string_view::npos ? std::optional(1.0) : finiteNumber(part.substr(slash + 1));
+  if (!above || !below || *below == 0)
+    refuse(option, whole, part == whole ? "not a number" : fmt::format("'{}' is not a number", part),
+           "give a number such as 0.5 or 1/255");
+  return *above / *below;
+}
+
+constexpr const char* kFramesHint =
+    "frames are numbers and ranges first-last or first-last:step, as in 1-250:2,300";
+
+// "7", "1-250" or "1-250:2"
+void appendRange(const std::string& whole, const std::string& part, std::vector<int>& frames) {
+  const auto number = [&](const std::string& digits) {
+    const auto value = wholeNumber<int>(digits);
+    if (!value || *value < 0)
+      refuse("--frames", whole, fmt::format("'{}' is not a frame number", digits), kFramesHint);
+    return *value;
+  };
+  const std::size_t dash = part.find('-', 1);
+  const std::size_t colon = part.find(':');
+  if (dash == std::string::npos) {
+    frames.push_back(number(part));
+    return;
+  }
+  const int first = number(part.substr(0, dash));
+  const int last = number(part.substr(dash + 1, colon == std::string::npos ? colon : colon - dash - 1));
+  const int step = colon == std::string::npos ? 1 : number(part.substr(colon + 1));
+  if (step == 0) refuse("--frames", whole, "the step is 0", kFramesHint);
+  if (last < first) refuse("--frames", whole, fmt::format("'{}' ends before it begins", part), kFramesHint);
+  if ((last - first) / step >= kMaxFrames)
+    refuse("--frames", whole, fmt::format("more than {} frames", kMaxFrames), "render them in several runs");
+  for (std::int64_t frame = first; frame <= last; frame += step) frames.push_back(int(frame));
+}
+
+}  // namespace
+
+double parseNumber(std::string_view option, const std::string& text) { return numberIn(option, text, text); }
+
+PixelSize parseSize(const std::string& text) {
+  const std::string hint =
+      fmt::format("give width x height in pixels, each from 1 to {}, as in 1280x720", kMaxRenderSide);
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) refuse("--size", text, "not a size", hint);
+  const auto side = [&](const std::string& digits, const char* name) {
+    const auto value = wholeNumber<std::int64_t>(digits);
+    if (!value) refuse("--size", text, fmt::format("the {} '{}' is not a whole number", name, digits), hint);
+    if (*value < 1)
+      refuse("--size", text, fmt::format("a picture with a {} of {} has no pixels", name, *value), hint);
+    if (*value > kMaxRenderSide)
+      refuse("--size", text, fmt::format("a {} of {} is more than Vulkan images hold", name, *value), hint);
+    return int(*value);
+  };
+  return {side(text.substr(0, cross), "width"), side(text.substr(cross + 1), "height")};
+}
+
+std::vector<int> parseFrames(const std::string& text) {
+  std::vector<int> all;
+  for (const std::string& part : split(text, ',')) appendRange(text, part, all);
+  std::vector<int> frames;
+  std::set<int> seen;
+  for (const int frame : all)
+    if (seen.insert(frame).second) frames.push_back(frame);
+  return frames;
+}
+
+double parseFps(const std::string& text) {
+  const double fps = parseNumber("--fps", text);
+  if (fps <= 0)
+    refuse("--fps", text, "frames per second must be above 0", "as in --fps 24 or --fps 30000/1001");
+  return fps;
+}
+
+int parseSamples(const std::string& text) {
+  const auto samples = wholeNumber<int>(text);
+  if (!samples || *samples < 1) refuse("--samples", text, "not a number of samples", "give 1 or 4");
+  if (*samples != 1 && *samples != 4) refuseUntilSupported("--samples", text, "give 1 or 4");
+  return *samples;
+}
+
+double parsePixels(std::string_view option, const std::string& text) {
+  const bool unit = text.size() > 2 && text.ends_with("px");
+  const double pixels =
+      numberIn(option, text, std::string_view(text).substr(0, text.size() - (unit ? 2 : 0)));
+  if (pixels <= 0) refuse(option, text, "must be above 0 pixels", fmt::format("as in {} 0.25", option));
+  return pixels;
+}
+
+Shading parseShading(const std::string& text) {
+  static const Names kPlanned = {"exact", "toon", "residual", "overdraw", "lod"};
+  if (const auto shading = shadingNamed(text)) return *shading;
+  const Names known(kShadingNames.begin(), kShadingNames.end());
+  if (contains(kPlanned, text))
+    refuseUntilSupported("--shading", text, fmt::format("one of {}", listed(known)));
+  refuseName("--shading", text, known, "shading");
+}
+
+Output parseAov(const std::string& text) {
+  static const Names kKnown = {"color", "depth", "position", "normal", "uv", "id"};
+  if (text == "residual") refuseUntilSupported("--aov", text, fmt::format("one of {}", listed(kKnown)));
+  const auto found = std::find(kKnown.begin(), kKnown.end(), text);
+  if (found == kKnown.end()) refuseName("--aov", text, kKnown, "output");
+  static constexpr Output kOutputs[] = {Output::Color,  Output::Depth, Output::Position,
+                                        Output::Normal, Output::Uv,    Output::Id};
+  return kOutputs[found - kKnown.begin()];
+}
+
+void requireVulkanEngine(const std::string& text) {
+  if (text == "vulkan") return;
+  if (text == "reference") refuseUntilSupported("--engine", text, "use --engine vulkan");
+  refuseName("--engine", text, {"vulkan", "reference"}, "engine");
+}
+
+Skips parseSkips(const std::string& text) {
+  static const Names kKnown = {"all",      "none",   "frustum",   "small",
+                               "backface", "lights", "unchanged", "passes"};
+  if (text == "all") return {};
+  Skips skips{.frustum = false,
+              .small = false,
+              .backface = false,
+              .lights = false,
+              .unchanged = false,
+              .passes = false};
+  if (text == "none") return skips;
+  const std::pair<const char*, bool*> switches[] = {
+      {"frustum", &skips.frustum}, {"small", &skips.small},         {"backface", &skips.backface},
+      {"lights", &skips.lights},   {"unchanged", &skips.unchanged}, {"passes", &skips.passes}};
+  for (const std::string& name : split(text, ',')) {
+    const auto* found = std::find_if(std::begin(switches), std::end(switches),
+                                     [&](const auto& s) { return name == s.first; });
+    if (found == std::end(switches)) {
+      if (name == "all" || name == "none") refuse("--skip", text, fmt::format("'{}' stands alone", name), "");
+      refuseName("--skip", name, kKnown, "skip");
+    }
+    *found->second = true;
+  }
+  return skips;
+}
+
+ParameterValue parseParameter(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string hint = "give name=value, as in -P speed=2";
+  if (equals == std::string::npos) refuse("-P", text, "there is no '='", hint);
+  const std::string name = text.substr(0, equals);
+  if (!isName(name)) refuse("-P", text, fmt::format("'{}' is not a name", name), hint);
+  if (equals + 1 == text.size()) refuse("-P", text, "the value is empty", hint);
+  return {name, text.substr(equals + 1)};
+}
+
+Sweep parseSweep(const std::string& text) {
+  const std::string hint = "give name=from:to:step, as in --sweep lobes=1:12:1";
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || !isName(text.substr(0, equals)))
+    refuse("--sweep", text, "it does not begin with name=", hint);
+  const Names parts = split(text.substr(equals + 1), ':');
+  if (parts.size() != 3) refuse("--sweep", text, "it has not three numbers after the name", hint);
+  const double from = numberIn("--sweep", text, parts[0]);
+  const double to = numberIn("--sweep", text, parts[1]);
+  const double step = numberIn("--sweep", text, parts[2]);
+  if (step == 0 || (to - from) / step < 0)
+    refuse("--sweep", text, fmt::format("a step of {} does not lead from {} to {}", step, from, to), hint);
+  // The slack lets 0:1:0.1 reach 1 although ten times 0.1 is not exactly 1.
+  const double steps = std::floor((to - from) / step + 1e-9);
+  if (steps >= kMaxFrames) refuse("--sweep", text, fmt::format("more than {} values", kMaxFrames), hint);
+  Sweep sweep{text.substr(0, equals), {}};
+  for (int i = 0; i <= int(steps); ++i) sweep.values.push_back(from + i * step);
+  return sweep;
+}
+
+}  // namespace luxo

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The values that options take, from text. Each parser throws Error(Usage) that names the option and says
+// what it takes, and Error(Scene) for what luxo knows but cannot do yet.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "draw/options.h"
+#include "scene/camera.h"
+#include "scene/shading.h"
+
+namespace luxo {
+
+/// The longest side of a picture that may be asked for.
+inline constexpr int kMaxRenderSide = 16384;
+
+/// The most frames or sweep values in one run.
+inline constexpr int kMaxFrames = 1'000'000;
+
+/// One finite number, or a fraction of two: `0.25`, `1e-3`, `1/255`.
+[[nodiscard]] double parseNumber(std::string_view option, const std::string& text);
+
+/// `1280x720`, each side 1..kMaxRenderSide.
+[[nodiscard]] PixelSize parseSize(const std::string& text);
+
+/// `1-250:2,300`: single frames and ranges with an optional step, 0 or above. In the order given, repetitions
+/// dropped.
+[[nodiscard]] std::vector<int> parseFrames(const std::string& text);
+
+/// Frames per second, above 0.
+[[nodiscard]] double parseFps(const std::string& text);
+
+/// 1 or 4.
+[[nodiscard]] int parseSamples(const std::string& text);
+
+/// A length in pixels above 0, `0.25` or `0.25px`.
+[[nodiscard]] double parsePixels(std::string_view option, const std::string& text);
+
+[[nodiscard]] Shading parseShading(const std::string& text);
+[[nodiscard]] Output parseAov(const std::string& text);
+
+/// `vulkan`; `reference` is not supported yet.
+void requireVulkanEngine(const std::string& text);
+
+/// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes: only those are on.
+[[nodiscard]] Skips parseSkips(const std::string& text);
+
+struct ParameterValue {
+  std::string name;
+  std::string value;  ///< a number or an expression; the scene judges it
+
+  friend bool operator==(const ParameterValue&, const ParameterValue&) = default;
+};
+
+/// `name=value`
+[[nodiscard]] ParameterValue parseParameter(const std::string& text);
+
+struct Sweep {
+  std::string name;
+  std::vector<double> values;  ///< from, from + step, ... up to and including `to` if the steps meet it
+
+  friend bool operator==(const Sweep&, const Sweep&) = default;
+};
+
+/// `name=from:to:step`; the step leads from `from` toward `to`.
+[[nodiscard]] Sweep parseSweep(const std::string& text);
+
+}  // namespace luxo

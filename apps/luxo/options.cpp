@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "image/format.h"
+
+namespace luxo {
+
+/// The options as typed.
+struct RenderOptions::Texts {
+  SceneArgument sceneArgument;
+  std::string scene, output;
+  std::optional<std::string> size, time, frames, fps, samples, tolerance, shading, engine, camera, aov, skip,
+      requireError, sweep, report;
+  std::vector<std::string> parameters;
+  std::string device = "auto";
+  bool validate = false, list = false, quiet = false, verbose = false;
+};
+
+RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene) : texts_(std::make_unique<Texts>()) {
+  Texts& t = *texts_;
+  t.sceneArgument = scene;
+  if (scene == SceneArgument::Taken)
+    command.add_option("SCENE", t.scene, "scene file or built-in name")->type_name("");
+  const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
+    return command.add_option(name, value, help)->type_name(type);
+  };
+  add("-o,--output", t.output,
+      "picture to write: .png .tga (8 bit, sRGB), .exr .pfm (float, linear); ####, %04d or "
+      "{frame:04} is the frame's number",
+      "FILE");
+  add("--size", t.size, "size in pixels (1280x720)", "WxH");
+  add("--time", t.time, "moment to draw, in seconds (0)", "S");
+  add("--frames", t.frames, "frames to draw: 1-250:2,300; frame n is at (n-1)/fps", "LIST");
+  add("--fps", t.fps, "frames per second (24)", "N");
+  add("--samples", t.samples, "samples per pixel: 1 or 4 (1)", "N");
+  add("--tolerance", t.tolerance, "how far meshes may be from their surfaces, in pixels (0.5)", "PX");
+  add("--shading", t.shading, "flat gouraud phong wireframe, or a view: normal uv depth id", "NAME");
+  add("--engine", t.engine, "vulkan", "NAME");
+  add("--camera", t.camera, "camera of the scene", "NAME");
+  add("-P,--param", t.parameters, "value or expression of a scene parameter", "NAME=VALUE")
+      ->allow_extra_args(false);
+  add("--sweep", t.sweep, "one picture for each value of a parameter", "NAME=FROM:TO:STEP");
+  add("--aov", t.aov, "what to write: color depth position normal uv id (color)", "NAME");
+  add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
+  add("--skip", t.skip,
+      "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes (all)", "LIST");
+  add("--require-error", t.requireError, "fail (exit code 6) unless the proven error is at most this", "PX");
+  add("--device", t.device, "auto, cpu, gpu, a number or a part of the name", "DEVICE");
+  command.add_flag("--validate", t.validate, "run Vulkan's validation; any message fails the run");
+  if (scene == SceneArgument::Taken) command.add_flag("--list", t.list, "list the built-in scenes");
+  command.add_flag("-q,--quiet", t.quiet, "errors only");
+  command.add_flag("-v,--verbose", t.verbose, "more about what is done");
+}
+
+RenderOptions::~RenderOptions() = default;
+
+bool RenderOptions::hasOutput() const { return !texts_->output.empty(); }
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& message, const std::string& hint) {
+  throw Error(ErrorKind::Usage, message, hint);
+}
+
+// Sets `target` from `text`, when that was given.
+template <class Target, class Parse>
+void take(Target& target, const std::optional<std::string>& text, const Parse& parse) {
+  if (text) target = parse(*text);
+}
+
+void requireDistinct(const std::vector<ParameterValue>& parameters, const std::optional<Sweep>& sweep) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::string& name = parameters[i].name;
+    for (std::size_t j = 0; j < i; ++j)
+      if (parameters[j].name == name) refuse(fmt::format("-P gives '{}' twice", name), "keep one of them");
+    if (sweep && sweep->name == name)
+      refuse(fmt::format("-P and --sweep both give '{}'", name), "keep one of them");
+  }
+}
+
+}  // namespace
+
+RenderRequest RenderOptions::request() const {
+  const Texts& t = *texts_;
+  RenderRequest request;
+  request.listScenes = t.list;
+  if (t.list) return request;
+  if (t.quiet && t.verbose) refuse("-q and -v contradict each other", "keep one of them");
+  if (t.time && t.frames)
+    refuse("--time and --frames exclude each other", "frame n is at (n-1)/fps; see --fps");
+  if (t.sweep && t.frames)
+    refuse("--sweep and --frames exclude each other", "a sweep draws one moment; choose it by --time");
+
+  take(request.size, t.size, parseSize);
+  take(request.time, t.time, [](const std::string& text) { return parseNumber("--time", text); });
+  take(request.frames, t.frames, parseFrames);
+  take(request.fps, t.fps, parseFps);
+  take(request.samples, t.samples, parseSamples);
+  take(request.tolerancePx, t.tolerance,
+       [](const std::string& text) { return parsePixels("--tolerance", text); });
+  take(request.shading, t.shading, parseShading);
+  if (t.engine) requireVulkanEngine(*t.engine);
+  request.camera = t.camera;
+  for (const std::string& text : t.parameters) request.parameters.push_back(parseParameter(text));
+  take(request.sweep, t.sweep, parseSweep);
+  take(request.aov, t.aov, parseAov);
+  take(request.skips, t.skip, parseSkips);
+  take(request.requireErrorPx, t.requireError,
+       [](const std::string& text) { return parsePixels("--require-error", text); });
+  if (t.report) request.report = *t.report;
+  if (t.device.empty()) refuse("--device is empty", "auto, cpu, gpu, a number or a part of the name");
+  request.device = t.device;
+  request.validate = t.validate;
+  request.verbosity = t.quiet ? Verbosity::Quiet : t.verbose ? Verbosity::Verbose : Verbosity::Normal;
+  requireDistinct(request.parameters, request.sweep);
+
+  if (t.sceneArgument == SceneArgument::Taken && t.scene.empty())
+    refuse("no scene is given",
+           "as in luxo render luxo-grandpa -o lamp.png; --list names the built-in scenes");
+  if (t.output.empty()) refuse("no output is given", "name the picture to write, as in -o lamp.png");
+  request.scene = t.scene;
+  request.output = t.output;
+  static_cast<void>(requireImageFormat(request.output));
+  return request;
+}
+
+}  // namespace luxo

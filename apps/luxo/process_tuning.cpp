@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process_tuning.h"
+
+#include <climits>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace luxo {
+
+void tuneAllocator() {
+#ifdef __GLIBC__
+  constexpr int kMiB = 1 << 20;
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  mallopt(M_MMAP_THRESHOLD, 32 * kMiB);  // the largest that glibc takes
+  mallopt(M_TOP_PAD, 64 * kMiB);
+#endif
+}
+
+}  // namespace luxo

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verbs of `luxo`. Each add...() describes one; when the command line names it, `chosen` becomes what to
+// run.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace luxo {
+
+/// Does the work and gives the exit code; throws Error.
+using Command = std::function<int()>;
+
+void addDiff(CLI::App& app, Command& chosen);
+
+}  // namespace luxo

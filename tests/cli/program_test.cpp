@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a user meets it: exit code, stdout, stderr.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "console.h"
+#include "exit_code.h"
+#include "image/file.h"
+#include "image/format.h"
+#include "image/srgb.h"
+#include "unit/image_test_support.h"
+
+namespace luxo {
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+std::string textOf(const std::filesystem::path& path) {
+  const auto bytes = readFile(path);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void redirect(int stream, const std::filesystem::path& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (file < 0 || dup2(file, stream) < 0) _exit(99);
+}
+
+/// Runs the program in `folder`; stdout goes to `out` if given.
+Outcome run(const ScratchFolder& folder, const std::vector<std::string>& arguments,
+            const std::filesystem::path& out = {}) {
+  const ScratchFolder streams;
+  std::vector<std::string> words = {LUXO_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  const pid_t child = fork();
+  if (child == 0) {
+    redirect(STDOUT_FILENO, out.empty() ? streams / "out" : out);
+    redirect(STDERR_FILENO, streams / "err");
+    if (chdir(folder.path().c_str()) == 0) execv(argv[0], argv.data());
+    _exit(98);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+          out.empty() ? textOf(streams / "out") : "", textOf(streams / "err")};
+}
+
+void expectFailure(const Outcome& outcome, int code, const std::string& said) {
+  EXPECT_EQ(outcome.code, code) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("error: ")) << outcome.err;
+  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << "colour although stderr is a file";
+}
+
+/// a.png, b.png that differ by three codes in the blue of pixel (1, 0), and c.pfm, whose encode is a.png.
+class DiffTest : public testing::Test {
+ protected:
+  DiffTest() {
+    Image image(2, 2, 3);
+    for (float& sample : image.samples()) sample = decodeSrgb8(100);
+    image.save(folder / "a.png");
+    for (float& sample : image.samples()) sample = std::nextafter(sample, 1.0f);
+    image.save(folder / "c.pfm");
+    image.pixel(1, 0)[2] = decodeSrgb8(103);
+    image.save(folder / "b.png");
+  }
+
+  ScratchFolder folder;
+};
+
+TEST(Program, VersionAndHelpAreData) {
+  const ScratchFolder folder;
+  const Outcome version = run(folder, {"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_TRUE(version.out.starts_with("luxo ")) << version.out;
+  EXPECT_EQ(version.err, "");
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"}, {"diff", "--help"}}) {
+    const Outcome help = run(folder, arguments);
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.out.find("diff"), std::string::npos);
+    EXPECT_EQ(help.err, "");
+  }
+}
+
+TEST(Program, MistakesAreUsageErrors) {
+  const ScratchFolder folder;
+  expectFailure(run(folder, {}), 2, "no verb");
+  expectFailure(run(folder, {"dif", "a", "b"}), 2, "help: did you mean 'diff'?");
+  expectFailure(run(folder, {"diff", "a.png", "b.png", "--maxx", "1"}), 2, "help: did you mean '--max'?");
+  expectFailure(run(folder, {"diff", "a.png"}), 2, "two pictures");
+  expectFailure(run(folder, {"diff", "a.png", "b.jpg"}), 2, "'.jpg'");
+  expectFailure(run(folder, {"diff", "a.png", "b.png", "--max", "x"}), 2, "--max 'x'");
+  expectFailure(run(folder, {"diff", "a.png", "b.png", "--mean", "-1"}), 2, "below 0");
+}
+
+TEST_F(DiffTest, PrintsTheNumbers) {
+  const Outcome outcome = run(folder, {"diff", "a.png", "b.png"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find(fmt::format("max {} at 1,0\n", 3 / 255.0)), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("differing 1 of 4 pixels"), std::string::npos) << outcome.out;
+}
+
+TEST_F(DiffTest, JsonIsTheOnlyThingOnStdout) {
+  const Outcome outcome = run(folder, {"--json", "a.png", "b.png"});
+  EXPECT_EQ(outcome.code, 2);
+  const auto json = nlohmann::json::parse(run(folder, {"diff", "--json", "a.png", "b.png"}).out);
+  EXPECT_DOUBLE_EQ(json["max"], 3 / 255.0);
+  EXPECT_DOUBLE_EQ(json["mean"], 3 / 255.0 / 12);
+  EXPECT_EQ(json["max_at"], nlohmann::json({1, 0}));
+  EXPECT_EQ(json["size"], nlohmann::json({2, 2}));
+  EXPECT_EQ(json["differing_pixels"], 1);
+  EXPECT_EQ(json["equal"], false);
+  EXPECT_EQ(json["space"], "srgb8");
+  const auto same = nlohmann::json::parse(run(folder, {"diff", "a.png", "a.png", "--json"}).out);
+  EXPECT_EQ(same["equal"], true);
+  EXPECT_TRUE(same["psnr"].is_null());
+}
+
+TEST_F(DiffTest, AFloatFileIsComparedWithAnEightBitOneByItsCodes) {
+  const auto json = nlohmann::json::parse(run(folder, {"diff", "a.png", "c.pfm", "--json"}).out);
+  EXPECT_EQ(json["max"], 0.0);
+}
+
+TEST_F(DiffTest, LimitsDecideTheExitCode) {
+  EXPECT_EQ(run(folder, {"diff", "a.png", "b.png", "--max", "3/255"}).code, 0);
+  EXPECT_EQ(run(folder, {"--", "diff"}).code, 2);
+  const Outcome above = run(folder, {"diff", "a.png", "--max", "2/255", "b.png"});
+  EXPECT_EQ(above.code, 6);
+  EXPECT_NE(above.err.find("error: the largest difference"), std::string::npos) << above.err;
+  EXPECT_NE(above.out.find("max "), std::string::npos) << "the numbers are printed all the same";
+  EXPECT_EQ(run(folder, {"diff", "a.png", "b.png", "--mean", "0.0009"}).code, 6);  // 3 / 255 / 12 = 0.00098
+  EXPECT_EQ(run(folder, {"diff", "a.png", "b.png", "--mean", "0.001"}).code, 0);
+}
+
+TEST_F(DiffTest, WritesAHeatMap) {
+  const Outcome outcome = run(folder, {"diff", "a.png", "b.png", "-o", "heat.png"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Image heat = loadImage(folder / "heat.png");
+  for (const float sample : heat.pixel(0, 0)) EXPECT_EQ(sample, 0.0f);
+  EXPECT_GT(heat.pixel(1, 0)[0], 0.5f);
+}
+
+TEST_F(DiffTest, WorldFailuresHaveTheirCodes) {
+  expectFailure(run(folder, {"diff", "a.png", "none.png"}), 3, "none.png");
+  expectFailure(run(folder, {"diff", "a.png", "b.png", "-o", "missing/heat.png"}), 5,
+                "No such file or directory");
+  Image(3, 2, 3).save(folder / "wide.png");
+  expectFailure(run(folder, {"diff", "a.png", "wide.png"}), 6, "2 x 2");
+  writeFileAtomically(folder / "broken.png", readFile(folder / "c.pfm"));
+  expectFailure(run(folder, {"diff", "a.png", "broken.png"}), 3, "broken.png");
+  if (std::filesystem::exists("/dev/full"))
+    expectFailure(run(folder, {"diff", "a.png", "b.png"}, "/dev/full"), 5, "standard output");
+}
+
+TEST(ExitCode, OfEveryKind) {
+  const std::pair<ErrorKind, int> kinds[] = {
+      {ErrorKind::Internal, 1}, {ErrorKind::Usage, 2},       {ErrorKind::Scene, 3}, {ErrorKind::Device, 4},
+      {ErrorKind::Write, 5},    {ErrorKind::Requirement, 6}, {ErrorKind::Retry, 75}};
+  for (const auto& [kind, code] : kinds) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(runToExitCode([k = kind]() -> int { throw Error(k, "it broke", "try again"); }), code);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "error: it broke\nhelp: try again\n");
+  }
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(runToExitCode([] { return 7; }), 7);
+  EXPECT_EQ(runToExitCode([]() -> int { throw std::bad_alloc(); }), 75);
+  EXPECT_EQ(runToExitCode([]() -> int { throw std::runtime_error("surprise"); }), 1);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("surprise"), std::string::npos);
+}
+
+TEST(Console, ColoursOnlyTheLabels) {
+  const Error error(ErrorKind::Usage, "what", "hint");
+  EXPECT_EQ(errorText(error, false), "error: what\nhelp: hint\n");
+  EXPECT_EQ(errorText(error, true), "\x1b[1;31merror:\x1b[0m what\n\x1b[1;32mhelp:\x1b[0m hint\n");
+  EXPECT_EQ(errorText(Error(ErrorKind::Usage, "what"), false), "error: what\n");
+}
+
+}  // namespace
+}  // namespace luxo
