@@ -21,7 +21,9 @@ int runLuxo(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   app.get_formatter()->label("SUBCOMMAND", "VERB ...");
   luxo::Command chosen;
+  luxo::addRender(app, chosen);
   luxo::addDiff(app, chosen);
+  luxo::addDoctor(app, chosen);
   if (!luxo::parseCommandLine(app, argc, argv)) return luxo::exit_code::kDone;
   if (!chosen) throw luxo::Error(luxo::ErrorKind::Usage, "no verb is given", "see luxo --help");
   return chosen();

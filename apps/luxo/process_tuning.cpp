@@ -8,6 +8,11 @@
 #endif
 
 namespace luxo {
+namespace {
+
+const std::chrono::steady_clock::time_point kProcessStart = std::chrono::steady_clock::now();
+
+}  // namespace
 
 void tuneAllocator() {
 #ifdef __GLIBC__
@@ -17,5 +22,7 @@ void tuneAllocator() {
   mallopt(M_TOP_PAD, 64 * kMiB);
 #endif
 }
+
+std::chrono::steady_clock::time_point processStart() { return kProcessStart; }
 
 }  // namespace luxo

@@ -2,11 +2,16 @@
 // Settings of the whole process, which only an application may choose.
 #pragma once
 
+#include <chrono>
+
 namespace luxo {
 
 /// Keeps freed memory in the process. A CPU Vulkan driver allocates and frees its bins every frame, and by
 /// default glibc gives the pages back each time: thousands of page faults a frame, a third of a small frame's
 /// time. Call once, before any thread starts.
 void tuneAllocator();
+
+/// When this process began, as near as it can tell: the time a user has been waiting since.
+[[nodiscard]] std::chrono::steady_clock::time_point processStart();
 
 }  // namespace luxo

@@ -14,6 +14,8 @@ namespace luxo {
 /// Does the work and gives the exit code; throws Error.
 using Command = std::function<int()>;
 
+void addRender(CLI::App& app, Command& chosen);
 void addDiff(CLI::App& app, Command& chosen);
+void addDoctor(CLI::App& app, Command& chosen);
 
 }  // namespace luxo

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <utility>
+
+#include "base/error.h"
+#include "builtin_scenes.h"
+#include "console.h"
+#include "draw/renderer.h"
+#include "exit_code.h"
+#include "frame_names.h"
+#include "image/file.h"
+#include "image/format.h"
+#include "interruption.h"
+#include "process_tuning.h"
+#include "report.h"
+#include "verbs.h"
+
+namespace luxo {
+namespace {
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The scene's own settings, overruled by the command line.
+RenderSettings settingsOf(const Scene& scene, const RenderRequest& request) {
+  RenderSettings settings = scene.settings();
+  settings.size = request.size.value_or(settings.size);
+  settings.time = request.time.value_or(settings.time);
+  settings.fps = request.fps.value_or(settings.fps);
+  settings.samples = request.samples.value_or(settings.samples);
+  settings.tolerance = request.tolerancePx.value_or(settings.tolerance);
+  settings.shading = request.shading.value_or(settings.shading);
+  return settings;
+}
+
+CameraId cameraOf(const Scene& scene, const RenderRequest& request) {
+  if (!request.camera) return {};
+  if (const auto id = scene.findCamera(*request.camera)) return *id;
+  std::string names;
+  for (const Camera& camera : scene.cameras()) names += (names.empty() ? "" : ", ") + camera.name;
+  throw Error(ErrorKind::Usage, fmt::format("--camera: the scene has no camera '{}'", *request.camera),
+              names.empty() ? "it has no camera at all; leave the option out"
+                            : fmt::format("its cameras: {}", names));
+}
+
+/// Built-in scenes are C++ and have no parameters; a name that is none is a usage error.
+void refuseParameters(const RenderRequest& request) {
+  const std::string name = !request.parameters.empty() ? request.parameters.front().name
+                           : request.sweep             ? request.sweep->name
+                                                       : "";
+  if (!name.empty())
+    throw Error(ErrorKind::Usage, fmt::format("the scene has no parameter '{}'", name),
+                "built-in scenes have no parameters");
+}
+
+struct Job {
+  int frame;
+  double time;
+  std::filesystem::path file;
+};
+
+std::vector<Job> jobsOf(const RenderRequest& request, const RenderSettings& settings) {
+  const FrameNames names(request.output, request.frames.size() > 1);
+  if (names.numberAdded() && request.verbosity != Verbosity::Quiet)
+    printNote(fmt::format("several frames: writing {} and so on", names.of(request.frames.front()).string()));
+  std::vector<Job> jobs;
+  for (const int frame : request.frames) jobs.push_back({frame, (frame - 1) / settings.fps, names.of(frame)});
+  if (jobs.empty()) jobs.push_back({1, settings.time, names.of(1)});
+  return jobs;
+}
+
+/// Encodes and writes; runs beside the drawing of the next frame. Gives the milliseconds it took.
+double encodeToFile(const Image& image, const std::filesystem::path& file) {
+  const auto start = std::chrono::steady_clock::now();
+  saveImage(image, file);
+  return millisecondsSince(start);
+}
+
+class Run {
+ public:
+  Run(Scene scene, const RenderRequest& request)
+      : scene_(std::move(scene)), request_(request), settings_(settingsOf(scene_, request)) {}
+
+  int toExitCode() {
+    refuseParameters(request_);
+    const CameraId camera = cameraOf(scene_, request_);
+    const std::vector<Job> jobs = jobsOf(request_, settings_);
+    warnAboutClampedValues();
+
+    auto validation = std::make_shared<gpu::ValidationLog>();
+    {
+      gpu::Context context(
+          {.device = request_.device, .validation = request_.validate, .validationLog = validation});
+      report_.device = context.deviceInfo();
+      report_.scene = request_.scene;
+      report_.size = settings_.size;
+      Renderer renderer(context);
+      report_.startupMs = millisecondsSince(processStart());
+      for (const Job& job : jobs) {
+        if (interruptingSignal() != 0) break;
+        draw(renderer, job, camera, jobs.size() > 1);
+        if (jobs.size() > 1) showProgress(jobs.size());
+      }
+      finishPending();
+    }
+    writeReport();
+    if (const int signal = interruptingSignal(); signal != 0) return exit_code::kSignal + signal;
+    requireNoValidationMessage(*validation);
+    requireError();
+    return failed_ > 0 ? exit_code::kSomeFramesFailed : exit_code::kDone;
+  }
+
+ private:
+  /// A frame whose file is being written.
+  struct Pending {
+    std::size_t index;  ///< in the report
+    std::future<double> encoded;
+  };
+
+  void draw(Renderer& renderer, const Job& job, CameraId camera, bool oneOfMany) {
+    report_.frames.push_back(
+        {.frame = job.frame, .time = job.time, .file = job.file, .statistics = {}, .error = {}});
+    const std::size_t index = report_.frames.size() - 1;
+    oneOfMany_ = oneOfMany;
+    attempt(index, [&] {
+      const auto start = std::chrono::steady_clock::now();
+      const Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, camera);
+      const double animate = millisecondsSince(start);
+      DrawOptions options = drawOptions(settings_);
+      options.output = request_.aov;
+      options.skips = request_.skips;
+      Picture picture = renderer.render(snapshot, options);
+      picture.statistics.ms.animate = animate;
+      picture.statistics.ms.total += animate;
+      report_.frames[index].statistics = picture.statistics;
+      finishPending();
+      pending_ =
+          Pending{index, std::async(std::launch::async, [image = std::move(picture.image), file = job.file] {
+                    return encodeToFile(image, file);
+                  })};
+    });
+  }
+
+  void finishPending() {
+    if (!pending_) return;
+    Pending pending = std::move(*pending_);
+    pending_.reset();
+    attempt(pending.index, [&] {
+      FrameReport& frame = report_.frames[pending.index];
+      frame.statistics.ms.encode = pending.encoded.get();
+      frame.statistics.ms.total += frame.statistics.ms.encode;
+      announce(frame);
+    });
+  }
+
+  /// Of several frames a bad scene moment or a file that cannot be written spoils only its own.
+  template <class F>
+  void attempt(std::size_t index, const F& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      const bool ownToTheFrame = error.kind() == ErrorKind::Scene || error.kind() == ErrorKind::Write;
+      if (!oneOfMany_ || !ownToTheFrame) throw;
+      ++failed_;
+      report_.frames[index].error = error.what();
+      printError(Error(error.kind(), fmt::format("frame {}: {}", report_.frames[index].frame, error.what()),
+                       error.hint()));
+    }
+  }
+
+  void announce(const FrameReport& frame) const {
+    if (request_.verbosity == Verbosity::Quiet || (oneOfMany_ && request_.verbosity != Verbosity::Verbose))
+      return;
+    const FrameStatistics& s = frame.statistics;
+    printNote(fmt::format("{}  {}x{}  {:.0f} ms  {} triangles  bound {:.2g} px  on {}", frame.file.string(),
+                          settings_.size.width, settings_.size.height, millisecondsSince(processStart()),
+                          s.count.triangles, s.error.boundPx, report_.device.name));
+  }
+
+  void showProgress(std::size_t total) const {
+    if (request_.verbosity != Verbosity::Normal || isatty(STDERR_FILENO) == 0) return;
+    const std::size_t done = report_.frames.size();
+    const double left = (millisecondsSince(processStart()) - report_.startupMs) / 1e3 /
+                        static_cast<double>(done) * static_cast<double>(total - done);
+    fmt::print(stderr, "\rframe {} of {}, {:.0f} s left \x1b[K{}", done, total, left,
+               done == total ? "\n" : "");
+  }
+
+  void warnAboutClampedValues() const {
+    if (request_.aov != Output::Color && storesSrgb8(requireImageFormat(request_.output)) &&
+        request_.verbosity != Verbosity::Quiet)
+      printNote(
+          "8-bit files clamp values to 0..1; write .exr or .pfm for numbers, or use --shading for a view");
+  }
+
+  void writeReport() const {
+    if (!request_.report) return;
+    const std::string json = reportJson(report_);
+    writeFileAtomically(*request_.report, std::as_bytes(std::span(json)));
+  }
+
+  void requireNoValidationMessage(const gpu::ValidationLog& log) const {
+    if (log.count() == 0) return;
+    std::string texts;
+    for (const std::string& message : log.messages()) texts += "\n  " + message;
+    throw Error(ErrorKind::Internal,
+                fmt::format("Vulkan validation reported {} messages:{}", log.count(), texts),
+                "this is a bug in luxo; please report it with the command");
+  }
+
+  void requireError() const {
+    if (!request_.requireErrorPx) return;
+    for (const FrameReport& frame : report_.frames)
+      if (!frame.error && !(frame.statistics.error.boundPx <= *request_.requireErrorPx))
+        throw Error(ErrorKind::Requirement,
+                    fmt::format("frame {}: the proven error is {:.3g} px, more than the {:.3g} px required",
+                                frame.frame, frame.statistics.error.boundPx, *request_.requireErrorPx),
+                    "ask for a smaller --tolerance");
+  }
+
+  Scene scene_;
+  const RenderRequest& request_;
+  RenderSettings settings_;
+  RunReport report_;
+  std::optional<Pending> pending_;
+  bool oneOfMany_ = false;
+  std::size_t failed_ = 0;
+};
+
+}  // namespace
+
+int renderToFiles(Scene scene, const RenderRequest& request) {
+  showLog(request.verbosity);
+  rememberInterruptions();
+  return Run(std::move(scene), request).toExitCode();
+}
+
+void addRender(CLI::App& app, Command& chosen) {
+  CLI::App* verb = app.add_subcommand("render", "draw a scene to files, without any window");
+  verb->group("Verbs");
+  const auto options = std::make_shared<RenderOptions>(*verb, SceneArgument::Taken);
+  verb->callback([options, &chosen] {
+    chosen = [options] {
+      const RenderRequest request = options->request();
+      if (!request.listScenes) return renderToFiles(openScene(request.scene), request);
+      for (const BuiltinScene& scene : builtinScenes())
+        printData(fmt::format("{:<14} {}\n", scene.name, scene.summary));
+      return exit_code::kDone;
+    };
+  });
+}
+
+}  // namespace luxo
