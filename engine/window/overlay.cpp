@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/overlay.h"
+
+#include "base/error.h"
+#include "gpu/debug.h"
+#include "gpu/result.h"
+
+#include <backends/imgui_impl_vulkan.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace luxo::window {
+namespace {
+
+// All lengths in pixels at content scale 1.
+constexpr float kFontSize = 14, kMargin = 14, kPadding = 11, kColumnGap = 14, kRounding = 7;
+constexpr float kLineSpacing = 1.3f;     // of the letters' height
+constexpr float kSmallestShrink = 0.6f;  // below it nobody can read
+
+constexpr ImU32 kBackground = IM_COL32(9, 10, 13, 168);
+constexpr ImU32 kBorder = IM_COL32(255, 255, 255, 20);
+constexpr ImU32 kTitle = IM_COL32(255, 214, 150, 255);
+constexpr ImU32 kLabel = IM_COL32(242, 240, 236, 255);
+constexpr ImU32 kText = IM_COL32(186, 187, 192, 255);
+constexpr ImU32 kAlert = IM_COL32(255, 150, 130, 255);
+
+// Where distributions keep a readable font; without any of them ImGui's own bitmap font serves.
+constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                  "/usr/share/fonts/TTF/DejaVuSans.ttf",
+                                  "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+                                  "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf"};
+
+void addFont(ImFontAtlas& atlas, float sizePx) {
+  for (const char* path : kFonts) {
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (bytes.empty()) continue;
+    void* owned = ImGui::MemAlloc(bytes.size());  // by the atlas
+    std::memcpy(owned, bytes.data(), bytes.size());
+    atlas.AddFontFromMemoryTTF(owned, static_cast<int>(bytes.size()), std::round(sizePx));
+    return;
+  }
+  ImFontConfig config;
+  config.SizePixels = 13 * std::max(1.0f, std::round(sizePx / 13));  // bitmaps scale in whole steps
+  atlas.AddFontDefault(&config);
+}
+
+gpu::Handle<VkRenderPass> createPass(gpu::Context& context, VkFormat format) {
+  const VkAttachmentDescription image{.format = format,
+                                      .samples = VK_SAMPLE_COUNT_1_BIT,
+                                      .loadOp = VK_ATTACHMENT_LOAD_OP_LOAD,
+                                      .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                      .stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                                      .stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+                                      .initialLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                      .finalLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+  const VkAttachmentReference color{.attachment = 0, .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+  const VkSubpassDescription subpass{.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
+                                     .colorAttachmentCount = 1,
+                                     .pColorAttachments = &color};
+  const VkRenderPassCreateInfo info{.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                                    .attachmentCount = 1,
+                                    .pAttachments = &image,
+                                    .subpassCount = 1,
+                                    .pSubpasses = &subpass};
+  VkRenderPass pass = VK_NULL_HANDLE;
+  gpu::check(vkCreateRenderPass(context.device(), &info, nullptr, &pass), "create the overlay's pass");
+  gpu::setName(context, pass, "overlay");
+  return {context, pass};
+}
+
+gpu::Handle<VkDescriptorPool> createDescriptorPool(gpu::Context& context) {
+  const VkDescriptorPoolSize font{.type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, .descriptorCount = 1};
+  const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                        .maxSets = 1,
+                                        .poolSizeCount = 1,
+                                        .pPoolSizes = &font};
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  gpu::check(vkCreateDescriptorPool(context.device(), &info, nullptr, &pool),
+             "create the overlay's descriptors");
+  return {context, pool};
+}
+
+// One panel, measured for letters of a given size.
+struct Layout {
+  float size, line, labelWidth = 0, width = 0, height = 0;
+
+  Layout(const Panel& panel, float size_) : size(size_), line(std::round(size_ * kLineSpacing)) {
+    float textWidth = 0, lineWidth = widthOf(panel.title);
+    for (const Panel::Row& row : panel.rows) {
+      if (row.label.empty()) {
+        lineWidth = std::max(lineWidth, widthOf(row.text));
+      } else {
+        labelWidth = std::max(labelWidth, widthOf(row.label));
+        textWidth = std::max(textWidth, widthOf(row.text));
+      }
+    }
+    if (labelWidth > 0) labelWidth = std::round(labelWidth + unit(kColumnGap));
+    const std::size_t lines = panel.rows.size() + (panel.title.empty() ? 0 : 1);
+    width = std::ceil(std::max(lineWidth, labelWidth + textWidth) + 2 * unit(kPadding));
+    height = std::ceil(line * static_cast<float>(lines) - (line - size) + 2 * unit(kPadding));
+  }
+
+  [[nodiscard]] float unit(float length) const { return length * size / kFontSize; }
+  [[nodiscard]] float widthOf(const std::string& text) const {
+    return ImGui::GetFont()->CalcTextSizeA(size, 1e9f, 0, text.data(), text.data() + text.size()).x;
+  }
+};
+
+ImVec2 cornerOf(Panel::Place place, const Layout& layout, ImVec2 window) {
+  const float margin = layout.unit(kMargin);
+  switch (place) {
+    case Panel::Place::TopLeft:
+      break;
+    case Panel::Place::TopRight:
+      return {std::round(window.x - layout.width - margin), std::round(margin)};
+    case Panel::Place::Bottom:
+      return {std::round((window.x - layout.width) / 2), std::round(window.y - layout.height - margin)};
+  }
+  return {std::round(margin), std::round(margin)};
+}
+
+void draw(ImDrawList& list, const Panel& panel, ImVec2 window) {
+  const float fontSize = ImGui::GetFont()->FontSize;
+  const Layout wanted(panel, fontSize);
+  const float margins = 2 * wanted.unit(kMargin);
+  const float fit = std::min((window.x - margins) / wanted.width, (window.y - margins) / wanted.height);
+  if (fit < kSmallestShrink) return;
+  const Layout layout = fit < 1 ? Layout(panel, std::floor(fontSize * fit)) : wanted;
+
+  const ImVec2 corner = cornerOf(panel.place, layout, window);
+  const ImVec2 opposite{corner.x + layout.width, corner.y + layout.height};
+  list.AddRectFilled(corner, opposite, kBackground, layout.unit(kRounding));
+  list.AddRect(corner, opposite, kBorder, layout.unit(kRounding));
+
+  const float left = std::round(corner.x + layout.unit(kPadding));
+  float y = std::round(corner.y + layout.unit(kPadding));
+  const auto write = [&](float x, ImU32 color, const std::string& text) {
+    list.AddText(ImGui::GetFont(), layout.size, {x, y}, color, text.data(), text.data() + text.size());
+  };
+  if (!panel.title.empty()) {
+    write(left, panel.alert ? kAlert : kTitle, panel.title);
+    y += layout.line;
+  }
+  for (const Panel::Row& row : panel.rows) {
+    write(left, kLabel, row.label);
+    write(row.label.empty() ? left : left + layout.labelWidth, kText, row.text);
+    y += layout.line;
+  }
+}
+
+}  // namespace
+
+Overlay::Overlay(gpu::Context& context, VkFormat format)
+    : context_(&context), pass_(createPass(context, format)) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // writes nothing to the current folder
+  io.LogFilename = nullptr;
+  io.DeltaTime = 1.0f / 60;  // nothing here moves, but it must be positive
+}
+
+Overlay::~Overlay() {
+  try {
+    stop();
+  } catch (const Error&) {  // the device is lost; what it held is gone with it
+  }
+  ImGui::DestroyContext();
+}
+
+void Overlay::start(double contentScale) {
+  stop();
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  addFont(atlas, kFontSize * static_cast<float>(contentScale));
+  descriptors_ = createDescriptorPool(*context_);
+  ImGui_ImplVulkan_InitInfo info{.Instance = context_->instance(),
+                                 .PhysicalDevice = context_->physicalDevice(),
+                                 .Device = context_->device(),
+                                 .QueueFamily = context_->queueFamily(),
+                                 .Queue = context_->queue(),
+                                 .PipelineCache = context_->pipelineCache(),
+                                 .DescriptorPool = descriptors_,
+                                 .MinImageCount = gpu::FrameRing::kFrames,
+                                 // Its vertex buffers go round like our frames.
+                                 .ImageCount = gpu::FrameRing::kFrames,
+                                 .MSAASamples = VK_SAMPLE_COUNT_1_BIT,
+                                 .CheckVkResultFn = [](VkResult result) { gpu::check(result, "draw text"); }};
+  ImGui_ImplVulkan_Init(&info, pass_);
+  contentScale_ = contentScale;
+  uploaded_ = false;
+}
+
+void Overlay::stop() {
+  if (contentScale_ == 0) return;
+  contentScale_ = 0;
+  context_->waitIdle();
+  ImGui_ImplVulkan_Shutdown();
+  descriptors_.reset();
+}
+
+void Overlay::prepareFramebuffers(const Swapchain& swapchain) {
+  if (generation_ == swapchain.generation()) return;
+  framebuffers_.clear();
+  for (const VkImageView view : swapchain.views()) {
+    const VkFramebufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                       .renderPass = pass_,
+                                       .attachmentCount = 1,
+                                       .pAttachments = &view,
+                                       .width = swapchain.extent().width,
+                                       .height = swapchain.extent().height,
+                                       .layers = 1};
+    VkFramebuffer framebuffer = VK_NULL_HANDLE;
+    gpu::check(vkCreateFramebuffer(context_->device(), &info, nullptr, &framebuffer),
+               "draw text into the window");
+    framebuffers_.emplace_back(*context_, framebuffer);
+  }
+  generation_ = swapchain.generation();
+}
+
+void Overlay::record(VkCommandBuffer commands, const Swapchain& swapchain, double contentScale,
+                     std::span<const Panel> panels) {
+  if (panels.empty()) return;
+  if (contentScale != contentScale_) start(contentScale);
+  if (!uploaded_) {
+    ImGui_ImplVulkan_CreateFontsTexture(commands);
+    uploaded_ = true;
+  }
+  prepareFramebuffers(swapchain);
+
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(swapchain.extent().width),
+                    static_cast<float>(swapchain.extent().height)};
+  ImGui_ImplVulkan_NewFrame();
+  ImGui::NewFrame();
+  for (const Panel& panel : panels) draw(*ImGui::GetForegroundDrawList(), panel, io.DisplaySize);
+  ImGui::Render();
+
+  const gpu::Label label(*context_, commands, "overlay");
+  const VkRenderPassBeginInfo begin{.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
+                                    .renderPass = pass_,
+                                    .framebuffer = framebuffers_[swapchain.index()],
+                                    .renderArea = {{0, 0}, swapchain.extent()}};
+  vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+  ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+  vkCmdEndRenderPass(commands);
+}
+
+}  // namespace luxo::window

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text over the picture: panels in the corners that say what is going on. It shows and takes no input.
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/handle.h"
+#include "gpu/vk.h"
+#include "window/swapchain.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace luxo::window {
+
+/// Text in Latin-1's characters, UTF-8 encoded.
+struct Panel {
+  enum class Place { TopLeft, TopRight, Bottom };
+  struct Row {
+    std::string label;  ///< in a column of its own; empty for a line across both
+    std::string text;
+
+    friend bool operator==(const Row&, const Row&) = default;
+  };
+
+  Place place = Place::TopLeft;
+  std::string title;  ///< may be empty
+  std::vector<Row> rows;
+  bool alert = false;  ///< something went wrong
+
+  friend bool operator==(const Panel&, const Panel&) = default;
+};
+
+/// Draws panels into the acquired image of a swapchain. There may be one overlay at a time.
+class Overlay {
+ public:
+  Overlay(gpu::Context& context, VkFormat format);
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  /// Over what the image shows as Use::ColorAttachment, which it stays. Letters grow with `contentScale`
+  /// (Window). A panel too large for the window shrinks, and is left out where it could not be read.
+  void record(VkCommandBuffer commands, const Swapchain& swapchain, double contentScale,
+              std::span<const Panel> panels);
+
+ private:
+  void start(double contentScale);
+  void stop();
+  void prepareFramebuffers(const Swapchain& swapchain);
+
+  gpu::Context* context_;
+  gpu::Handle<VkRenderPass> pass_;
+  gpu::Handle<VkDescriptorPool> descriptors_;
+  std::vector<gpu::Handle<VkFramebuffer>> framebuffers_;
+  std::uint64_t generation_ = 0;  // of the swapchain the framebuffers are for
+  double contentScale_ = 0;       // 0 = not started
+  bool uploaded_ = false;         // the letters are on the device
+};
+
+}  // namespace luxo::window

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// A window on the screen, its input as plain data, and what Vulkan needs to draw into it. Main thread only.
+//
+// All positions and sizes are pixels of the framebuffer (not the window system's units, which differ on HiDPI
+// screens): x right, y down from the top left of the window's inside.
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/vk.h"
+#include "math/vec.h"
+
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace luxo::window {
+
+/// A printable key is its character, letters in upper case and where this keyboard has them: Key{'W'}.
+enum class Key : char { None = 0, Left = 1, Right, Up, Down, F11, Escape = 27, Space = ' ' };
+
+struct KeyPress {
+  Key key = Key::None;
+  bool shift = false;
+  bool repeated = false;  ///< held down
+};
+
+struct Scroll {
+  double notches = 0;  ///< up is positive; touchpads send fractions
+  Vec2 cursorPx{0};
+};
+
+/// What happened since the last time, in order within each list.
+struct Events {
+  std::vector<KeyPress> keys;
+  std::vector<Scroll> scrolls;
+  Vec2 turnPx{0};        ///< dragged with the left button
+  Vec2 panPx{0};         ///< dragged with the middle or right button, or the left one and Shift
+  bool damaged = false;  ///< the window system lost (a part of) the picture: show it again
+};
+
+struct WindowDesc {
+  std::string title = "luxo";
+  VkExtent2D size{1280, 720};  ///< of the framebuffer, if the screen is large enough
+};
+
+/// There may be one at a time.
+class Window {
+ public:
+  /// Throws Error(Device) when there is no window system, or none that Vulkan can draw to.
+  explicit Window(const WindowDesc& desc);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// For ContextDesc; both are valid as long as the window.
+  [[nodiscard]] std::vector<const char*> instanceExtensions() const;
+  [[nodiscard]] gpu::CanPresent canPresent() const;
+  /// The caller destroys it, before the window.
+  [[nodiscard]] VkSurfaceKHR createSurface(VkInstance instance) const;
+
+  /// Waits for input, or until wake(), or that many seconds; not at all for 0.
+  [[nodiscard]] Events wait(double seconds);
+  /// From any thread: ends the wait.
+  static void wake();
+
+  [[nodiscard]] VkExtent2D framebufferSize() const;  ///< 0x0 while there is nothing to be seen
+  [[nodiscard]] double contentScale() const;         ///< 1 at about 96 dots per inch, 2 on a HiDPI screen
+  [[nodiscard]] double refreshRate() const;          ///< of the screen it is on, Hz; 60 when unknown
+  [[nodiscard]] bool closing() const;                ///< the user wants it gone
+
+  /// To the whole of the screen it is on, and back to where it was.
+  void toggleFullscreen();
+
+ private:
+  struct Terminate {
+    Terminate();
+    ~Terminate();
+  };
+  struct Placement {  // in the window system's units
+    int x = 0, y = 0, width = 0, height = 0;
+  };
+
+  void listen();
+  void onKey(int key, int scancode, int action, int modifiers);
+  void onButton(int button, int action, int modifiers);
+  void onCursor(Vec2 position);
+  [[nodiscard]] Vec2 pixelsPerUnit() const;
+
+  Terminate glfw_;
+  GLFWwindow* window_ = nullptr;
+  Events events_;
+  Vec2 cursorPx_{0};
+  int dragButton_ = -1;  // -1 = none
+  bool panning_ = false;
+  Placement windowed_;  // where it was before it went full screen
+};
+
+}  // namespace luxo::window
