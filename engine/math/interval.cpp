@@ -13,12 +13,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The double `steps` above x: doubles of one sign are ordered as their bit patterns are.
+/// The double `steps` above x, at most infinity; above minus infinity, which only an overflow makes of an
+/// upper end, come the finite numbers. Doubles of one sign are ordered as their bit patterns are.
 double up(double x, int steps = 1) {
-  if (!(std::abs(x) < kInfinity)) return x;
-  if (x == 0) return steps * std::numeric_limits<double>::denorm_min();
+  if (std::isnan(x)) return x;
+  constexpr std::int64_t kMagnitude = std::numeric_limits<std::int64_t>::max();
   const auto bits = std::bit_cast<std::int64_t>(x);
-  return std::bit_cast<double>(x > 0 ? bits + steps : bits - steps);
+  const std::int64_t place = (bits < 0 ? -(bits & kMagnitude) : bits) + steps;  // counted from zero
+  if (place < 0) return -std::bit_cast<double>(-place);
+  return std::bit_cast<double>(std::min(place, std::bit_cast<std::int64_t>(kInfinity)));
 }
 
 double down(double x, int steps = 1) { return -up(-x, steps); }
@@ -31,10 +34,12 @@ Interval outward(double lo, double hi, int steps = 1) {
 
 constexpr int kLibrarySteps = 4;
 
-/// Whether x holds a point `offset + k * period`, k integer; yes when in doubt by rounding.
+/// Whether x holds a point `offset + k * period`, k integer; yes when in doubt by rounding. The doubt is 9
+/// roundoffs of the largest magnitude involved; fewer than 4 are lost on the way to either comparison.
 bool holdsPoint(const Interval& x, double offset, double period) {
-  const double k = std::ceil((x.lo - offset) / period - 1e-9);
-  return offset + k * period <= x.hi + 1e-9 * std::max(1.0, std::abs(x.hi));
+  const double doubt = 1e-15 * (x.magnitude() + 8);
+  const double k = std::ceil((x.lo - offset - doubt) / period);
+  return offset + k * period <= x.hi + doubt;
 }
 
 }  // namespace
@@ -73,9 +78,17 @@ Interval square(const Interval& x) {
 Interval pow(const Interval& x, int exponent) {
   if (exponent == 0) return {1};
   if (exponent < 0) return Interval(1) / pow(x, -exponent);
-  Interval result = exponent % 2 == 0 ? square(x) : x;
-  for (int n = exponent % 2 == 0 ? 2 : 1; n < exponent; n += 2) result = result * square(x);
-  return result;
+  // By repeated squaring, rounded as the same power of a number is (formula/operation.h).
+  const auto power = [exponent](Interval base) {
+    Interval result(1);
+    for (int n = exponent; n > 0; n >>= 1, base = square(base))
+      if (n & 1) result = result * base;
+    return result;
+  };
+  // An odd power is monotone in x, an even one in |x|.
+  if (exponent % 2 != 0) return {power(x.lo).lo, power(x.hi).hi};
+  const double least = x.contains(0) ? 0 : std::min(std::abs(x.lo), std::abs(x.hi));
+  return {std::max(0.0, power(least).lo), power(x.magnitude()).hi};
 }
 
 Interval sqrt(const Interval& x) {
