@@ -16,7 +16,7 @@ class Animated {
   Animated(T constant = T{}) : constant_(std::move(constant)) {}  // NOLINT: a value is an animated value
 
   template <class F>
-  requires(std::is_invocable_r_v<T, const F&, double> && !std::is_convertible_v<F, T>) Animated(F function)
+  requires(std::is_invocable_r_v<T, const F&, double>) Animated(F function)
       : function_(std::move(function)) {}  // NOLINT: so is a function of time
 
   [[nodiscard]] T at(double timeSeconds) const { return function_ ? function_(timeSeconds) : constant_; }

@@ -43,7 +43,9 @@ Mat3 eyeFromWorldRotation(const Vec3& forward, const Vec3& up) {
   Vec3 right = glm::cross(forward, unit(up));
   if (glm::length(right) < kParallelSine) right = glm::cross(forward, Vec3(0, 1, 0));
   if (glm::length(right) < kParallelSine) right = glm::cross(forward, Vec3(0, 0, -1));
+  // A short cross product is rounded to a direction that is perpendicular only to 1e-7: finish the job.
   right = unit(right);
+  right = unit(right - glm::dot(right, forward) * forward);
   return glm::transpose(Mat3(right, glm::cross(right, forward), -forward));
 }
 

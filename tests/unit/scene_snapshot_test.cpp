@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// What changed between two moments, and what leaves no trace.
+#include "scene/snapshot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene_test_support.h"
+
+namespace luxo {
+namespace {
+
+using test::expectNear;
+using test::expectSceneError;
+
+Snapshot snap(const Scene& scene, double time = 0) { return takeSnapshot(scene, time, {100, 100}); }
+
+Scene plain() {
+  Scene scene;
+  scene.add(Node{.name = "floor", .surface = rectangle(4, 4)});
+  scene.add(Node{.name = "ball", .translation = Vec3(0, 1, 0), .surface = sphere(1)});
+  scene.add(Node{.name = "sun", .light = Light{.type = Light::Type::Directional}});
+  scene.add(Camera{});
+  return scene;
+}
+
+TEST(Snapshot, StillScenesAreTheSameAtAllTimes) {
+  const Scene scene = plain();
+  EXPECT_FALSE(scene.movesWithTime());
+  EXPECT_TRUE(snap(scene, 0) == snap(scene, 1e6));
+  EXPECT_FALSE(changesSince(snap(scene, 0), snap(scene, 1e6)).any());
+}
+
+TEST(Snapshot, AnyFunctionOfTimeMovesTheScene) {
+  const auto moves = [](auto change) {
+    Scene scene = plain();
+    change(scene);
+    return scene.movesWithTime();
+  };
+  EXPECT_FALSE(moves([](Scene&) {}));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.translation = [](double t) { return Vec3(t); }}); }));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.rotation = spin({0, 1, 0}, 1)}); }));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.scale = [](double t) { return Vec3(1 + t); }}); }));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.visible = [](double t) { return t > 1; }}); }));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.surface = flag({.phase = [](double t) { return t; }})}); }));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Camera{.eye = [](double t) { return Vec3(t, 0, 5); }}); }));
+  EXPECT_FALSE(moves([](Scene& s) { s.remove(s.add(Node{.rotation = spin({0, 1, 0}, 1)})); }));
+}
+
+TEST(Snapshot, ChangesNameExactlyWhatDiffers) {
+  Scene scene = plain();
+  scene.add(Node{.name = "flag", .surface = flag({.phase = [](double t) { return t; }})});
+  scene.add(Node{.name = "top", .rotation = spin({1, 2, 3}, 1), .surface = cone(1, 0, 1)});
+  const Changes changes = changesSince(snap(scene, 1), snap(scene, 2));
+  EXPECT_FALSE(changes.structure || changes.view || changes.lights || changes.materials ||
+               changes.environment);
+  EXPECT_EQ(changes.moved, std::vector<std::uint32_t>{3});
+  EXPECT_EQ(changes.deformed, std::vector<std::uint32_t>{2});
+  EXPECT_FALSE(snap(scene, 1) == snap(scene, 2));
+}
+
+TEST(Snapshot, EditsAreFoundOneByOne) {
+  const Scene scene = plain();
+  const Snapshot before = snap(scene);
+  const auto after = [&](auto edit) {
+    Scene edited = scene;
+    edit(edited);
+    const Snapshot snapshot = snap(edited);
+    const Changes changes = changesSince(before, snapshot);
+    EXPECT_EQ(changes.any(), !(before == snapshot));
+    return changes;
+  };
+  EXPECT_TRUE(after([](Scene& s) { s.set(MaterialId{0}, Material{.shininess = 5}); }).materials);
+  EXPECT_TRUE(after([](Scene& s) { s.set(RenderSettings{.ambient = Vec3(0.3)}); }).environment);
+  EXPECT_TRUE(after([](Scene& s) { s.set(RenderSettings{.background = Vec3(0.3)}); }).environment);
+  EXPECT_TRUE(after([](Scene& s) { s.set(CameraId{0}, Camera{.near = 0.2}); }).view);
+  EXPECT_TRUE(after([](Scene& s) { s.set(NodeId{2}, Node{.light = Light{.intensity = 2}}); }).lights);
+  EXPECT_TRUE(after([](Scene& s) { s.remove(NodeId{1}); }).structure);
+  EXPECT_TRUE(after([](Scene& s) { s.add(Node{.surface = sphere(1)}); }).structure);
+  EXPECT_TRUE(after([](Scene& s) {
+                s.set(NodeId{0}, Node{.surface = rectangle(4, 4)});
+              }).structure);  // another surface
+  EXPECT_FALSE(after([](Scene& s) { s.add(Node{.name = "nothing to see"}); }).any());
+  const Changes bigger = changesSince(before, takeSnapshot(scene, 0, {200, 100}));
+  EXPECT_TRUE(bigger.view && bigger.moved.empty());
+}
+
+TEST(Snapshot, LightsComeInAnOrderThatDoesNotDependOnTheScenes) {
+  const std::vector<Node> nodes = {
+      Node{.translation = Vec3(1, 2, 3), .light = Light{.intensity = 3}},
+      Node{.translation = Vec3(1, 2, 4), .light = Light{.intensity = 3}},
+      Node{.translation = Vec3(5, 0, 0), .light = Light{.color = {1, 0.5, 0.2}}},
+      Node{.light = Light{.type = Light::Type::Directional}},
+  };
+  const auto lightsOf = [&](const std::vector<int>& order) {
+    Scene scene;
+    for (const int i : order) scene.add(nodes[i]);
+    std::vector<std::pair<Vec4, Vec3>> found;
+    for (const SnapshotLight& light : snap(scene).lights)
+      found.emplace_back(light.positionWorld, light.radiance);
+    return found;
+  };
+  std::vector<int> order = {0, 1, 2, 3};
+  const auto expected = lightsOf(order);
+  while (std::next_permutation(order.begin(), order.end())) EXPECT_EQ(lightsOf(order), expected);
+}
+
+TEST(Snapshot, CameraIsTheNamedOneTheFirstOneOrAFittedOne) {
+  Scene scene = plain();
+  const CameraId second = scene.add(Camera{.name = "second", .eye = Vec3(0, 3, 9)});
+  expectNear(takeSnapshot(scene, 0, {100, 100}).view.eye, {0, 0, 5}, 0);
+  expectNear(takeSnapshot(scene, 0, {100, 100}, second).view.eye, {0, 3, 9}, 0);
+  expectNear(takeSnapshot(scene, 0, {100, 100}, Camera{.eye = Vec3(1, 1, 1)}).view.eye, {1, 1, 1}, 0);
+
+  Scene bare;  // a moving scene without a camera: fitted at the default time, so that the picture does not
+               // breathe
+  bare.add(Node{.translation = [](double t) { return Vec3(t, 0, 0); }, .surface = sphere(1)});
+  const View still = snap(bare, 0).view;
+  EXPECT_TRUE(still == snap(bare, 7).view);
+  EXPECT_EQ(pixelFromEye(still, eyeFromWorldPoint(still, still.eye + 3.0 * still.forward())), Vec2(50, 50));
+}
+
+TEST(Snapshot, BoundsHoldEverySampledPoint) {
+  test::Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    Scene scene;
+    const NodeId parent = scene.add(Node{.rotation = random.rotation(), .scale = random.scale()});
+    scene.add(Node{.parent = parent,
+                   .translation = random.inCube(10),
+                   .rotation = random.rotation(),
+                   .scale = random.scale(),
+                   .surface = random.surface()});
+    const SnapshotNode node = snap(scene).nodes[0];
+    for (const Vec3& p : test::sample(node.surface, 12)) {
+      ASSERT_TRUE(node.boundsObject.contains(p));
+      ASSERT_TRUE(node.boundsWorld.contains(transformPoint(node.worldFromObject, p)));
+    }
+  }
+}
+
+// Shadows.
+
+struct Lamp {
+  Scene scene;
+  NodeId shade;
+};
+
+Lamp lamp(const Vec3& scale = Vec3(1), Light light = {.shadow = Light::Shadow::Exact}, double height = 0.2) {
+  Lamp lamp;
+  lamp.shade = lamp.scene.add(Node{.name = "shade",
+                                   .translation = Vec3(1, 2, 3),
+                                   .rotation = Rotation{{1, 1, 0}, 0.7},
+                                   .scale = scale,
+                                   .surface = paraboloid(0.2, 1.8)});
+  if (light.casters.empty()) light.casters = {lamp.shade};
+  lamp.scene.add(
+      Node{.name = "bulb", .parent = lamp.shade, .translation = Vec3(0, height, 0), .light = light});
+  return lamp;
+}
+
+TEST(Snapshot, ShadeRuleFollowsTheHierarchy) {
+  const auto [scene, shade] = lamp(Vec3(2));
+  const SnapshotLight light = snap(scene).lights.at(0);
+  ASSERT_TRUE(light.shade);
+  const Mat3 r = rotation({1, 1, 0}, 0.7);
+  expectNear(light.shade->vertex, {1, 2, 3}, 0);
+  expectNear(light.shade->axis, r * Vec3(0, 1, 0), 1e-15);
+  expectNear(light.shade->focus, Vec3(1, 2, 3) + 0.4 * (r * Vec3(0, 1, 0)), 1e-15);
+  expectNear(light.shade->focus, Vec3(light.positionWorld), 1e-15);
+  EXPECT_DOUBLE_EQ(light.shade->cosRim, 0.8);
+  EXPECT_DOUBLE_EQ(light.shade->focalLength, 0.4);
+  EXPECT_DOUBLE_EQ(light.shade->height, 3.6);
+  EXPECT_EQ(light.shade->caster, shade);
+}
+
+TEST(Snapshot, InvisibleShadesCastNoShadow) {
+  auto [scene, shade] = lamp();
+  Node hidden = scene[shade];
+  hidden.surface = {};
+  scene.set(shade, hidden);
+  EXPECT_FALSE(snap(scene).lights.at(0).shade);
+}
+
+TEST(Snapshot, OtherShadowsAreNotSupportedYet) {
+  const auto reject = [](const Lamp& lamp, const std::vector<std::string>& texts) {
+    expectSceneError([&] { (void)snap(lamp.scene); }, texts);
+  };
+  using S = Light::Shadow;
+  reject(lamp(Vec3(1), {.shadow = S::Map}), {"bulb", "not supported yet", "map"});
+  reject(lamp(Vec3(1), {.type = Light::Type::Directional, .shadow = S::Exact}), {"bulb", "directional"});
+  reject(lamp(Vec3(1), {.shadow = S::Exact}, 0.2001), {"bulb", "not supported yet", "focus", "shade"});
+  reject(lamp(Vec3(1, 1, 1.01)), {"bulb", "unevenly", "shade"});
+
+  Lamp two = lamp();
+  const NodeId wall = two.scene.add(Node{.name = "wall", .surface = rectangle(1, 1)});
+  Node bulb = two.scene[*two.scene.findNode("bulb")];
+  bulb.light->casters = {two.shade, wall};
+  two.scene.set(*two.scene.findNode("bulb"), bulb);
+  reject(two, {"bulb", "2 nodes"});
+  bulb.light->casters = {wall};
+  two.scene.set(*two.scene.findNode("bulb"), bulb);
+  reject(two, {"wall", "not a paraboloid"});
+  bulb.light->casters = {};  // everything: the wall, too
+  two.scene.set(*two.scene.findNode("bulb"), bulb);
+  reject(two, {"2 nodes"});
+}
+
+}  // namespace
+}  // namespace luxo
