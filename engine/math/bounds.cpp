@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "math/bounds.h"
 
-#include "math/rounding.h"
+#include "math/interval.h"
 
 namespace luxo {
 
 Sphere sphereAround(const Box& box) {
   if (box.empty()) return {};
-  return {box.center(), 0.5 * glm::length(box.extent()) * (1 + 1e-15)};
+  // Measured from the centre as it was rounded.
+  const Vec3 center = box.center();
+  const double radius = glm::length(glm::max(box.max - center, center - box.min)) * (1 + 1e-15);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return radius < kInfinity ? Sphere{center, radius} : Sphere{Vec3(0), kInfinity};
 }
 
 Box transformBounds(const Transform& t, const Box& box) {
   if (box.empty()) return {};
-  const Vec3 center = transformPoint(t, box.center());
-  const Vec3 half = 0.5 * box.extent();
-  const Mat3& a = t.linear;
-  const Vec3 reach(glm::dot(Vec3(glm::abs(a[0].x), glm::abs(a[1].x), glm::abs(a[2].x)), half),
-                   glm::dot(Vec3(glm::abs(a[0].y), glm::abs(a[1].y), glm::abs(a[2].y)), half),
-                   glm::dot(Vec3(glm::abs(a[0].z), glm::abs(a[1].z), glm::abs(a[2].z)), half));
-  const Vec3 margin = roundingGamma(8) * (glm::abs(center) + reach);
-  return {center - reach - margin, center + reach + margin};
+  Box result;
+  for (int row = 0; row < 3; ++row) {
+    Interval range = t.translation[row];
+    for (int column = 0; column < 3; ++column)
+      range = range + Interval(t.linear[column][row]) * Interval(box.min[column], box.max[column]);
+    result.min[row] = range.lo;
+    result.max[row] = range.hi;
+  }
+  return result;
 }
 
 }  // namespace luxo

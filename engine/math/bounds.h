@@ -35,7 +35,7 @@ struct Sphere {
   double radius = 0;
 };
 
-/// Smallest sphere around the box, rounded outward by 1e-15 relative.
+/// Smallest sphere around the box, rounded outward; of infinite radius around an infinite box.
 [[nodiscard]] Sphere sphereAround(const Box& box);
 
 /// Box around the transformed box (Arvo 1990), rounded outward.
