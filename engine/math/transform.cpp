@@ -25,23 +25,32 @@ Mat3 normalMatrix(const Mat3& linear) {
 }
 
 double largestStretch(const Mat3& linear) {
-  // Eigenvalues of the symmetric B = A^T A in closed form (Smith 1961), after scaling so that nothing
-  // overflows.
-  double scale = 0;
+  double scale = 0;  // taken out so that nothing overflows
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) scale = std::max(scale, std::abs(linear[column][row]));
   if (!(scale > 0)) return 0;
-  const Mat3 a = linear / scale;
-  const Mat3 b = glm::transpose(a) * a;
-  const double off = b[1][0] * b[1][0] + b[2][0] * b[2][0] + b[2][1] * b[2][1];
-  const double mean = (b[0][0] + b[1][1] + b[2][2]) / 3;
-  const Vec3 d(b[0][0] - mean, b[1][1] - mean, b[2][2] - mean);
-  const double spread = std::sqrt((glm::dot(d, d) + 2 * off) / 6);
-  if (spread < 1e-15 * mean) return scale * std::sqrt(mean) * (1 + 1e-12);
-  const Mat3 normalised = (b - Mat3(mean)) / spread;
-  const double half = std::clamp(glm::determinant(normalised) / 2, -1.0, 1.0);
-  const double largest = mean + 2 * spread * std::cos(std::acos(half) / 3);
-  return scale * std::sqrt(largest) * (1 + 1e-12);
+  // Pairs of columns are turned until all are orthogonal (Hestenes 1958): the turns change no singular value,
+  // and the lengths of orthogonal columns are the singular values. Unlike the roots of the characteristic
+  // polynomial, the lengths stay accurate when stretches are equal.
+  Mat3 a = linear / scale;
+  constexpr int kMostSweeps = 16;  // convergence is quadratic: six are usual
+  bool turned = true;
+  for (int sweep = 0; turned && sweep < kMostSweeps; ++sweep) {
+    turned = false;
+    for (int p = 0; p < 2; ++p)
+      for (int q = p + 1; q < 3; ++q) {
+        const double pp = glm::dot(a[p], a[p]), qq = glm::dot(a[q], a[q]), pq = glm::dot(a[p], a[q]);
+        if (pq * pq <= 1e-30 * pp * qq) continue;
+        turned = true;
+        const double cot = (qq - pp) / (2 * pq);  // of twice the angle
+        const double tan = std::copysign(1 / (std::abs(cot) + std::hypot(1, cot)), cot);
+        const double cos = 1 / std::sqrt(1 + tan * tan);
+        const Vec3 column = a[p];
+        a[p] = cos * (column - tan * a[q]);
+        a[q] = cos * (a[q] + tan * column);
+      }
+  }
+  return scale * std::max({glm::length(a[0]), glm::length(a[1]), glm::length(a[2])}) * (1 + 1e-12);
 }
 
 bool mirrors(const Transform& t) { return glm::determinant(t.linear) < 0; }
@@ -66,11 +75,12 @@ Transform compose(const Vec3& translation, const Mat3& rotation, const Vec3& sca
 }
 
 double angleAt(double radiansPerSecond, double timeSeconds) {
-  // The product is kept as high + low; the C library's sine and cosine reduce `high` by the true pi at any
-  // size.
+  // The product is high + low exactly; the C library's sine and cosine reduce each by the true pi at any
+  // size, and the addition theorems join them.
   const double high = radiansPerSecond * timeSeconds;
   const double low = std::fma(radiansPerSecond, timeSeconds, -high);
-  return std::atan2(std::sin(high), std::cos(high)) + low;
+  const double sh = std::sin(high), ch = std::cos(high), sl = std::sin(low), cl = std::cos(low);
+  return std::atan2(sh * cl + ch * sl, ch * cl - sh * sl);
 }
 
 }  // namespace luxo
