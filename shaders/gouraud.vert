@@ -16,8 +16,8 @@ invariant gl_Position;
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   vec3 position = relativeFromObject(instance, inPosition);
-  vec3 n = normalize(instance.normalFromObject * inNormal);
-  vec3 v = -position * inversesqrt(dot(position, position));
+  vec3 n = unitOrZero(instance.normalFromObject * inNormal);
+  vec3 v = towardViewer(position);
   Material material =
       Material(instance.ambient, instance.diffuse, instance.specular, instance.shininess, instance.flags);
   bool twoSided = (instance.flags & kTwoSided) != 0;

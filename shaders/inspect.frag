@@ -9,7 +9,7 @@ layout(constant_id = 0) const uint kQuantity = 0;
 layout(constant_id = 1) const bool kAsColor = false;
 
 layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
+layout(location = 1) centroid in vec3 inNormal;
 layout(location = 2) in vec4 inParameters;
 layout(location = 3) in float inWeight;
 layout(location = 4) flat in vec2 inCorner;
@@ -39,7 +39,7 @@ void main() {
   if (kQuantity == 0) {
     value = inPosition;
   } else if (kQuantity == 1) {
-    vec3 n = normalize(inNormal);
+    vec3 n = unitOrZero(inNormal);
     if ((inFlagsId.x & kTwoSided) != 0 && !gl_FrontFacing) n = -n;
     value = kAsColor ? 0.5 + 0.5 * n : n;
   } else if (kQuantity == 2) {

@@ -13,7 +13,7 @@ layout(location = 1) in vec3 inNormal;
 layout(location = 2) in vec2 inParameters;
 
 layout(location = 0) out vec3 outPosition;
-layout(location = 1) out vec3 outNormal;
+layout(location = 1) centroid out vec3 outNormal;
 layout(location = 2) out vec4 outParameters;  // u weight, v, upper u weight, upper v
 layout(location = 3) out float outWeight;
 layout(location = 4) flat out vec2 outCorner;  // (u, v) of the triangle's own cell corner
@@ -26,7 +26,7 @@ invariant gl_Position;
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   outPosition = relativeFromObject(instance, inPosition);
-  outNormal = normalize(instance.normalFromObject * inNormal);
+  outNormal = unitOrZero(instance.normalFromObject * inNormal);
 
   vec2 lower = instance.domain.xy, width = instance.domain.zw;
   vec2 upper = inParameters;

@@ -4,11 +4,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/illumination.glsl"
+#include "lib/scene.glsl"
 
 layout(constant_id = 2) const bool kFacetNormal = false;
 
 layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
+layout(location = 1) centroid in vec3 inNormal;
 layout(location = 2) flat in vec3 inAmbient;
 layout(location = 3) flat in vec3 inDiffuse;
 layout(location = 4) flat in vec3 inSpecular;
@@ -18,18 +19,17 @@ layout(location = 6) flat in uint inFlags;
 layout(location = 0) out vec4 outColor;
 
 void main() {
+  vec3 v = towardViewer(inPosition);
   // The facet is flat, so the derivatives of its position span it; which of its sides is seen, the rasteriser knows.
   vec3 n;
   if (kFacetNormal) {
     vec3 facet = cross(dFdx(inPosition), dFdy(inPosition));
-    n = facet * inversesqrt(max(dot(facet, facet), 1e-37));
-    bool towardViewer = dot(n, inPosition) < 0.0;
-    n = towardViewer == (gl_FrontFacing || (inFlags & kTwoSided) != 0) ? n : -n;
+    n = unitOrZero(facet);
+    n = (dot(n, v) > 0.0) == (gl_FrontFacing || (inFlags & kTwoSided) != 0) ? n : -n;
   } else {
-    n = normalize(inNormal);
+    n = unitOrZero(inNormal);
     if ((inFlags & kTwoSided) != 0 && !gl_FrontFacing) n = -n;
   }
-  vec3 v = -inPosition * inversesqrt(dot(inPosition, inPosition));
   Material material = Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inFlags);
   outColor = vec4(illuminated(material, inPosition, n, v), inShininessOpacity.y);
 }

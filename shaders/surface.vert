@@ -8,7 +8,7 @@ layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
 
 layout(location = 0) out vec3 outPosition;
-layout(location = 1) out vec3 outNormal;
+layout(location = 1) centroid out vec3 outNormal;
 layout(location = 2) flat out vec3 outAmbient;
 layout(location = 3) flat out vec3 outDiffuse;
 layout(location = 4) flat out vec3 outSpecular;
@@ -20,7 +20,7 @@ invariant gl_Position;
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   outPosition = relativeFromObject(instance, inPosition);
-  outNormal = normalize(instance.normalFromObject * inNormal);
+  outNormal = unitOrZero(instance.normalFromObject * inNormal);
   outAmbient = instance.ambient;
   outDiffuse = instance.diffuse;
   outSpecular = instance.specular;

@@ -5,6 +5,15 @@
 layout(scalar, set = 0, binding = kBindingView) uniform View { ViewData view; };
 layout(scalar, set = 0, binding = kBindingInstances) readonly buffer Instances { InstanceData instances[]; };
 
+// From a point toward who sees it: unit.
+vec3 towardViewer(vec3 position) {
+  vec3 v = view.viewer.xyz - position * view.viewer.w;
+  return v * inversesqrt(dot(v, v));
+}
+
+// Unit vector along v; 0 where a flattened surface has no normal, which is where it has no area.
+vec3 unitOrZero(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-37)); }
+
 vec3 relativeFromObject(InstanceData instance, vec3 position) {
   return instance.relativeFromObject * position + instance.translation;
 }

@@ -39,6 +39,7 @@ LUXO_CONSTANT kShadeShift = 8;  // bits from here: 1 + index, in the light set, 
 
 struct ViewData {
   mat4 clipFromRelative;
+  vec4 viewer;        // w = 1: the eye, at the origin; w = 0: the unit direction toward an orthographic viewer
   vec3 forward;       // unit view direction
   vec2 depthRange;    // nearest and farthest depth in the picture, for the depth view
 };
@@ -79,7 +80,7 @@ struct LightSet {
 
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
-static_assert(sizeof(ViewData) == 84 && sizeof(InstanceData) == 160 && sizeof(LightData) == 32 && sizeof(ShadeData) == 32);
+static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 160 && sizeof(LightData) == 32 && sizeof(ShadeData) == 32);
 }  // namespace luxo::shared
 #endif
 #endif
