@@ -238,7 +238,7 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
       ++counts.culledBackface;
       continue;
     }
-    if (options.backface && node.surface.closed() && !material.transparent() &&
+    if (options.backface && !lines && node.surface.closed() && !material.transparent() &&
         seenFromOutside(view, node, bounds))
       visible.hideBackFaces = true;
     appendLights(snapshot, node, bounds, options.lights, visible, list);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// A light is left out only where it lights no point at all.
+#include "cull/reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cull/cull.h"
+#include "luxo_grandpa/lamp.h"
+#include "scene_test_support.h"
+
+namespace luxo {
+namespace {
+
+TEST(Reach, NoNodeWithALitPointIsOutOfReach) {
+  test::Random random(31);
+  int darkNodes = 0, darkFound = 0;
+  for (const auto& [f, h] : {std::pair(0.2, 1.8), {0.5, 0.5}, {1.0, 0.3}, {0.05, 2.0}}) {
+    for (int i = 0; i < 1500; ++i) {
+      const Rotation turn = random.rotation(), tilt = random.rotation();
+      const auto rule = shadeRule(
+          {f, h}, compose(random.inCube(1), rotation(turn.axis, turn.angle), Vec3(random.uniform(0.3, 2))),
+          {});
+      ASSERT_TRUE(rule);
+      const Surface surface = random.surface();
+      const Transform place = compose(random.inCube(4), rotation(tilt.axis, tilt.angle), random.scale());
+      const bool reached = canLight(*rule, place, surface.bounds({}), 0);
+      const std::vector<Vec3> points = test::sample(surface, 20);
+      const bool anyLit =
+          std::ranges::any_of(points, [&](const Vec3& p) { return lit(*rule, transformPoint(place, p)); });
+      ASSERT_TRUE(reached || !anyLit);
+      darkNodes += !anyLit;
+      darkFound += !reached;
+    }
+  }
+  EXPECT_GT(darkNodes, 1000);
+  EXPECT_GT(darkFound, darkNodes * 8 / 10);
+  RecordProperty("found_percent", 100 * darkFound / darkNodes);
+}
+
+TEST(Reach, SlackWidensTheLight) {
+  const auto rule = shadeRule({0.2, 1.8}, Transform{}, {});
+  const Box below{Vec3(-1, -2, -1), Vec3(1, -0.5, 1)};  // half a metre behind the vertex
+  EXPECT_FALSE(canLight(*rule, Transform{}, below, 0));
+  EXPECT_FALSE(canLight(*rule, Transform{}, below, 0.3));
+  EXPECT_TRUE(canLight(*rule, Transform{}, below, 1));
+}
+
+TEST(Reach, LightsOfTheLampAreCounted) {
+  const Scene scene = luxoGrandpa();
+  const auto lightsOf = [&](double time, const char* name, const CullOptions& options = {}) {
+    const Snapshot snapshot = takeSnapshot(scene, time, {1280, 720});
+    const VisibleList list = cull(snapshot, options);
+    for (const VisibleNode& node : list.opaque)
+      if (scene[snapshot.nodes[node.node].id].name == name)
+        return std::vector(list.lights.begin() + node.firstLight,
+                           list.lights.begin() + node.firstLight + node.lightCount);
+    throw std::runtime_error(std::string(name) + " is not visible");
+  };
+  const std::vector<std::uint32_t> room = {0}, both = {0, 1};
+  // At t = 0 the lamp points straight up: nothing but the shade itself sees its light.
+  for (const char* name : {"floor", "base", "base top", "joint 1", "rod 1", "joint 2", "rod 2"})
+    EXPECT_EQ(lightsOf(0, name), room) << name;
+  EXPECT_EQ(lightsOf(0, "shade"), both);
+  // At t = 21 it points down at the floor.
+  EXPECT_EQ(lightsOf(21, "floor"), both);
+  EXPECT_EQ(lightsOf(0, "floor", {.lights = false}), both);
+
+  const Snapshot snapshot = takeSnapshot(scene, 0, {1280, 720});
+  EXPECT_GE(cull(snapshot).counts.culledLights, 7u);
+  EXPECT_EQ(cull(snapshot, {.lights = false}).counts.culledLights, 0u);
+}
+
+TEST(Reach, OnlyBlackAndShadedLightsAreLeftOut) {
+  Scene scene;
+  scene.add(Node{.surface = sphere(1)});
+  scene.add(Node{.translation = Vec3(1e6, 0, 0), .light = Light{.intensity = 1e-9}});
+  scene.add(Node{.light = Light{.type = Light::Type::Directional}});
+  scene.add(Node{.light = Light{.intensity = 0}});
+  const VisibleList list = cull(takeSnapshot(scene, 0, {100, 100}));
+  EXPECT_EQ(list.lights.size(), 2u);
+  EXPECT_EQ(list.counts.culledLights, 1u);
+}
+
+}  // namespace
+}  // namespace luxo
