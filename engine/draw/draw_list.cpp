@@ -163,6 +163,7 @@ shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) 
     }
   Mat4 eyeFromRelative(view.eyeFromWorld);
   return {.clipFromRelative = Mat4f(view.clipFromEye * eyeFromRelative),
+          .viewer = view.perspective() ? Vec4f(0, 0, 0, 1) : Vec4f(toFloat(-view.forward()), 0),
           .forward = toFloat(view.forward()),
           .depthRange = Vec2f(std::min(nearest, farthest), farthest)};
 }
