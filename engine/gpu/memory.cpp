@@ -80,9 +80,13 @@ std::optional<std::uint32_t> chooseMemoryType(const VkPhysicalDeviceMemoryProper
 
 Memory::Memory(VkPhysicalDevice physicalDevice, VkDevice device) : device_(device) {
   vkGetPhysicalDeviceMemoryProperties(physicalDevice, &properties_);
-  VkPhysicalDeviceProperties properties;
-  vkGetPhysicalDeviceProperties(physicalDevice, &properties);
-  atomSize_ = properties.limits.nonCoherentAtomSize;
+  VkPhysicalDeviceMaintenance3Properties limits{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+  VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+                                         .pNext = &limits};
+  vkGetPhysicalDeviceProperties2(physicalDevice, &properties);
+  atomSize_ = properties.properties.limits.nonCoherentAtomSize;
+  largest_ = limits.maxMemoryAllocationSize;
 }
 
 Memory::~Memory() {
@@ -149,7 +153,9 @@ MemoryBlock& Memory::addBlock(const AllocationDesc& desc, std::uint32_t type, Vk
                                   .allocationSize = size,
                                   .memoryTypeIndex = type};
   VkDeviceMemory memory = VK_NULL_HANDLE;
-  if (const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory); result != VK_SUCCESS) {
+  const VkResult result =
+      size > largest_ ? VK_ERROR_OUT_OF_DEVICE_MEMORY : vkAllocateMemory(device_, &info, nullptr, &memory);
+  if (result != VK_SUCCESS) {
     throwResult(result, fmt::format("allocate {} MiB of device memory (with {} MiB in use)", size >> 20,
                                     reservedBytes_ >> 20));
   }
@@ -158,10 +164,10 @@ MemoryBlock& Memory::addBlock(const AllocationDesc& desc, std::uint32_t type, Vk
   reservedBytes_ += size;
   if ((properties_.memoryTypes[type].propertyFlags & kVisible) != 0) {
     void* mapped = nullptr;
-    const VkResult result = vkMapMemory(device_, memory, 0, VK_WHOLE_SIZE, 0, &mapped);
-    if (result != VK_SUCCESS) {
+    const VkResult mapResult = vkMapMemory(device_, memory, 0, VK_WHOLE_SIZE, 0, &mapped);
+    if (mapResult != VK_SUCCESS) {
       removeBlock(block);
-      throwResult(result, fmt::format("map {} MiB of device memory", size >> 20));
+      throwResult(mapResult, fmt::format("map {} MiB of device memory", size >> 20));
     }
     block.mapped = static_cast<std::byte*>(mapped);
   }

@@ -60,7 +60,7 @@ class Memory {
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;
 
-  /// Throws Error(Retry) when the device is out of memory.
+  /// Throws Error(Retry) when the device is out of memory, or never gives that much at once.
   [[nodiscard]] Allocation allocate(const AllocationDesc& desc);
   void free(const Allocation& allocation);
 
@@ -85,6 +85,7 @@ class Memory {
   VkDevice device_;
   VkPhysicalDeviceMemoryProperties properties_{};
   VkDeviceSize atomSize_ = 1;
+  VkDeviceSize largest_ = 0;       // the driver's limit for one allocation
   std::list<MemoryBlock> blocks_;  // a list, since allocations point into it
   std::uint64_t usedBytes_ = 0;
   std::uint64_t reservedBytes_ = 0;

@@ -114,13 +114,9 @@ VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, Vk
       .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO, .topology = desc.topology};
   const VkPipelineViewportStateCreateInfo viewport{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
-  const bool biased = desc.depthBiasConstant != 0 || desc.depthBiasSlope != 0;
   const VkPipelineRasterizationStateCreateInfo raster{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
       .polygonMode = desc.polygonMode,
-      .depthBiasEnable = biased,
-      .depthBiasConstantFactor = desc.depthBiasConstant,
-      .depthBiasSlopeFactor = desc.depthBiasSlope,
       .lineWidth = 1};
   const VkPipelineMultisampleStateCreateInfo multisample{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
@@ -138,8 +134,9 @@ VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, Vk
       .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
       .attachmentCount = count(attachments),
       .pAttachments = attachments.data()};
-  static constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                       VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+  static constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT,   VK_DYNAMIC_STATE_SCISSOR,
+                                       VK_DYNAMIC_STATE_CULL_MODE,  VK_DYNAMIC_STATE_FRONT_FACE,
+                                       VK_DYNAMIC_STATE_DEPTH_BIAS, VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE};
   const VkPipelineDynamicStateCreateInfo dynamic{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
       .dynamicStateCount = kDynamic.size(),
@@ -170,7 +167,7 @@ VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, Vk
 }  // namespace
 
 GraphicsPipeline::GraphicsPipeline(Context& context, const GraphicsPipelineDesc& desc)
-    : pushConstantBytes_(desc.pushConstantBytes) {
+    : pushConstantBytes_(desc.pushConstantBytes), depthBias_(desc.depthBias) {
   requireConsistent(context, desc);
   layout_ = createLayout(context, desc);
   pipeline_ = {context, createPipeline(context, desc, layout_)};
@@ -180,6 +177,7 @@ GraphicsPipeline::GraphicsPipeline(Context& context, const GraphicsPipelineDesc&
 
 void GraphicsPipeline::bind(VkCommandBuffer commands) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+  setDepthBias(commands, depthBias_);
 }
 
 void GraphicsPipeline::push(VkCommandBuffer commands, std::span<const std::byte> constants) const {
@@ -191,6 +189,11 @@ void GraphicsPipeline::bindSet(VkCommandBuffer commands, std::uint32_t index, Vk
                                std::span<const std::uint32_t> dynamicOffsets) const {
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, index, 1, &set,
                           count(dynamicOffsets), dynamicOffsets.data());
+}
+
+void setDepthBias(VkCommandBuffer commands, DepthBias bias) {
+  vkCmdSetDepthBiasEnable(commands, bias.constant != 0 || bias.slope != 0);
+  vkCmdSetDepthBias(commands, bias.constant, 0, bias.slope);
 }
 
 void setViewport(VkCommandBuffer commands, VkExtent2D extent) {

@@ -18,7 +18,14 @@ enum class Blend {
   Alpha,  ///< source over destination, colours not premultiplied; alpha becomes coverage
 };
 
-/// For dynamic rendering. Viewport, scissor, cull mode and front face are always dynamic (see below).
+/// Added to the depth of what is drawn: units of the depth buffer's resolution, and of the depth's largest
+/// slope per pixel. With reversed depth negative values push away.
+struct DepthBias {
+  float constant = 0, slope = 0;
+};
+
+/// For dynamic rendering. Viewport, scissor, cull mode, front face and depth bias are
+/// always dynamic (see below).
 struct GraphicsPipelineDesc {
   std::string_view name;
   std::span<const std::uint32_t> vertexShader;    ///< SPIR-V, entry `main`
@@ -37,8 +44,7 @@ struct GraphicsPipelineDesc {
   bool depthTest = true;
   bool depthWrite = true;
   VkCompareOp depthCompare = VK_COMPARE_OP_GREATER;  ///< reversed depth: nearer is greater, cleared to 0
-  float depthBiasConstant = 0;
-  float depthBiasSlope = 0;
+  DepthBias depthBias;
 
   Blend blend = Blend::None;  ///< of the first attachment; the others are always overwritten
 
@@ -58,6 +64,7 @@ class GraphicsPipeline {
   explicit operator bool() const noexcept { return static_cast<bool>(pipeline_); }
   [[nodiscard]] VkPipelineLayout layout() const noexcept { return layout_; }
 
+  /// Sets the depth bias of the description, too.
   void bind(VkCommandBuffer commands) const;
   /// Requires pushConstantBytes bytes.
   void push(VkCommandBuffer commands, std::span<const std::byte> constants) const;
@@ -66,9 +73,13 @@ class GraphicsPipeline {
 
  private:
   std::uint32_t pushConstantBytes_ = 0;
+  DepthBias depthBias_;
   Handle<VkPipelineLayout> layout_;
   Handle<VkPipeline> pipeline_;
 };
+
+/// Until the next pipeline is bound.
+void setDepthBias(VkCommandBuffer commands, DepthBias bias);
 
 /// Viewport and scissor of the whole target with y up: clip-space (-1, -1) is the bottom left, depth goes 0
 /// to 1. VK_FRONT_FACE_COUNTER_CLOCKWISE then means counter-clockwise as seen in the picture.

@@ -73,7 +73,7 @@ TEST_F(ContextTest, RefusesADeviceThatCannotPresent) {
               HasSubstr("not usable, it has no graphics and compute queue that can show pictures"));
 }
 
-TEST_F(ContextTest, SamePictureOfTheWorldWithoutValidation) {
+TEST_F(ContextTest, WorksWithoutValidation) {
   const Context plain;
   EXPECT_EQ(plain.validationCount(), 0u);
 }
@@ -86,6 +86,27 @@ TEST(Context, SaysThatTheDriverFileDoesNotExist) {
   EXPECT_EQ(error.kind(), ErrorKind::Device);
   EXPECT_THAT(error.what(), HasSubstr("no Vulkan device found"));
   EXPECT_THAT(error.hint(), HasSubstr("VK_DRIVER_FILES names /nonexistent, which does not exist"));
+}
+
+TEST(Context, SaysWhatToInstallWhenThereIsNoValidationLayer) {
+  const test::ScopedVariable layers("VK_LAYER_PATH", "/nonexistent");
+  const Error error = errorOf({.validation = true});
+  EXPECT_EQ(error.kind(), ErrorKind::Device);
+  EXPECT_THAT(error.what(), HasSubstr("the Vulkan validation layer is not installed"));
+  EXPECT_THAT(error.hint(), HasSubstr("apt install vulkan-validationlayers"));
+}
+
+TEST_F(ContextTest, RefusesMoreMemoryThanTheDriverGives) {
+  try {
+    static_cast<void>(context().memory().allocate(
+        {.requirements = {.size = std::uint64_t{1} << 60, .alignment = 1, .memoryTypeBits = ~0u}}));
+    FAIL() << "an exbibyte";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Retry);
+    EXPECT_THAT(error.what(), HasSubstr("allocate 1099511627776 MiB"));
+    EXPECT_THAT(error.what(), HasSubstr("VK_ERROR_OUT_OF_DEVICE_MEMORY"));
+  }
+  EXPECT_EQ(context().counters().deviceBytes, 0u);
 }
 
 // That no message came means little unless messages do come: plant one mistake of each kind.
