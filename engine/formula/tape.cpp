@@ -158,6 +158,7 @@ void Tape::bound(const Interval& u, const Interval& v, std::span<const double> p
     if (i.op == Op::Constant) {
       values[k] = i.value;
     } else if (i.op == Op::Variable) {
+      if (i.a >= 2) LUXO_REQUIRE_COMPARE(i.a - 2, <, parameters.size());
       values[k] = i.a == 0 ? u : i.a == 1 ? v : Interval(parameters[i.a - 2]);
     } else if (i.op == Op::Multiply && i.a == i.b) {
       values[k] = square(values[i.a]);  // both factors are the same number, not two of the same range
