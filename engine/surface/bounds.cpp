@@ -40,8 +40,8 @@ double boundLength(const SurfaceFunction& function, std::size_t firstOutput, con
   for (int seen = 1; seen < kMostRectangles && open.top().bound > kTightEnough * taken; ++seen) {
     const Domain d = open.top().domain;
     open.pop();
-    // Split the side that is the larger part of the whole domain's.
-    if (d.u.width() * domain.v.width() >= d.v.width() * domain.u.width()) {
+    // Split the side that is the larger part of the whole domain's; never one of no width.
+    if (d.u.width() * domain.v.width() > d.v.width() * domain.u.width()) {
       look({{d.u.lo, d.u.mid()}, d.v});
       look({{d.u.mid(), d.u.hi}, d.v});
     } else {

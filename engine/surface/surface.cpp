@@ -37,7 +37,7 @@ Surface::Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
   std::vector<double> initial;
   for (const auto& parameter : parameters) initial.push_back(parameter.at(0));
   auto description = std::make_shared<Description>();
-  description->topology = findTopology(*function, domain, initial, traits.orientation);
+  description->topology = findTopology(*function, domain, initial, traits);
   description->function = std::move(function);
   description->domain = domain;
   description->parameters = std::move(parameters);
@@ -100,8 +100,10 @@ Box Surface::bounds(std::span<const double> parameters) const {
 
 PartialBounds Surface::partialBounds(std::span<const double> parameters) const {
   const Description& d = *description_;
-  if (!d.parameters.empty()) return boundPartials(*d.function, d.domain, parameters);
-  std::call_once(d.partialsOnce, [&] { d.partials = boundPartials(*d.function, d.domain, {}); });
+  // Turning about the axis changes no length: one meridian has them all.
+  const Domain domain{d.traits.revolution ? Interval(d.domain.u.lo) : d.domain.u, d.domain.v};
+  if (!d.parameters.empty()) return boundPartials(*d.function, domain, parameters);
+  std::call_once(d.partialsOnce, [&] { d.partials = boundPartials(*d.function, domain, {}); });
   return d.partials;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/topology.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,7 @@ constexpr int kEdgeSamples = 33;  // odd, so that the middle and the ends of eve
 constexpr double kCoincident =
     1e-12;  // of the extent: 10^4 times what evaluating at 0 and at 2 pi differs by
 constexpr double kSameNormal = 1e-7;
+constexpr double kNoVolume = 1e-9;  // rounding leaves 1e-13 of a volume that cancels
 
 struct Samples {
   std::vector<Vec3> position, du, dv;
@@ -73,9 +76,10 @@ bool collapses(const Samples& edge, double extent) {
   });
 }
 
-/// Signed volume by the divergence theorem, midpoint rule: its sign tells which way Su x Sv points.
-double signedVolume(const SurfaceFunction& function, const Domain& domain,
-                    std::span<const double> parameters) {
+/// Signed volume by the divergence theorem, midpoint rule, as a part of what would be summed without signs:
+/// its sign tells which way Su x Sv points; near 0 there is no inside, however thin the surface.
+double signedVolumePart(const SurfaceFunction& function, const Domain& domain,
+                        std::span<const double> parameters) {
   constexpr int kCells = 48;
   std::vector<double> u, v;
   for (int j = 0; j < kCells; ++j)
@@ -84,10 +88,13 @@ double signedVolume(const SurfaceFunction& function, const Domain& domain,
       v.push_back(domain.v.lo + domain.v.width() * (j + 0.5) / kCells);
     }
   const Samples s = sample(function.tangents, u, v, parameters);
-  double volume = 0;
-  for (std::size_t i = 0; i < u.size(); ++i)
-    volume += glm::dot(s.position[i], glm::cross(s.du[i], s.dv[i])) / 3;
-  return volume * domain.u.width() * domain.v.width() / (kCells * kCells);
+  double volume = 0, unsignedVolume = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const double cone = glm::dot(s.position[i], glm::cross(s.du[i], s.dv[i]));
+    volume += cone;
+    unsignedVolume += std::abs(cone);
+  }
+  return unsignedVolume > 0 ? volume / unsignedVolume : 0;
 }
 
 }  // namespace
@@ -117,7 +124,7 @@ Vec3 limitNormal(const SurfaceFunction& function, const Domain& domain, double u
 }
 
 Topology findTopology(const SurfaceFunction& function, const Domain& domain,
-                      std::span<const double> parameters, double statedOrientation) {
+                      std::span<const double> parameters, const SurfaceTraits& traits) {
   const std::vector<double> us = evenly(domain.u, kEdgeSamples), vs = evenly(domain.v, kEdgeSamples);
   const auto along = [&](double value) { return std::vector<double>(kEdgeSamples, value); };
   const Samples uMin = sample(function.tangents, along(domain.u.lo), vs, parameters);
@@ -129,9 +136,12 @@ Topology findTopology(const SurfaceFunction& function, const Domain& domain,
   double extent = 0;
   for (const Samples* s : {&uMin, &uMax, &vMin, &vMax, &middle}) extent = std::max(extent, extentOf(*s));
   if (!(extent > 0))
-    throw Error(ErrorKind::Scene,
-                "the surface has no size: its formula is the same point, or not a number, everywhere",
-                "check the formula and its domain");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("surface '{}' has no size: over u in [{}, {}], v in [{}, {}] its formula is the same "
+                    "point, or not a number, everywhere",
+                    traits.name, domain.u.lo, domain.u.hi, domain.v.lo, domain.v.hi),
+        "check the formula and its domain");
 
   Topology t;
   if (isSeam(uMin, uMax, extent)) t.uMin = t.uMax = Edge::Seam;
@@ -150,10 +160,10 @@ Topology findTopology(const SurfaceFunction& function, const Domain& domain,
     t.vMax = collapsed(vMax, domain.v.hi, t.vMaxNormal);
   }
 
-  t.orientation = statedOrientation;
+  t.orientation = traits.orientation;
   if (t.seamU() && (t.seamV() || (t.collapsedVMin() && t.collapsedVMax()))) {
-    const double volume = signedVolume(function, domain, parameters);
-    if (std::abs(volume) > 1e-6 * extent * extent * extent) {
+    const double volume = signedVolumePart(function, domain, parameters);
+    if (std::abs(volume) > kNoVolume) {
       t.closed = true;
       t.orientation = volume > 0 ? 1 : -1;
     }
