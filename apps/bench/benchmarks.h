@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is measured. Every function registers one group; they run in the order of registration.
+#pragma once
+
+#include "gpu/context.h"
+#include "scene/scene.h"
+
+namespace luxo::bench {
+
+/// Whether malloc keeps freed pages in the process, as the applications do. Once on, it stays on.
+enum class Tuning { Off, On };
+
+/// Meshes and points of every named surface; points of a torus beside code written by hand.
+void registerSurfaces();
+
+/// What the CPU does for a frame of the lamp and for a file, stage by stage.
+void registerStages(const Scene& lamp);
+
+/// Frames of the lamp beside the straightforward path's, until the pixels are finished; first of all whether
+/// both draw the same picture. All arguments must outlive the run.
+void registerFrames(gpu::Context& context, const Scene& lamp, Tuning tuning);
+
+/// From the start of `luxo_grandpa -o` to a PNG on disk, with empty caches beside full ones.
+void registerStart();
+
+}  // namespace luxo::bench

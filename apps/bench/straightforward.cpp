@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "straightforward.h"
+
+#include <cstddef>
+#include <span>
+
+#include "gpu/barrier.h"
+#include "luxo/shaders/straightforward_frag.h"
+#include "luxo/shaders/straightforward_vert.h"
+
+namespace luxo::bench {
+namespace {
+
+/// object_data.glsl, scalar layout.
+struct ObjectData {
+  Mat4f MVP, M, Minv;
+  Vec3f wEye;
+  std::array<Vec4f, 2> wLiPos;
+  std::array<Vec3f, 2> Le;
+  Vec3f La;
+  Vec3f ka, kd, ks;
+  float shine;
+  Vec3f wShadeAxis;
+  float cosRim, focalLength;
+  std::uint32_t isShade;
+};
+static_assert(sizeof(ObjectData) == 4 * (3 * 16 + 3 + 8 + 6 + 3 + 9 + 1 + 3 + 2 + 1));
+
+ObjectData objectData(const LampState& state, const Object& object, const Pose& pose) {
+  const Material& material = object.material;
+  return {.MVP = state.P * state.V * pose.M,
+          .M = pose.M,
+          .Minv = pose.Minv,
+          .wEye = state.wEye,
+          .wLiPos = {Vec4f(8, 14, 6, 1), Vec4f(state.wFocus, 1)},
+          .Le = {Vec3f(70), 110.0f * Vec3f(1, 0.9f, 0.7f)},
+          .La = Vec3f(0.05f),
+          .ka = material.ka,
+          .kd = material.kd,
+          .ks = material.ks,
+          .shine = material.shine,
+          .wShadeAxis = state.wShadeAxis,
+          .cosRim = (kShadeHeight - kShadeFocalLength) / (kShadeHeight + kShadeFocalLength),
+          .focalLength = kShadeFocalLength,
+          .isShade = object.isShade};
+}
+
+void beginPass(VkCommandBuffer commands, const gpu::Texture& colorTarget, const gpu::Texture& depthTarget) {
+  const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                        .imageView = colorTarget.view(),
+                                        .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                        .clearValue = {.color = {{0.02f, 0.025f, 0.03f, 1}}}};
+  const VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                        .imageView = depthTarget.view(),
+                                        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                        .clearValue = {.depthStencil = {1.0f, 0}}};
+  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                  .renderArea = {{0, 0}, colorTarget.extent()},
+                                  .layerCount = 1,
+                                  .colorAttachmentCount = 1,
+                                  .pColorAttachments = &color,
+                                  .pDepthAttachment = &depth};
+  vkCmdBeginRendering(commands, &rendering);
+}
+
+}  // namespace
+
+Straightforward::Straightforward(gpu::Context& context, PixelSize size, VkFormat colorFormat)
+    : aspect_(float(size.width) / float(size.height)),
+      layout_(context, {{.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC}}) {
+  for (Object& object : lampObjects()) {
+    const auto bytes = std::as_bytes(std::span(object.geometry.vtxData));
+    gpu::Buffer vertices(
+        context, {.size = bytes.size(), .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, .name = "strips"});
+    vertices.write(0, bytes);
+    objects_.push_back({std::move(object), std::move(vertices)});
+  }
+
+  const VkDeviceSize alignment = context.limits().minUniformBufferOffsetAlignment;
+  uniformStride_ = (sizeof(ObjectData) + alignment - 1) / alignment * alignment;
+  for (gpu::Buffer& buffer : uniforms_)
+    buffer = gpu::Buffer(context, {.size = uniformStride_ * kObjects,
+                                   .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                                   .memory = gpu::MemoryUse::Upload,
+                                   .name = "object uniforms"});
+
+  const VkExtent2D extent{static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
+  color_ =
+      gpu::Texture(context, {.extent = extent,
+                             .format = colorFormat,
+                             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                             .name = "straightforward color"});
+  depth_ = gpu::Texture(context, {.extent = extent,
+                                  .format = VK_FORMAT_D32_SFLOAT,
+                                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                  .name = "straightforward depth"});
+  pipeline_ = gpu::GraphicsPipeline(
+      context, {.name = "straightforward",
+                .vertexShader = luxo_straightforward_vert,
+                .fragmentShader = luxo_straightforward_frag,
+                .bindings = {{0, sizeof(VertexData), VK_VERTEX_INPUT_RATE_VERTEX}},
+                .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexData, pos)},
+                               {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexData, norm)},
+                               {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexData, tex)}},
+                .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+                .colorFormats = {colorFormat},
+                .depthFormat = VK_FORMAT_D32_SFLOAT,
+                .depthCompare = VK_COMPARE_OP_LESS,
+                .setLayouts = {layout_}});
+}
+
+void Straightforward::record(gpu::FrameRing& frames, VkCommandBuffer commands, float time) {
+  using enum gpu::Use;
+  const LampState state = lampAt(time, aspect_);
+  gpu::Buffer& uniforms = uniforms_[frames.slot()];
+  const VkDescriptorSet set = frames.descriptors().write(layout_, {{uniforms, 0, sizeof(ObjectData)}});
+
+  gpu::use(commands, {{color_, ColorAttachment, gpu::Contents::Discard},
+                      {depth_, DepthAttachment, gpu::Contents::Discard}});
+  beginPass(commands, color_, depth_);
+  gpu::setViewport(commands, color_.extent());
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const DrawnObject& drawn = objects_[i];
+    const ObjectData data = objectData(state, drawn.object, state.poses[i]);
+    const auto offset = static_cast<std::uint32_t>(i * uniformStride_);
+    uniforms.write(offset, std::as_bytes(std::span(&data, 1)));
+    pipeline_.bind(commands);
+    pipeline_.bindSet(commands, 0, set, {&offset, 1});
+    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    constexpr VkDeviceSize kStart = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, drawn.vertices.pointer(), &kStart);
+    draw(commands, drawn.object.geometry);
+  }
+  vkCmdEndRendering(commands);
+}
+
+void Straightforward::draw(VkCommandBuffer commands, const ParamSurface& geometry) const {
+  for (std::uint32_t i = 0; i < geometry.nStrips; ++i)
+    vkCmdDraw(commands, geometry.nVtxStrip, 1, i * geometry.nVtxStrip, 0);
+}
+
+std::uint32_t Straightforward::triangles() const {
+  std::uint32_t count = 0;
+  for (const DrawnObject& drawn : objects_)
+    count += drawn.object.geometry.nStrips * (drawn.object.geometry.nVtxStrip - 2);
+  return count;
+}
+
+std::uint32_t Straightforward::drawCalls() const {
+  std::uint32_t count = 0;
+  for (const DrawnObject& drawn : objects_) count += drawn.object.geometry.nStrips;
+  return count;
+}
+
+}  // namespace luxo::bench
