@@ -191,6 +191,7 @@ DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const D
     item.batch.state = {.shading = shading, .output = options.output, .blended = blended};
     item.batch.mesh = meshes.get(node.surface, node.parameters, segmentsOf(node, v, shading, snapshot.view));
     item.batch.culling = cullingOf(v, options);
+    item.batch.flat = node.surface.flatNormal().has_value();
     item.batch.mirrored = v.mirrored;
     LightSets::Choice choice;
     if (needsLights(item.batch.state))
@@ -205,6 +206,9 @@ DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const D
   const auto sameDraw = [](const DrawBatch& a, const DrawBatch& b) {
     return a.state == b.state && a.mesh == b.mesh && a.culling == b.culling && a.mirrored == b.mirrored &&
            a.lightSet == b.lightSet;
+  };
+  const auto showsBothSides = [](const DrawBatch& batch) {
+    return batch.culling == FaceCulling::None && !batch.flat && batch.state.shading != Shading::Wireframe;
   };
   const auto append = [&](std::vector<DrawBatch>& batches, DrawBatch batch,
                           std::span<const shared::InstanceData> instances) {
@@ -229,18 +233,23 @@ DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const D
     if (isNew) groups.push_back({item.batch, {}});
     groups[entry->second].instances.push_back(item.instance);
   }
-  for (Group& group : groups) append(list.opaque, std::move(group.batch), group.instances);
+  for (Group& group : groups) {
+    append(list.opaque, group.batch, group.instances);
+    if (!showsBothSides(group.batch)) continue;
+    // The far sides go behind the near ones: see FaceCulling::Front.
+    list.opaque.back().culling = FaceCulling::Back;
+    list.opaque.push_back(list.opaque.back());
+    list.opaque.back().culling = FaceCulling::Front;
+  }
 
-  // Transparent: order is everything, so only neighbours merge. A closed surface shows its inside first.
+  // Transparent: order is everything, so only neighbours merge, and a surface shows its far side first.
   for (const VisibleNode& v : visible.transparent) {
     const Item item = itemOf(v, true);
-    const bool closed = snapshot.nodes[v.node].surface.closed();
-    if (closed && item.batch.culling == FaceCulling::None) {
-      for (const FaceCulling culling : {FaceCulling::Front, FaceCulling::Back}) {
-        DrawBatch batch = item.batch;
-        batch.culling = culling;
-        append(list.transparent, std::move(batch), {&item.instance, 1});
-      }
+    if (showsBothSides(item.batch)) {
+      append(list.transparent, item.batch, {&item.instance, 1});
+      list.transparent.back().culling = FaceCulling::Front;
+      list.transparent.push_back(list.transparent.back());
+      list.transparent.back().culling = FaceCulling::Back;
     } else if (!list.transparent.empty() && sameDraw(list.transparent.back(), item.batch)) {
       list.instances.push_back(item.instance);
       ++list.transparent.back().instanceCount;

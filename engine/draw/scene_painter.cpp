@@ -88,6 +88,11 @@ void beginPass(VkCommandBuffer commands, const PassTargets& targets, VkAttachmen
   gpu::setViewport(commands, targets.color.extent());
 }
 
+/// Vertices snap to 1/256 pixel, so the depth of a facet is uncertain by its slope times 1/512 pixel at its
+/// edges; four times that, and a few units of rounding, puts the far side behind the near one wherever they
+/// meet.
+constexpr gpu::DepthBias kFarSide{.constant = -8, .slope = -1.0f / 128};
+
 VkCullModeFlags cullMode(FaceCulling culling) {
   return culling == FaceCulling::None   ? VK_CULL_MODE_NONE
          : culling == FaceCulling::Back ? VK_CULL_MODE_BACK_BIT
@@ -220,6 +225,7 @@ void ScenePainter::paint(VkCommandBuffer commands, VkDescriptorSet set, const st
 
     pipeline.bind(commands);
     pipeline.bindSet(commands, 0, set, {&lightOffset, 1});
+    if (batch.culling == FaceCulling::Front && !batch.state.blended) gpu::setDepthBias(commands, kFarSide);
     vkCmdSetCullMode(commands, cullMode(batch.culling));
     vkCmdSetFrontFace(commands, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};

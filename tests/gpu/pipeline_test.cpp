@@ -196,7 +196,7 @@ TEST_F(PipelineTest, DepthIsData) {
 
 TEST_F(PipelineTest, DepthBiasPullsCoplanarThingsForward) {
   GraphicsPipelineDesc desc = colorPipeline();
-  desc.depthBiasConstant =
+  desc.depthBias.constant =
       16;  // units of the last place of the depth, toward the viewer as depth is reversed
   const GraphicsPipeline biased(context(), desc);
   const GraphicsPipeline usual(context(), colorPipeline());
