@@ -22,6 +22,7 @@ int runLuxo(int argc, const char* const* argv) {
   app.get_formatter()->label("SUBCOMMAND", "VERB ...");
   luxo::Command chosen;
   luxo::addRender(app, chosen);
+  luxo::addView(app, chosen);
   luxo::addDiff(app, chosen);
   luxo::addDoctor(app, chosen);
   if (!luxo::parseCommandLine(app, argc, argv)) return luxo::exit_code::kDone;

@@ -21,7 +21,8 @@ struct RenderOptions::Texts {
   bool validate = false, list = false, quiet = false, verbose = false;
 };
 
-RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene) : texts_(std::make_unique<Texts>()) {
+RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, Destination destination)
+    : texts_(std::make_unique<Texts>()) {
   Texts& t = *texts_;
   t.sceneArgument = scene;
   if (scene == SceneArgument::Taken)
@@ -29,13 +30,15 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene) : texts_(st
   const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
     return command.add_option(name, value, help)->type_name(type);
   };
-  add("-o,--output", t.output,
-      "picture to write: .png .tga (8 bit, sRGB), .exr .pfm (float, linear); ####, %04d or "
-      "{frame:04} is the frame's number",
-      "FILE");
+  const bool files = destination == Destination::File;
+  if (files)
+    add("-o,--output", t.output,
+        "picture to write: .png .tga (8 bit, sRGB), .exr .pfm (float, linear); ####, %04d or "
+        "{frame:04} is the frame's number",
+        "FILE");
   add("--size", t.size, "size in pixels (1280x720)", "WxH");
   add("--time", t.time, "moment to draw, in seconds (0)", "S");
-  add("--frames", t.frames, "frames to draw: 1-250:2,300; frame n is at (n-1)/fps", "LIST");
+  if (files) add("--frames", t.frames, "frames to draw: 1-250:2,300; frame n is at (n-1)/fps", "LIST");
   add("--fps", t.fps, "frames per second (24)", "N");
   add("--samples", t.samples, "samples per pixel: 1 or 4 (1)", "N");
   add("--tolerance", t.tolerance, "how far meshes may be from their surfaces, in pixels (0.5)", "PX");
@@ -44,15 +47,19 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene) : texts_(st
   add("--camera", t.camera, "camera of the scene", "NAME");
   add("-P,--param", t.parameters, "value or expression of a scene parameter", "NAME=VALUE")
       ->allow_extra_args(false);
-  add("--sweep", t.sweep, "one picture for each value of a parameter", "NAME=FROM:TO:STEP");
-  add("--aov", t.aov, "what to write: color depth position normal uv id (color)", "NAME");
-  add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
+  if (files) {
+    add("--sweep", t.sweep, "one picture for each value of a parameter", "NAME=FROM:TO:STEP");
+    add("--aov", t.aov, "what to write: color depth position normal uv id (color)", "NAME");
+    add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
+  }
   add("--skip", t.skip,
       "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes (all)", "LIST");
-  add("--require-error", t.requireError, "fail (exit code 6) unless the proven error is at most this", "PX");
+  if (files)
+    add("--require-error", t.requireError, "fail (exit code 6) unless the proven error is at most this",
+        "PX");
   add("--device", t.device, "auto, cpu, gpu, a number or a part of the name", "DEVICE");
   command.add_flag("--validate", t.validate, "run Vulkan's validation; any message fails the run");
-  if (scene == SceneArgument::Taken) command.add_flag("--list", t.list, "list the built-in scenes");
+  if (files && scene == SceneArgument::Taken) command.add_flag("--list", t.list, "list the built-in scenes");
   command.add_flag("-q,--quiet", t.quiet, "errors only");
   command.add_flag("-v,--verbose", t.verbose, "more about what is done");
 }
@@ -73,6 +80,12 @@ void take(Target& target, const std::optional<std::string>& text, const Parse& p
   if (text) target = parse(*text);
 }
 
+void refuseForWindow(const char* option, const std::optional<std::string>& text) {
+  if (text)
+    refuse(fmt::format("{} means nothing in a window", option),
+           "name the picture to write, as in -o lamp.png");
+}
+
 void requireDistinct(const std::vector<ParameterValue>& parameters, const std::optional<Sweep>& sweep) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string& name = parameters[i].name;
@@ -85,7 +98,7 @@ void requireDistinct(const std::vector<ParameterValue>& parameters, const std::o
 
 }  // namespace
 
-RenderRequest RenderOptions::request() const {
+RenderRequest RenderOptions::request(Destination destination) const {
   const Texts& t = *texts_;
   RenderRequest request;
   request.listScenes = t.list;
@@ -118,12 +131,20 @@ RenderRequest RenderOptions::request() const {
   request.validate = t.validate;
   request.verbosity = t.quiet ? Verbosity::Quiet : t.verbose ? Verbosity::Verbose : Verbosity::Normal;
   requireDistinct(request.parameters, request.sweep);
+  request.scene = t.scene;
+  if (destination == Destination::Window) {
+    refuseForWindow("--frames", t.frames);
+    refuseForWindow("--sweep", t.sweep);
+    refuseForWindow("--aov", t.aov);
+    refuseForWindow("--report", t.report);
+    refuseForWindow("--require-error", t.requireError);
+    return request;
+  }
 
   if (t.sceneArgument == SceneArgument::Taken && t.scene.empty())
     refuse("no scene is given",
            "as in luxo render luxo-grandpa -o lamp.png; --list names the built-in scenes");
   if (t.output.empty()) refuse("no output is given", "name the picture to write, as in -o lamp.png");
-  request.scene = t.scene;
   request.output = t.output;
   static_cast<void>(requireImageFormat(request.output));
   return request;

@@ -43,10 +43,13 @@ struct RenderRequest {
 
 enum class SceneArgument { Taken, None };
 
+/// A window takes fewer options: nothing that is about files or several pictures.
+enum class Destination { File, Window };
+
 /// Adds the options to a command; after it has been parsed, request() checks and gives their values.
 class RenderOptions {
  public:
-  RenderOptions(CLI::App& command, SceneArgument scene);
+  RenderOptions(CLI::App& command, SceneArgument scene, Destination destination = Destination::File);
   RenderOptions(const RenderOptions&) = delete;
   RenderOptions& operator=(const RenderOptions&) = delete;
   ~RenderOptions();
@@ -54,9 +57,9 @@ class RenderOptions {
   /// Whether an output file was named.
   [[nodiscard]] bool hasOutput() const;
 
-  /// Error(Usage): a value is wrong, two options exclude each other, scene or output is missing.
-  /// Error(Scene): a value is known but not supported yet.
-  [[nodiscard]] RenderRequest request() const;
+  /// Error(Usage): a value is wrong, two options exclude each other, scene or output is missing, or an option
+  /// means nothing in a window. Error(Scene): a value is known but not supported yet.
+  [[nodiscard]] RenderRequest request(Destination destination = Destination::File) const;
 
  private:
   struct Texts;

@@ -21,6 +21,8 @@
 #include "interruption.h"
 #include "process_tuning.h"
 #include "report.h"
+#include "scene_request.h"
+#include "validation.h"
 #include "verbs.h"
 
 namespace luxo {
@@ -28,38 +30,6 @@ namespace {
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// The scene's own settings, overruled by the command line.
-RenderSettings settingsOf(const Scene& scene, const RenderRequest& request) {
-  RenderSettings settings = scene.settings();
-  settings.size = request.size.value_or(settings.size);
-  settings.time = request.time.value_or(settings.time);
-  settings.fps = request.fps.value_or(settings.fps);
-  settings.samples = request.samples.value_or(settings.samples);
-  settings.tolerance = request.tolerancePx.value_or(settings.tolerance);
-  settings.shading = request.shading.value_or(settings.shading);
-  return settings;
-}
-
-CameraId cameraOf(const Scene& scene, const RenderRequest& request) {
-  if (!request.camera) return {};
-  if (const auto id = scene.findCamera(*request.camera)) return *id;
-  std::string names;
-  for (const Camera& camera : scene.cameras()) names += (names.empty() ? "" : ", ") + camera.name;
-  throw Error(ErrorKind::Usage, fmt::format("--camera: the scene has no camera '{}'", *request.camera),
-              names.empty() ? "it has no camera at all; leave the option out"
-                            : fmt::format("its cameras: {}", names));
-}
-
-/// Built-in scenes are C++ and have no parameters; a name that is none is a usage error.
-void refuseParameters(const RenderRequest& request) {
-  const std::string name = !request.parameters.empty() ? request.parameters.front().name
-                           : request.sweep             ? request.sweep->name
-                                                       : "";
-  if (!name.empty())
-    throw Error(ErrorKind::Usage, fmt::format("the scene has no parameter '{}'", name),
-                "built-in scenes have no parameters");
 }
 
 struct Job {
@@ -114,7 +84,7 @@ class Run {
     }
     writeReport();
     if (const int signal = interruptingSignal(); signal != 0) return exit_code::kSignal + signal;
-    requireNoValidationMessage(*validation);
+    requireNoMessage(*validation);
     requireError();
     return failed_ > 0 ? exit_code::kSomeFramesFailed : exit_code::kDone;
   }
@@ -206,15 +176,6 @@ class Run {
     if (!request_.report) return;
     const std::string json = reportJson(report_);
     writeFileAtomically(*request_.report, std::as_bytes(std::span(json)));
-  }
-
-  void requireNoValidationMessage(const gpu::ValidationLog& log) const {
-    if (log.count() == 0) return;
-    std::string texts;
-    for (const std::string& message : log.messages()) texts += "\n  " + message;
-    throw Error(ErrorKind::Internal,
-                fmt::format("Vulkan validation reported {} messages:{}", log.count(), texts),
-                "this is a bug in luxo; please report it with the command");
   }
 
   void requireError() const {

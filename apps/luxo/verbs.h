@@ -15,6 +15,7 @@ namespace luxo {
 using Command = std::function<int()>;
 
 void addRender(CLI::App& app, Command& chosen);
+void addView(CLI::App& app, Command& chosen);
 void addDiff(CLI::App& app, Command& chosen);
 void addDoctor(CLI::App& app, Command& chosen);
 

@@ -20,13 +20,14 @@ namespace {
 // All lengths in pixels at content scale 1.
 constexpr float kFontSize = 14, kMargin = 14, kPadding = 11, kColumnGap = 14, kRounding = 7;
 constexpr float kLineSpacing = 1.3f;     // of the letters' height
+constexpr float kTitleGap = 4;           // below a title
 constexpr float kSmallestShrink = 0.6f;  // below it nobody can read
 
 constexpr ImU32 kBackground = IM_COL32(9, 10, 13, 168);
 constexpr ImU32 kBorder = IM_COL32(255, 255, 255, 20);
 constexpr ImU32 kTitle = IM_COL32(255, 214, 150, 255);
-constexpr ImU32 kLabel = IM_COL32(242, 240, 236, 255);
-constexpr ImU32 kText = IM_COL32(186, 187, 192, 255);
+constexpr ImU32 kLabel = IM_COL32(186, 168, 138, 255);
+constexpr ImU32 kText = IM_COL32(224, 224, 228, 255);
 constexpr ImU32 kAlert = IM_COL32(255, 150, 130, 255);
 
 // Where distributions keep a readable font; without any of them ImGui's own bitmap font serves.
@@ -88,7 +89,7 @@ gpu::Handle<VkDescriptorPool> createDescriptorPool(gpu::Context& context) {
 
 // One panel, measured for letters of a given size.
 struct Layout {
-  float size, line, labelWidth = 0, width = 0, height = 0;
+  float size, line, titleGap = 0, labelWidth = 0, width = 0, height = 0;
 
   Layout(const Panel& panel, float size_) : size(size_), line(std::round(size_ * kLineSpacing)) {
     float textWidth = 0, lineWidth = widthOf(panel.title);
@@ -103,7 +104,8 @@ struct Layout {
     if (labelWidth > 0) labelWidth = std::round(labelWidth + unit(kColumnGap));
     const std::size_t lines = panel.rows.size() + (panel.title.empty() ? 0 : 1);
     width = std::ceil(std::max(lineWidth, labelWidth + textWidth) + 2 * unit(kPadding));
-    height = std::ceil(line * static_cast<float>(lines) - (line - size) + 2 * unit(kPadding));
+    if (!panel.title.empty() && !panel.rows.empty()) titleGap = std::round(unit(kTitleGap));
+    height = std::ceil(line * static_cast<float>(lines) - (line - size) + titleGap + 2 * unit(kPadding));
   }
 
   [[nodiscard]] float unit(float length) const { return length * size / kFontSize; }
@@ -145,7 +147,7 @@ void draw(ImDrawList& list, const Panel& panel, ImVec2 window) {
   };
   if (!panel.title.empty()) {
     write(left, panel.alert ? kAlert : kTitle, panel.title);
-    y += layout.line;
+    y += layout.line + layout.titleGap;
   }
   for (const Panel::Row& row : panel.rows) {
     write(left, kLabel, row.label);

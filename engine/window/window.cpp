@@ -70,19 +70,15 @@ GLFWmonitor* monitorOf(GLFWwindow* window) {
 Key keyOf(int key, int scancode) {
   switch (key) {
     case GLFW_KEY_LEFT:
-      return Key::Left;
+      return key::kLeft;
     case GLFW_KEY_RIGHT:
-      return Key::Right;
-    case GLFW_KEY_UP:
-      return Key::Up;
-    case GLFW_KEY_DOWN:
-      return Key::Down;
+      return key::kRight;
     case GLFW_KEY_F11:
-      return Key::F11;
+      return key::kF11;
     case GLFW_KEY_ESCAPE:
-      return Key::Escape;
+      return key::kEscape;
     case GLFW_KEY_SPACE:
-      return Key::Space;
+      return key::kSpace;
     default:
       break;
   }
@@ -95,7 +91,7 @@ Key keyOf(int key, int scancode) {
     return static_cast<Key>(std::toupper(static_cast<unsigned char>(*name)));
   }
   if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return static_cast<Key>('A' + (key - GLFW_KEY_A));
-  return Key::None;
+  return key::kNone;
 }
 
 Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
@@ -189,8 +185,6 @@ Events Window::wait(double seconds) {
   return std::exchange(events_, {});
 }
 
-void Window::wake() { glfwPostEmptyEvent(); }
-
 VkExtent2D Window::framebufferSize() const {
   if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) return {0, 0};
   int width = 0, height = 0;
@@ -230,7 +224,7 @@ void Window::onKey(int key, int scancode, int action, int modifiers) {
   if (action == GLFW_RELEASE) return;
   const Key meant = keyOf(key, scancode);
   constexpr int kCommands = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;  // the window manager's
-  if (meant == Key::None || (modifiers & kCommands) != 0) return;
+  if (meant == key::kNone || (modifiers & kCommands) != 0) return;
   events_.keys.push_back(
       {.key = meant, .shift = (modifiers & GLFW_MOD_SHIFT) != 0, .repeated = action == GLFW_REPEAT});
 }

@@ -16,11 +16,14 @@ struct GLFWwindow;
 
 namespace luxo::window {
 
-/// A printable key is its character, letters in upper case and where this keyboard has them: Key{'W'}.
-enum class Key : char { None = 0, Left = 1, Right, Up, Down, F11, Escape = 27, Space = ' ' };
+/// A key is the character printed on it on this keyboard, letters in upper case, or one of these.
+using Key = char;
+namespace key {
+inline constexpr Key kNone = 0, kLeft = 1, kRight = 2, kF11 = 3, kEscape = 27, kSpace = ' ';
+}
 
 struct KeyPress {
-  Key key = Key::None;
+  Key key = window::key::kNone;
   bool shift = false;
   bool repeated = false;  ///< held down
 };
@@ -59,10 +62,8 @@ class Window {
   /// The caller destroys it, before the window.
   [[nodiscard]] VkSurfaceKHR createSurface(VkInstance instance) const;
 
-  /// Waits for input, or until wake(), or that many seconds; not at all for 0.
+  /// Waits for input, at most that many seconds; not at all for 0.
   [[nodiscard]] Events wait(double seconds);
-  /// From any thread: ends the wait.
-  static void wake();
 
   [[nodiscard]] VkExtent2D framebufferSize() const;  ///< 0x0 while there is nothing to be seen
   [[nodiscard]] double contentScale() const;         ///< 1 at about 96 dots per inch, 2 on a HiDPI screen

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/controls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/renderer.h"
+#include "scene/snapshot.h"
+#include "scene/view.h"
+
+namespace luxo {
+namespace {
+
+using window::Pose;
+
+// The near plane of a camera that is moved by hand, relative to its distance: one may go as close as one
+// likes. Reversed depth loses nothing by it.
+constexpr double kNearPerDistance = 0.01;
+
+constexpr KeyHelp kKeys[] = {
+    {"Space", "pause and go on"},
+    {"Left, Right", "one frame back or on; with Shift, one second"},
+    {"Drag", "turn the camera"},
+    {"Wheel", "zoom to the cursor"},
+    {"Middle drag", "move the camera; or Shift and drag"},
+    {"R", "back to the scene's camera"},
+    {"1  2  3  4", "flat, gouraud, phong, normals"},
+    {"W", "wireframe"},
+    {"C", "back-face culling"},
+    {"M", "4 samples per pixel, or 1"},
+    {"P", "save a picture here"},
+    {"I", "numbers"},
+    {"F, F11", "full screen"},
+    {"H", "these keys"},
+    {"Esc", "quit"},
+};
+
+Vec2 pixels(PixelSize size) { return {size.width, size.height}; }
+
+// What takeSnapshot() looks through.
+Camera sceneCamera(const Scene& scene, CameraId id, PixelSize size) {
+  if (id.valid()) return scene[id];
+  if (!scene.cameras().empty()) return scene.cameras().front();
+  Box bounds;
+  const Snapshot snapshot = takeSnapshot(scene, scene.settings().time, size);
+  for (const SnapshotNode& node : snapshot.nodes) bounds.add(node.boundsWorld);
+  return fitCamera(bounds, size);
+}
+
+}  // namespace
+
+std::span<const KeyHelp> keyHelp() { return kKeys; }
+
+Controls::Controls(const Scene& scene, const ViewerOptions& options, bool canMultisample, Time now)
+    : scene_(&scene),
+      camera_(options.camera),
+      fps_(options.settings.fps),
+      canMultisample_(canMultisample),
+      draw_(luxo::drawOptions(options.settings)),
+      solidShading_(draw_.shading == Shading::Wireframe ? Shading::Phong : draw_.shading),
+      playback_(options.settings.time, options.playing && scene.movesWithTime(), now) {
+  draw_.skips = options.skips;
+}
+
+Controls::Request Controls::press(const window::KeyPress& press, Time now) {
+  // Held down, only stepping goes on.
+  if (press.repeated && press.key != window::key::kLeft && press.key != window::key::kRight)
+    return Request::None;
+  switch (press.key) {
+    case window::key::kEscape:
+    case 'Q':
+      return Request::Quit;
+    case 'P':
+      return Request::Photo;
+    case 'F':
+    case window::key::kF11:
+      return Request::Fullscreen;
+    case window::key::kSpace:
+      if (scene_->movesWithTime()) playback_.setPlaying(!playback_.playing(), now);
+      break;
+    case window::key::kLeft:
+      step(press, -1, now);
+      break;
+    case window::key::kRight:
+      step(press, 1, now);
+      break;
+    case 'R':
+      own_.reset();
+      break;
+    case '1':
+      shade(Shading::Flat);
+      break;
+    case '2':
+      shade(Shading::Gouraud);
+      break;
+    case '3':
+      shade(Shading::Phong);
+      break;
+    case '4':
+      shade(Shading::Normal);
+      break;
+    case 'W':
+      shade(draw_.shading == Shading::Wireframe ? solidShading_ : Shading::Wireframe);
+      break;
+    case 'C':
+      draw_.cullBackFaces = !draw_.cullBackFaces;
+      break;
+    case 'M':
+      if (!canMultisample_) return Request::NoMultisampling;
+      draw_.samples = draw_.samples == 1 ? 4 : 1;
+      break;
+    case 'H':
+      showsKeys_ = !showsKeys_;
+      break;
+    case 'I':
+      showsNumbers_ = !showsNumbers_;
+      break;
+    default:
+      break;
+  }
+  return Request::None;
+}
+
+void Controls::shade(Shading shading) {
+  draw_.shading = shading;
+  if (shading != Shading::Wireframe) solidShading_ = shading;
+}
+
+void Controls::step(const window::KeyPress& press, int direction, Time now) {
+  if (press.shift) {
+    playback_.pauseAt(playback_.seconds(now) + direction, now);
+  } else {
+    playback_.stepFrames(direction, fps_, now);
+  }
+}
+
+void Controls::move(const window::Events& events, PixelSize size, Time now) {
+  const bool moved = events.turnPx != Vec2(0) || events.panPx != Vec2(0) || !events.scrolls.empty();
+  if (!moved) return;
+  if (!own_) takeCamera(size, now);
+  own_->orbit.turn(events.turnPx, pixels(size));
+  own_->orbit.pan(events.panPx, pixels(size));
+  for (const window::Scroll& scroll : events.scrolls)
+    own_->orbit.zoom(scroll.notches, scroll.cursorPx, pixels(size));
+}
+
+void Controls::takeCamera(PixelSize size, Time now) {
+  const Camera camera = sceneCamera(*scene_, camera_, size);
+  const double seconds = playback_.seconds(now);
+  const Pose pose{camera.eye.at(seconds), camera.lookAt.at(seconds), camera.up.at(seconds)};
+  const bool perspective = camera.projection == Projection::Perspective;
+  const double heightPerDistance =
+      perspective ? 2 * std::tan(camera.fovY / 2) : camera.height / glm::length(pose.eye - pose.lookAt);
+  own_.emplace(camera, window::OrbitCamera(pose, heightPerDistance));
+}
+
+std::optional<Camera> Controls::ownCamera() const {
+  if (!own_) return std::nullopt;
+  Camera camera = own_->from;
+  const Pose pose = own_->orbit.pose();
+  camera.eye = pose.eye;
+  camera.lookAt = pose.lookAt;
+  camera.up = pose.up;
+  camera.height = own_->orbit.height();
+  camera.near = std::min(camera.near, kNearPerDistance * own_->orbit.distance());
+  return camera;
+}
+
+}  // namespace luxo

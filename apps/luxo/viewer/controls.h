@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the viewer's user has chosen so far: moment, camera, options. Keys and gestures change it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "draw/options.h"
+#include "scene/scene.h"
+#include "viewer.h"
+#include "window/orbit_camera.h"
+#include "window/playback.h"
+#include "window/window.h"
+
+namespace luxo {
+
+/// One line of the help.
+struct KeyHelp {
+  const char* keys;
+  const char* meaning;
+};
+
+[[nodiscard]] std::span<const KeyHelp> keyHelp();
+
+class Controls {
+ public:
+  using Time = window::Playback::Clock::time_point;
+
+  /// What a key asks of the viewer beyond this state.
+  enum class Request { None, Quit, Photo, Fullscreen, NoMultisampling };
+
+  /// `canMultisample`: the device has 4 samples per pixel. The scene must outlive this.
+  Controls(const Scene& scene, const ViewerOptions& options, bool canMultisample, Time now);
+
+  Request press(const window::KeyPress& press, Time now);
+  /// Drags and scrolls take the camera over from the scene; `size` is the window's.
+  void move(const window::Events& events, PixelSize size, Time now);
+
+  [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
+  [[nodiscard]] const window::Playback& playback() const { return playback_; }
+  [[nodiscard]] bool showsKeys() const { return showsKeys_; }
+  [[nodiscard]] bool showsNumbers() const { return showsNumbers_; }
+  /// The camera the user has taken over, if any; else the scene's is meant.
+  [[nodiscard]] std::optional<Camera> ownCamera() const;
+
+ private:
+  struct OwnCamera {
+    Camera from;  ///< the scene's
+    window::OrbitCamera orbit;
+  };
+
+  void takeCamera(PixelSize size, Time now);
+  void shade(Shading shading);
+  void step(const window::KeyPress& press, int direction, Time now);
+
+  const Scene* scene_;
+  CameraId camera_;
+  double fps_;
+  bool canMultisample_;
+  DrawOptions draw_;
+  Shading solidShading_;  // what to go back to from wireframe
+  window::Playback playback_;
+  std::optional<OwnCamera> own_;
+  bool showsKeys_ = false, showsNumbers_ = true;
+};
+
+}  // namespace luxo

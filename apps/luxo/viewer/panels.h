@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the viewer writes over the picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/statistics.h"
+#include "scene/camera.h"
+#include "viewer/controls.h"
+#include "viewer/frame_meter.h"
+#include "window/overlay.h"
+
+namespace luxo {
+
+struct Message {
+  std::string text;
+  bool alert = false;
+};
+
+/// Everything the panels tell.
+struct Status {
+  std::string title, device;
+  PixelSize size;
+  double seconds = 0;
+  FrameStatistics statistics;  ///< of the picture that is shown
+  FrameMeter::Reading reading;
+};
+
+[[nodiscard]] window::Panel numbersPanel(const Status& status, const Controls& controls);
+[[nodiscard]] window::Panel keysPanel();
+[[nodiscard]] window::Panel messagePanel(const Message& message);
+
+}  // namespace luxo

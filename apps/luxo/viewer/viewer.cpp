@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "base/log.h"
+#include "draw/scene_painter.h"
+#include "exit_code.h"
+#include "gpu/context.h"
+#include "gpu/frame.h"
+#include "scene/snapshot.h"
+#include "validation.h"
+#include "viewer/controls.h"
+#include "viewer/frame_meter.h"
+#include "viewer/panels.h"
+#include "viewer/photographer.h"
+#include "window/presenter.h"
+#include "window/swapchain.h"
+#include "window/window.h"
+
+namespace luxo {
+namespace {
+
+using window::SwapchainStatus;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kForever = 3600;      // seconds between two looks at a window that nothing happens to
+constexpr double kWhileSaving = 0.02;  // ... that waits for a file
+constexpr double kMessageSeconds = 4, kAlertSeconds = 12;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+VkExtent2D extentOf(PixelSize size) {
+  return {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
+}
+
+PixelSize sizeOf(VkExtent2D extent) {
+  return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
+}
+
+gpu::ContextDesc contextDesc(const window::Window& window, const ViewerOptions& options,
+                             std::shared_ptr<gpu::ValidationLog> log) {
+  return {.device = options.device,
+          .validation = options.validate,
+          .validationLog = std::move(log),
+          .instanceExtensions = window.instanceExtensions(),
+          .canPresent = window.canPresent()};
+}
+
+class Viewer {
+ public:
+  Viewer(const Scene& scene, const ViewerOptions& options, std::shared_ptr<gpu::ValidationLog> log)
+      : scene_(scene),
+        options_(options),
+        window_({.title = options.title, .size = extentOf(options.settings.size)}),
+        context_(contextDesc(window_, options, std::move(log))),
+        swapchain_(context_, window_),
+        frames_(context_),
+        painter_(context_, Precision::Half),
+        presenter_(context_, swapchain_.format()),
+        photographer_(context_),
+        controls_(scene, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()) {
+    status_.title = options.title;
+    status_.device = context_.deviceInfo().name;
+  }
+
+  void run() {
+    while (!quit_ && !window_.closing()) {
+      react(window_.wait(patience()));
+      if (window_.framebufferSize().width > 0 && Clock::now() >= nextFrame_) showNext();
+    }
+    log(LogLevel::Debug, fmt::format("quit after {} pictures, {} submits", pictures_, submits()));
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t submits() const { return context_.counters().submits; }
+  [[nodiscard]] PixelSize size() const { return sizeOf(swapchain_.extent()); }
+
+  // Seconds that may pass until something has to be done that no event tells of.
+  [[nodiscard]] double patience() const {
+    const auto until = [](Clock::time_point moment) {
+      return std::max(0.0, std::chrono::duration<double>(moment - Clock::now()).count());
+    };
+    if (window_.framebufferSize().width == 0) return kForever;
+    if (dirty_ || controls_.playback().playing()) return until(nextFrame_);
+    double seconds = photographer_.busy() ? kWhileSaving : kForever;
+    if (message_) seconds = std::min(seconds, until(messageEnd_));
+    return seconds;
+  }
+
+  void react(const window::Events& events) {
+    const auto now = Clock::now();
+    const bool wasPlaying = controls_.playback().playing();
+    for (const window::KeyPress& key : events.keys) obey(controls_.press(key, now));
+    if (size().height > 0) controls_.move(events, size(), now);
+    if (controls_.playback().playing() != wasPlaying)
+      log(LogLevel::Debug, fmt::format("{} at {:.3f} s after {} submits", wasPlaying ? "paused" : "going on",
+                                       controls_.playback().seconds(now), submits()));
+    if (message_ && now >= messageEnd_) message_.reset();
+    if (const auto outcome = photographer_.poll()) tell(*outcome);
+    damaged_ |= events.damaged;
+    dirty_ = true;  // perhaps: showNext() finds out
+  }
+
+  void obey(Controls::Request request) {
+    switch (request) {
+      case Controls::Request::None:
+        break;
+      case Controls::Request::Quit:
+        quit_ = true;
+        break;
+      case Controls::Request::Photo:
+        if (pictures_ > 0) photographer_.take(snapshotNow(), controls_.drawOptions());
+        break;
+      case Controls::Request::Fullscreen:
+        window_.toggleFullscreen();
+        break;
+      case Controls::Request::NoMultisampling:
+        tell({.text = "this device has no 4 samples per pixel", .alert = true});
+        break;
+    }
+  }
+
+  void tell(const Photographer::Outcome& outcome) {
+    tell(outcome.error ? Message{.text = outcome.error->what(), .alert = true}
+                       : Message{.text = fmt::format("saved {}", outcome.file.string())});
+    log(LogLevel::Debug, message_->text);
+  }
+
+  void tell(const Message& message) {
+    message_ = message;
+    messageEnd_ = Clock::now() + std::chrono::milliseconds(
+                                     std::lround(1e3 * (message.alert ? kAlertSeconds : kMessageSeconds)));
+  }
+
+  [[nodiscard]] Snapshot snapshotNow() {
+    status_.seconds = controls_.playback().seconds(Clock::now());
+    if (const auto camera = controls_.ownCamera())
+      return takeSnapshot(scene_, status_.seconds, size(), *camera);
+    return takeSnapshot(scene_, status_.seconds, size(), options_.camera);
+  }
+
+  // One turn at the screen's rate: draws and shows what differs from what is seen, if anything.
+  void showNext() {
+    const auto start = Clock::now();
+    dirty_ = false;
+    if (swapchain_.update(window_.framebufferSize()) == SwapchainStatus::Hidden) return;
+    measureLastPicture();
+
+    Snapshot snapshot = snapshotNow();
+    const DrawOptions& draw = controls_.drawOptions();
+    const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_;
+    if (!repaint && !damaged_ && swapchain_.generation() == shownGeneration_ && panels() == panels_) return;
+    nextFrame_ = std::max(nextFrame_ + period(), start);
+    const double evaluated = millisecondsSince(start);
+
+    if (repaint) finishLastPicture();
+    const VkCommandBuffer commands = frames_.begin();
+    const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
+    if (acquired != SwapchainStatus::Ready) {
+      dirty_ = true;
+      return;
+    }
+    const auto recording = Clock::now();
+    if (repaint) {
+      status_.statistics = {};
+      painter_.record(frames_, commands, snapshot, draw, status_.statistics);
+      shown_ = std::move(snapshot);
+      drawn_ = draw;
+      ++pictures_;
+    }
+    status_.size = size();
+    panels_ = panels();
+    presenter_.record(frames_, commands, painter_.target(), swapchain_, window_.contentScale(), panels_);
+    const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
+    dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
+    shownGeneration_ = swapchain_.generation();
+    damaged_ = false;
+    if (repaint) {
+      meter_.addFrame(evaluated + millisecondsSince(recording), start);
+      unmeasured_ = submission;
+      dirty_ = true;  // how long it took will be known, and shown
+    }
+  }
+
+  [[nodiscard]] Clock::duration period() const {
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(1 / window_.refreshRate()));
+  }
+
+  // The painter writes over the buffers that the last picture was drawn from, so it would wait anyway;
+  // waiting here keeps it out of what the host's work is said to take.
+  void finishLastPicture() {
+    frames_.wait(unmeasured_);
+    measureLastPicture();
+  }
+
+  void measureLastPicture() {
+    if (unmeasured_ == 0) return;
+    if (context_.timeline().completed() < unmeasured_) {
+      dirty_ = true;
+      return;
+    }
+    if (const auto milliseconds = frames_.milliseconds(unmeasured_)) meter_.addDevice(*milliseconds);
+    unmeasured_ = 0;
+  }
+
+  [[nodiscard]] std::vector<window::Panel> panels() {
+    std::vector<window::Panel> panels;
+    status_.reading = meter_.read(controls_.playback().playing(), Clock::now());
+    if (controls_.showsNumbers()) panels.push_back(numbersPanel(status_, controls_));
+    if (controls_.showsKeys()) panels.push_back(keysPanel());
+    if (message_) panels.push_back(messagePanel(*message_));
+    return panels;
+  }
+
+  const Scene& scene_;
+  const ViewerOptions& options_;
+  // Destroyed from the last to the first.
+  window::Window window_;
+  gpu::Context context_;
+  window::Swapchain swapchain_;
+  gpu::FrameRing frames_;
+  ScenePainter painter_;
+  window::Presenter presenter_;
+  Photographer photographer_;
+
+  Controls controls_;
+  std::optional<Message> message_;
+  Clock::time_point messageEnd_;
+  FrameMeter meter_;
+  Status status_;
+  bool quit_ = false;
+  bool dirty_ = true;     // something may differ from what is shown
+  bool damaged_ = false;  // the window system asks for the picture again
+  Clock::time_point nextFrame_;
+  std::uint64_t pictures_ = 0;
+  std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
+
+  // What is seen.
+  Snapshot shown_;
+  std::optional<DrawOptions> drawn_;
+  std::vector<window::Panel> panels_;
+  std::uint64_t shownGeneration_ = 0;
+};
+
+}  // namespace
+
+int runViewer(const Scene& scene, const ViewerOptions& options) {
+  const auto validation = std::make_shared<gpu::ValidationLog>();
+  Viewer(scene, options, validation).run();
+  requireNoMessage(*validation);
+  return exit_code::kDone;
+}
+
+}  // namespace luxo
