@@ -3,10 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace luxo {
 
-double toleranceLevel(double tolerance) { return std::exp2(std::floor(2 * std::log2(tolerance)) / 2); }
+double toleranceLevel(double tolerance) {
+  if (!(tolerance > 0 && std::isfinite(tolerance))) return tolerance;
+  int exponent = 0;
+  std::frexp(tolerance, &exponent);
+  // Scaling by a power of two is exact, so a level is its own level.
+  const double power = std::ldexp(1.0, exponent - 1), between = std::ldexp(std::numbers::sqrt2, exponent - 1);
+  return between <= tolerance ? between : power;
+}
 
 std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<const double> parameters,
                                            Segments segments) {

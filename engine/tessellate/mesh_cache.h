@@ -17,6 +17,7 @@ namespace luxo {
 
 /// The tolerance actually used for a wanted one: the next power of sqrt(2) at or below it. A level depends on
 /// the tolerance alone, so a moving camera asks for few distinct meshes and equal frames give equal meshes.
+/// What is not positive and finite is its own level.
 [[nodiscard]] double toleranceLevel(double tolerance);
 
 /// Not thread-safe. Keeps the most recently used meshes within a budget of vertices; a mesh in use elsewhere

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/assert.h"
 
@@ -23,51 +24,56 @@ Coefficients coefficientsOf(const Surface& surface, std::span<const double> para
   const double du = surface.domain().u.width(), dv = surface.domain().v.width();
   // The mixed term measures how far points slide along the surface, which moves nothing that is seen
   // - on a flat surface, which is covered exactly whatever its interior edges are: only its borders deviate;
-  // - on a surface of revolution, whose cells are plane trapezoids between two rings: a point is within vv /
-  // 8 nv^2 of
-  //   the chord of its meridian, and that within radius (1 - cos(pi / nu)) <= uu / 8 nu^2 of the trapezoid.
+  // - on a surface of revolution, whose cells are plane trapezoids between two rings: a point is within
+  //   vv / 8 nv^2 of the chord of its meridian, and that within radius (1 - cos(pi / nu)) <= uu / 8 nu^2 of
+  //   the trapezoid.
   const double mixed = surface.flatNormal() || surface.revolution() ? 0 : m.uv;
   return {m.uu * du * du, mixed * du * dv, m.vv * dv * dv};
 }
 
-std::uint32_t roundUp(double segments) {
-  return static_cast<std::uint32_t>(std::clamp(std::ceil(segments), 1.0, static_cast<double>(kMostSegments)));
+/// Fewest nv for a given nu, as a real number; infinite when nu alone already misses the tolerance.
+double segmentsAcross(const Coefficients& c, double nu, double tolerance) {
+  if (c.uv == 0 && c.vv == 0) return 1;
+  const double room = 8 * tolerance - c.uu / (nu * nu);
+  if (!(room > 0)) return std::numeric_limits<double>::infinity();
+  const double half = c.uv / nu;
+  return (half + std::sqrt(half * half + room * c.vv)) / room;
 }
 
-/// Fewest nv that keep the bound for a given nu, or the most allowed when nu alone already misses it.
-std::uint32_t segmentsAcross(const Coefficients& c, double nu, double tolerance) {
-  const double room = 8 * tolerance - c.uu / (nu * nu);
-  if (!(room > 0)) return kMostSegments;
-  const double half = c.uv / nu;
-  return roundUp((half + std::sqrt(half * half + room * c.vv)) / room * (1 - 1e-12));
-}
+/// The next integer, where a number a rounding error above an integer counts as that.
+double roundUp(double segments) { return std::ceil(segments * (1 - 1e-12)); }
 
 }  // namespace
 
 Segments atLeastMinimal(const Surface& surface, Segments segments) {
   const Topology& t = surface.topology();
-  const bool betweenPoles = t.collapsedVMin() && t.collapsedVMax();
-  return {std::clamp(segments.u, t.seamU() ? 3u : 1u, kMostSegments), std::clamp(segments.v,
-                                                                                 t.seamV()      ? 3u
-                                                                                 : betweenPoles ? 2u
-                                                                                                : 1u,
-                                                                                 kMostSegments)};
+  const std::uint32_t leastU = t.seamU() ? 3 : 1;
+  const std::uint32_t leastV = t.seamV() ? 3 : t.collapsedVMin() && t.collapsedVMax() ? 2 : 1;
+  return {std::clamp(segments.u, leastU, kMostSegments), std::clamp(segments.v, leastV, kMostSegments)};
 }
 
 Segments segmentsFor(const Surface& surface, std::span<const double> parameters, double tolerance) {
   LUXO_REQUIRE_COMPARE(tolerance, >, 0.0);
   const Coefficients c = coefficientsOf(surface, parameters);
-  if (!std::isfinite(c.uu + c.uv + c.vv)) return {kMostSegments / 8, kMostSegments / 8};
-  // Least nu * nv under the bound, by Lagrange: nu^2 = (uu + uv sqrt(uu / vv)) / (4 tolerance), nv alike.
-  double nu = 1;
-  if (c.uu > 0 && c.vv > 0) {
-    nu = std::sqrt((c.uu + c.uv * std::sqrt(c.uu / c.vv)) / (4 * tolerance));
-  } else if (c.uu > 0) {
-    nu = (c.uv + std::sqrt(c.uv * c.uv + 8 * tolerance * c.uu)) / (8 * tolerance);
+  if (!std::isfinite(c.uu + c.uv + c.vv)) return atLeastMinimal(surface, kUnprovenSegments);
+  const Segments least = atLeastMinimal(surface, {});
+  const int collapsedRows = surface.topology().collapsedVMin() + surface.topology().collapsedVMax();
+  const auto triangles = [&](double nu, double nv) { return nu * (2 * nv - collapsedRows); };
+
+  // Every nu that could lead to the fewest triangles is tried: from the first that leaves room for v, to
+  // where not even the nv of infinitely many columns would help.
+  const double fewestAcross = std::max<double>(least.v, segmentsAcross({0, 0, c.vv}, 1, tolerance));
+  double best = std::numeric_limits<double>::infinity();
+  Segments found{c.uu + c.uv > 0 ? kMostSegments : least.u, c.vv + c.uv > 0 ? kMostSegments : least.v};
+  double nu = std::max<double>(least.u, roundUp(std::sqrt(c.uu / (8 * tolerance))));
+  for (; nu <= kMostSegments && triangles(nu, fewestAcross) < best; ++nu) {
+    double nv = std::max<double>(least.v, roundUp(segmentsAcross(c, nu, tolerance)));
+    if (c.deviation(nu, nv) > tolerance) ++nv;
+    if (nv > kMostSegments || c.deviation(nu, nv) > tolerance || triangles(nu, nv) >= best) continue;
+    best = triangles(nu, nv);
+    found = {static_cast<std::uint32_t>(nu), static_cast<std::uint32_t>(nv)};
   }
-  Segments segments = atLeastMinimal(surface, {roundUp(nu * (1 - 1e-12)), 1});
-  segments.v = segmentsAcross(c, segments.u, tolerance);
-  return atLeastMinimal(surface, segments);
+  return found;
 }
 
 double deviationBound(const Surface& surface, std::span<const double> parameters, Segments segments) {

@@ -15,11 +15,15 @@
 namespace luxo {
 
 /// No direction is ever cut into more pieces; a tolerance that would need more is met as far as this allows,
-/// and the mesh's bound says so. Also what a surface without provable bounds gets.
+/// and the mesh's bound says so.
 inline constexpr std::uint32_t kMostSegments = 2048;
 
-/// Fewest segments that stay within `tolerance` (object units, positive) by the bound, balanced between the
-/// directions so that the product is least. Cost: closed form, after the surface's own bounds.
+/// What a surface without provable bounds gets.
+inline constexpr Segments kUnprovenSegments{256, 256};
+
+/// The segments with the fewest triangles that stay within `tolerance` (object units, positive) by the bound.
+/// A smaller tolerance never gives fewer triangles. Cost: a few operations per segment in u, after the
+/// surface's own bounds.
 [[nodiscard]] Segments segmentsFor(const Surface& surface, std::span<const double> parameters,
                                    double tolerance);
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "surface/library.h"
+#include "tessellate/mesh_cache.h"
+
+namespace luxo {
+namespace {
+
+TEST(ToleranceLevel, IsThePowerOfSqrt2AtOrBelow) {
+  EXPECT_EQ(toleranceLevel(1), 1);
+  EXPECT_EQ(toleranceLevel(0.9), std::numbers::sqrt2 / 2);
+  EXPECT_EQ(toleranceLevel(1.4), 1);
+  EXPECT_EQ(toleranceLevel(1.5), std::numbers::sqrt2);
+  EXPECT_EQ(toleranceLevel(3), 2 * std::numbers::sqrt2);
+  EXPECT_EQ(toleranceLevel(0.5), 0.5);
+  for (double tolerance = 1e-12; tolerance < 1e12; tolerance *= 1.0037) {
+    const double level = toleranceLevel(tolerance);
+    EXPECT_LE(level, tolerance);
+    EXPECT_GT(level * std::numbers::sqrt2, tolerance * (1 - 1e-15));
+    const double power = 2 * std::log2(level);
+    EXPECT_NEAR(power, std::round(power), 1e-13);
+  }
+}
+
+TEST(ToleranceLevel, IsItsOwnLevelAndNeverAboveItsTolerance) {
+  for (int k = -200; k <= 200; ++k) {
+    const double level = toleranceLevel(std::exp2(k / 2.0) * 1.01);
+    EXPECT_EQ(toleranceLevel(level), level) << k;
+    const double below = std::nextafter(level, 0.0);
+    EXPECT_LE(toleranceLevel(below), below) << k;
+    EXPECT_LT(toleranceLevel(below), 0.8 * level) << k;
+  }
+  double before = 0;
+  for (double tolerance = 1e-3; tolerance < 1e3; tolerance *= 1.01) {
+    EXPECT_GE(toleranceLevel(tolerance), before);
+    before = toleranceLevel(tolerance);
+  }
+  EXPECT_EQ(toleranceLevel(std::numeric_limits<double>::infinity()), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(toleranceLevel(0), 0);
+}
+
+TEST(MeshCache, TheSameKeyIsTheSameMesh) {
+  MeshCache cache;
+  const Surface ball = sphere(1), copy = ball, other = sphere(1);
+  const auto mesh = cache.get(ball, {}, {20, 10});
+  EXPECT_EQ(cache.tessellated(), 1u);
+  EXPECT_EQ(cache.get(ball, {}, {20, 10}), mesh);
+  EXPECT_EQ(cache.get(copy, {}, {20, 10}), mesh);
+  EXPECT_EQ(cache.tessellated(), 1u);
+  EXPECT_NE(cache.get(ball, {}, {20, 11}), mesh);
+  EXPECT_NE(cache.get(ball, {}, {10, 20}), mesh);
+  EXPECT_NE(cache.get(other, {}, {20, 10}), mesh);
+  EXPECT_EQ(cache.tessellated(), 4u);
+  EXPECT_EQ(cache.get(ball, {}, {20, 10}), mesh);
+  // Below the least that works is the least.
+  EXPECT_EQ(cache.get(ball, {}, {1, 1}), cache.get(ball, {}, {3, 2}));
+  EXPECT_EQ(cache.tessellated(), 5u);
+}
+
+TEST(MeshCache, GivesWhatTheTessellatorMakes) {
+  MeshCache cache;
+  const Surface s = flag();
+  const std::vector<double> parameters{0.5};
+  const auto cached = cache.get(s, parameters, {16, 1});
+  const Mesh mesh = tessellate(s, parameters, {16, 1});
+  EXPECT_EQ(cached->positions, mesh.positions);
+  EXPECT_EQ(cached->indices, mesh.indices);
+  EXPECT_EQ(cached->bound, mesh.bound);
+}
+
+TEST(MeshCache, ParametersBelongToTheKey) {
+  MeshCache cache;
+  const Surface s = flag();
+  const auto at = [&](double phase) { return cache.get(s, std::vector{phase}, {16, 1}); };
+  const auto mesh = at(0);
+  EXPECT_NE(at(0.1), mesh);
+  EXPECT_EQ(at(0), mesh);
+  EXPECT_EQ(cache.tessellated(), 2u);
+}
+
+TEST(MeshCache, ForgetsTheLeastRecentlyUsedBeyondItsBudget) {
+  // A plate of n x 1 has 2 (n + 1) vertices: the budget holds two of 100.
+  MeshCache cache(450);
+  const Surface plate = rectangle(1, 1);
+  const auto a = cache.get(plate, {}, {99, 1}), b = cache.get(plate, {}, {98, 1});
+  EXPECT_EQ(cache.get(plate, {}, {99, 1}), a);
+  const auto c = cache.get(plate, {}, {97, 1});  // b is the oldest now
+  EXPECT_EQ(cache.tessellated(), 3u);
+  EXPECT_EQ(cache.get(plate, {}, {99, 1}), a);
+  EXPECT_EQ(cache.get(plate, {}, {97, 1}), c);
+  EXPECT_EQ(cache.tessellated(), 3u);
+  EXPECT_EQ(b->positions.size(), 198u) << "a mesh in use outlives its place in the cache";
+  EXPECT_NE(cache.get(plate, {}, {98, 1}), b);
+  EXPECT_EQ(cache.tessellated(), 4u);
+}
+
+TEST(MeshCache, KeepsTheMeshJustAskedForWhateverItsSize) {
+  MeshCache cache(1);
+  const Surface plate = rectangle(1, 1);
+  const auto mesh = cache.get(plate, {}, {50, 50});
+  EXPECT_EQ(mesh->positions.size(), 51u * 51);
+  EXPECT_EQ(cache.get(plate, {}, {50, 50}), mesh);
+  EXPECT_EQ(cache.tessellated(), 1u);
+}
+
+TEST(MeshCache, NeverMistakesANewSurfaceForADeadOne) {
+  // The cache keeps the surface of a key alive, so that no address is used twice.
+  MeshCache cache;
+  for (int i = 1; i <= 50; ++i) {
+    const auto mesh = cache.get(rectangle(i, 1), {}, {1, 1});
+    EXPECT_EQ(mesh->positions[0].x, -i / 2.0);
+  }
+  EXPECT_EQ(cache.tessellated(), 50u);
+}
+
+}  // namespace
+}  // namespace luxo
