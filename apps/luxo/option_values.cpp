@@ -232,11 +232,14 @@ Sweep parseSweep(const std::string& text) {
   const double step = numberIn("--sweep", text, parts[2]);
   if (step == 0 || (to - from) / step < 0)
     refuse("--sweep", text, fmt::format("a step of {} does not lead from {} to {}", step, from, to), hint);
-  // The slack lets 0:1:0.1 reach 1 although ten times 0.1 is not exactly 1.
+  // The slack lets 0:0.3:0.1 reach 0.3, although 0.3 / 0.1 is just below 3; no value goes beyond the end.
   const double steps = std::floor((to - from) / step + 1e-9);
   if (steps >= kMaxFrames) refuse("--sweep", text, fmt::format("more than {} values", kMaxFrames), hint);
   Sweep sweep{text.substr(0, equals), {}};
-  for (int i = 0; i <= int(steps); ++i) sweep.values.push_back(from + i * step);
+  for (int i = 0; i <= int(steps); ++i) {
+    const double value = from + i * step;
+    sweep.values.push_back(step > 0 ? std::min(value, to) : std::max(value, to));
+  }
   return sweep;
 }
 

@@ -56,6 +56,7 @@ TEST(Suggestion, FindsTheClosest) {
   EXPECT_EQ(closestName("--SIZE", names), "--size");
   EXPECT_EQ(closestName("--tmie", names), "--time");  // two letters swapped are one slip
   EXPECT_EQ(closestName("--tolernce", names), "--tolerance");
+  EXPECT_EQ(closestName("--tize", names), "--size");  // as close as --time: the first of equals
   EXPECT_EQ(closestName("--banana", names), "");
   EXPECT_EQ(didYouMean("--banana", names, "see help"), "see help");
 }

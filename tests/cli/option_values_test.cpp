@@ -142,6 +142,7 @@ TEST(OptionValues, SweepReachesItsEnd) {
   EXPECT_EQ(parseSweep("n=0:1:0.4"), (Sweep{"n", {0, 0.4, 0.8}}));
   EXPECT_EQ(parseSweep("n=2:2:1"), (Sweep{"n", {2}}));
   EXPECT_EQ(parseSweep("n=0:1:0.1").values.size(), 11u);
+  EXPECT_EQ(parseSweep("n=0:0.3:0.1"), (Sweep{"n", {0, 0.1, 0.2, 0.3}}));  // 0.3 / 0.1 < 3, and 3 * 0.1 > 0.3
   EXPECT_EQ(parseSweep("n=0:1:1/3").values.size(), 4u);
   expectRefused(ErrorKind::Usage, parseSweep,
                 {"", "n", "n=", "n=1:2", "n=1:2:0", "n=1:2:-1", "n=2:1:1", "n=1:2:1:1", "1:2:1", "n=a:2:1",
