@@ -10,7 +10,7 @@
 namespace {
 
 constexpr const char* kExitCodes =
-    "\nData goes to stdout, everything else to stderr. The order of options never matters.\n"
+    "Data goes to stdout, everything else to stderr. The order of options never matters.\n"
     "Exit codes: 0 done, 1 internal, 2 usage, 3 scene, 4 device, 5 cannot write, 6 requirement not met,\n"
     "7 some frames failed, 75 worth retrying, 130 and 143 interrupted.";
 
