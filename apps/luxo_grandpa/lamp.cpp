@@ -18,12 +18,13 @@ Vec3 up(double metres) { return {0, metres, 0}; }
 
 // What reflects light evenly reflects it from everywhere: ambient = pi * diffuse.
 MaterialId addMaterial(Scene& scene, const char* name, const Vec3& diffuse, double specular,
-                       double shininess) {
+                       double shininess, TwoSided twoSided = TwoSided::Auto) {
   return scene.add(Material{.name = name,
                             .diffuse = diffuse,
                             .ambient = kPi * diffuse,
                             .specular = Vec3(specular),
-                            .shininess = shininess});
+                            .shininess = shininess,
+                            .twoSided = twoSided});
 }
 
 // Circles the lamp once in 8 pi seconds, after which the joints are back where they were, too.
@@ -38,7 +39,10 @@ Scene luxoGrandpa() {
   Scene scene;
   scene.set(RenderSettings{.time = 21, .background = {0.02, 0.025, 0.03}, .ambient = Vec3(0.05)});
 
-  const MaterialId enamel = addMaterial(scene, "lamp", {0.35, 0.06, 0.05}, 0.8, 60);
+  // Of the enamelled parts only the shade ever shows its inside.
+  const Vec3 red(0.35, 0.06, 0.05);
+  const MaterialId enamel = addMaterial(scene, "lamp", red, 0.8, 60, TwoSided::No);
+  const MaterialId enamelBothSides = addMaterial(scene, "shade", red, 0.8, 60);
   const MaterialId brass = addMaterial(scene, "joints", {0.5, 0.42, 0.12}, 1.5, 80);
   const MaterialId wood = addMaterial(scene, "floor", {0.32, 0.28, 0.24}, 0.15, 40);
 
@@ -75,7 +79,7 @@ Scene luxoGrandpa() {
                                       .parent = joint3,
                                       .translation = up(kShadeOffset),
                                       .surface = paraboloid(kShadeFocus, kShadeHeight),
-                                      .material = enamel});
+                                      .material = enamelBothSides});
   scene.add(Node{.name = "bulb",
                  .parent = shade,
                  .translation = up(kShadeFocus),
