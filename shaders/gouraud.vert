@@ -8,8 +8,8 @@
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
 
-layout(location = 0) out vec4 outFront;
-layout(location = 1) out vec4 outBack;
+layout(location = 0) sample out vec4 outFront;
+layout(location = 1) sample out vec4 outBack;
 
 invariant gl_Position;
 

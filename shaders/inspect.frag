@@ -8,10 +8,10 @@
 layout(constant_id = 0) const uint kQuantity = 0;
 layout(constant_id = 1) const bool kAsColor = false;
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) centroid in vec3 inNormal;
-layout(location = 2) in vec4 inParameters;
-layout(location = 3) in float inWeight;
+layout(location = 0) sample in vec3 inPosition;
+layout(location = 1) sample in vec3 inNormal;
+layout(location = 2) sample in vec4 inParameters;
+layout(location = 3) sample in float inWeight;
 layout(location = 4) flat in vec2 inCorner;
 layout(location = 5) flat in vec4 inDomain;
 layout(location = 6) flat in vec2 inCell;

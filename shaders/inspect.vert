@@ -12,10 +12,10 @@ layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
 layout(location = 2) in vec2 inParameters;
 
-layout(location = 0) out vec3 outPosition;
-layout(location = 1) centroid out vec3 outNormal;
-layout(location = 2) out vec4 outParameters;  // u weight, v, upper u weight, upper v
-layout(location = 3) out float outWeight;
+layout(location = 0) sample out vec3 outPosition;
+layout(location = 1) sample out vec3 outNormal;
+layout(location = 2) sample out vec4 outParameters;  // u weight, v, upper u weight, upper v
+layout(location = 3) sample out float outWeight;
 layout(location = 4) flat out vec2 outCorner;  // (u, v) of the triangle's own cell corner
 layout(location = 5) flat out vec4 outDomain;
 layout(location = 6) flat out vec2 outCell;

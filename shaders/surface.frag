@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light per fragment, with the interpolated normal (Phong shading) or the facet's own (flat shading).
 // Out: scene-linear colour and opacity.
+//
+// What is interpolated is so at each sample, as in every shader here: a pixel's centre may lie beside the triangle, where
+// normals sparkle and positions leave the node whose bounds decided which lights reach it. (Centroids lie inside, but a
+// driver may choose them among the samples that passed the depth test, so that the order of draws would show.)
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/illumination.glsl"
@@ -8,8 +12,8 @@
 
 layout(constant_id = 2) const bool kFacetNormal = false;
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) centroid in vec3 inNormal;
+layout(location = 0) sample in vec3 inPosition;
+layout(location = 1) sample in vec3 inNormal;
 layout(location = 2) flat in vec3 inAmbient;
 layout(location = 3) flat in vec3 inDiffuse;
 layout(location = 4) flat in vec3 inSpecular;

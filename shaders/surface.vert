@@ -7,8 +7,8 @@
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
 
-layout(location = 0) out vec3 outPosition;
-layout(location = 1) centroid out vec3 outNormal;
+layout(location = 0) sample out vec3 outPosition;
+layout(location = 1) sample out vec3 outNormal;
 layout(location = 2) flat out vec3 outAmbient;
 layout(location = 3) flat out vec3 outDiffuse;
 layout(location = 4) flat out vec3 outSpecular;

@@ -63,11 +63,13 @@ std::string missingFeature(VkPhysicalDevice device) {
   VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
                                      .pNext = &features12};
   vkGetPhysicalDeviceFeatures2(device, &features);
-  const std::pair<VkBool32, const char*> required[] = {{features13.dynamicRendering, "dynamicRendering"},
-                                                       {features13.synchronization2, "synchronization2"},
-                                                       {features12.timelineSemaphore, "timelineSemaphore"},
-                                                       {features12.scalarBlockLayout, "scalarBlockLayout"},
-                                                       {features12.hostQueryReset, "hostQueryReset"}};
+  const std::pair<VkBool32, const char*> required[] = {
+      {features.features.sampleRateShading, "sampleRateShading"},
+      {features13.dynamicRendering, "dynamicRendering"},
+      {features13.synchronization2, "synchronization2"},
+      {features12.timelineSemaphore, "timelineSemaphore"},
+      {features12.scalarBlockLayout, "scalarBlockLayout"},
+      {features12.hostQueryReset, "hostQueryReset"}};
   for (const auto& [present, name] : required) {
     if (!present) return fmt::format("it lacks the feature {}", name);
   }

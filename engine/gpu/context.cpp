@@ -35,7 +35,6 @@ Features featuresOf(const Adapter& adapter) {
   vkGetPhysicalDeviceFeatures(adapter.device, &supported);
   return {.fillModeNonSolid = supported.fillModeNonSolid == VK_TRUE,
           .independentBlend = supported.independentBlend == VK_TRUE,
-          .sampleRateShading = supported.sampleRateShading == VK_TRUE,
           .fragmentStoresAndAtomics = supported.fragmentStoresAndAtomics == VK_TRUE,
           .timestamps = hasTimestamps(adapter)};
 }
@@ -98,7 +97,7 @@ void Context::createDevice(bool presents) {
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
       .pNext = &features12,
       .features = {.independentBlend = features_.independentBlend,
-                   .sampleRateShading = features_.sampleRateShading,
+                   .sampleRateShading = VK_TRUE,
                    .fillModeNonSolid = features_.fillModeNonSolid,
                    .fragmentStoresAndAtomics = features_.fragmentStoresAndAtomics}};
   const float priority = 1;

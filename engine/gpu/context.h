@@ -41,7 +41,6 @@ struct ContextDesc {
 struct Features {
   bool fillModeNonSolid = false;          ///< lines and points from triangles
   bool independentBlend = false;          ///< blending that differs between the attachments of a pipeline
-  bool sampleRateShading = false;         ///< one fragment shader run per sample
   bool fragmentStoresAndAtomics = false;  ///< storage buffers written by fragment shaders
   bool timestamps = false;                ///< FrameRing measures device time
 };

@@ -76,7 +76,6 @@ void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc)
   LUXO_REQUIRE(!desc.vertexShader.empty());
   LUXO_REQUIRE(!desc.colorFormats.empty() || desc.depthFormat != VK_FORMAT_UNDEFINED);
   LUXO_REQUIRE(desc.polygonMode == VK_POLYGON_MODE_FILL || features.fillModeNonSolid);
-  LUXO_REQUIRE(!desc.sampleShading || features.sampleRateShading);
   LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
 }
 
@@ -120,9 +119,7 @@ VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, Vk
       .lineWidth = 1};
   const VkPipelineMultisampleStateCreateInfo multisample{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-      .rasterizationSamples = desc.samples,
-      .sampleShadingEnable = desc.sampleShading,
-      .minSampleShading = 1};
+      .rasterizationSamples = desc.samples};
   const bool depth = desc.depthFormat != VK_FORMAT_UNDEFINED;
   const VkPipelineDepthStencilStateCreateInfo depthState{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,

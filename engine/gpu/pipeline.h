@@ -37,7 +37,6 @@ struct GraphicsPipelineDesc {
   VkPolygonMode polygonMode = VK_POLYGON_MODE_FILL;  ///< others need features().fillModeNonSolid
 
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-  bool sampleShading = false;  ///< the fragment shader runs per sample; needs features().sampleRateShading
   std::vector<VkFormat> colorFormats;
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth buffer, and none of the next three
 
