@@ -163,7 +163,7 @@ Scene ball(const Material& material, std::span<const Shine> lights) {
 constexpr PixelSize kBall{96, 96};
 
 TEST_F(Illumination, DirectionalLightIsAPointFarAway) {
-  const Vec3 toward = glm::normalize(Vec3(1, 2, 3));
+  const Vec3 toward = glm::normalize(Vec3(1.1, 2.3, 2.9));
   for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud}) {
     const Image ideal =
         draw(ball(d16(), std::array{Shine{.position = Vec4(toward, 0)}}), kBall, {.shading = shading}).image;
