@@ -75,7 +75,8 @@ class Viewer {
   void run() {
     while (!quit_ && !window_.closing()) {
       react(window_.wait(patience()));
-      if (window_.framebufferSize().width > 0 && Clock::now() >= nextFrame_) showNext();
+      noticeVisibility();
+      if (visible_ && Clock::now() >= nextFrame_) showNext();
     }
     log(LogLevel::Debug, fmt::format("quit after {} pictures, {} submits", pictures_, submits()));
   }
@@ -89,11 +90,18 @@ class Viewer {
     const auto until = [](Clock::time_point moment) {
       return std::max(0.0, std::chrono::duration<double>(moment - Clock::now()).count());
     };
-    if (window_.framebufferSize().width == 0) return kForever;
+    if (!visible_) return kForever;
     if (dirty_ || controls_.playback().playing()) return until(nextFrame_);
     double seconds = photographer_.busy() ? kWhileSaving : kForever;
     if (message_) seconds = std::min(seconds, until(messageEnd_));
     return seconds;
+  }
+
+  void noticeVisibility() {
+    const bool visible = window_.framebufferSize().width > 0;
+    if (visible != visible_)
+      log(LogLevel::Debug, fmt::format("{} after {} submits", visible ? "seen again" : "hidden", submits()));
+    visible_ = visible;
   }
 
   void react(const window::Events& events) {
@@ -182,6 +190,7 @@ class Viewer {
     presenter_.record(frames_, commands, painter_.target(), swapchain_, window_.contentScale(), panels_);
     const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
     dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
+    if (shownGeneration_ == 0) log(LogLevel::Debug, "shows the first picture");
     shownGeneration_ = swapchain_.generation();
     damaged_ = false;
     if (repaint) {
@@ -239,6 +248,7 @@ class Viewer {
   FrameMeter meter_;
   Status status_;
   bool quit_ = false;
+  bool visible_ = true;
   bool dirty_ = true;     // something may differ from what is shown
   bool damaged_ = false;  // the window system asks for the picture again
   Clock::time_point nextFrame_;

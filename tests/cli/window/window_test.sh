@@ -1,0 +1,343 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# window_test.sh CASE BIN: luxo_grandpa on a virtual screen of its own, with a window manager, validation on.
+# Pictures are compared with files rendered headless, byte for byte; the screen with pictures, to one code.
+# Exit code 77: skipped, for want of Xvfb, openbox or xdotool; with LUXO_REQUIRE_GPU=1 that is a failure.
+set -uo pipefail
+
+case_name=$1
+bin=$(realpath "$2")
+folder=$(mktemp -d)
+pids=()
+
+finish() {
+  local code=$?
+  for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null; done
+  wait 2>/dev/null
+  if [[ $code -ne 0 && $code -ne 77 && -s $folder/log ]]; then sed 's/^/  luxo_grandpa: /' "$folder/log" >&2; fi
+  rm -rf "$folder"
+  exit "$code"
+}
+trap finish EXIT
+
+fail() { echo "window.$case_name: $*" >&2; exit 1; }
+
+# Asks until COMMAND... succeeds; fails after 20 s (slow machines, sanitizers), saying WHAT was waited for.
+await() {
+  local what=$1 i
+  shift
+  for ((i = 0; i < 400; ++i)); do
+    "$@" && return
+    sleep 0.05
+  done
+  fail "waited in vain until $what"
+}
+
+# --- the screen ---------------------------------------------------------------------------------------------
+
+open_screen() {
+  local tool
+  for tool in Xvfb openbox xdotool xwininfo; do
+    command -v "$tool" >/dev/null && continue
+    echo "window.$case_name: $tool is not installed" >&2
+    [[ ${LUXO_REQUIRE_GPU:-0} == 1 ]] && exit 1
+    exit 77
+  done
+  mkdir "$folder/screen"
+  Xvfb -displayfd 3 -screen 0 1400x900x24 -fbdir "$folder/screen" -noreset -nolisten tcp 3>"$folder/display" 2>/dev/null &
+  pids+=($!)
+  await "the screen is there" test -s "$folder/display"
+  DISPLAY=:$(tr -d '[:space:]' <"$folder/display")
+  export DISPLAY
+  unset WAYLAND_DISPLAY
+  HOME=$folder openbox >/dev/null 2>&1 &
+  pids+=($!)
+  await "the window manager is there" wm_is_there
+}
+wm_is_there() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q 'window id'; }
+
+shot() { cp "$folder/screen/Xvfb_screen0" "$folder/$1.xwd"; }
+screen_is() { cmp -s "$folder/screen/Xvfb_screen0" "$folder/$1.xwd"; }
+screen_is_not() { ! screen_is "$1"; }
+
+# The screen has stood still for a third of a second.
+settle() {
+  local i
+  for ((i = 0; i < 60; ++i)); do
+    shot settling
+    sleep 0.33
+    screen_is settling && return
+  done
+  fail "the screen never stands still"
+}
+
+# The inside of the window, as it is on the screen, once that stands still. The pointer would be on it.
+window_png() {
+  local x y
+  xdotool mousemove 1399 899
+  settle
+  x=$(xwininfo -id "$window" | sed -n 's/.*Absolute upper-left X: *//p')
+  y=$(xwininfo -id "$window" | sed -n 's/.*Absolute upper-left Y: *//p')
+  read -r width height < <(window_size)
+  "$bin/screen_to_png" "$folder/screen/Xvfb_screen0" "$x" "$y" "$width" "$height" "$folder/$1" || fail "no screenshot"
+}
+window_size() { xwininfo -id "$window" | sed -n 's/^ *Width: *//p; s/^ *Height: *//p' | tr '\n' ' '; }
+window_is() { [[ $(window_size) == "$1 $2 " ]]; }
+
+# The window's own picture is in half precision, 11 bits: off by one 8-bit code at most.
+shown_as() {
+  "$bin/luxo" diff "$folder/shown.png" "$folder/$1" --max 1.01/255 >"$folder/diff" 2>&1 ||
+    fail "the window does not show the picture: $(cat "$folder/diff")"
+}
+
+# --- the program --------------------------------------------------------------------------------------------
+
+# start_in FOLDER OPTIONS...
+start_in() {
+  (cd "$1" && exec "$bin/luxo_grandpa" --validate -v "${@:2}" 2>"$folder/log") &
+  program=$!
+  pids+=("$program")
+  await "there is a window" find_window
+  xdotool windowfocus --sync "$window"
+  await "it draws" first_picture
+}
+start() { start_in "$folder" "$@"; }
+find_window() {
+  kill -0 "$program" 2>/dev/null || fail "it ended at once"
+  window=$(xdotool search --onlyvisible --name '^Luxo Grandpa$' 2>/dev/null | tail -1)
+  [[ -n $window ]]
+}
+first_picture() { grep -q '^shows the first picture' "$folder/log"; }
+
+keys() { xdotool key --clearmodifiers "$@"; }
+
+# Saves the picture with P, as NAME.
+photo() {
+  rm -f "$folder"/luxo-*.png
+  keys p
+  await "P saves a picture" test -s "$folder/luxo-0001.png"
+  mv "$folder/luxo-0001.png" "$folder/$1"
+}
+
+quit() {
+  keys Escape
+  wait "$program"
+  local code=$?
+  [[ $code -eq 0 ]] || fail "quit with exit code $code"
+}
+
+render() { (unset DISPLAY && "$bin/luxo_grandpa" -q --size 640x360 "$@") || fail "cannot render headless: $*"; }
+same() { cmp -s "$folder/$1" "$folder/$2" || fail "$1 and $2 differ: $3"; }
+differ() { ! cmp -s "$folder/$1" "$folder/$2" || fail "$1 and $2 are the same: $3"; }
+# What the log says of submits in its last line that begins with WORDS.
+submits() { sed -n "s/^$1.* \([0-9]*\) submits\$/\1/p" "$folder/log" | tail -1; }
+logged() { [[ $(grep -c "^$1" "$folder/log") -ge $2 ]]; }
+
+# --- the cases ----------------------------------------------------------------------------------------------
+
+case_shows() {
+  open_screen
+  shot empty
+  start --size 640x360 --time 3
+  settle
+  screen_is_not empty || fail "nothing is shown"
+  keys i  # no numbers
+  window_is 640 360 || fail "the window is $(window_size)"
+  window_png shown.png
+  render --time 3 -o "$folder/file.png"
+  shown_as file.png
+  keys alt+F4  # the window manager closes it
+  wait "$program" || fail "closing it gave exit code $?"
+}
+
+case_animates() {
+  open_screen
+  start --size 640x360
+  keys i
+  shot one
+  await "it moves" screen_is_not one
+  photo one.png
+  photo two.png
+  differ one.png two.png "it moves"
+
+  keys space
+  await "it pauses" logged 'paused at' 1
+  settle
+  shot paused
+  photo three.png
+  sleep 0.5
+  photo four.png
+  same three.png four.png "it is paused"
+  await "the message is gone" screen_is paused
+
+  # Still is free: a pause of two seconds draws nothing, but for the numbers of its last picture.
+  keys space
+  await "it goes on" logged 'going on' 1
+  shot going
+  await "it moves again" screen_is_not going
+  keys space
+  await "it pauses again" logged 'paused at' 2
+  sleep 2
+  keys space
+  await "it goes on again" logged 'going on' 2
+  local before after
+  before=$(submits 'paused at') after=$(submits 'going on')
+  [[ $((after - before)) -le 2 ]] || fail "$((after - before)) submits during a pause"
+  [[ $(grep '^paused at' "$folder/log" | tail -1 | cut -d' ' -f3) == $(grep '^going on at' "$folder/log" | tail -1 | cut -d' ' -f4) ]] ||
+    fail "time went on during a pause"
+  quit
+}
+
+case_keys() {
+  open_screen
+  start --size 640x360 --time 3
+  settle
+  shot plain
+  keys h
+  await "H shows the keys" screen_is_not plain
+  keys h
+  await "H hides them again" screen_is plain
+  keys i
+  await "I hides the numbers" screen_is_not plain
+  keys i
+  await "I shows them again" screen_is plain
+
+  local key shading
+  for key in 1:flat 2:gouraud 4:normal w:wireframe w:normal 3:phong; do
+    shading=${key#*:}
+    keys "${key%:*}"
+    photo key.png
+    render --time 3 --shading "$shading" -o "$folder/$shading.png"
+    same key.png "$shading.png" "key ${key%:*}"
+  done
+  keys c
+  photo unculled.png
+  same unculled.png phong.png "culling never changes a picture"
+  keys c m
+  photo samples.png
+  render --time 3 --samples 4 -o "$folder/samples_4.png"
+  same samples.png samples_4.png "key M"
+  keys m
+
+  # Frame n is at (n - 1) / 24: 3 s is frame 73.
+  keys Right Right Right Left
+  photo step.png
+  render --frames 75 -o "$folder/frame_75.png"
+  same step.png frame_75.png "two frames on"
+  keys shift+Left
+  photo second.png
+  render --frames 51 -o "$folder/frame_51.png"
+  same second.png frame_51.png "a second back"
+
+  keys f
+  await "F fills the screen" window_is 1400 900
+  keys F11
+  await "F11 brings the window back" window_is 640 360
+  photo back.png
+  same back.png frame_51.png "back from full screen"
+  quit
+}
+
+case_camera() {
+  open_screen
+  start --size 640x360 --time 3
+  photo scene.png
+  xdotool mousemove --window "$window" 320 180
+  xdotool mousedown 1 mousemove_relative -- 60 25 mouseup 1
+  photo turned.png
+  differ scene.png turned.png "a drag turns the camera"
+  xdotool click 4 click 4
+  photo near.png
+  differ turned.png near.png "the wheel zooms"
+  xdotool mousedown 2 mousemove_relative -- -40 30 mouseup 2
+  photo panned.png
+  differ near.png panned.png "a middle drag pans"
+  xdotool click 5 click 5
+  keys r
+  photo again.png
+  same scene.png again.png "R gives the camera back"
+  quit
+}
+
+case_resizes() {
+  open_screen
+  start --size 640x360
+  local i
+  RANDOM=7
+  for ((i = 0; i < 100; ++i)); do
+    if ((i % 5 == 0)); then
+      xdotool windowsize "$window" $((RANDOM % 20 + 1)) $((RANDOM % 20 + 1))
+    else
+      xdotool windowsize "$window" $((RANDOM % 900 + 1)) $((RANDOM % 600 + 1))
+    fi
+    sleep 0.03
+  done
+  kill -0 "$program" || fail "it did not survive"
+
+  xdotool windowsize --sync "$window" 500 300
+  await "it is minimised" minimise
+  sleep 0.5
+  xdotool windowmap "$window" windowactivate --sync "$window"
+  await "it is back" logged 'seen again' 1
+  [[ $(submits 'hidden') == "$(submits 'seen again')" ]] || fail "it draws while it is hidden"
+  shot back
+  await "it moves again" screen_is_not back
+
+  keys i space
+  await "it pauses" logged 'paused at' 1
+  window_png shown.png
+  photo file.png
+  shown_as file.png
+  quit
+}
+minimise() { xdotool windowminimize "$window" && logged 'hidden' 1; }
+
+case_pictures() {
+  open_screen
+  start --size 640x360 --time 3
+  : >"$folder/luxo-0001.png"  # taken
+  keys p
+  await "P takes the next free name" test -s "$folder/luxo-0002.png"
+  render --time 3 -o "$folder/file.png"
+  same luxo-0002.png file.png "P draws at full precision"
+  [[ ! -s $folder/luxo-0001.png ]] || fail "P wrote over a file"
+  quit
+
+  # Where nothing can be written, it says so and goes on.
+  mkdir "$folder/gone"
+  start_in "$folder/gone" --size 640x360 --time 3
+  rmdir "$folder/gone"
+  keys p
+  await "it says what is wrong" logged 'cannot ' 1
+  quit
+}
+
+case_no_display() {
+  unset DISPLAY WAYLAND_DISPLAY
+  render --time 3 -o "$folder/file.png"
+  [[ -s $folder/file.png ]] || fail "no picture without a display"
+}
+
+expect_error() {
+  local code=$1 said=$2
+  shift 2
+  "$@" 2>"$folder/log"
+  local is=$?
+  [[ $is -eq $code ]] || fail "$* ended with exit code $is instead of $code"
+  grep -q "^error: .*$said" "$folder/log" || fail "$* does not say '$said'"
+  grep -q '^help: .*-o FILE' "$folder/log" || fail "$* does not say what to do"
+}
+
+case_no_screen() {
+  unset DISPLAY WAYLAND_DISPLAY
+  expect_error 4 'DISPLAY is not set' "$bin/luxo_grandpa"
+  expect_error 4 'DISPLAY is not set' "$bin/luxo" view
+  DISPLAY=:9999 expect_error 4 'display :9999' "$bin/luxo_grandpa"
+}
+
+case_no_window() {
+  expect_error 2 'has no window' "$bin/luxo_grandpa"
+  expect_error 2 'has no window' "$bin/luxo" view
+}
+
+"case_$case_name"
