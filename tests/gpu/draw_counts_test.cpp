@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a frame costs, as counts: the lamp is cheap, what is the same is not done again, and nothing piles up.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "luxo_grandpa/lamp.h"
+#include "support/picture.h"
+
+namespace luxo::test {
+namespace {
+
+using DrawCounts = PictureTest;
+
+constexpr PixelSize kFull{1280, 720}, kTiny{64, 36};
+
+TEST_F(DrawCounts, LampNeedsFewTrianglesAndDraws) {
+  const Scene lamp = luxoGrandpa();
+  for (int i = 0; i < 100; ++i) {
+    // The counts do not depend on the picture being looked at: they are of the size asked for.
+    const FrameStatistics statistics =
+        draw(lamp, kFull, {.shading = Shading::Phong, .tolerancePx = 0.5}, 8 * kPi * i / 100).statistics;
+    ASSERT_LT(statistics.count.triangles, 8000u) << "moment " << i;
+    ASSERT_LE(statistics.count.drawCalls, 12u) << "moment " << i;
+    ASSERT_EQ(statistics.count.nodes, 9u);
+    ASSERT_EQ(statistics.count.submits, 1u);
+    ASSERT_EQ(statistics.count.passes, 1u) << "nothing is transparent";
+    ASSERT_LE(statistics.error.boundPx, 0.5) << "moment " << i;
+  }
+}
+
+TEST_F(DrawCounts, SecondIdenticalFrameDoesNothingAgain) {
+  const Snapshot snapshot = takeSnapshot(luxoGrandpa(), 21, kFull);
+  const FrameCounts first = renderer().render(snapshot).statistics.count;
+  EXPECT_GT(first.uploadBytes, 0u);
+  EXPECT_GT(first.tessellated, 0u);
+  EXPECT_GT(first.pipelinesCreated, 0u);
+  const FrameCounts second = renderer().render(snapshot).statistics.count;
+  EXPECT_EQ(second.uploadBytes, 0u);
+  EXPECT_EQ(second.tessellated, 0u);
+  EXPECT_EQ(second.pipelinesCreated, 0u);
+  EXPECT_EQ(second.triangles, first.triangles);
+  EXPECT_EQ(second.drawCalls, first.drawCalls);
+}
+
+TEST_F(DrawCounts, MotionUploadsTransformsOnly) {
+  // From infinitely far away, spinning bodies stay as large as they are: their levels do not change.
+  Scene scene;
+  scene.add(Node{.rotation = spin({1, 2, 3}, 1), .surface = sphere(1)});
+  scene.add(Node{.translation = Vec3(2, 0, 0), .surface = torus(0.5, 0.2)});
+  scene.add(Node{.translation = Vec3(1, 3, 4), .light = Light{}});
+  scene.add(Camera{.eye = Vec3(0, 1, 6), .projection = Projection::Orthographic, .height = 4});
+  const FrameCounts first = draw(scene, kTiny, {}, 0).statistics.count;
+  for (int frame = 1; frame < 20; ++frame) {
+    const FrameCounts count = draw(scene, kTiny, {}, frame / 24.0).statistics.count;
+    ASSERT_EQ(count.tessellated, 0u) << frame;
+    ASSERT_EQ(count.pipelinesCreated, 0u) << frame;
+    ASSERT_GT(count.uploadBytes, 0u) << frame;
+    ASSERT_LT(count.uploadBytes, first.uploadBytes / 2) << frame;
+  }
+}
+
+TEST_F(DrawCounts, LevelsComeBackWithoutTessellation) {
+  const Scene lamp = luxoGrandpa();
+  for (int i = 0; i < 50; ++i) static_cast<void>(draw(lamp, kTiny, {}, 8 * kPi * i / 50));
+  for (int i = 0; i < 50; ++i)
+    ASSERT_EQ(draw(lamp, kTiny, {}, 8 * kPi * i / 50).statistics.count.tessellated, 0u) << "moment " << i;
+}
+
+TEST_F(DrawCounts, NothingPilesUp) {
+  const Scene lamp = luxoGrandpa();
+  constexpr std::array kShadings{Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Normal,
+                                 Shading::Uv};
+  const auto frame = [&](int i) {
+    // Ten kinds of frames: moments, shadings, samples.
+    static_cast<void>(
+        draw(lamp, kTiny, {.shading = kShadings[i % 5], .samples = i % 2 ? 4 : 1}, 2.0 * (i % 10)));
+  };
+  for (int i = 0; i < 20; ++i) frame(i);
+  context().waitIdle();
+  const gpu::Counters before = context().counters();
+  for (int i = 0; i < 1000; ++i) frame(i);
+  context().waitIdle();
+  const gpu::Counters after = context().counters();
+  EXPECT_EQ(after.buffers, before.buffers);
+  EXPECT_EQ(after.textures, before.textures);
+  EXPECT_EQ(after.objects, before.objects);
+  EXPECT_EQ(after.allocations, before.allocations);
+  EXPECT_EQ(after.memoryBytes, before.memoryBytes);
+  EXPECT_EQ(after.deviceAllocations, before.deviceAllocations);
+  EXPECT_EQ(after.deviceBytes, before.deviceBytes);
+  EXPECT_EQ(after.pipelinesCreated, before.pipelinesCreated);
+  EXPECT_GE(after.submits, before.submits + 1000);
+}
+
+}  // namespace
+}  // namespace luxo::test
