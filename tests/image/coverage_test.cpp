@@ -127,5 +127,34 @@ TEST_F(Coverage, FourSamplesCountQuarters) {
   EXPECT_NEAR(areaFour, 2400, 4 * 0.1 * std::sqrt(200.0));
 }
 
+TEST_F(Coverage, LightIsFoundAtEverySample) {
+  // A pixel is the mean of the formula at its four samples. A sharp highlight tells it from the formula at
+  // the pixel's centre, and a light beside the picture keeps all of it in use.
+  constexpr PixelSize kSize{40, 30};
+  const Material mirrorlike{.diffuse = Vec3(0), .ambient = Vec3(0), .specular = Vec3(1), .shininess = 3000};
+  const std::array lights{Shine{.position = {0.3, 0.2, 4, 1}}};
+  Scene scene;
+  scene.set(RenderSettings{.background = Vec3(0), .ambient = Vec3(0)});
+  scene.add(plate(Vec3(0), Vec2(20), scene.add(mirrorlike)));
+  addLight(scene, lights[0]);
+  const Camera camera{.eye = Vec3(0, 0, 5), .fovY = radians(40)};
+  const CameraModel model(camera, kSize);
+  const Image image = draw(scene, camera, kSize, {.samples = 4}).image;
+  const auto formula = [&](const Vec2& pixel) {
+    const Vec3 point = model.through(pixel).at(5);
+    return blinnPhong(mirrorlike, Vec3(0), lights, point, {0, 0, 1}, model.towardViewer(point));
+  };
+  double atCenter = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      Vec3 mean(0);
+      for (const Vec2& sample : kSamples) mean += 0.25 * formula(Vec2(x, y) + sample);
+      // Single precision: the exponent multiplies some 3e-7 in N.H and its logarithm.
+      ASSERT_TRUE(near(colorAt(image, x, y), mean, 3e-7 * mirrorlike.shininess)) << x << ", " << y;
+      atCenter = std::max(atCenter, std::abs(formula(centerOf(x, y)).x - mean.x));
+    }
+  EXPECT_GT(atCenter, 0.01);
+}
+
 }  // namespace
 }  // namespace luxo::test
