@@ -17,7 +17,7 @@ Scene gallery() {
   const MaterialId red = enamel({0.55, 0.08, 0.07}), gold = enamel({0.60, 0.42, 0.10});
   const MaterialId green = enamel({0.10, 0.42, 0.16}), blue = enamel({0.09, 0.22, 0.55});
 
-  scene.add(Node{.name = "floor", .surface = rectangle(30, 30), .material = floor});
+  scene.add(Node{.name = "floor", .surface = rectangle(60, 60), .material = floor});
   const auto place = [&](const char* name, double x, double y, double z, Surface surface, MaterialId material,
                          const Rotation& rotation = {}) {
     scene.add(Node{.name = name,
@@ -26,30 +26,29 @@ Scene gallery() {
                    .surface = std::move(surface),
                    .material = material});
   };
-  const Rotation towardViewer{{1, 0, 0}, radians(60)};
+  const Rotation towardViewer{{1, 0, 0}, radians(75)};
   place("rectangle", -4.5, 1, -2, rectangle(2, 1.6), red, towardViewer);
   place("disk", -1.5, 1, -2, disk(1), gold, towardViewer);
   place("cylinder", 1.5, 0, -2, cylinder(0.8, 2), green);
   place("cone", 4.5, 0, -2, cone(1, 0, 2.2), blue);
-  place("sphere", -4.5, 1, 1.5, sphere(1), blue);
-  place("paraboloid", -1.5, 0.3, 1.5, paraboloid(0.2, 1.8), green, {{1, 0, 0}, radians(25)});
-  place("torus", 1.5, 0.9, 1.5, torus(0.8, 0.35), gold, towardViewer);
+  place("sphere", -4.2, 1, 1.5, sphere(1), blue);
+  place("paraboloid", -1.6, 0.1, 1.5, paraboloid(0.2, 1.2), green, {{1, 0, 0}, radians(25)});
+  place("torus", 1.4, 1.05, 1.5, torus(0.7, 0.3), gold, towardViewer);
   place(
       "flag", 3.4, 0.4, 1.5,
       flag(
           {.width = 2.2, .height = 1.5, .depth = 0.15, .waves = 7, .phase = [](double t) { return -3 * t; }}),
       red);
 
-  scene.add(Node{
-      .name = "key light",
-      .translation = Vec3(-6, 9, 8),
-      .light =
-          Light{.color = {1, 0.96, 0.9}, .intensity = 95, .attenuation = Light::Attenuation::InverseSquare}});
   scene.add(
-      Node{.name = "fill light",
-           .rotation = Rotation{{1, 0.7, 0}, radians(-50)},
-           .light = Light{.type = Light::Type::Directional, .color = {0.8, 0.9, 1}, .intensity = 0.35}});
-  scene.add(Camera{.eye = Vec3(0, 6, 11), .lookAt = Vec3(0, 0.6, -0.2), .fovY = radians(40)});
+      Node{.name = "key light",
+           .translation = Vec3(-7, 10, 5),
+           .light = Light{
+               .color = {1, 0.96, 0.9}, .intensity = 110, .attenuation = Light::Attenuation::InverseSquare}});
+  scene.add(Node{.name = "fill light",
+                 .rotation = Rotation{{1, 0.7, 0}, radians(-50)},
+                 .light = Light{.type = Light::Type::Directional, .color = {0.8, 0.9, 1}, .intensity = 0.3}});
+  scene.add(Camera{.eye = Vec3(0, 4.8, 10.4), .lookAt = Vec3(0, 0.7, -0.3), .fovY = radians(38)});
   return scene;
 }
 
