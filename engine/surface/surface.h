@@ -90,7 +90,7 @@ class Surface {
   Surface() = default;  ///< no surface: a node without geometry
 
   /// `parameters` are the values of the free variables beyond u and v, in order; they may change with time.
-  /// Cost: one topology search (about 500 evaluations). Throws Error(Scene) for an empty or infinite domain
+  /// Cost: one topology search (about 2,500 evaluations). Throws Error(Scene) for an empty or infinite domain
   /// and for a formula that is not finite anywhere on it.
   Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
           std::vector<Animated<double>> parameters = {}, SurfaceTraits traits = {});
