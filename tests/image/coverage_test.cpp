@@ -129,7 +129,7 @@ TEST_F(Coverage, FourSamplesCountQuarters) {
 
 TEST_F(Coverage, LightIsFoundAtEverySample) {
   // A pixel is the mean of the formula at its four samples. A sharp highlight tells it from the formula at
-  // the pixel's centre, and a light beside the picture keeps all of it in use.
+  // the pixel's centre.
   constexpr PixelSize kSize{40, 30};
   const Material mirrorlike{.diffuse = Vec3(0), .ambient = Vec3(0), .specular = Vec3(1), .shininess = 3000};
   const std::array lights{Shine{.position = {0.3, 0.2, 4, 1}}};

@@ -176,8 +176,7 @@ TEST_F(GeometryOutput, IdsCountDepthFirst) {
   };
   EXPECT_EQ(idAt({-3, 0, 0}), 2);
   EXPECT_EQ(idAt({3, 0, 0}), 4);
-  // The plates' own axes: +Z of a plate points down (-Y), so that what hangs there is below, seen edge on:
-  // look up.
+  // A plate is turned by 90 degrees about X: what hangs on its +Z is below it, turned twice, and faces down.
   const Camera from{
       .eye = Vec3(0, -10, 0), .up = Vec3(0, 0, 1), .projection = Projection::Orthographic, .height = 12};
   const Image lower = output(renderer(), scene, from, Output::Id);
