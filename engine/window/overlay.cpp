@@ -22,6 +22,7 @@ constexpr float kFontSize = 14, kMargin = 14, kPadding = 11, kColumnGap = 14, kR
 constexpr float kLineSpacing = 1.3f;     // of the letters' height
 constexpr float kTitleGap = 4;           // below a title
 constexpr float kSmallestShrink = 0.6f;  // below it nobody can read
+constexpr float kDiscreetShare = 0.25f;  // of the window's area
 
 constexpr ImU32 kBackground = IM_COL32(9, 10, 13, 168);
 constexpr ImU32 kBorder = IM_COL32(255, 255, 255, 20);
@@ -114,36 +115,62 @@ struct Layout {
   }
 };
 
-ImVec2 cornerOf(Panel::Place place, const Layout& layout, ImVec2 window) {
-  const float margin = layout.unit(kMargin);
-  switch (place) {
-    case Panel::Place::TopLeft:
-      break;
-    case Panel::Place::TopRight:
-      return {std::round(window.x - layout.width - margin), std::round(margin)};
-    case Panel::Place::Bottom:
-      return {std::round((window.x - layout.width) / 2), std::round(window.y - layout.height - margin)};
-  }
-  return {std::round(margin), std::round(margin)};
+// How much of its size a panel may keep: 1, or less where the window is small.
+float shrinkFor(const Panel& panel, const Layout& layout, ImVec2 window) {
+  const float margins = 2 * layout.unit(kMargin);
+  const float fit =
+      std::min({1.0f, (window.x - margins) / layout.width, (window.y - margins) / layout.height});
+  if (!panel.discreet) return fit;
+  return std::min(fit, std::sqrt(kDiscreetShare * window.x * window.y / (layout.width * layout.height)));
 }
 
-void draw(ImDrawList& list, const Panel& panel, ImVec2 window) {
-  const float fontSize = ImGui::GetFont()->FontSize;
-  const Layout wanted(panel, fontSize);
-  const float margins = 2 * wanted.unit(kMargin);
-  const float fit = std::min((window.x - margins) / wanted.width, (window.y - margins) / wanted.height);
-  if (fit < kSmallestShrink) return;
-  const Layout layout = fit < 1 ? Layout(panel, std::floor(fontSize * fit)) : wanted;
+// Where a panel goes.
+struct Placed {
+  const Panel& panel;
+  Layout layout;
+  ImVec2 corner;
 
-  const ImVec2 corner = cornerOf(panel.place, layout, window);
+  Placed(const Panel& panel_, const Layout& layout_, ImVec2 window) : panel(panel_), layout(layout_) {
+    const float margin = layout.unit(kMargin);
+    corner = {margin, margin};
+    if (panel.place == Panel::Place::TopRight) corner.x = window.x - layout.width - margin;
+    if (panel.place == Panel::Place::Bottom)
+      corner = {(window.x - layout.width) / 2, window.y - layout.height - margin};
+    corner = {std::round(corner.x), std::round(corner.y)};
+  }
+
+  [[nodiscard]] bool overlaps(const Placed& other) const {
+    return corner.x < other.corner.x + other.layout.width && other.corner.x < corner.x + layout.width &&
+           corner.y < other.corner.y + other.layout.height && other.corner.y < corner.y + layout.height;
+  }
+};
+
+// From the last to the first: the later ones matter more.
+std::vector<Placed> place(std::span<const Panel> panels, ImVec2 window) {
+  const float fontSize = ImGui::GetFont()->FontSize;
+  std::vector<Placed> placed;
+  for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
+    const Layout wanted(*panel, fontSize);
+    const float shrink = shrinkFor(*panel, wanted, window);
+    if (shrink < kSmallestShrink) continue;
+    const Placed next(*panel, shrink < 1 ? Layout(*panel, std::floor(fontSize * shrink)) : wanted, window);
+    const bool covered =
+        std::ranges::any_of(placed, [&](const Placed& later) { return later.overlaps(next); });
+    if (!covered) placed.push_back(next);
+  }
+  return placed;
+}
+
+void draw(ImDrawList& list, const Placed& placed) {
+  const auto& [panel, layout, corner] = placed;
   const ImVec2 opposite{corner.x + layout.width, corner.y + layout.height};
   list.AddRectFilled(corner, opposite, kBackground, layout.unit(kRounding));
   list.AddRect(corner, opposite, kBorder, layout.unit(kRounding));
 
   const float left = std::round(corner.x + layout.unit(kPadding));
   float y = std::round(corner.y + layout.unit(kPadding));
-  const auto write = [&](float x, ImU32 color, const std::string& text) {
-    list.AddText(ImGui::GetFont(), layout.size, {x, y}, color, text.data(), text.data() + text.size());
+  const auto write = [&list, size = layout.size, &y](float x, ImU32 color, const std::string& text) {
+    list.AddText(ImGui::GetFont(), size, {x, y}, color, text.data(), text.data() + text.size());
   };
   if (!panel.title.empty()) {
     write(left, panel.alert ? kAlert : kTitle, panel.title);
@@ -240,7 +267,7 @@ void Overlay::record(VkCommandBuffer commands, const Swapchain& swapchain, doubl
                     static_cast<float>(swapchain.extent().height)};
   ImGui_ImplVulkan_NewFrame();
   ImGui::NewFrame();
-  for (const Panel& panel : panels) draw(*ImGui::GetForegroundDrawList(), panel, io.DisplaySize);
+  for (const Placed& placed : place(panels, io.DisplaySize)) draw(*ImGui::GetForegroundDrawList(), placed);
   ImGui::Render();
 
   const gpu::Label label(*context_, commands, "overlay");

@@ -27,7 +27,8 @@ struct Panel {
   Place place = Place::TopLeft;
   std::string title;  ///< may be empty
   std::vector<Row> rows;
-  bool alert = false;  ///< something went wrong
+  bool alert = false;     ///< something went wrong
+  bool discreet = false;  ///< takes at most a quarter of the window
 
   friend bool operator==(const Panel&, const Panel&) = default;
 };
@@ -41,7 +42,8 @@ class Overlay {
   Overlay& operator=(const Overlay&) = delete;
 
   /// Over what the image shows as Use::ColorAttachment, which it stays. Letters grow with `contentScale`
-  /// (Window). A panel too large for the window shrinks, and is left out where it could not be read.
+  /// (Window). A panel too large for the window shrinks; it is left out where it could not be read, or where
+  /// a later one would cover it.
   void record(VkCommandBuffer commands, const Swapchain& swapchain, double contentScale,
               std::span<const Panel> panels);
 

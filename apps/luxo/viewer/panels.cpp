@@ -44,7 +44,7 @@ std::string errorText(const FrameError& error) {
 }  // namespace
 
 Panel numbersPanel(const Status& status, const Controls& controls) {
-  Panel panel{.place = Panel::Place::TopLeft, .title = status.title};
+  Panel panel{.place = Panel::Place::TopLeft, .title = status.title, .rows = {}, .discreet = true};
   panel.rows = {
       {"device", status.device},
       {"picture", pictureText(status, controls.drawOptions())},

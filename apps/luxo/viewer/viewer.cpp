@@ -188,13 +188,14 @@ class Viewer {
     status_.size = size();
     panels_ = panels();
     presenter_.record(frames_, commands, painter_.target(), swapchain_, window_.contentScale(), panels_);
+    const double recorded = millisecondsSince(recording);
     const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
     dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
     if (shownGeneration_ == 0) log(LogLevel::Debug, "shows the first picture");
     shownGeneration_ = swapchain_.generation();
     damaged_ = false;
     if (repaint) {
-      meter_.addFrame(evaluated + millisecondsSince(recording), start);
+      meter_.addFrame(evaluated + recorded, start);
       unmeasured_ = submission;
       dirty_ = true;  // how long it took will be known, and shown
     }
