@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/illumination.glsl"
+#include "lib/lights.glsl"
 #include "lib/scene.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -13,11 +14,14 @@ layout(location = 1) sample out vec4 outBack;
 
 invariant gl_Position;
 
+LightData lightAt(uint i) { return lightSet.lights[i]; }
+ShadeData shadeAt(uint i) { return lightSet.shades[i]; }
+
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   vec3 position = relativeFromObject(instance, inPosition);
   vec3 n = unitOrZero(instance.normalFromObject * inNormal);
-  vec3 v = towardViewer(position);
+  vec3 v = towardViewer(view.viewer, position);
   Material material =
       Material(instance.ambient, instance.diffuse, instance.specular, instance.shininess, instance.flags);
   bool twoSided = (instance.flags & kTwoSided) != 0;

@@ -8,6 +8,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/illumination.glsl"
+#include "lib/lights.glsl"
 #include "lib/scene.glsl"
 
 layout(constant_id = 2) const bool kFacetNormal = false;
@@ -19,11 +20,24 @@ layout(location = 3) flat in vec3 inDiffuse;
 layout(location = 4) flat in vec3 inSpecular;
 layout(location = 5) flat in vec2 inShininessOpacity;
 layout(location = 6) flat in uint inFlags;
+layout(location = 7) flat in vec4 inViewer;
+layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
+layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
 
 layout(location = 0) out vec4 outColor;
 
+LightData lightAt(uint i) {
+  if (i >= kCarriedLights) return lightSet.lights[i];
+  return LightData(inLights[2 * i], inLights[2 * i + 1].xyz, uint(inLights[2 * i + 1].w));
+}
+
+ShadeData shadeAt(uint i) {
+  if (i >= kCarriedShades) return lightSet.shades[i];
+  return ShadeData(inShades[2 * i].xyz, inShades[2 * i].w, inShades[2 * i + 1].x);
+}
+
 void main() {
-  vec3 v = towardViewer(inPosition);
+  vec3 v = towardViewer(inViewer, inPosition);
   // The facet is flat, so the derivatives of its position span it; which of its sides is seen, the rasteriser knows.
   vec3 n;
   if (kFacetNormal) {

@@ -2,6 +2,7 @@
 // Vertices of a surface, for shading per fragment. In: object space. Out: relative to the eye, axes of the world.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "lib/lights.glsl"
 #include "lib/scene.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -14,6 +15,9 @@ layout(location = 3) flat out vec3 outDiffuse;
 layout(location = 4) flat out vec3 outSpecular;
 layout(location = 5) flat out vec2 outShininessOpacity;
 layout(location = 6) flat out uint outFlags;
+layout(location = 7) flat out vec4 outViewer;
+layout(location = 8) flat out vec4 outLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
+layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; focal length
 
 invariant gl_Position;
 
@@ -26,5 +30,14 @@ void main() {
   outSpecular = instance.specular;
   outShininessOpacity = vec2(instance.shininess, instance.opacity);
   outFlags = instance.flags;
+  outViewer = view.viewer;
+  for (uint i = 0; i < kCarriedLights; ++i) {
+    outLights[2 * i] = lightSet.lights[i].position;
+    outLights[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
+  }
+  for (uint i = 0; i < kCarriedShades; ++i) {
+    outShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
+    outShades[2 * i + 1] = vec4(lightSet.shades[i].focalLength, 0, 0, 0);
+  }
   gl_Position = view.clipFromRelative * vec4(outPosition, 1);
 }

@@ -107,7 +107,6 @@ class LightSets {
                        .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
       if (light.shade)
         set.shades[shade++] = {
-            .focus = toFloat(light.shade->focus - snapshot_.view.eye),
             .axis = toFloat(light.shade->axis),
             .cosRim = static_cast<float>(light.shade->cosRim),
             .focalLength = static_cast<float>(light.shade->focalLength * light.shade->scale)};

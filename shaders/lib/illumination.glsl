@@ -6,11 +6,13 @@
 #include "shared/scene_data.h"
 
 // How many lights reach this draw: known when the pipeline is made, so that the loop unrolls and an unneeded light
-// costs nothing. The lights themselves are data.
+// costs nothing.
 layout(constant_id = 0) const uint kPlainLights = 0;
 layout(constant_id = 1) const uint kShadedLights = 0;
 
-layout(scalar, set = 0, binding = kBindingLights) uniform Lights { LightSet lightSet; };
+// Which lights they are, the shaded ones last: the including shader says where it has them from.
+LightData lightAt(uint i);
+ShadeData shadeAt(uint i);
 
 struct Material {
   vec3 ambient;
@@ -20,41 +22,50 @@ struct Material {
   uint flags;
 };
 
-// x^n for 0 <= x <= 1 with 0^0 = 1, which pow leaves undefined.
-float highlight(float x, float n) { return n == 0.0 ? 1.0 : x > 0.0 ? exp2(n * log2(x)) : 0.0; }
+// Stands for 0 under a root or a division: small enough to change no other number.
+const float kTiny = 1e-37;
+
+// x^n for 0 <= x <= 1, given x^2, with 0^0 = 1, which pow leaves undefined.
+float highlight(float xSquared, float n) {
+  return xSquared > 0.0 || n == 0.0 ? exp2(0.5 * n * log2(max(xSquared, kTiny))) : 0.0;
+}
 
 // n, v: unit. A point that coincides with the light gets nothing from it.
-vec3 reflected(Material material, LightData light, vec3 position, vec3 n, vec3 v) {
-  vec3 toLight = light.position.xyz - position * light.position.w;
+vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v) {
   float squared = dot(toLight, toLight);
-  if (squared == 0.0) return vec3(0);
-  vec3 l = toLight * inversesqrt(squared);
+  float inverseDistance = inversesqrt(max(squared, kTiny));
+  vec3 l = toLight * inverseDistance;
   float cosine = dot(n, l);
   vec3 h = l + v;
-  float hh = dot(h, h);
-  float cosineHalf = hh > 0.0 ? max(dot(n, h) * inversesqrt(hh), 0.0) : 0.0;
-  bool shines = cosine > 0.0 || (material.flags & kLectureSpecular) != 0;
+  float nh = max(dot(n, h), 0.0);
+  float cosineHalfSquared = min(nh * nh / max(dot(h, h), kTiny), 1.0);
+  bool shines = cosine > 0.0 || ((material.flags & kLectureSpecular) != 0 && squared > 0.0);
   vec3 reflectance = material.diffuse * max(cosine, 0.0) +
-                     (shines ? material.specular * highlight(min(cosineHalf, 1.0), material.shininess) : vec3(0));
-  return reflectance * light.radiance * (light.inverseSquare != 0 ? 1.0 / squared : 1.0);
+                     (shines ? material.specular * highlight(cosineHalfSquared, material.shininess) : vec3(0));
+  return reflectance * light.radiance * (light.inverseSquare != 0 ? inverseDistance * inverseDistance : 1.0);
 }
 
 // What a light in the focus of a paraboloid shade lights: all inside the paraboloid, whose points are nearer to the
 // focus than to the directrix plane, and all that the rim lets through. No angle is ever computed.
-bool litThroughShade(ShadeData shade, vec3 position) {
-  vec3 q = position - shade.focus;
-  float along = dot(q, shade.axis);
-  float len = sqrt(dot(q, q));
+bool litThroughShade(ShadeData shade, vec3 fromFocus) {
+  float along = dot(fromFocus, shade.axis);
+  float len = sqrt(dot(fromFocus, fromFocus));
   return len <= along + 2.0 * shade.focalLength || along >= shade.cosRim * len;
 }
 
 vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
   vec3 sum = material.ambient;
-  for (uint i = 0; i < kPlainLights; ++i) sum += reflected(material, lightSet.lights[i], position, n, v);
-  for (uint i = 0; i < kShadedLights; ++i) {
-    bool isTheShade = (material.flags >> kShadeShift) == i + 1;
-    vec3 light = reflected(material, lightSet.lights[kPlainLights + i], position, n, v);
-    sum += isTheShade || litThroughShade(lightSet.shades[i], position) ? light : vec3(0);
+  for (uint i = 0; i < kPlainLights + kShadedLights; ++i) {
+    LightData light = lightAt(i);
+    vec3 toLight = light.position.xyz - position * light.position.w;
+    vec3 reflection = reflected(material, light, toLight, n, v);
+    bool lit = true;
+    if (i >= kPlainLights) {
+      uint shade = i - kPlainLights;
+      bool isTheShade = (material.flags >> kShadeShift) == shade + 1;
+      lit = isTheShade || litThroughShade(shadeAt(shade), -toLight);
+    }
+    sum += lit ? reflection : vec3(0);
   }
   return sum;
 }

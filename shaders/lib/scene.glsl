@@ -6,8 +6,8 @@ layout(scalar, set = 0, binding = kBindingView) uniform View { ViewData view; };
 layout(scalar, set = 0, binding = kBindingInstances) readonly buffer Instances { InstanceData instances[]; };
 
 // From a point toward who sees it: unit.
-vec3 towardViewer(vec3 position) {
-  vec3 v = view.viewer.xyz - position * view.viewer.w;
+vec3 towardViewer(vec4 viewer, vec3 position) {
+  vec3 v = viewer.xyz - position * viewer.w;
   return v * inversesqrt(dot(v, v));
 }
 

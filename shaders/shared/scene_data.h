@@ -65,9 +65,8 @@ struct LightData {
   uint inverseSquare;
 };
 
-// A light in the focus of a shade: what it lights is known in closed form.
+// The shade of a light in its focus: what is lit is known in closed form.
 struct ShadeData {
-  vec3 focus;
   vec3 axis;  // unit, from the vertex through the focus out of the opening
   float cosRim;
   float focalLength;
@@ -80,7 +79,7 @@ struct LightSet {
 
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
-static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 160 && sizeof(LightData) == 32 && sizeof(ShadeData) == 32);
+static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 160 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 }  // namespace luxo::shared
 #endif
 #endif
