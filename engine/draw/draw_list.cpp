@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -171,92 +172,122 @@ FaceCulling cullingOf(const VisibleNode& visible, const DrawOptions& options) {
   return visible.hideBackFaces && options.cullBackFaces ? FaceCulling::Back : FaceCulling::None;
 }
 
-}  // namespace
+/// Turns visible nodes into draws.
+class DrawLister {
+ public:
+  DrawLister(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
+             MeshCache& meshes)
+      : snapshot_(snapshot),
+        visible_(visible),
+        options_(options),
+        meshes_(meshes),
+        lightSets_(snapshot, list_.lightSets) {
+    list_.view = viewData(snapshot, visible);
+  }
 
-DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                   MeshCache& meshes) {
-  DrawList list;
-  list.view = viewData(snapshot, visible);
-  LightSets lightSets(snapshot, list.lightSets);
+  DrawList list() && {
+    listOpaque();
+    listTransparent();
+    return std::move(list_);
+  }
 
+ private:
+  /// A draw of one node, and its instance.
   struct Item {
     DrawBatch batch;
     shared::InstanceData instance;
   };
-  const auto itemOf = [&](const VisibleNode& v, bool blended) {
-    const SnapshotNode& node = snapshot.nodes[v.node];
-    const Shading shading = snapshot.materials[node.material.index].shading.value_or(options.shading);
-    Item item;
-    item.batch.state = {.shading = shading, .output = options.output, .blended = blended};
-    item.batch.mesh = meshes.get(node.surface, node.parameters, segmentsOf(node, v, shading, snapshot.view));
-    item.batch.culling = cullingOf(v, options);
-    item.batch.flat = node.surface.flatNormal().has_value();
-    item.batch.mirrored = v.mirrored;
-    LightSets::Choice choice;
-    if (needsLights(item.batch.state))
-      choice = lightSets.choose(std::span(visible.lights).subspan(v.firstLight, v.lightCount), node);
-    item.batch.lightSet = choice.index;
-    item.batch.state.plainLights = choice.plain;
-    item.batch.state.shadedLights = choice.shaded;
-    item.instance = instanceOf(snapshot, node, v, *item.batch.mesh, choice.shadeOf);
-    list.boundPx = std::max(list.boundPx, boundPx(snapshot.view, v, item.batch.mesh->bound));
-    return item;
-  };
-  const auto sameDraw = [](const DrawBatch& a, const DrawBatch& b) {
-    return a.state == b.state && a.mesh == b.mesh && a.culling == b.culling && a.mirrored == b.mirrored &&
-           a.lightSet == b.lightSet;
-  };
-  const auto showsBothSides = [](const DrawBatch& batch) {
-    return batch.culling == FaceCulling::None && !batch.flat && batch.state.shading != Shading::Wireframe;
-  };
-  const auto append = [&](std::vector<DrawBatch>& batches, DrawBatch batch,
-                          std::span<const shared::InstanceData> instances) {
-    batch.firstInstance = static_cast<std::uint32_t>(list.instances.size());
-    batch.instanceCount = static_cast<std::uint32_t>(instances.size());
-    list.instances.insert(list.instances.end(), instances.begin(), instances.end());
-    batches.push_back(std::move(batch));
-  };
 
-  // Opaque: every node joins the first draw of its kind, so that draws stay roughly front to back.
-  struct Group {
-    DrawBatch batch;
-    std::vector<shared::InstanceData> instances;
-  };
-  std::vector<Group> groups;
-  std::map<std::tuple<DrawState, const Mesh*, FaceCulling, bool, std::uint32_t>, std::size_t> groupOf;
-  for (const VisibleNode& v : visible.opaque) {
-    Item item = itemOf(v, false);
-    const DrawBatch& b = item.batch;
-    const auto [entry, isNew] =
-        groupOf.try_emplace({b.state, b.mesh.get(), b.culling, b.mirrored, b.lightSet}, groups.size());
-    if (isNew) groups.push_back({item.batch, {}});
-    groups[entry->second].instances.push_back(item.instance);
-  }
-  for (Group& group : groups) {
-    append(list.opaque, group.batch, group.instances);
-    if (!showsBothSides(group.batch)) continue;
-    // The far sides go behind the near ones: see FaceCulling::Front.
-    list.opaque.back().culling = FaceCulling::Back;
-    list.opaque.push_back(list.opaque.back());
-    list.opaque.back().culling = FaceCulling::Front;
+  /// Every node joins the first draw of its kind, so that draws stay roughly front to back.
+  void listOpaque() {
+    struct Group {
+      DrawBatch batch;
+      std::vector<shared::InstanceData> instances;
+    };
+    std::vector<Group> groups;
+    std::map<std::tuple<DrawState, const Mesh*, FaceCulling, bool, std::uint32_t>, std::size_t> groupOf;
+    for (const VisibleNode& v : visible_.opaque) {
+      Item item = itemOf(v, false);
+      const DrawBatch& b = item.batch;
+      const auto [entry, isNew] =
+          groupOf.try_emplace({b.state, b.mesh.get(), b.culling, b.mirrored, b.lightSet}, groups.size());
+      if (isNew) groups.push_back({std::move(item.batch), {}});
+      groups[entry->second].instances.push_back(item.instance);
+    }
+    for (Group& group : groups)
+      append(list_.opaque, std::move(group.batch), group.instances, {FaceCulling::Back, FaceCulling::Front});
   }
 
-  // Transparent: order is everything, so only neighbours merge, and a surface shows its far side first.
-  for (const VisibleNode& v : visible.transparent) {
-    const Item item = itemOf(v, true);
-    if (showsBothSides(item.batch)) {
-      append(list.transparent, item.batch, {&item.instance, 1});
-      list.transparent.back().culling = FaceCulling::Front;
-      list.transparent.push_back(list.transparent.back());
-      list.transparent.back().culling = FaceCulling::Back;
-    } else if (!list.transparent.empty() && sameDraw(list.transparent.back(), item.batch)) {
-      list.instances.push_back(item.instance);
-      ++list.transparent.back().instanceCount;
-    } else {
-      append(list.transparent, item.batch, {&item.instance, 1});
+  /// Order is everything, so only neighbours merge, and a surface shows its far side first.
+  void listTransparent() {
+    const auto sameDraw = [](const DrawBatch& a, const DrawBatch& b) {
+      return a.state == b.state && a.mesh == b.mesh && a.culling == b.culling && a.mirrored == b.mirrored &&
+             a.lightSet == b.lightSet;
+    };
+    for (const VisibleNode& v : visible_.transparent) {
+      Item item = itemOf(v, true);
+      if (!list_.transparent.empty() && sameDraw(list_.transparent.back(), item.batch)) {
+        list_.instances.push_back(item.instance);
+        ++list_.transparent.back().instanceCount;
+      } else {
+        append(list_.transparent, std::move(item.batch), {&item.instance, 1},
+               {FaceCulling::Front, FaceCulling::Back});
+      }
     }
   }
-  return list;
+
+  Item itemOf(const VisibleNode& v, bool blended) {
+    const SnapshotNode& node = snapshot_.nodes[v.node];
+    const Shading shading = snapshot_.materials[node.material.index].shading.value_or(options_.shading);
+    Item item;
+    DrawBatch& batch = item.batch;
+    batch.state = {.shading = shading, .output = options_.output, .blended = blended};
+    batch.mesh = meshes_.get(node.surface, node.parameters, segmentsOf(node, v, shading, snapshot_.view));
+    batch.culling = cullingOf(v, options_);
+    batch.flat = node.surface.flatNormal().has_value();
+    batch.mirrored = v.mirrored;
+    LightSets::Choice lights;
+    if (needsLights(batch.state))
+      lights = lightSets_.choose(std::span(visible_.lights).subspan(v.firstLight, v.lightCount), node);
+    batch.lightSet = lights.index;
+    batch.state.plainLights = lights.plain;
+    batch.state.shadedLights = lights.shaded;
+    item.instance = instanceOf(snapshot_, node, v, *batch.mesh, lights.shadeOf);
+    list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
+    return item;
+  }
+
+  /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
+  void append(std::vector<DrawBatch>& batches, DrawBatch batch,
+              std::span<const shared::InstanceData> instances, std::array<FaceCulling, 2> sides) {
+    batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
+    batch.instanceCount = static_cast<std::uint32_t>(instances.size());
+    list_.instances.insert(list_.instances.end(), instances.begin(), instances.end());
+    const bool bothSides =
+        batch.culling == FaceCulling::None && !batch.flat && batch.state.shading != Shading::Wireframe;
+    if (!bothSides) {
+      batches.push_back(std::move(batch));
+      return;
+    }
+    for (const FaceCulling side : sides) {
+      batch.culling = side;
+      batches.push_back(batch);
+    }
+  }
+
+  const Snapshot& snapshot_;
+  const VisibleList& visible_;
+  const DrawOptions& options_;
+  MeshCache& meshes_;
+  DrawList list_;
+  LightSets lightSets_;
+};
+
+}  // namespace
+
+DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
+                   MeshCache& meshes) {
+  return DrawLister(snapshot, visible, options, meshes).list();
 }
 
 }  // namespace luxo
