@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program as a user meets it: exit code, stdout, stderr.
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
+#include "cli/program.h"
 #include "console.h"
 #include "exit_code.h"
 #include "image/file.h"
@@ -15,54 +13,8 @@
 #include "image/srgb.h"
 #include "unit/image_test_support.h"
 
-namespace luxo {
+namespace luxo::test {
 namespace {
-
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-std::string textOf(const std::filesystem::path& path) {
-  const auto bytes = readFile(path);
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-void redirect(int stream, const std::filesystem::path& path) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  if (file < 0 || dup2(file, stream) < 0) _exit(99);
-}
-
-/// Runs the program in `folder`; stdout goes to `out` if given.
-Outcome run(const ScratchFolder& folder, const std::vector<std::string>& arguments,
-            const std::filesystem::path& out = {}) {
-  const ScratchFolder streams;
-  std::vector<std::string> words = {LUXO_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-
-  const pid_t child = fork();
-  if (child == 0) {
-    redirect(STDOUT_FILENO, out.empty() ? streams / "out" : out);
-    redirect(STDERR_FILENO, streams / "err");
-    if (chdir(folder.path().c_str()) == 0) execv(argv[0], argv.data());
-    _exit(98);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
-          out.empty() ? textOf(streams / "out") : "", textOf(streams / "err")};
-}
-
-void expectFailure(const Outcome& outcome, int code, const std::string& said) {
-  EXPECT_EQ(outcome.code, code) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_TRUE(outcome.err.starts_with("error: ")) << outcome.err;
-  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << "colour although stderr is a file";
-}
 
 /// a.png, b.png that differ by three codes in the blue of pixel (1, 0), and c.pfm, whose encode is a.png.
 class DiffTest : public testing::Test {
@@ -189,4 +141,4 @@ TEST(Console, ColoursOnlyTheLabels) {
 }
 
 }  // namespace
-}  // namespace luxo
+}  // namespace luxo::test

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `luxo render` writes: the formats, byte for byte as documented, and the quantities of --aov. Floats
+// are read from the PFM file and codes from the PNG file by means other than the engine's own.
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include "cli/program.h"
+#include "image/format.h"
+#include "luxo_grandpa/lamp.h"
+#include "support/picture.h"
+
+namespace luxo::test {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PFM with a negative scale is little-endian");
+
+/// A PFM file, turned top row first.
+Image pictureOfPfm(const std::string& file) {
+  std::istringstream header(file);
+  std::string kind, scale;
+  int width = 0, height = 0;
+  header >> kind >> width >> height >> scale;
+  EXPECT_TRUE(kind == "PF" || kind == "Pf") << kind;
+  EXPECT_EQ(scale, "-1.0");
+  const int channels = kind == "PF" ? 3 : 1;
+  const std::size_t start = std::size_t(header.tellg()) + 1, row = std::size_t(width * channels) * 4;
+  EXPECT_EQ(file.size(), start + row * std::size_t(height));
+  Image image(width, height, channels);
+  for (int y = 0; y < height; ++y)
+    std::memcpy(image.row(height - 1 - y).data(), file.data() + start + row * std::size_t(y), row);
+  return image;
+}
+
+/// The codes of a PNG file, as libpng's simplified interface gives them.
+std::vector<std::uint8_t> codesOfPng(const std::string& file, int width, int height) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  EXPECT_TRUE(png_image_begin_read_from_memory(&png, file.data(), file.size())) << png.message;
+  EXPECT_EQ(png.width, unsigned(width));
+  EXPECT_EQ(png.height, unsigned(height));
+  png.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> codes(PNG_IMAGE_SIZE(png));
+  EXPECT_TRUE(png_image_finish_read(&png, nullptr, codes.data(), 0, nullptr)) << png.message;
+  return codes;
+}
+
+/// The names of a PNG file's chunks, in order, and whether each is as long as it says.
+std::string chunksOfPng(const std::string& file) {
+  std::string names;
+  std::size_t at = 8;
+  while (at + 12 <= file.size()) {
+    std::uint32_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | std::uint8_t(file[at + i]);
+    names += file.substr(at + 4, 4) + " ";
+    at += 12 + length;
+  }
+  EXPECT_EQ(at, file.size());
+  return names;
+}
+
+/// floor(255 * sRGB(clamp(c, 0, 1)) + 0.5), IEC 61966-2-1.
+int documentedCode(float linear) {
+  const double c = std::clamp(double(linear), 0.0, 1.0);
+  const double encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+  return int(std::floor(255 * encoded + 0.5));
+}
+
+class RenderFiles : public DeviceRenderTest {
+ protected:
+  [[nodiscard]] Image aov(const std::string& name, const std::string& time = "21") const {
+    return pictureOfPfm(fileOf({"--aov", name, "--time", time}, name + ".pfm"));
+  }
+};
+
+TEST_F(RenderFiles, PfmHoldsALitPicture) {
+  const Image linear = pictureOfPfm(fileOf({}, "a.pfm"));
+  ASSERT_EQ(linear.width(), kWidth);
+  ASSERT_EQ(linear.height(), kHeight);
+  ASSERT_EQ(linear.channels(), 3);
+  EXPECT_TRUE(allFinite(linear));
+  const auto [darkest, brightest] = std::minmax_element(linear.samples().begin(), linear.samples().end());
+  EXPECT_GT(*brightest, 1.0f) << "nothing to clamp: the test of the codes would miss the clamp";
+  EXPECT_LT(*darkest, 0.1f);
+}
+
+TEST_F(RenderFiles, PngHoldsTheDocumentedCodeOfEverySample) {
+  const Image linear = pictureOfPfm(fileOf({}, "a.pfm"));
+  const std::vector<std::uint8_t> codes = codesOfPng(fileOf({}, "a.png"), kWidth, kHeight);
+  ASSERT_EQ(codes.size(), linear.samples().size());
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    ASSERT_EQ(int(codes[i]), documentedCode(linear.samples()[i])) << "sample " << i;
+}
+
+TEST_F(RenderFiles, TgaHoldsTheSameCodes) {
+  const std::vector<std::uint8_t> codes = codesOfPng(fileOf({}, "a.png"), kWidth, kHeight);
+  const std::string tga = fileOf({}, "a.tga");
+  ASSERT_EQ(tga.size(), 18 + codes.size());
+  // No palette, true colour, no offset, the size, 24 bits, top row first.
+  const std::string header{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, char(kWidth), 0, char(kHeight), 0, 24, 0x20};
+  EXPECT_EQ(tga.substr(0, 18), header);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const std::size_t blueFirst = 18 + i / 3 * 3 + (2 - i % 3);
+    ASSERT_EQ(std::uint8_t(tga[blueFirst]), codes[i]) << "sample " << i;
+  }
+}
+
+TEST_F(RenderFiles, ExrHoldsTheBitsOfThePfm) {
+  const Image linear = pictureOfPfm(fileOf({}, "a.pfm"));
+  ASSERT_NE(fileOf({}, "a.exr"), "");
+  EXPECT_TRUE(sameBytes(loadImage(folder / "a.exr"), linear));
+}
+
+TEST_F(RenderFiles, CarryNoClock) {
+  for (const char* suffix : {"png", "exr"})
+    EXPECT_EQ(fileOf({}, fmt::format("a.{}", suffix)), fileOf({}, fmt::format("b.{}", suffix))) << suffix;
+  const std::string png = textOf(folder / "a.png");
+  EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(chunksOfPng(png), "IHDR sRGB IDAT IEND ");
+}
+
+TEST_F(RenderFiles, OddSizes) {
+  for (const char* size : {"1x1", "3x200", "513x7"}) {
+    const Outcome outcome = render({"--size", size, "-o", "a.pfm"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Image image = pictureOfPfm(textOf(folder / "a.pfm"));
+    EXPECT_EQ(fmt::format("{}x{}", image.width(), image.height()), size);
+    EXPECT_TRUE(allFinite(image));
+  }
+}
+
+TEST_F(RenderFiles, TheSuffixMayBeInEitherCase) { EXPECT_EQ(fileOf({}, "A.PNG"), fileOf({}, "b.png")); }
+
+TEST_F(RenderFiles, AnExistingFileIsReplacedAndALinkKept) {
+  writeText(folder / "a.png", "what was here before");
+  std::filesystem::create_symlink("a.png", folder / "link.png");
+  const std::string written = fileOf({}, "link.png");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.png"));
+  EXPECT_EQ(textOf(folder / "a.png"), written);
+  EXPECT_EQ(written, fileOf({}, "b.png"));
+  EXPECT_EQ(folder.entries(), 3u);
+}
+
+TEST_F(RenderFiles, QuantitiesAgreeWithEachOther) {
+  const Image id = aov("id"), depth = aov("depth"), position = aov("position"), normal = aov("normal"),
+              uv = aov("uv");
+  ASSERT_EQ(id.channels(), 1);
+  ASSERT_EQ(depth.channels(), 1);
+  const Scene lamp = luxoGrandpa();
+  const CameraModel camera(lamp.cameras()[0], {kWidth, kHeight}, 21);
+  std::size_t hits = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      SCOPED_TRACE(fmt::format("pixel {},{}", x, y));
+      const float number = id.pixel(x, y)[0];
+      if (number == 0) {
+        EXPECT_EQ(depth.pixel(x, y)[0], std::numeric_limits<float>::infinity());
+        for (const Image* image : {&position, &normal, &uv}) EXPECT_EQ(colorAt(*image, x, y), Vec3(0));
+        continue;
+      }
+      ++hits;
+      EXPECT_EQ(number, std::floor(number));
+      EXPECT_LE(number, float(lamp.nodes().size()));
+      const Vec3 point = colorAt(position, x, y), n = colorAt(normal, x, y);
+      // Some 16 roundings of numbers below 128 m, each by at most 2^-18 m.
+      const double precision = 16 * 0x1p-18;
+      EXPECT_NEAR(depth.pixel(x, y)[0], camera.depthOf(point), precision);
+      EXPECT_TRUE(near(camera.through(centerOf(x, y)).at(camera.depthOf(point)), point,
+                       precision + kSnapPx * camera.depthOf(point) / camera.pixelsPerUnit()));
+      EXPECT_NEAR(glm::length(n), 1, 1e-6);  // three squares, a sum and a division, each within 2^-23
+    }
+  }
+  EXPECT_GT(hits, std::size_t(kWidth * kHeight / 4));
+  EXPECT_LT(hits, std::size_t(kWidth * kHeight)) << "no background: half of this test did not run";
+}
+
+TEST_F(RenderFiles, ColourIsTheDefaultQuantity) {
+  EXPECT_EQ(fileOf({"--aov", "color"}, "a.pfm"), fileOf({}, "b.pfm"));
+}
+
+TEST_F(RenderFiles, SkipsLeaveEveryBitAsItIs) {
+  const std::string all = fileOf({}, "all.pfm");
+  for (const char* skips :
+       {"all", "none", "frustum", "small", "backface", "lights", "unchanged", "passes", "frustum,lights"})
+    EXPECT_EQ(fileOf({"--skip", skips}, "a.pfm"), all) << skips;
+}
+
+TEST_F(RenderFiles, EveryOptionOfThePictureHasItsEffect) {
+  const std::string plain = fileOf({}, "a.pfm");
+  EXPECT_EQ(fileOf({"--time", "21"}, "b.pfm"), plain) << "the lamp's own moment is 21 s";
+  EXPECT_EQ(fileOf({"--samples", "1", "--shading", "phong", "--tolerance", "0.5", "--camera", "orbit",
+                    "--device", "auto", "--engine", "vulkan"},
+                   "b.pfm"),
+            plain);
+  for (const Arguments& other : {Arguments{"--time", "3"},
+                                 {"--samples", "4"},
+                                 {"--shading", "flat"},
+                                 {"--shading", "normal"},
+                                 {"--tolerance", "8"}})
+    EXPECT_NE(fileOf(other, "b.pfm"), plain) << other[1];
+}
+
+TEST_F(RenderFiles, TheOrderOfOptionsNeverMatters) {
+  const auto bytesOf = [&](const Arguments& arguments) {
+    std::filesystem::remove(folder / "a.png");
+    const Outcome outcome = run(folder, arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return textOf(folder / "a.png");
+  };
+  EXPECT_EQ(bytesOf({"render", "luxo-grandpa", "-o", "a.png", "--size", "33x21", "--time", "3", "--samples",
+                     "4", "--shading", "flat", "-q"}),
+            bytesOf({"render", "-q", "--shading=flat", "--samples=4", "--time=3", "--size=33x21",
+                     "--output=a.png", "luxo-grandpa"}));
+}
+
+TEST_F(RenderFiles, WhatIsSaid) {
+  EXPECT_EQ(render({"-q", "-o", "a.png"}).err, "");
+  for (const Arguments& arguments : {Arguments{"-o", "a.png"}, {"-o", "a.png", "-v"}}) {
+    const Outcome outcome = render(arguments);
+    EXPECT_EQ(outcome.out, "");
+    for (const char* said : {"a.png", "67x45", " ms", " triangles", "bound 0.", " px"})
+      EXPECT_TRUE(contains(outcome.err, said)) << said << " is not in " << outcome.err;
+  }
+  EXPECT_TRUE(contains(render({"-o", "a.png", "--aov", "position"}).err, "clamp")) << "numbers in 8 bits";
+  EXPECT_FALSE(contains(render({"-o", "a.exr", "--aov", "position"}).err, "clamp"));
+}
+
+TEST_F(RenderFiles, ValidationFindsNothing) {
+  const Outcome outcome = render({"-o", "a.png", "--validate"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(textOf(folder / "a.png"), fileOf({}, "b.png"));
+}
+
+TEST_F(RenderFiles, TheGalleryToo) {
+  const Outcome list = run(folder, {"render", "--list"});
+  EXPECT_EQ(list.code, 0);
+  EXPECT_EQ(list.err, "");
+  for (const char* scene : {"luxo-grandpa", "gallery"}) {
+    EXPECT_TRUE(contains("\n" + list.out, fmt::format("\n{} ", scene))) << list.out;
+    const Outcome outcome = run(folder, {"render", scene, "-o", "a.png", "--size", "33x21"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace luxo::test
