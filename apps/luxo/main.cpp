@@ -34,5 +34,6 @@ int runLuxo(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   luxo::tuneAllocator();
+  luxo::ignoreFileSizeSignal();
   return luxo::runToExitCode([&] { return runLuxo(argc, argv); });
 }

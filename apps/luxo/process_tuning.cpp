@@ -2,6 +2,7 @@
 #include "process_tuning.h"
 
 #include <climits>
+#include <csignal>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -22,6 +23,8 @@ void tuneAllocator() {
   mallopt(M_TOP_PAD, 64 * kMiB);
 #endif
 }
+
+void ignoreFileSizeSignal() { std::signal(SIGXFSZ, SIG_IGN); }
 
 std::chrono::steady_clock::time_point processStart() { return kProcessStart; }
 

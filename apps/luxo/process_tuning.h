@@ -11,6 +11,10 @@ namespace luxo {
 /// time. Call once, before any thread starts.
 void tuneAllocator();
 
+/// A limit on file sizes (ulimit -f) becomes an error of the write instead of a signal that ends the process.
+/// The driver writes its shader cache from threads of its own, where nothing else could keep the signal away.
+void ignoreFileSizeSignal();
+
 /// When this process began, as near as it can tell: the time a user has been waiting since.
 [[nodiscard]] std::chrono::steady_clock::time_point processStart();
 

@@ -37,5 +37,6 @@ int runLamp(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   luxo::tuneAllocator();
+  luxo::ignoreFileSizeSignal();
   return luxo::runToExitCode([&] { return runLamp(argc, argv); });
 }
