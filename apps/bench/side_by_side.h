@@ -14,9 +14,10 @@ namespace luxo::bench {
 using Way = std::function<void(int)>;
 
 /// Body of a benchmark with UseManualTime and a fixed number of iterations; the benchmark's own time is ours.
-/// Counters, medians in ms: `ours`, `theirs`, `ratio`; `ours_cpu`, `theirs_cpu`, `ratio_cpu` in time of all
-/// threads of this process, which neighbours on the machine disturb less; `ours_first`, `theirs_first`: the
-/// first call of each, where shaders are compiled and meshes made, which is in no median.
+/// Counters, medians in ms: `ours`, `theirs`, `ratio`; `ours_cpu`, `theirs_cpu`, `ratio_cpu` the same in
+/// processor time of all threads and ended children, which neighbours on the machine disturb less;
+/// `ours_first`, `theirs_first`: the first call of each, where shaders are compiled and meshes made, which is
+/// in no median.
 void sideBySide(benchmark::State& state, const Way& ours, const Way& theirs);
 
 }  // namespace luxo::bench
