@@ -116,5 +116,23 @@ TEST_F(Blending, OpaqueComesFirst) {
   EXPECT_TRUE(near(colorAt(image, static_cast<int>(outside.x), kMiddle), {0.5, 0.5, 1}, 1e-6));
 }
 
+TEST_F(Blending, CrossingPanesBothShow) {
+  // Whichever is drawn first must not hide the part of the other that lies behind it: glass writes no depth.
+  Scene scene;
+  scene.set(plainSettings());
+  for (const Vec3& color : {kRed, kGreen}) {
+    Node pane = plate(Vec3(0), Vec2(2), scene.add(glowing(color, 0.5)));
+    pane.parent = scene.add(Node{.rotation = Rotation{{0, 1, 0}, color == kRed ? 0.6 : -0.6}});
+    scene.add(pane);
+  }
+  const Camera camera{.eye = Vec3(0, 0, 5), .fovY = radians(40)};
+  const Image image = draw(scene, camera, kSize).image;
+  for (int y = 12; y < 36; ++y)
+    for (int x = 12; x < 36; ++x) {
+      const Vec3 color = colorAt(image, x, y);
+      ASSERT_TRUE(near(color, {0.5, 0.25, 0}, 1e-6) || near(color, {0.25, 0.5, 0}, 1e-6)) << x << ", " << y;
+    }
+}
+
 }  // namespace
 }  // namespace luxo::test

@@ -31,10 +31,11 @@ Camera lookingAlong(const Vec3& v, Projection projection) {
           .height = 3};
 }
 
+/// A floor with a vertex at the origin.
 Scene floorScene(const Material& material, const Vec3& ambient, std::span<const Shine> lights) {
   Scene scene;
   scene.set(RenderSettings{.background = Vec3(0), .ambient = ambient});
-  scene.add(Node{.surface = rectangle(40, 40), .material = scene.add(material)});
+  scene.add(Node{.surface = rectangle(40, 40), .material = scene.add(material), .segments = Segments{2, 2}});
   for (const Shine& light : lights) addLight(scene, light);
   return scene;
 }

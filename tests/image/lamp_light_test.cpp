@@ -67,8 +67,8 @@ struct Evidence {
   }
 };
 
-Evidence observe(Renderer& renderer, const Camera& camera, PixelSize size, double t, Shading shading) {
-  const Scene lamp = luxoGrandpa();
+Evidence observe(Renderer& renderer, const Scene& lamp, const Camera& camera, PixelSize size, double t,
+                 Shading shading) {
   const NodeId focal =
       nodeWith(lamp, [](const Node& n) { return n.light && n.light->shadow == Light::Shadow::Exact; });
   Scene dark = lamp;
@@ -128,7 +128,7 @@ TEST_F(LampLight, SpotOnTheFloorIsTheConic) {
                        .up = Vec3(0, 0, -1),
                        .fovY = radians(45)};
     for (const Camera& camera : {own, above}) {
-      const Evidence evidence = observe(renderer(), camera, kSize, known.t, Shading::Phong);
+      const Evidence evidence = observe(renderer(), luxoGrandpa(), camera, kSize, known.t, Shading::Phong);
       const CameraModel model(camera, kSize);
       int lit = 0, dark = 0;
       for (int y = 0; y < kSize.height; ++y)
@@ -187,7 +187,7 @@ TEST_F(LampLight, InnerWallIsLitAndOuterWallIsDark) {
                           .fovY = radians(40)};
       const CameraModel model(camera, kSize);
       for (const Shading shading : {Shading::Phong, Shading::Flat}) {
-        const Evidence evidence = observe(renderer(), camera, kSize, t, shading);
+        const Evidence evidence = observe(renderer(), luxoGrandpa(), camera, kSize, t, shading);
         int inner = 0, outer = 0, wrong = 0;
         for (int y = 0; y < kSize.height; ++y)
           for (int x = 0; x < kSize.width; ++x) {
@@ -211,6 +211,58 @@ TEST_F(LampLight, InnerWallIsLitAndOuterWallIsDark) {
       }
     }
   }
+}
+
+TEST_F(LampLight, FineShadeFarAwayDoesNotSpeckle) {
+  // A mesh this fine lies on the border of the lit inside, and at 80 m a float no longer tells on which side:
+  // the shade must be lit because it is the shade.
+  constexpr PixelSize kSize{200, 200};
+  Scene lamp = luxoGrandpa();
+  const NodeId shade =
+      nodeWith(lamp, [](const Node& n) { return n.surface.valid() && n.surface.paraboloid().has_value(); });
+  Node fine = lamp[shade];
+  fine.segments = Segments{512, 256};
+  lamp.set(shade, fine);
+  const LampPose pose = lampPose(0);
+  const Camera camera{.eye = pose.vertex + 80.0 * glm::normalize(pose.axis + Vec3(0.1, 0, 0.2)),
+                      .lookAt = pose.focus,
+                      .fovY = 2 * std::atan(1.3 / 80)};
+  const Evidence evidence = observe(renderer(), lamp, camera, kSize, 0, Shading::Phong);
+  const CameraModel model(camera, kSize);
+  int inner = 0, dark = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const bool isInner =
+          settled([&](const Vec2& p) { return firstWall(model.through(p), pose) == Wall::Inner; },
+                  centerOf(x, y), 0.5) == true;
+      if (evidence.at(x, y) != evidence.shade || !isInner) continue;
+      ++inner;
+      dark += !evidence.lit(x, y);
+    }
+  EXPECT_GT(inner, 5000);
+  EXPECT_EQ(dark, 0);
+}
+
+TEST_F(LampLight, WhatIsInsideTheShadeIsLit) {
+  // A small ball between the vertex and the focus, behind the rim's cone: lit on the side of the focus.
+  Scene lamp = luxoGrandpa();
+  const NodeId shade =
+      nodeWith(lamp, [](const Node& n) { return n.surface.valid() && n.surface.paraboloid().has_value(); });
+  lamp.add(Node{.parent = shade, .translation = Vec3(0.12, 0.06, 0), .surface = sphere(0.03)});
+  const auto ball = static_cast<std::uint32_t>(lamp.nodes().size() - 1);
+  const LampPose pose = lampPose(3);
+  const Camera camera{
+      .eye = pose.focus + 0.02 * pose.axis, .lookAt = pose.vertex, .fovY = radians(120), .near = 0.001};
+  constexpr PixelSize kSize{120, 120};
+  const Evidence evidence = observe(renderer(), lamp, camera, kSize, 3, Shading::Phong);
+  const std::uint32_t number = numberOf(takeSnapshot(lamp, 3, kSize, camera), NodeId{ball});
+  int lit = 0, dark = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x)
+      if (evidence.at(x, y) == number) ++(evidence.lit(x, y) ? lit : dark);
+  EXPECT_GT(lit, 100);
+  // The eye is 2 cm from the focus: only the outermost seen part of the ball may turn away from it.
+  EXPECT_LT(dark, lit / 4);
 }
 
 }  // namespace
