@@ -37,7 +37,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, Destination
         "{frame:04} is the frame's number",
         "FILE");
   add("--size", t.size, "size in pixels (1280x720)", "WxH");
-  add("--time", t.time, "moment to draw, in seconds (0)", "S");
+  add("--time", t.time, "moment to draw, in seconds (the scene's own)", "S");
   if (files) add("--frames", t.frames, "frames to draw: 1-250:2,300; frame n is at (n-1)/fps", "LIST");
   add("--fps", t.fps, "frames per second (24)", "N");
   add("--samples", t.samples, "samples per pixel: 1 or 4 (1)", "N");

@@ -48,6 +48,16 @@ std::vector<Job> jobsOf(const RenderRequest& request, const RenderSettings& sett
   return jobs;
 }
 
+/// Of a sequence: a missing folder is known before anything is drawn.
+void requireFolderOf(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code ignored;
+  if (std::filesystem::is_directory(folder, ignored)) return;
+  throw Error(ErrorKind::Write,
+              fmt::format("cannot write '{}': '{}' is not a folder", file.string(), folder.string()),
+              fmt::format("create the folder first: mkdir -p '{}'", folder.string()));
+}
+
 /// Encodes and writes; runs beside the drawing of the next frame. Gives the milliseconds it took.
 double encodeToFile(const Image& image, const std::filesystem::path& file) {
   const auto start = std::chrono::steady_clock::now();
@@ -64,6 +74,7 @@ class Run {
     refuseParameters(request_);
     const CameraId camera = cameraOf(scene_, request_);
     const std::vector<Job> jobs = jobsOf(request_, settings_);
+    if (jobs.size() > 1) requireFolderOf(jobs.front().file);
     warnAboutClampedValues();
 
     auto validation = std::make_shared<gpu::ValidationLog>();
@@ -86,7 +97,8 @@ class Run {
     if (const int signal = interruptingSignal(); signal != 0) return exit_code::kSignal + signal;
     requireNoMessage(*validation);
     requireError();
-    return failed_ > 0 ? exit_code::kSomeFramesFailed : exit_code::kDone;
+    if (failed_ == 0) return exit_code::kDone;
+    return failed_ == jobs.size() ? exitCodeOf(lastFailure_) : exit_code::kSomeFramesFailed;
   }
 
  private:
@@ -141,6 +153,7 @@ class Run {
       const bool ownToTheFrame = error.kind() == ErrorKind::Scene || error.kind() == ErrorKind::Write;
       if (!oneOfMany_ || !ownToTheFrame) throw;
       ++failed_;
+      lastFailure_ = error.kind();
       report_.frames[index].error = error.what();
       printError(Error(error.kind(), fmt::format("frame {}: {}", report_.frames[index].frame, error.what()),
                        error.hint()));
@@ -195,6 +208,7 @@ class Run {
   std::optional<Pending> pending_;
   bool oneOfMany_ = false;
   std::size_t failed_ = 0;
+  ErrorKind lastFailure_ = ErrorKind::Internal;
 };
 
 }  // namespace

@@ -76,7 +76,7 @@ std::size_t chooseName(std::span<const DeviceInfo> devices, std::string_view wan
     if (unusable == nullptr) unusable = &devices[i];
   }
   if (unusable != nullptr) throwUnusable(devices, wanted, *unusable);
-  throwNotFound(devices, fmt::format("there is no Vulkan device {}", wanted));
+  throwNotFound(devices, fmt::format("there is no Vulkan device '{}'", wanted));
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ std::size_t chooseDevice(std::span<const DeviceInfo> devices, std::string_view w
   const std::string name = lower(wanted);
   if (const auto number = parseNumber(name)) {
     if (*number >= devices.size())
-      throwNotFound(devices, fmt::format("there is no Vulkan device {}", wanted));
+      throwNotFound(devices, fmt::format("there is no Vulkan device '{}'", wanted));
     if (!devices[*number].usable()) throwUnusable(devices, wanted, devices[*number]);
     return *number;
   }

@@ -90,6 +90,8 @@ TEST_F(DeviceRefusals, WrongDevice) {
 }
 
 TEST_F(DeviceRefusals, PathsThatCannotBeWritten) {
+  expectRefused({"-o", "missing/####.png", "--frames", "1-3"}, 5, "'missing' is not a folder",
+                "mkdir -p 'missing'");
   expectRefused({"-o", "missing/a.png"}, 5, "cannot write 'missing/a.png': No such file or directory",
                 "mkdir -p 'missing'");
   expectRefused({"-o", "kept.png/a.png"}, 5, "cannot write 'kept.png/a.png': Not a directory",

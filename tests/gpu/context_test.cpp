@@ -54,14 +54,14 @@ TEST_F(ContextTest, OffersSupportedSampleCounts) {
 
 TEST_F(ContextTest, TakesTheDeviceTheEnvironmentNames) {
   const test::ScopedVariable variable("LUXO_DEVICE", "no such device");
-  EXPECT_THAT(errorOf({}).what(), HasSubstr("there is no Vulkan device no such device"));
+  EXPECT_THAT(errorOf({}).what(), HasSubstr("there is no Vulkan device 'no such device'"));
   EXPECT_NO_THROW(Context({.device = "0"})) << "what the program asks for comes first";
 }
 
 TEST_F(ContextTest, SaysWhichDevicesThereAreWhenTheNameIsWrong) {
   const Error error = errorOf({.device = "Voodoo 3"});
   EXPECT_EQ(error.kind(), ErrorKind::Device);
-  EXPECT_THAT(error.what(), HasSubstr("there is no Vulkan device Voodoo 3; this machine has:"));
+  EXPECT_THAT(error.what(), HasSubstr("there is no Vulkan device 'Voodoo 3'; this machine has:"));
   EXPECT_THAT(error.what(), HasSubstr(context().deviceInfo().name));
 }
 

@@ -65,12 +65,12 @@ TEST(DeviceChoice, GpuNeverMeansTheCpu) {
 TEST(DeviceChoice, NamesEveryDeviceWithItsReason) {
   const Error unknown = errorOf(kMachine, "Radeon");
   EXPECT_EQ(unknown.kind(), ErrorKind::Device);
-  EXPECT_THAT(unknown.what(), HasSubstr("there is no Vulkan device Radeon"));
+  EXPECT_THAT(unknown.what(), HasSubstr("there is no Vulkan device 'Radeon'"));
   EXPECT_THAT(unknown.what(),
               HasSubstr("1: Old Card (discrete GPU, old 1, Vulkan 1.1.0): not usable, it lacks Vulkan 1.3"));
   for (const DeviceInfo& device : kMachine) EXPECT_THAT(unknown.what(), HasSubstr(device.name));
 
-  EXPECT_THAT(errorOf(kMachine, "6").what(), HasSubstr("there is no Vulkan device 6"));
+  EXPECT_THAT(errorOf(kMachine, "6").what(), HasSubstr("there is no Vulkan device '6'"));
   EXPECT_THAT(errorOf(kMachine, "1").what(), HasSubstr("Vulkan device 1 (Old Card) is not usable: it lacks"));
   EXPECT_THAT(errorOf(kMachine, "old").what(), HasSubstr("device old (Old Card) is not usable: it lacks"));
 

@@ -151,7 +151,7 @@ void Controls::takeCamera(PixelSize size, Time now) {
   const bool perspective = camera.projection == Projection::Perspective;
   const double heightPerDistance =
       perspective ? 2 * std::tan(camera.fovY / 2) : camera.height / glm::length(pose.eye - pose.lookAt);
-  own_.emplace(camera, window::OrbitCamera(pose, heightPerDistance));
+  own_ = OwnCamera{camera, window::OrbitCamera(pose, heightPerDistance)};
 }
 
 std::optional<Camera> Controls::ownCamera() const {
