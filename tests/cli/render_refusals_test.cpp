@@ -82,10 +82,10 @@ TEST_F(RenderRefusals, NoDriver) {
 }
 
 TEST_F(DeviceRefusals, WrongDevice) {
-  expectRefused({"--device", "no such card"}, 4, "no such card; this machine has:\n  0: ", "by its number");
-  expectRefused({"--device", "99"}, 4, "99; this machine has:\n  0: ", "let luxo choose: auto");
+  expectRefused({"--device", "no such card"}, 4, "'no such card'; this machine has:\n  0: ", "by its number");
+  expectRefused({"--device", "99"}, 4, "'99'; this machine has:\n  0: ", "let luxo choose: auto");
   const ScopedVariable chosen("LUXO_DEVICE", "no such card");
-  expectRefused({}, 4, "no such card; this machine has:\n  0: ", "by its number");
+  expectRefused({}, 4, "'no such card'; this machine has:\n  0: ", "by its number");
   EXPECT_EQ(render({"--device", "0", "-o", "a.png"}).code, 0) << "the command line comes before the variable";
 }
 
