@@ -159,6 +159,7 @@ class Viewer {
   // One turn at the screen's rate: draws and shows what differs from what is seen, if anything.
   void showNext() {
     const auto start = Clock::now();
+    nextFrame_ = std::max(nextFrame_ + period(), start);
     dirty_ = false;
     if (swapchain_.update(window_.framebufferSize()) == SwapchainStatus::Hidden) return;
     measureLastPicture();
@@ -167,7 +168,6 @@ class Viewer {
     const DrawOptions& draw = controls_.drawOptions();
     const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_;
     if (!repaint && !damaged_ && swapchain_.generation() == shownGeneration_ && panels() == panels_) return;
-    nextFrame_ = std::max(nextFrame_ + period(), start);
     const double evaluated = millisecondsSince(start);
 
     if (repaint) finishLastPicture();
