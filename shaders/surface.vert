@@ -17,7 +17,7 @@ layout(location = 5) flat out vec2 outShininessOpacity;
 layout(location = 6) flat out uint outFlags;
 layout(location = 7) flat out vec4 outViewer;
 layout(location = 8) flat out vec4 outLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
-layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; focal length
+layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; reach
 
 invariant gl_Position;
 
@@ -37,7 +37,7 @@ void main() {
   }
   for (uint i = 0; i < kCarriedShades; ++i) {
     outShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
-    outShades[2 * i + 1] = vec4(lightSet.shades[i].focalLength, 0, 0, 0);
+    outShades[2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
   }
   gl_Position = view.clipFromRelative * vec4(outPosition, 1);
 }

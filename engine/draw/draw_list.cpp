@@ -57,11 +57,26 @@ Segments segmentsOf(const SnapshotNode& node, const VisibleNode& visible, Shadin
   return segments;
 }
 
+/// How far the mesh of a shade may lie inside its true wall, metres. It does not depend on whether the shade
+/// is seen, as what it lights may be.
+double wallError(const Snapshot& snapshot, NodeId shade, double tolerancePx) {
+  const auto node = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
+                                 [&](const SnapshotNode& n) { return n.id == shade; });
+  if (node == snapshot.nodes.end()) return 0;
+  if (node->segments)
+    return deviationBound(node->surface, node->parameters, *node->segments) *
+           largestStretch(node->worldFromObject.linear);
+  const View& view = snapshot.view;
+  const Sphere sphere = sphereAround(node->boundsWorld);
+  const double depth = glm::dot(sphere.center - view.eye, view.forward()) + sphere.radius;
+  return tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
+}
+
 /// Collects the distinct sets of lights; equal sets share one entry.
 class LightSets {
  public:
-  LightSets(const Snapshot& snapshot, std::vector<shared::LightSet>& sets)
-      : snapshot_(snapshot), sets_(sets) {
+  LightSets(const Snapshot& snapshot, double tolerancePx, std::vector<shared::LightSet>& sets)
+      : snapshot_(snapshot), tolerancePx_(tolerancePx), sets_(sets) {
     indexOf({});  // draws without light have a set to bind
   }
 
@@ -106,16 +121,24 @@ class LightSets {
       set.lights[i] = {.position = Vec4f(toFloat(position), light.positionWorld.w),
                        .radiance = toFloat(light.radiance),
                        .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
-      if (light.shade)
-        set.shades[shade++] = {
-            .axis = toFloat(light.shade->axis),
-            .cosRim = static_cast<float>(light.shade->cosRim),
-            .focalLength = static_cast<float>(light.shade->focalLength * light.shade->scale)};
+      if (light.shade) set.shades[shade++] = shadeData(*light.shade);
     }
     return set;
   }
 
+  /// A point is inside the paraboloid if it is nearer to the focus than to the directrix plane, which is
+  /// twice the focal length behind the focus. What protrudes between the true wall and its mesh is seen from
+  /// outside and must not be lit from inside: the difference of the two distances grows by at most two per
+  /// metre from the wall.
+  [[nodiscard]] shared::ShadeData shadeData(const ShadeRule& rule) const {
+    const double inside = 2 * rule.focalLength * rule.scale;
+    return {.axis = toFloat(rule.axis),
+            .cosRim = static_cast<float>(rule.cosRim),
+            .reach = static_cast<float>(inside - 2 * wallError(snapshot_, rule.caster, tolerancePx_))};
+  }
+
   const Snapshot& snapshot_;
+  double tolerancePx_;
   std::vector<shared::LightSet>& sets_;
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
 };
@@ -181,7 +204,7 @@ class DrawLister {
         visible_(visible),
         options_(options),
         meshes_(meshes),
-        lightSets_(snapshot, list_.lightSets) {
+        lightSets_(snapshot, options.tolerancePx, list_.lightSets) {
     list_.view = viewData(snapshot, visible);
   }
 
@@ -215,7 +238,7 @@ class DrawLister {
       groups[entry->second].instances.push_back(item.instance);
     }
     for (Group& group : groups)
-      append(list_.opaque, std::move(group.batch), group.instances, {FaceCulling::Back, FaceCulling::Front});
+      append(list_.opaque, std::move(group.batch), group.instances, {Half::Near, Half::Far});
   }
 
   /// Order is everything, so only neighbours merge, and a surface shows its far side first.
@@ -230,8 +253,7 @@ class DrawLister {
         list_.instances.push_back(item.instance);
         ++list_.transparent.back().instanceCount;
       } else {
-        append(list_.transparent, std::move(item.batch), {&item.instance, 1},
-               {FaceCulling::Front, FaceCulling::Back});
+        append(list_.transparent, std::move(item.batch), {&item.instance, 1}, {Half::Far, Half::Near});
       }
     }
   }
@@ -245,6 +267,7 @@ class DrawLister {
     batch.mesh = meshes_.get(node.surface, node.parameters, segmentsOf(node, v, shading, snapshot_.view));
     batch.culling = cullingOf(v, options_);
     batch.flat = node.surface.flatNormal().has_value();
+    batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
     LightSets::Choice lights;
     if (needsLights(batch.state))
@@ -259,7 +282,7 @@ class DrawLister {
 
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
   void append(std::vector<DrawBatch>& batches, DrawBatch batch,
-              std::span<const shared::InstanceData> instances, std::array<FaceCulling, 2> sides) {
+              std::span<const shared::InstanceData> instances, std::array<Half, 2> halves) {
     batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
     batch.instanceCount = static_cast<std::uint32_t>(instances.size());
     list_.instances.insert(list_.instances.end(), instances.begin(), instances.end());
@@ -269,8 +292,9 @@ class DrawLister {
       batches.push_back(std::move(batch));
       return;
     }
-    for (const FaceCulling side : sides) {
-      batch.culling = side;
+    for (const Half half : halves) {
+      batch.half = half;
+      batch.culling = half == Half::Near ? FaceCulling::Back : FaceCulling::Front;
       batches.push_back(batch);
     }
   }

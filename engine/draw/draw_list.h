@@ -27,18 +27,22 @@ struct DrawState {
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
 
-/// Which faces are left out. A curved surface that shows both sides is drawn in two halves, its near side
-/// (Back culled) and its far side (Front culled): at the silhouette the two meet at equal depth, and rounding
-/// must not let a spark of the far side through. Opaque far sides are pushed away by a fraction of a pixel's
-/// slope.
 enum class FaceCulling { None, Back, Front };
+
+/// A curved surface that shows both sides is drawn in two halves. At the silhouette the two meet at equal
+/// depth, and rounding must not let a spark of the far side through: opaque far sides are pushed away by a
+/// fraction of a pixel's slope, and near sides whose far side may be lit differently are pulled forward
+/// alike.
+enum class Half { Whole, Near, Far };
 
 /// One indexed draw: consecutive instances of one mesh in one state.
 struct DrawBatch {
   DrawState state;
   std::shared_ptr<const Mesh> mesh;
   FaceCulling culling = FaceCulling::None;
+  Half half = Half::Whole;
   bool flat = false;      ///< lies in one plane: its sides never meet
+  bool twoSided = false;  ///< each side is lit by itself
   bool mirrored = false;  ///< the transforms turn counter-clockwise into clockwise
   std::uint32_t lightSet = 0;
   std::uint32_t firstInstance = 0, instanceCount = 0;

@@ -89,9 +89,14 @@ void beginPass(VkCommandBuffer commands, const PassTargets& targets, VkAttachmen
 }
 
 /// Vertices snap to 1/256 pixel, so the depth of a facet is uncertain by its slope times 1/512 pixel at its
-/// edges; four times that, and a few units of rounding, puts the far side behind the near one wherever they
-/// meet.
-constexpr gpu::DepthBias kFarSide{.constant = -8, .slope = -1.0f / 128};
+/// edges; four times that, and a few units of rounding, keeps the halves of a surface apart wherever they
+/// meet. Each half moves by its own slope, since either may be the steeper one.
+gpu::DepthBias biasOf(const DrawBatch& batch) {
+  constexpr float kUnits = 8, kSlope = 1.0f / 128;
+  if (batch.state.blended || batch.half == Half::Whole) return {};
+  if (batch.half == Half::Far) return {.constant = -kUnits, .slope = -kSlope};
+  return batch.twoSided ? gpu::DepthBias{.constant = kUnits, .slope = kSlope} : gpu::DepthBias{};
+}
 
 VkCullModeFlags cullMode(FaceCulling culling) {
   return culling == FaceCulling::None   ? VK_CULL_MODE_NONE
@@ -225,7 +230,7 @@ void ScenePainter::paint(VkCommandBuffer commands, VkDescriptorSet set, const st
 
     pipeline.bind(commands);
     pipeline.bindSet(commands, 0, set, {&lightOffset, 1});
-    if (batch.culling == FaceCulling::Front && !batch.state.blended) gpu::setDepthBias(commands, kFarSide);
+    gpu::setDepthBias(commands, biasOf(batch));
     vkCmdSetCullMode(commands, cullMode(batch.culling));
     vkCmdSetFrontFace(commands, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};

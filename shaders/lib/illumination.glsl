@@ -50,7 +50,7 @@ vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v)
 bool litThroughShade(ShadeData shade, vec3 fromFocus) {
   float along = dot(fromFocus, shade.axis);
   float len = sqrt(dot(fromFocus, fromFocus));
-  return len <= along + 2.0 * shade.focalLength || along >= shade.cosRim * len;
+  return len <= along + shade.reach || along >= shade.cosRim * len;
 }
 
 vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {

@@ -69,7 +69,7 @@ struct LightData {
 struct ShadeData {
   vec3 axis;  // unit, from the vertex through the focus out of the opening
   float cosRim;
-  float focalLength;
+  float reach;  // points nearer to the focus than `reach` more than they are along the axis are inside the shade
 };
 
 struct LightSet {
