@@ -12,15 +12,19 @@ function(luxo_shaders target)
   foreach(source IN LISTS ARGN)
     get_filename_component(file ${source} NAME)
     string(REPLACE "." "_" name ${file})
+    set(compile ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${CMAKE_SOURCE_DIR}/shaders $<$<CONFIG:Debug>:-gVS>)
+    # The compiler's list of included files names its output, so the words and the header are made apart.
     add_custom_command(
-      OUTPUT ${out}/${name}.h
-      COMMAND ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${CMAKE_SOURCE_DIR}/shaders
-              $<$<CONFIG:Debug>:-gVS> --depfile ${out}/${name}.d -o ${out}/${name}.spv ${source}
+      OUTPUT ${out}/${name}.spv
+      COMMAND ${compile} --depfile ${out}/${name}.d -o ${out}/${name}.spv ${source}
       COMMAND ${LUXO_SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${out}/${name}.spv
-      COMMAND ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${CMAKE_SOURCE_DIR}/shaders
-              $<$<CONFIG:Debug>:-gVS> --vn luxo_${name} -o ${out}/${name}.h ${source}
       DEPENDS ${source} DEPFILE ${out}/${name}.d
       COMMENT "Compiling shader ${file}" COMMAND_EXPAND_LISTS VERBATIM)
+    add_custom_command(
+      OUTPUT ${out}/${name}.h
+      COMMAND ${compile} --vn luxo_${name} -o ${out}/${name}.h ${source}
+      DEPENDS ${out}/${name}.spv
+      COMMENT "Embedding shader ${file}" COMMAND_EXPAND_LISTS VERBATIM)
     list(APPEND headers ${out}/${name}.h)
   endforeach()
   add_custom_target(${target}_spirv DEPENDS ${headers})
