@@ -39,7 +39,7 @@ await() {
 
 open_screen() {
   local tool
-  for tool in Xvfb openbox xdotool xwininfo; do
+  for tool in Xvfb openbox xdotool xwininfo xev; do
     command -v "$tool" >/dev/null && continue
     echo "window.$case_name: $tool is not installed" >&2
     [[ ${LUXO_REQUIRE_GPU:-0} == 1 ]] && exit 1
@@ -54,9 +54,23 @@ open_screen() {
   unset WAYLAND_DISPLAY
   HOME=$folder openbox >/dev/null 2>&1 &
   pids+=($!)
-  await "the window manager is there" wm_is_there
+  await "the window manager is there" wm_shows_windows
 }
-wm_is_there() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q 'window id'; }
+# A window manager announces itself before it is ready (the first time it reads all fonts), and a window that is mapped
+# in between never shows. So a window of no consequence goes first.
+wm_shows_windows() {
+  local probe shown=1 i
+  xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q 'window id' || return 1
+  xev >/dev/null 2>&1 &
+  probe=$!
+  for ((i = 0; i < 20 && shown; ++i)); do
+    xdotool search --onlyvisible --name '^Event Tester$' >/dev/null 2>&1 && shown=0
+    sleep 0.1
+  done
+  kill "$probe"
+  wait "$probe" 2>/dev/null
+  return $shown
+}
 
 shot() { cp "$folder/screen/Xvfb_screen0" "$folder/$1.xwd"; }
 screen_is() { cmp -s "$folder/screen/Xvfb_screen0" "$folder/$1.xwd"; }
