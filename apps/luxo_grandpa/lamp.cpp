@@ -17,8 +17,8 @@ constexpr double kShadeOffset = 0.3, kShadeFocus = 0.2, kShadeHeight = 1.8;  // 
 Vec3 up(double metres) { return {0, metres, 0}; }
 
 // What reflects light evenly reflects it from everywhere: ambient = pi * diffuse.
-MaterialId addMaterial(Scene& scene, const char* name, const Vec3& diffuse, double specular,
-                       double shininess, TwoSided twoSided = TwoSided::Auto) {
+MaterialId addMaterial(Scene& scene, const char* name, const Vec3& diffuse, double specular, double shininess,
+                       TwoSided twoSided = TwoSided::Auto) {
   return scene.add(Material{.name = name,
                             .diffuse = diffuse,
                             .ambient = kPi * diffuse,

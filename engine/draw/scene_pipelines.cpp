@@ -54,7 +54,7 @@ std::optional<Inspection> inspectionOf(const DrawState& state) {
   }
 }
 
-/// Whether two states differ in nothing that a pipeline is made of: what is not lit does not count lights.
+/// States that make the same pipeline become equal: an auxiliary output is the same under every shading.
 DrawState canonical(DrawState state) {
   if (state.output != Output::Color) state.shading = Shading::Phong;
   return state;

@@ -83,8 +83,10 @@ TEST(Compare, NaNAndInfinity) {
 
 TEST(Compare, OtherShapesAreRefused) {
   for (const Image& other : {Image(3, 2, 3), Image(2, 3, 3), Image(2, 2, 4)}) {
-    EXPECT_EQ(kindThrownBy([&] { static_cast<void>(compare(Image(2, 2, 3), other)); }), ErrorKind::Requirement);
-    EXPECT_EQ(kindThrownBy([&] { static_cast<void>(heatMap(Image(2, 2, 3), other)); }), ErrorKind::Requirement);
+    EXPECT_EQ(kindThrownBy([&] { static_cast<void>(compare(Image(2, 2, 3), other)); }),
+              ErrorKind::Requirement);
+    EXPECT_EQ(kindThrownBy([&] { static_cast<void>(heatMap(Image(2, 2, 3), other)); }),
+              ErrorKind::Requirement);
   }
 }
 

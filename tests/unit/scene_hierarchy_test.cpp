@@ -227,7 +227,8 @@ TEST(Scene, BadMomentsAreNamedWithTheirTime) {
   reject({.scale = [](double) { return Vec3(INFINITY); }}, {"arm", "2.5", "scale"});
   reject({.rotation = Rotation{{0, 0, 0}, 1}}, {"arm", "zero axis"});
   reject({.rotation = Rotation{{0, 1, 0}, kNaN}}, {"arm", "rotation", "nan"});
-  reject({.surface = flag({.phase = [](double t) { return t < 1 ? t : kNaN; }})}, {"arm", "parameter", "flag"});
+  reject({.surface = flag({.phase = [](double t) { return t < 1 ? t : kNaN; }})},
+         {"arm", "parameter", "flag"});
 
   Scene still;
   still.add(Node{.rotation = Rotation{{0, 0, 0}, 0}, .surface = sphere(1)});  // a zero axis turns by nothing

@@ -117,7 +117,8 @@ TEST(Snapshot, CameraIsTheNamedOneTheFirstOneOrAFittedOne) {
   bare.add(Node{.translation = [](double t) { return Vec3(t, 0, 0); }, .surface = sphere(1)});
   const View still = snap(bare, 0).view;
   EXPECT_TRUE(still == snap(bare, 7).view);
-  const Vec2 middle = pixelFromEye(still, eyeFromWorldPoint(still, Vec3(0)));  // where the ball is at that time
+  const Vec2 middle =
+      pixelFromEye(still, eyeFromWorldPoint(still, Vec3(0)));  // where the ball is at that time
   EXPECT_NEAR(middle.x, 50, 1e-9);
   EXPECT_NEAR(middle.y, 50, 1e-9);
 }

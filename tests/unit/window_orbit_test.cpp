@@ -167,8 +167,8 @@ TEST(WindowOrbit, StaysUsableWhateverIsDone) {
     ASSERT_GE(camera.distance(), first * 0.99e-4);
     ASSERT_LE(camera.distance(), first * 1.01e4);
     const View view = viewOf(camera);  // throws for anything that is not finite, and for eye == look_at
-    // At worst the pivot is 2e7 m away, where doubles are 4e-9 apart, and the eye 2e-3 m from it, at 89 degrees:
-    // 4e-9 / 2e-3 / cos(89 degrees) = 1e-4 for a direction.
+    // At worst the pivot is 2e7 m away, where doubles are 4e-9 apart, and the eye 2e-3 m from it, at 89
+    // degrees: 4e-9 / 2e-3 / cos(89 degrees) = 1e-4 for a direction.
     ASSERT_GT(view.up().y, std::sin(radians(1)) - 1e-4);
     ASSERT_NEAR(view.right().y, 0, 1e-4);  // the horizon stays level
   }
