@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/suggestion.h"
 #include "luxo_grandpa/lamp.h"
 #include "scenes/gallery.h"
-#include "suggestion.h"
 
 namespace luxo {
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/suggestion.h"
 #include "console.h"
-#include "suggestion.h"
 
 namespace luxo {
 namespace {

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "suggestion.h"
+#include "base/suggestion.h"
 
 namespace luxo {
 namespace {

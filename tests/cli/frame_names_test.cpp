@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "suggestion.h"
 #include "unit/image_test_support.h"
 
 namespace luxo {
@@ -48,17 +47,6 @@ TEST(FrameNames, MisshapenPlaceholdersAreRefused) {
   for (const char* pattern : {"a%4d.png", "a%00d.png", "a%099d.png", "a{frame:}.png", "a{frame:4}.png",
                               "a{frame:x}.png", "a{frame04}.png", "a{frame.png", "a%099999999999d.png"})
     EXPECT_EQ(kindThrownBy([&] { const FrameNames names(pattern, true); }), ErrorKind::Usage) << pattern;
-}
-
-TEST(Suggestion, FindsTheClosest) {
-  const std::vector<std::string> names = {"--size", "--time", "--tolerance", "-o"};
-  EXPECT_EQ(closestName("--sise", names), "--size");
-  EXPECT_EQ(closestName("--SIZE", names), "--size");
-  EXPECT_EQ(closestName("--tmie", names), "--time");  // two letters swapped are one slip
-  EXPECT_EQ(closestName("--tolernce", names), "--tolerance");
-  EXPECT_EQ(closestName("--tize", names), "--size");  // as close as --time: the first of equals
-  EXPECT_EQ(closestName("--banana", names), "");
-  EXPECT_EQ(didYouMean("--banana", names, "see help"), "see help");
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace luxo {
 
 /// The candidate that takes the fewest slips (a letter added, left out, changed, or two swapped) to reach, or
-/// empty when even that one takes more than a third of its letters. Case does not count.
+/// empty when even that one takes more than a third of its letters or replaces all of them. Case does not
+/// count.
 [[nodiscard]] std::string closestName(std::string_view typed, std::span<const std::string> candidates);
 
 /// "did you mean 'x'?", or `otherwise` when nothing is close.
