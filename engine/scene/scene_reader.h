@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads scene files (.luxo.json). Strict: unknown keys, wrong types, missing and doubled names are errors,
+// and all errors of a file are reported at once, each with its line and a caret.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "scene/scene_file.h"
+
+namespace luxo {
+
+/// The description in a text; `name` is what messages call it. Throws Error(Scene) whose what() shows every
+/// error (20 of them, and how many more), those of its formulas and references included. Linear in the text.
+/// Memory: the text, 16 bytes per JSON value while reading, then about 600 bytes per node.
+[[nodiscard]] SceneFile parseScene(std::string text, std::string name);
+
+/// The description in a file. Throws Error(Scene) also for one that does not exist, is a directory, cannot be
+/// read or is larger than 1 GiB.
+[[nodiscard]] SceneFile readSceneFile(const std::filesystem::path& path);
+
+}  // namespace luxo
