@@ -7,12 +7,30 @@
 // a single segment.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <span>
 
 #include "surface/surface.h"
 #include "tessellate/mesh.h"
 
 namespace luxo {
+
+/// What a mesh should be like. Object units.
+struct MeshDesc {
+  /// A plain grid of this many cells on every patch, instead of what follows.
+  std::optional<Segments> uniform = std::nullopt;
+  /// Largest distance between the surface and its triangles; positive.
+  double tolerance = std::numeric_limits<double>::infinity();
+  /// Largest extent of a triangle along u and along v, about: a size, not a proof. For what is interpolated
+  /// between vertices and is not a shape.
+  double longestEdge = std::numeric_limits<double>::infinity();
+};
+
+/// The triangles of a surface at given values of its parameters. Pure: equal input gives equal bits, on any
+/// number of threads.
+[[nodiscard]] Mesh tessellate(const Surface& surface, std::span<const double> parameters,
+                              const MeshDesc& desc);
 
 /// No direction is ever cut into more pieces; a tolerance that would need more is met as far as this allows,
 /// and the mesh's bound says so.
