@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "base/error.h"
@@ -35,6 +36,12 @@ void validate(const Material& material) {
     reject(material, "shininess", fmt::format("{}", material.shininess), "finite and not negative");
   if (!(material.opacity >= 0 && material.opacity <= 1))
     reject(material, "opacity", fmt::format("{}", material.opacity), "from 0 to 1");
+  if (material.patternParameters.size() != material.diffusePattern.parameterCount())
+    reject(material, "the number of pattern parameters", fmt::format("{}", material.patternParameters.size()),
+           fmt::format("{}", material.diffusePattern.parameterCount()));
+  for (const double parameter : material.patternParameters)
+    if (!std::isfinite(parameter))
+      reject(material, "a pattern parameter", fmt::format("{}", parameter), "finite");
 }
 
 }  // namespace luxo

@@ -5,8 +5,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "math/vec.h"
+#include "scene/pattern.h"
 #include "scene/shading.h"
 
 namespace luxo {
@@ -29,6 +31,8 @@ struct Material {
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = std::nullopt;  ///< overrides the picture's shading
   bool lectureSpecular = false;                   ///< highlights even where the light is below the horizon
+  Pattern diffusePattern = {};  ///< stands for `diffuse`, and for the ambient colour unless that is given
+  std::vector<double> patternParameters = {};  ///< as many as the pattern has
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] bool transparent() const { return opacity < 1; }

@@ -12,6 +12,7 @@ enum class Shading {
   Flat,       ///< one normal per triangle
   Gouraud,    ///< light at vertices, interpolated
   Phong,      ///< light in every pixel, from the interpolated normal
+  Toon,       ///< two levels of the diffuse colour, and an outline
   Wireframe,  ///< the edges of the triangles
   Normal,     ///< view of data: world normal
   Uv,         ///< view of data: surface parameters
@@ -19,8 +20,8 @@ enum class Shading {
   Id,         ///< view of data: the node's number
 };
 
-inline constexpr std::array<std::string_view, 8> kShadingNames = {"flat",   "gouraud", "phong", "wireframe",
-                                                                  "normal", "uv",      "depth", "id"};
+inline constexpr std::array<std::string_view, 9> kShadingNames = {
+    "flat", "gouraud", "phong", "toon", "wireframe", "normal", "uv", "depth", "id"};
 
 [[nodiscard]] constexpr std::string_view nameOf(Shading shading) {
   return kShadingNames[static_cast<std::size_t>(shading)];

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formula/glsl.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <iterator>
+#include <vector>
+
+#include "base/assert.h"
+#include "base/error.h"
+
+namespace luxo {
+namespace {
+
+/// A float of nine digits reads back exactly; one beyond the largest is an infinity, which has no literal.
+std::string literal(double value) {
+  const auto rounded = static_cast<float>(value);
+  if (!std::isfinite(rounded))
+    return fmt::format("uintBitsToFloat({:#x}u)",
+                       std::isnan(rounded) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(rounded));
+  std::string text = fmt::format("{:.9g}", rounded);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return std::signbit(rounded) ? "(" + text + ")" : text;
+}
+
+std::string variable(std::uint32_t index) {
+  return index == 0 ? "u" : index == 1 ? "v" : fmt::format("parameterAt({}u)", index - 2);
+}
+
+/// The statements of one function body.
+class Body {
+ public:
+  explicit Body(const std::vector<ExprNode>& nodes) : nodes_(nodes), names_(nodes.size()) {}
+
+  void compute(const std::vector<std::uint32_t>& order) {
+    for (const std::uint32_t node : order) names_[node] = valueOf(nodes_[node]);
+  }
+
+  [[nodiscard]] const std::string& name(std::uint32_t node) const { return names_[node]; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  /// The name or literal that stands for the node from now on.
+  std::string valueOf(const ExprNode& node) {
+    const auto x = [&] { return std::string_view(names_[node.a]); };
+    const auto y = [&] { return std::string_view(names_[node.b]); };
+    const auto call = [&](std::string_view function) {
+      return define(operandCount(node.op) == 2 ? fmt::format("{}({}, {})", function, x(), y())
+                                               : fmt::format("{}({})", function, x()));
+    };
+    switch (node.op) {
+      case Op::Constant:
+        return literal(node.value);
+      case Op::Variable:
+        return node.a < 2 ? variable(node.a) : define(variable(node.a));
+      case Op::Negate:
+        return define(fmt::format("-{}", x()));
+      case Op::Add:
+        return define(fmt::format("{} + {}", x(), y()));
+      case Op::Subtract:
+        return define(fmt::format("{} - {}", x(), y()));
+      case Op::Multiply:
+        return define(fmt::format("{} * {}", x(), y()));
+      case Op::Divide:
+        return define(fmt::format("{} / {}", x(), y()));
+      case Op::Power:
+        return power(names_[node.a], static_cast<int>(node.value));
+      case Op::Sqrt:
+        return call("sqrt");
+      case Op::Exp:
+        return call("formulaExp");
+      case Op::Log:
+        return call("formulaLog");
+      case Op::Sin:
+        return call("formulaSin");
+      case Op::Cos:
+        return call("formulaCos");
+      case Op::Tan:
+        return call("formulaTan");
+      case Op::Sinh:
+        return call("formulaSinh");
+      case Op::Cosh:
+        return call("formulaCosh");
+      case Op::Tanh:
+        return call("formulaTanh");
+      case Op::Asin:
+        return call("formulaAsin");
+      case Op::Acos:
+        return call("formulaAcos");
+      case Op::Atan:
+        return call("formulaAtan");
+      case Op::Atan2:
+        return call("formulaAtan2");
+      case Op::Abs:
+        return call("abs");
+      case Op::Min:
+        return define(fmt::format("{1} < {0} ? {1} : {0}", x(), y()));
+      case Op::Max:
+        return define(fmt::format("{0} < {1} ? {1} : {0}", x(), y()));
+      case Op::Floor:
+        return call("floor");
+      case Op::Sign:
+        return call("sign");
+      case Op::Raise:
+        return call("formulaPow");
+      case Op::Less:
+        return define(fmt::format("float({} < {})", x(), y()));
+      case Op::LessEqual:
+        return define(fmt::format("float({} <= {})", x(), y()));
+      case Op::Equal:
+        return define(fmt::format("float({} == {})", x(), y()));
+      case Op::Select:
+        return define(fmt::format("{} != 0.0 ? {} : {}", x(), y(), names_[node.c]));
+    }
+    LUXO_REQUIRE(false && "an operation");
+    return {};
+  }
+
+  std::string define(std::string_view expression) {
+    std::string name = fmt::format("t{}", count_++);
+    fmt::format_to(std::back_inserter(text_), "  float {} = {};\n", name, expression);
+    return name;
+  }
+
+  /// By repeated squaring, as integerPower() does it.
+  std::string power(std::string square, int exponent) {
+    std::string result;
+    for (auto n = std::abs(static_cast<std::int64_t>(exponent)); n > 0; n >>= 1) {
+      if (n & 1) result = result.empty() ? square : define(fmt::format("{} * {}", result, square));
+      if (n > 1) square = define(fmt::format("{0} * {0}", square));
+    }
+    if (result.empty()) return "1.0";
+    return exponent < 0 ? define(fmt::format("1.0 / {}", result)) : result;
+  }
+
+  const std::vector<ExprNode>& nodes_;
+  std::vector<std::string> names_;
+  std::string text_;
+  std::size_t count_ = 0;
+};
+
+std::string typeOf(const GlslOutput& output) {
+  const std::size_t size = output.components.size();
+  LUXO_REQUIRE(size >= 1 && size <= 4);
+  return size == 1 ? "float" : fmt::format("vec{}", size);
+}
+
+}  // namespace
+
+std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs) {
+  std::vector<std::uint32_t> roots;
+  for (const GlslOutput& output : outputs)
+    for (const Expr& component : output.components) roots.push_back(graph.nodeOf(component));
+  const std::vector<std::uint32_t> order = reachable(graph, roots);
+  if (order.size() > kMostGlslOperations)
+    throw Error(ErrorKind::Scene,
+                fmt::format("cannot make a shader of a formula with {} operations; {} are the most",
+                            order.size(), kMostGlslOperations),
+                "simplify the formula");
+  Body body(graph.nodes());
+  body.compute(order);
+
+  std::string text = fmt::format("void {}(float u, float v", name);
+  for (const GlslOutput& output : outputs)
+    fmt::format_to(std::back_inserter(text), ", out {} {}", typeOf(output), output.name);
+  text += ") {\n" + body.text();
+  auto root = roots.begin();
+  for (const GlslOutput& output : outputs) {
+    std::string components;
+    for (std::size_t k = 0; k < output.components.size(); ++k)
+      components += (k > 0 ? ", " : "") + body.name(*root++);
+    fmt::format_to(std::back_inserter(text), "  {} = {}({});\n", output.name, typeOf(output), components);
+  }
+  return text + "}\n";
+}
+
+std::string emitSurfaceGlsl(Graph& graph, std::string_view name, const ExprPoint& position,
+                            bool secondDerivatives) {
+  const auto derivative = [&](const ExprPoint& p, std::uint32_t variable) {
+    return ExprPoint{graph.derivative(p[0], variable), graph.derivative(p[1], variable),
+                     graph.derivative(p[2], variable)};
+  };
+  const ExprPoint du = derivative(position, 0), dv = derivative(position, 1);
+  std::vector<GlslOutput> outputs{{"S", position}, {"Su", du}, {"Sv", dv}};
+  if (!secondDerivatives) return emitGlsl(graph, name, outputs);
+  const ExprPoint duu = derivative(du, 0), duv = derivative(du, 1), dvv = derivative(dv, 1);
+  outputs.insert(outputs.end(), {{"Suu", duu}, {"Suv", duv}, {"Svv", dvv}});
+  return emitGlsl(graph, name, outputs);
+}
+
+}  // namespace luxo
