@@ -83,7 +83,7 @@ Scene luxoGrandpa() {
   scene.add(Node{.name = "bulb",
                  .parent = shade,
                  .translation = up(kShadeFocus),
-                 .light = Light{.color = {1, 0.9, 0.7},
+                 .light = Light{.color = Vec3(1, 0.9, 0.7),
                                 .intensity = 110,
                                 .attenuation = Light::Attenuation::InverseSquare,
                                 .shadow = Light::Shadow::Exact,

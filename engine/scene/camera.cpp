@@ -8,7 +8,10 @@
 
 namespace luxo {
 
-bool Camera::movesWithTime() const { return !(eye.isConstant() && lookAt.isConstant() && up.isConstant()); }
+bool Camera::movesWithTime() const {
+  return eye.movesWithTime() || lookAt.movesWithTime() || up.movesWithTime() || fovY.movesWithTime() ||
+         near.movesWithTime() || height.movesWithTime();
+}
 
 Camera fitCamera(const Box& bounds, PixelSize size) {
   const Box box = bounds.empty() ? Box{Vec3(-0.5), Vec3(0.5)} : bounds;
@@ -19,12 +22,12 @@ Camera fitCamera(const Box& bounds, PixelSize size) {
   const double radius = std::max(sphere.radius, 1e-6 * glm::length(sphere.center) + 1e-12);
 
   Camera camera{.name = "fitted"};
-  const double tanY = std::tan(0.5 * camera.fovY);
+  const double tanY = std::tan(0.5 * camera.fovY.at(0));
   const double tanNarrow = tanY * std::min(1.0, double(size.width) / std::max(size.height, 1));
   const double distance = radius / std::sin(std::atan(tanNarrow));
   camera.eye = sphere.center + distance * unit(Vec3(1, 0.8, 1.5));
   camera.lookAt = sphere.center;
-  camera.near = std::min(camera.near, 0.01 * distance);
+  camera.near = std::min(camera.near.at(0), 0.01 * distance);
   return camera;
 }
 

@@ -27,10 +27,11 @@ struct Camera {
   /// Need not be unit or perpendicular. Zero or parallel to the view direction: +Y is used, or -Z when
   /// looking along Y.
   Animated<Vec3> up = Vec3(0, 1, 0);
-  double fovY = radians(40);  ///< full vertical angle, radians, above 0 and below pi; perspective only
-  double near = 0.1;          ///< nothing closer is seen; metres along the view axis, above 0
+  Animated<double> fovY =
+      radians(40);              ///< full vertical angle, radians, above 0 and below pi; perspective only
+  Animated<double> near = 0.1;  ///< nothing closer is seen; metres along the view axis, above 0
   Projection projection = Projection::Perspective;
-  double height = 10;  ///< of the picture in metres, above 0; orthographic only
+  Animated<double> height = 10.0;  ///< of the picture in metres, above 0; orthographic only
 
   [[nodiscard]] bool movesWithTime() const;
 };

@@ -21,5 +21,6 @@ struct Id {
 using NodeId = Id<struct NodeTag>;
 using MaterialId = Id<struct MaterialTag>;
 using CameraId = Id<struct CameraTag>;
+using ParameterId = Id<struct ParameterTag>;
 
 }  // namespace luxo

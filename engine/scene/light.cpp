@@ -9,16 +9,19 @@
 
 namespace luxo {
 
-void validate(const Light& light, std::string_view nodeName) {
+Vec3 radianceAt(const Light& light, const Moment& moment, std::string_view nodeName) {
+  const Vec3 color = light.color.at(moment);
+  const double intensity = light.intensity.at(moment);
   for (int i = 0; i < 3; ++i)
-    if (!(light.color[i] >= 0 && std::isfinite(light.color[i])))
+    if (!(color[i] >= 0 && std::isfinite(color[i])))
       throw Error(ErrorKind::Scene,
                   fmt::format("light of node '{}': color is ({}, {}, {}); it must be finite and not negative",
-                              nodeName, light.color.x, light.color.y, light.color.z));
-  if (!(light.intensity >= 0 && std::isfinite(light.intensity)))
+                              nodeName, color.x, color.y, color.z));
+  if (!(intensity >= 0 && std::isfinite(intensity)))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node '{}': intensity is {}; it must be finite and not negative",
-                            nodeName, light.intensity));
+                            nodeName, intensity));
+  return color * intensity;
 }
 
 }  // namespace luxo

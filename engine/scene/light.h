@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "math/animated.h"
 #include "math/vec.h"
 #include "scene/ids.h"
 
@@ -24,14 +25,17 @@ struct Light {
   };
 
   Type type = Type::Point;
-  Vec3 color{1};  ///< linear RGB
-  double intensity = 1;
+  Animated<Vec3> color = Vec3(1);  ///< linear RGB
+  Animated<double> intensity = 1.0;
   Attenuation attenuation = Attenuation::None;
   Shadow shadow = Shadow::None;
   std::vector<NodeId> casters = {};  ///< who casts the shadow; empty = everything
+
+  [[nodiscard]] bool movesWithTime() const { return color.movesWithTime() || intensity.movesWithTime(); }
 };
 
-/// Throws Error(Scene) naming the node and the value: colour and intensity must be finite and not negative.
-void validate(const Light& light, std::string_view nodeName);
+/// color * intensity then. Throws Error(Scene) naming the node and the value: both must be finite and not
+/// negative.
+[[nodiscard]] Vec3 radianceAt(const Light& light, const Moment& moment, std::string_view nodeName);
 
 }  // namespace luxo

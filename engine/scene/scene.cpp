@@ -30,7 +30,8 @@ void validate(const Node& node) {
   if (node.segments && (node.segments->u < 1 || node.segments->v < 1))
     throw Error(ErrorKind::Scene, fmt::format("node '{}': segments are {} x {}; they must be at least 1",
                                               node.name, node.segments->u, node.segments->v));
-  if (node.light) validate(*node.light, node.name);
+  if (node.light && node.light->color.isConstant() && node.light->intensity.isConstant())
+    static_cast<void>(radianceAt(*node.light, 0, node.name));
 }
 
 void validate(const RenderSettings& s) {
@@ -55,8 +56,15 @@ bool constantParameters(const Surface& surface) {
 }
 
 bool movesWithTime(const Node& node) {
-  return !(node.translation.isConstant() && node.rotation.isConstant() && node.scale.isConstant() &&
-           node.visible.isConstant() && (!node.surface.valid() || constantParameters(node.surface)));
+  return node.translation.movesWithTime() || node.rotation.movesWithTime() || node.scale.movesWithTime() ||
+         node.visible.movesWithTime() || (node.light && node.light->movesWithTime()) ||
+         (node.surface.valid() &&
+          std::ranges::any_of(node.surface.parameters(), &Animated<double>::movesWithTime));
+}
+
+Animated<Material> checked(Animated<Material> material) {
+  if (material.isConstant()) validate(material.at(0));  // others when a snapshot evaluates them
+  return material;
 }
 
 std::optional<Box> constantBounds(const Surface& surface) {
@@ -79,7 +87,7 @@ Animated<Rotation> spin(const Vec3& axis, double radiansPerSecond) {
   return [=](double t) { return Rotation{axis, angleAt(radiansPerSecond, t)}; };
 }
 
-Scene::Scene() : materials_{Material{.name = "default"}} {}
+Scene::Scene() : materials_{Animated<Material>(Material{.name = "default"})} {}
 
 Scene::Entry Scene::checked(Node node, std::uint32_t index) const {
   const auto exists = [&](NodeId id) { return id.index < nodes_.size() && !nodes_[id.index].removed; };
@@ -99,9 +107,8 @@ NodeId Scene::add(Node node) {
   return {index};
 }
 
-MaterialId Scene::add(Material material) {
-  validate(material);
-  materials_.push_back(std::move(material));
+MaterialId Scene::add(Animated<Material> material) {
+  materials_.push_back(luxo::checked(std::move(material)));
   ++version_;
   return {static_cast<std::uint32_t>(materials_.size() - 1)};
 }
@@ -112,16 +119,23 @@ CameraId Scene::add(Camera camera) {
   return {static_cast<std::uint32_t>(cameras_.size() - 1)};
 }
 
+ParameterId Scene::add(Parameter parameter) {
+  LUXO_REQUIRE(!findParameter(parameter.name));
+  validate(parameter);
+  parameters_.push_back(std::move(parameter));
+  ++version_;
+  return {static_cast<std::uint32_t>(parameters_.size() - 1)};
+}
+
 void Scene::set(NodeId id, Node node) {
   LUXO_REQUIRE(id.index < nodes_.size() && !nodes_[id.index].removed);
   nodes_[id.index] = checked(std::move(node), id.index);
   ++version_;
 }
 
-void Scene::set(MaterialId id, Material material) {
+void Scene::set(MaterialId id, Animated<Material> material) {
   LUXO_REQUIRE_COMPARE(id.index, <, materials_.size());
-  validate(material);
-  materials_[id.index] = std::move(material);
+  materials_[id.index] = luxo::checked(std::move(material));
   ++version_;
 }
 
@@ -134,6 +148,14 @@ void Scene::set(CameraId id, Camera camera) {
 void Scene::set(const RenderSettings& settings) {
   validate(settings);
   settings_ = settings;
+  ++version_;
+}
+
+void Scene::setParameter(ParameterId id, Animated<double> value) {
+  LUXO_REQUIRE_COMPARE(id.index, <, parameters_.size());
+  Parameter& parameter = parameters_[id.index];
+  if (value.isConstant()) requireAllowed(parameter, value.at(0));
+  parameter.value = std::move(value);
   ++version_;
 }
 
@@ -152,7 +174,7 @@ const Node& Scene::operator[](NodeId id) const {
   return nodes_[id.index].node;
 }
 
-const Material& Scene::operator[](MaterialId id) const {
+const Animated<Material>& Scene::operator[](MaterialId id) const {
   LUXO_REQUIRE_COMPARE(id.index, <, materials_.size());
   return materials_[id.index];
 }
@@ -160,6 +182,11 @@ const Material& Scene::operator[](MaterialId id) const {
 const Camera& Scene::operator[](CameraId id) const {
   LUXO_REQUIRE_COMPARE(id.index, <, cameras_.size());
   return cameras_[id.index];
+}
+
+const Parameter& Scene::operator[](ParameterId id) const {
+  LUXO_REQUIRE_COMPARE(id.index, <, parameters_.size());
+  return parameters_[id.index];
 }
 
 std::optional<NodeId> Scene::findNode(std::string_view name) const {
@@ -171,10 +198,28 @@ std::optional<CameraId> Scene::findCamera(std::string_view name) const {
   return findNamed<CameraId>(cameras_, [&](const Camera& camera) { return camera.name == name; });
 }
 
+std::optional<ParameterId> Scene::findParameter(std::string_view name) const {
+  return findNamed<ParameterId>(parameters_,
+                                [&](const Parameter& parameter) { return parameter.name == name; });
+}
+
+std::vector<double> Scene::parametersAt(double timeSeconds) const {
+  std::vector<double> values;
+  values.reserve(parameters_.size());
+  for (const Parameter& parameter : parameters_) {
+    values.push_back(parameter.value.at({timeSeconds, values}));
+    requireAllowed(parameter, values.back());
+  }
+  return values;
+}
+
 bool Scene::movesWithTime() const {
   return std::ranges::any_of(
              nodes_, [](const Entry& entry) { return !entry.removed && luxo::movesWithTime(entry.node); }) ||
-         std::ranges::any_of(cameras_, &Camera::movesWithTime);
+         std::ranges::any_of(cameras_, &Camera::movesWithTime) ||
+         std::ranges::any_of(materials_, &Animated<Material>::movesWithTime) ||
+         std::ranges::any_of(parameters_,
+                             [](const Parameter& parameter) { return parameter.value.movesWithTime(); });
 }
 
 }  // namespace luxo

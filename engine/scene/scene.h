@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: nodes in a hierarchy, materials, cameras, and how to picture them. Built by value, read at any
-// time.
+// A scene: nodes in a hierarchy, materials, cameras, parameters, and how to picture them. Built by value,
+// read at any time.
 //
 //     Scene scene;
 //     const MaterialId red = scene.add(Material{.diffuse = {0.8, 0.1, 0.1}});
@@ -23,6 +23,7 @@
 #include "scene/ids.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "scene/parameter.h"
 #include "surface/segments.h"
 #include "surface/surface.h"
 
@@ -82,35 +83,47 @@ class Scene {
   /// Parents and casters first: a node may only name what exists (asserted), so one pass in order evaluates
   /// the hierarchy. Throws Error(Scene) naming the thing and the value for constants out of range.
   NodeId add(Node node);
-  MaterialId add(Material material);
+  MaterialId add(Animated<Material> material);
   CameraId add(Camera camera);  ///< the first one added is the default
+  ParameterId add(Parameter parameter);
 
   /// Replaces, with the checks of add. A node's parent must have a smaller id.
   void set(NodeId id, Node node);
-  void set(MaterialId id, Material material);
+  void set(MaterialId id, Animated<Material> material);
   void set(CameraId id, Camera camera);
   void set(const RenderSettings& settings);
+  /// Nothing is rebuilt: only the version and the next snapshot change. Throws Error(Scene) for a constant
+  /// out of range.
+  void setParameter(ParameterId id, Animated<double> value);
 
   void remove(NodeId id);  ///< with everything that hangs on it
 
   [[nodiscard]] const Node& operator[](NodeId id) const;
-  [[nodiscard]] const Material& operator[](MaterialId id) const;
+  [[nodiscard]] const Animated<Material>& operator[](MaterialId id) const;
   [[nodiscard]] const Camera& operator[](CameraId id) const;
+  [[nodiscard]] const Parameter& operator[](ParameterId id) const;
   [[nodiscard]] const RenderSettings& settings() const { return settings_; }
 
   /// The first of that name, or nothing. Linear.
   [[nodiscard]] std::optional<NodeId> findNode(std::string_view name) const;
   [[nodiscard]] std::optional<CameraId> findCamera(std::string_view name) const;
+  [[nodiscard]] std::optional<ParameterId> findParameter(std::string_view name) const;
 
   [[nodiscard]] const std::vector<Entry>& nodes() const {
     return nodes_;
   }  ///< index = id, removed ones included
-  [[nodiscard]] const std::vector<Material>& materials() const {
+  [[nodiscard]] const std::vector<Animated<Material>>& materials() const {
     return materials_;
   }  ///< the first is Material{}
   [[nodiscard]] const std::vector<Camera>& cameras() const { return cameras_; }
+  [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
 
-  /// Whether anything is a function of time: if not, one snapshot is right for all times.
+  /// Every parameter's value then, by ParameterId: what a Moment of this scene needs. Throws Error(Scene)
+  /// naming a parameter that is not finite or outside its range.
+  [[nodiscard]] std::vector<double> parametersAt(double timeSeconds) const;
+
+  /// Whether anything is a function of time: if not, one snapshot is right for all times (while no parameter
+  /// is set).
   [[nodiscard]] bool movesWithTime() const;
   /// Grows with every change made through this interface.
   [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -119,8 +132,9 @@ class Scene {
   Entry checked(Node node, std::uint32_t index) const;
 
   std::vector<Entry> nodes_;
-  std::vector<Material> materials_;
+  std::vector<Animated<Material>> materials_;
   std::vector<Camera> cameras_;
+  std::vector<Parameter> parameters_;
   RenderSettings settings_;
   std::uint64_t version_ = 0;
 };

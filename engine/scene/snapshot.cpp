@@ -22,32 +22,33 @@ constexpr double kFocusTolerance = 1e-9;
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-[[noreturn]] void reject(const Node& node, double time, const std::string& what, std::string hint = {}) {
-  throw Error(ErrorKind::Scene, fmt::format("node '{}' at time {}: {}", node.name, time, what),
+[[noreturn]] void reject(const Node& node, const Moment& moment, const std::string& what,
+                         std::string hint = {}) {
+  throw Error(ErrorKind::Scene, fmt::format("node '{}' at time {}: {}", node.name, moment.time, what),
               std::move(hint));
 }
 
-Vec3 finiteAt(const Node& node, std::string_view name, const Animated<Vec3>& value, double time) {
-  const Vec3 v = value.at(time);
+Vec3 finiteAt(const Node& node, std::string_view name, const Animated<Vec3>& value, const Moment& moment) {
+  const Vec3 v = value.at(moment);
   if (!finite(v))
-    reject(node, time, fmt::format("{} is ({}, {}, {}); it must be finite", name, v.x, v.y, v.z));
+    reject(node, moment, fmt::format("{} is ({}, {}, {}); it must be finite", name, v.x, v.y, v.z));
   return v;
 }
 
-Mat3 rotationAt(const Node& node, double time) {
-  const auto [axis, angle] = node.rotation.at(time);
+Mat3 rotationAt(const Node& node, const Moment& moment) {
+  const auto [axis, angle] = node.rotation.at(moment);
   if (!finite(axis) || !std::isfinite(angle))
-    reject(node, time,
+    reject(node, moment,
            fmt::format("rotation by {} about ({}, {}, {}) is not finite", angle, axis.x, axis.y, axis.z));
   if (axis == Vec3(0) && angle != 0)
-    reject(node, time, fmt::format("rotation by {} rad about a zero axis", angle),
+    reject(node, moment, fmt::format("rotation by {} rad about a zero axis", angle),
            "give an axis that is not zero");
   return rotation(axis, angle);
 }
 
-Transform parentFromNode(const Node& node, double time) {
-  return compose(finiteAt(node, "translation", node.translation, time), rotationAt(node, time),
-                 finiteAt(node, "scale", node.scale, time));
+Transform parentFromNode(const Node& node, const Moment& moment) {
+  return compose(finiteAt(node, "translation", node.translation, moment), rotationAt(node, moment),
+                 finiteAt(node, "scale", node.scale, moment));
 }
 
 /// Every node of the scene at one moment; index = NodeId.
@@ -56,18 +57,18 @@ struct Placed {
   bool visible = false;
 };
 
-std::vector<Placed> placeNodes(const Scene& scene, double time) {
+std::vector<Placed> placeNodes(const Scene& scene, const Moment& moment) {
   std::vector<Placed> placed(scene.nodes().size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const auto& [node, removed, bounds] = scene.nodes()[i];
-    if (removed || !node.visible.at(time)) continue;
+    if (removed || !node.visible.at(moment)) continue;
     const Placed* parent = node.parent.valid() ? &placed[node.parent.index] : nullptr;
     if (parent && !parent->visible) continue;
-    const Transform local = parentFromNode(node, time);
+    const Transform local = parentFromNode(node, moment);
     placed[i] = {parent ? parent->worldFromNode * local : local, true};
     const Transform& t = placed[i].worldFromNode;
     if (!finite(t.translation) || !finite(t.linear[0]) || !finite(t.linear[1]) || !finite(t.linear[2]))
-      reject(node, time, "its place in the world is not finite",
+      reject(node, moment, "its place in the world is not finite",
              "scales or translations above it are too large");
   }
   return placed;
@@ -94,13 +95,13 @@ std::vector<std::uint32_t> numberNodes(const Scene& scene) {
   return number;
 }
 
-SnapshotNode takeNode(const Scene::Entry& entry, double time) {
+SnapshotNode takeNode(const Scene::Entry& entry, const Moment& moment) {
   const Node& node = entry.node;
   SnapshotNode taken{.surface = node.surface, .material = node.material, .segments = node.segments};
   for (const Animated<double>& parameter : node.surface.parameters()) {
-    taken.parameters.push_back(parameter.at(time));
+    taken.parameters.push_back(parameter.at(moment));
     if (!std::isfinite(taken.parameters.back()))
-      reject(node, time,
+      reject(node, moment,
              fmt::format("parameter {} of its surface '{}' is {}; it must be finite", taken.parameters.size(),
                          node.surface.name(), taken.parameters.back()));
   }
@@ -108,13 +109,14 @@ SnapshotNode takeNode(const Scene::Entry& entry, double time) {
   return taken;
 }
 
-std::vector<SnapshotNode> takeNodes(const Scene& scene, const std::vector<Placed>& placed, double time) {
+std::vector<SnapshotNode> takeNodes(const Scene& scene, const std::vector<Placed>& placed,
+                                    const Moment& moment) {
   const std::vector<std::uint32_t> numbers = numberNodes(scene);
   std::vector<SnapshotNode> nodes;
   for (std::uint32_t i = 0; i < placed.size(); ++i) {
     const Scene::Entry& entry = scene.nodes()[i];
     if (!placed[i].visible || !entry.node.surface.valid()) continue;
-    SnapshotNode node = takeNode(entry, time);
+    SnapshotNode node = takeNode(entry, moment);
     node.id = {i};
     node.number = numbers[i];
     node.worldFromObject = placed[i].worldFromNode;
@@ -137,10 +139,11 @@ std::vector<NodeId> visibleCasters(const Light& light, const Scene& scene,
 }
 
 std::optional<ShadeRule> resolveShadow(const Node& node, const Scene& scene,
-                                       const std::vector<Placed>& placed, const Vec4& light, double time) {
+                                       const std::vector<Placed>& placed, const Vec4& light,
+                                       const Moment& moment) {
   if (node.light->shadow == Light::Shadow::None) return std::nullopt;
   const auto unsupported = [&](const std::string& why) {
-    reject(node, time, "its light's shadow is not supported yet: " + why,
+    reject(node, moment, "its light's shadow is not supported yet: " + why,
            "exact shadows need one paraboloid shade named in `casters`, with the point light at its focus");
   };
   if (node.light->shadow == Light::Shadow::Map) unsupported("shadow maps");
@@ -171,26 +174,38 @@ bool precedes(const SnapshotLight& a, const SnapshotLight& b) {
   return key(a) < key(b);
 }
 
-std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Placed>& placed, double time) {
+std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Placed>& placed,
+                                      const Moment& moment) {
   std::vector<SnapshotLight> lights;
   for (std::uint32_t i = 0; i < placed.size(); ++i) {
     const Node& node = scene.nodes()[i].node;
     if (!placed[i].visible || !node.light) continue;
     SnapshotLight light{.id = {i},
                         .positionWorld = Vec4(placed[i].worldFromNode.translation, 1),
-                        .radiance = node.light->color * node.light->intensity,
+                        .radiance = radianceAt(*node.light, moment, node.name),
                         .attenuation = node.light->attenuation};
-    if (!finite(light.radiance)) reject(node, time, "its light's color * intensity is not finite");
+    if (!finite(light.radiance)) reject(node, moment, "its light's color * intensity is not finite");
     if (node.light->type == Light::Type::Directional) {
       const Vec3 towardLight = unit(transformDirection(placed[i].worldFromNode, Vec3(0, 0, 1)));
-      if (towardLight == Vec3(0)) reject(node, time, "its light has no direction: the scale along z is zero");
+      if (towardLight == Vec3(0))
+        reject(node, moment, "its light has no direction: the scale along z is zero");
       light.positionWorld = Vec4(towardLight, 0);
     }
-    light.shade = resolveShadow(node, scene, placed, light.positionWorld, time);
+    light.shade = resolveShadow(node, scene, placed, light.positionWorld, moment);
     lights.push_back(std::move(light));
   }
   std::ranges::sort(lights, precedes);
   return lights;
+}
+
+std::vector<Material> takeMaterials(const Scene& scene, const Moment& moment) {
+  std::vector<Material> materials;
+  materials.reserve(scene.materials().size());
+  for (const Animated<Material>& material : scene.materials()) {
+    materials.push_back(material.at(moment));
+    if (!material.isConstant()) validate(materials.back());
+  }
+  return materials;
 }
 
 Box boundsOf(const std::vector<SnapshotNode>& nodes) {
@@ -200,21 +215,34 @@ Box boundsOf(const std::vector<SnapshotNode>& nodes) {
 }
 
 /// Everything but the view.
-Snapshot takeUnseen(const Scene& scene, double time) {
-  if (!std::isfinite(time))
-    throw Error(ErrorKind::Scene, fmt::format("cannot picture the scene at time {}", time));
-  const std::vector<Placed> placed = placeNodes(scene, time);
-  return {.nodes = takeNodes(scene, placed, time),
-          .lights = takeLights(scene, placed, time),
-          .materials = scene.materials(),
+Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
+  const std::vector<Placed> placed = placeNodes(scene, moment);
+  return {.nodes = takeNodes(scene, placed, moment),
+          .lights = takeLights(scene, placed, moment),
+          .materials = takeMaterials(scene, moment),
           .background = scene.settings().background,
           .ambient = scene.settings().ambient};
 }
 
-Snapshot withView(Snapshot snapshot, const Camera& camera, double time, PixelSize size) {
-  snapshot.view = viewAt(camera, time, size, boundsOf(snapshot.nodes));
-  return snapshot;
-}
+/// A scene at one time, with what a Moment of it refers to.
+struct Instant {
+  Instant(const Scene& pictured, double timeSeconds) : scene(pictured), time(timeSeconds) {
+    if (!std::isfinite(time))
+      throw Error(ErrorKind::Scene, fmt::format("cannot picture the scene at time {}", time));
+    parameters = scene.parametersAt(time);
+  }
+
+  [[nodiscard]] Moment moment() const { return {time, parameters}; }
+  [[nodiscard]] Snapshot unseen() const { return takeUnseen(scene, moment()); }
+  [[nodiscard]] Snapshot seen(Snapshot snapshot, const Camera& camera, PixelSize size) const {
+    snapshot.view = viewAt(camera, moment(), size, boundsOf(snapshot.nodes));
+    return snapshot;
+  }
+
+  const Scene& scene;
+  double time;
+  std::vector<double> parameters;
+};
 
 /// Whether both draw the same mesh with the same pipeline, wherever it is.
 bool sameThing(const SnapshotNode& a, const SnapshotNode& b) {
@@ -229,17 +257,19 @@ bool operator==(const SnapshotNode& a, const SnapshotNode& b) {
 }
 
 Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, const Camera& camera) {
-  return withView(takeUnseen(scene, timeSeconds), camera, timeSeconds, size);
+  const Instant now(scene, timeSeconds);
+  return now.seen(now.unseen(), camera, size);
 }
 
 Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, CameraId camera) {
-  Snapshot snapshot = takeUnseen(scene, timeSeconds);
+  const Instant now(scene, timeSeconds);
+  Snapshot snapshot = now.unseen();
   if (camera.valid() || !scene.cameras().empty())
-    return withView(std::move(snapshot), scene[camera.valid() ? camera : CameraId{0}], timeSeconds, size);
+    return now.seen(std::move(snapshot), scene[camera.valid() ? camera : CameraId{0}], size);
   const double fitTime = scene.settings().time;
   const bool sameMoment = timeSeconds == fitTime || !scene.movesWithTime();
-  const Box bounds = boundsOf(sameMoment ? snapshot.nodes : takeUnseen(scene, fitTime).nodes);
-  return withView(std::move(snapshot), fitCamera(bounds, size), timeSeconds, size);
+  const Box bounds = boundsOf(sameMoment ? snapshot.nodes : Instant(scene, fitTime).unseen().nodes);
+  return now.seen(std::move(snapshot), fitCamera(bounds, size), size);
 }
 
 Changes changesSince(const Snapshot& previous, const Snapshot& next) {

@@ -54,10 +54,11 @@ struct Snapshot {
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 
-/// Evaluates the scene: one linear pass, parents before children. No id: the scene's first camera, or where
-/// it has none fitCamera() around the scene at its default time (so that an animation does not make the
-/// camera breathe). Throws Error(Scene) naming the node or camera, the value and the time: values that are
-/// not finite, a zero axis with an angle, a bad camera, a shadow that is not supported yet (Light::Shadow).
+/// Evaluates the scene with its parameters' values then: one linear pass, parents before children. No id: the
+/// scene's first camera, or where it has none fitCamera() around the scene at its default time (so that an
+/// animation does not make the camera breathe). Throws Error(Scene) naming the node or camera, the value and
+/// the time: values that are not finite, a zero axis with an angle, a bad camera, a shadow that is not
+/// supported yet (Light::Shadow).
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
                                     CameraId camera = {});
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,

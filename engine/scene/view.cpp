@@ -25,11 +25,12 @@ constexpr double kDepthRoom = 1e-3;
   throw Error(ErrorKind::Scene, fmt::format("camera '{}': {}", camera.name, what), std::move(hint));
 }
 
-Vec3 finiteAt(const Camera& camera, std::string_view name, const Animated<Vec3>& value, double time) {
-  const Vec3 v = value.at(time);
+Vec3 finiteAt(const Camera& camera, std::string_view name, const Animated<Vec3>& value,
+              const Moment& moment) {
+  const Vec3 v = value.at(moment);
   if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
     reject(camera,
-           fmt::format("{} is ({}, {}, {}) at time {}; it must be finite", name, v.x, v.y, v.z, time));
+           fmt::format("{} is ({}, {}, {}) at time {}; it must be finite", name, v.x, v.y, v.z, moment.time));
   return v;
 }
 
@@ -49,8 +50,8 @@ Mat3 eyeFromWorldRotation(const Vec3& forward, const Vec3& up) {
   return glm::transpose(Mat3(right, glm::cross(right, forward), -forward));
 }
 
-void fitDepthRange(const Camera& camera, const Box& bounds, View& view) {
-  view.far = view.near + camera.height;
+void fitDepthRange(const Camera& camera, double height, const Box& bounds, View& view) {
+  view.far = view.near + height;
   if (bounds.empty()) return;
   const Vec3 forward = view.forward();
   const double center = glm::dot(forward, bounds.center() - view.eye);
@@ -58,7 +59,7 @@ void fitDepthRange(const Camera& camera, const Box& bounds, View& view) {
   if (!std::isfinite(center) || !std::isfinite(reach))
     reject(camera, "cannot fit an orthographic depth range: the scene's bounds are infinite",
            "use a perspective camera");
-  const double room = kDepthRoom * std::max(2 * reach, camera.height);
+  const double room = kDepthRoom * std::max(2 * reach, height);
   view.near = std::max(view.near, center - reach - room);
   view.far = std::max(view.near + room, center + reach + room);
 }
@@ -84,33 +85,34 @@ Mat4 orthographicMatrix(const View& view) {
 
 }  // namespace
 
-View viewAt(const Camera& camera, double timeSeconds, PixelSize size, const Box& sceneBounds) {
+View viewAt(const Camera& camera, const Moment& moment, PixelSize size, const Box& sceneBounds) {
   if (size.width < 1 || size.height < 1)
     reject(camera, fmt::format("cannot make a picture of {}x{} pixels", size.width, size.height));
-  requireAboveZero(camera, "near", camera.near);
+  const double near = camera.near.at(moment), fovY = camera.fovY.at(moment),
+               height = camera.height.at(moment);
+  requireAboveZero(camera, "near", near);
   const bool perspective = camera.projection == Projection::Perspective;
-  if (perspective && !(camera.fovY > 0 && camera.fovY < kPi))
-    reject(camera,
-           fmt::format("fov_y is {} degrees; it must be above 0 and below 180", camera.fovY * (180 / kPi)));
-  if (!perspective) requireAboveZero(camera, "height", camera.height);
+  if (perspective && !(fovY > 0 && fovY < kPi))
+    reject(camera, fmt::format("fov_y is {} degrees; it must be above 0 and below 180", fovY * (180 / kPi)));
+  if (!perspective) requireAboveZero(camera, "height", height);
 
-  const Vec3 eye = finiteAt(camera, "eye", camera.eye, timeSeconds);
-  const Vec3 lookAt = finiteAt(camera, "look_at", camera.lookAt, timeSeconds);
-  const Vec3 up = finiteAt(camera, "up", camera.up, timeSeconds);
+  const Vec3 eye = finiteAt(camera, "eye", camera.eye, moment);
+  const Vec3 lookAt = finiteAt(camera, "look_at", camera.lookAt, moment);
+  const Vec3 up = finiteAt(camera, "up", camera.up, moment);
   const Vec3 forward = unit(0.5 * lookAt - 0.5 * eye);
   if (forward == Vec3(0))
     reject(camera,
-           fmt::format("eye and look_at are both ({}, {}, {}) at time {}", eye.x, eye.y, eye.z, timeSeconds),
+           fmt::format("eye and look_at are both ({}, {}, {}) at time {}", eye.x, eye.y, eye.z, moment.time),
            "move one of them: the direction between them is the view direction");
 
-  View view{.size = size, .projection = camera.projection, .eye = eye, .near = camera.near};
+  View view{.size = size, .projection = camera.projection, .eye = eye, .near = near};
   view.eyeFromWorld = eyeFromWorldRotation(forward, up);
-  const double halfHeight = perspective ? std::tan(0.5 * camera.fovY) : 0.5 * camera.height;
+  const double halfHeight = perspective ? std::tan(0.5 * fovY) : 0.5 * height;
   view.pixelsPerUnit = size.height / (2 * halfHeight);
   view.halfExtent = {size.width / (2 * view.pixelsPerUnit), halfHeight};
   if (!std::isfinite(view.pixelsPerUnit))
     reject(camera, fmt::format("fov_y or height is too small: {} metres", halfHeight));
-  if (!perspective) fitDepthRange(camera, sceneBounds, view);
+  if (!perspective) fitDepthRange(camera, height, sceneBounds, view);
   view.clipFromEye = perspective ? perspectiveMatrix(view) : orthographicMatrix(view);
   return view;
 }

@@ -115,7 +115,7 @@ TEST_F(Depth, WhatCrossesTheEyePlaneIsTheClippedPolygon) {
                    .surface = rectangle(c.size.x, c.size.y),
                    .material = scene.add(glowing(kGreen))});
     SCOPED_TRACE(testing::Message() << "center.x = " << c.center.x);
-    expectAnalyticMask(draw(scene, camera, kSize).image, CameraModel(camera, kSize), camera.near,
+    expectAnalyticMask(draw(scene, camera, kSize).image, CameraModel(camera, kSize), camera.near.at(0),
                        rotation(c.axis, c.angle), c.center, c.size, kGreen);
   }
 }

@@ -173,7 +173,7 @@ TEST_F(Invariance, OrderOfSiblingsDoesNotMatter) {
       else
         scene.add(Node{.parent = root,
                        .translation = Vec3(2 * (i - 16), 3, 4),
-                       .light = Light{.color = {0.3, 0.1 * (i - 13), 0.2}, .intensity = 0.6}});
+                       .light = Light{.color = Vec3(0.3, 0.1 * (i - 13), 0.2), .intensity = 0.6}});
     }
     scene.add(Camera{.eye = Vec3(0.5, 1, 6)});
     return scene;

@@ -14,7 +14,8 @@ CameraModel::CameraModel(const Camera& camera, PixelSize size, double time)
   forward_ = glm::normalize(camera.lookAt.at(time) - eye_);
   right_ = glm::normalize(glm::cross(forward_, camera.up.at(time)));
   up_ = glm::cross(right_, forward_);
-  pixelsPerUnit_ = orthographic_ ? size.height / camera.height : center_.y / std::tan(camera.fovY / 2);
+  pixelsPerUnit_ =
+      orthographic_ ? size.height / camera.height.at(time) : center_.y / std::tan(camera.fovY.at(time) / 2);
 }
 
 Ray CameraModel::through(const Vec2& pixel) const {

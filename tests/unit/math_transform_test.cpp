@@ -296,6 +296,21 @@ TEST(Animated, ConstantsAndFunctionsOfTime) {
   EXPECT_EQ(constant.at(17), 3);
   EXPECT_EQ(moving.at(17), 34);
   EXPECT_TRUE(Animated<Vec3>{}.isConstant());
+  EXPECT_TRUE(moving.movesWithTime());
+  EXPECT_FALSE(constant.movesWithTime());
+}
+
+TEST(Animated, FunctionsOfTheMoment) {
+  const auto scaledTime = [](const Moment& m) { return m.parameters[1] * m.time; };
+  const Animated<double> both = scaledTime;
+  const Animated<double> parametersOnly = {[](const Moment& m) { return m.parameters[0]; },
+                                           DependsOn::Parameters};
+  const std::array values{5.0, 7.0};
+  EXPECT_EQ(both.at({3, values}), 21);
+  EXPECT_EQ(parametersOnly.at({3, values}), 5);
+  EXPECT_TRUE(both.movesWithTime());
+  EXPECT_FALSE(parametersOnly.movesWithTime());
+  EXPECT_FALSE(parametersOnly.isConstant()) << "it is another value when the parameter is";
 }
 
 }  // namespace

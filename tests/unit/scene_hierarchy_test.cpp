@@ -161,7 +161,7 @@ TEST(Scene, SetReplacesAndCounts) {
   scene.set(node, Node{.name = "n", .surface = sphere(2), .material = red});
   scene.set(RenderSettings{.ambient = Vec3(0.5)});
   EXPECT_EQ(scene.version(), version + 3);
-  EXPECT_EQ(scene[red].diffuse.x, 0.5);
+  EXPECT_EQ(scene[red].at(0).diffuse.x, 0.5);
   EXPECT_EQ(scene.settings().ambient, Vec3(0.5));
   EXPECT_GT(snap(scene).nodes[0].boundsWorld.max.x, 1.9);
 }

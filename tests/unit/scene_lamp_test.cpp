@@ -152,7 +152,7 @@ TEST(Lamp, IsTheCanonicalOne) {
   expectNear(snapshot.lights[1].radiance, {110, 99, 77}, 1e-13);
   EXPECT_NEAR(snapshot.lights[1].shade->cosRim, 0.8, 1e-15);
   EXPECT_EQ(snapshot.ambient, Vec3(0.05));
-  const Material& enamel = scene[nodeNamed(scene, snapshot, "shade").material];
+  const Material enamel = scene[nodeNamed(scene, snapshot, "shade").material].at(0);
   expectNear(enamel.ambientOrDiffuse(), kPi * Vec3(0.35, 0.06, 0.05), 1e-15);
 }
 

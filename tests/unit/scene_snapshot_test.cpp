@@ -43,6 +43,10 @@ TEST(Snapshot, AnyFunctionOfTimeMovesTheScene) {
   EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.scale = [](double t) { return Vec3(1 + t); }}); }));
   EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.visible = [](double t) { return t > 1; }}); }));
   EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.surface = flag({.phase = [](double t) { return t; }})}); }));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Node{.light = Light{.intensity = [](double t) { return t; }}}); }));
+  EXPECT_TRUE(
+      moves([](Scene& s) { s.add(Animated<Material>([](double t) { return Material{.shininess = t}; })); }));
+  EXPECT_TRUE(moves([](Scene& s) { s.add(Camera{.fovY = [](double t) { return t; }}); }));
   EXPECT_TRUE(moves([](Scene& s) { s.add(Camera{.eye = [](double t) { return Vec3(t, 0, 5); }}); }));
   EXPECT_FALSE(moves([](Scene& s) { s.remove(s.add(Node{.rotation = spin({0, 1, 0}, 1)})); }));
 }
@@ -89,7 +93,7 @@ TEST(Snapshot, LightsComeInAnOrderThatDoesNotDependOnTheScenes) {
   const std::vector<Node> nodes = {
       Node{.translation = Vec3(1, 2, 3), .light = Light{.intensity = 3}},
       Node{.translation = Vec3(1, 2, 4), .light = Light{.intensity = 3}},
-      Node{.translation = Vec3(5, 0, 0), .light = Light{.color = {1, 0.5, 0.2}}},
+      Node{.translation = Vec3(5, 0, 0), .light = Light{.color = Vec3(1, 0.5, 0.2)}},
       Node{.light = Light{.type = Light::Type::Directional}},
   };
   const auto lightsOf = [&](const std::vector<int>& order) {

@@ -191,7 +191,7 @@ TEST(FitCamera, ShowsEveryCornerInAnyShapeOfPicture) {
     const View view = viewAt(camera, 0, size);
     const Vec3 direction = unit(camera.eye.at(0) - camera.lookAt.at(0));
     expectNear(direction, unit(Vec3(1, 0.8, 1.5)), 1e-14);
-    EXPECT_DOUBLE_EQ(camera.fovY, radians(40));
+    EXPECT_DOUBLE_EQ(camera.fovY.at(0), radians(40));
     for (int i = 0; i < 8; ++i) {
       const Vec3 corner(i & 1 ? 5 : 2, i & 2 ? 0 : -1, i & 4 ? 11 : 3);
       const Vec3 eye = eyeFromWorldPoint(view, corner);

@@ -145,13 +145,18 @@ void Controls::move(const window::Events& events, PixelSize size, Time now) {
 }
 
 void Controls::takeCamera(PixelSize size, Time now) {
-  const Camera camera = sceneCamera(*scene_, camera_, size);
+  Camera camera = sceneCamera(*scene_, camera_, size);
   const double seconds = playback_.seconds(now);
-  const Pose pose{camera.eye.at(seconds), camera.lookAt.at(seconds), camera.up.at(seconds)};
+  const std::vector<double> parameters = scene_->parametersAt(seconds);
+  const Moment moment(seconds, parameters);
+  const Pose pose{camera.eye.at(moment), camera.lookAt.at(moment), camera.up.at(moment)};
+  const double fovY = camera.fovY.at(moment), near = camera.near.at(moment);
   const bool perspective = camera.projection == Projection::Perspective;
   const double heightPerDistance =
-      perspective ? 2 * std::tan(camera.fovY / 2) : camera.height / glm::length(pose.eye - pose.lookAt);
-  own_ = OwnCamera{camera, window::OrbitCamera(pose, heightPerDistance)};
+      perspective ? 2 * std::tan(fovY / 2) : camera.height.at(moment) / glm::length(pose.eye - pose.lookAt);
+  camera.fovY = fovY;
+  camera.near = near;
+  own_ = OwnCamera{std::move(camera), window::OrbitCamera(pose, heightPerDistance), near};
 }
 
 std::optional<Camera> Controls::ownCamera() const {
@@ -162,7 +167,7 @@ std::optional<Camera> Controls::ownCamera() const {
   camera.lookAt = pose.lookAt;
   camera.up = pose.up;
   camera.height = own_->orbit.height();
-  camera.near = std::min(camera.near, kNearPerDistance * own_->orbit.distance());
+  camera.near = std::min(own_->near, kNearPerDistance * own_->orbit.distance());
   return camera;
 }
 

@@ -46,8 +46,9 @@ class Controls {
 
  private:
   struct OwnCamera {
-    Camera from;  ///< the scene's
+    Camera from;  ///< the scene's, at the moment of taking over
     window::OrbitCamera orbit;
+    double near = 0;  ///< of `from`
   };
 
   void takeCamera(PixelSize size, Time now);
