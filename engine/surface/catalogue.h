@@ -7,6 +7,7 @@
 // -Z (right-handed about +Y), v along the axis or outward; lengths in metres, angles in radians.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,6 @@ enum class ArgumentKind {
   Number,  ///< a pure number
   Angle,   ///< radians
   Count,   ///< a whole number that decides the formula's structure: constant
-  Shape,   ///< a pure number that decides the formula's structure: constant
 };
 
 /// One named input of a surface.
@@ -34,7 +34,7 @@ struct CatalogueArgument {
   Interval range;               ///< what each number may be, ends included
 
   /// Whether it may be a formula of time and parameters.
-  [[nodiscard]] bool mayMove() const { return kind != ArgumentKind::Count && kind != ArgumentKind::Shape; }
+  [[nodiscard]] bool mayMove() const { return kind != ArgumentKind::Count; }
 };
 
 /// A value of the argument `name`; as many components as the table asks for, each constant or moving.
@@ -50,13 +50,17 @@ struct CatalogueEntry {
   std::string_view equation;  ///< in the y-up frame; u and v as in the conventions, phi = 2 pi u
   std::string_view source;    ///< where the equation can be looked up
   std::vector<CatalogueArgument> arguments;
+  std::string_view requirement;  ///< what the arguments must fulfil together, in words; empty: nothing
 
   // What topology gives for the initial arguments.
   bool closed = false;          ///< has no border
   bool orientable = true;       ///< has two sides
   int eulerCharacteristic = 1;  ///< of the whole surface, seams, poles and apexes closed
 
-  Surface (*make)(const SurfaceInputs& inputs) = nullptr;  ///< for makeSurface() only
+  // For makeSurface() only. The components of all arguments, in order, are what `meets` reads.
+  bool (*meets)(std::span<const double> components) = nullptr;
+  std::uint32_t patchConstants = 0;
+  Surface (*make)(const SurfaceInputs& inputs) = nullptr;
 };
 
 /// All named surfaces, in the order in which a reader should meet them.
@@ -70,10 +74,11 @@ struct CatalogueEntry {
 /// surface, the argument, its value and what is allowed: for an argument that is unknown, given twice, has
 /// the wrong number of components, must not move, or is out of range; for arguments that do not go together
 /// (a torus whose tube is thicker than its ring). Moving arguments are checked at every moment they are asked
-/// for.
+/// for. The topology is that of the moment `start`, which must have what moving arguments read.
 [[nodiscard]] Surface makeSurface(const CatalogueEntry& entry,
-                                  std::span<const SurfaceArgument> arguments = {});
+                                  std::span<const SurfaceArgument> arguments = {}, const Moment& start = {});
 /// As above, by name. Throws Error(Scene) with a suggestion when there is no such surface.
-[[nodiscard]] Surface makeSurface(std::string_view name, const std::vector<SurfaceArgument>& arguments = {});
+[[nodiscard]] Surface makeSurface(std::string_view name, const std::vector<SurfaceArgument>& arguments = {},
+                                  const Moment& start = {});
 
 }  // namespace luxo
