@@ -29,8 +29,7 @@ MaterialId addMaterial(Scene& scene, const char* name, const Vec3& diffuse, doub
 
 // Circles the lamp once in 8 pi seconds, after which the joints are back where they were, too.
 Vec3 orbitingEye(double t) {
-  const double angle = angleAt(0.25, t);
-  return {18 * std::sin(angle), 9, 18 * std::cos(angle)};
+  return {18 * std::sin(t / 4), 9, 18 * std::cos(t / 4)};
 }
 
 }  // namespace
