@@ -53,7 +53,7 @@ struct CatalogueEntry {
   std::string_view requirement;  ///< what the arguments must fulfil together, in words; empty: nothing
 
   // What topology gives for the initial arguments.
-  bool closed = false;          ///< has no border
+  bool borderless = false;      ///< every edge is joined or collapsed
   bool orientable = true;       ///< has two sides
   int eulerCharacteristic = 1;  ///< of the whole surface, seams, poles and apexes closed
 

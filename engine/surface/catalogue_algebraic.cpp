@@ -99,7 +99,7 @@ std::vector<CatalogueEntry> algebraicSurfaces() {
                      length("offset", 0.3, "c: how much the tube's radius varies; 0 is a torus",
                             {0, kLengthRange.hi})},
        .requirement = "offset smaller than minor and minor smaller than major",
-       .closed = true,
+       .borderless = true,
        .eulerCharacteristic = 0,
        .meets = [](std::span<const double> a) { return a[2] < a[1] && a[1] < a[0]; },
        .make = makeCyclide},

@@ -100,7 +100,7 @@ std::vector<CatalogueEntry> tubeSurfaces() {
                      count("lobes", 3, "around the section", {0, 1000}),
                      count("twists", 4, "lobes passed on the way around the ring", {-1000, 1000})},
        .requirement = "major larger than minor (1 + depth)",
-       .closed = true,
+       .borderless = true,
        .eulerCharacteristic = 0,
        .meets = [](std::span<const double> a) { return a[0] > a[1] * (1 + a[2]); },
        .make = makeTwistedTorus},
@@ -118,7 +118,7 @@ std::vector<CatalogueEntry> tubeSurfaces() {
        .requirement =
            "minor smaller than major, p and q without a common divisor, and tube smaller than the knot's "
            "radius of curvature",
-       .closed = true,
+       .borderless = true,
        .eulerCharacteristic = 0,
        .meets = knotBendsEnough,
        .make = makeTorusKnot},
