@@ -62,14 +62,6 @@ std::uint8_t encode(const Tables& table, float linear) {
 
 }  // namespace
 
-double srgbFromLinear(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double linearFromSrgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 std::uint8_t encodeSrgb8(float linear) { return encode(tables(), linear); }
 
 float decodeSrgb8(std::uint8_t code) { return tables().linear[code]; }

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one place where linear light becomes 8-bit sRGB (IEC 61966-2-1) and back.
+// The one place where linear light becomes 8-bit sRGB and back; the curve itself is base/srgb_curve.h.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
+#include "base/srgb_curve.h"
+
 namespace luxo {
-
-/// The sRGB curve of a linear value in 0..1, in double.
-[[nodiscard]] double srgbFromLinear(double linear);
-
-/// The inverse curve of an encoded value in 0..1, in double.
-[[nodiscard]] double linearFromSrgb(double encoded);
 
 /// floor(255 * sRGB(clamp(linear, 0, 1)) + 0.5), the same as evaluating that in double for every float; NaN
 /// gives 0. About 1 ns: one table look-up and one comparison.
