@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proven bounds of a surface over its domain, by interval evaluation on adaptively split rectangles.
+// Proven bounds of a surface, by interval evaluation on rectangles.
 #pragma once
 
 #include <span>
@@ -8,14 +8,28 @@
 
 namespace luxo {
 
-/// Box that holds S over the domain. Cost: 256 interval evaluations.
+/// Box that holds S over a cell of a patch; infinite where nothing could be proven. `inputs` as in
+/// PatchInputs. Cost: one interval evaluation.
+[[nodiscard]] Box boundPosition(const SurfaceFunction& function, const Domain& cell,
+                                std::span<const double> inputs);
+
+/// Box that holds S over the domain: the hull of the boxes of cells x cells rectangles.
 [[nodiscard]] Box boundPosition(const SurfaceFunction& function, const Domain& domain,
-                                std::span<const double> parameters);
+                                std::span<const double> inputs, int cells);
+
+/// Bounds of |Suu|, |Suv|, |Svv| over a cell. Cost: one interval evaluation.
+[[nodiscard]] PartialBounds boundSecond(const SurfaceFunction& function, const Domain& cell,
+                                        std::span<const double> inputs);
+
+/// Whether the formula may be kinked or jump inside the cell. A kink along the cell's edge, which both sides
+/// reach with the same value, does not count; a jump there does.
+[[nodiscard]] bool mayBeKinked(const SurfaceFunction& function, const Domain& cell,
+                               std::span<const double> inputs);
 
 /// Suprema of |Suu|, |Suv|, |Svv| over the domain: never below the true ones; the rectangle with the worst
-/// bound is split until the bound is within 10 % of a value that is really taken, or 512 rectangles were
-/// looked at. A second derivative that is unbounded on the domain gives infinity.
+/// bound is split until the bound is within 10 % of a value that is really taken, or `rectangles` were
+/// looked at. A second derivative that is unbounded on the domain gives infinity, and so does a kink.
 [[nodiscard]] PartialBounds boundPartials(const SurfaceFunction& function, const Domain& domain,
-                                          std::span<const double> parameters);
+                                          std::span<const double> inputs, int rectangles);
 
 }  // namespace luxo

@@ -3,22 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
 #include "base/assert.h"
 #include "base/error.h"
 #include "surface/bounds.h"
-#include "surface/topology.h"
+#include "surface/holes.h"
+#include "surface/normal.h"
+#include "surface/spread.h"
 
 namespace luxo {
 
 struct Surface::Description {
-  std::shared_ptr<const SurfaceFunction> function;
+  std::vector<Patch> patches;
   Domain domain;
-  std::vector<Animated<double>> parameters;
   SurfaceTraits traits;
   Topology topology;
+  std::size_t parameterCount = 0;
 
   // Proven bounds of a surface without parameters never change: they are found when first asked for.
   mutable std::once_flag boundsOnce, partialsOnce;
@@ -26,29 +29,93 @@ struct Surface::Description {
   mutable PartialBounds partials;
 };
 
-Surface::Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
-                 std::vector<Animated<double>> parameters, SurfaceTraits traits) {
+namespace {
+
+constexpr int kPositionCells = 16;
+constexpr int kMostRectangles = 512;
+constexpr int kFramingSamples = 33;
+/// How much farther out than nine of ten points what is worth looking at may lie.
+constexpr double kWorthSeeing = 4;
+
+/// A number per direction, shared fairly: as many cells in all on n patches as on one, or `least` on each.
+int perPatch(int cells, std::size_t patches, int least) {
+  return std::max(least, static_cast<int>(cells / std::sqrt(static_cast<double>(patches))));
+}
+
+void requireDomain(const Domain& domain, const std::string& name) {
   for (const Interval& range : {domain.u, domain.v})
-    if (!(std::isfinite(range.lo) && std::isfinite(range.hi) && range.lo < range.hi))
-      throw Error(ErrorKind::Scene,
-                  fmt::format("surface '{}': its domain [{}, {}] is empty or not finite", traits.name,
-                              range.lo, range.hi),
-                  "give u and v a finite range with the smaller value first");
+    if (!(std::isfinite(range.lo) && std::isfinite(range.hi) && std::isfinite(range.width()) &&
+          range.lo < range.hi))
+      throw Error(
+          ErrorKind::Scene,
+          fmt::format("surface '{}': its domain [{}, {}] is empty or not finite", name, range.lo, range.hi),
+          "give u and v a finite range with the smaller value first");
+}
+
+Domain hullOf(const std::vector<Patch>& patches) {
+  Domain all = patches.front().domain;
+  for (const Patch& patch : patches) all = {hull(all.u, patch.domain.u), hull(all.v, patch.domain.v)};
+  return all;
+}
+
+Box boundsOf(const std::vector<Patch>& patches, std::span<const double> parameters) {
+  const int cells = perPatch(kPositionCells, patches.size(), 4);
+  Box box;
+  for (const Patch& patch : patches)
+    box.add(boundPosition(*patch.function, patch.domain, PatchInputs(patch, parameters), cells));
+  return box;
+}
+
+PartialBounds partialsOf(const std::vector<Patch>& patches, bool revolution,
+                         std::span<const double> parameters) {
+  const int rectangles = std::max(16, kMostRectangles / static_cast<int>(patches.size()));
+  PartialBounds all;
+  for (const Patch& patch : patches) {
+    // Turning about the axis changes no length: one meridian has them all.
+    const Domain domain{revolution ? Interval(patch.domain.u.lo) : patch.domain.u, patch.domain.v};
+    const PartialBounds part =
+        boundPartials(*patch.function, domain, PatchInputs(patch, parameters), rectangles);
+    all = {std::max(all.uu, part.uu), std::max(all.uv, part.uv), std::max(all.vv, part.vv)};
+  }
+  return all;
+}
+
+}  // namespace
+
+Surface::Surface(std::vector<Patch> patches, std::vector<Animated<double>> parameters, SurfaceTraits traits) {
+  if (patches.empty())
+    throw Error(ErrorKind::Scene, fmt::format("surface '{}' has no patches", traits.name),
+                "give it at least one");
+  for (const Patch& patch : patches) requireDomain(patch.domain, traits.name);
   std::vector<double> initial;
   for (const auto& parameter : parameters) initial.push_back(parameter.at(0));
   auto description = std::make_shared<Description>();
-  description->topology = findTopology(*function, domain, initial, traits);
-  description->function = std::move(function);
-  description->domain = domain;
-  description->parameters = std::move(parameters);
+  description->topology =
+      findTopology(patches, initial, {.name = traits.name, .orientation = traits.orientation});
+  description->domain = hullOf(patches);
+  description->patches = std::move(patches);
+  description->parameterCount = parameters.size();
   description->traits = std::move(traits);
   description_ = std::move(description);
+  parameters_ = std::make_shared<const std::vector<Animated<double>>>(std::move(parameters));
+}
+
+Surface::Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
+                 std::vector<Animated<double>> parameters, SurfaceTraits traits)
+    : Surface(std::vector<Patch>{{std::move(function), domain}}, std::move(parameters), std::move(traits)) {}
+
+Surface Surface::withParameters(std::vector<Animated<double>> parameters) const {
+  LUXO_REQUIRE_COMPARE(parameters.size(), ==, description_->parameterCount);
+  Surface other = *this;
+  other.parameters_ = std::make_shared<const std::vector<Animated<double>>>(std::move(parameters));
+  return other;
 }
 
 const std::string& Surface::name() const { return description_->traits.name; }
+const std::vector<Patch>& Surface::patches() const { return description_->patches; }
+const Domain& Surface::patchDomain(std::uint32_t patch) const { return patches()[patch].domain; }
 const Domain& Surface::domain() const { return description_->domain; }
 const Topology& Surface::topology() const { return description_->topology; }
-const std::vector<Animated<double>>& Surface::parameters() const { return description_->parameters; }
 std::optional<Paraboloid> Surface::paraboloid() const { return description_->traits.paraboloid; }
 std::optional<Vec3> Surface::flatNormal() const { return description_->traits.flatNormal; }
 bool Surface::revolution() const { return description_->traits.revolution; }
@@ -69,42 +136,115 @@ SurfacePoints gather(const std::vector<std::vector<double>>& values) {
 
 }  // namespace
 
+SurfacePoints Surface::evaluate(std::uint32_t patch, std::span<const double> u, std::span<const double> v,
+                                std::span<const double> parameters) const {
+  const Patch& p = patches()[patch];
+  return gather(p.function->tangents.evaluate(u, v, PatchInputs(p, parameters)));
+}
+
+SurfacePoints Surface::evaluateGrid(std::uint32_t patch, std::span<const double> u, std::span<const double> v,
+                                    std::span<const double> parameters) const {
+  const Patch& p = patches()[patch];
+  return gather(p.function->tangents.evaluateGrid(u, v, PatchInputs(p, parameters)));
+}
+
+Vec3 Surface::position(std::uint32_t patch, double u, double v, std::span<const double> parameters) const {
+  const Patch& p = patches()[patch];
+  const auto s = p.function->position.evaluate({&u, 1}, {&v, 1}, PatchInputs(p, parameters));
+  return {s[0][0], s[1][0], s[2][0]};
+}
+
+Vec3 Surface::normal(std::uint32_t patch, double u, double v, std::span<const double> parameters) const {
+  const Patch& p = patches()[patch];
+  return topology().orientation(patch) * limitNormal(*p.function, p.domain, u, v, PatchInputs(p, parameters));
+}
+
+std::uint32_t Surface::patchAt(double u, double v) const {
+  const auto holds = [&](const Patch& patch) { return patch.domain.contains(u, v); };
+  const auto found = std::ranges::find_if(patches(), holds);
+  return found == patches().end() ? patchCount() - 1 : static_cast<std::uint32_t>(found - patches().begin());
+}
+
+Vec3 Surface::position(double u, double v, std::span<const double> parameters) const {
+  return position(patchAt(u, v), u, v, parameters);
+}
+
+Vec3 Surface::normal(double u, double v, std::span<const double> parameters) const {
+  return normal(patchAt(u, v), u, v, parameters);
+}
+
 SurfacePoints Surface::evaluate(std::span<const double> u, std::span<const double> v,
                                 std::span<const double> parameters) const {
-  return gather(description_->function->tangents.evaluate(u, v, parameters));
+  return evaluate(0, u, v, parameters);
 }
 
 SurfacePoints Surface::evaluateGrid(std::span<const double> u, std::span<const double> v,
                                     std::span<const double> parameters) const {
-  return gather(description_->function->tangents.evaluateGrid(u, v, parameters));
+  return evaluateGrid(0, u, v, parameters);
 }
 
-Vec3 Surface::position(double u, double v, std::span<const double> parameters) const {
-  const auto p = description_->function->position.evaluate({&u, 1}, {&v, 1}, parameters);
-  return {p[0][0], p[1][0], p[2][0]};
+Surface::CellBounds Surface::boundCell(std::uint32_t patch, const Domain& cell,
+                                       std::span<const double> parameters) const {
+  const Patch& p = patches()[patch];
+  const PatchInputs inputs(p, parameters);
+  CellBounds bounds{.second = boundSecond(*p.function, cell, inputs),
+                    .kinked = mayBeKinked(*p.function, cell, inputs),
+                    .position = {}};
+  if (bounds.kinked) bounds.position = luxo::boundPosition(*p.function, cell, inputs);
+  return bounds;
 }
 
-Vec3 Surface::normal(double u, double v, std::span<const double> parameters) const {
-  const Topology& t = topology();
-  if (v == domain().v.lo && t.vMin == Edge::Pole) return t.orientation * t.vMinNormal;
-  if (v == domain().v.hi && t.vMax == Edge::Pole) return t.orientation * t.vMaxNormal;
-  return t.orientation * limitNormal(*description_->function, domain(), u, v, parameters);
+Box Surface::boundPosition(std::uint32_t patch, const Domain& cell,
+                           std::span<const double> parameters) const {
+  const Patch& p = patches()[patch];
+  return luxo::boundPosition(*p.function, cell, PatchInputs(p, parameters));
 }
 
 Box Surface::bounds(std::span<const double> parameters) const {
   const Description& d = *description_;
-  if (!d.parameters.empty()) return boundPosition(*d.function, d.domain, parameters);
-  std::call_once(d.boundsOnce, [&] { d.bounds = boundPosition(*d.function, d.domain, {}); });
+  if (d.parameterCount > 0) return boundsOf(d.patches, parameters);
+  std::call_once(d.boundsOnce, [&] { d.bounds = boundsOf(d.patches, {}); });
   return d.bounds;
+}
+
+Box Surface::framing(std::span<const double> parameters) const {
+  const Box proven = bounds(parameters);
+  if (isFinite(proven)) return proven;
+  const int samples = perPatch(kFramingSamples, patches().size(), 5);
+  std::vector<Vec3> points;
+  for (const Patch& patch : patches()) {
+    std::vector<double> us, vs;
+    for (int k = 0; k < samples; ++k) {
+      const double part = static_cast<double>(k) / (samples - 1);
+      us.push_back(edgePoint(patch.domain, Side::VMin, part).u);
+      vs.push_back(edgePoint(patch.domain, Side::UMin, part).v);
+    }
+    const auto s = patch.function->position.evaluateGrid(us, vs, PatchInputs(patch, parameters));
+    for (std::size_t i = 0; i < s[0].size(); ++i)
+      if (const Vec3 p(s[0][i], s[1][i], s[2][i]); isFinite(p)) points.push_back(p);
+  }
+  Box box;
+  if (points.empty()) return box;
+  const Spread spread = spreadOf(points);
+  for (const Vec3& p : points)
+    if (glm::length(p - spread.center) <= kWorthSeeing * spread.radius) box.add(p);
+  return box;
 }
 
 PartialBounds Surface::partialBounds(std::span<const double> parameters) const {
   const Description& d = *description_;
-  // Turning about the axis changes no length: one meridian has them all.
-  const Domain domain{d.traits.revolution ? Interval(d.domain.u.lo) : d.domain.u, d.domain.v};
-  if (!d.parameters.empty()) return boundPartials(*d.function, domain, parameters);
-  std::call_once(d.partialsOnce, [&] { d.partials = boundPartials(*d.function, domain, {}); });
+  if (d.parameterCount > 0) return partialsOf(d.patches, d.traits.revolution, parameters);
+  std::call_once(d.partialsOnce, [&] { d.partials = partialsOf(d.patches, d.traits.revolution, {}); });
   return d.partials;
+}
+
+std::vector<Domain> Surface::holes(std::span<const double> parameters) const {
+  std::vector<Domain> all;
+  for (const Patch& patch : patches()) {
+    const std::vector<Domain> holes = findHoles(patch, PatchInputs(patch, parameters));
+    all.insert(all.end(), holes.begin(), holes.end());
+  }
+  return all;
 }
 
 }  // namespace luxo

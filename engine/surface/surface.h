@@ -11,7 +11,8 @@
 //                             {{0, kTau}, {0, kTau}});
 //
 // Seams, poles, their limit normals, closedness and orientation are found from the formula itself
-// (surface/topology.h). Values are cheap to copy: the description behind them is shared and immutable.
+// (surface/topology.h). What one formula on one rectangle cannot say is made of patches: a Klein bottle of
+// two halves, a teapot of 32. Values are cheap to copy: the description behind them is shared and immutable.
 // Reading is safe from any thread.
 #pragma once
 
@@ -27,40 +28,13 @@
 #include "math/bounds.h"
 #include "math/interval.h"
 #include "math/vec.h"
+#include "surface/patch.h"
 #include "surface/surface_function.h"
+#include "surface/topology.h"
 
 namespace luxo {
 
-/// The rectangle of parameters a surface is defined on.
-struct Domain {
-  Interval u{0, 1}, v{0, 1};
-};
-
-/// What an edge of the parameter rectangle is on the surface.
-enum class Edge {
-  Border,  ///< an open border
-  Seam,    ///< the same curve as the opposite edge, point for point: indices wrap
-  Pole,    ///< one point, with one normal
-  Apex,    ///< one point without a normal of its own: it depends on the direction of approach
-};
-
-/// The four edges of the parameter rectangle and what follows from them. A u edge can be a seam or a border;
-/// write a surface so that what collapses to a point is a v edge.
-struct Topology {
-  Edge uMin = Edge::Border, uMax = Edge::Border, vMin = Edge::Border, vMax = Edge::Border;
-  Vec3 vMinNormal{0}, vMaxNormal{0};  ///< at a pole: the unit limit of Su x Sv
-  bool closed = false;                ///< encloses a volume
-  /// +1 when Su x Sv points outward (closed surfaces) or to the conventional outside (open ones), else -1.
-  double orientation = 1;
-
-  [[nodiscard]] bool seamU() const { return uMin == Edge::Seam; }
-  [[nodiscard]] bool seamV() const { return vMin == Edge::Seam; }
-  [[nodiscard]] bool collapsedVMin() const { return vMin == Edge::Pole || vMin == Edge::Apex; }
-  [[nodiscard]] bool collapsedVMax() const { return vMax == Edge::Pole || vMax == Edge::Apex; }
-};
-
-/// Upper bounds, over the whole domain, of the lengths of second derivatives. Infinite when none could be
-/// proven.
+/// Upper bounds of the lengths of second derivatives over a rectangle. Infinite when none could be proven.
 struct PartialBounds {
   double uu = 0, uv = 0, vv = 0;
 };
@@ -74,7 +48,8 @@ struct Paraboloid {
 /// Facts an author may state where the formula alone cannot tell.
 struct SurfaceTraits {
   std::string name = "formula";
-  double orientation = 1;  ///< for open surfaces; closed ones are measured by their signed volume
+  double orientation =
+      1;  ///< of the first patch of an open surface; closed ones are measured by their volume
   std::optional<Paraboloid> paraboloid;
   std::optional<Vec3> flatNormal;  ///< unit normal of a surface that lies in one plane
   bool revolution = false;         ///< u turns a profile once around the Y axis (see revolve())
@@ -89,45 +64,100 @@ class Surface {
  public:
   Surface() = default;  ///< no surface: a node without geometry
 
-  /// `parameters` are the values of the free variables beyond u and v, in order; they may change with time.
-  /// Cost: one topology search (about 2,500 evaluations). Throws Error(Scene) for an empty or infinite domain
-  /// and for a formula that is not finite anywhere on it.
+  /// `parameters` are the values of the free variables beyond u, v and the patches' constants, in order; they
+  /// may change with the moment. The topology is found for their values at time 0 without scene parameters:
+  /// what depends on those is set afterwards, with withParameters(). Throws Error(Scene) for no patches, an
+  /// empty or infinite domain, and a formula that is finite nowhere or one point everywhere. Holes in a
+  /// formula are no error: see holes().
+  explicit Surface(std::vector<Patch> patches, std::vector<Animated<double>> parameters = {},
+                   SurfaceTraits traits = {});
+  /// A surface of one patch.
   Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
           std::vector<Animated<double>> parameters = {}, SurfaceTraits traits = {});
 
+  /// The same surface (identity, topology) with other values of its free parameters, as many as it has.
+  [[nodiscard]] Surface withParameters(std::vector<Animated<double>> parameters) const;
+
   [[nodiscard]] bool valid() const { return description_ != nullptr; }
-  /// Same identity = same formula, domain and traits. Never null for a valid surface; unique while it lives.
+  /// Same identity = same patches, topology and traits. Never null for a valid surface; unique while it
+  /// lives.
   [[nodiscard]] const void* identity() const { return description_.get(); }
 
   [[nodiscard]] const std::string& name() const;
+  [[nodiscard]] const std::vector<Patch>& patches() const;
+  [[nodiscard]] std::uint32_t patchCount() const { return static_cast<std::uint32_t>(patches().size()); }
+  [[nodiscard]] const Domain& patchDomain(std::uint32_t patch) const;
+  /// The smallest rectangle that holds all patches.
   [[nodiscard]] const Domain& domain() const;
   [[nodiscard]] const Topology& topology() const;
   [[nodiscard]] bool closed() const { return topology().closed; }
-  [[nodiscard]] const std::vector<Animated<double>>& parameters() const;
+  [[nodiscard]] const std::vector<Animated<double>>& parameters() const { return *parameters_; }
   [[nodiscard]] std::optional<Paraboloid> paraboloid() const;
   [[nodiscard]] std::optional<Vec3> flatNormal() const;
   [[nodiscard]] bool revolution() const;
 
-  /// S, Su, Sv at one point or at every (u[i], v[i]). Object space, metres. Exact derivatives, rounded.
-  [[nodiscard]] SurfacePoints evaluate(std::span<const double> u, std::span<const double> v,
-                                       std::span<const double> parameters) const;
+  /// S, Su, Sv at every (u[i], v[i]) of a patch. Object space, metres. Exact derivatives, rounded. Where the
+  /// formula has no value the numbers are not finite.
+  [[nodiscard]] SurfacePoints evaluate(std::uint32_t patch, std::span<const double> u,
+                                       std::span<const double> v, std::span<const double> parameters) const;
   /// S, Su, Sv on the grid of all (u[i], v[j]), row by row (u fastest). What depends on u alone is evaluated
   /// once per column, what depends on v alone once per row.
+  [[nodiscard]] SurfacePoints evaluateGrid(std::uint32_t patch, std::span<const double> u,
+                                           std::span<const double> v,
+                                           std::span<const double> parameters) const;
+  [[nodiscard]] Vec3 position(std::uint32_t patch, double u, double v,
+                              std::span<const double> parameters = {}) const;
+  /// Unit normal, outward (the patch's orientation applied), with limits from inside the patch where Su x Sv
+  /// vanishes. At an apex: the limit along the edge's normal direction. Never NaN or zero where the surface
+  /// has a tangent plane; +Y where it has none.
+  [[nodiscard]] Vec3 normal(std::uint32_t patch, double u, double v,
+                            std::span<const double> parameters = {}) const;
+
+  /// The patch that holds (u, v): the first, where patches meet. Outside all of them: the last.
+  [[nodiscard]] std::uint32_t patchAt(double u, double v) const;
+  /// As above, on the patch that holds the point.
+  [[nodiscard]] Vec3 position(double u, double v, std::span<const double> parameters = {}) const;
+  [[nodiscard]] Vec3 normal(double u, double v, std::span<const double> parameters = {}) const;
+  /// As above, on the first patch: all there is of most surfaces.
+  [[nodiscard]] SurfacePoints evaluate(std::span<const double> u, std::span<const double> v,
+                                       std::span<const double> parameters) const;
   [[nodiscard]] SurfacePoints evaluateGrid(std::span<const double> u, std::span<const double> v,
                                            std::span<const double> parameters) const;
-  [[nodiscard]] Vec3 position(double u, double v, std::span<const double> parameters = {}) const;
-  /// Unit normal, outward (topology().orientation applied), with limits at poles. At an apex: the limit along
-  /// u. Never NaN or zero where the surface has a tangent plane.
-  [[nodiscard]] Vec3 normal(double u, double v, std::span<const double> parameters = {}) const;
 
-  /// Box that provably holds the whole surface; looser than the tightest by a few percent.
+  /// What one rigorous interval evaluation proves about a cell.
+  struct CellBounds {
+    PartialBounds second;  ///< infinite where nothing could be proven
+    /// The surface may have a kink or a jump inside: `second` holds for its smooth pieces only, and what a
+    /// triangle misses is bounded by the diameter of `position` instead.
+    bool kinked = false;
+    Box position;  ///< holds the surface over the cell; only filled when kinked
+  };
+  /// `cell` lies within the patch. Cost: one interval evaluation; no allocation for patches without
+  /// constants.
+  [[nodiscard]] CellBounds boundCell(std::uint32_t patch, const Domain& cell,
+                                     std::span<const double> parameters) const;
+  /// Box that provably holds the surface over the cell; infinite where nothing could be proven.
+  [[nodiscard]] Box boundPosition(std::uint32_t patch, const Domain& cell,
+                                  std::span<const double> parameters) const;
+
+  /// Box that provably holds the whole surface; looser than the tightest by a few percent. Infinite where
+  /// that cannot be proven: a formula that is unbounded or has holes.
   [[nodiscard]] Box bounds(std::span<const double> parameters) const;
-  /// Proven suprema of |Suu|, |Suv|, |Svv|, within 10 % of the true ones where intervals allow.
+  /// Finite box to look at: bounds() where that is finite, else one around most of the finite points of a
+  /// sampling, those near a pole of the formula left out.
+  [[nodiscard]] Box framing(std::span<const double> parameters) const;
+  /// Proven suprema of |Suu|, |Suv|, |Svv| over all patches, within 10 % of the true ones where intervals
+  /// allow; infinite for a surface with kinks.
   [[nodiscard]] PartialBounds partialBounds(std::span<const double> parameters) const;
+
+  /// Rectangles of the (u,v) plane where the formula has no finite value, a few at most, for a message: found
+  /// by sampling, sides by bisection. Costs one interval evaluation per patch where there cannot be any.
+  [[nodiscard]] std::vector<Domain> holes(std::span<const double> parameters) const;
 
  private:
   struct Description;
   std::shared_ptr<const Description> description_;
+  std::shared_ptr<const std::vector<Animated<double>>> parameters_;
 };
 
 /// The surface of a generic function `(auto u, auto v, auto... parameters) -> point(x, y, z)`: the arguments

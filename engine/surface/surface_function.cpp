@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/surface_function.h"
 
+#include <utility>
+
 namespace luxo {
 namespace {
 
@@ -17,15 +19,24 @@ Tape compile(Graph& graph, std::initializer_list<ExprPoint> points) {
 
 }  // namespace
 
-std::shared_ptr<const SurfaceFunction> compileSurface(Graph& graph, const ExprPoint& position) {
+std::shared_ptr<const SurfaceFunction> compileSurface(Graph& graph, const ExprPoint& position,
+                                                      SurfaceBounder bounder) {
   const ExprPoint du = derivative(graph, position, 0), dv = derivative(graph, position, 1);
   const ExprPoint duu = derivative(graph, du, 0), duv = derivative(graph, du, 1),
                   dvv = derivative(graph, dv, 1);
+  std::vector<Expr> guards;
+  std::vector<bool> atIntegers;
+  for (const Kink& kink : graph.kinks(position)) {
+    guards.push_back(kink.guard);
+    atIntegers.push_back(kink.atIntegers);
+  }
   return std::make_shared<const SurfaceFunction>(
       SurfaceFunction{.position = compile(graph, {position}),
                       .tangents = compile(graph, {position, du, dv}),
-                      .twist = compile(graph, {duv, du, dv}),
-                      .second = compile(graph, {duu, duv, dvv})});
+                      .second = compile(graph, {duu, duv, dvv}),
+                      .guards = Tape(graph, guards),
+                      .guardAtIntegers = std::move(atIntegers),
+                      .bounder = std::move(bounder)});
 }
 
 }  // namespace luxo

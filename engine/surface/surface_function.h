@@ -3,22 +3,38 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "formula/expression.h"
 #include "formula/tape.h"
+#include "math/bounds.h"
+#include "math/interval.h"
 
 namespace luxo {
+
+/// Rigorous bounds over a rectangle of parameters. `inputs` are the values of variables 2, 3, ...
+struct SurfaceBounder {
+  std::function<Box(const Interval& u, const Interval& v, std::span<const double> inputs)> position;
+  /// Of |Suu|, |Suv|, |Svv|.
+  std::function<std::array<double, 3>(const Interval& u, const Interval& v, std::span<const double> inputs)>
+      second;
+};
 
 struct SurfaceFunction {
   Tape position;  ///< S: 3 outputs
   Tape tangents;  ///< S, Su, Sv: 9 outputs
-  Tape twist;     ///< Suv, Su, Sv: 9 outputs
   Tape second;    ///< Suu, Suv, Svv: 9 outputs
+  Tape guards;    ///< the formula may be kinked where one of these passes through 0 (Graph::kinks)
+  std::vector<bool> guardAtIntegers;  ///< of each guard: or through any integer
+  /// For a family of formulas that has tighter bounds than interval arithmetic finds; else empty.
+  SurfaceBounder bounder = {};
 };
 
 /// Differentiates and compiles. Variables 0 and 1 of the graph are u and v.
-[[nodiscard]] std::shared_ptr<const SurfaceFunction> compileSurface(Graph& graph, const ExprPoint& position);
+[[nodiscard]] std::shared_ptr<const SurfaceFunction> compileSurface(Graph& graph, const ExprPoint& position,
+                                                                    SurfaceBounder bounder = {});
 
 }  // namespace luxo

@@ -25,6 +25,7 @@ struct SurfaceSample {
   std::optional<PartialBounds> partials;  ///< true suprema of |Suu|, |Suv|, |Svv|
   Edge u = Edge::Border, vMin = Edge::Border, vMax = Edge::Border;
   double orientation = 1;
+  bool orientable = true;
 };
 
 /// Seeds' parameter order: u around the tube, v around the ring (about +Z). Su x Sv points inward.
@@ -167,7 +168,10 @@ inline std::vector<SurfaceSample> surfaceSamples() {
                                         -2 * q * std::cos(u));
                            return n / glm::length(n);
                          },
-                     .area = 3.149911});
+                     .area = 3.149911,
+                     .euler = 0,
+                     .u = Edge::Seam,
+                     .orientable = false});
   return samples;
 }
 

@@ -16,18 +16,24 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+Edge kindOf(const Topology& t, Side side, std::uint32_t patch = 0) { return t.edge(patch, side).kind; }
+Vec3 normalOf(const Topology& t, Side side) { return t.edge(0, side).normal; }
+
 TEST(Topology, EdgesOrientationAndClosednessOfEverySurface) {
   for (const SurfaceSample& sample : surfaceSamples()) {
     SCOPED_TRACE(sample.name);
     const Topology& t = sample.surface.topology();
-    EXPECT_EQ(t.uMin, sample.u);
-    EXPECT_EQ(t.uMax, sample.u);
-    EXPECT_EQ(t.vMin, sample.vMin);
-    EXPECT_EQ(t.vMax, sample.vMax);
-    EXPECT_EQ(t.orientation, sample.orientation);
+    EXPECT_EQ(kindOf(t, Side::UMin), sample.u);
+    EXPECT_EQ(kindOf(t, Side::UMax), sample.u);
+    EXPECT_EQ(kindOf(t, Side::VMin), sample.vMin);
+    EXPECT_EQ(kindOf(t, Side::VMax), sample.vMax);
+    EXPECT_EQ(t.orientation(), sample.orientation);
+    EXPECT_EQ(t.eulerCharacteristic, sample.euler);
+    EXPECT_EQ(t.borderless, sample.borders == 0);
+    EXPECT_EQ(t.orientable, sample.orientable);
     EXPECT_EQ(t.closed, sample.volume.has_value());
     EXPECT_EQ(sample.surface.closed(), sample.volume.has_value());
-    EXPECT_EQ(t.seamU(), sample.u == Edge::Seam);
+    EXPECT_EQ(t.seamU(), sample.u == Edge::Seam && sample.orientable);
     EXPECT_EQ(t.collapsedVMin(), sample.vMin == Edge::Pole || sample.vMin == Edge::Apex);
     EXPECT_EQ(t.collapsedVMax(), sample.vMax == Edge::Pole || sample.vMax == Edge::Apex);
   }
@@ -37,10 +43,10 @@ TEST(Topology, PolesHaveTheLimitOfTheCrossProduct) {
   // Before the orientation is applied: the disk's Su x Sv points down.
   const Topology ball = sphere(2).topology(), plate = disk(2).topology(),
                  shade = paraboloid(0.2, 1.8).topology();
-  EXPECT_NEAR(glm::length(ball.vMinNormal - Vec3(0, -1, 0)), 0, 1e-15);
-  EXPECT_NEAR(glm::length(ball.vMaxNormal - Vec3(0, 1, 0)), 0, 1e-15);
-  EXPECT_NEAR(glm::length(plate.vMinNormal - Vec3(0, -1, 0)), 0, 1e-15);
-  EXPECT_NEAR(glm::length(shade.vMinNormal - Vec3(0, -1, 0)), 0, 1e-15);
+  EXPECT_NEAR(glm::length(normalOf(ball, Side::VMin) - Vec3(0, -1, 0)), 0, 1e-15);
+  EXPECT_NEAR(glm::length(normalOf(ball, Side::VMax) - Vec3(0, 1, 0)), 0, 1e-15);
+  EXPECT_NEAR(glm::length(normalOf(plate, Side::VMin) - Vec3(0, -1, 0)), 0, 1e-15);
+  EXPECT_NEAR(glm::length(normalOf(shade, Side::VMin) - Vec3(0, -1, 0)), 0, 1e-15);
 }
 
 TEST(Topology, SeamsCloseToRounding) {
@@ -61,9 +67,9 @@ TEST(Topology, InwardFormulasAreFoundOut) {
   const Surface polar = surface(
       [](auto u, auto v) { return point(cos(u) * sin(v), sin(u) * sin(v), cos(v)); }, {{0, kTau}, {0, kPi}});
   EXPECT_TRUE(polar.closed());
-  EXPECT_EQ(polar.topology().orientation, -1);
-  EXPECT_EQ(polar.topology().vMin, Edge::Pole);
-  EXPECT_EQ(polar.topology().vMax, Edge::Pole);
+  EXPECT_EQ(polar.topology().orientation(), -1);
+  EXPECT_EQ(kindOf(polar.topology(), Side::VMin), Edge::Pole);
+  EXPECT_EQ(kindOf(polar.topology(), Side::VMax), Edge::Pole);
   EXPECT_NEAR(glm::length(polar.normal(1, 0) - Vec3(0, 0, 1)), 0, 1e-15);
   EXPECT_NEAR(glm::length(polar.normal(1, kPi) - Vec3(0, 0, -1)), 0, 1e-15);
   // A stated orientation is for open surfaces; a closed one is measured.
@@ -73,12 +79,12 @@ TEST(Topology, InwardFormulasAreFoundOut) {
         return point(rho * cos(v), rho * sin(v), sin(u));
       },
       {{0, kTau}, {0, kTau}}, {.orientation = 1});
-  EXPECT_EQ(stated.topology().orientation, -1);
+  EXPECT_EQ(stated.topology().orientation(), -1);
 }
 
 TEST(Topology, ThinAndDistantSurfacesAreClosedToo) {
   EXPECT_TRUE(torus(1, 1e-4).closed());
-  EXPECT_EQ(torus(1, 1e-4).topology().orientation, 1);
+  EXPECT_EQ(torus(1, 1e-4).topology().orientation(), 1);
   const auto needle = [](double thickness, double distance) {
     return surface(
         [=](auto u, auto v) {
@@ -90,7 +96,7 @@ TEST(Topology, ThinAndDistantSurfacesAreClosedToo) {
     for (const double distance : {0.0, 100.0}) {
       const Surface s = needle(thickness, thickness * distance);
       EXPECT_TRUE(s.closed()) << thickness << " thick at " << distance;
-      EXPECT_EQ(s.topology().orientation, 1);
+      EXPECT_EQ(s.topology().orientation(), 1);
     }
 }
 
@@ -104,29 +110,29 @@ TEST(Topology, ASelfCancellingVolumeIsNotClosed) {
       {{0, kTau}, {0, kTau}}, {.orientation = -1});
   EXPECT_TRUE(eight.topology().seamU() && eight.topology().seamV());
   EXPECT_FALSE(eight.closed());
-  EXPECT_EQ(eight.topology().orientation, -1);
+  EXPECT_EQ(eight.topology().orientation(), -1);
 }
 
 TEST(Topology, HalfAndRotatedSurfaces) {
   const auto ball = [](auto u, auto v) { return point(cos(v) * cos(u), sin(v), -(cos(v) * sin(u))); };
   const Topology dome = surface(ball, {{0, kTau}, {0, kPi / 2}}).topology();
-  EXPECT_EQ(dome.uMin, Edge::Seam);
-  EXPECT_EQ(dome.vMin, Edge::Border);
-  EXPECT_EQ(dome.vMax, Edge::Pole);
+  EXPECT_EQ(kindOf(dome, Side::UMin), Edge::Seam);
+  EXPECT_EQ(kindOf(dome, Side::VMin), Edge::Border);
+  EXPECT_EQ(kindOf(dome, Side::VMax), Edge::Pole);
   EXPECT_FALSE(dome.closed);
   const Topology slice = surface(ball, {{0, kPi}, {-kPi / 2, kPi / 2}}).topology();
-  EXPECT_EQ(slice.uMin, Edge::Border);
-  EXPECT_EQ(slice.vMin, Edge::Pole);
+  EXPECT_EQ(kindOf(slice, Side::UMin), Edge::Border);
+  EXPECT_EQ(kindOf(slice, Side::VMin), Edge::Pole);
   EXPECT_FALSE(slice.closed);
   // Around v instead of u.
   const Topology pipe =
       surface([](auto u, auto v) { return point(u, cos(v), sin(v)); }, {{0, 1}, {0, kTau}}).topology();
-  EXPECT_EQ(pipe.uMin, Edge::Border);
-  EXPECT_EQ(pipe.vMin, Edge::Seam);
-  EXPECT_EQ(pipe.vMax, Edge::Seam);
+  EXPECT_EQ(kindOf(pipe, Side::UMin), Edge::Border);
+  EXPECT_EQ(kindOf(pipe, Side::VMin), Edge::Seam);
+  EXPECT_EQ(kindOf(pipe, Side::VMax), Edge::Seam);
 }
 
-TEST(Topology, ClosedWithAKinkIsABorder) {
+TEST(Topology, ClosedWithAKinkIsASeamThatIsNotSmooth) {
   // The loop (u (1 - u), u (1 - u) (1 - 2u)) ends where it began, at an angle: two normals, so two vertices.
   const Topology t = surface(
                          [](auto u, auto v) {
@@ -135,8 +141,11 @@ TEST(Topology, ClosedWithAKinkIsABorder) {
                          },
                          {{0, 1}, {0, 1}})
                          .topology();
-  EXPECT_EQ(t.uMin, Edge::Border);
-  EXPECT_EQ(t.uMax, Edge::Border);
+  EXPECT_EQ(kindOf(t, Side::UMin), Edge::Seam);
+  EXPECT_EQ(kindOf(t, Side::UMax), Edge::Seam);
+  ASSERT_EQ(t.joints.size(), 1u);
+  EXPECT_FALSE(t.joints[0].smooth || t.joints[0].reversed || t.joints[0].flipped);
+  EXPECT_FALSE(t.seamU());
 }
 
 /// The message of the Error(Scene) that making the surface throws.

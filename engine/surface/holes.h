@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a formula has no finite value.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "surface/patch.h"
+
+namespace luxo {
+
+/// Rectangles of a patch's domain that hold everything found without a finite value, at most kMostHoles, in
+/// order of v, then u: the sampled points of a 65 x 65 grid, edges included, grouped by neighbourhood, their
+/// sides moved out by bisection; and the places where the formula grows without bound, though no sample
+/// hits them. A hole thinner than a cell that is neither is missed.
+inline constexpr int kMostHoles = 8;
+[[nodiscard]] std::vector<Domain> findHoles(const Patch& patch, std::span<const double> inputs);
+
+}  // namespace luxo
