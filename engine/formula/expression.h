@@ -11,11 +11,12 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
+#include <span>
 #include <vector>
 
 namespace luxo {
 
+/// What each does to numbers: formula/operation.h.
 enum class Op : std::uint8_t {
   Constant,
   Variable,
@@ -34,12 +35,45 @@ enum class Op : std::uint8_t {
   Sinh,
   Cosh,
   Tanh,
+  Asin,
+  Acos,
+  Atan,
+  Atan2,  ///< a = y, b = x
+  Abs,
+  Min,
+  Max,
+  Floor,
+  Sign,
+  Raise,  ///< real exponent: a^b as std::pow has it
+  Less,   ///< the comparisons are 1 or 0
+  LessEqual,
+  Equal,
+  Select,  ///< a != 0 ? b : c
 };
 
-/// How many operands an operation reads from the graph: 0, 1 or 2.
+/// How many operands an operation reads from the graph: 0 to 3.
 [[nodiscard]] constexpr int operandCount(Op op) {
-  if (op == Op::Constant || op == Op::Variable) return 0;
-  return op == Op::Add || op == Op::Subtract || op == Op::Multiply || op == Op::Divide ? 2 : 1;
+  switch (op) {
+    case Op::Constant:
+    case Op::Variable:
+      return 0;
+    case Op::Add:
+    case Op::Subtract:
+    case Op::Multiply:
+    case Op::Divide:
+    case Op::Atan2:
+    case Op::Min:
+    case Op::Max:
+    case Op::Raise:
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Equal:
+      return 2;
+    case Op::Select:
+      return 3;
+    default:
+      return 1;
+  }
 }
 
 class Graph;
@@ -68,15 +102,40 @@ class Expr {
 [[nodiscard]] Expr operator*(Expr x, Expr y);
 [[nodiscard]] Expr operator/(Expr x, Expr y);
 [[nodiscard]] Expr pow(Expr x, int exponent);
+/// x^y as std::pow has it (a negative x only takes integers). Integer constants y become pow(x, int), 0.5
+/// becomes sqrt.
+[[nodiscard]] Expr pow(Expr x, Expr y);
+[[nodiscard]] inline Expr pow(Expr x, double y) { return pow(x, Expr(y)); }
 [[nodiscard]] Expr sqrt(Expr x);
 [[nodiscard]] Expr exp(Expr x);
 [[nodiscard]] Expr log(Expr x);
 [[nodiscard]] Expr sin(Expr x);
 [[nodiscard]] Expr cos(Expr x);
 [[nodiscard]] Expr tan(Expr x);
+[[nodiscard]] Expr asin(Expr x);
+[[nodiscard]] Expr acos(Expr x);
+[[nodiscard]] Expr atan(Expr x);
+[[nodiscard]] Expr atan2(Expr y, Expr x);
 [[nodiscard]] Expr sinh(Expr x);
 [[nodiscard]] Expr cosh(Expr x);
 [[nodiscard]] Expr tanh(Expr x);
+[[nodiscard]] Expr abs(Expr x);
+[[nodiscard]] Expr min(Expr x, Expr y);
+[[nodiscard]] Expr max(Expr x, Expr y);
+[[nodiscard]] Expr floor(Expr x);
+[[nodiscard]] Expr sign(Expr x);  ///< -1, 0 or 1
+[[nodiscard]] Expr less(Expr x, Expr y);
+[[nodiscard]] Expr lessEqual(Expr x, Expr y);
+[[nodiscard]] Expr equal(Expr x, Expr y);
+[[nodiscard]] Expr notEqual(Expr x, Expr y);
+/// `a` where the condition is not 0, else `b`. What is not chosen may be anything, undefined included.
+[[nodiscard]] Expr select(Expr condition, Expr a, Expr b);
+
+// Built from the above; they mean what they mean in GLSL. mod is floored: it has the sign of y.
+[[nodiscard]] Expr mod(Expr x, Expr y);
+[[nodiscard]] Expr clamp(Expr x, Expr lowest, Expr highest);
+[[nodiscard]] Expr mix(Expr a, Expr b, Expr t);
+[[nodiscard]] Expr smoothstep(Expr edge0, Expr edge1, Expr x);
 
 /// A point of space given by three expressions: what a surface formula returns.
 using ExprPoint = std::array<Expr, 3>;
@@ -86,42 +145,56 @@ using ExprPoint = std::array<Expr, 3>;
 /// order.
 struct ExprNode {
   Op op = Op::Constant;
-  std::uint32_t a = 0, b = 0;  ///< operands; for Variable, a = which
-  double value = 0;            ///< Constant: its value; Power: its exponent
-
-  friend bool operator==(const ExprNode&, const ExprNode&) = default;
+  std::uint32_t a = 0, b = 0, c = 0;  ///< operands; for Variable, a = which
+  double value = 0;                   ///< Constant: its value; Power: its exponent
 };
 
-/// Owns the nodes. Not copyable (expressions point into it); not thread-safe while it grows.
+/// Where a formula is not smooth: where `guard` passes through 0 or, for the floor, through any integer.
+struct Kink {
+  Expr guard;
+  bool atIntegers = false;
+};
+
+/// Owns the nodes. Not copyable (expressions point into it); not thread-safe while it grows. Nothing here
+/// recurses, so no formula is too deep.
 class Graph {
  public:
+  /// Most nodes of one graph; whatever would add more throws Error(Scene). 32 bytes each.
+  static constexpr std::size_t kMostNodes = std::size_t{1} << 22;
+
   Graph() = default;
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
   [[nodiscard]] Expr variable(std::uint32_t index);
 
-  /// Exact symbolic derivative with respect to variable `index`. Cost: linear in the nodes `f` needs; no
-  /// recursion, so no formula is too deep. Every subexpression is differentiated once, however often it is
-  /// shared.
+  /// Exact symbolic derivative with respect to variable `index`; at a kink, that of a piece beside it. Cost:
+  /// linear in the nodes `f` needs. Every subexpression is differentiated once, however often it is shared.
   [[nodiscard]] Expr derivative(Expr f, std::uint32_t index);
+
+  /// The guards of everything that makes the roots non-smooth in u and v (variables 0 and 1; the others are
+  /// taken as constant): abs, sign, min, max, floor, comparisons, select, the jump of atan2. Each once.
+  [[nodiscard]] std::vector<Kink> kinks(std::span<const Expr> roots);
 
   [[nodiscard]] const std::vector<ExprNode>& nodes() const { return nodes_; }
   /// Index of the node behind `f`; a constant becomes a node.
   [[nodiscard]] std::uint32_t nodeOf(Expr f);
+  /// The expression behind a node; a Constant node is a constant.
+  [[nodiscard]] Expr at(std::uint32_t node);
 
-  /// Combines operands, folding constants and dropping neutral elements (0 + x, 1 * x, 0 * x, --x).
-  [[nodiscard]] static Expr apply(Op op, Expr x, Expr y = {}, int exponent = 0);
+  /// Any operation, simplified: constants are folded and pulled together, neutral elements dropped, equal
+  /// forms brought to one. No rule turns an undefined value into a defined one, except 0 * x = 0 and
+  /// x - x = 0. `exponent` is for Power.
+  [[nodiscard]] static Expr apply(Op op, Expr x, Expr y = {}, Expr z = {}, int exponent = 0);
 
  private:
-  struct NodeHash {
-    std::size_t operator()(const ExprNode& node) const noexcept;
-  };
+  struct Simplifier;
 
   Expr intern(const ExprNode& node);
+  void rehash();
 
   std::vector<ExprNode> nodes_;
-  std::unordered_map<ExprNode, std::uint32_t, NodeHash> index_;
+  std::vector<std::uint32_t> table_;  ///< open addressing by content: node + 1, or 0
 };
 
 /// Indices of all nodes that `roots` need, ascending: a valid order of evaluation.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each operation does to numbers: one definition for constants, batches and intervals.
+// What each operation does to numbers: one definition for constants, batches and intervals. Outside its
+// domain an operation on doubles is NaN or infinite, one on intervals is everything().
 #pragma once
 
 #include <cmath>
@@ -21,10 +22,32 @@ namespace luxo {
 
 [[nodiscard]] inline Interval integerPower(const Interval& x, int n) { return pow(x, n); }
 
+/// The operations on doubles that the standard library does not have, or has without passing on NaN.
+namespace number {
+
+[[nodiscard]] inline double min(double x, double y) {
+  const double least = x < y ? x : y;
+  return x == x ? least : x;
+}
+[[nodiscard]] inline double max(double x, double y) {
+  const double largest = x > y ? x : y;
+  return x == x ? largest : x;
+}
+[[nodiscard]] inline double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x == 0 ? 0 : x; }
+[[nodiscard]] inline double less(double x, double y) { return x < y ? 1 : 0; }
+[[nodiscard]] inline double lessEqual(double x, double y) { return x <= y ? 1 : 0; }
+[[nodiscard]] inline double equal(double x, double y) { return x == y ? 1 : 0; }
+[[nodiscard]] inline double select(double condition, double a, double b) { return condition != 0 ? a : b; }
+
+}  // namespace number
+
 /// The value of one operation; `Number` is double or Interval.
 template <class Number>
-[[nodiscard]] Number operate(Op op, const Number& x, const Number& y, int exponent) {
-  using std::cos, std::cosh, std::exp, std::log, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+[[nodiscard]] Number operate(Op op, const Number& x, const Number& y, const Number& z, int exponent) {
+  using number::min, number::max, number::sign, number::less, number::lessEqual, number::equal,
+      number::select;
+  using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::floor,
+      std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   switch (op) {
     case Op::Negate:
       return -x;
@@ -38,6 +61,8 @@ template <class Number>
       return x / y;
     case Op::Power:
       return integerPower(x, exponent);
+    case Op::Raise:
+      return pow(x, y);
     case Op::Sqrt:
       return sqrt(x);
     case Op::Exp:
@@ -50,12 +75,38 @@ template <class Number>
       return cos(x);
     case Op::Tan:
       return tan(x);
+    case Op::Asin:
+      return asin(x);
+    case Op::Acos:
+      return acos(x);
+    case Op::Atan:
+      return atan(x);
+    case Op::Atan2:
+      return atan2(x, y);
     case Op::Sinh:
       return sinh(x);
     case Op::Cosh:
       return cosh(x);
     case Op::Tanh:
       return tanh(x);
+    case Op::Abs:
+      return abs(x);
+    case Op::Min:
+      return min(x, y);
+    case Op::Max:
+      return max(x, y);
+    case Op::Floor:
+      return floor(x);
+    case Op::Sign:
+      return sign(x);
+    case Op::Less:
+      return less(x, y);
+    case Op::LessEqual:
+      return lessEqual(x, y);
+    case Op::Equal:
+      return equal(x, y);
+    case Op::Select:
+      return select(x, y, z);
     case Op::Constant:
     case Op::Variable:
       break;

@@ -27,7 +27,7 @@ void mapBinary(std::size_t n, double* out, Lane x, Lane y, F f) {
   }
 }
 
-void mapOperation(Op op, int exponent, std::size_t n, double* out, Lane x, Lane y) {
+void mapOperation(Op op, int exponent, std::size_t n, double* out, Lane x, Lane y, Lane z) {
   switch (op) {
     case Op::Add:
       return mapBinary(n, out, x, y, [](double a, double b) { return a + b; });
@@ -41,7 +41,8 @@ void mapOperation(Op op, int exponent, std::size_t n, double* out, Lane x, Lane 
       for (std::size_t i = 0; i < n; ++i) out[i] = -x.values[i * x.step];
       return;
     default:
-      for (std::size_t i = 0; i < n; ++i) out[i] = operate(op, x.values[i * x.step], 0.0, exponent);
+      for (std::size_t i = 0; i < n; ++i)
+        out[i] = operate(op, x.values[i * x.step], y.values[i * y.step], z.values[i * z.step], exponent);
   }
 }
 
@@ -64,9 +65,14 @@ Tape::Tape(Graph& graph, std::span<const Expr> outputs) {
       instruction.rate = node.a == 0 ? Rate::PerColumn : node.a == 1 ? Rate::PerRow : Rate::Once;
     } else if (operandCount(node.op) > 0) {
       instruction.a = instructionOf[node.a];
-      instruction.b = operandCount(node.op) == 2 ? instructionOf[node.b] : instruction.a;
-      const Rate ra = instructions_[instruction.a].rate, rb = instructions_[instruction.b].rate;
-      instruction.rate = ra == Rate::Once ? rb : rb == Rate::Once || ra == rb ? ra : Rate::PerPoint;
+      instruction.b = operandCount(node.op) > 1 ? instructionOf[node.b] : instruction.a;
+      instruction.c = operandCount(node.op) > 2 ? instructionOf[node.c] : instruction.a;
+      for (const std::uint32_t operand : {instruction.a, instruction.b, instruction.c}) {
+        const Rate own = instruction.rate, other = instructions_[operand].rate;
+        instruction.rate = own == Rate::Once                     ? other
+                           : other == Rate::Once || own == other ? own
+                                                                 : Rate::PerPoint;
+      }
     }
     instructionOf[n] = static_cast<std::uint32_t>(instructions_.size());
     instructions_.push_back(instruction);
@@ -97,7 +103,7 @@ std::vector<std::vector<double>> Tape::run(std::span<const double> u, std::span<
   std::vector<Lane> lanes(instructions_.size());
   const auto compute = [&](std::uint32_t k, std::size_t n) {
     const Instruction& i = instructions_[k];
-    mapOperation(i.op, static_cast<int>(i.value), n, storage[k].data(), lanes[i.a], lanes[i.b]);
+    mapOperation(i.op, static_cast<int>(i.value), n, storage[k].data(), lanes[i.a], lanes[i.b], lanes[i.c]);
   };
 
   // Everything that does not change from point to point within a row comes first.
@@ -163,7 +169,7 @@ void Tape::bound(const Interval& u, const Interval& v, std::span<const double> p
     } else if (i.op == Op::Multiply && i.a == i.b) {
       values[k] = square(values[i.a]);  // both factors are the same number, not two of the same range
     } else {
-      values[k] = operate(i.op, values[i.a], values[i.b], static_cast<int>(i.value));
+      values[k] = operate(i.op, values[i.a], values[i.b], values[i.c], static_cast<int>(i.value));
     }
   }
   for (std::size_t k = 0; k < outputs_.size(); ++k) bounds[k] = values[outputs_[k]];

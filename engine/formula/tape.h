@@ -45,7 +45,7 @@ class Tape {
   struct Instruction {
     Op op = Op::Constant;
     Rate rate = Rate::Once;
-    std::uint32_t a = 0, b = 0;  ///< earlier instructions; for Variable, a = which
+    std::uint32_t a = 0, b = 0, c = 0;  ///< earlier instructions; for Variable, a = which
     double value = 0;
   };
 

@@ -143,4 +143,93 @@ Interval tanh(const Interval& x) {
   return {std::max(-1.0, wide.lo), std::min(1.0, wide.hi)};
 }
 
+Interval asin(const Interval& x) {
+  if (x.lo < -1 || x.hi > 1) return Interval::everything();
+  return outward(std::asin(x.lo), std::asin(x.hi), kLibrarySteps);
+}
+
+Interval acos(const Interval& x) {
+  if (x.lo < -1 || x.hi > 1) return Interval::everything();
+  const Interval wide = outward(std::acos(x.hi), std::acos(x.lo), kLibrarySteps);
+  return {std::max(0.0, wide.lo), wide.hi};
+}
+
+Interval atan(const Interval& x) {
+  if (x == Interval::everything()) return x;
+  return outward(std::atan(x.lo), std::atan(x.hi), kLibrarySteps);
+}
+
+Interval atan2(const Interval& y, const Interval& x) {
+  if (y == Interval::everything() || x == Interval::everything()) return Interval::everything();
+  // Across the jump every angle is possible; elsewhere the rectangle's extreme directions are two corners.
+  if (y.contains(0) && x.lo <= 0) return {down(-kPi), up(kPi)};
+  const double corners[] = {std::atan2(y.lo, x.lo), std::atan2(y.lo, x.hi), std::atan2(y.hi, x.lo),
+                            std::atan2(y.hi, x.hi)};
+  const auto [least, most] = std::minmax_element(corners, corners + 4);
+  return outward(*least, *most, kLibrarySteps);
+}
+
+Interval abs(const Interval& x) {
+  if (x == Interval::everything() || x.lo >= 0) return x;
+  return {x.hi <= 0 ? -x.hi : 0, x.magnitude()};
+}
+
+Interval min(const Interval& x, const Interval& y) {
+  if (x == Interval::everything() || y == Interval::everything()) return Interval::everything();
+  return {std::min(x.lo, y.lo), std::min(x.hi, y.hi)};
+}
+
+Interval max(const Interval& x, const Interval& y) {
+  if (x == Interval::everything() || y == Interval::everything()) return Interval::everything();
+  return {std::max(x.lo, y.lo), std::max(x.hi, y.hi)};
+}
+
+Interval floor(const Interval& x) { return {std::floor(x.lo), std::floor(x.hi)}; }
+
+Interval sign(const Interval& x) {
+  if (x == Interval::everything()) return x;
+  const auto signOf = [](double end) { return end > 0 ? 1.0 : end < 0 ? -1.0 : 0.0; };
+  return {signOf(x.lo), signOf(x.hi)};
+}
+
+Interval pow(const Interval& x, const Interval& y) {
+  if (x == Interval::everything() || y == Interval::everything()) return Interval::everything();
+  if (x.lo < 0) {
+    // Integer powers go on below 0.
+    const double exponent = y.lo;
+    if (y.lo != y.hi || std::floor(exponent) != exponent) return Interval::everything();
+    if (exponent < 0) return Interval(1) / pow(x, Interval(-exponent));
+    const Interval size = pow(abs(x), y);
+    if (std::fmod(exponent, 2) == 0) return size;
+    return x.hi <= 0 ? -size : Interval(-pow(Interval(-x.lo), y).hi, pow(Interval(x.hi), y).hi);
+  }
+  // Monotone in each operand: the extremes are at the corners.
+  const double corners[] = {std::pow(x.lo, y.lo), std::pow(x.lo, y.hi), std::pow(x.hi, y.lo),
+                            std::pow(x.hi, y.hi)};
+  const auto [least, most] = std::minmax_element(corners, corners + 4);
+  const Interval wide = outward(*least, *most, kLibrarySteps);
+  return {std::max(0.0, wide.lo), wide.hi};
+}
+
+Interval less(const Interval& x, const Interval& y) {
+  if (x.hi < y.lo) return {1};
+  return x.lo >= y.hi ? Interval(0) : Interval(0, 1);
+}
+
+Interval lessEqual(const Interval& x, const Interval& y) {
+  if (x.lo > y.hi) return {0};
+  const bool defined = x != Interval::everything() && y != Interval::everything();
+  return defined && x.hi <= y.lo ? Interval(1) : Interval(0, 1);
+}
+
+Interval equal(const Interval& x, const Interval& y) {
+  if (x.hi < y.lo || y.hi < x.lo) return {0};
+  return x == y && x.lo == x.hi ? Interval(1) : Interval(0, 1);
+}
+
+Interval select(const Interval& condition, const Interval& a, const Interval& b) {
+  if (!condition.contains(0)) return a;
+  return condition == Interval(0) ? b : hull(a, b);
+}
+
 }  // namespace luxo

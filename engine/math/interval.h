@@ -48,5 +48,23 @@ struct Interval {
 [[nodiscard]] Interval sinh(const Interval& x);
 [[nodiscard]] Interval cosh(const Interval& x);
 [[nodiscard]] Interval tanh(const Interval& x);
+[[nodiscard]] Interval asin(const Interval& x);
+[[nodiscard]] Interval acos(const Interval& x);
+[[nodiscard]] Interval atan(const Interval& x);
+[[nodiscard]] Interval atan2(const Interval& y, const Interval& x);
+[[nodiscard]] Interval abs(const Interval& x);
+[[nodiscard]] Interval min(const Interval& x, const Interval& y);
+[[nodiscard]] Interval max(const Interval& x, const Interval& y);
+[[nodiscard]] Interval floor(const Interval& x);
+[[nodiscard]] Interval sign(const Interval& x);
+/// x^y as std::pow has it.
+[[nodiscard]] Interval pow(const Interval& x, const Interval& y);
+[[nodiscard]] inline Interval pow(const Interval& x, double y) { return pow(x, Interval(y)); }
+/// 1, 0 or, where both are possible, [0, 1].
+[[nodiscard]] Interval less(const Interval& x, const Interval& y);
+[[nodiscard]] Interval lessEqual(const Interval& x, const Interval& y);
+[[nodiscard]] Interval equal(const Interval& x, const Interval& y);
+/// What a choice may give; the alternative that no condition chooses does not count.
+[[nodiscard]] Interval select(const Interval& condition, const Interval& a, const Interval& b);
 
 }  // namespace luxo

@@ -130,7 +130,7 @@ class RandomFormula {
         case Op::Tanh:
           r.push_back(tanh(r[s.a]));
           break;
-        case Op::Variable:
+        default:
           break;
       }
     }
