@@ -32,3 +32,18 @@ function(luxo_shaders target)
   add_dependencies(${target} ${target}_spirv)
   target_include_directories(${target} INTERFACE ${CMAKE_BINARY_DIR}/generated ${CMAKE_SOURCE_DIR}/shaders)
 endfunction()
+
+# Texts that programs compile themselves: <luxo/shaders/sources.h> with `luxo::kShaderSources`, for targets that link
+# `target`. The files are named by their paths below shaders/.
+function(luxo_shader_sources target)
+  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders/sources.h)
+  list(TRANSFORM ARGN PREPEND ${CMAKE_SOURCE_DIR}/shaders/ OUTPUT_VARIABLE paths)
+  add_custom_command(
+    OUTPUT ${out}
+    COMMAND ${CMAKE_COMMAND} -DROOT=${CMAKE_SOURCE_DIR}/shaders "-DFILES=${ARGN}" -DOUT=${out}
+            -P ${CMAKE_SOURCE_DIR}/cmake/embed_sources.cmake
+    DEPENDS ${paths} ${CMAKE_SOURCE_DIR}/cmake/embed_sources.cmake
+    COMMENT "Embedding shader sources" VERBATIM)
+  add_custom_target(${target}_sources DEPENDS ${out})
+  add_dependencies(${target} ${target}_sources)
+endfunction()

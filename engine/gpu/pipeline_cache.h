@@ -2,6 +2,7 @@
 // The pipeline cache on disk. It saves time and is never needed: whatever happens to its file is no error.
 #pragma once
 
+#include "gpu/cache_file.h"
 #include "gpu/vk.h"
 
 #include <array>
@@ -13,9 +14,6 @@
 #include <vector>
 
 namespace luxo::gpu {
-
-/// $LUXO_CACHE_DIR, or $XDG_CACHE_HOME/luxo, or ~/.cache/luxo; empty when none is set.
-[[nodiscard]] std::filesystem::path cacheDirectory();
 
 /// Whose cache data it is: data of another device or driver must not reach this one.
 struct CacheIdentity {
