@@ -25,7 +25,7 @@ std::string literal(double value) {
                        std::isnan(rounded) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(rounded));
   std::string text = fmt::format("{:.9g}", rounded);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return std::signbit(rounded) ? "(" + text + ")" : text;
+  return std::signbit(rounded) ? fmt::format("({})", text) : text;
 }
 
 std::string variable(std::uint32_t index) {
