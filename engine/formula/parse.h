@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,10 +37,12 @@ inline constexpr std::size_t kMaxFormulaErrors = 10;
 
 /// A formula that was read.
 struct Formula {
-  Expr value;                           ///< NaN unless ok
+  Expr value = std::numeric_limits<double>::quiet_NaN();  ///< NaN unless ok
   std::vector<Diagnostic> diagnostics;  ///< of this text alone; a definition it uses reports its own
   bool ok = false;                      ///< nothing is wrong here or in the definitions it uses
 };
+
+class FormulaNames;
 
 /// The names a formula may use: values, and definitions in any order. All values belong to one graph.
 class Scope {
@@ -69,8 +72,7 @@ class Scope {
 
  private:
   friend Formula parse(std::string_view text, Scope& scope);
-  struct Names;
-  std::unique_ptr<Names> names_;
+  std::unique_ptr<FormulaNames> names_;
 };
 
 /// Reads one formula. Never throws for what is written in it. Cost: linear in the text (and in the
