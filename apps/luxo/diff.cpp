@@ -13,6 +13,7 @@
 #include "console.h"
 #include "exit_code.h"
 #include "image/compare.h"
+#include "image/flip.h"
 #include "image/format.h"
 #include "option_values.h"
 #include "verbs.h"
@@ -43,34 +44,38 @@ ComparisonSpace spaceOf(const DiffOptions& options) {
 
 const char* nameOf(ComparisonSpace space) { return space == ComparisonSpace::Srgb8 ? "srgb8" : "linear"; }
 
-std::string textOf(const Comparison& c, ComparisonSpace space) {
-  return fmt::format(
+std::string textOf(const Comparison& c, const std::optional<Flip>& seen, ComparisonSpace space) {
+  std::string text = fmt::format(
       "space {}\nmax {} at {},{}\nmean {}\nrmse {}\npsnr {} dB\ndiffering {} of {} pixels (8 bit)\nnan {} "
       "samples\n",
       nameOf(space), c.max, c.maxX, c.maxY, c.mean, c.rmse, c.psnr, c.differingPixels8, c.pixels,
       c.nanSamples);
+  if (seen)
+    text += fmt::format("flip mean {:.6g} p99.9 {:.6g} max {:.6g}\n", seen->mean, seen->p999, seen->max);
+  return text;
 }
 
 // JSON has no infinity: null, and `equal` and `nan_samples` tell which one it was.
-std::string jsonOf(const Comparison& c, ComparisonSpace space, const DiffOptions& options,
-                   const Image& image) {
+std::string jsonOf(const Comparison& c, const std::optional<Flip>& seen, ComparisonSpace space,
+                   const DiffOptions& options, const Image& image) {
   const auto finite = [](double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
   };
-  const nlohmann::ordered_json json = {{"a", options.a},
-                                       {"b", options.b},
-                                       {"size", {image.width(), image.height()}},
-                                       {"channels", image.channels()},
-                                       {"space", nameOf(space)},
-                                       {"equal", c.max == 0},
-                                       {"max", finite(c.max)},
-                                       {"max_at", {c.maxX, c.maxY}},
-                                       {"mean", finite(c.mean)},
-                                       {"rmse", finite(c.rmse)},
-                                       {"psnr", finite(c.psnr)},
-                                       {"pixels", c.pixels},
-                                       {"differing_pixels", c.differingPixels8},
-                                       {"nan_samples", c.nanSamples}};
+  nlohmann::ordered_json json = {{"a", options.a},
+                                 {"b", options.b},
+                                 {"size", {image.width(), image.height()}},
+                                 {"channels", image.channels()},
+                                 {"space", nameOf(space)},
+                                 {"equal", c.max == 0},
+                                 {"max", finite(c.max)},
+                                 {"max_at", {c.maxX, c.maxY}},
+                                 {"mean", finite(c.mean)},
+                                 {"rmse", finite(c.rmse)},
+                                 {"psnr", finite(c.psnr)},
+                                 {"pixels", c.pixels},
+                                 {"differing_pixels", c.differingPixels8},
+                                 {"nan_samples", c.nanSamples}};
+  if (seen) json["flip"] = {{"mean", seen->mean}, {"p99.9", seen->p999}, {"max", seen->max}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -91,7 +96,9 @@ int diff(const DiffOptions& options) {
   const Image b = loadImage(options.b);
   const Comparison result = compare(a, b, space);
   if (!options.heat.empty()) saveImage(heatMap(a, b, space), options.heat);
-  printData(options.json ? jsonOf(result, space, options, a) : textOf(result, space));
+  std::optional<Flip> seen;  // what has one channel is no picture to look at
+  if (a.channels() >= 3) seen = flip(a, b);
+  printData(options.json ? jsonOf(result, seen, space, options, a) : textOf(result, seen, space));
   requireWithin("largest", result.max, most);
   requireWithin("mean", result.mean, mostMean);
   return exit_code::kDone;
@@ -111,7 +118,8 @@ void addDiff(CLI::App& app, Command& chosen) {
   verb->add_flag("--json", options->json, "print the numbers as JSON");
   verb->add_option("-o,--output", options->heat, "write a map of the differences")->type_name("HEAT.png");
   verb->footer(
-      "Samples are compared as 8-bit codes / 255 when a picture is png or tga, else as linear light.");
+      "Samples are compared as 8-bit codes / 255 when a picture is png or tga, else as linear light. FLIP is "
+      "the difference a person sees, 0 to 1, at 67 pixels per degree.");
   verb->callback([options, &chosen] { chosen = [options] { return diff(*options); }; });
 }
 

@@ -74,6 +74,8 @@ TEST_F(DiffTest, JsonIsTheOnlyThingOnStdout) {
   EXPECT_EQ(json["max_at"], nlohmann::json({1, 0}));
   EXPECT_EQ(json["size"], nlohmann::json({2, 2}));
   EXPECT_EQ(json["differing_pixels"], 1);
+  EXPECT_GT(json["flip"]["mean"], 0);
+  EXPECT_LE(json["flip"]["mean"], json["flip"]["max"]);
   EXPECT_EQ(json["equal"], false);
   EXPECT_EQ(json["space"], "srgb8");
   const auto same = nlohmann::json::parse(run(folder, {"diff", "a.png", "a.png", "--json"}).out);
