@@ -41,6 +41,13 @@ namespace number {
 
 }  // namespace number
 
+/// Sine and cosine of one angle, which together cost little more than one.
+inline void sinCos(double x, double& sine, double& cosine) {
+  const double s = std::sin(x), c = std::cos(x);
+  sine = s;
+  cosine = c;
+}
+
 /// The value of one operation; `Number` is double or Interval.
 template <class Number>
 [[nodiscard]] Number operate(Op op, const Number& x, const Number& y, const Number& z, int exponent) {

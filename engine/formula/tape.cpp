@@ -2,6 +2,8 @@
 #include "formula/tape.h"
 
 #include <algorithm>
+#include <cmath>
+#include <unordered_map>
 
 #include "base/assert.h"
 #include "formula/operation.h"
@@ -9,46 +11,33 @@
 namespace luxo {
 namespace {
 
-/// Where an instruction's values lie: one per point (step 1) or one for all (step 0).
-struct Lane {
-  const double* values = nullptr;
-  std::size_t step = 0;
-};
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-/// Applies `f` to n points. The three shapes are written out so that the compiler vectorises each.
-template <class F>
-void mapBinary(std::size_t n, double* out, Lane x, Lane y, F f) {
-  if (x.step == 1 && y.step == 1) {
-    for (std::size_t i = 0; i < n; ++i) out[i] = f(x.values[i], y.values[i]);
-  } else if (x.step == 1) {
-    for (std::size_t i = 0; i < n; ++i) out[i] = f(x.values[i], y.values[0]);
-  } else {
-    for (std::size_t i = 0; i < n; ++i) out[i] = f(x.values[0], y.values[i * y.step]);
+/// Sines and cosines of one operand, either by the other: one reduction of the angle serves both.
+std::unordered_map<std::uint32_t, std::uint32_t> findPairs(const std::vector<ExprNode>& nodes,
+                                                           const std::vector<std::uint32_t>& order) {
+  std::unordered_map<std::uint32_t, std::uint32_t> sineOf, partners;
+  for (const std::uint32_t n : order)
+    if (nodes[n].op == Op::Sin) sineOf[nodes[n].a] = n;
+  for (const std::uint32_t n : order) {
+    if (nodes[n].op != Op::Cos) continue;
+    const auto sine = sineOf.find(nodes[n].a);
+    if (sine == sineOf.end()) continue;
+    partners[n] = sine->second;
+    partners[sine->second] = n;
   }
+  return partners;
 }
 
-void mapOperation(Op op, int exponent, std::size_t n, double* out, Lane x, Lane y, Lane z) {
-  switch (op) {
-    case Op::Add:
-      return mapBinary(n, out, x, y, [](double a, double b) { return a + b; });
-    case Op::Subtract:
-      return mapBinary(n, out, x, y, [](double a, double b) { return a - b; });
-    case Op::Multiply:
-      return mapBinary(n, out, x, y, [](double a, double b) { return a * b; });
-    case Op::Divide:
-      return mapBinary(n, out, x, y, [](double a, double b) { return a / b; });
-    case Op::Negate:
-      for (std::size_t i = 0; i < n; ++i) out[i] = -x.values[i * x.step];
-      return;
-    default:
-      for (std::size_t i = 0; i < n; ++i)
-        out[i] = operate(op, x.values[i * x.step], y.values[i * y.step], z.values[i * z.step], exponent);
-  }
-}
+Interval boundConstant(double x) { return std::isfinite(x) ? Interval(x) : Interval::everything(); }
 
-/// Points evaluated together: enough to amortise the dispatch, few enough that all registers stay in the
-/// cache.
-constexpr std::size_t kChunk = 256;
+template <class Number>
+Number numberOf(double x) {
+  if constexpr (std::is_same_v<Number, Interval>)
+    return boundConstant(x);
+  else
+    return x;
+}
 
 }  // namespace
 
@@ -56,123 +45,134 @@ Tape::Tape(Graph& graph, std::span<const Expr> outputs) {
   std::vector<std::uint32_t> roots;
   for (const Expr& output : outputs) roots.push_back(graph.nodeOf(output));
   const std::vector<std::uint32_t> order = reachable(graph, roots);
+  const std::vector<ExprNode>& nodes = graph.nodes();
 
-  std::vector<std::uint32_t> instructionOf(graph.nodes().size());
+  std::vector<Rate> rateOf(nodes.size(), Rate::Once);
+  std::vector<std::uint32_t> valueOf(nodes.size(), kNone);
+  const auto addValue = [&](std::uint32_t n) {
+    valueOf[n] = static_cast<std::uint32_t>(rates_.size());
+    rates_.push_back(rateOf[n]);
+  };
   for (const std::uint32_t n : order) {
-    const ExprNode& node = graph.nodes()[n];
-    Instruction instruction{.op = node.op, .a = node.a, .b = node.b, .value = node.value};
+    if (nodes[n].op != Op::Constant) continue;
+    addValue(n);
+    constants_.push_back(nodes[n].value);
+  }
+  for (const std::uint32_t n : order) {
+    const ExprNode& node = nodes[n];
     if (node.op == Op::Variable) {
-      instruction.rate = node.a == 0 ? Rate::PerColumn : node.a == 1 ? Rate::PerRow : Rate::Once;
-    } else if (operandCount(node.op) > 0) {
-      instruction.a = instructionOf[node.a];
-      instruction.b = operandCount(node.op) > 1 ? instructionOf[node.b] : instruction.a;
-      instruction.c = operandCount(node.op) > 2 ? instructionOf[node.c] : instruction.a;
-      for (const std::uint32_t operand : {instruction.a, instruction.b, instruction.c}) {
-        const Rate own = instruction.rate, other = instructions_[operand].rate;
-        instruction.rate = own == Rate::Once                     ? other
-                           : other == Rate::Once || own == other ? own
-                                                                 : Rate::PerPoint;
-      }
+      rateOf[n] = node.a == 0 ? Rate::PerColumn : node.a == 1 ? Rate::PerRow : Rate::Once;
+      addValue(n);
+      variables_.push_back(node.a);
+      continue;
     }
-    instructionOf[n] = static_cast<std::uint32_t>(instructions_.size());
-    instructions_.push_back(instruction);
+    const std::uint32_t operands[] = {node.a, node.b, node.c};
+    for (int i = 0; i < operandCount(node.op); ++i) {
+      const Rate own = rateOf[n], other = rateOf[operands[i]];
+      rateOf[n] = own == Rate::Once || own == other ? other : other == Rate::Once ? own : Rate::PerPoint;
+    }
   }
-  for (const std::uint32_t root : roots) outputs_.push_back(instructionOf[root]);
+
+  const auto partners = findPairs(nodes, order);
+  for (int rate = 0; rate < kRates; ++rate) {
+    for (const std::uint32_t n : order) {
+      const ExprNode& node = nodes[n];
+      const int operands = operandCount(node.op);
+      if (operands == 0 || rateOf[n] != static_cast<Rate>(rate) || valueOf[n] != kNone) continue;
+      Step step{.op = node.op, .exponent = node.op == Op::Power ? static_cast<int>(node.value) : 0};
+      step.a = valueOf[node.a];
+      step.b = operands > 1 ? valueOf[node.b] : step.a;
+      step.c = operands > 2 ? valueOf[node.c] : step.a;
+      const auto partner = partners.find(n);
+      if (partner == partners.end()) {
+        addValue(n);
+      } else {
+        step.op = Op::Sin;
+        step.paired = true;
+        addValue(node.op == Op::Sin ? n : partner->second);
+        addValue(node.op == Op::Sin ? partner->second : n);
+      }
+      step.result = static_cast<std::uint32_t>(rates_.size()) - (step.paired ? 2 : 1);
+      steps_.push_back(step);
+    }
+    phaseEnds_[rate] = static_cast<std::uint32_t>(steps_.size());
+  }
+  for (const std::uint32_t root : roots) outputs_.push_back(valueOf[root]);
+  allocateRegisters();
 }
 
-std::vector<std::vector<double>> Tape::evaluate(std::span<const double> u, std::span<const double> v,
-                                                std::span<const double> parameters) const {
-  LUXO_REQUIRE_COMPARE(u.size(), ==, v.size());
-  return run(u, v, parameters, false);
-}
+void Tape::allocateRegisters() {
+  // A value is needed until its last use. What a later phase uses lives on: that phase runs many times.
+  std::vector<std::uint32_t> lastUse(rates_.size(), 0);
+  for (std::uint32_t s = 0; s < steps_.size(); ++s) {
+    const Step& step = steps_[s];
+    for (const std::uint32_t operand : {step.a, step.b, step.c})
+      lastUse[operand] = rates_[operand] == rates_[step.result] ? std::max(lastUse[operand], s) : kNone;
+  }
+  for (const std::uint32_t output : outputs_) lastUse[output] = kNone;
 
-std::vector<std::vector<double>> Tape::evaluateGrid(std::span<const double> u, std::span<const double> v,
-                                                    std::span<const double> parameters) const {
-  return run(u, v, parameters, true);
-}
-
-std::vector<std::vector<double>> Tape::run(std::span<const double> u, std::span<const double> v,
-                                           std::span<const double> parameters, bool grid) const {
-  // A batch of scattered points is a single row in which every varying value is computed per point.
-  const std::size_t columns = u.size(), rows = grid ? v.size() : 1;
-  const auto rateOf = [&](const Instruction& i) {
-    return grid || i.rate == Rate::Once ? i.rate : Rate::PerPoint;
+  registers_.assign(rates_.size(), kNone);
+  std::vector<std::uint32_t> free;
+  const auto take = [&](std::uint32_t value) {
+    if (free.empty()) free.push_back(registerCount_++);
+    registers_[value] = free.back();
+    free.pop_back();
+    if (lastUse[value] == kNone && rates_[value] == Rate::PerRow) rowValues_.push_back(value);
   };
-
-  std::vector<std::vector<double>> storage(instructions_.size());
-  std::vector<Lane> lanes(instructions_.size());
-  const auto compute = [&](std::uint32_t k, std::size_t n) {
-    const Instruction& i = instructions_[k];
-    mapOperation(i.op, static_cast<int>(i.value), n, storage[k].data(), lanes[i.a], lanes[i.b], lanes[i.c]);
+  const auto release = [&](std::uint32_t value) {
+    if (registers_[value] != kNone) free.push_back(registers_[value]);
   };
-
-  // Everything that does not change from point to point within a row comes first.
-  for (std::uint32_t k = 0; k < instructions_.size(); ++k) {
-    const Instruction& i = instructions_[k];
-    const Rate rate = rateOf(i);
-    if (i.op == Op::Constant) {
-      lanes[k] = {&instructions_[k].value, 0};
-    } else if (i.op == Op::Variable && i.a >= 2) {
-      LUXO_REQUIRE_COMPARE(i.a - 2, <, parameters.size());
-      lanes[k] = {&parameters[i.a - 2], 0};
-    } else if (i.op == Op::Variable) {
-      lanes[k] = {i.a == 0 ? u.data() : v.data(), 1};
-    } else if (rate == Rate::PerPoint) {
-      storage[k].resize(std::min(columns, kChunk));
-      lanes[k] = {storage[k].data(), 1};
-    } else {
-      const std::size_t n = rate == Rate::Once ? 1 : rate == Rate::PerColumn ? columns : rows;
-      storage[k].resize(n);
-      compute(k, n);
-      lanes[k] = {storage[k].data(), rate == Rate::Once ? 0u : 1u};
-    }
+  for (std::uint32_t s = phaseEnds_[0]; s < steps_.size(); ++s) {
+    const Step& step = steps_[s];
+    // Results are written while operands are read: they do not share a register.
+    take(step.result);
+    if (step.paired) take(step.result + 1);
+    const std::uint32_t operands[] = {step.a, step.b, step.c};
+    for (int i = 0; i < 3; ++i)
+      if (lastUse[operands[i]] == s && std::find(operands, operands + i, operands[i]) == operands + i)
+        release(operands[i]);
+    for (int i = 0; i <= (step.paired ? 1 : 0); ++i)
+      if (lastUse[step.result + i] < s) release(step.result + i);
   }
+}
 
-  std::vector<std::vector<double>> results(outputs_.size(), std::vector<double>(columns * rows));
-  const std::vector<Lane> whole = lanes;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t first = 0; first < columns; first += kChunk) {
-      const std::size_t n = std::min(kChunk, columns - first);
-      for (std::uint32_t k = 0; k < instructions_.size(); ++k) {
-        const Instruction& i = instructions_[k];
-        if (rateOf(i) == Rate::PerPoint && i.op != Op::Variable) {
-          compute(k, n);
-        } else if (i.rate == Rate::PerRow && grid) {
-          lanes[k] = {whole[k].values + row, 0};
-        } else if (i.rate != Rate::Once) {
-          lanes[k].values = whole[k].values + first;
-        }
-      }
-      for (std::size_t output = 0; output < outputs_.size(); ++output) {
-        const Lane lane = lanes[outputs_[output]];
-        double* out = results[output].data() + row * columns + first;
-        for (std::size_t i = 0; i < n; ++i) out[i] = lane.values[i * lane.step];
-      }
-    }
+void Tape::require(std::span<const double> parameters, std::size_t outputs) const {
+  LUXO_REQUIRE_COMPARE(outputs, ==, outputs_.size());
+  for (const std::uint32_t variable : variables_)
+    if (variable >= 2) LUXO_REQUIRE_COMPARE(variable - 2, <, parameters.size());
+}
+
+/// Runs every step on single numbers; returns all values.
+template <class Number>
+const Number* Tape::run(const Number& u, const Number& v, std::span<const double> parameters) const {
+  static thread_local std::vector<Number> memory;
+  if (memory.size() < rates_.size()) memory.resize(rates_.size());
+  Number* const values = memory.data();
+  Number* next = values;
+  for (const double constant : constants_) *next++ = numberOf<Number>(constant);
+  for (const std::uint32_t variable : variables_)
+    *next++ = variable == 0 ? u : variable == 1 ? v : numberOf<Number>(parameters[variable - 2]);
+  for (const Step& step : steps_) {
+    if (step.paired)
+      sinCos(values[step.a], values[step.result], values[step.result + 1]);
+    else
+      values[step.result] = operate(step.op, values[step.a], values[step.b], values[step.c], step.exponent);
   }
-  return results;
+  return values;
+}
+
+void Tape::evaluatePoint(double u, double v, std::span<const double> parameters,
+                         std::span<double> values) const {
+  require(parameters, values.size());
+  const double* const all = run(u, v, parameters);
+  for (std::size_t k = 0; k < outputs_.size(); ++k) values[k] = all[outputs_[k]];
 }
 
 void Tape::bound(const Interval& u, const Interval& v, std::span<const double> parameters,
                  std::span<Interval> bounds) const {
-  LUXO_REQUIRE_COMPARE(bounds.size(), ==, outputs_.size());
-  // Bounds are asked for by the thousand: the registers are kept from call to call.
-  static thread_local std::vector<Interval> values;
-  values.resize(instructions_.size());
-  for (std::size_t k = 0; k < instructions_.size(); ++k) {
-    const Instruction& i = instructions_[k];
-    if (i.op == Op::Constant) {
-      values[k] = i.value;
-    } else if (i.op == Op::Variable) {
-      if (i.a >= 2) LUXO_REQUIRE_COMPARE(i.a - 2, <, parameters.size());
-      values[k] = i.a == 0 ? u : i.a == 1 ? v : Interval(parameters[i.a - 2]);
-    } else if (i.op == Op::Multiply && i.a == i.b) {
-      values[k] = square(values[i.a]);  // both factors are the same number, not two of the same range
-    } else {
-      values[k] = operate(i.op, values[i.a], values[i.b], values[i.c], static_cast<int>(i.value));
-    }
-  }
-  for (std::size_t k = 0; k < outputs_.size(); ++k) bounds[k] = values[outputs_[k]];
+  require(parameters, bounds.size());
+  const Interval* const all = run(u, v, parameters);
+  for (std::size_t k = 0; k < outputs_.size(); ++k) bounds[k] = all[outputs_[k]];
 }
 
 }  // namespace luxo

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A compiled list of expressions: evaluated over batches of doubles, over whole grids, or bounded over a
 // rectangle. Variable 0 is u, variable 1 is v; the others are parameters, the same for every point of a call.
+//
+// Every way of evaluating gives the same bits at the same point. The working memory belongs to the calling
+// thread and is kept from call to call.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +14,12 @@
 #include "math/interval.h"
 
 namespace luxo {
+
+/// Where the values of one output go: value i to first[i * stride].
+struct Destination {
+  double* first = nullptr;
+  std::size_t stride = 1;
+};
 
 /// Immutable once built; it copies what it needs, so the graph may go. Safe from any thread.
 class Tape {
@@ -25,6 +34,9 @@ class Tape {
   [[nodiscard]] std::vector<std::vector<double>> evaluate(std::span<const double> u,
                                                           std::span<const double> v,
                                                           std::span<const double> parameters) const;
+  /// The same into memory of the caller's choice, one destination per output.
+  void evaluate(std::span<const double> u, std::span<const double> v, std::span<const double> parameters,
+                std::span<const Destination> destinations) const;
 
   /// Output k at every (u[i], v[j]) in result[k][j * u.size() + i]: bit for bit what evaluate() gives there.
   /// What depends on u alone is computed once per column and what depends on v alone once per row, so that a
@@ -32,28 +44,47 @@ class Tape {
   [[nodiscard]] std::vector<std::vector<double>> evaluateGrid(std::span<const double> u,
                                                               std::span<const double> v,
                                                               std::span<const double> parameters) const;
+  void evaluateGrid(std::span<const double> u, std::span<const double> v, std::span<const double> parameters,
+                    std::span<const Destination> destinations) const;
+
+  /// The outputs at one point; `values` takes one per output. Allocates nothing.
+  void evaluatePoint(double u, double v, std::span<const double> parameters, std::span<double> values) const;
 
   /// Intervals that hold every output over the rectangle u x v (rigorous: outward rounding). `bounds` takes
-  /// one per output.
+  /// one per output. A bounded interval also says that the output is defined all over the rectangle.
+  /// Allocates nothing.
   void bound(const Interval& u, const Interval& v, std::span<const double> parameters,
              std::span<Interval> bounds) const;
 
  private:
-  /// What a value depends on decides how often it is computed.
+  /// What a value depends on decides how often it is computed. A formula runs in this order.
   enum class Rate : std::uint8_t { Once, PerColumn, PerRow, PerPoint };
+  static constexpr int kRates = 4;
 
-  struct Instruction {
+  /// Values are numbered: constants, then variables, then results in order of evaluation.
+  struct Step {
     Op op = Op::Constant;
-    Rate rate = Rate::Once;
-    std::uint32_t a = 0, b = 0, c = 0;  ///< earlier instructions; for Variable, a = which
-    double value = 0;
+    bool paired = false;  ///< a sine that gives the cosine of its operand as the next value
+    int exponent = 0;
+    std::uint32_t result = 0;
+    std::uint32_t a = 0, b = 0, c = 0;
   };
+  struct Batch;
 
-  std::vector<std::vector<double>> run(std::span<const double> u, std::span<const double> v,
-                                       std::span<const double> parameters, bool grid) const;
+  void allocateRegisters();
+  template <class Number>
+  const Number* run(const Number& u, const Number& v, std::span<const double> parameters) const;
+  void require(std::span<const double> parameters, std::size_t outputs) const;
 
-  std::vector<Instruction> instructions_;
-  std::vector<std::uint32_t> outputs_;
+  std::vector<double> constants_;
+  std::vector<std::uint32_t> variables_;  ///< which, by value - constants_.size()
+  std::vector<Step> steps_;               ///< by rate
+  std::uint32_t phaseEnds_[kRates] = {};  ///< in steps_
+  std::vector<Rate> rates_;               ///< by value
+  std::vector<std::uint32_t> registers_;  ///< by value; of those computed per column, row or point
+  std::vector<std::uint32_t> rowValues_;  ///< those per row that outlive the row's steps
+  std::vector<std::uint32_t> outputs_;    ///< values
+  std::uint32_t registerCount_ = 0;
 };
 
 }  // namespace luxo

@@ -124,6 +124,12 @@ Interval cos(const Interval& x) {
           holdsPoint(x, 0, kTau) ? 1 : std::min(1.0, ends.hi)};
 }
 
+void sinCos(const Interval& x, Interval& sine, Interval& cosine) {
+  const Interval s = sin(x), c = cos(x);
+  sine = s;
+  cosine = c;
+}
+
 Interval tan(const Interval& x) {
   if (!(x.width() < kPi) || !(x.magnitude() < 1e9) || holdsPoint(x, kPi / 2, kPi))
     return Interval::everything();

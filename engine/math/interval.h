@@ -44,6 +44,7 @@ struct Interval {
 [[nodiscard]] Interval log(const Interval& x);
 [[nodiscard]] Interval sin(const Interval& x);
 [[nodiscard]] Interval cos(const Interval& x);
+void sinCos(const Interval& x, Interval& sine, Interval& cosine);
 [[nodiscard]] Interval tan(const Interval& x);
 [[nodiscard]] Interval sinh(const Interval& x);
 [[nodiscard]] Interval cosh(const Interval& x);
