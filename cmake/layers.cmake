@@ -2,7 +2,7 @@
 # The architecture as data: every folder of engine/, in flow order, with the folders it may include and link.
 # engine/CMakeLists.txt builds one library per row; the test `lint.layers` fails on any include a row does not name.
 
-set(LUXO_LAYERS base math formula surface scene cull tessellate gpu image draw window)
+set(LUXO_LAYERS base math formula surface scene cull tessellate gpu image reference draw window)
 
 set(LUXO_LAYER_base)
 set(LUXO_LAYER_math base)
@@ -13,11 +13,12 @@ set(LUXO_LAYER_cull base math surface scene)
 set(LUXO_LAYER_tessellate base math surface)
 set(LUXO_LAYER_gpu base)
 set(LUXO_LAYER_image base)
+set(LUXO_LAYER_reference base math formula surface scene image)
 set(LUXO_LAYER_draw base math formula surface scene cull tessellate gpu image)
 set(LUXO_LAYER_window base math gpu)
 
 # Third-party headers that only the named folders may include: "<header regex>" -> folders.
-set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "GLFW/" "imgui" "glm/" "png\\.h" "Imf")
+set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "GLFW/" "imgui" "glm/" "png\\.h" "Imf" "tbb/")
 set(LUXO_EXCLUSIVE_vulkan/ gpu)
 set(LUXO_EXCLUSIVE_glslang/ gpu)
 set(LUXO_EXCLUSIVE_GLFW/ window)
@@ -25,3 +26,4 @@ set(LUXO_EXCLUSIVE_imgui window)
 set(LUXO_EXCLUSIVE_glm/ math)
 set(LUXO_EXCLUSIVE_png\\.h image)
 set(LUXO_EXCLUSIVE_Imf image)
+set(LUXO_EXCLUSIVE_tbb/ reference)

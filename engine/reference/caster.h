@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one ray sees of a snapshot, and the light that comes along it: exact surfaces, exact shadows, double
+// precision.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/cell_tree.h"
+#include "reference/roots.h"
+#include "scene/snapshot.h"
+
+namespace luxo::reference {
+
+/// A point of a surface that a ray meets. World space.
+struct Hit {
+  double t = 0;            ///< metres along the ray
+  std::uint32_t node = 0;  ///< index into Snapshot::nodes
+  double u = 0, v = 0;
+  Vec3 position{0};
+  Vec3 normal{0};  ///< unit; outward, or toward the viewer where two-sided
+  bool certified = true;
+};
+
+/// Reads a snapshot, which must outlive it. Safe from any thread once built. Cost of building: the cell trees
+/// of the distinct surfaces.
+class Caster {
+ public:
+  explicit Caster(const Snapshot& snapshot);
+
+  /// The ray of a picture's point: pixel coordinates, x to the right, y down.
+  [[nodiscard]] Ray rayThrough(double x, double y) const;
+
+  /// What a ray comes upon: the nearest point of every node it meets, in order of distance, up to the first
+  /// opaque one. Back faces count as the materials say.
+  struct Sight {
+    std::vector<Hit> hits;
+    bool certified = true;  ///< every hit and every miss is proven
+  };
+  [[nodiscard]] Sight look(const Ray& ray) const;
+
+  /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
+  /// was not decided.
+  [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified) const;
+
+  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+
+ private:
+  struct Body {
+    std::shared_ptr<const CellTree> tree;
+    Mat3 normalFromObject;
+    bool mirrored = false, twoSided = false;
+    Facing facing = Facing::Both;
+    double opacity = 1;
+  };
+
+  void meet(const Ray& ray, std::uint32_t node, double farthest, Sight& sight) const;
+  [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const;
+  [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight, double distance,
+                         bool& certified) const;
+
+  const Snapshot& snapshot_;
+  std::vector<Body> bodies_;  // as Snapshot::nodes
+};
+
+}  // namespace luxo::reference

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/cell_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+#include "surface/bounds.h"
+
+namespace luxo::reference {
+namespace {
+
+constexpr double kMargin = 1e-6;           // of the domain, on every side
+constexpr double kFineEnough = 1.0 / 512;  // of the surface's size
+constexpr double kEpsilon = 0x1p-52;
+
+Enclosure enclose(const Interval& x, const Interval& y, const Interval& z) {
+  Enclosure e;
+  const Interval* const parts[3] = {&x, &y, &z};
+  for (int i = 0; i < 3; ++i) {
+    e.center[i] = parts[i]->mid();
+    // The middle is rounded: whatever it has become, both ends are within the radius.
+    e.radius[i] = std::max(parts[i]->hi - e.center[i], e.center[i] - parts[i]->lo) * (1 + kEpsilon);
+    if (!std::isfinite(e.radius[i])) e.center[i] = 0, e.radius[i] = std::numeric_limits<double>::infinity();
+  }
+  return e;
+}
+
+Enclosure enclose(std::span<const Interval> outputs, std::size_t first) {
+  return enclose(outputs[first], outputs[first + 1], outputs[first + 2]);
+}
+
+Domain extend(const Domain& d) {
+  const double u = kMargin * d.u.width(), v = kMargin * d.v.width();
+  return {{d.u.lo - u, d.u.hi + u}, {d.v.lo - v, d.v.hi + v}};
+}
+
+/// How far the cell is from its own linear approximation, at most.
+double bending(const CellBounds& b, const Domain& d) {
+  const double excess = glm::length(b.du.radius) * d.u.width() + glm::length(b.dv.radius) * d.v.width();
+  return b.smooth && std::isfinite(excess) ? excess : 2 * glm::length(b.position.radius);
+}
+
+}  // namespace
+
+bool Enclosure::finite() const {
+  for (int i = 0; i < 3; ++i)
+    if (!std::isfinite(center[i]) || !std::isfinite(radius[i])) return false;
+  return true;
+}
+
+BoundedPatch::BoundedPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters)
+    : function_(surface.patches()[patch].function.get()),
+      values_(surface.patches()[patch].constants),
+      domain_(surface.patches()[patch].domain),
+      extended_(extend(domain_)) {
+  values_.insert(values_.end(), parameters.begin(), parameters.end());
+}
+
+CellBounds BoundedPatch::bound(const Domain& cell) const {
+  std::array<Interval, 9> over, middle;
+  function_->tangents.bound(cell.u, cell.v, values_, over);
+  function_->tangents.bound(cell.u.mid(), cell.v.mid(), values_, middle);
+  CellBounds bounds{.position = enclose(over, 0),
+                    .middle = enclose(middle, 0),
+                    .du = enclose(over, 3),
+                    .dv = enclose(over, 6)};
+  bounds.smooth = bounds.du.finite() && bounds.dv.finite() && bounds.middle.finite() &&
+                  !mayBeKinked(*function_, cell, values_);
+  if (!bounds.smooth) return bounds;
+  // The mean value form is the sharper one on small cells.
+  const double hu = 0.5 * cell.u.width() * (1 + 4 * kEpsilon), hv = 0.5 * cell.v.width() * (1 + 4 * kEpsilon);
+  const Vec3 reach = bounds.middle.radius + (glm::abs(bounds.du.center) + bounds.du.radius) * hu +
+                     (glm::abs(bounds.dv.center) + bounds.dv.radius) * hv;
+  if (!bounds.position.finite() || glm::length(reach) < glm::length(bounds.position.radius))
+    bounds.position = {bounds.middle.center, reach * (1 + 8 * kEpsilon)};
+  return bounds;
+}
+
+BoundedPatch::Point BoundedPatch::at(double u, double v) const {
+  std::array<double, 9> p;
+  function_->tangents.evaluatePoint(u, v, values_, p);
+  return {{p[0], p[1], p[2]}, {p[3], p[4], p[5]}, {p[6], p[7], p[8]}};
+}
+
+CellTree::CellTree(const Surface& surface, std::span<const double> parameters, std::size_t mostCells)
+    : surface_(surface), parameters_(parameters.begin(), parameters.end()) {
+  for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch)
+    patches_.emplace_back(surface_, patch, parameters_);
+  cut(mostCells);
+  std::vector<std::uint32_t> all(cells_.size());
+  std::iota(all.begin(), all.end(), 0U);
+  nodes_.reserve(2 * all.size());
+  build(all);
+}
+
+void CellTree::cut(std::size_t mostCells) {
+  struct Open {
+    double bending;
+    std::uint32_t patch;
+    Domain domain;
+    CellBounds bounds;
+    bool operator<(const Open& other) const { return bending < other.bending; }
+  };
+  std::priority_queue<Open> open;
+  const auto look = [&](std::uint32_t patch, const Domain& domain) {
+    CellBounds bounds = patches_[patch].bound(domain);
+    const double bends = bending(bounds, domain);
+    open.push({std::isnan(bends) ? std::numeric_limits<double>::infinity() : bends, patch, domain, bounds});
+  };
+  for (std::uint32_t patch = 0; patch < patches_.size(); ++patch) look(patch, patches_[patch].extended());
+
+  const double fine = kFineEnough * glm::length(surface_.framing(parameters_).extent());
+  while (open.size() < mostCells && open.top().bending > fine) {
+    const Open worst = open.top();
+    open.pop();
+    const Domain& d = worst.domain;
+    const Domain& whole = patches_[worst.patch].extended();
+    // The longer side in space; where that is unknown, the larger part of the whole domain's.
+    const double alongU = glm::length(worst.bounds.du.center) * d.u.width();
+    const double alongV = glm::length(worst.bounds.dv.center) * d.v.width();
+    const bool known = worst.bounds.smooth && alongU + alongV > 0;
+    const double bendU = glm::length(worst.bounds.du.radius) * d.u.width();
+    const double bendV = glm::length(worst.bounds.dv.radius) * d.v.width();
+    const bool splitU = known ? alongU + bendU >= alongV + bendV
+                              : d.u.width() * whole.v.width() >= d.v.width() * whole.u.width();
+    if (splitU) {
+      look(worst.patch, {{d.u.lo, d.u.mid()}, d.v});
+      look(worst.patch, {{d.u.mid(), d.u.hi}, d.v});
+    } else {
+      look(worst.patch, {d.u, {d.v.lo, d.v.mid()}});
+      look(worst.patch, {d.u, {d.v.mid(), d.v.hi}});
+    }
+  }
+  cells_.reserve(open.size());
+  for (; !open.empty(); open.pop())
+    cells_.push_back({open.top().patch, open.top().domain, open.top().bounds});
+}
+
+std::uint32_t CellTree::build(std::span<std::uint32_t> cells) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Vec3 lo(std::numeric_limits<double>::infinity()), hi = -lo, first = lo, last = -lo;
+  for (const std::uint32_t c : cells) {
+    const Enclosure& e = cells_[c].bounds.position;
+    lo = glm::min(lo, e.center - e.radius);
+    hi = glm::max(hi, e.center + e.radius);
+    first = glm::min(first, e.center);
+    last = glm::max(last, e.center);
+  }
+  nodes_[index].center = 0.5 * (lo + hi);
+  nodes_[index].half = glm::max(hi - nodes_[index].center, nodes_[index].center - lo) * (1 + kEpsilon);
+  for (int i = 0; i < 3; ++i)  // an unbounded cell is met by every ray
+    if (!std::isfinite(nodes_[index].half[i])) {
+      nodes_[index].center[i] = 0;
+      nodes_[index].half[i] = std::numeric_limits<double>::infinity();
+    }
+  if (cells.size() == 1) {
+    nodes_[index].cell = cells[0];
+    return index;
+  }
+  const Vec3 spread = last - first;
+  const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
+  const auto middle = cells.begin() + static_cast<std::ptrdiff_t>(cells.size() / 2);
+  std::nth_element(cells.begin(), middle, cells.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double x = cells_[a].bounds.position.center[axis], y = cells_[b].bounds.position.center[axis];
+    return x < y || (x == y && a < b);
+  });
+  build(cells.first(cells.size() / 2));
+  const std::uint32_t second = build(cells.subspan(cells.size() / 2));
+  nodes_[index].second = second;
+  return index;
+}
+
+}  // namespace luxo::reference

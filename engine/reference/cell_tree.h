@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface cut into small cells with proven bounds, in a hierarchy of boxes: what rays are cast against.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "math/bounds.h"
+#include "math/interval.h"
+#include "surface/surface.h"
+
+namespace luxo::reference {
+
+/// A vector known up to a radius per component: it holds the true one, rounding included.
+struct Enclosure {
+  Vec3 center{0}, radius{0};
+
+  [[nodiscard]] bool finite() const;
+};
+
+/// What intervals prove about a rectangle of a patch.
+struct CellBounds {
+  Enclosure position;   ///< of every point
+  Enclosure middle;     ///< of the point in the middle
+  Enclosure du, dv;     ///< of the tangents at every point
+  bool smooth = false;  ///< du and dv are finite and the formula has no kink here
+};
+
+/// The formula of one patch at given parameter values, and its proven bounds.
+class BoundedPatch {
+ public:
+  BoundedPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters);
+
+  /// Two or three interval evaluations.
+  [[nodiscard]] CellBounds bound(const Domain& cell) const;
+
+  /// S, Su, Sv.
+  struct Point {
+    Vec3 position, du, dv;
+  };
+  [[nodiscard]] Point at(double u, double v) const;
+
+  [[nodiscard]] const Domain& domain() const { return domain_; }
+  /// The domain and a millionth of its size on every side: a root on an edge is inside of this one.
+  [[nodiscard]] const Domain& extended() const { return extended_; }
+
+ private:
+  const SurfaceFunction* function_;
+  std::vector<double> values_;  // of variables 2, 3, ...
+  Domain domain_, extended_;
+};
+
+struct Cell {
+  std::uint32_t patch = 0;
+  Domain domain;
+  CellBounds bounds;
+};
+
+/// Immutable; safe from any thread. Keeps a copy of the surface.
+class CellTree {
+ public:
+  /// Cells are split where the formula bends most, until none bends by more than 1/512 of the surface's size
+  /// or there are `mostCells`. Cost: a few interval evaluations per cell.
+  CellTree(const Surface& surface, std::span<const double> parameters, std::size_t mostCells = 1U << 14);
+
+  /// A node of the hierarchy: its two children stand behind it, or it is one cell.
+  struct Node {
+    Vec3 center{0}, half{0};   ///< holds everything below
+    std::uint32_t second = 0;  ///< index of the second child (the first follows the node); 0: a cell
+    std::uint32_t cell = 0;
+  };
+
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+  [[nodiscard]] std::span<const double> parameters() const { return parameters_; }
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< the first is the root
+  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+  [[nodiscard]] const BoundedPatch& patch(std::uint32_t index) const { return patches_[index]; }
+
+ private:
+  void cut(std::size_t mostCells);
+  std::uint32_t build(std::span<std::uint32_t> cells);
+
+  Surface surface_;
+  std::vector<double> parameters_;
+  std::vector<BoundedPatch> patches_;
+  std::vector<Cell> cells_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace luxo::reference

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/reference.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numbers>
+
+#include "base/error.h"
+#include "reference/caster.h"
+
+namespace luxo {
+namespace {
+
+using reference::Caster;
+using reference::Ray;
+
+void requireLight(const Snapshot& snapshot) {
+  for (const SnapshotNode& node : snapshot.nodes) {
+    const auto shading = snapshot.materials[node.material.index].shading;
+    if (!shading || *shading == Shading::Flat || *shading == Shading::Gouraud || *shading == Shading::Phong)
+      continue;
+    throw Error(ErrorKind::Scene,
+                fmt::format("material '{}' is shaded as {}, which has no ground truth",
+                            snapshot.materials[node.material.index].name, nameOf(*shading)),
+                "use --engine vulkan, or give the material another shading");
+  }
+}
+
+/// Point k of the sequence of M. Roberts (2018) with the plastic number, shifted by the pixel's own fraction.
+Vec2 sampleAt(int k, int x, int y) {
+  constexpr double kPlastic = 1.32471795724474602596;
+  const auto fraction = [](double a) { return a - std::floor(a); };
+  const double shift = 0.5 + x * 0.7548776662466927 + y * 0.5698402909980532;
+  return {fraction(shift + k / kPlastic), fraction(shift * std::numbers::sqrt2 + k / (kPlastic * kPlastic))};
+}
+
+/// Sums for the whole picture, gathered row by row so that the order of addition is fixed.
+struct RowSums {
+  std::uint64_t hits = 0, misses = 0, undecided = 0;
+  double squares = 0, largest = 0;
+};
+
+class Exposure {
+ public:
+  Exposure(const Snapshot& snapshot, const ReferenceOptions& options)
+      : caster_(snapshot), options_(options), size_(snapshot.view.size) {
+    const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
+    picture_.color = Image(size_.width, size_.height, 3);
+    picture_.depth.assign(count, std::numeric_limits<double>::infinity());
+    picture_.position.assign(count, Vec3(0));
+    picture_.normal.assign(count, Vec3(0));
+    picture_.parameters.assign(count, Vec2(0));
+    picture_.number.assign(count, 0);
+    certified_.assign(count, 1);
+    rows_.resize(static_cast<std::size_t>(size_.height));
+  }
+
+  ReferencePicture expose() {
+    const int threads = options_.threads > 0 ? options_.threads : tbb::task_arena::automatic;
+    tbb::task_arena arena(threads);
+    arena.execute([&] { tbb::parallel_for(0, size_.height, [&](int y) { exposeRow(y); }); });
+    double squares = 0;
+    for (const RowSums& row : rows_) {
+      picture_.hits += row.hits;
+      picture_.misses += row.misses;
+      picture_.undecided += row.undecided;
+      squares += row.squares;
+      picture_.standardErrorMax = std::max(picture_.standardErrorMax, row.largest);
+    }
+    picture_.standardErrorRms = std::sqrt(squares / (3.0 * size_.width * size_.height));
+    picture_.certified.assign(certified_.begin(), certified_.end());
+    picture_.complete = !stopped_;
+    return std::move(picture_);
+  }
+
+ private:
+  void exposeRow(int y) {
+    if (stopped_) return;
+    for (int x = 0; x < size_.width; ++x) exposePixel(x, y, rows_[static_cast<std::size_t>(y)]);
+    const int done = ++rowsDone_;
+    if (!options_.progress) return;
+    const std::lock_guard lock(progressMutex_);
+    if (!options_.progress(static_cast<double>(done) / size_.height)) stopped_ = true;
+  }
+
+  void exposePixel(int x, int y, RowSums& sums) {
+    const std::size_t i =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
+    const Ray ray = caster_.rayThrough(x + 0.5, y + 0.5);
+    const Caster::Sight sight = caster_.look(ray);
+    bool certified = sight.certified;
+    if (!sight.hits.empty()) record(i, ray, sight.hits.front());
+
+    Vec3 mean = options_.samples == 1 ? caster_.color(ray, sight, certified) : Vec3(0), spread(0);
+    for (int k = 0; options_.samples > 1 && k < options_.samples; ++k) {
+      const Vec2 at = sampleAt(k, x, y);
+      const Ray sampleRay = caster_.rayThrough(x + at.x, y + at.y);
+      const Caster::Sight seen = caster_.look(sampleRay);
+      certified &= seen.certified;
+      const Vec3 color = caster_.color(sampleRay, seen, certified);
+      const Vec3 step = color - mean;  // B. P. Welford 1962
+      mean += step / (k + 1.0);
+      spread += step * (color - mean);
+    }
+    const auto out = picture_.color.pixel(x, y);
+    for (int c = 0; c < 3; ++c) {
+      out[static_cast<std::size_t>(c)] = static_cast<float>(mean[c]);
+      if (options_.samples == 1) continue;
+      const double squared = spread[c] / (options_.samples - 1.0) / options_.samples;
+      sums.squares += squared;
+      sums.largest = std::max(sums.largest, std::sqrt(squared));
+    }
+    certified_[i] = certified ? 1 : 0;
+    ++(!certified ? sums.undecided : sight.hits.empty() ? sums.misses : sums.hits);
+  }
+
+  void record(std::size_t i, const Ray& ray, const reference::Hit& hit) {
+    const Snapshot& snapshot = caster_.snapshot();
+    picture_.depth[i] = glm::dot(ray.direction, snapshot.view.forward()) * hit.t;
+    picture_.position[i] = hit.position;
+    picture_.normal[i] = hit.normal;
+    picture_.parameters[i] = {hit.u, hit.v};
+    picture_.number[i] = snapshot.nodes[hit.node].number;
+  }
+
+  Caster caster_;
+  const ReferenceOptions& options_;
+  PixelSize size_;
+  ReferencePicture picture_;
+  std::vector<std::uint8_t> certified_;  // threads may write neighbouring bytes, not neighbouring bits
+  std::vector<RowSums> rows_;
+  std::atomic<int> rowsDone_ = 0;
+  std::atomic<bool> stopped_ = false;
+  std::mutex progressMutex_;
+};
+
+}  // namespace
+
+ReferencePicture castPicture(const Snapshot& snapshot, const ReferenceOptions& options) {
+  requireLight(snapshot);
+  return Exposure(snapshot, options).expose();
+}
+
+}  // namespace luxo

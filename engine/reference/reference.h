@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground truth: pictures by rays in double precision, every pixel proven. It shares nothing with the
+// Vulkan path but the formula, the surface and the snapshot.
+//
+//     ReferencePicture truth = castPicture(takeSnapshot(scene, 0, {640, 480}));
+//     truth.color.save("truth.pfm");
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "image/image.h"
+#include "scene/snapshot.h"
+
+namespace luxo {
+
+struct ReferenceOptions {
+  /// Per pixel. 1: its centre. More: a low-discrepancy set of points, the same in every pixel up to a shift
+  /// that its place decides.
+  int samples = 1;
+  int threads = 0;  ///< 0: all cores. The picture does not depend on it.
+  /// Called now and then with the finished part, 0..1, from one thread at a time; false stops the work.
+  std::function<bool(double)> progress = {};
+};
+
+/// Scene-linear, unclamped. Where nothing is hit: colour the background, depth +infinity, the rest 0.
+/// Everything but the colour is of the pixel's centre and in double where float would lose it.
+struct ReferencePicture {
+  Image color;                ///< 3 channels
+  std::vector<double> depth;  ///< along the view axis, metres
+  std::vector<Vec3> position, normal;
+  std::vector<Vec2> parameters;       ///< (u, v)
+  std::vector<std::uint32_t> number;  ///< of the node, as in the `id` output; 0: nothing
+  std::vector<bool> certified;        ///< hit or miss, every sample and shadow of the pixel, is proven
+
+  std::uint64_t hits = 0, misses = 0;  ///< pixels whose centre is a certified hit, a certified miss
+  std::uint64_t undecided = 0;         ///< pixels that are not certified
+  /// Standard error of the mean over the samples: root mean square over all pixels and channels, and largest.
+  /// An upper estimate, since the samples are better spread than random ones. 0 with one sample.
+  double standardErrorRms = 0, standardErrorMax = 0;
+  bool complete = true;  ///< not stopped by `progress`
+};
+
+/// Throws Error(Scene) for materials whose shading is not light (toon, wireframe).
+[[nodiscard]] ReferencePicture castPicture(const Snapshot& snapshot, const ReferenceOptions& options = {});
+
+}  // namespace luxo

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/roots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace luxo::reference {
+namespace {
+
+constexpr double kEpsilon = 0x1p-52;
+constexpr double kSmallest = 1e-13;   // of the domain
+constexpr double kOnTheEdge = 1e-12;  // of the domain: how far outside a root may be found
+constexpr int kMostCells = 20'000;    // per ray
+constexpr int kNewtonSteps = 6;       // from inside a proven cell: quadratic from the first
+constexpr double kNarrower = 0.75;    // a narrowing worth repeating
+
+/// A number and how far it may be from the true one.
+struct Ball {
+  double center = 0, radius = 0;
+
+  [[nodiscard]] double lo() const { return center - radius; }
+  [[nodiscard]] double hi() const { return center + radius; }
+  [[nodiscard]] bool excludesZero() const { return std::abs(center) > radius; }
+};
+
+/// a . p + offset over everything p may be, rounding included.
+Ball value(const Vec3& a, const Enclosure& p, double offset) {
+  const Vec3 size = glm::abs(a) * glm::abs(p.center);
+  return {glm::dot(a, p.center) + offset, glm::dot(glm::abs(a), p.radius) * (1 + 8 * kEpsilon) +
+                                              4 * kEpsilon * (size.x + size.y + size.z + std::abs(offset))};
+}
+
+/// Two numbers that change linearly, in balls.
+struct Matrix {
+  Ball uu, uv, vu, vv;  // row 1: f1 by u, v; row 2: f2 by u, v
+};
+
+class Search {
+ public:
+  Search(const CellTree& tree, const RayFunctions& ray, const RootQuery& query)
+      : tree_(tree), ray_(ray), query_(query), farthest_(query.farthest) {}
+
+  Roots run() {
+    struct Visit {
+      std::uint32_t node;
+      double nearest;
+    };
+    std::array<Visit, 64> stack;
+    int size = 0;
+    const auto push = [&](std::uint32_t node) {
+      const CellTree::Node& n = tree_.nodes()[node];
+      const Enclosure box{n.center, n.half};
+      if (value(ray_.across1, box, ray_.offset1).excludesZero()) return;
+      if (value(ray_.across2, box, ray_.offset2).excludesZero()) return;
+      const Ball t = value(ray_.along, box, ray_.start);
+      if (t.hi() < query_.nearest || t.lo() > farthest_) return;
+      stack[size++] = {node, t.lo()};
+    };
+    push(0);
+    while (size > 0) {
+      const Visit visit = stack[--size];
+      if (visit.nearest > farthest_) continue;
+      const CellTree::Node& node = tree_.nodes()[visit.node];
+      if (node.second == 0) {
+        search(tree_.cells()[node.cell]);
+        continue;
+      }
+      const int before = size;
+      push(visit.node + 1);
+      push(node.second);
+      if (size == before + 2 && stack[before].nearest < stack[before + 1].nearest)
+        std::swap(stack[before], stack[before + 1]);  // the nearer one is looked at first
+    }
+    Roots roots{.nearest = found_, .certified = undecided_ > farthest_ || undecided_ == kNever};
+    if (!found_ && doubtful_ && !roots.certified) roots.nearest = doubtful_;
+    return roots;
+  }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  /// Everything in one cell of the tree, in parts where need be.
+  void search(const Cell& cell) {
+    patch_ = cell.patch;
+    parts_.clear();
+    look(cell.domain, cell.bounds);
+    while (!parts_.empty()) {
+      const Domain part = parts_.back();
+      parts_.pop_back();
+      if (++cells_ > kMostCells) {
+        undecided_ = std::min(undecided_, query_.nearest);
+        parts_.clear();
+        return;
+      }
+      look(part, tree_.patch(patch_).bound(part));
+    }
+  }
+
+  void look(Domain d, const CellBounds& b) {
+    const Ball t = value(ray_.along, b.position, ray_.start);
+    if (value(ray_.across1, b.position, ray_.offset1).excludesZero() ||
+        value(ray_.across2, b.position, ray_.offset2).excludesZero() || t.hi() < query_.nearest ||
+        t.lo() > farthest_)
+      return;
+    const double hu = 0.5 * d.u.width(), hv = 0.5 * d.v.width();
+    const Domain& whole = tree_.patch(patch_).domain();
+    double cutU = glm::length(b.du.center + b.du.radius) * hu,
+           cutV = glm::length(b.dv.center + b.dv.radius) * hv;
+    if (b.smooth) {
+      const Matrix j{value(ray_.across1, b.du, 0), value(ray_.across1, b.dv, 0), value(ray_.across2, b.du, 0),
+                     value(ray_.across2, b.dv, 0)};
+      const Ball f1 = value(ray_.across1, b.middle, ray_.offset1);
+      const Ball f2 = value(ray_.across2, b.middle, ray_.offset2);
+      // Mean value form along the ray's own directions: sharper than the box.
+      if (std::abs(f1.center) > f1.radius + reach(j.uu) * hu + reach(j.uv) * hv ||
+          std::abs(f2.center) > f2.radius + reach(j.vu) * hu + reach(j.vv) * hv)
+        return;
+      if (frontless(b)) return;
+      if (krawczyk(d, hu, hv, j, f1, f2)) return;
+    }
+    if (hu < kSmallest * whole.u.width() && hv < kSmallest * whole.v.width()) {
+      undecided_ = std::min(undecided_, t.lo());
+      const double distance = ray_.t(b.middle.center);
+      if (!doubtful_ || distance < doubtful_->t) doubtful_ = Root{distance, patch_, d.u.mid(), d.v.mid()};
+      return;
+    }
+    if (!(std::isfinite(cutU) && std::isfinite(cutV)) || cutU + cutV == 0) {
+      cutU = hu / whole.u.width();
+      cutV = hv / whole.v.width();
+    }
+    // Neither side may become so much smaller than the other that only the other is ever cut.
+    if (hu < kSmallest * whole.u.width()) cutU = -1;
+    if (hv < kSmallest * whole.v.width()) cutV = -1;
+    if (cutU >= cutV) {
+      parts_.push_back({{d.u.lo, d.u.mid()}, d.v});
+      parts_.push_back({{d.u.mid(), d.u.hi}, d.v});
+    } else {
+      parts_.push_back({d.u, {d.v.lo, d.v.mid()}});
+      parts_.push_back({d.u, {d.v.mid(), d.v.hi}});
+    }
+  }
+
+  static double reach(const Ball& b) { return std::abs(b.center) + b.radius; }
+
+  /// Every point of the cell turns its back to the ray, and backs do not count.
+  [[nodiscard]] bool frontless(const CellBounds& b) const {
+    if (query_.facing == Facing::Both) return false;
+    const Ball d1u = value(ray_.across1, b.du, 0), d1v = value(ray_.across1, b.dv, 0);
+    const Ball d2u = value(ray_.across2, b.du, 0), d2v = value(ray_.across2, b.dv, 0);
+    const double product = d1u.center * d2v.center - d1v.center * d2u.center;
+    const double slack = std::abs(d1u.center) * d2v.radius + std::abs(d2v.center) * d1u.radius +
+                         d1u.radius * d2v.radius + std::abs(d1v.center) * d2u.radius +
+                         std::abs(d2u.center) * d1v.radius + d1v.radius * d2u.radius;
+    return side() * product > slack * (1 + 8 * kEpsilon) + 8 * kEpsilon * std::abs(product);
+  }
+
+  /// Sign of det(f by u,v) on backs: across1 x across2 runs along the ray, so the determinant has the sign of
+  /// (Su x Sv) . direction.
+  [[nodiscard]] double side() const {
+    return tree_.surface().topology().orientation(patch_) * (query_.mirrored ? -1 : 1);
+  }
+
+  /// Whether nothing is left to do: no root, or the only one found. May narrow the cell instead and push it.
+  bool krawczyk(const Domain& d, double hu, double hv, const Matrix& j, const Ball& f1, const Ball& f2) {
+    const double det = j.uu.center * j.vv.center - j.uv.center * j.vu.center;
+    if (!(std::abs(det) > 0) || !std::isfinite(1 / det)) return false;
+    const double yuu = j.vv.center / det, yuv = -j.uv.center / det;
+    const double yvu = -j.vu.center / det, yvv = j.uu.center / det;
+    // K = middle - Y f(middle) + (I - Y J)(cell - middle), in balls. I - Y J: what rounding left, and radii.
+    const auto product = [](double a, double b, const Ball& x, const Ball& y, double one) {
+      const double center = one - (a * x.center + b * y.center);
+      return std::abs(center) + std::abs(a) * x.radius + std::abs(b) * y.radius +
+             8 * kEpsilon * (one + std::abs(a * x.center) + std::abs(b * y.center));
+    };
+    const double muu = product(yuu, yuv, j.uu, j.vu, 1), muv = product(yuu, yuv, j.uv, j.vv, 0);
+    const double mvu = product(yvu, yvv, j.uu, j.vu, 0), mvv = product(yvu, yvv, j.uv, j.vv, 1);
+    const double stepU = -(yuu * f1.center + yuv * f2.center), stepV = -(yvu * f1.center + yvv * f2.center);
+    const double noiseU =
+        std::abs(yuu) * f1.radius + std::abs(yuv) * f2.radius + 8 * kEpsilon * std::abs(stepU);
+    const double noiseV =
+        std::abs(yvu) * f1.radius + std::abs(yvv) * f2.radius + 8 * kEpsilon * std::abs(stepV);
+    const double radiusU = (muu * hu + muv * hv + noiseU) * (1 + 8 * kEpsilon);
+    const double radiusV = (mvu * hu + mvv * hv + noiseV) * (1 + 8 * kEpsilon);
+    if (!(std::isfinite(radiusU) && std::isfinite(radiusV))) return false;
+    if (std::abs(stepU) - radiusU > hu || std::abs(stepV) - radiusV > hv) return true;  // no root
+    if (std::abs(stepU) + radiusU < hu && std::abs(stepV) + radiusV < hv) {             // exactly one
+      accept(d.u.mid() + stepU, d.v.mid() + stepV, d);
+      return true;
+    }
+    const auto narrow = [](const Interval& x, double step, double radius) {
+      const double middle = x.mid() + step;
+      return Interval(std::max(x.lo, middle - radius), std::min(x.hi, middle + radius));
+    };
+    const Domain narrower{narrow(d.u, stepU, radiusU), narrow(d.v, stepV, radiusV)};
+    if (narrower.u.width() < kNarrower * d.u.width() || narrower.v.width() < kNarrower * d.v.width()) {
+      if (narrower.u.lo > narrower.u.hi || narrower.v.lo > narrower.v.hi) return true;
+      const Domain& whole = tree_.patch(patch_).domain();
+      if (narrower.u.width() > kSmallest * whole.u.width() ||
+          narrower.v.width() > kSmallest * whole.v.width()) {
+        parts_.push_back(narrower);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The root near (u, v), which is known to be the only one of the cell.
+  void accept(double u, double v, const Domain& cell) {
+    const BoundedPatch& patch = tree_.patch(patch_);
+    BoundedPatch::Point p = patch.at(u, v);
+    for (int step = 0; step < kNewtonSteps; ++step) {
+      const double f1 = ray_.f1(p.position), f2 = ray_.f2(p.position);
+      const double a = glm::dot(ray_.across1, p.du), b = glm::dot(ray_.across1, p.dv);
+      const double c = glm::dot(ray_.across2, p.du), d = glm::dot(ray_.across2, p.dv);
+      const double det = a * d - b * c;
+      if (!(std::abs(det) > 0)) break;
+      const double du = (b * f2 - d * f1) / det, dv = (c * f1 - a * f2) / det;
+      if (!std::isfinite(du) || !std::isfinite(dv)) break;
+      const double lastU = u, lastV = v;
+      u = std::clamp(u + du, cell.u.lo, cell.u.hi);
+      v = std::clamp(v + dv, cell.v.lo, cell.v.hi);
+      if (u == lastU && v == lastV) break;
+      p = patch.at(u, v);
+    }
+    const Domain& domain = patch.domain();
+    const double slackU = kOnTheEdge * domain.u.width(), slackV = kOnTheEdge * domain.v.width();
+    if (u < domain.u.lo - slackU || u > domain.u.hi + slackU || v < domain.v.lo - slackV ||
+        v > domain.v.hi + slackV)
+      return;
+    u = std::clamp(u, domain.u.lo, domain.u.hi);
+    v = std::clamp(v, domain.v.lo, domain.v.hi);
+    const double t = ray_.t(p.position);
+    if (!(t >= query_.nearest && t <= farthest_)) return;
+    if (query_.facing == Facing::Front) {
+      const double det = glm::dot(ray_.across1, p.du) * glm::dot(ray_.across2, p.dv) -
+                         glm::dot(ray_.across1, p.dv) * glm::dot(ray_.across2, p.du);
+      if (side() * det > 0) return;
+    }
+    found_ = Root{t, patch_, u, v};
+    farthest_ = t;
+  }
+
+  const CellTree& tree_;
+  const RayFunctions& ray_;
+  const RootQuery& query_;
+  double farthest_;  // no root beyond matters
+  std::optional<Root> found_, doubtful_;
+  double undecided_ = kNever;  // nearest t that an undecided part may have
+  std::uint32_t patch_ = 0;
+  std::vector<Domain> parts_;
+  int cells_ = 0;
+};
+
+/// Two unit vectors that complete `w`, unit, to a right-handed system (T. Duff et al. 2017).
+std::array<Vec3, 2> completed(const Vec3& w) {
+  const double sign = std::copysign(1.0, w.z);
+  const double a = -1 / (sign + w.z), b = w.x * w.y * a;
+  return {Vec3(1 + sign * w.x * w.x * a, sign * b, -sign * w.x), Vec3(b, sign + w.y * w.y * a, -w.y)};
+}
+
+}  // namespace
+
+RayFunctions::RayFunctions(const Ray& ray, const Transform& worldFromObject) {
+  const auto [n1, n2] = completed(ray.direction);
+  const Mat3 transposed = glm::transpose(worldFromObject.linear);
+  const Vec3 from = worldFromObject.translation - ray.origin;
+  across1 = transposed * n1;
+  across2 = transposed * n2;
+  along = transposed * ray.direction;
+  offset1 = glm::dot(n1, from);
+  offset2 = glm::dot(n2, from);
+  start = glm::dot(ray.direction, from);
+}
+
+Roots nearestRoot(const CellTree& tree, const RayFunctions& ray, const RootQuery& query) {
+  return Search(tree, ray, query).run();
+}
+
+}  // namespace luxo::reference

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Certified ray casting against shapes whose answer is known without it: the sphere by its quadratic, the
+// torus by sphere tracing of its exact distance function, planes by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "reference/roots.h"
+#include "surface/library.h"
+
+namespace luxo::reference {
+namespace {
+
+class RandomRays {
+ public:
+  explicit RandomRays(unsigned seed) : random_(seed) {}
+
+  /// From a point at `distance` toward one within `spread` of the origin.
+  Ray next(double distance, double spread) {
+    const Vec3 origin = distance * direction(), target = spread * direction();
+    return {origin, unit(target - origin)};
+  }
+
+  Vec3 direction() {
+    std::normal_distribution<double> normal;
+    return unit(Vec3(normal(random_), normal(random_), normal(random_)));
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+Roots cast(const CellTree& tree, const Ray& ray, Facing facing = Facing::Both) {
+  return nearestRoot(tree, {ray, Transform{}}, {0, 1e9, facing, false});
+}
+
+TEST(ReferenceRoots, SphereByItsQuadratic) {
+  const double radius = 1.3;
+  const CellTree tree(sphere(radius), {});
+  RandomRays rays(1);
+  int hits = 0, certified = 0;
+  constexpr int kRays = 4000;
+  for (int i = 0; i < kRays; ++i) {
+    const Ray ray = rays.next(5, 1.8);
+    const double b = glm::dot(ray.origin, ray.direction);
+    const double discriminant = b * b - (glm::dot(ray.origin, ray.origin) - radius * radius);
+    const Roots roots = cast(tree, ray);
+    certified += roots.certified;
+    ASSERT_EQ(roots.nearest.has_value(), discriminant >= 0) << i << " discriminant " << discriminant;
+    if (!roots.nearest) continue;
+    ++hits;
+    // The distance is as ill-conditioned as the discriminant is small: d t = d disc / (2 sqrt(disc)).
+    EXPECT_NEAR(roots.nearest->t, -b - std::sqrt(discriminant), 1e-13 * 5 + 1e-14 / std::sqrt(discriminant))
+        << i;
+  }
+  EXPECT_EQ(certified, kRays);  // a random ray is never within rounding of the silhouette
+  EXPECT_GT(hits, kRays / 4);
+  EXPECT_LT(hits, kRays);
+}
+
+/// Distance along the ray to the torus around Y, or nothing: steps of the exact distance to it.
+std::optional<double> traceTorus(const Ray& ray, double major, double minor) {
+  double t = 0;
+  for (int step = 0; step < 100'000 && t < 100; ++step) {
+    const Vec3 p = ray.origin + t * ray.direction;
+    const double ring = std::hypot(p.x, p.z) - major;
+    const double distance = std::hypot(ring, p.y) - minor;
+    if (distance < 1e-13) return t;
+    t += distance;
+  }
+  return std::nullopt;
+}
+
+TEST(ReferenceRoots, TorusBySphereTracing) {
+  const CellTree tree(torus(1, 0.4), {});
+  RandomRays rays(2);
+  int hits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Ray ray = rays.next(4, 1.6);
+    const auto truth = traceTorus(ray, 1, 0.4);
+    const Roots roots = cast(tree, ray);
+    EXPECT_TRUE(roots.certified) << i;
+    ASSERT_EQ(roots.nearest.has_value(), truth.has_value()) << i;
+    if (!truth) continue;
+    ++hits;
+    // Tracing stops 1e-13 short of the surface, which is up to 1e-13 / cosine along the ray.
+    EXPECT_NEAR(roots.nearest->t, *truth, 1e-7) << i;
+    const Vec3 p = ray.origin + roots.nearest->t * ray.direction;
+    EXPECT_NEAR(std::hypot(std::hypot(p.x, p.z) - 1, p.y), 0.4, 1e-13) << i;
+  }
+  EXPECT_GT(hits, 500);
+}
+
+// From inside only the far wall is there; of a closed surface seen from outside the front is the nearer of
+// two.
+TEST(ReferenceRoots, FrontsAndBacks) {
+  const CellTree tree(sphere(1), {});
+  RandomRays rays(3);
+  for (int i = 0; i < 200; ++i) {
+    const Ray inside{0.5 * rays.direction(), rays.direction()};
+    EXPECT_TRUE(cast(tree, inside).nearest);
+    EXPECT_FALSE(cast(tree, inside, Facing::Front).nearest);
+    const Ray outside = rays.next(3, 0.9);
+    const Roots both = cast(tree, outside), front = cast(tree, outside, Facing::Front);
+    ASSERT_TRUE(both.nearest && front.nearest);
+    EXPECT_EQ(both.nearest->t, front.nearest->t);
+  }
+}
+
+// Straight down on the pole and along the seam: what is hit is a line or a point of the (u,v) rectangle's
+// edge.
+TEST(ReferenceRoots, PolesAndSeams) {
+  const CellTree tree(sphere(1), {});
+  const Roots pole = cast(tree, {{0, 3, 0}, {0, -1, 0}});
+  ASSERT_TRUE(pole.nearest);
+  EXPECT_NEAR(pole.nearest->t, 2, 1e-12);
+  // The seam of the sphere lies in the half plane of +X.
+  const Roots seam = cast(tree, {{5, 0.3, 0}, {-1, 0, 0}});
+  ASSERT_TRUE(seam.nearest);
+  EXPECT_NEAR(seam.nearest->t, 5 - std::sqrt(1 - 0.09), 1e-12);
+  EXPECT_TRUE(seam.certified);
+}
+
+// A unit square flattened into a plane by a singular transform is still where it was put.
+TEST(ReferenceRoots, SingularTransforms) {
+  const CellTree tree(sphere(1), {});
+  const Transform flat{Mat3(2, 0, 0, 0, 3, 0, 0, 0, 0), {0, 0, -1}};
+  const Ray ray{{1, 1, 4}, {0, 0, -1}};
+  const Roots roots = nearestRoot(tree, {ray, flat}, {0, 100, Facing::Both, false});
+  ASSERT_TRUE(roots.nearest);
+  EXPECT_NEAR(roots.nearest->t, 5, 1e-12);
+  const Ray beside{{1.9, 1.5, 4}, {0, 0, -1}};  // (1.9/2)^2 + (1.5/3)^2 > 1
+  EXPECT_FALSE(nearestRoot(tree, {beside, flat}, {0, 100, Facing::Both, false}).nearest);
+}
+
+// Near and far roots outside the asked range do not count; the next one within it does.
+TEST(ReferenceRoots, OnlyTheAskedRangeCounts) {
+  const CellTree tree(sphere(1), {});
+  const Ray ray{{0.1, 0.2, 5}, {0, 0, -1}};
+  const double half = std::sqrt(1 - 0.05);
+  const RayFunctions functions(ray, Transform{});
+  EXPECT_NEAR(nearestRoot(tree, functions, {5, 100, Facing::Both, false}).nearest->t, 5 + half, 1e-12);
+  EXPECT_FALSE(nearestRoot(tree, functions, {0, 3, Facing::Both, false}).nearest);
+  EXPECT_FALSE(nearestRoot(tree, functions, {7, 100, Facing::Both, false}).nearest);
+}
+
+}  // namespace
+}  // namespace luxo::reference
