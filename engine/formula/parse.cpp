@@ -98,8 +98,8 @@ class Parser {
   void report(SourceRange where, std::string message, std::string hint) {
     const bool known = std::any_of(diagnostics_.begin(), diagnostics_.end(),
                                    [&](const Diagnostic& d) { return d.where.begin == where.begin; });
-    if (!known && !gaveUp_) diagnostics_.push_back({where, std::move(message), std::move(hint)});
     if (diagnostics_.size() >= kMaxFormulaErrors) giveUp();
+    if (!known && !gaveUp_) diagnostics_.push_back({where, std::move(message), std::move(hint)});
   }
 
   // A value to go on with. What is built from it is thrown away.

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is fuzzed: each takes any bytes and aborts (LUXO_REQUIRE) when a promise does not hold.
+#pragma once
+
+#include <string_view>
+
+namespace luxo {
+
+/// Lines: the first is a formula of u, v and a parameter k, each other one a definition, name=formula.
+/// Parsed, described, differentiated twice, compiled, evaluated on a grid, bounded over it.
+void fuzzFormula(std::string_view input);
+
+}  // namespace luxo
