@@ -99,13 +99,13 @@ class Body {
       case Op::Abs:
         return call("abs");
       case Op::Min:
-        return define(fmt::format("{1} < {0} ? {1} : {0}", x(), y()));
+        return call("formulaMin");
       case Op::Max:
-        return define(fmt::format("{0} < {1} ? {1} : {0}", x(), y()));
+        return call("formulaMax");
       case Op::Floor:
         return call("floor");
       case Op::Sign:
-        return call("sign");
+        return call("formulaSign");
       case Op::Raise:
         return call("formulaPow");
       case Op::Less:

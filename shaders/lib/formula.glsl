@@ -16,6 +16,11 @@ const float kLn2Low = -2.12194440e-4;
 float formulaNan() { return uintBitsToFloat(0x7fc00000u); }
 float formulaInfinity() { return uintBitsToFloat(0x7f800000u); }
 
+// These pass on a NaN, as all formulas do.
+float formulaMin(float x, float y) { return x == x ? (x < y ? x : y) : x; }
+float formulaMax(float x, float y) { return x == x ? (x > y ? x : y) : x; }
+float formulaSign(float x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x; }
+
 // x * 2^n for results in range, in two steps, as 2^n alone may be out of it.
 float formulaScale(float x, int n) {
   int half_ = n >> 1;
@@ -58,7 +63,8 @@ float formulaLog(float x) {
 // x = quadrant * pi/2 + r with |r| <= pi/4. Past 1e5 r is wrong by as much as x is by being a float.
 int formulaQuadrant(float x, out float r) {
   float multiple = round(x * 0.636619772);
-  r = (((x - multiple * 1.5) - multiple * 0.0703125) - multiple * 4.83751297e-4) - multiple * 7.54978995e-8;
+  r = ((x - multiple * 1.5) - multiple * 0.0703125) - multiple * 4.83751297e-4;
+  r = (r - multiple * 7.54953362e-8) - multiple * 2.56334407e-12;
   return int(multiple);
 }
 
@@ -185,7 +191,7 @@ float formulaPowPositive(float x, float y) {
   float m;
   float e = float(formulaExponent(small ? x * 8388608.0 : x, m) - (small ? 23 : 0));
   // s = (m - 1) / (m + 1) and what its rounding left over.
-  precise float f = m - 1.0, g = m + 1.0, gRest = 1.0 - (g - m);
+  precise float f = m - 1.0, g = m + 1.0, gRest = m - (g - 1.0);
   precise float s = f / g, sg = s * g;
   precise float sRest = (((f - sg) - formulaProductError(s, g, sg)) - s * gRest) / g;
   float z = s * s;
@@ -198,22 +204,21 @@ float formulaPowPositive(float x, float y) {
   precise float product = y * high;
   precise float productRest = formulaProductError(y, high, product) + y * low;
   if (!(abs(product) < 200.0)) return product > 0.0 ? formulaInfinity() : 0.0;
-  float result = formulaExp(product);
-  return result > 3.40282347e38 ? result : result + result * productRest;
+  return formulaExp(product) * (1.0 + productRest);
 }
 
-// As std::pow: x^0 = 1^y = 1; a negative x only takes integers.
+// As std::pow: x^0 = 1^y = 1; a negative finite x only takes integers.
 float formulaPow(float x, float y) {
   if (y == 0.0 || x == 1.0) return 1.0;
   if (x != x || y != y) return formulaNan();
   float a = abs(x);
   bool integer = floor(y) == y, odd = integer && abs(y) < 16777216.0 && floor(0.5 * y) != 0.5 * y;
-  if (x < 0.0 && !integer) return formulaNan();
+  if (x < 0.0 && a <= 3.40282347e38 && !integer) return formulaNan();
   float result;
   if (a == 0.0 || a > 3.40282347e38)
     result = (a == 0.0) == (y > 0.0) ? 0.0 : formulaInfinity();
   else
     // Beyond 4e10 the power of the neighbours of 1 is already 0 or infinite.
     result = formulaPowPositive(a, clamp(y, -4e10, 4e10));
-  return x < 0.0 && odd ? -result : result;
+  return floatBitsToInt(x) < 0 && odd ? -result : result;
 }

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: Apache-2.0
+// The GLSL of formulas, run on the device, against evaluation in double on the processor.
+#include "formula/glsl.h"
+
+#include "base/error.h"
+#include "formula/tape.h"
+#include "gpu/barrier.h"
+#include "gpu/frame.h"
+#include "gpu/pipeline.h"
+#include "gpu/shader_compiler.h"
+#include "gpu/transfer.h"
+#include "luxo/shaders/sources.h"
+#include "luxo/shaders/test_descriptors_vert.h"
+#include "math/vec.h"
+#include "support/gpu_fixture.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace luxo {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint32_t kWidth = 256;
+
+constexpr std::string_view kFragment = R"(#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "lib/formula.glsl"
+layout(scalar, set = 0, binding = 0) readonly buffer Points { vec2 points[]; };
+layout(scalar, set = 0, binding = 1) readonly buffer Parameters { float parameters[]; };
+layout(location = 0) out vec4 result;
+float parameterAt(uint k) { return parameters[k]; }
+#include "formula"
+void main() {
+  vec2 p = points[uint(gl_FragCoord.y) * 256 + uint(gl_FragCoord.x)];
+  formula(p.x, p.y, result);
+}
+)";
+
+/// Runs four expressions on the device, for many points at once.
+class FormulaGlslTest : public test::GpuTest {
+ protected:
+  using Results = std::array<std::vector<float>, 4>;
+
+  /// Pads the outputs to four.
+  static std::string glslOf(Graph& graph, std::vector<Expr> outputs) {
+    outputs.resize(4);
+    const GlslOutput output{"result", outputs};
+    return emitGlsl(graph, "formula", {&output, 1});
+  }
+
+  Results evaluate(const std::string& formula, const std::vector<Vec2f>& points,
+                   std::vector<float> parameters = {}) {
+    std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
+    sources.push_back({"formula", formula});
+    const auto shader = gpu::ShaderCompiler(std::filesystem::path())
+                            .compile({.source = {"test.frag", kFragment}, .includes = sources});
+    const gpu::DescriptorLayout layout(context(), {{}, {}});
+    const gpu::GraphicsPipeline pipeline(context(), {.name = "formula",
+                                                     .vertexShader = luxo_test_descriptors_vert,
+                                                     .fragmentShader = shader.spirv,
+                                                     .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
+                                                     .setLayouts = {layout}});
+    const VkExtent2D extent{kWidth, static_cast<std::uint32_t>((points.size() + kWidth - 1) / kWidth)};
+    gpu::Texture target(context(),
+                        {.extent = extent,
+                         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                         .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                         .name = "values"});
+    std::vector<Vec2f> padded = points;
+    padded.resize(std::size_t{extent.width} * extent.height);
+    parameters.push_back(0);  // a buffer is never empty
+    const auto bufferOf = [&](const auto& values) {
+      const auto bytes = std::as_bytes(std::span(values));
+      gpu::Buffer buffer(context(), {.size = bytes.size(), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+      buffer.write(0, bytes);
+      return buffer;
+    };
+    const gpu::Buffer pointBuffer = bufferOf(padded), parameterBuffer = bufferOf(parameters);
+
+    gpu::FrameRing frames(context());
+    gpu::Readback readback(context(), extent, target.format());
+    const VkCommandBuffer commands = frames.begin();
+    gpu::use(commands, {{target, gpu::Use::ColorAttachment, gpu::Contents::Discard}});
+    const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                          .imageView = target.view(),
+                                          .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                          .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                          .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+    const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                    .renderArea = {.extent = extent},
+                                    .layerCount = 1,
+                                    .colorAttachmentCount = 1,
+                                    .pColorAttachments = &color};
+    vkCmdBeginRendering(commands, &rendering);
+    gpu::setViewport(commands, extent);
+    pipeline.bind(commands);
+    pipeline.bindSet(commands, 0, frames.descriptors().write(layout, {pointBuffer, parameterBuffer}));
+    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+    vkCmdEndRendering(commands);
+    readback.record(commands, target);
+    frames.wait(frames.submit());
+
+    Results results;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Vec4f value;
+      std::memcpy(&value, readback.bytes().data() + i * sizeof value, sizeof value);
+      for (int k = 0; k < 4; ++k) results[k].push_back(value[k]);
+    }
+    return results;
+  }
+
+  Results evaluate(Graph& graph, const std::vector<Expr>& outputs, const std::vector<Vec2f>& points,
+                   const std::vector<float>& parameters = {}) {
+    return evaluate(glslOf(graph, outputs), points, parameters);
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------
+// How wrong each function is.
+
+/// Points between two numbers: evenly, or evenly in the logarithm of their distance from 0.
+struct Range {
+  double lo, hi;
+  bool logarithmic = false;
+
+  [[nodiscard]] float at(double t) const {
+    if (!logarithmic) return static_cast<float>(lo + (hi - lo) * t);
+    return static_cast<float>(
+        std::copysign(std::exp(std::log(std::abs(lo)) * (1 - t) + std::log(std::abs(hi)) * t), lo));
+  }
+};
+
+struct FunctionCase {
+  std::string_view name;
+  std::function<Expr(Expr, Expr)> formula;
+  std::function<double(double, double)> truth;
+  Range u, v;
+  double mostUlp;  ///< measured on lavapipe 22.3.6, and half as much again for other devices
+};
+
+/// Errors in units of the last place of the true value; below the smallest normal number, of that one, since
+/// devices may flush to zero.
+struct Worst {
+  double ulp = 0, absolute = 0;
+  Vec2f where{0};
+  bool classes = true;  ///< infinities and NaN are where they should be
+
+  void add(float got, double truth, const Vec2f& point) {
+    const auto rounded = static_cast<float>(truth);
+    if (!std::isfinite(rounded) || !std::isfinite(got)) {
+      classes = classes && (std::isnan(truth) ? std::isnan(got) : got == rounded);
+      return;
+    }
+    const double unit = std::ldexp(1.0, std::max(std::ilogb(truth), -126) - 23);
+    const double error = std::abs(got - truth);
+    absolute = std::max(absolute, error);
+    if (error / unit > ulp) {
+      ulp = error / unit;
+      where = point;
+    }
+  }
+};
+
+std::vector<FunctionCase> functionCases() {
+  using F = double (*)(double);
+  const auto one = [](std::string_view name, Expr (*formula)(Expr), F truth, Range range, double mostUlp) {
+    return FunctionCase{name,
+                        [=](Expr x, Expr) { return formula(x); },
+                        [=](double x, double) { return truth(x); },
+                        range,
+                        {},
+                        mostUlp};
+  };
+  const double pi = std::numbers::pi;
+  std::vector<FunctionCase> cases{
+      one("sqrt", sqrt, std::sqrt, {1e-30, 1e30, true}, 0.8),
+      one("exp", exp, std::exp, {-87, 88}, 1.5),
+      one("exp near 0", exp, std::exp, {-1, 1}, 1.5),
+      one("log", log, std::log, {1e-37, 1e38, true}, 2.5),
+      one("log near 1", log, std::log, {0.7, 1.4}, 3),
+      one("sin", sin, std::sin, {-pi, pi}, 2),
+      one("sin to 1e4", sin, std::sin, {-1e4, 1e4}, 4),
+      one("cos", cos, std::cos, {-pi, pi}, 2),
+      one("cos to 1e4", cos, std::cos, {-1e4, 1e4}, 4),
+      one("tan", tan, std::tan, {-1.57, 1.57}, 4),
+      one("tan to 100", tan, std::tan, {-100, 100}, 4),
+      one("sinh", sinh, std::sinh, {-89, 89}, 3),
+      one("sinh near 0", sinh, std::sinh, {-1.5, 1.5}, 3),
+      one("cosh", cosh, std::cosh, {-89, 89}, 3),
+      one("tanh", tanh, std::tanh, {-10, 10}, 3),
+      one("tanh near 0", tanh, std::tanh, {1e-30, 0.7, true}, 3),
+      one("asin", asin, std::asin, {-1, 1}, 3),
+      one("asin near 0", asin, std::asin, {1e-30, 0.6, true}, 3),
+      one("acos", acos, std::acos, {-1, 1}, 3),
+      one("acos near 1", acos, std::acos, {0.999, 1}, 3),
+      one("atan", atan, std::atan, {-10, 10}, 3),
+      one("atan far", atan, std::atan, {1e-30, 1e30, true}, 3),
+      one("abs", abs, std::abs, {-10, 10}, 0),
+      one("floor", floor, std::floor, {-10, 10}, 0),
+      one(
+          "sign", sign, [](double x) { return x > 0   ? 1.0
+                                              : x < 0 ? -1.0
+                                                      : 0.0; }, {-10, 10}, 0),
+  };
+  const auto two = [&](std::string_view name, Expr (*formula)(Expr, Expr), double (*truth)(double, double),
+                       Range u, Range v, double mostUlp) {
+    cases.push_back({name, formula, truth, u, v, mostUlp});
+  };
+  two("atan2", atan2, std::atan2, {-3, 3}, {-3, 3}, 4);
+  two("atan2 far", atan2, std::atan2, {1e-20, 1e20, true}, {-1e-20, -1e20, true}, 4);
+  two("x^y", pow, std::pow, {1e-6, 1e6, true}, {-6, 6}, 3);
+  two("x^y near 1", pow, std::pow, {0.9, 1.1}, {-800, 800}, 3);
+  two("x^y, x < 0", pow, std::pow, {-4, -0.25}, {3, 3}, 3);
+  two(
+      "min", min, [](double x, double y) { return std::min(x, y); }, {-1, 1}, {-1, 1}, 0);
+  two(
+      "max", max, [](double x, double y) { return std::max(x, y); }, {-1, 1}, {-1, 1}, 0);
+  two(
+      "x + y", [](Expr x, Expr y) { return x + y; }, [](double x, double y) { return x + y; }, {-1, 1},
+      {-9, 9}, 0.5);
+  two(
+      "x - y", [](Expr x, Expr y) { return x - y; }, [](double x, double y) { return x - y; }, {-1, 1},
+      {-9, 9}, 0.5);
+  two(
+      "x * y", [](Expr x, Expr y) { return x * y; }, [](double x, double y) { return x * y; }, {-1, 1},
+      {-9, 9}, 0.5);
+  two(
+      "x / y", [](Expr x, Expr y) { return x / y; }, [](double x, double y) { return x / y; }, {-1, 1},
+      {1, 9}, 2.5);
+  // At most n - 1 roundings, each half to one unit of the result; a reciprocal adds the 2.5 of a division.
+  for (const auto& [name, n, mostUlp] : {std::tuple("x^2", 2, 0.5), std::tuple("x^3", 3, 2.0),
+                                         std::tuple("x^-2", -2, 3.5), std::tuple("x^13", 13, 12.0)})
+    cases.push_back({name,
+                     [n = n](Expr x, Expr) { return pow(x, n); },
+                     [n = n](double x, double) { return std::pow(x, n); },
+                     {-3, -0.1},
+                     {},
+                     mostUlp});
+  return cases;
+}
+
+TEST_F(FormulaGlslTest, FunctionsAreWithinTheirUnits) {
+  constexpr std::size_t kPoints = 1u << 17;
+  fmt::print("  {:<14} {:>10} {:>12}   worst at\n", "function", "ulp", "absolute");
+  for (const FunctionCase& c : functionCases()) {
+    std::mt19937 random(7);  // NOLINT: the same numbers every time
+    std::uniform_real_distribution<double> anywhere(0, 1);
+    std::vector<Vec2f> points;
+    for (std::size_t i = 0; i < kPoints; ++i)
+      points.emplace_back(c.u.at(static_cast<double>(i) / (kPoints - 1)), c.v.at(anywhere(random)));
+    Graph graph;
+    const auto got = evaluate(graph, {c.formula(graph.variable(0), graph.variable(1))}, points)[0];
+    Worst worst;
+    for (std::size_t i = 0; i < kPoints; ++i) worst.add(got[i], c.truth(points[i].x, points[i].y), points[i]);
+    fmt::print("  {:<14} {:>10.2f} {:>12.2e}   {:.9g}, {:.9g}\n", c.name, worst.ulp, worst.absolute,
+               worst.where.x, worst.where.y);
+    EXPECT_LE(worst.ulp, c.mostUlp) << c.name;
+    EXPECT_TRUE(worst.classes) << c.name;
+  }
+}
+
+TEST_F(FormulaGlslTest, FunctionsHaveTheSpecialValuesOfC) {
+  const double inf = kInfinity, big = 3e38;
+  const std::vector<double> values{0.0, -0.0,  1,      -1,  0.5,  -0.5, 2,    -2,  3,
+                                   -3,  1e-30, -1e-30, big, -big, inf,  -inf, kNan};
+  std::vector<Vec2f> points;
+  for (const double x : values)
+    for (const double y : values) points.emplace_back(x, y);
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1);
+  const auto check = [&](std::string_view name, Expr f, const std::function<double(double, double)>& truth) {
+    const auto got = evaluate(graph, {f}, points)[0];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double x = points[i].x, y = points[i].y, wanted = truth(x, y);
+      const auto rounded = static_cast<float>(wanted);
+      if (std::isnan(wanted))
+        EXPECT_TRUE(std::isnan(got[i])) << name << " of " << x << ", " << y << " is " << got[i];
+      // Devices may flush what is smaller than the smallest normal number.
+      else if (!std::isfinite(rounded))
+        EXPECT_EQ(got[i], rounded) << name << " of " << x << ", " << y;
+      else
+        EXPECT_NEAR(got[i], wanted, 4e-7 * std::abs(wanted) + 1.2e-38) << name << " of " << x << ", " << y;
+    }
+  };
+  const auto unary = [&](std::string_view name, Expr f, double (*truth)(double)) {
+    check(name, f, [=](double x, double) { return truth(x); });
+  };
+  unary("exp", exp(u), std::exp);
+  unary("log", log(u), std::log);
+  unary("sqrt", sqrt(u), std::sqrt);
+  unary("sinh", sinh(u), std::sinh);
+  unary("cosh", cosh(u), std::cosh);
+  unary("tanh", tanh(u), std::tanh);
+  unary("asin", asin(u), std::asin);
+  unary("acos", acos(u), std::acos);
+  unary("atan", atan(u), std::atan);
+  check("atan2", atan2(u, v), [](double x, double y) { return std::atan2(x, y); });
+  check("pow", pow(u, v), [](double x, double y) { return std::pow(x, y); });
+  check("divide", u / v, [](double x, double y) { return x / y; });
+  check("less", less(u, v), [](double x, double y) { return x < y ? 1.0 : 0.0; });
+  check("less or equal", lessEqual(u, v), [](double x, double y) { return x <= y ? 1.0 : 0.0; });
+  check("equal", equal(u, v), [](double x, double y) { return x == y ? 1.0 : 0.0; });
+  check("select", select(u, v, 7), [](double x, double y) { return x != 0 ? y : 7.0; });
+  check("min", min(u, v),
+        [](double x, double y) { return std::isnan(x) || std::isnan(y) ? kNan : std::min(x, y); });
+  check("max", max(u, v),
+        [](double x, double y) { return std::isnan(x) || std::isnan(y) ? kNan : std::max(x, y); });
+  for (const Expr f : {sin(u), cos(u), tan(u)}) {
+    const auto got = evaluate(graph, {f}, {{static_cast<float>(inf), 0}, {static_cast<float>(kNan), 0}})[0];
+    EXPECT_TRUE(std::isnan(got[0]) && std::isnan(got[1]));
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------
+// What is emitted.
+
+TEST_F(FormulaGlslTest, ConstantsAreExact) {
+  Graph graph;
+  const Expr u = graph.variable(0);
+  for (const float c :
+       {0.1f, 1.0f / 3, 16777217.0f, 1e-30f, -2.5f, 3.40282347e38f, 1.17549435e-38f, 123456.789f, 1e10f}) {
+    // Not folded away: the sign of u is data.
+    const auto got = evaluate(graph, {select(u, c, 0)}, {{1, 0}})[0][0];
+    EXPECT_EQ(got, c);
+  }
+  EXPECT_EQ(evaluate(graph, {select(u, 1e308, 0)}, {{1, 0}})[0][0], std::numeric_limits<float>::infinity());
+  EXPECT_EQ(evaluate(graph, {select(u, -kInfinity, 0)}, {{1, 0}})[0][0],
+            -std::numeric_limits<float>::infinity());
+  EXPECT_TRUE(std::isnan(evaluate(graph, {select(u, kNan, 0)}, {{1, 0}})[0][0]));
+  EXPECT_EQ(evaluate(graph, {Expr(3), u, Expr(-4), -u}, {{1, 0}})[2][0], -4.0f);
+}
+
+TEST_F(FormulaGlslTest, ParametersAreInputs) {
+  Graph graph;
+  const Expr u = graph.variable(0), p = graph.variable(2), q = graph.variable(4);
+  const std::vector<Expr> outputs{u * p + q, q};
+  const std::string glsl = glslOf(graph, outputs);
+  for (const float value : {2.0f, -8.0f}) {
+    const auto got = evaluate(glsl, {{3, 0}}, {value, 99, 0.5f});
+    EXPECT_EQ(got[0][0], 3 * value + 0.5f);
+    EXPECT_EQ(got[1][0], 0.5f);
+  }
+}
+
+TEST_F(FormulaGlslTest, CompositionsAgreeWithTheTape) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1);
+  const std::vector<Expr> outputs{mod(floor(8 * u) + floor(8 * v), 2), clamp(3 * u - 1, 0, 1),
+                                  smoothstep(0.2, 0.7, v), mix(sin(5 * u), cos(3 * v), u * v)};
+  std::mt19937 random(3);  // NOLINT: the same numbers every time
+  std::uniform_real_distribution<float> anywhere(-2, 2);
+  std::vector<Vec2f> points(4096);
+  for (Vec2f& point : points) point = {anywhere(random), anywhere(random)};
+  const Results got = evaluate(graph, outputs, points);
+  std::vector<double> us, vs;
+  for (const Vec2f& p : points) {
+    us.push_back(p.x);
+    vs.push_back(p.y);
+  }
+  const auto wanted = Tape(graph, outputs).evaluate(us, vs, {});
+  // The checker is exact, as multiples of powers of two are; the others lose a few roundings of numbers up
+  // to 10.
+  const double most[] = {0, 2e-6, 2e-6, 8e-6};
+  for (int k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < points.size(); ++i)
+      ASSERT_NEAR(got[k][i], wanted[k][i], most[k]) << k << " at " << points[i].x << ", " << points[i].y;
+}
+
+}  // namespace
+}  // namespace luxo
