@@ -142,6 +142,25 @@ TEST(FormulaFunctions, ModIsFloored) {
   expectValues({{"mod(7, 3)", 1}, {"mod(-1, 3)", 2}, {"mod(1, -3)", -2}, {"mod(5.5, 2)", 1.5}});
 }
 
+TEST(FormulaGraph, IsTheOneThatOperatorsBuild) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1), t = graph.variable(2);
+  Scope scope;
+  scope.bind("u", u);
+  scope.bind("v", v);
+  scope.bind("t", t);
+  const auto same = [&](std::string_view text, Expr expression) {
+    const Formula formula = parse(text, scope);
+    EXPECT_TRUE(formula.ok) << messages(text, formula.diagnostics);
+    EXPECT_EQ(graph.nodeOf(formula.value), graph.nodeOf(expression)) << text;
+  };
+  same("(2 + cos(v))*sin(u)", (2 + cos(v)) * sin(u));
+  same("0.2sin(8u + t)", 0.2 * sin(8 * u + t));
+  same("u^2/3", pow(u, 2) / 3);
+  same("u >= v", lessEqual(v, u));
+  same("if(u < v, max(u, v, t), atan2(v, u))", select(less(u, v), max(max(u, v), t), atan2(v, u)));
+}
+
 TEST(FormulaScope, DefinitionsComeInAnyOrder) {
   Scope scope = numbers();
   scope.define("c", "a + b");
