@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "surface/spread.h"
+
 namespace luxo {
 namespace {
 
@@ -20,21 +22,24 @@ struct Derivatives {
   double scaleU = 0, scaleV = 0;  ///< what du and dv are compared with to tell them from noise
 };
 
-Derivatives derivativesAt(const SurfaceFunction& function, const Domain& domain, double u, double v,
-                          std::span<const double> inputs) {
-  const auto first = function.tangents.evaluate({&u, 1}, {&v, 1}, inputs);
-  const auto second = function.second.evaluate({&u, 1}, {&v, 1}, inputs);
-  const auto at = [](const auto& values, int k) {
-    return Vec3(values[k][0], values[k + 1][0], values[k + 2][0]);
+std::vector<Derivatives> derivativesAt(const SurfaceFunction& function, const Domain& domain,
+                                       std::span<const double> u, std::span<const double> v,
+                                       std::span<const double> inputs) {
+  const auto first = function.tangents.evaluate(u, v, inputs);
+  const auto second = function.second.evaluate(u, v, inputs);
+  const auto at = [](const auto& values, int k, std::size_t i) {
+    return Vec3(values[k][i], values[k + 1][i], values[k + 2][i]);
   };
-  Derivatives d{at(first, 3), at(first, 6), at(second, 0), at(second, 3), at(second, 6)};
   const double width = domain.u.width(), height = domain.v.width();
-  d.scaleU = glm::length(d.duu) * width + glm::length(d.duv) * height;
-  d.scaleV = glm::length(d.duv) * width + glm::length(d.dvv) * height;
-  return d;
+  std::vector<Derivatives> all(u.size());
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    Derivatives& d = all[i];
+    d = {at(first, 3, i), at(first, 6, i), at(second, 0, i), at(second, 3, i), at(second, 6, i)};
+    d.scaleU = glm::length(d.duu) * width + glm::length(d.duv) * height;
+    d.scaleV = glm::length(d.duv) * width + glm::length(d.dvv) * height;
+  }
+  return all;
 }
-
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Comparisons are written so that what is not a number is not regular.
 std::optional<Vec3> regularNormal(const Derivatives& d) {
@@ -42,7 +47,7 @@ std::optional<Vec3> regularNormal(const Derivatives& d) {
   const double lengthU = glm::length(d.du), lengthV = glm::length(d.dv);
   const bool regular = lengthU > kNoise * d.scaleU && lengthV > kNoise * d.scaleV &&
                        glm::length(cross) > kNoise * lengthU * lengthV;
-  if (!regular || !finite(cross)) return {};
+  if (!regular || !isFinite(cross)) return {};
   return unit(cross);
 }
 
@@ -54,8 +59,8 @@ double inward(double x, const Interval& range) { return x <= range.mid() ? range
 std::optional<Vec3> limitAlong(const SurfaceFunction& function, const Domain& domain, const Vec2& from,
                                const Vec2& step, std::span<const double> inputs) {
   const auto normalAt = [&](double part) {
-    return regularNormal(
-        derivativesAt(function, domain, from.x + part * step.x, from.y + part * step.y, inputs));
+    const double u = from.x + part * step.x, v = from.y + part * step.y;
+    return regularNormal(derivativesAt(function, domain, {&u, 1}, {&v, 1}, inputs).front());
   };
   std::array<double, 4> parts{};
   std::array<Vec3, 4> table{};
@@ -78,24 +83,40 @@ std::optional<Vec3> limitAlong(const SurfaceFunction& function, const Domain& do
   return unit(table[3]);
 }
 
-}  // namespace
-
-Vec3 limitNormal(const SurfaceFunction& function, const Domain& domain, double u, double v,
-                 std::span<const double> inputs) {
-  const Derivatives d = derivativesAt(function, domain, u, v, inputs);
-  if (const auto normal = regularNormal(d)) return *normal;
-
-  const double towardU = inward(u, domain.u), towardV = inward(v, domain.v);
+/// The limit from inside where the cross product itself is noise.
+Vec3 singularNormal(const SurfaceFunction& function, const Domain& domain, const Vec2& at,
+                    const Derivatives& d, std::span<const double> inputs) {
+  const double towardU = inward(at.x, domain.u), towardV = inward(at.y, domain.v);
   const std::array<Vec2, 3> steps{Vec2(0, towardV), Vec2(towardU, 0), Vec2(towardU, towardV)};
   const double scaleU = glm::length(d.du) + d.scaleU, scaleV = glm::length(d.dv) + d.scaleV;
   for (const Vec2& step : steps) {
     const Vec3 first =
         glm::cross(step.x * d.duu + step.y * d.duv, d.dv) + glm::cross(d.du, step.x * d.duv + step.y * d.dvv);
-    if (finite(first) && glm::length(first) > kFirstOrderNoise * scaleU * scaleV) return unit(first);
+    if (isFinite(first) && glm::length(first) > kFirstOrderNoise * scaleU * scaleV) return unit(first);
   }
   for (const Vec2& step : steps)
-    if (const auto normal = limitAlong(function, domain, {u, v}, step, inputs)) return *normal;
+    if (const auto normal = limitAlong(function, domain, at, step, inputs)) return *normal;
   return {0, 1, 0};
+}
+
+}  // namespace
+
+Vec3 limitNormal(const SurfaceFunction& function, const Domain& domain, double u, double v,
+                 std::span<const double> inputs) {
+  return limitNormals(function, domain, {&u, 1}, {&v, 1}, inputs).front();
+}
+
+std::vector<Vec3> limitNormals(const SurfaceFunction& function, const Domain& domain,
+                               std::span<const double> u, std::span<const double> v,
+                               std::span<const double> inputs) {
+  const std::vector<Derivatives> derivatives = derivativesAt(function, domain, u, v, inputs);
+  std::vector<Vec3> normals;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const auto regular = regularNormal(derivatives[i]);
+    normals.push_back(regular ? *regular
+                              : singularNormal(function, domain, {u[i], v[i]}, derivatives[i], inputs));
+  }
+  return normals;
 }
 
 }  // namespace luxo

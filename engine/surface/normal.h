@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "math/vec.h"
 #include "surface/patch.h"
@@ -15,5 +16,9 @@ namespace luxo {
 /// tangent plane can be found.
 [[nodiscard]] Vec3 limitNormal(const SurfaceFunction& function, const Domain& domain, double u, double v,
                                std::span<const double> inputs);
+/// The same at every (u[i], v[i]), evaluated together.
+[[nodiscard]] std::vector<Vec3> limitNormals(const SurfaceFunction& function, const Domain& domain,
+                                             std::span<const double> u, std::span<const double> v,
+                                             std::span<const double> inputs);
 
 }  // namespace luxo

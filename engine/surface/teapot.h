@@ -14,10 +14,10 @@ namespace luxo {
 inline constexpr double kTeapotHeight = 3.15;
 
 /// The classic control points, y up, axis +Y, standing on y = 0, spout toward +X, handle toward -X. All
-/// patches are turned so that Su x Sv points to the side that is seen. In order: the quarters (from +X toward
-/// -Z) of bottom, lower body, upper body, rim, lid, knob, then handle and spout, each half in -Z, then in +Z,
-/// lower... Sections that look round are cubics that leave the circle by up to 0.4 %; the bottom (Frank
-/// Crow's) is not flat; the lid does not touch the rim.
+/// patches are turned so that Su x Sv points to the side that is seen. In order: the quarters, from +X toward
+/// -Z, of bottom, lower body, upper body, rim, lid and knob; upper and lower handle, lower and upper spout,
+/// of each the half in +Z, then that in -Z. Sections that look round leave the circle by up to 0.4 %; the
+/// bottom (Frank Crow's) is not flat; the lid does not touch the rim.
 [[nodiscard]] std::vector<BezierPatch> teapotPatches();
 
 /// `height` metres from the table to the top of the knob, other sizes in proportion. It has borders where

@@ -156,11 +156,13 @@ class Search {
     EdgeNormals& normals = normals_[e];
     if (!normals.empty()) return normals;
     const Patch& patch = patches_[e / 4];
-    const PatchInputs inputs(patch, parameters_);
+    std::vector<double> us, vs;
     for (int k = 0; k < kEdgeSamples; k += 2) {
       const EdgePoint p = edgePoint(patch.domain, edgeAt(e).side, samplePart(k));
-      normals.push_back(limitNormal(*patch.function, patch.domain, p.u, p.v, inputs));
+      us.push_back(p.u);
+      vs.push_back(p.v);
     }
+    normals = limitNormals(*patch.function, patch.domain, us, vs, PatchInputs(patch, parameters_));
     return normals;
   }
 

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/bezier.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "base/error.h"
+#include "math/rounding.h"
+#include "surface/spread.h"
+
+namespace luxo {
+namespace {
+
+// Variables beyond u and v: the control points' coordinates, point by point, then the lower end of u.
+constexpr std::uint32_t kFirstCoordinate = 2, kLowerU = kFirstCoordinate + 48;
+
+/// The cubic Bernstein polynomials.
+std::array<Expr, 4> bernstein(Expr t) {
+  const Expr s = 1 - t;
+  return {pow(s, 3), 3 * (t * pow(s, 2)), 3 * (pow(t, 2) * s), pow(t, 3)};
+}
+
+/// The row sums depend on one parameter only, so that a grid takes them once per row.
+ExprPoint bezierPosition(Graph& graph) {
+  const auto across = bernstein(graph.variable(0) - graph.variable(kLowerU));
+  const auto along = bernstein(graph.variable(1));
+  ExprPoint position;
+  for (std::uint32_t axis = 0; axis < 3; ++axis)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      Expr column;
+      for (std::uint32_t j = 0; j < 4; ++j)
+        column = column + along[j] * graph.variable(kFirstCoordinate + 3 * (4 * j + i) + axis);
+      position[axis] = position[axis] + across[i] * column;
+    }
+  return position;
+}
+
+/// Control points of a polynomial patch of degree M - 1 in u and N - 1 in v; [j][i], v first.
+template <int M, int N>
+using Net = std::array<std::array<Vec3, M>, N>;
+
+/// Control points of the part over [a, b] of a Bezier curve: blossoms, from corner cutting only, so that
+/// every intermediate value is a mean of control points.
+template <int M>
+std::array<Vec3, M> part(const std::array<Vec3, M>& curve, double a, double b) {
+  std::array<Vec3, M> result;
+  for (int k = 0; k < M; ++k) {
+    std::array<Vec3, M> cut = curve;
+    for (int level = M - 1; level > 0; --level) {
+      const double t = level <= k ? b : a;
+      for (int i = 0; i < level; ++i) cut[i] += t * (cut[i + 1] - cut[i]);
+    }
+    result[k] = cut[0];
+  }
+  return result;
+}
+
+template <int M, int N>
+Net<M, N> part(const Net<M, N>& net, const Interval& u, const Interval& v) {
+  Net<M, N> rows, result;
+  for (int j = 0; j < N; ++j) rows[j] = part<M>(net[j], u.lo, u.hi);
+  for (int i = 0; i < M; ++i) {
+    std::array<Vec3, N> column;
+    for (int j = 0; j < N; ++j) column[j] = rows[j][i];
+    column = part<N>(column, v.lo, v.hi);
+    for (int j = 0; j < N; ++j) result[j][i] = column[j];
+  }
+  return result;
+}
+
+template <int M, int N>
+double longest(const Net<M, N>& net) {
+  double length = 0;
+  for (const auto& row : net)
+    for (const Vec3& p : row) length = std::max(length, glm::length(p));
+  return length;
+}
+
+/// What corner cutting on up to six levels, and forming differences before, may round away.
+constexpr double kNetRounding = roundingGamma(64);
+
+/// By the convex hull property, no point of the part is longer than its longest control point.
+template <int M, int N>
+double lengthBound(const Net<M, N>& net, const Interval& u, const Interval& v, double magnitude) {
+  return longest<M, N>(part<M, N>(net, u, v)) + kNetRounding * magnitude;
+}
+
+Net<4, 4> netOf(std::span<const double> inputs) {
+  Net<4, 4> net;
+  for (int k = 0; k < 16; ++k) net[k / 4][k % 4] = {inputs[3 * k], inputs[3 * k + 1], inputs[3 * k + 2]};
+  return net;
+}
+
+/// u within its patch, 0..1. Exact: the lower end is a whole number.
+Interval local(const Interval& u, std::span<const double> inputs) {
+  return {u.lo - inputs[48], u.hi - inputs[48]};
+}
+
+Box boundPosition(const Interval& u, const Interval& v, std::span<const double> inputs) {
+  const Net<4, 4> net = netOf(inputs);
+  Box box;
+  for (const auto& row : part<4, 4>(net, local(u, inputs), v))
+    for (const Vec3& p : row) box.add(p);
+  const Vec3 slack(kNetRounding * longest<4, 4>(net));
+  return {box.min - slack, box.max + slack};
+}
+
+std::array<double, 3> boundSecond(const Interval& u, const Interval& v, std::span<const double> inputs) {
+  const Net<4, 4> p = netOf(inputs);
+  Net<2, 4> uu;
+  Net<3, 3> uv;
+  Net<4, 2> vv;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 2; ++i) uu[j][i] = 6.0 * (p[j][i] - 2.0 * p[j][i + 1] + p[j][i + 2]);
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) uv[j][i] = 9.0 * ((p[j + 1][i + 1] - p[j + 1][i]) - (p[j][i + 1] - p[j][i]));
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 4; ++i) vv[j][i] = 6.0 * (p[j][i] - 2.0 * p[j + 1][i] + p[j + 2][i]);
+  const Interval s = local(u, inputs);
+  const double magnitude = 36 * longest<4, 4>(p);
+  return {lengthBound<2, 4>(uu, s, v, magnitude), lengthBound<3, 3>(uv, s, v, magnitude),
+          lengthBound<4, 2>(vv, s, v, magnitude)};
+}
+
+/// Compiled once, for all patches of all surfaces.
+std::shared_ptr<const SurfaceFunction> bezierFunction() {
+  static const std::shared_ptr<const SurfaceFunction> function = [] {
+    Graph graph;
+    const ExprPoint position = bezierPosition(graph);
+    return compileSurface(graph, position, {.position = boundPosition, .second = boundSecond});
+  }();
+  return function;
+}
+
+}  // namespace
+
+Surface bezier(const std::vector<BezierPatch>& patches, SurfaceTraits traits) {
+  std::vector<Patch> all;
+  for (const BezierPatch& points : patches) {
+    const double lower = static_cast<double>(all.size());
+    Patch patch{bezierFunction(), {{lower, lower + 1}, {0, 1}}, {}};
+    patch.constants.reserve(49);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vec3& p = points[k];
+      if (!isFinite(p))
+        throw Error(ErrorKind::Scene,
+                    fmt::format("surface '{}': control point {} of patch {} is ({}, {}, {})", traits.name,
+                                k + 1, all.size() + 1, p.x, p.y, p.z),
+                    "give finite coordinates");
+      patch.constants.insert(patch.constants.end(), {p.x, p.y, p.z});
+    }
+    patch.constants.push_back(lower);
+    all.push_back(std::move(patch));
+  }
+  return Surface(std::move(all), {}, std::move(traits));
+}
+
+}  // namespace luxo
