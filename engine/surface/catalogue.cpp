@@ -105,11 +105,13 @@ void CatalogueValues::take(const SurfaceArgument& given) {
   }
 }
 
-void CatalogueValues::checkRange(std::size_t index, double value) const {
+void CatalogueValues::checkRange(std::size_t index, double value, std::optional<double> time) const {
   const auto [argument, component] = argumentAt(*entry_, index);
   const bool whole = argument->kind != ArgumentKind::Count || value == std::floor(value);
   if (!(argument->range.contains(value) && whole))
-    refuse(*entry_, fmt::format("{} is {}", componentName(*argument, component), value),
+    refuse(*entry_,
+           fmt::format("{} is {}{}", componentName(*argument, component), value,
+                       time ? fmt::format(" at time {}", *time) : ""),
            fmt::format("{} must be {}", argument->name, allowed(*argument)));
 }
 
@@ -129,7 +131,8 @@ void CatalogueValues::checkRequirement(const Moment& moment) const {
 
 double CatalogueValues::at(std::size_t index, const Moment& moment) const {
   const double value = components_[index].at(moment);
-  checkRange(index, value);
+  if (!std::isfinite(value)) return value;
+  checkRange(index, value, moment.time);
   checkRequirement(moment);
   return value;
 }

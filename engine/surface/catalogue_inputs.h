@@ -20,14 +20,16 @@ class CatalogueValues {
 
   [[nodiscard]] const CatalogueEntry& entry() const { return *entry_; }
   [[nodiscard]] const std::vector<Animated<double>>& components() const { return components_; }
-  /// Component `index` at a moment, checked against its range and, with the others, the requirement.
+  /// Component `index` at a moment, checked against its range and, with the others, the requirement. What is
+  /// no number at all is passed on: the scene, which knows the node, refuses it.
+
   [[nodiscard]] double at(std::size_t index, const Moment& moment) const;
   /// Index of an argument's component; the argument must exist.
   [[nodiscard]] std::size_t indexOf(std::string_view argument, std::size_t component) const;
 
  private:
   void take(const SurfaceArgument& argument);
-  void checkRange(std::size_t index, double value) const;
+  void checkRange(std::size_t index, double value, std::optional<double> time = {}) const;
   void checkRequirement(const Moment& moment) const;
 
   const CatalogueEntry* entry_;

@@ -117,14 +117,14 @@ TEST(Surface, FlagsCrossProductIsExact) {
   const Surface s = flag({.width = W, .height = H, .depth = D, .waves = K, .phase = phase});
   for (double u = 0; u <= 1; u += 1.0 / 64)
     for (double v = 0; v <= 1; v += 0.25) {
-      const SurfacePoints p = s.evaluate({&u, 1}, {&v, 1}, {&phase, 1});
+      const SurfacePoints p = s.evaluate({&u, 1}, {&v, 1}, {});
       const Vec3 cross = glm::cross(p.du[0], p.dv[0]);
       EXPECT_NEAR(cross.x, -K * H * D * std::cos(K * u + phase), 4 * kUlp * K * H * D);
       EXPECT_EQ(cross.y, 0);
       EXPECT_EQ(cross.z, W * H);
     }
-  ASSERT_EQ(s.parameters().size(), 1u);
-  EXPECT_EQ(s.parameters()[0].at(17), phase);
+  EXPECT_TRUE(s.parameters().empty()) << "what does not move is part of the formula";
+
   const Surface moving = flag({.phase = [](double t) { return 2 * t; }});
   EXPECT_EQ(moving.parameters()[0].at(17), 34);
   EXPECT_FALSE(moving.parameters()[0].isConstant());
