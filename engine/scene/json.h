@@ -28,6 +28,8 @@ class JsonDocument;
 /// A value of a document, which must outlive it.
 class JsonValue {
  public:
+  JsonValue() = default;  ///< does not exist
+
   [[nodiscard]] JsonKind kind() const;
   /// Where it is written, quotes and brackets included.
   [[nodiscard]] SourceRange where() const;
@@ -57,9 +59,9 @@ class JsonValue {
   JsonValue(const JsonDocument* document, std::uint32_t index, std::uint32_t end, bool member)
       : document_(document), index_(index), end_(end), member_(member) {}
 
-  const JsonDocument* document_;
-  std::uint32_t index_, end_;  ///< of its node; of the first node after its container
-  bool member_;                ///< the node before it is its key
+  const JsonDocument* document_ = nullptr;
+  std::uint32_t index_ = 0, end_ = 0;  ///< of its node; of the first node after its container
+  bool member_ = false;                ///< the node before it is its key
 };
 
 /// A text and the values in it.

@@ -83,8 +83,8 @@ using Quantity3 = std::array<Quantity, 3>;
 [[nodiscard]] inline Quantity3 repeated(const Quantity& q) { return {q, q, q}; }
 
 struct ParameterDesc {
-  FileName name;
-  Quantity value;  ///< of `t` and of any other parameter that does not need this one
+  FileName name = {};
+  Quantity value = {};  ///< of `t` and of any other parameter that does not need this one
   std::optional<QuantityPair> range = {};
   std::optional<Quantity> step = {};
   std::string label = {};
@@ -94,7 +94,7 @@ struct ParameterDesc {
 
 /// As Material. A diffuse or ambient colour that uses u or v is a pattern on the surface.
 struct MaterialDesc {
-  FileName name;
+  FileName name = {};
   Quantity3 diffuse = repeated(0.7);
   std::optional<Quantity3> ambient = {};
   Quantity3 specular = repeated(0.2);
@@ -108,8 +108,8 @@ struct MaterialDesc {
 
 /// `let`: a name for a formula, for the formulas beside it.
 struct LetDesc {
-  FileName name;
-  Quantity value;
+  FileName name = {};
+  Quantity value = {};
 
   friend bool operator==(const LetDesc&, const LetDesc&) = default;
 };
@@ -118,12 +118,12 @@ struct LetDesc {
 /// default.
 struct NamedShape {
   struct Argument {
-    FileName name;
-    std::vector<Quantity> values;  ///< one, or as many as the argument has components
+    FileName name = {};
+    std::vector<Quantity> values = {};  ///< one, or as many as the argument has components
 
     friend bool operator==(const Argument&, const Argument&) = default;
   };
-  FileName type;
+  FileName type = {};
   std::vector<Argument> arguments = {};
 
   friend bool operator==(const NamedShape&, const NamedShape&) = default;
@@ -134,7 +134,7 @@ struct FormulaShape {
   QuantityPair u{0, 1}, v{0, 1};
   std::optional<std::array<bool, 2>> closed = {};  ///< a statement about the u and v directions, verified
   std::vector<LetDesc> let = {};
-  Quantity3 position;
+  Quantity3 position = {};
   FilePlace closedPlace = {};
 
   friend bool operator==(const FormulaShape&, const FormulaShape&) = default;
@@ -144,7 +144,7 @@ struct FormulaShape {
 struct RevolveShape {
   QuantityPair u{0, 1}, v{0, 1};
   std::vector<LetDesc> let = {};
-  Quantity radius, height;
+  Quantity radius = {}, height = {};
 
   friend bool operator==(const RevolveShape&, const RevolveShape&) = default;
 };
@@ -153,24 +153,24 @@ struct RevolveShape {
 struct TubeShape {
   QuantityPair u{0, 1};
   std::vector<LetDesc> let = {};
-  Quantity3 curve;
-  Quantity radius;
+  Quantity3 curve = {};
+  Quantity radius = {};
 
   friend bool operator==(const TubeShape&, const TubeShape&) = default;
 };
 
 /// Bicubic patches: 16 control points each, given by their index, row by row.
 struct BezierShape {
-  std::vector<Quantity3> points;
-  std::vector<std::array<std::uint32_t, 16>> patches;
+  std::vector<Quantity3> points = {};
+  std::vector<std::array<std::uint32_t, 16>> patches = {};
 
   friend bool operator==(const BezierShape&, const BezierShape&) = default;
 };
 
 struct SurfaceDesc {
-  FileName name;
+  FileName name = {};
   /// Nothing: it could not be read (never for what parseScene() returns).
-  std::variant<std::monostate, NamedShape, FormulaShape, RevolveShape, TubeShape, BezierShape> shape;
+  std::variant<std::monostate, NamedShape, FormulaShape, RevolveShape, TubeShape, BezierShape> shape = {};
   std::optional<QuantityPair> segments = {};  ///< a uniform grid instead of the tolerance
 
   friend bool operator==(const SurfaceDesc&, const SurfaceDesc&) = default;
@@ -178,7 +178,7 @@ struct SurfaceDesc {
 
 struct RotationDesc {
   Quantity3 axis{0, 1, 0};
-  Quantity angle;
+  Quantity angle = {};
   FilePlace place = {};
 
   friend bool operator==(const RotationDesc&, const RotationDesc&) = default;
@@ -224,7 +224,7 @@ struct CameraDesc {
 /// As RenderSettings. Read once, when the scene is built: parameters count, time does not.
 struct RenderDesc {
   QuantityPair size{1280, 720};
-  Quantity time, fps = 24, samples = 1, tolerance = 0.5;
+  Quantity time = {}, fps = 24, samples = 1, tolerance = 0.5;
   Shading shading = Shading::Phong;
   Quantity3 background{0.02, 0.025, 0.03}, ambient = repeated(0.1);
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/formula_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace luxo {
+namespace {
+
+constexpr std::uint32_t kU = 0, kV = 1, kFirst = 2;
+
+}  // namespace
+
+FormulaSet::FormulaSet(const FormulaSetDesc& desc, const SceneVariables& variables) {
+  // First with all of the scene's variables: the time, then the parameters.
+  std::vector<std::uint32_t> numbers(1 + variables.count());
+  for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = kFirst + i;
+  read(desc, variables, numbers);
+  if (!ok()) return;
+  std::ranges::fill(numbers, 0);
+  std::vector<Expr> all = values_;
+  all.insert(all.end(), {u_, v_});
+  for (const std::uint32_t variable : variablesOf(*graph_, all)) {
+    if (variable < kFirst) continue;
+    const std::uint32_t which = variable - kFirst;
+    numbers[which] = static_cast<std::uint32_t>(kFirst + parameters_.size());
+    parameters_.push_back(which == 0 ? SceneVariables::time() : variables.parameter(which - 1));
+  }
+  read(desc, variables, numbers);
+}
+
+void FormulaSet::read(const FormulaSetDesc& desc, const SceneVariables& variables,
+                      std::span<const std::uint32_t> numbers) {
+  graph_ = std::make_unique<Graph>();
+  Scope scope;
+  variables.bind(scope, [&](std::size_t which) {
+    return numbers[which] == 0 ? Expr(0) : graph_->variable(numbers[which]);
+  });
+  scope.explainAbsence("u", desc.whyNoU.empty() ? "a range cannot depend on it" : desc.whyNoU);
+  scope.explainAbsence("v", desc.whyNoV.empty() ? "a range cannot depend on it" : desc.whyNoV);
+  u_ = readRange(desc.u, scope, kU, domain_.u);
+  v_ = readRange(desc.v, scope, kV, domain_.v);
+  if (desc.whyNoU.empty()) scope.bind("u", u_);
+  if (desc.whyNoV.empty()) scope.bind("v", v_);
+  readLet(desc.let, scope);
+  values_.clear();
+  for (const Quantity& formula : desc.formulas) values_.push_back(readOne(formula, scope));
+}
+
+Expr FormulaSet::readRange(const QuantityPair& range, Scope& scope, std::uint32_t variable,
+                           Interval& domain) {
+  const Expr lowest = readOne(range[0], scope), highest = readOne(range[1], scope);
+  const Expr unit = graph_->variable(variable);
+  domain = {0, 1};
+  if (!ok()) return unit;
+  if (!lowest.isConstant() || !highest.isConstant()) return lowest + (highest - lowest) * unit;
+  const double a = lowest.constant(), b = highest.constant();
+  if (std::isfinite(a) && std::isfinite(b) && a < b) {
+    domain = {a, b};
+    return unit;
+  }
+  std::string message = fmt::format("the range from {} to {} is {}", a, b, a >= b ? "empty" : "not finite");
+  const std::size_t size = range[0].isFormula() ? range[0].formula().size() : 0;
+  problems_.push_back(
+      {range[0], {{0, size}, std::move(message), a > b ? "write the smaller number first" : ""}, {}});
+  return unit;
+}
+
+void FormulaSet::readLet(std::span<const LetDesc> let, Scope& scope) {
+  std::vector<const LetDesc*> defined;
+  for (const LetDesc& entry : let) {
+    if (std::optional<Diagnostic> problem = scope.nameProblem(entry.name.text)) {
+      problems_.push_back({{}, std::move(*problem), entry.name.place});
+    } else if (entry.value.isFormula()) {
+      scope.define(entry.name.text, entry.value.formula());
+      defined.push_back(&entry);
+    } else {
+      scope.bind(entry.name.text, entry.value.number());
+    }
+  }
+  for (const LetDesc* entry : defined)
+    for (const Diagnostic& diagnostic : scope.definition(entry->name.text).diagnostics)
+      problems_.push_back({entry->value, diagnostic, {}});
+}
+
+Expr FormulaSet::readOne(const Quantity& quantity, Scope& scope) {
+  if (!quantity.isFormula()) return quantity.number();
+  const Formula formula = parse(quantity.formula(), scope);
+  for (const Diagnostic& diagnostic : formula.diagnostics) problems_.push_back({quantity, diagnostic, {}});
+  return formula.value;
+}
+
+bool FormulaSet::varies() const {
+  const std::vector<std::uint32_t> variables = variablesOf(*graph_, values_);
+  return !variables.empty() && variables.front() < kFirst;
+}
+
+void FormulaSet::reportTo(SceneProblems& problems) const {
+  for (const Problem& problem : problems_) {
+    if (problem.place)
+      problems.add(*problem.place, problem.diagnostic.message, problem.diagnostic.hint);
+    else
+      problems.add(problem.quantity, problem.diagnostic);
+  }
+}
+
+}  // namespace luxo

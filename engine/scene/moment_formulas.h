@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers of a scene file as values of a scene: constants, or compiled formulas of the moment.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "formula/parse.h"
+#include "math/animated.h"
+#include "math/vec.h"
+#include "scene/scene_problems.h"
+#include "scene/scene_variables.h"
+
+namespace luxo {
+
+/// What a number may be, ends included, and in words.
+struct Allowed {
+  Interval range{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+  std::string_view words = "finite";
+};
+inline constexpr Allowed kFinite{};
+inline constexpr Allowed kAny{
+    {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, "a number"};
+inline constexpr Allowed kNotNegative{{0, std::numeric_limits<double>::max()}, "finite and not negative"};
+inline constexpr Allowed kAboveZero{
+    {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()}, "finite and above 0"};
+inline constexpr Allowed kFraction{{0, 1}, "from 0 to 1"};
+
+class MomentFormulas {
+ public:
+  MomentFormulas(const SceneVariables& variables, SceneProblems& problems)
+      : variables_(variables), problems_(problems) {}
+
+  /// What is wrong becomes a problem, and the result 0. Constants are held against `allowed` here, what moves
+  /// is checked when a snapshot is taken.
+  [[nodiscard]] Animated<double> number(const Quantity& quantity, const Allowed& allowed = kFinite);
+  [[nodiscard]] Animated<Vec3> vector(const Quantity3& quantities, const Allowed& allowed = kFinite);
+  /// [A, B] is A * B. An angle that is a number times `t` turns for ever, as spin() does.
+  [[nodiscard]] Animated<Rotation> rotation(std::span<const RotationDesc> rotations);
+
+  /// A number that is read once: its parameters have their initial values, and it cannot depend on time.
+  [[nodiscard]] std::optional<double> once(const Quantity& quantity, const Allowed& allowed = kFinite);
+  /// A number that cannot depend on anything.
+  [[nodiscard]] std::optional<double> fixed(const Quantity& quantity, const Allowed& allowed = kFinite);
+
+ private:
+  struct Names {
+    Graph graph;
+    Scope scope;
+  };
+
+  void prepareNames();
+  std::optional<Expr> expression(const Quantity& quantity, const Allowed& allowed);
+  Animated<double> angle(const Quantity& quantity);
+  Animated<Rotation> single(const RotationDesc& rotation);
+  bool accept(const Quantity& quantity, double value, const Allowed& allowed);
+
+  const SceneVariables& variables_;
+  SceneProblems& problems_;
+  std::unique_ptr<Names> names_;
+};
+
+}  // namespace luxo

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_construction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "base/error.h"
+#include "base/suggestion.h"
+#include "scene/moment_formulas.h"
+#include "scene/scene_variables.h"
+#include "scene/scene_warnings.h"
+#include "scene/shape_builder.h"
+
+namespace luxo {
+namespace {
+
+/// Things of one kind by name, for the references to them.
+template <class Thing>
+class Named {
+ public:
+  explicit Named(std::string_view kind) : kind_(kind) {}
+
+  void add(const FileName& name, Thing thing, SceneProblems& problems) {
+    if (!things_.emplace(name.text, thing).second)
+      problems.add(name.place, fmt::format("there are two {}s '{}'", kind_, name.text));
+  }
+
+  /// The first of a name stays.
+  void addFirst(const FileName& name, Thing thing) { things_.emplace(name.text, thing); }
+
+  /// Nothing for an empty name and, which is a problem, for one that does not exist.
+  [[nodiscard]] const Thing* find(const FileName& name, SceneProblems& problems) const {
+    if (name.empty()) return nullptr;
+    const auto found = things_.find(name.text);
+    if (found != things_.end()) return &found->second;
+    constexpr std::size_t kMostToCompare = 1000;
+    std::vector<std::string> names;
+    for (const auto& [known, thing] : things_)
+      if (names.size() < kMostToCompare) names.emplace_back(known);
+    std::ranges::sort(names);
+    constexpr std::size_t kFew = 12;
+    problems.add(name.place, fmt::format("there is no {} '{}'", kind_, name.text),
+                 didYouMean(name.text, names,
+                            names.empty()          ? fmt::format("the scene has no {}s", kind_)
+                            : names.size() <= kFew ? fmt::format("the {}s are {}", kind_, listed(names))
+                                                   : std::string()));
+    return nullptr;
+  }
+
+ private:
+  std::string_view kind_;
+  std::unordered_map<std::string_view, Thing> things_;
+};
+
+struct BuiltSurface {
+  Surface surface;
+  std::optional<Segments> segments;
+};
+
+class SceneConstruction {
+ public:
+  SceneConstruction(const SceneFile& file, std::span<const ParameterOverride> overrides,
+                    SceneProblems& problems, std::vector<Diagnostic>* warnings)
+      : file_(file),
+        problems_(problems),
+        variables_(file, overrides, problems, scene_),
+        formulas_(variables_, problems),
+        shapes_(variables_, formulas_, problems, warnings) {}
+
+  Scene build() {
+    for (const MaterialDesc& material : file_.materials) addMaterial(material);
+    for (const SurfaceDesc& surface : file_.surfaces) addSurface(surface);
+    for (const NodeDesc& node : file_.nodes) addNode(node);
+    setCasters();
+    if (file_.camera) addCamera(*file_.camera);
+    for (const CameraDesc& camera : file_.cameras) addCamera(camera);
+    setRender(file_.render);
+    return std::move(scene_);
+  }
+
+ private:
+  void addMaterial(const MaterialDesc& desc);
+  void addSurface(const SurfaceDesc& desc);
+  std::optional<Segments> segments(const std::optional<QuantityPair>& written);
+  void addNode(const NodeDesc& desc);
+  Light light(const LightDesc& desc);
+  void setCasters();
+  void addCamera(const CameraDesc& desc);
+  void setRender(const RenderDesc& desc);
+  std::optional<int> count(const Quantity& quantity);
+  Vec3 colorOnce(const Quantity3& color);
+  /// Calls `add`; what it throws is a problem there.
+  template <class Add>
+  void attempt(FilePlace place, const Add& add);
+
+  const SceneFile& file_;
+  SceneProblems& problems_;
+  Scene scene_;
+  SceneVariables variables_;
+  MomentFormulas formulas_;
+  ShapeBuilder shapes_;
+  Named<MaterialId> materials_{"material"};
+  Named<std::size_t> surfaceIndices_{"surface"};
+  std::vector<BuiltSurface> surfaces_;
+  Named<bool> cameras_{"camera"};
+};
+
+template <class Add>
+void SceneConstruction::attempt(FilePlace place, const Add& add) {
+  try {
+    add();
+  } catch (const Error& error) {
+    problems_.add(place, error.what(), error.hint());
+  }
+}
+
+/// A material whose numbers may move.
+struct MovingMaterial {
+  Material fixed;
+  Animated<Vec3> diffuse = Vec3(0), specular = Vec3(0);
+  std::optional<Animated<Vec3>> ambient = {};
+  Animated<double> shininess = 0.0, opacity = 0.0;
+  std::vector<Animated<double>> patternParameters = {};
+
+  [[nodiscard]] Material at(const Moment& moment) const {
+    Material material = fixed;
+    material.diffuse = diffuse.at(moment);
+    if (ambient) material.ambient = ambient->at(moment);
+    material.specular = specular.at(moment);
+    material.shininess = shininess.at(moment);
+    material.opacity = opacity.at(moment);
+    for (const Animated<double>& parameter : patternParameters)
+      material.patternParameters.push_back(parameter.at(moment));
+    return material;
+  }
+
+  [[nodiscard]] Animated<Material> animated() && {
+    bool constant = diffuse.isConstant() && specular.isConstant() && shininess.isConstant() &&
+                    opacity.isConstant() && (!ambient || ambient->isConstant());
+    bool moves = diffuse.movesWithTime() || specular.movesWithTime() || shininess.movesWithTime() ||
+                 opacity.movesWithTime() || (ambient && ambient->movesWithTime());
+    for (const Animated<double>& parameter : patternParameters) {
+      constant = constant && parameter.isConstant();
+      moves = moves || parameter.movesWithTime();
+    }
+    if (constant) return at(0);
+    return {[material = std::move(*this)](const Moment& moment) { return material.at(moment); },
+            moves ? DependsOn::Both : DependsOn::Parameters};
+  }
+};
+
+void SceneConstruction::addMaterial(const MaterialDesc& desc) {
+  MovingMaterial material{.fixed = {.name = desc.name.text,
+                                    .twoSided = desc.twoSided,
+                                    .shading = desc.shading,
+                                    .lectureSpecular = desc.lectureSpecular}};
+  attempt(desc.name.place, [&] {
+    if (auto pattern = shapes_.buildPattern(desc.diffuse)) {
+      material.fixed.diffusePattern = std::move(pattern->pattern);
+      material.patternParameters = std::move(pattern->parameters);
+    } else {
+      material.diffuse = formulas_.vector(desc.diffuse, kNotNegative);
+    }
+    if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kNotNegative);
+    material.specular = formulas_.vector(desc.specular, kNotNegative);
+    material.shininess = formulas_.number(desc.shininess, kNotNegative);
+    material.opacity = formulas_.number(desc.opacity, kFraction);
+    materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
+  });
+}
+
+void SceneConstruction::addSurface(const SurfaceDesc& desc) {
+  surfaceIndices_.add(desc.name, surfaces_.size(), problems_);
+  surfaces_.push_back({shapes_.build(desc), segments(desc.segments)});
+}
+
+std::optional<int> SceneConstruction::count(const Quantity& quantity) {
+  constexpr double kMost = 65536;
+  const std::optional<double> value = formulas_.once(quantity);
+  if (!value) return std::nullopt;
+  if (*value >= 1 && *value <= kMost && *value == std::floor(*value)) return static_cast<int>(*value);
+  problems_.add(quantity.place(),
+                fmt::format("this is {}; it must be a whole number from 1 to {}", *value, kMost));
+  return std::nullopt;
+}
+
+std::optional<Segments> SceneConstruction::segments(const std::optional<QuantityPair>& written) {
+  if (!written) return std::nullopt;
+  const std::optional<int> u = count((*written)[0]), v = count((*written)[1]);
+  if (!u || !v) return std::nullopt;
+  return Segments{static_cast<std::uint32_t>(*u), static_cast<std::uint32_t>(*v)};
+}
+
+void SceneConstruction::addNode(const NodeDesc& desc) {
+  Node node{.name = desc.name.text,
+            .parent = desc.parent == kNoParent ? NodeId{} : NodeId{desc.parent},
+            .translation = formulas_.vector(desc.translate),
+            .rotation = formulas_.rotation(desc.rotate),
+            .scale = formulas_.vector(desc.scale)};
+  const Animated<double> visible = formulas_.number(desc.visible);
+  if (visible.isConstant())
+    node.visible = visible.at(0) != 0;
+  else
+    node.visible = {[visible](const Moment& moment) { return visible.at(moment) != 0; },
+                    visible.movesWithTime() ? DependsOn::Both : DependsOn::Parameters};
+  if (const std::size_t* surface = surfaceIndices_.find(desc.surface, problems_)) {
+    node.surface = surfaces_[*surface].surface;
+    node.segments = surfaces_[*surface].segments;
+  }
+  if (const MaterialId* material = materials_.find(desc.material, problems_)) node.material = *material;
+  if (desc.light) node.light = light(*desc.light);
+  const Node placeholder{.parent = node.parent};
+  const std::size_t before = problems_.count();
+  attempt(desc.place, [&] { scene_.add(std::move(node)); });
+  if (problems_.count() > before) scene_.add(placeholder);  // so that the ids of the others are right
+}
+
+Light SceneConstruction::light(const LightDesc& desc) {
+  return {.type = desc.type,
+          .color = formulas_.vector(desc.color, kNotNegative),
+          .intensity = formulas_.number(desc.intensity, kNotNegative),
+          .attenuation = desc.attenuation,
+          .shadow = desc.shadow};
+}
+
+// Casters may come later in the file than the light; a scene wants them first.
+void SceneConstruction::setCasters() {
+  Named<NodeId> nodes("node");
+  bool known = false;
+  for (std::uint32_t i = 0; i < file_.nodes.size(); ++i) {
+    const NodeDesc& desc = file_.nodes[i];
+    if (!desc.light || desc.light->casters.empty()) continue;
+    for (std::uint32_t k = 0; k < file_.nodes.size() && !known; ++k)
+      if (!file_.nodes[k].name.empty()) nodes.addFirst(file_.nodes[k].name, NodeId{k});
+    known = true;
+    std::vector<NodeId> casters;
+    for (const FileName& name : desc.light->casters)
+      if (const NodeId* caster = nodes.find(name, problems_)) casters.push_back(*caster);
+    if (problems_.any()) continue;
+    Node node = scene_[NodeId{i}];
+    node.light->casters = std::move(casters);
+    attempt(desc.place, [&] { scene_.set(NodeId{i}, std::move(node)); });
+  }
+}
+
+void SceneConstruction::addCamera(const CameraDesc& desc) {
+  cameras_.add(desc.name, true, problems_);
+  const Allowed angle{{kAboveZero.range.lo, std::nextafter(kPi, 0.0)}, "above 0 and below 180 degrees"};
+  const bool perspective = desc.projection == Projection::Perspective;
+  Camera camera{.name = desc.name.text,
+                .eye = formulas_.vector(desc.eye),
+                .lookAt = formulas_.vector(desc.lookAt),
+                .up = formulas_.vector(desc.up),
+                .fovY = formulas_.number(desc.fovY, perspective ? angle : kFinite),
+                .near = formulas_.number(desc.near, kAboveZero),
+                .projection = desc.projection,
+                .height = formulas_.number(desc.height, perspective ? kFinite : kAboveZero)};
+  scene_.add(std::move(camera));
+}
+
+Vec3 SceneConstruction::colorOnce(const Quantity3& color) {
+  Vec3 value(0);
+  for (int i = 0; i < 3; ++i)
+    value[i] = formulas_.once(color[static_cast<std::size_t>(i)], kNotNegative).value_or(0);
+  return value;
+}
+
+void SceneConstruction::setRender(const RenderDesc& desc) {
+  RenderSettings settings{.shading = desc.shading};
+  const std::optional<int> width = count(desc.size[0]), height = count(desc.size[1]),
+                           samples = count(desc.samples);
+  if (width && height) settings.size = {*width, *height};
+  if (samples) settings.samples = *samples;
+  settings.time = formulas_.once(desc.time).value_or(0);
+  settings.fps = formulas_.once(desc.fps, kAboveZero).value_or(1);
+  settings.tolerance = formulas_.once(desc.tolerance, kAboveZero).value_or(1);
+  settings.background = colorOnce(desc.background);
+  settings.ambient = colorOnce(desc.ambient);
+  scene_.set(settings);
+}
+
+}  // namespace
+
+Scene constructScene(const SceneFile& file, std::span<const ParameterOverride> overrides,
+                     SceneProblems& problems, std::vector<Diagnostic>* warnings) {
+  Scene scene = SceneConstruction(file, overrides, problems, warnings).build();
+  if (warnings) addFileWarnings(file, *warnings);
+  return scene;
+}
+
+Scene buildScene(const SceneFile& file, std::span<const ParameterOverride> overrides,
+                 std::vector<Diagnostic>* warnings) {
+  SceneProblems problems(file.source);
+  Scene scene = constructScene(file, overrides, problems, warnings);
+  problems.raise();
+  return scene;
+}
+
+}  // namespace luxo

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The vocabulary of scene files: which keys each kind of object may have. The reader reads them, the writer
+// writes them, and a test holds the published JSON Schema (scene/luxo-scene-1.schema.json) against them.
+// The arguments of named surfaces are in the catalogue (surface/catalogue.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace luxo {
+
+/// One kind of object.
+struct SceneKeys {
+  std::string_view what;        ///< in messages: "a node"
+  std::string_view definition;  ///< in the schema's $defs; empty: its root
+  std::span<const std::string_view> keys;
+  std::size_t required = 0;  ///< how many of them, from the first
+};
+
+namespace keys {
+
+using Names = std::string_view;
+
+inline constexpr std::array<Names, 9> kRootNames = {"luxo",     "$schema", "render", "params", "materials",
+                                                    "surfaces", "nodes",   "camera", "cameras"};
+inline constexpr std::array<Names, 8> kRenderNames = {"size",      "time",    "fps",        "samples",
+                                                      "tolerance", "shading", "background", "ambient"};
+inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
+inline constexpr std::array<Names, 8> kMaterialNames = {
+    "diffuse", "ambient", "specular", "shininess", "opacity", "two_sided", "shading", "lecture_specular"};
+inline constexpr std::array<Names, 7> kFormulaNames = {"type",   "position", "u",       "v",
+                                                       "closed", "let",      "segments"};
+inline constexpr std::array<Names, 7> kRevolveNames = {"type", "radius", "height",  "u",
+                                                       "v",    "let",    "segments"};
+inline constexpr std::array<Names, 6> kTubeNames = {"type", "curve", "radius", "u", "let", "segments"};
+inline constexpr std::array<Names, 4> kBezierNames = {"type", "control_points", "patches", "segments"};
+inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
+inline constexpr std::array<Names, 9> kNodeNames = {"name",    "translate", "rotate", "scale",   "visible",
+                                                    "surface", "material",  "light",  "children"};
+inline constexpr std::array<Names, 2> kRotationNames = {"axis", "angle"};
+inline constexpr std::array<Names, 6> kLightNames = {"type",        "color",  "intensity",
+                                                     "attenuation", "shadow", "casters"};
+inline constexpr std::array<Names, 7> kCameraNames = {"eye",  "look_at", "up",    "fov_y",
+                                                      "near", "type",    "height"};
+
+inline constexpr SceneKeys kRoot{"a scene", "", kRootNames, 1};
+inline constexpr SceneKeys kRender{"the render settings", "render", kRenderNames};
+inline constexpr SceneKeys kParameter{"a parameter", "parameter", kParameterNames, 1};
+inline constexpr SceneKeys kMaterial{"a material", "material", kMaterialNames};
+inline constexpr SceneKeys kFormula{"a formula surface", "formula", kFormulaNames, 2};
+inline constexpr SceneKeys kRevolve{"a surface of revolution", "revolve", kRevolveNames, 3};
+inline constexpr SceneKeys kTube{"a tube", "tube", kTubeNames, 3};
+inline constexpr SceneKeys kBezier{"a Bezier surface", "bezier", kBezierNames, 2};
+inline constexpr SceneKeys kNode{"a node", "node", kNodeNames};
+inline constexpr SceneKeys kRotation{"a rotation", "rotation", kRotationNames, 2};
+inline constexpr SceneKeys kLight{"a light", "light", kLightNames};
+inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
+
+/// All of them, but for named surfaces.
+inline constexpr std::array kAll = {kRoot, kRender, kParameter, kMaterial, kFormula, kRevolve,
+                                    kTube, kBezier, kNode,      kRotation, kLight,   kCamera};
+
+// Words that stand for values, in the order of their enumerations.
+inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};
+inline constexpr std::array<Names, 2> kAttenuations = {"none", "inverse-square"};
+inline constexpr std::array<Names, 3> kShadows = {"none", "exact", "map"};
+inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};
+/// Surfaces with a structure of their own; all other types are the catalogue's.
+inline constexpr std::array<Names, 4> kShapeTypes = {"formula", "revolve", "tube", "bezier"};
+
+}  // namespace keys
+}  // namespace luxo

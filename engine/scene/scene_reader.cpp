@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <system_error>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "base/error.h"
+#include "base/suggestion.h"
+#include "scene/json.h"
+#include "scene/scene_construction.h"
+#include "scene/scene_members.h"
+#include "scene/shape_reader.h"
+
+namespace luxo {
+namespace {
+
+constexpr double kVersion = 1;
+
+/// Walks a document; what it cannot read is reported and left at its default.
+class SceneReader {
+ public:
+  SceneReader(SceneFile& file, SceneProblems& problems)
+      : file_(file), problems_(problems), values_(problems) {}
+
+  void readRoot(const JsonValue& root);
+
+ private:
+  void readVersion(const JsonValue& version);
+  void readRender(const JsonValue& render);
+  void readParameter(const JsonValue& value, const FileName& name);
+  void readMaterial(const JsonValue& value, const FileName& name);
+  void readNodes(const JsonValue& nodes, std::uint32_t parent);
+  void readNode(const JsonValue& value, std::uint32_t parent);
+  void readName(const JsonValue& name, NodeDesc& node);
+  void readRotations(const JsonValue& rotate, std::vector<RotationDesc>& rotations);
+  void readRotation(const JsonValue& rotate, RotationDesc& rotation);
+  void readVisible(const JsonValue& visible, Quantity& target);
+  void readLight(const JsonValue& value, LightDesc& light);
+  void readCasters(const JsonValue& value, std::vector<FileName>& casters);
+  CameraDesc readCamera(const JsonValue& value, const FileName& name);
+  /// Calls read(member, name) for every member of an object of named things.
+  template <class Read>
+  void readNamed(const JsonValue& object, const Read& read);
+
+  SceneFile& file_;
+  SceneProblems& problems_;
+  SceneValues values_;
+  std::unordered_map<std::string, FilePlace> nodeNames_;
+};
+
+template <class Read>
+void SceneReader::readNamed(const JsonValue& object, const Read& read) {
+  if (!object.exists()) return;
+  if (object.kind() != JsonKind::Object) {
+    values_.reject(object, "an object of names and what they stand for");
+    return;
+  }
+  std::unordered_set<std::string> seen;
+  for (JsonValue member = object.first(); member.exists(); member = member.next()) {
+    const FileName name(member.key(), placeOf(member.keyWhere()));
+    if (name.empty()) problems_.add(name.place, "a name is empty");
+    const bool fresh = seen.insert(name.text).second;  // JsonDocument reports those that are not
+    if (fresh && !name.empty() && !name.text.starts_with("x-")) read(member, name);
+  }
+}
+
+void SceneReader::readRoot(const JsonValue& root) {
+  const SceneMembers members(root, keys::kRoot, problems_);
+  readVersion(members["luxo"]);
+  std::string schema;
+  values_.read(members["$schema"], schema);
+  readRender(members["render"]);
+  readNamed(members["params"], [&](const JsonValue& v, const FileName& name) { readParameter(v, name); });
+  readNamed(members["materials"], [&](const JsonValue& v, const FileName& name) { readMaterial(v, name); });
+  readNamed(members["surfaces"], [&](const JsonValue& v, const FileName& name) {
+    file_.surfaces.push_back(readSurface(v, name, problems_));
+  });
+  readNodes(members["nodes"], kNoParent);
+  if (members["camera"].exists()) file_.camera = readCamera(members["camera"], "camera");
+  readNamed(members["cameras"],
+            [&](const JsonValue& v, const FileName& name) { file_.cameras.push_back(readCamera(v, name)); });
+}
+
+void SceneReader::readVersion(const JsonValue& version) {
+  if (!version.exists()) return;
+  if (version.kind() != JsonKind::Number) {
+    values_.reject(version, "the version of the format", "write \"luxo\": 1");
+  } else if (version.number() != kVersion) {
+    problems_.add(version.where(), fmt::format("this luxo reads version {} of the format, not {}", kVersion,
+                                               version.number()));
+  }
+}
+
+void SceneReader::readRender(const JsonValue& render) {
+  if (!render.exists()) return;
+  const SceneMembers members(render, keys::kRender, problems_);
+  RenderDesc& target = file_.render;
+  values_.read(members["size"], target.size);
+  values_.read(members["time"], target.time);
+  values_.read(members["fps"], target.fps);
+  values_.read(members["samples"], target.samples);
+  values_.read(members["tolerance"], target.tolerance);
+  values_.readWord(members["shading"], kShadingNames, target.shading);
+  values_.readColor(members["background"], target.background);
+  values_.readColor(members["ambient"], target.ambient);
+}
+
+void SceneReader::readParameter(const JsonValue& value, const FileName& name) {
+  ParameterDesc parameter{.name = name};
+  if (value.kind() == JsonKind::Object) {
+    const SceneMembers members(value, keys::kParameter, problems_);
+    values_.read(members["value"], parameter.value);
+    values_.read(members["range"], parameter.range);
+    values_.read(members["step"], parameter.step);
+    values_.read(members["label"], parameter.label);
+  } else if (value.kind() == JsonKind::Number || value.kind() == JsonKind::String) {
+    values_.read(value, parameter.value);
+  } else {
+    values_.reject(value, "a number, a formula, or an object with \"value\" and \"range\"");
+  }
+  file_.parameters.push_back(std::move(parameter));
+}
+
+void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
+  const SceneMembers members(value, keys::kMaterial, problems_);
+  MaterialDesc material{.name = name};
+  values_.readColor(members["diffuse"], material.diffuse);
+  if (members["ambient"].exists()) values_.readColor(members["ambient"], material.ambient.emplace());
+  values_.readColor(members["specular"], material.specular);
+  values_.read(members["shininess"], material.shininess);
+  values_.read(members["opacity"], material.opacity);
+  if (const JsonValue sides = members["two_sided"]; sides.exists()) {
+    bool both = false;
+    if (sides.isBoolean()) {
+      values_.read(sides, both);
+      material.twoSided = both ? TwoSided::Yes : TwoSided::No;
+    } else if (sides.kind() != JsonKind::String || sides.string() != "auto") {
+      problems_.add(sides.where(), "expected true, false or \"auto\"");
+    }
+  }
+  if (members["shading"].exists())
+    values_.readWord(members["shading"], kShadingNames, material.shading.emplace());
+  values_.read(members["lecture_specular"], material.lectureSpecular);
+  file_.materials.push_back(std::move(material));
+}
+
+void SceneReader::readNodes(const JsonValue& nodes, std::uint32_t parent) {
+  if (!nodes.exists()) return;
+  if (nodes.kind() != JsonKind::Array) {
+    values_.reject(nodes, "an array of nodes");
+    return;
+  }
+  for (JsonValue node = nodes.first(); node.exists(); node = node.next()) readNode(node, parent);
+}
+
+// Recursive: nodes are nested at most half as deep as JSON values may be.
+void SceneReader::readNode(const JsonValue& value, std::uint32_t parent) {
+  const SceneMembers members(value, keys::kNode, problems_);
+  const auto index = static_cast<std::uint32_t>(file_.nodes.size());
+  NodeDesc& node = file_.nodes.emplace_back();
+  const std::size_t begin = value.where().begin;
+  node.place = placeOf({begin, begin + 1});
+  node.parent = parent;
+  readName(members["name"], node);
+  values_.read(members["translate"], node.translate);
+  readRotations(members["rotate"], node.rotate);
+  values_.read(members["scale"], node.scale);
+  readVisible(members["visible"], node.visible);
+  values_.read(members["surface"], node.surface);
+  values_.read(members["material"], node.material);
+  if (members["light"].exists()) readLight(members["light"], node.light.emplace());
+  readNodes(members["children"], index);  // moves `node`
+}
+
+void SceneReader::readName(const JsonValue& name, NodeDesc& node) {
+  if (!name.exists() || !values_.read(name, node.name)) return;
+  const auto [first, fresh] = nodeNames_.emplace(node.name.text, node.name.place);
+  if (!fresh)
+    problems_.add(
+        node.name.place, fmt::format("two nodes have the name '{}'", node.name.text),
+        fmt::format("the first one is in line {}", positionAt(*file_.source.text, first->second.begin).line));
+}
+
+void SceneReader::readRotations(const JsonValue& rotate, std::vector<RotationDesc>& rotations) {
+  if (!rotate.exists()) return;
+  if (rotate.kind() != JsonKind::Array) return readRotation(rotate, rotations.emplace_back());
+  for (JsonValue element = rotate.first(); element.exists(); element = element.next())
+    readRotation(element, rotations.emplace_back());
+}
+
+void SceneReader::readRotation(const JsonValue& value, RotationDesc& rotation) {
+  const SceneMembers members(value, keys::kRotation, problems_);
+  rotation.place = placeOf(value.where());
+  values_.read(members["axis"], rotation.axis);
+  values_.read(members["angle"], rotation.angle);
+}
+
+void SceneReader::readVisible(const JsonValue& visible, Quantity& target) {
+  if (!visible.exists() || !visible.isBoolean()) {
+    values_.read(visible, target);
+    return;
+  }
+  bool shown = true;
+  values_.read(visible, shown);
+  target = Quantity(shown, placeOf(visible.where()));
+}
+
+void SceneReader::readLight(const JsonValue& value, LightDesc& light) {
+  const SceneMembers members(value, keys::kLight, problems_);
+  values_.readWord(members["type"], keys::kLightTypes, light.type);
+  values_.readColor(members["color"], light.color);
+  values_.read(members["intensity"], light.intensity);
+  values_.readWord(members["attenuation"], keys::kAttenuations, light.attenuation);
+  values_.readWord(members["shadow"], keys::kShadows, light.shadow);
+  readCasters(members["casters"], light.casters);
+}
+
+void SceneReader::readCasters(const JsonValue& value, std::vector<FileName>& casters) {
+  if (!value.exists()) return;
+  if (value.kind() == JsonKind::String && value.string() == "all") return;
+  if (value.kind() != JsonKind::Array) {
+    values_.reject(value, "\"all\" or an array of node names");
+    return;
+  }
+  if (value.size() == 0)
+    problems_.add(value.where(), "no node casts this shadow",
+                  "leave it out for \"all\", or set the shadow to \"none\"");
+  for (JsonValue element = value.first(); element.exists(); element = element.next())
+    values_.read(element, casters.emplace_back());
+}
+
+CameraDesc SceneReader::readCamera(const JsonValue& value, const FileName& name) {
+  const SceneMembers members(value, keys::kCamera, problems_);
+  CameraDesc camera{.name = name};
+  values_.read(members["eye"], camera.eye);
+  values_.read(members["look_at"], camera.lookAt);
+  values_.read(members["up"], camera.up);
+  values_.read(members["fov_y"], camera.fovY);
+  values_.read(members["near"], camera.near);
+  values_.readWord(members["type"], keys::kProjections, camera.projection);
+  values_.read(members["height"], camera.height);
+  return camera;
+}
+
+std::string readText(const std::filesystem::path& path) {
+  const auto reject = [&](const std::string& why, std::string hint = {}) {
+    throw Error(ErrorKind::Scene, fmt::format("cannot read the scene file '{}': {}", path.string(), why),
+                std::move(hint));
+  };
+  std::error_code failure;
+  const auto status = std::filesystem::status(path, failure);
+  if (status.type() == std::filesystem::file_type::not_found) reject("there is no such file");
+  if (failure) reject(failure.message());
+  if (std::filesystem::is_directory(status)) reject("it is a directory", "name a file in it");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) reject(std::strerror(errno));
+  std::size_t chunk = std::size_t{1} << 16;
+  if (std::filesystem::is_regular_file(status)) {
+    const std::uintmax_t size = std::filesystem::file_size(path, failure);
+    if (failure) reject(failure.message());
+    if (size > kMaxJsonBytes)
+      reject(fmt::format("it has {} bytes; at most {} are read", size, kMaxJsonBytes));
+    chunk = static_cast<std::size_t>(size) + 1;  // one more: so that the end is seen
+  }
+  std::string text;
+  // A pipe, or a file that grows, is read up to the limit and one chunk more, which the parser then refuses.
+  while (stream && text.size() <= kMaxJsonBytes) {
+    const std::size_t before = text.size();
+    text.resize(before + chunk);
+    stream.read(text.data() + before, static_cast<std::streamsize>(chunk));
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) reject(std::strerror(errno));
+  return text;
+}
+
+}  // namespace
+
+SceneFile parseScene(std::string text, std::string name) {
+  SceneFile file;
+  file.source = {name, std::make_shared<const std::string>(std::move(text))};
+  SceneProblems problems(file.source);
+  {
+    const JsonDocument document(file.source.text);
+    for (const Diagnostic& slip : document.diagnostics()) problems.add(slip.where, slip.message, slip.hint);
+    if (document.complete()) SceneReader(file, problems).readRoot(document.root());
+  }
+  if (problems.any()) {
+    static_cast<void>(constructScene(file, {}, problems, nullptr));  // for what is wrong in its formulas
+    problems.raise();
+  }
+  return file;
+}
+
+SceneFile readSceneFile(const std::filesystem::path& path) {
+  return parseScene(readText(path), path.string());
+}
+
+}  // namespace luxo

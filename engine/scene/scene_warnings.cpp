@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_warnings.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+
+#include "scene/scene_problems.h"
+
+namespace luxo {
+namespace {
+
+using Visit = std::function<void(const Quantity&)>;
+
+void visitAll(std::span<const Quantity> quantities, const Visit& visit) {
+  for (const Quantity& quantity : quantities) visit(quantity);
+}
+
+void visitLet(const std::vector<LetDesc>& let, const Visit& visit) {
+  for (const LetDesc& entry : let) visit(entry.value);
+}
+
+struct ShapeVisitor {
+  const Visit& visit;
+
+  void operator()(std::monostate) const {}
+  void operator()(const NamedShape& shape) const {
+    for (const NamedShape::Argument& argument : shape.arguments) visitAll(argument.values, visit);
+  }
+  void operator()(const FormulaShape& shape) const {
+    visitAll(shape.u, visit);
+    visitAll(shape.v, visit);
+    visitLet(shape.let, visit);
+    visitAll(shape.position, visit);
+  }
+  void operator()(const RevolveShape& shape) const {
+    visitAll(shape.u, visit);
+    visitAll(shape.v, visit);
+    visitLet(shape.let, visit);
+    visit(shape.radius);
+    visit(shape.height);
+  }
+  void operator()(const TubeShape& shape) const {
+    visitAll(shape.u, visit);
+    visitLet(shape.let, visit);
+    visitAll(shape.curve, visit);
+    visit(shape.radius);
+  }
+  void operator()(const BezierShape& shape) const {
+    for (const Quantity3& point : shape.points) visitAll(point, visit);
+  }
+};
+
+void visitCamera(const CameraDesc& camera, const Visit& visit) {
+  visitAll(camera.eye, visit);
+  visitAll(camera.lookAt, visit);
+  visitAll(camera.up, visit);
+  visitAll({{camera.fovY, camera.near, camera.height}}, visit);
+}
+
+void visitNode(const NodeDesc& node, const Visit& visit) {
+  visitAll(node.translate, visit);
+  for (const RotationDesc& rotation : node.rotate) {
+    visitAll(rotation.axis, visit);
+    visit(rotation.angle);
+  }
+  visitAll(node.scale, visit);
+  visit(node.visible);
+  if (!node.light) return;
+  visitAll(node.light->color, visit);
+  visit(node.light->intensity);
+}
+
+/// Where a quotient's divisor is a number that a name or bracket follows without a sign: 1/2u, whose u is
+/// above the line. Empty if there is none.
+SourceRange ambiguousQuotient(std::string_view formula) {
+  const auto at = [&](std::size_t i) { return i < formula.size() ? formula[i] : '\0'; };
+  const auto isDigit = [&](std::size_t i) { return at(i) >= '0' && at(i) <= '9'; };
+  for (std::size_t slash = formula.find('/'); slash != std::string_view::npos;
+       slash = formula.find('/', slash + 1)) {
+    const std::size_t first = formula.find_first_not_of(' ', slash + 1);
+    std::size_t end = first;
+    while (isDigit(end) || at(end) == '.') ++end;
+    if (end == first || end > formula.size()) continue;
+    const bool exponent =
+        (at(end) == 'e' || at(end) == 'E') &&
+        (isDigit(end + 1) || ((at(end + 1) == '-' || at(end + 1) == '+') && isDigit(end + 2)));
+    if (!exponent && (std::isalpha(static_cast<unsigned char>(at(end))) || at(end) == '('))
+      return {slash, end + 1};
+  }
+  return {};
+}
+
+}  // namespace
+
+void forEachQuantity(const SceneFile& file, const Visit& visit) {
+  const RenderDesc& render = file.render;
+  visitAll(render.size, visit);
+  visitAll({{render.time, render.fps, render.samples, render.tolerance}}, visit);
+  visitAll(render.background, visit);
+  visitAll(render.ambient, visit);
+  for (const ParameterDesc& parameter : file.parameters) {
+    visit(parameter.value);
+    if (parameter.range) visitAll(*parameter.range, visit);
+    if (parameter.step) visit(*parameter.step);
+  }
+  for (const MaterialDesc& material : file.materials) {
+    visitAll(material.diffuse, visit);
+    if (material.ambient) visitAll(*material.ambient, visit);
+    visitAll(material.specular, visit);
+    visitAll({{material.shininess, material.opacity}}, visit);
+  }
+  for (const SurfaceDesc& surface : file.surfaces) {
+    std::visit(ShapeVisitor{visit}, surface.shape);
+    if (surface.segments) visitAll(*surface.segments, visit);
+  }
+  for (const NodeDesc& node : file.nodes) visitNode(node, visit);
+  if (file.camera) visitCamera(*file.camera, visit);
+  for (const CameraDesc& camera : file.cameras) visitCamera(camera, visit);
+}
+
+void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
+  std::unordered_set<std::string_view> surfaces, materials;
+  for (const NodeDesc& node : file.nodes) {
+    surfaces.insert(node.surface.text);
+    materials.insert(node.material.text);
+  }
+  const auto unused = [&](const auto& things, const auto& used, std::string_view kind) {
+    for (const auto& thing : things)
+      if (!used.contains(thing.name.text))
+        warnings.push_back(
+            {rangeOf(thing.name.place), fmt::format("no node uses the {} '{}'", kind, thing.name.text), {}});
+  };
+  unused(file.surfaces, surfaces, "surface");
+  unused(file.materials, materials, "material");
+  forEachQuantity(file, [&](const Quantity& quantity) {
+    if (!quantity.isFormula()) return;
+    const SourceRange quotient = ambiguousQuotient(quantity.formula());
+    if (quotient.end > 0)
+      warnings.push_back({rangeIn(quantity, quotient),
+                          "what follows the number is multiplied, not divided by: 1/2u is u/2",
+                          "write 1/(2u), or u/2"});
+  });
+}
+
+}  // namespace luxo

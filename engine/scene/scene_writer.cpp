@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/assert.h"
+#include "base/srgb_curve.h"
+#include "scene/json_writer.h"
+#include "scene/scene_keys.h"
+
+namespace luxo {
+namespace {
+
+JsonText written(const Quantity& quantity) {
+  if (quantity.isFormula()) return JsonText::string(quantity.formula());
+  return JsonText::number(quantity.number());
+}
+
+JsonText written(std::span<const Quantity> quantities) {
+  JsonText array = JsonText::array();
+  for (const Quantity& quantity : quantities) array.add(written(quantity));
+  return array;
+}
+
+/// The 8-bit code of a linear value that is exactly one; -1 for another.
+int exactCode(const Quantity& quantity) {
+  if (quantity.isFormula() || !(quantity.number() >= 0 && quantity.number() <= 1)) return -1;
+  const int code = static_cast<int>(std::lround(255 * srgbFromLinear(quantity.number())));
+  return Quantity(linearFromSrgb(code / 255.0)) == quantity ? code : -1;
+}
+
+/// "#rrggbb" for what was written so (0 and 1 alone could be either), one number for a gray.
+JsonText writtenColor(const Quantity3& color) {
+  if (color[0] == color[1] && color[1] == color[2]) return written(color[0]);
+  int codes[3];
+  bool hex = true, between = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    codes[i] = exactCode(color[i]);
+    hex = hex && codes[i] >= 0;
+    between = between || (codes[i] > 0 && codes[i] < 255);
+  }
+  if (hex && between)
+    return JsonText::string(fmt::format("#{:02x}{:02x}{:02x}", codes[0], codes[1], codes[2]));
+  return written(color);
+}
+
+JsonText written(const std::vector<LetDesc>& let) {
+  JsonText object = JsonText::object();
+  for (const LetDesc& entry : let) object.add(entry.name.text, written(entry.value));
+  return object;
+}
+
+template <class Enum>
+JsonText written(Enum word, std::span<const std::string_view> names) {
+  return JsonText::string(names[static_cast<std::size_t>(word)]);
+}
+
+/// The members of an object that differ from their defaults.
+class Members {
+ public:
+  template <class T>
+  void add(std::string_view key, const T& value, const T& usual) {
+    if (!(value == usual)) object_.add(key, written(value));
+  }
+  void addColor(std::string_view key, const Quantity3& value, const Quantity3& usual) {
+    if (!(value == usual)) object_.add(key, writtenColor(value));
+  }
+  template <class Enum>
+  void addWord(std::string_view key, Enum value, Enum usual, std::span<const std::string_view> names) {
+    if (value != usual) object_.add(key, written(value, names));
+  }
+  void put(std::string_view key, JsonText value) { object_.add(key, std::move(value)); }
+
+  [[nodiscard]] JsonText take() { return std::move(object_); }
+
+ private:
+  JsonText object_ = JsonText::object();
+};
+
+JsonText written(const RenderDesc& render) {
+  const RenderDesc usual;
+  Members members;
+  members.add("size", render.size, usual.size);
+  members.add("time", render.time, usual.time);
+  members.add("fps", render.fps, usual.fps);
+  members.add("samples", render.samples, usual.samples);
+  members.add("tolerance", render.tolerance, usual.tolerance);
+  members.addWord("shading", render.shading, usual.shading, kShadingNames);
+  members.addColor("background", render.background, usual.background);
+  members.addColor("ambient", render.ambient, usual.ambient);
+  return members.take();
+}
+
+JsonText written(const ParameterDesc& parameter) {
+  if (!parameter.range && !parameter.step && parameter.label.empty()) return written(parameter.value);
+  Members members;
+  members.put("value", written(parameter.value));
+  if (parameter.range) members.put("range", written(*parameter.range));
+  if (parameter.step) members.put("step", written(*parameter.step));
+  if (!parameter.label.empty()) members.put("label", JsonText::string(parameter.label));
+  return members.take();
+}
+
+JsonText written(const MaterialDesc& material) {
+  const MaterialDesc usual;
+  Members members;
+  if (material.ambient) members.put("ambient", writtenColor(*material.ambient));
+  members.addColor("diffuse", material.diffuse, usual.diffuse);
+  members.addColor("specular", material.specular, usual.specular);
+  members.add("shininess", material.shininess, usual.shininess);
+  members.add("opacity", material.opacity, usual.opacity);
+  if (material.twoSided != TwoSided::Auto)
+    members.put("two_sided", JsonText::boolean(material.twoSided == TwoSided::Yes));
+  if (material.shading) members.put("shading", JsonText::string(nameOf(*material.shading)));
+  if (material.lectureSpecular) members.put("lecture_specular", JsonText::boolean(true));
+  return members.take();
+}
+
+struct ShapeWriter {
+  Members& members;
+
+  void operator()(std::monostate) const { LUXO_REQUIRE(false && "a surface has a shape"); }
+  void operator()(const NamedShape& shape) const {
+    members.put("type", JsonText::string(shape.type.text));
+    for (const NamedShape::Argument& argument : shape.arguments)
+      members.put(argument.name.text,
+                  argument.values.size() == 1 ? written(argument.values[0]) : written(argument.values));
+  }
+  void operator()(const FormulaShape& shape) const {
+    members.put("type", JsonText::string("formula"));
+    putRanges(shape);
+    if (shape.closed) {
+      JsonText closed = JsonText::array();
+      for (const bool direction : *shape.closed) closed.add(JsonText::boolean(direction));
+      members.put("closed", std::move(closed));
+    }
+    putLet(shape.let);
+    members.put("position", written(shape.position));
+  }
+  void operator()(const RevolveShape& shape) const {
+    members.put("type", JsonText::string("revolve"));
+    putRanges(shape);
+    putLet(shape.let);
+    members.put("radius", written(shape.radius));
+    members.put("height", written(shape.height));
+  }
+  void operator()(const TubeShape& shape) const {
+    members.put("type", JsonText::string("tube"));
+    members.add("u", shape.u, QuantityPair{0, 1});
+    putLet(shape.let);
+    members.put("curve", written(shape.curve));
+    members.put("radius", written(shape.radius));
+  }
+  void operator()(const BezierShape& shape) const {
+    members.put("type", JsonText::string("bezier"));
+    JsonText points = JsonText::array();
+    for (const Quantity3& point : shape.points) points.add(written(point));
+    members.put("control_points", std::move(points));
+    JsonText patches = JsonText::array();
+    for (const auto& patch : shape.patches) {
+      JsonText indices = JsonText::array();
+      for (const std::uint32_t index : patch) indices.add(JsonText::number(index));
+      patches.add(std::move(indices));
+    }
+    members.put("patches", std::move(patches));
+  }
+
+ private:
+  template <class Shape>
+  void putRanges(const Shape& shape) const {
+    members.add("u", shape.u, QuantityPair{0, 1});
+    members.add("v", shape.v, QuantityPair{0, 1});
+  }
+  void putLet(const std::vector<LetDesc>& let) const {
+    if (!let.empty()) members.put("let", written(let));
+  }
+};
+
+JsonText written(const SurfaceDesc& surface) {
+  Members members;
+  std::visit(ShapeWriter{members}, surface.shape);
+  if (surface.segments) members.put("segments", written(*surface.segments));
+  return members.take();
+}
+
+JsonText written(const RotationDesc& rotation) {
+  Members members;
+  members.put("axis", written(rotation.axis));
+  members.put("angle", written(rotation.angle));
+  return members.take();
+}
+
+JsonText written(const std::vector<RotationDesc>& rotations) {
+  if (rotations.size() == 1) return written(rotations[0]);
+  JsonText array = JsonText::array();
+  for (const RotationDesc& rotation : rotations) array.add(written(rotation));
+  return array;
+}
+
+JsonText written(const LightDesc& light) {
+  const LightDesc usual;
+  Members members;
+  members.put("type", written(light.type, keys::kLightTypes));
+  members.addColor("color", light.color, usual.color);
+  members.add("intensity", light.intensity, usual.intensity);
+  members.addWord("attenuation", light.attenuation, usual.attenuation, keys::kAttenuations);
+  members.addWord("shadow", light.shadow, usual.shadow, keys::kShadows);
+  if (!light.casters.empty()) {
+    JsonText casters = JsonText::array();
+    for (const FileName& name : light.casters) casters.add(JsonText::string(name.text));
+    members.put("casters", std::move(casters));
+  }
+  return members.take();
+}
+
+/// A node without its children.
+Members written(const NodeDesc& node) {
+  const NodeDesc usual;
+  Members members;
+  if (!node.name.empty()) members.put("name", JsonText::string(node.name.text));
+  members.add("translate", node.translate, usual.translate);
+  if (!node.rotate.empty()) members.put("rotate", written(node.rotate));
+  members.add("scale", node.scale, usual.scale);
+  members.add("visible", node.visible, usual.visible);
+  if (!node.surface.empty()) members.put("surface", JsonText::string(node.surface.text));
+  if (!node.material.empty()) members.put("material", JsonText::string(node.material.text));
+  if (node.light) members.put("light", written(*node.light));
+  return members;
+}
+
+/// The hierarchy from a list in depth-first order. Takes no recursion, so it takes any depth.
+JsonText written(const std::vector<NodeDesc>& nodes) {
+  struct Open {
+    std::uint32_t node;
+    Members members;
+    JsonText children = JsonText::array();
+  };
+  JsonText roots = JsonText::array();
+  std::vector<Open> open;
+  const auto close = [&] {
+    Open last = std::move(open.back());
+    open.pop_back();
+    if (last.children.size() > 0) last.members.put("children", std::move(last.children));
+    (open.empty() ? roots : open.back().children).add(last.members.take());
+  };
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    while (!open.empty() && open.back().node != nodes[i].parent) close();
+    LUXO_REQUIRE(nodes[i].parent == kNoParent || !open.empty());  // depth first
+    open.push_back({i, written(nodes[i])});
+  }
+  while (!open.empty()) close();
+  return roots;
+}
+
+JsonText written(const CameraDesc& camera) {
+  const CameraDesc usual;
+  Members members;
+  members.add("eye", camera.eye, usual.eye);
+  members.add("look_at", camera.lookAt, usual.lookAt);
+  members.add("up", camera.up, usual.up);
+  members.add("fov_y", camera.fovY, usual.fovY);
+  members.add("near", camera.near, usual.near);
+  members.addWord("type", camera.projection, usual.projection, keys::kProjections);
+  members.add("height", camera.height, usual.height);
+  return members.take();
+}
+
+template <class Desc>
+void putNamed(Members& root, std::string_view key, const std::vector<Desc>& things) {
+  if (things.empty()) return;
+  JsonText object = JsonText::object();
+  for (const Desc& thing : things) object.add(thing.name.text, written(thing));
+  root.put(key, std::move(object));
+}
+
+}  // namespace
+
+std::string writeScene(const SceneFile& file) {
+  Members root;
+  root.put("luxo", JsonText::number(1));
+  if (!(file.render == RenderDesc{})) root.put("render", written(file.render));
+  putNamed(root, "params", file.parameters);
+  putNamed(root, "materials", file.materials);
+  putNamed(root, "surfaces", file.surfaces);
+  if (!file.nodes.empty()) root.put("nodes", written(file.nodes));
+  if (file.camera) root.put("camera", written(*file.camera));
+  putNamed(root, "cameras", file.cameras);
+  return root.take().text() + "\n";
+}
+
+}  // namespace luxo

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/shape_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/assert.h"
+#include "base/error.h"
+#include "scene/formula_set.h"
+#include "surface/bezier.h"
+#include "surface/catalogue.h"
+#include "surface/tube.h"
+
+namespace luxo {
+namespace {
+
+constexpr std::uint32_t kV = 1;
+
+/// The surface of position formulas, at rest for its topology and then free to move.
+Surface assemble(const FormulaSet& formulas, const ExprPoint& position, const Moment& start,
+                 SurfaceTraits traits) {
+  std::vector<Animated<double>> still;
+  for (const Animated<double>& parameter : formulas.parameters()) still.emplace_back(parameter.at(start));
+  const Surface surface(compileSurface(formulas.graph(), position), formulas.domain(), std::move(still),
+                        std::move(traits));
+  return surface.withParameters(formulas.parameters());
+}
+
+std::string shown(const Interval& range) { return fmt::format("{:.4g}..{:.4g}", range.lo, range.hi); }
+
+}  // namespace
+
+Surface ShapeBuilder::build(const SurfaceDesc& desc) {
+  try {
+    Surface surface =
+        std::visit([&](const auto& shape) { return buildShape(desc.name.text, shape); }, desc.shape);
+    if (surface.valid() && warnings_) warn(desc, surface);
+    return surface;
+  } catch (const Error& error) {
+    problems_.add(desc.name.place, error.what(), error.hint());
+    return {};
+  }
+}
+
+Surface ShapeBuilder::buildShape(const std::string&, const NamedShape& shape) {
+  const CatalogueEntry* entry = findCatalogueEntry(shape.type.text);
+  if (!entry) {
+    problems_.add(shape.type.place, fmt::format("unknown surface type '{}'", shape.type.text));
+    return {};
+  }
+  const std::size_t problemsBefore = problems_.count();
+  std::vector<SurfaceArgument> arguments;
+  FilePlace suspect = shape.type.place;
+  for (const NamedShape::Argument& argument : shape.arguments) {
+    SurfaceArgument& made = arguments.emplace_back(SurfaceArgument{argument.name.text, {}});
+    for (const Quantity& value : argument.values) made.components.push_back(formulas_.number(value, kAny));
+    const auto known = std::ranges::find(entry->arguments, argument.name.text, &CatalogueArgument::name);
+    if (known == entry->arguments.end()) continue;
+    for (std::size_t i = 0; i < argument.values.size(); ++i)
+      if (made.components[i].isConstant() ? !known->range.contains(made.components[i].at(0))
+                                          : !known->mayMove())
+        suspect = argument.values[i].place();
+  }
+  if (problems_.count() > problemsBefore) return {};
+  try {
+    return makeSurface(*entry, arguments, {0, *variables_.initial()});
+  } catch (const Error& error) {
+    problems_.add(suspect, error.what(), error.hint());
+    return {};
+  }
+}
+
+Surface ShapeBuilder::buildShape(const std::string& name, const FormulaShape& shape) {
+  const FormulaSet formulas({.formulas = {shape.position.begin(), shape.position.end()},
+                             .let = shape.let,
+                             .u = shape.u,
+                             .v = shape.v},
+                            variables_);
+  formulas.reportTo(problems_);
+  if (!formulas.ok()) return {};
+  const std::vector<Expr>& p = formulas.values();
+  const Surface surface = assemble(formulas, {p[0], p[1], p[2]}, {0, *variables_.initial()}, {.name = name});
+  if (shape.closed) checkClosed(shape, surface);
+  return surface;
+}
+
+void ShapeBuilder::checkClosed(const FormulaShape& shape, const Surface& surface) {
+  const auto joined = [&](Side lower, Side upper) {
+    return std::ranges::any_of(surface.topology().joints, [&](const Joint& joint) {
+      return (joint.a.side == lower && joint.b.side == upper) ||
+             (joint.a.side == upper && joint.b.side == lower);
+    });
+  };
+  const bool found[] = {joined(Side::UMin, Side::UMax), joined(Side::VMin, Side::VMax)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char name = i == 0 ? 'u' : 'v';
+    const Interval& range = i == 0 ? surface.domain().u : surface.domain().v;
+    if ((*shape.closed)[i] && !found[i])
+      problems_.add(shape.closedPlace,
+                    fmt::format("the surface is not closed in {}: its edges at {} = {} and {} = {} differ",
+                                name, name, range.lo, name, range.hi),
+                    "leave \"closed\" out: luxo finds what closes");
+    if (!(*shape.closed)[i] && found[i] && warnings_)
+      warnings_->push_back({rangeOf(shape.closedPlace), fmt::format("the surface is closed in {}", name),
+                            "leave \"closed\" out: luxo finds what closes"});
+  }
+}
+
+Surface ShapeBuilder::buildShape(const std::string& name, const RevolveShape& shape) {
+  const FormulaSet formulas({.formulas = {shape.radius, shape.height},
+                             .let = shape.let,
+                             .u = shape.u,
+                             .v = shape.v,
+                             .whyNoU = "a profile depends on v alone"},
+                            variables_);
+  formulas.reportTo(problems_);
+  if (!formulas.ok()) return {};
+  const Expr radius = formulas.values()[0], height = formulas.values()[1], phi = kTau * formulas.u();
+  return assemble(formulas, {radius * cos(phi), height, -(radius * sin(phi))}, {0, *variables_.initial()},
+                  {.name = name, .revolution = shape.u == QuantityPair{0, 1}});
+}
+
+Surface ShapeBuilder::buildShape(const std::string& name, const TubeShape& shape) {
+  const FormulaSet formulas({.formulas = {shape.curve[0], shape.curve[1], shape.curve[2], shape.radius},
+                             .let = shape.let,
+                             .u = shape.u},
+                            variables_);
+  formulas.reportTo(problems_);
+  if (!formulas.ok()) return {};
+  const std::vector<Expr>& p = formulas.values();
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::ranges::count(variablesOf(formulas.graph(), std::span(&p[i], 1)), kV) > 0) {
+      problems_.add(shape.curve[i].place(), "the curve of a tube cannot depend on v", "only its radius can");
+      return {};
+    }
+  return tube(formulas.graph(), {p[0], p[1], p[2]}, p[3], formulas.domain().u, formulas.parameters(),
+              {.name = name});
+}
+
+Surface ShapeBuilder::buildShape(const std::string& name, const BezierShape& shape) {
+  const std::size_t problemsBefore = problems_.count();
+  std::vector<Vec3> points;
+  for (const Quantity3& point : shape.points) {
+    Vec3& p = points.emplace_back(0);
+    for (int i = 0; i < 3; ++i) p[i] = formulas_.once(point[static_cast<std::size_t>(i)]).value_or(0);
+  }
+  if (problems_.count() > problemsBefore) return {};
+  std::vector<BezierPatch> patches;
+  for (const auto& indices : shape.patches) {
+    BezierPatch& patch = patches.emplace_back();
+    for (std::size_t i = 0; i < patch.size(); ++i) {
+      LUXO_REQUIRE_COMPARE(indices[i], <, points.size());
+      patch[i] = points[indices[i]];
+    }
+  }
+  return bezier(patches, {.name = name});
+}
+
+std::optional<ShapeBuilder::MovingPattern> ShapeBuilder::buildPattern(const Quantity3& color) {
+  if (std::ranges::none_of(color, &Quantity::isFormula)) return std::nullopt;
+  const FormulaSet formulas({.formulas = {color.begin(), color.end()}}, variables_);
+  formulas.reportTo(problems_);
+  if (!formulas.ok()) return MovingPattern{};
+  if (!formulas.varies()) return std::nullopt;
+  const std::vector<Expr>& c = formulas.values();
+  return MovingPattern{Pattern(formulas.graph(), {c[0], c[1], c[2]}, formulas.parameters().size()),
+                       formulas.parameters()};
+}
+
+void ShapeBuilder::warn(const SurfaceDesc& desc, const Surface& surface) {
+  const SourceRange where = rangeOf(desc.name.place);
+  std::vector<double> parameters;
+  for (const Animated<double>& parameter : surface.parameters())
+    parameters.push_back(parameter.at({0, *variables_.initial()}));
+  for (const Domain& hole : surface.holes(parameters))
+    warnings_->push_back({where,
+                          fmt::format("surface '{}' has a hole: its formula has no value in u {}, v {}",
+                                      desc.name.text, shown(hole.u), shown(hole.v)),
+                          "the rest of it is drawn"});
+  if (std::ranges::any_of(surface.patches(),
+                          [](const Patch& p) { return !p.function->guardAtIntegers.empty(); }))
+    warnings_->push_back({where, fmt::format("surface '{}' has kinks or jumps", desc.name.text),
+                          "abs, min, max, floor, sign, mod, clamp, if and comparisons make them"});
+}
+
+}  // namespace luxo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds the surfaces of a scene file, and the patterns of its materials: formulas of u, v and of those
+// parameters that they use.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "scene/moment_formulas.h"
+#include "scene/pattern.h"
+#include "scene/scene_variables.h"
+#include "surface/surface.h"
+
+namespace luxo {
+
+class ShapeBuilder {
+ public:
+  /// `warnings` may be null.
+  ShapeBuilder(const SceneVariables& variables, MomentFormulas& formulas, SceneProblems& problems,
+               std::vector<Diagnostic>* warnings)
+      : variables_(variables), formulas_(formulas), problems_(problems), warnings_(warnings) {}
+
+  /// No surface where something is wrong, which is then among the problems. Topology is that at time 0 with
+  /// the parameters' initial values.
+  [[nodiscard]] Surface build(const SurfaceDesc& surface);
+
+  struct MovingPattern {
+    Pattern pattern;
+    std::vector<Animated<double>> parameters;
+  };
+  /// The pattern of a colour that uses u or v; nothing for another.
+  [[nodiscard]] std::optional<MovingPattern> buildPattern(const Quantity3& color);
+
+ private:
+  class Formulas;
+
+  Surface buildShape(const std::string& name, const NamedShape& shape);
+  Surface buildShape(const std::string& name, const FormulaShape& shape);
+  Surface buildShape(const std::string& name, const RevolveShape& shape);
+  Surface buildShape(const std::string& name, const TubeShape& shape);
+  Surface buildShape(const std::string& name, const BezierShape& shape);
+  Surface buildShape(const std::string&, std::monostate) { return {}; }
+
+  void checkClosed(const FormulaShape& shape, const Surface& surface);
+  void warn(const SurfaceDesc& desc, const Surface& surface);
+
+  const SceneVariables& variables_;
+  MomentFormulas& formulas_;
+  SceneProblems& problems_;
+  std::vector<Diagnostic>* warnings_;
+};
+
+}  // namespace luxo
