@@ -26,13 +26,67 @@ double up(double x, int steps = 1) {
 
 double down(double x, int steps = 1) { return -up(-x, steps); }
 
-/// Outward by `steps`; a NaN bound (infinity minus infinity, zero times infinity) says nothing is known.
-Interval outward(double lo, double hi, int steps = 1) {
-  if (std::isnan(lo) || std::isnan(hi)) return Interval::everything();
-  return {down(lo, steps), up(hi, steps)};
+/// A correctly rounded result.
+struct Rounded {
+  double value;
+  bool exact;
+
+  [[nodiscard]] double lower() const { return exact ? value : down(value); }
+  [[nodiscard]] double upper() const { return exact ? value : up(value); }
+};
+
+/// Knuth's TwoSum: the error of a sum is a double (Knuth, TAOCP 2, 4.2.2). NaN where a sum overflows.
+Rounded add(double a, double b) {
+  const double sum = a + b, part = sum - a;
+  return {sum, (a - (sum - part)) + (b - part) == 0};
 }
 
+/// Places from a number's first binary digit to its last, at most 53; 0 counts as one.
+int digits(double x) {
+  constexpr std::uint64_t kOne = std::uint64_t{1} << 52;
+  return 53 - std::countr_zero((std::bit_cast<std::uint64_t>(x) & (kOne - 1)) | kOne);
+}
+
+/// Whether a product is exact for its factors are short, and it neither overflows nor loses digits.
+bool isExact(double a, double b, double product) {
+  const double size = std::abs(product);
+  return digits(a) + digits(b) <= 53 && size > 0x1p-960 && size < kInfinity;
+}
+
+Rounded multiply(double a, double b) {
+  const double product = a * b;
+  return {product, a == 0 || b == 0 || isExact(a, b, product)};
+}
+
+Rounded divide(double a, double b) {
+  const double quotient = a / b;
+  return {quotient, a == 0 || (quotient * b == a && isExact(quotient, b, a))};
+}
+
+Rounded root(double x) {
+  const double r = std::sqrt(x);
+  return {r, x == 0 || (r * r == x && isExact(r, r, x))};
+}
+
+bool unknown(const Interval& x) { return x.lo == -kInfinity && x.hi == kInfinity; }
+bool unknown(const Interval& x, const Interval& y) { return unknown(x) || unknown(y); }
+bool bounded(const Interval& x) { return x.lo > -kInfinity && x.hi < kInfinity; }
+
 constexpr int kLibrarySteps = 4;
+
+/// Around results of the C library, which have the sign of the exact result; a 0 is exact.
+Interval aroundLibrary(double lo, double hi) {
+  const double least = lo > 0    ? std::max(0.0, down(lo, kLibrarySteps))
+                       : lo == 0 ? 0
+                                 : down(lo, kLibrarySteps);
+  const double most = hi < 0 ? std::min(0.0, up(hi, kLibrarySteps)) : hi == 0 ? 0 : up(hi, kLibrarySteps);
+  return {least, most};
+}
+
+/// Around results that are positive; a 0 has underflowed.
+Interval aroundPositive(double lo, double hi) {
+  return {std::max(0.0, down(lo, kLibrarySteps)), up(hi, kLibrarySteps)};
+}
 
 /// Whether x holds a point `offset + k * period`, k integer; yes when in doubt by rounding. The doubt is 9
 /// roundoffs of the largest magnitude involved; fewer than 4 are lost on the way to either comparison.
@@ -42,47 +96,71 @@ bool holdsPoint(const Interval& x, double offset, double period) {
   return offset + k * period <= x.hi + doubt;
 }
 
+/// Whether the angles are few and small enough to tell a wave's extremes from them.
+bool isPartOfTurn(const Interval& x) { return x.width() < kTau && x.magnitude() < 1e9; }
+
+/// A wave that is `a` and `b` at the ends of x and has its largest value, 1, at `peak`.
+Interval wave(const Interval& x, double a, double b, double peak) {
+  const Interval ends = aroundLibrary(std::min(a, b), std::max(a, b));
+  return {holdsPoint(x, peak - kPi, kTau) ? -1 : std::max(-1.0, ends.lo),
+          holdsPoint(x, peak, kTau) ? 1 : std::min(1.0, ends.hi)};
+}
+
+/// Of an angle so wild that nothing is known but that it is finite, if it is.
+Interval anyWave(const Interval& x) { return bounded(x) ? Interval(-1, 1) : Interval::everything(); }
+
 }  // namespace
 
 Interval operator-(const Interval& x) { return {-x.hi, -x.lo}; }
 
 Interval operator+(const Interval& x, const Interval& y) {
-  if (x == Interval(0)) return y;  // exact: a derivative that vanishes identically stays exactly zero
-  if (y == Interval(0)) return x;
-  return outward(x.lo + y.lo, x.hi + y.hi);
+  const Rounded lo = add(x.lo, y.lo), hi = add(x.hi, y.hi);
+  if (std::isnan(lo.value) || std::isnan(hi.value)) return Interval::everything();
+  return {lo.lower(), hi.upper()};
 }
 
 Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
 Interval operator*(const Interval& x, const Interval& y) {
-  if (x == Interval(0) || y == Interval(0)) return {};  // exact, and 0 * infinity bounds stay meaningful
-  const double a = x.lo * y.lo, b = x.lo * y.hi, c = x.hi * y.lo, d = x.hi * y.hi;
-  if (std::isnan(a) || std::isnan(b) || std::isnan(c) || std::isnan(d)) return Interval::everything();
-  return outward(std::min({a, b, c, d}), std::max({a, b, c, d}));
+  // Somewhere 0 times infinity, or anything at all.
+  if ((!bounded(x) && y.contains(0)) || (!bounded(y) && x.contains(0)) || unknown(x, y))
+    return Interval::everything();
+  if (x.hi <= 0 && x.lo < 0) return -(-x * y);
+  if (y.hi <= 0 && y.lo < 0) return -(x * -y);
+  // Now both reach above 0, or are 0.
+  if (x.lo >= 0 && y.lo >= 0) return {multiply(x.lo, y.lo).lower(), multiply(x.hi, y.hi).upper()};
+  if (x.lo >= 0) return {multiply(x.hi, y.lo).lower(), multiply(x.hi, y.hi).upper()};
+  if (y.lo >= 0) return {multiply(x.lo, y.hi).lower(), multiply(x.hi, y.hi).upper()};
+  return {std::min(multiply(x.lo, y.hi).lower(), multiply(x.hi, y.lo).lower()),
+          std::max(multiply(x.lo, y.lo).upper(), multiply(x.hi, y.hi).upper())};
 }
 
 Interval operator/(const Interval& x, const Interval& y) {
-  if (y.contains(0)) return Interval::everything();
-  return x * outward(1 / y.hi, 1 / y.lo);
+  if (unknown(x, y) || y.contains(0) || (!bounded(x) && !bounded(y))) return Interval::everything();
+  if (y.hi < 0) return -x / -y;
+  return {divide(x.lo, x.lo >= 0 ? y.hi : y.lo).lower(), divide(x.hi, x.hi >= 0 ? y.lo : y.hi).upper()};
 }
 
 Interval hull(const Interval& x, const Interval& y) { return {std::min(x.lo, y.lo), std::max(x.hi, y.hi)}; }
 
 Interval square(const Interval& x) {
-  const double a = x.lo * x.lo, b = x.hi * x.hi;
-  if (x == Interval(0)) return {};
-  const double lowest = x.contains(0) ? 0 : std::min(a, b);
-  return {lowest > 0 ? down(lowest) : 0, up(std::max(a, b))};
+  if (unknown(x)) return x;
+  const double least = x.contains(0) ? 0 : std::min(std::abs(x.lo), std::abs(x.hi)), most = x.magnitude();
+  return {multiply(least, least).lower(), multiply(most, most).upper()};
 }
 
 Interval pow(const Interval& x, int exponent) {
   if (exponent == 0) return {1};
+  if (exponent == 2) return square(x);
   if (exponent < 0) return Interval(1) / pow(x, -exponent);
+  if (unknown(x)) return x;
   // By repeated squaring, rounded as the same power of a number is (formula/operation.h).
   const auto power = [exponent](Interval base) {
-    Interval result(1);
-    for (int n = exponent; n > 0; n >>= 1, base = square(base))
+    Interval result = exponent & 1 ? base : Interval(1);
+    for (int n = exponent >> 1; n > 0; n >>= 1) {
+      base = square(base);
       if (n & 1) result = result * base;
+    }
     return result;
   };
   // An odd power is monotone in x, an even one in |x|.
@@ -91,131 +169,137 @@ Interval pow(const Interval& x, int exponent) {
   return {std::max(0.0, power(least).lo), power(x.magnitude()).hi};
 }
 
+Interval pow(const Interval& x, const Interval& y) {
+  if (unknown(x, y)) return Interval::everything();
+  if (x.lo < 0) {  // only integer powers go on below 0
+    const double exponent = y.lo;
+    if (y.lo != y.hi || std::floor(exponent) != exponent) return Interval::everything();
+    if (exponent < 0) return Interval(1) / pow(x, Interval(-exponent));
+    const Interval size = pow(abs(x), y);
+    if (std::fmod(exponent, 2) == 0) return size;
+    return {-pow(Interval(-x.lo), y).hi, x.hi < 0 ? -pow(Interval(-x.hi), y).lo : pow(Interval(x.hi), y).hi};
+  }
+  if (x.lo == 0 && y.lo < 0) return Interval::everything();
+  // Monotone in each operand: the extremes are at the corners.
+  const double corners[] = {std::pow(x.lo, y.lo), std::pow(x.lo, y.hi), std::pow(x.hi, y.lo),
+                            std::pow(x.hi, y.hi)};
+  const auto [least, most] = std::minmax_element(corners, corners + 4);
+  // 0^y is exactly 0.
+  return {std::max(0.0, down(*least, kLibrarySteps)), x.hi == 0 && y.lo > 0 ? 0 : up(*most, kLibrarySteps)};
+}
+
 Interval sqrt(const Interval& x) {
-  if (x == Interval(0)) return {};
-  if (x.hi < 0 || x.lo < 0) return x.hi < 0 ? Interval::everything() : Interval(0, up(std::sqrt(x.hi)));
-  return {std::max(0.0, down(std::sqrt(x.lo))), up(std::sqrt(x.hi))};
+  if (x.lo < 0) return Interval::everything();
+  return {root(x.lo).lower(), root(x.hi).upper()};
 }
 
 Interval exp(const Interval& x) {
-  const Interval wide = outward(std::exp(x.lo), std::exp(x.hi), kLibrarySteps);
-  return {std::max(0.0, wide.lo), wide.hi};
+  if (unknown(x)) return x;
+  return aroundPositive(std::exp(x.lo), std::exp(x.hi));
 }
 
 Interval log(const Interval& x) {
-  if (x.lo <= 0)
-    return x.hi > 0 ? Interval(-kInfinity, up(std::log(x.hi), kLibrarySteps)) : Interval::everything();
-  return outward(std::log(x.lo), std::log(x.hi), kLibrarySteps);
+  if (x.lo < 0 || x.hi == 0) return Interval::everything();
+  return {x.lo == 0 ? -kInfinity : aroundLibrary(std::log(x.lo), 0).lo, aroundLibrary(0, std::log(x.hi)).hi};
 }
 
 Interval sin(const Interval& x) {
-  if (!(x.width() < kTau) || !(x.magnitude() < 1e9)) return {-1, 1};
-  const double a = std::sin(x.lo), b = std::sin(x.hi);
-  const Interval ends = outward(std::min(a, b), std::max(a, b), kLibrarySteps);
-  return {holdsPoint(x, -kPi / 2, kTau) ? -1 : std::max(-1.0, ends.lo),
-          holdsPoint(x, kPi / 2, kTau) ? 1 : std::min(1.0, ends.hi)};
+  if (!isPartOfTurn(x)) return anyWave(x);
+  return wave(x, std::sin(x.lo), std::sin(x.hi), kPi / 2);
 }
 
 Interval cos(const Interval& x) {
-  if (!(x.width() < kTau) || !(x.magnitude() < 1e9)) return {-1, 1};
-  const double a = std::cos(x.lo), b = std::cos(x.hi);
-  const Interval ends = outward(std::min(a, b), std::max(a, b), kLibrarySteps);
-  return {holdsPoint(x, kPi, kTau) ? -1 : std::max(-1.0, ends.lo),
-          holdsPoint(x, 0, kTau) ? 1 : std::min(1.0, ends.hi)};
+  if (!isPartOfTurn(x)) return anyWave(x);
+  return wave(x, std::cos(x.lo), std::cos(x.hi), 0);
 }
 
 void sinCos(const Interval& x, Interval& sine, Interval& cosine) {
-  const Interval s = sin(x), c = cos(x);
-  sine = s;
-  cosine = c;
+  if (!isPartOfTurn(x)) {
+    sine = cosine = anyWave(x);
+    return;
+  }
+  // Sine and cosine of one angle together cost little more than one.
+  const double s = std::sin(x.lo), c = std::cos(x.lo), t = std::sin(x.hi), d = std::cos(x.hi);
+  const Interval angle = x;  // x may be one of the results
+  sine = wave(angle, s, t, kPi / 2);
+  cosine = wave(angle, c, d, 0);
 }
 
 Interval tan(const Interval& x) {
   if (!(x.width() < kPi) || !(x.magnitude() < 1e9) || holdsPoint(x, kPi / 2, kPi))
     return Interval::everything();
-  return outward(std::tan(x.lo), std::tan(x.hi), kLibrarySteps);
-}
-
-Interval sinh(const Interval& x) { return outward(std::sinh(x.lo), std::sinh(x.hi), kLibrarySteps); }
-
-Interval cosh(const Interval& x) {
-  const double a = std::cosh(x.lo), b = std::cosh(x.hi);
-  const Interval ends = outward(std::min(a, b), std::max(a, b), kLibrarySteps);
-  return {x.contains(0) ? 1 : std::max(1.0, ends.lo), ends.hi};
-}
-
-Interval tanh(const Interval& x) {
-  const Interval wide = outward(std::tanh(x.lo), std::tanh(x.hi), kLibrarySteps);
-  return {std::max(-1.0, wide.lo), std::min(1.0, wide.hi)};
+  return aroundLibrary(std::tan(x.lo), std::tan(x.hi));
 }
 
 Interval asin(const Interval& x) {
   if (x.lo < -1 || x.hi > 1) return Interval::everything();
-  return outward(std::asin(x.lo), std::asin(x.hi), kLibrarySteps);
+  return aroundLibrary(std::asin(x.lo), std::asin(x.hi));
 }
 
 Interval acos(const Interval& x) {
   if (x.lo < -1 || x.hi > 1) return Interval::everything();
-  const Interval wide = outward(std::acos(x.hi), std::acos(x.lo), kLibrarySteps);
-  return {std::max(0.0, wide.lo), wide.hi};
+  return aroundLibrary(std::acos(x.hi), std::acos(x.lo));
 }
 
 Interval atan(const Interval& x) {
-  if (x == Interval::everything()) return x;
-  return outward(std::atan(x.lo), std::atan(x.hi), kLibrarySteps);
+  if (unknown(x)) return x;
+  return aroundLibrary(std::atan(x.lo), std::atan(x.hi));
 }
 
 Interval atan2(const Interval& y, const Interval& x) {
-  if (y == Interval::everything() || x == Interval::everything()) return Interval::everything();
-  // Across the jump every angle is possible; elsewhere the rectangle's extreme directions are two corners.
+  if (unknown(x, y)) return Interval::everything();
+  // Across the jump every angle is possible; elsewhere the extreme directions are two corners.
   if (y.contains(0) && x.lo <= 0) return {down(-kPi), up(kPi)};
   const double corners[] = {std::atan2(y.lo, x.lo), std::atan2(y.lo, x.hi), std::atan2(y.hi, x.lo),
                             std::atan2(y.hi, x.hi)};
   const auto [least, most] = std::minmax_element(corners, corners + 4);
-  return outward(*least, *most, kLibrarySteps);
+  const Interval wide = aroundLibrary(*least, *most);
+  // An angle of 0 has underflowed unless y is 0.
+  return {wide.lo == 0 && y.lo < 0 ? down(0) : wide.lo, wide.hi == 0 && y.hi > 0 ? up(0) : wide.hi};
+}
+
+Interval sinh(const Interval& x) {
+  if (unknown(x)) return x;
+  return aroundLibrary(std::sinh(x.lo), std::sinh(x.hi));
+}
+
+Interval cosh(const Interval& x) {
+  if (unknown(x)) return x;
+  const double a = std::cosh(x.lo), b = std::cosh(x.hi);
+  const Interval ends = aroundPositive(std::min(a, b), std::max(a, b));
+  return {x.contains(0) ? 1 : std::max(1.0, ends.lo), ends.hi};
+}
+
+Interval tanh(const Interval& x) {
+  if (unknown(x)) return x;
+  const Interval wide = aroundLibrary(std::tanh(x.lo), std::tanh(x.hi));
+  return {std::max(-1.0, wide.lo), std::min(1.0, wide.hi)};
 }
 
 Interval abs(const Interval& x) {
-  if (x == Interval::everything() || x.lo >= 0) return x;
+  if (unknown(x) || x.lo >= 0) return x;
   return {x.hi <= 0 ? -x.hi : 0, x.magnitude()};
 }
 
 Interval min(const Interval& x, const Interval& y) {
-  if (x == Interval::everything() || y == Interval::everything()) return Interval::everything();
+  if (unknown(x, y)) return Interval::everything();
   return {std::min(x.lo, y.lo), std::min(x.hi, y.hi)};
 }
 
 Interval max(const Interval& x, const Interval& y) {
-  if (x == Interval::everything() || y == Interval::everything()) return Interval::everything();
+  if (unknown(x, y)) return Interval::everything();
   return {std::max(x.lo, y.lo), std::max(x.hi, y.hi)};
 }
 
 Interval floor(const Interval& x) { return {std::floor(x.lo), std::floor(x.hi)}; }
 
 Interval sign(const Interval& x) {
-  if (x == Interval::everything()) return x;
+  if (unknown(x)) return x;
   const auto signOf = [](double end) { return end > 0 ? 1.0 : end < 0 ? -1.0 : 0.0; };
   return {signOf(x.lo), signOf(x.hi)};
 }
 
-Interval pow(const Interval& x, const Interval& y) {
-  if (x == Interval::everything() || y == Interval::everything()) return Interval::everything();
-  if (x.lo < 0) {
-    // Integer powers go on below 0.
-    const double exponent = y.lo;
-    if (y.lo != y.hi || std::floor(exponent) != exponent) return Interval::everything();
-    if (exponent < 0) return Interval(1) / pow(x, Interval(-exponent));
-    const Interval size = pow(abs(x), y);
-    if (std::fmod(exponent, 2) == 0) return size;
-    return x.hi <= 0 ? -size : Interval(-pow(Interval(-x.lo), y).hi, pow(Interval(x.hi), y).hi);
-  }
-  // Monotone in each operand: the extremes are at the corners.
-  const double corners[] = {std::pow(x.lo, y.lo), std::pow(x.lo, y.hi), std::pow(x.hi, y.lo),
-                            std::pow(x.hi, y.hi)};
-  const auto [least, most] = std::minmax_element(corners, corners + 4);
-  const Interval wide = outward(*least, *most, kLibrarySteps);
-  return {std::max(0.0, wide.lo), wide.hi};
-}
+// An undefined operand compares as false.
 
 Interval less(const Interval& x, const Interval& y) {
   if (x.hi < y.lo) return {1};
@@ -224,8 +308,7 @@ Interval less(const Interval& x, const Interval& y) {
 
 Interval lessEqual(const Interval& x, const Interval& y) {
   if (x.lo > y.hi) return {0};
-  const bool defined = x != Interval::everything() && y != Interval::everything();
-  return defined && x.hi <= y.lo ? Interval(1) : Interval(0, 1);
+  return x.hi <= y.lo && !unknown(x, y) ? Interval(1) : Interval(0, 1);
 }
 
 Interval equal(const Interval& x, const Interval& y) {

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Interval arithmetic in double with outward rounding: the true result of the real operation, over every
-// point of the operands, lies inside the returned interval. Inclusion is what makes a bound a proof.
+// point of the operands, lies inside the returned interval, and so does the result in double. Inclusion is
+// what makes a bound a proof.
 //
-// Rounding: + - * / and sqrt are correctly rounded, so one step outward suffices; the C library's elementary
-// functions are within 1 ulp (glibc manual, "Errors in Math Functions": at most 2 for cosh, sinh, tanh), so
-// they take four. An operation outside its domain (1/0, log of a negative) returns the whole line, never NaN.
+// Rounding: + - * / and sqrt are correctly rounded, so one step outward suffices, and none where they are
+// exact; the C library's elementary functions are within 1 ulp (glibc manual, "Errors in Math Functions": at
+// most 2 for cosh, sinh, tanh), so they take four.
+//
+// everything() means that the result may be anything, undefined (NaN) included: it is what an operation gives
+// that leaves its domain anywhere (1/0, log of a negative), and what every function gives of it. So a bounded
+// result proves that all of it is defined. Only select() forgets it, where it is not chosen. NaN never comes
+// out.
 #pragma once
 
 #include <limits>
