@@ -10,23 +10,11 @@ layout(constant_id = 1) const bool kAsColor = false;
 
 layout(location = 0) sample in vec3 inPosition;
 layout(location = 1) sample in vec3 inNormal;
-layout(location = 2) sample in vec4 inParameters;
-layout(location = 3) sample in float inWeight;
-layout(location = 4) flat in vec2 inCorner;
-layout(location = 5) flat in vec4 inDomain;
-layout(location = 6) flat in vec2 inCell;
-layout(location = 7) flat in uvec2 inFlagsId;
+layout(location = 2) sample in vec2 inParameters;
+layout(location = 3) flat in vec4 inDomain;
+layout(location = 4) flat in uvec2 inFlagsId;
 
 layout(location = 0) out vec4 outValue;
-
-vec2 surfaceParameters() {
-  // The last column is the one whose corner is one cell below the upper end; half a cell of room for rounding.
-  vec2 upperEnd = inDomain.xy + inDomain.zw;
-  bvec2 lastCell = greaterThan(inCorner, upperEnd - 1.5 * inCell);
-  bool upperU = (inFlagsId.x & kSeamU) != 0 && lastCell.x;
-  bool upperV = (inFlagsId.x & kSeamV) != 0 && lastCell.y;
-  return vec2((upperU ? inParameters.z : inParameters.x) / max(inWeight, 1e-6), upperV ? inParameters.w : inParameters.y);
-}
 
 // Colours of neighbouring numbers lie a golden angle apart on the hue circle: any few nodes are told apart.
 vec3 colorOfId(uint id) {
@@ -43,8 +31,7 @@ void main() {
     if ((inFlagsId.x & kTwoSided) != 0 && !gl_FrontFacing) n = -n;
     value = kAsColor ? 0.5 + 0.5 * n : n;
   } else if (kQuantity == 2) {
-    vec2 uv = surfaceParameters();
-    value = vec3(kAsColor ? (uv - inDomain.xy) / inDomain.zw : uv, 0);
+    value = vec3(kAsColor ? (inParameters - inDomain.xy) / inDomain.zw : inParameters, 0);
   } else if (kQuantity == 3) {
     float depth = dot(inPosition, view.forward);
     float nearness = (view.depthRange.y - depth) / max(view.depthRange.y - view.depthRange.x, 1e-30);

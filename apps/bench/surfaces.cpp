@@ -37,11 +37,11 @@ std::vector<double> parametersOf(const Surface& surface) {
   return values;
 }
 
-void tessellateSurface(benchmark::State& state, const Surface& surface, Segments segments) {
+void tessellateSurface(benchmark::State& state, const Surface& surface, const MeshDesc& desc) {
   const std::vector<double> parameters = parametersOf(surface);
   std::size_t vertices = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const Mesh mesh = tessellate(surface, parameters, segments);
+    const Mesh mesh = tessellate(surface, parameters, desc);
     vertices += mesh.positions.size();
     benchmark::DoNotOptimize(mesh.indices.data());
   }
@@ -147,12 +147,12 @@ void evaluateGrid(benchmark::State& state) {
 void registerSurfaces() {
   for (const NamedSurface& named : kSurfaces) {
     const Surface surface = named.make();
-    const Segments needed = segmentsFor(surface, parametersOf(surface), kHalfPixel);
-    const std::pair<const char*, Segments> grids[] = {
-        {"half_pixel", needed}, {"64x64", {64, 64}}, {"256x256", {256, 256}}};
-    for (const auto& [grid, segments] : grids)
+    const std::pair<const char*, MeshDesc> meshes[] = {{"half_pixel", {.tolerance = kHalfPixel}},
+                                                       {"64x64", {.uniform = Segments{64, 64}}},
+                                                       {"256x256", {.uniform = Segments{256, 256}}}};
+    for (const auto& [grid, desc] : meshes)
       benchmark::RegisterBenchmark(fmt::format("tessellate/{}/{}", named.name, grid).c_str(),
-                                   tessellateSurface, surface, segments)
+                                   tessellateSurface, surface, desc)
           ->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(fmt::format("partial_bounds/{}", named.name).c_str(), boundSurface, named)
         ->Unit(benchmark::kMicrosecond);

@@ -16,45 +16,21 @@ namespace {
 
 // Light that is interpolated between vertices needs vertices where light changes, also on flat surfaces.
 constexpr double kGouraudSpacingPx = 12;
-constexpr double kGouraudMostSegments = 128;
 
 Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
 
 bool needsLights(const DrawState& state) {
   return state.output == Output::Color &&
          (state.shading == Shading::Flat || state.shading == Shading::Gouraud ||
-          state.shading == Shading::Phong);
+          state.shading == Shading::Phong || state.shading == Shading::Toon);
 }
 
-/// Longest parameter curves of a surface in either direction, object units, by sampling: a size, not a proof.
-Vec2 curveLengths(const Surface& surface, std::span<const double> parameters) {
-  constexpr int kSamples = 9;
-  const Domain& domain = surface.domain();
-  std::vector<double> u(kSamples), v(kSamples);
-  for (int i = 0; i < kSamples; ++i) {
-    u[i] = domain.u.lo + domain.u.width() * (i + 0.5) / kSamples;
-    v[i] = domain.v.lo + domain.v.width() * (i + 0.5) / kSamples;
-  }
-  const SurfacePoints points = surface.evaluateGrid(u, v, parameters);
-  Vec2 longest(0);
-  for (std::size_t k = 0; k < points.du.size(); ++k)
-    longest = glm::max(longest, Vec2(glm::length(points.du[k]) * domain.u.width(),
-                                     glm::length(points.dv[k]) * domain.v.width()));
-  return longest;
-}
-
-Segments segmentsOf(const SnapshotNode& node, const VisibleNode& visible, Shading shading, const View& view) {
-  if (node.segments) return *node.segments;
-  Segments segments = segmentsFor(node.surface, node.parameters, toleranceLevel(visible.toleranceObject));
-  if (shading != Shading::Gouraud) return segments;
-  const double pixelsPerUnit =
-      visible.stretch * visible.pixelsPerUnit / (view.perspective() ? visible.nearestDepth : 1);
-  const Vec2 wanted = curveLengths(node.surface, node.parameters) * pixelsPerUnit / kGouraudSpacingPx;
-  segments.u =
-      std::max(segments.u, static_cast<std::uint32_t>(std::clamp(wanted.x, 1.0, kGouraudMostSegments)));
-  segments.v =
-      std::max(segments.v, static_cast<std::uint32_t>(std::clamp(wanted.y, 1.0, kGouraudMostSegments)));
-  return segments;
+MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shading shading, const View& view) {
+  MeshDesc desc{.uniform = node.segments, .tolerance = visible.toleranceObject};
+  if (shading == Shading::Gouraud)
+    desc.longestEdge = kGouraudSpacingPx * (view.perspective() ? visible.nearestDepth : 1) /
+                       (visible.stretch * visible.pixelsPerUnit);
+  return desc;
 }
 
 /// How far the mesh of a shade may lie inside its true wall, metres. It does not depend on whether the shade
@@ -143,35 +119,39 @@ class LightSets {
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
 };
 
+bool ambientFollowsPattern(const Material& material) {
+  return material.diffusePattern.valid() && !material.ambient;
+}
+
 std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible, const Material& material,
                       std::uint32_t shadeOf) {
-  const Topology& t = node.surface.topology();
   return (visible.twoSided ? shared::kTwoSided : 0) |
-         (material.lectureSpecular ? shared::kLectureSpecular : 0) | (t.seamU() ? shared::kSeamU : 0) |
-         (t.seamV() ? shared::kSeamV : 0) | (t.collapsedVMin() ? shared::kCollapsedVMin : 0) |
-         (t.collapsedVMax() ? shared::kCollapsedVMax : 0) | shadeOf << shared::kShadeShift;
+         (material.lectureSpecular ? shared::kLectureSpecular : 0) |
+         (ambientFollowsPattern(material) ? shared::kPatternAmbient : 0) |
+         (node.surface.flatNormal() ? shared::kPlane : 0) | shadeOf << shared::kShadeShift;
 }
 
 shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& node,
-                                const VisibleNode& visible, const Mesh& mesh, std::uint32_t shadeOf) {
+                                const VisibleNode& visible, std::uint32_t shadeOf) {
   const Material& material = snapshot.materials[node.material.index];
   const Domain& domain = node.surface.domain();
   const Mat3 normals = normalMatrix(node.worldFromObject.linear);
   double largest = 0;
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normals[column][row]));
-  return {.relativeFromObject = Mat3f(node.worldFromObject.linear),
-          .translation = toFloat(node.worldFromObject.translation - snapshot.view.eye),
-          .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
-          .ambient = toFloat(material.ambientOrDiffuse() * snapshot.ambient),
-          .diffuse = toFloat(material.diffuse),
-          .specular = toFloat(material.specular),
-          .shininess = static_cast<float>(material.shininess),
-          .opacity = static_cast<float>(material.opacity),
-          .flags = flagsOf(node, visible, material, shadeOf),
-          .id = node.number,
-          .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width()),
-          .cell = Vec2f(domain.u.width() / mesh.segments.u, domain.v.width() / mesh.segments.v)};
+  return {
+      .relativeFromObject = Mat3f(node.worldFromObject.linear),
+      .translation = toFloat(node.worldFromObject.translation - snapshot.view.eye),
+      .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
+      .ambient = toFloat(ambientFollowsPattern(material) ? snapshot.ambient
+                                                         : material.ambientOrDiffuse() * snapshot.ambient),
+      .diffuse = toFloat(material.diffuse),
+      .specular = toFloat(material.specular),
+      .shininess = static_cast<float>(material.shininess),
+      .opacity = static_cast<float>(material.opacity),
+      .flags = flagsOf(node, visible, material, shadeOf),
+      .id = node.number,
+      .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width())};
 }
 
 shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) {
@@ -260,24 +240,42 @@ class DrawLister {
 
   Item itemOf(const VisibleNode& v, bool blended) {
     const SnapshotNode& node = snapshot_.nodes[v.node];
-    const Shading shading = snapshot_.materials[node.material.index].shading.value_or(options_.shading);
+    const Material& material = snapshot_.materials[node.material.index];
+    const Shading shading = material.shading.value_or(options_.shading);
     Item item;
     DrawBatch& batch = item.batch;
     batch.state = {.shading = shading, .output = options_.output, .blended = blended};
-    batch.mesh = meshes_.get(node.surface, node.parameters, segmentsOf(node, v, shading, snapshot_.view));
+    batch.mesh = meshes_.get(node.surface, node.parameters, meshDescOf(node, v, shading, snapshot_.view));
     batch.culling = cullingOf(v, options_);
     batch.flat = node.surface.flatNormal().has_value();
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
     LightSets::Choice lights;
-    if (needsLights(batch.state))
+    if (needsLights(batch.state)) {
       lights = lightSets_.choose(std::span(visible_.lights).subspan(v.firstLight, v.lightCount), node);
+      batch.state.pattern = material.diffusePattern;
+    }
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
-    item.instance = instanceOf(snapshot_, node, v, *batch.mesh, lights.shadeOf);
+    item.instance = instanceOf(snapshot_, node, v, lights.shadeOf);
+    if (batch.state.pattern.valid())
+      item.instance.firstPatternParameter = patternParametersOf(node.material.index);
     list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
     return item;
+  }
+
+  /// Where the parameters of a material's pattern start; listed when first asked for.
+  std::uint32_t patternParametersOf(std::uint32_t material) {
+    std::vector<float>& all = list_.patternParameters;
+    const auto [entry, isNew] =
+        firstParameterOf_.try_emplace(material, static_cast<std::uint32_t>(all.size()));
+    if (isNew) {
+      const auto& parameters = snapshot_.materials[material].patternParameters;
+      all.insert(all.end(), parameters.begin(), parameters.end());
+      if (all.empty()) all.push_back(0);  // something to bind
+    }
+    return entry->second;
   }
 
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
@@ -305,6 +303,7 @@ class DrawLister {
   MeshCache& meshes_;
   DrawList list_;
   LightSets lightSets_;
+  std::map<std::uint32_t, std::uint32_t> firstParameterOf_;
 };
 
 }  // namespace

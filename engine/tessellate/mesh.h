@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "math/vec.h"
-#include "surface/segments.h"
 
 namespace luxo {
 
 /// Indexed triangle list in object space, metres, double. Front faces (counter-clockwise from outside) follow
-/// the surface's outward normal. The first vertex of every triangle lies in the lower-left corner of its
-/// parameter cell as far as that corner is not collapsed, which lets a shader tell which column and row a
-/// triangle belongs to.
+/// the surface's outward normal. Where edges of the surface are joined there is a vertex for each, with the
+/// same bits of position and with its own parameters; where an edge is one point, there is a vertex for every
+/// triangle that ends there. So parameters can be interpolated in every triangle, and there are no cracks.
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< unit, outward, exact at the vertex; the limit at poles
-  std::vector<Vec2>
-      parameters;  ///< (u, v) of each vertex; at a seam the lower end's, at a pole an arbitrary u
+  std::vector<Vec3> normals;     ///< unit, outward, exact at the vertex; the limit at poles
+  std::vector<Vec2> parameters;  ///< (u, v) of each vertex; at poles the middle of the triangle's
   std::vector<std::uint32_t> indices;
-  Segments segments;
-  double bound =
-      0;  ///< proven: no point of the surface is farther (object units) from its own cell's triangles
+  /// Proven: no point of the surface is farther (object units) from its own triangle, and no point of a
+  /// triangle from its own point of the surface. Infinite where nothing could be proven.
+  double bound = 0;
+  /// Triangles that are missing because the formula has no finite value at a corner.
+  std::uint64_t dropped = 0;
 
   [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
 };

@@ -6,6 +6,17 @@
 #include <numbers>
 
 namespace luxo {
+namespace {
+
+constexpr std::size_t kMostMaps = 64;
+
+template <class Entries>
+auto leastRecentlyUsed(Entries& entries) {
+  return std::min_element(entries.begin(), entries.end(),
+                          [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; });
+}
+
+}  // namespace
 
 double toleranceLevel(double tolerance) {
   if (!(tolerance > 0 && std::isfinite(tolerance))) return tolerance;
@@ -16,13 +27,32 @@ double toleranceLevel(double tolerance) {
   return between <= tolerance ? between : power;
 }
 
+const CurvatureMap& MeshCache::mapOf(const Surface& surface, const Shape& shape) {
+  auto found = maps_.find(shape);
+  if (found == maps_.end()) {
+    // Of an animated surface every frame has its own.
+    if (maps_.size() >= kMostMaps) maps_.erase(leastRecentlyUsed(maps_));
+    found = maps_.emplace(shape, MapEntry{surface, CurvatureMap(surface, shape.parameters)}).first;
+  }
+  found->second.lastUse = ++uses_;
+  return found->second.map;
+}
+
 std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<const double> parameters,
-                                           Segments segments) {
-  segments = atLeastMinimal(surface, segments);
-  Key key{surface.identity(), {parameters.begin(), parameters.end()}, segments.u, segments.v};
+                                           const MeshDesc& desc) {
+  Key key{.shape = {surface.identity(), {parameters.begin(), parameters.end()}}};
+  if (desc.uniform) {
+    key.uniform = *desc.uniform;
+  } else {
+    key.tolerance = toleranceLevel(desc.tolerance);
+    key.longestEdge = toleranceLevel(desc.longestEdge);
+  }
   auto found = entries_.find(key);
   if (found == entries_.end()) {
-    auto mesh = std::make_shared<const Mesh>(tessellate(surface, parameters, segments));
+    auto mesh = std::make_shared<const Mesh>(
+        desc.uniform ? tessellate(surface, parameters, desc)
+                     : tessellate(surface, parameters, mapOf(surface, key.shape),
+                                  {.tolerance = key.tolerance, .longestEdge = key.longestEdge}));
     ++tessellated_;
     vertices_ += mesh->positions.size();
     found = entries_.emplace(std::move(key), Entry{surface, std::move(mesh)}).first;
@@ -35,9 +65,7 @@ std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<con
 
 void MeshCache::evict() {
   while (vertices_ > mostVertices_ && entries_.size() > 1) {
-    const auto oldest = std::min_element(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
-      return a.second.lastUse < b.second.lastUse;
-    });
+    const auto oldest = leastRecentlyUsed(entries_);
     vertices_ -= oldest->second.mesh->positions.size();
     entries_.erase(oldest);
   }

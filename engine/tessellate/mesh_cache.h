@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes by (surface, parameter values, segments): what was tessellated once is not tessellated again.
+// Meshes by (surface, parameter values, level of detail): what was tessellated once is not tessellated again.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "surface/surface.h"
+#include "tessellate/curvature_map.h"
 #include "tessellate/mesh.h"
 #include "tessellate/tessellator.h"
 
@@ -26,23 +27,49 @@ class MeshCache {
  public:
   explicit MeshCache(std::size_t mostVertices = std::size_t{1} << 22) : mostVertices_(mostVertices) {}
 
+  /// The mesh for the levels of the tolerance and of the longest edge.
   [[nodiscard]] std::shared_ptr<const Mesh> get(const Surface& surface, std::span<const double> parameters,
-                                                Segments segments);
+                                                const MeshDesc& desc);
 
   /// Meshes made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return tessellated_; }
 
  private:
-  using Key = std::tuple<const void*, std::vector<double>, std::uint32_t, std::uint32_t>;
+  /// A surface at certain values of its parameters.
+  struct Shape {
+    const void* surface = nullptr;
+    std::vector<double> parameters;
+
+    friend auto operator<=>(const Shape&, const Shape&) = default;
+  };
+  struct Key {
+    Shape shape;
+    Segments uniform;  ///< 0 x 0: none
+    double tolerance = 0, longestEdge = 0;
+
+    friend bool operator<(const Key& a, const Key& b) {
+      const auto order = [](const Key& k) {
+        return std::tie(k.shape, k.uniform.u, k.uniform.v, k.tolerance, k.longestEdge);
+      };
+      return order(a) < order(b);
+    }
+  };
   struct Entry {
     Surface surface;  ///< keeps the identity in the key alive
     std::shared_ptr<const Mesh> mesh;
     std::uint64_t lastUse = 0;
   };
+  struct MapEntry {
+    Surface surface;
+    CurvatureMap map;
+    std::uint64_t lastUse = 0;
+  };
 
+  const CurvatureMap& mapOf(const Surface& surface, const Shape& shape);
   void evict();
 
   std::map<Key, Entry> entries_;
+  std::map<Shape, MapEntry> maps_;
   std::size_t mostVertices_, vertices_ = 0;
   std::uint64_t uses_ = 0, tessellated_ = 0;
 };

@@ -31,10 +31,8 @@ LUXO_CONSTANT kMostLights = 32;  // that may reach one object
 // Instance flags.
 LUXO_CONSTANT kTwoSided = 1;         // the normal turns toward the viewer
 LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
-LUXO_CONSTANT kSeamU = 4;            // u wraps: the first column's vertices also close the last
-LUXO_CONSTANT kSeamV = 8;
-LUXO_CONSTANT kCollapsedVMin = 16;  // the whole edge is one point, where u has no value
-LUXO_CONSTANT kCollapsedVMax = 32;
+LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times InstanceData::ambient
+LUXO_CONSTANT kPlane = 8;            // all in one plane
 LUXO_CONSTANT kShadeShift = 8;  // bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
 
 struct ViewData {
@@ -56,7 +54,7 @@ struct InstanceData {
   uint flags;
   uint id;      // the node's number in file order, from 1
   vec4 domain;  // u and v at the lower corner, width in u and v
-  vec2 cell;    // width of one cell of the mesh in u and v
+  uint firstPatternParameter;  // of the material's pattern, in the buffer of them all
 };
 
 struct LightData {
@@ -79,7 +77,7 @@ struct LightSet {
 
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
-static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 160 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 }  // namespace luxo::shared
 #endif
 #endif

@@ -72,7 +72,7 @@ TEST_F(Gouraud, InteriorIsThePerspectiveCorrectMix) {
 
   for (const Node& node : {tilted, coarse}) {
     const Image image = draw(litScene(node), camera, kSize, {.shading = Shading::Gouraud}).image;
-    const Mesh mesh = tessellate(node.surface, {}, *node.segments);
+    const Mesh mesh = tessellate(node.surface, {}, {.uniform = node.segments});
     const Rotation turn = node.rotation.at(0);
     const Mat3 worldFromObject = rotation(turn.axis, turn.angle);
     std::vector<Vec3> places, colors;

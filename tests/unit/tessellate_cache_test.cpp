@@ -12,6 +12,8 @@
 namespace luxo {
 namespace {
 
+MeshDesc grid(std::uint32_t u, std::uint32_t v) { return {.uniform = Segments{u, v}}; }
+
 TEST(ToleranceLevel, IsThePowerOfSqrt2AtOrBelow) {
   EXPECT_EQ(toleranceLevel(1), 1);
   EXPECT_EQ(toleranceLevel(0.9), std::numbers::sqrt2 / 2);
@@ -48,27 +50,39 @@ TEST(ToleranceLevel, IsItsOwnLevelAndNeverAboveItsTolerance) {
 TEST(MeshCache, TheSameKeyIsTheSameMesh) {
   MeshCache cache;
   const Surface ball = sphere(1), copy = ball, other = sphere(1);
-  const auto mesh = cache.get(ball, {}, {20, 10});
+  const auto mesh = cache.get(ball, {}, grid(20, 10));
   EXPECT_EQ(cache.tessellated(), 1u);
-  EXPECT_EQ(cache.get(ball, {}, {20, 10}), mesh);
-  EXPECT_EQ(cache.get(copy, {}, {20, 10}), mesh);
+  EXPECT_EQ(cache.get(ball, {}, grid(20, 10)), mesh);
+  EXPECT_EQ(cache.get(copy, {}, grid(20, 10)), mesh);
   EXPECT_EQ(cache.tessellated(), 1u);
-  EXPECT_NE(cache.get(ball, {}, {20, 11}), mesh);
-  EXPECT_NE(cache.get(ball, {}, {10, 20}), mesh);
-  EXPECT_NE(cache.get(other, {}, {20, 10}), mesh);
+  EXPECT_NE(cache.get(ball, {}, grid(20, 11)), mesh);
+  EXPECT_NE(cache.get(ball, {}, grid(10, 20)), mesh);
+  EXPECT_NE(cache.get(other, {}, grid(20, 10)), mesh);
   EXPECT_EQ(cache.tessellated(), 4u);
-  EXPECT_EQ(cache.get(ball, {}, {20, 10}), mesh);
-  // Below the least that works is the least.
-  EXPECT_EQ(cache.get(ball, {}, {1, 1}), cache.get(ball, {}, {3, 2}));
-  EXPECT_EQ(cache.tessellated(), 5u);
+  EXPECT_EQ(cache.get(ball, {}, grid(20, 10)), mesh);
+}
+
+TEST(MeshCache, ALevelIsOneMesh) {
+  MeshCache cache;
+  const Surface ball = sphere(1);
+  const auto mesh = cache.get(ball, {}, {.tolerance = 0.0115});
+  EXPECT_LE(mesh->bound, toleranceLevel(0.0115));
+  EXPECT_EQ(cache.get(ball, {}, {.tolerance = 0.0125}), mesh);
+  EXPECT_NE(cache.get(ball, {}, {.tolerance = 0.02}), mesh);
+  EXPECT_NE(cache.get(ball, {}, {.tolerance = 0.0115, .longestEdge = 0.1}), mesh);
+  EXPECT_EQ(cache.get(ball, {}, {.tolerance = 0.0121}), mesh);
+  EXPECT_EQ(cache.tessellated(), 3u);
+  // What is kept between levels does not show: a fresh cache makes the same mesh.
+  EXPECT_EQ(MeshCache().get(ball, {}, {.tolerance = 0.02})->positions,
+            cache.get(ball, {}, {.tolerance = 0.02})->positions);
 }
 
 TEST(MeshCache, GivesWhatTheTessellatorMakes) {
   MeshCache cache;
   const Surface s = flag();
   const std::vector<double> parameters{0.5};
-  const auto cached = cache.get(s, parameters, {16, 1});
-  const Mesh mesh = tessellate(s, parameters, {16, 1});
+  const auto cached = cache.get(s, parameters, grid(16, 1));
+  const Mesh mesh = tessellate(s, parameters, grid(16, 1));
   EXPECT_EQ(cached->positions, mesh.positions);
   EXPECT_EQ(cached->indices, mesh.indices);
   EXPECT_EQ(cached->bound, mesh.bound);
@@ -77,7 +91,7 @@ TEST(MeshCache, GivesWhatTheTessellatorMakes) {
 TEST(MeshCache, ParametersBelongToTheKey) {
   MeshCache cache;
   const Surface s = flag();
-  const auto at = [&](double phase) { return cache.get(s, std::vector{phase}, {16, 1}); };
+  const auto at = [&](double phase) { return cache.get(s, std::vector{phase}, grid(16, 1)); };
   const auto mesh = at(0);
   EXPECT_NE(at(0.1), mesh);
   EXPECT_EQ(at(0), mesh);
@@ -88,24 +102,24 @@ TEST(MeshCache, ForgetsTheLeastRecentlyUsedBeyondItsBudget) {
   // A plate of n x 1 has 2 (n + 1) vertices: the budget holds two of 100.
   MeshCache cache(450);
   const Surface plate = rectangle(1, 1);
-  const auto a = cache.get(plate, {}, {99, 1}), b = cache.get(plate, {}, {98, 1});
-  EXPECT_EQ(cache.get(plate, {}, {99, 1}), a);
-  const auto c = cache.get(plate, {}, {97, 1});  // b is the oldest now
+  const auto a = cache.get(plate, {}, grid(99, 1)), b = cache.get(plate, {}, grid(98, 1));
+  EXPECT_EQ(cache.get(plate, {}, grid(99, 1)), a);
+  const auto c = cache.get(plate, {}, grid(97, 1));  // b is the oldest now
   EXPECT_EQ(cache.tessellated(), 3u);
-  EXPECT_EQ(cache.get(plate, {}, {99, 1}), a);
-  EXPECT_EQ(cache.get(plate, {}, {97, 1}), c);
+  EXPECT_EQ(cache.get(plate, {}, grid(99, 1)), a);
+  EXPECT_EQ(cache.get(plate, {}, grid(97, 1)), c);
   EXPECT_EQ(cache.tessellated(), 3u);
   EXPECT_EQ(b->positions.size(), 198u) << "a mesh in use outlives its place in the cache";
-  EXPECT_NE(cache.get(plate, {}, {98, 1}), b);
+  EXPECT_NE(cache.get(plate, {}, grid(98, 1)), b);
   EXPECT_EQ(cache.tessellated(), 4u);
 }
 
 TEST(MeshCache, KeepsTheMeshJustAskedForWhateverItsSize) {
   MeshCache cache(1);
   const Surface plate = rectangle(1, 1);
-  const auto mesh = cache.get(plate, {}, {50, 50});
+  const auto mesh = cache.get(plate, {}, grid(50, 50));
   EXPECT_EQ(mesh->positions.size(), 51u * 51);
-  EXPECT_EQ(cache.get(plate, {}, {50, 50}), mesh);
+  EXPECT_EQ(cache.get(plate, {}, grid(50, 50)), mesh);
   EXPECT_EQ(cache.tessellated(), 1u);
 }
 
@@ -113,7 +127,7 @@ TEST(MeshCache, NeverMistakesANewSurfaceForADeadOne) {
   // The cache keeps the surface of a key alive, so that no address is used twice.
   MeshCache cache;
   for (int i = 1; i <= 50; ++i) {
-    const auto mesh = cache.get(rectangle(i, 1), {}, {1, 1});
+    const auto mesh = cache.get(rectangle(i, 1), {}, grid(1, 1));
     EXPECT_EQ(mesh->positions[0].x, -i / 2.0);
   }
   EXPECT_EQ(cache.tessellated(), 50u);
