@@ -14,6 +14,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kMostLevels = 5;     // of the map
 constexpr std::uint32_t kDeepestLevel = 10;  // of what is looked at to make it
+/// Half a turn is bounded no better than a whole one, nor is a quarter: that says nothing about the eighth.
+constexpr std::uint32_t kBlindLevels = 3;
 constexpr std::size_t kMostLeaves = 1024, kFewestLeaves = 16;
 constexpr double kGoodEnough = 0.05;  // more triangles than sharper bounds would give
 
@@ -25,8 +27,8 @@ Curvature larger(const Curvature& a, const Curvature& b) {
 struct Leaf {
   Tile tile;
   Curvature bound;
-  double excess = 0;                            ///< triangles above what its middle alone would need
-  double gainU = kInfinity, gainV = kInfinity;  ///< expected of splitting across u, across v
+  double excess = 0;            ///< triangles above what its middle alone would need
+  double gainU = 0, gainV = 0;  ///< expected of splitting across u, across v
 
   bool operator<(const Leaf& other) const { return excess < other.excess; }
 };
@@ -112,7 +114,9 @@ class PatchExplorer {
 
   void split(const Leaf& leaf) {
     const bool proven = leaf.bound.proven();
-    bool acrossU = leaf.gainU != leaf.gainV ? leaf.gainU > leaf.gainV : leaf.tile.levelU <= leaf.tile.levelV;
+    const double gainU = leaf.tile.levelU < kBlindLevels ? kInfinity : leaf.gainU;
+    const double gainV = leaf.tile.levelV < kBlindLevels ? kInfinity : leaf.gainV;
+    bool acrossU = gainU != gainV ? gainU > gainV : leaf.tile.levelU <= leaf.tile.levelV;
     if (!splittable(leaf.tile, acrossU, proven)) acrossU = !acrossU;
     std::array<Leaf, 2> halves;
     for (std::size_t i = 0; i < 2; ++i) halves[i] = look(leaf.tile.halves(acrossU)[i]);
