@@ -78,7 +78,7 @@ std::optional<Vec3> limitAlong(const SurfaceFunction& function, const Domain& do
     change = glm::length(table[3] - before);
   }
   if (change < kConverged) return unit(table[3]);
-  for (const int exponent : {-44, -30, -20})
+  for (const int exponent : {-38, -30, -20})
     if (const auto normal = normalAt(std::ldexp(1.0, exponent))) return normal;
   return unit(table[3]);
 }
