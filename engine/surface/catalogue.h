@@ -32,9 +32,10 @@ struct CatalogueArgument {
   ArgumentKind kind = ArgumentKind::Length;
   std::vector<double> initial;  ///< used where the author says nothing; its size = how many numbers it takes
   Interval range;               ///< what each number may be, ends included
+  bool fixed = false;           ///< must be constant, because the surface is not one formula of it
 
   /// Whether it may be a formula of time and parameters.
-  [[nodiscard]] bool mayMove() const { return kind != ArgumentKind::Count; }
+  [[nodiscard]] bool mayMove() const { return !fixed && kind != ArgumentKind::Count; }
 };
 
 /// A value of the argument `name`; as many components as the table asks for, each constant or moving.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "surface/catalogue_inputs.h"
+#include "surface/teapot.h"
 
 namespace luxo {
 namespace {
@@ -51,6 +52,8 @@ Surface makeFlag(const SurfaceInputs& in) {
   return in.surface(point(in("width") * in.u(), in("height") * in.v(),
                           in("depth") * sin(in("waves") * in.u() + in("phase"))));
 }
+
+Surface makeTeapot(const SurfaceInputs& in) { return teapot(*in.constant("height")); }
 
 constexpr Interval kAnyLength{-kLengthRange.hi, kLengthRange.hi};
 constexpr Interval kRadiusOrApex{0, kLengthRange.hi};
@@ -133,6 +136,15 @@ std::vector<CatalogueEntry> elementarySurfaces() {
                      angle("waves", 8, "phase from one end of the width to the other", {-1e6, 1e6}),
                      angle("phase", 0, "of the waves at u = 0", {-1e12, 1e12})},
        .make = makeFlag},
+      {.name = "teapot",
+       .summary = "the Utah teapot, standing on the origin, spout toward +X",
+       .equation = "32 bicubic Bezier patches",
+       .source = "Newell 1975, bottom by Crow, height as Blinn drew it",
+       .arguments =
+           {{"height", "to the top of the knob", ArgumentKind::Length, {kTeapotHeight}, kLengthRange, true}},
+       .eulerCharacteristic = 2,
+       .make = makeTeapot},
+
   };
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces with one side. Domains are chosen so that each edge is glued to a whole edge, forwards or
 // backwards, and what collapses to a point is an edge.
+#include <cmath>
+
 #include "surface/catalogue_inputs.h"
 
 namespace luxo {
@@ -42,36 +44,25 @@ Surface makeBoy(const SurfaceInputs& in) {
                             w * (root2 * sin(2 * p) * s2 + sin(p) * twice), w * (3 * s2)));
 }
 
-/// A complex number of two expressions.
-struct Complex {
-  Expr re, im;
-};
-Complex operator+(const Complex& x, const Complex& y) { return {x.re + y.re, x.im + y.im}; }
-Complex operator*(Expr k, const Complex& x) { return {k * x.re, k * x.im}; }
-/// x times the conjugate of y.
-Complex timesConjugate(const Complex& x, const Complex& y) {
-  return {x.re * y.re + x.im * y.im, x.im * y.re - x.re * y.im};
-}
-Expr norm(const Complex& x) { return x.re * x.re + x.im * x.im; }
-
-/// g / |g|^2 with g = (-3/2 Im z(1 - z^4)/d, -3/2 Re z(1 + z^4)/d, Im (1 + z^6)/d - 1/2) and
-/// d = z^6 + sqrt5 z^3 - 1 runs to infinity where d = 0. Written out with G = g |d|^2, |G|^2 is divisible by
-/// |d|^2 because 9 z^6 - (1 + z^6)^2 = -d e with e = z^6 - sqrt5 z^3 - 1; what is left, w, is never 0.
+/// S = g / |g|^2 with g = (-3/2 Im z(1 - z^4)/d, -3/2 Re z(1 + z^4)/d, Im (1 + z^6)/d - 1/2), z = r e^(i phi)
+/// and d = z^6 + sqrt5 z^3 - 1, where g runs to infinity at the zeros of d. With g = (x, y, up) / |d|^2,
+/// |(x, y, up)|^2 is divisible by |d|^2, because 9 z^6 - (1 + z^6)^2 = -d (z^6 - sqrt5 z^3 - 1): S is
+/// (x, y, up) / w. In polar form all four are sums of waves; w is at least 1/4.
 Surface makeBryantKusner(const SurfaceInputs& in) {
-  const Expr r = in.v();
-  const auto power = [&](int n) { return pow(r, n) * Complex{cos(n * in.phi()), sin(n * in.phi())}; };
+  const Expr r = in.v(), phi = in.phi(), r3 = pow(r, 3), r6 = r3 * r3, r12 = r6 * r6;
   const double root5 = std::sqrt(5.0);
-  const Complex one{1, 0}, z = power(1), z3 = power(3), z5 = power(5), z6 = power(6);
-  const Complex d = z6 + root5 * z3 + -1 * one, e = z6 + -root5 * z3 + -1 * one;
-  const Complex first = z + -1 * z5, second = z + z5, third = one + z6;
-  const Expr up = timesConjugate(third, d).im, d2 = norm(d);
-  const Expr w =
-      1.125 * (norm(first) + norm(second)) + 0.5 * (norm(third) - timesConjugate(e, d).re) - up + 0.25 * d2;
+  const Expr once = r * (1 - pow(r, 10)), twice = root5 * (pow(r, 4) * (1 + pow(r, 4))),
+             fivefold = pow(r, 5) * (1 - r * r), threefold = root5 * (r3 * (1 - r6));
+  const Expr x = 1.5 * (once * sin(phi) + twice * sin(2 * phi) - fivefold * sin(5 * phi));
+  const Expr y = 1.5 * (once * cos(phi) - twice * cos(2 * phi) + fivefold * cos(5 * phi));
+  const Expr up = threefold * (cos(3 * phi) - sin(3 * phi)) + r6 * (cos(6 * phi) - 2 * sin(6 * phi)) -
+                  0.5 * (1 + r12 + 5 * r6);
+  const Expr s = sin(3 * phi - std::atan(0.5));
+  const Expr w = 0.25 * (1 + r12) + 2.25 * (r * r * (1 + pow(r, 8))) + r6 * (6.25 - 5 * (s * s)) +
+                 (0.5 * root5) * (threefold * s);
   const Expr k = in("scale") / w;
-  const auto position = upright(k * (-1.5 * timesConjugate(first, d).im),
-                                k * (-1.5 * timesConjugate(second, d).re), k * (up - 0.5 * d2));
   // Opposite points of the border are one: half of the border is glued to the other half.
-  return in.patchwork(position, {{{{0, 0.5}, {0, 1}}}, {{{0.5, 1}, {0, 1}}}});
+  return in.patchwork(upright(k * x, k * y, k * up), {{{{0, 0.5}, {0, 1}}}, {{{0.5, 1}, {0, 1}}}});
 }
 
 }  // namespace

@@ -134,6 +134,7 @@ void addElementary(std::vector<CatalogueReference>& all) {
        .position = [](Real u, Real v) { return Point(3 * u, 2 * v, 0.2L * std::sin(8 * u + 0.7L)); },
        .normal = [](Real u, Real) { return Point(-1.6L * std::cos(8 * u + 0.7L), 0, 3); },
        .gaussianCurvature = 0});
+  all.push_back({.label = "teapot", .entry = "teapot", .smooth = false});
 }
 
 void addAlgebraic(std::vector<CatalogueReference>& all) {

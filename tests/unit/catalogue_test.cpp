@@ -63,7 +63,7 @@ class CatalogueReferences : public testing::TestWithParam<CatalogueReference> {}
 TEST_P(CatalogueReferences, PositionsAreThoseOfTheLiterature) {
   const Surface surface = surfaceOf(GetParam());
   const double extent = extentOf(surface);
-  ASSERT_TRUE(GetParam().position || GetParam().residual);
+
   double worst = 0, worstResidual = 0;
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
     const Parameters at = gridOn(surface.patchDomain(patch), surface.patchCount() > 2 ? 4 : 24, true);
