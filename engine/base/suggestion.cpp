@@ -39,7 +39,7 @@ std::string closestName(std::string_view typed, std::span<const std::string> can
   for (const std::string& candidate : candidates) {
     const std::size_t slips = slipsBetween(typed, candidate);
     if (slips > std::max<std::size_t>(1, candidate.size() / 3)) continue;
-    if (slips >= candidate.size()) continue;
+    if (slips >= std::min(typed.size(), candidate.size())) continue;
     if (!best.empty() && slips >= fewest) continue;
     best = candidate;
     fewest = slips;

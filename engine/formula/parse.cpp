@@ -4,12 +4,10 @@
 #include "formula/parse.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
-#include "base/suggestion.h"
 #include "formula/names.h"
 #include "formula/token.h"
 #include "formula/vocabulary.h"
@@ -142,16 +140,22 @@ class Parser {
     take();
     const Expr b = sum();
     a = compare(tokens_[operation].kind, a, b);
+    if (isComparison(kind())) chainedComparison(first, operation);
+    return a;
+  }
+
+  void chainedComparison(std::size_t first, std::size_t operation) {
+    const std::size_t chained = next_;
+    take();
+    sum();
+    const std::string_view left = between(first, chained), right = between(operation + 1, next_);
+    const bool isLong = isComparison(kind()) || left.size() + right.size() > 60;
+    report(tokens_[chained].where, "comparisons cannot be chained",
+           isLong ? "write a product of comparisons" : fmt::format("write ({})*({})", left, right));
     while (isComparison(kind())) {
-      const std::size_t chained = next_;
       take();
       sum();
-      const std::string_view left = between(first, chained), right = between(operation + 1, next_);
-      report(tokens_[chained].where, "comparisons cannot be chained",
-             left.size() + right.size() < 60 ? fmt::format("write ({})*({})", left, right)
-                                             : "write a product of two comparisons");
     }
-    return a;
   }
 
   Expr sum() {
@@ -185,9 +189,18 @@ class Parser {
     const Token& left = previous();
     const Token& right = peek();
     if (left.kind == TokenKind::Number && right.kind == TokenKind::Number)
-      return report(right.where, "two numbers in a row", "write an operator between them");
+      return report(right.where, "two numbers in a row",
+                    fmt::format("write an operator between them, or no space: {}{}", shortened(left.text),
+                                shortened(right.text)));
+    broken();
+    if (isUnknown(left) || isUnknown(right)) return;  // "u and v": the name is the mistake
     report(right.where, "an operator is missing before this",
            fmt::format("to multiply, write '{}*{}'", shortened(left.text), shortened(right.text)));
+  }
+
+  bool isUnknown(const Token& token) const {
+    return token.kind == TokenKind::Name && !findFunction(token.text) && !findConstant(token.text) &&
+           !names_.find(token.text);
   }
 
   Expr signedPower() {
@@ -272,46 +285,52 @@ class Parser {
     report(open.where, fmt::format("this '{}' is never closed", open.text), "add the ')' that belongs to it");
   }
 
-  void strayComma() {
-    const bool decimal = next_ > 0 && previous().kind == TokenKind::Number &&
-                         tokens_[next_ + 1].kind == TokenKind::Number &&
-                         previous().where.end + 1 == tokens_[next_ + 1].where.begin;
-    report(peek().where, "a comma that separates no arguments",
-           decimal ? fmt::format("decimals take a point: {}.{}", shortened(previous().text),
-                                 shortened(tokens_[next_ + 1].text))
-                   : "");
+  void strayComma() { report(peek().where, "a comma that separates no arguments", decimalHint(next_)); }
+
+  // What to say about a comma between digits; empty elsewhere.
+  std::string decimalHint(std::size_t comma) const {
+    if (comma == 0 || tokens_[comma].kind != TokenKind::Comma) return {};
+    const Token &left = tokens_[comma - 1], &right = tokens_[comma + 1];
+    const bool decimal = left.kind == TokenKind::Number && right.kind == TokenKind::Number &&
+                         left.where.end + 1 == right.where.begin;
+    return decimal ? fmt::format("decimals take a point: {}.{}", shortened(left.text), shortened(right.text))
+                   : std::string();
   }
 
   Expr call() {
     const Level level(*this);
     if (level.isTooDeep()) return tooDeep();
+    const std::size_t first = next_;
     const Token& name = take();
     const FormulaFunction* function = findFunction(name.text);
     if (!function) unknownFunction(name);
     const Token& open = take();
     std::vector<Expr> arguments;
+    bool complete = true;
     if (kind() != TokenKind::Close && kind() != TokenKind::End) {
-      arguments.push_back(formula());
-      while (kind() == TokenKind::Comma) {
-        take();
+      do {
+        if (!arguments.empty()) take();
+        complete = complete && kind() != TokenKind::Comma && kind() != TokenKind::Close;
         arguments.push_back(formula());
-      }
+      } while (kind() == TokenKind::Comma);
     }
-    const bool closed = kind() == TokenKind::Close;
+    complete = complete && kind() == TokenKind::Close;
     close(open);
-    if (!function || !closed) return broken();
+    if (!function || !complete) return broken();
     const std::size_t count = arguments.size();
     if (function->more ? count >= function->arguments : count == function->arguments)
       return function->build(arguments);
-    wrongCount(*function, name, count);
+    wrongCount(*function, first, count);
     return broken();
   }
 
-  void wrongCount(const FormulaFunction& function, const Token& name, std::size_t count) {
+  void wrongCount(const FormulaFunction& function, std::size_t first, std::size_t count) {
     std::string hint = fmt::format("write {}", function.signature);
     if (function.name == "atan" && count == 2) hint = "the angle of a point is atan2(y, x)";
     if (function.name == "log" && count == 2) hint = "a logarithm to another base is log(x)/log(base)";
-    report({name.where.begin, previous().where.end},
+    for (std::size_t i = first; i < next_ && count > function.arguments; ++i)
+      if (std::string decimal = decimalHint(i); !decimal.empty()) hint = std::move(decimal);
+    report({tokens_[first].where.begin, previous().where.end},
            fmt::format("{} takes {}{} argument{}, not {}", function.name, function.more ? "at least " : "",
                        function.arguments, function.arguments == 1 ? "" : "s", count),
            std::move(hint));
@@ -332,40 +351,32 @@ class Parser {
                                                                                 : broken();
   }
 
-  // "sin u" and "sin^2(u)" are how it is written on paper.
+  // "sin u", "sin^2(u)" and "sin^-1(u)" are how it is written on paper.
   Expr functionWithoutBrackets(const FormulaFunction& function, const Token& name) {
+    const bool simple = function.arguments == 1;
+    const bool beside = simple && (kind() == TokenKind::Name || kind() == TokenKind::Number);
     std::string hint = fmt::format("write {}", function.signature);
-    const bool beside = kind() == TokenKind::Name || kind() == TokenKind::Number;
-    if (beside) hint = fmt::format("did you mean '{}({})'?", function.name, shortened(peek().text));
-    if (kind() == TokenKind::Power) hint = fmt::format("a power of {0} is {0}(x)^2", function.name);
-    report(name.where, fmt::format("the function '{}' needs its argument in brackets", name.text),
-           std::move(hint));
+    if (simple && kind() == TokenKind::Power) {
+      const std::string inverse = fmt::format("a{}", function.name);
+      hint = tokens_[next_ + 1].kind == TokenKind::Minus && findFunction(inverse)
+                 ? fmt::format("the inverse of {} is {}(x)", function.name, inverse)
+                 : fmt::format("a power of {0} is {0}(x)^2", function.name);
+    }
+    if (beside) {
+      const bool product = kind() == TokenKind::Number && tokens_[next_ + 1].kind == TokenKind::Name;
+      hint = fmt::format("did you mean '{}({}{})'?", function.name, shortened(peek().text),
+                         product ? shortened(tokens_[next_ + 1].text) : "");
+    }
+    report(name.where, fmt::format("the function '{}' needs brackets", name.text), std::move(hint));
     if (beside) power();
+    if (!simple) giveUp();  // nobody knows how far its arguments reach
     return broken();
   }
 
   void unknownValue(const Token& name, const FormulaNames::Entry* absent) {
     const std::string shown = shortened(name.text);
     if (absent) return report(name.where, fmt::format("'{}' is not known here", shown), absent->text);
-    report(name.where, fmt::format("unknown name '{}'", shown), hintForValue(name.text));
-  }
-
-  std::string hintForValue(std::string_view name) const {
-    const std::vector<std::string> values = names_.values();
-    const auto meant = [](std::string_view what) { return fmt::format("did you mean '{}'?", what); };
-    if (const std::string product = asProduct(name, values); !product.empty()) return meant(product);
-    if (const std::string_view advice = adviceFor(name); !advice.empty()) return std::string(advice);
-    const std::string_view letters = name.substr(0, name.find_last_not_of("0123456789") + 1);
-    if (std::find(values.begin(), values.end(), letters) != values.end()) {
-      const std::string_view digits = name.substr(letters.size());
-      return fmt::format("did you mean '{0}^{1}' or '{1}*{0}'?", letters, digits);
-    }
-    if (const std::string call = asCall(name, values, false); !call.empty()) return meant(call);
-    constexpr std::size_t kLongestTypo = 64, kMostListed = 16;
-    if (name.size() <= kLongestTypo)
-      if (const std::string closest = closestName(name, values); !closest.empty()) return meant(closest);
-    return values.size() <= kMostListed ? fmt::format("known here: {}", fmt::join(values, ", "))
-                                        : std::string();
+    report(name.where, fmt::format("unknown name '{}'", shown), hintForValue(name.text, names_.values()));
   }
 
   void unknownFunction(const Token& name) {
@@ -376,21 +387,8 @@ class Parser {
     if (value)
       return report(name.where, fmt::format("'{}' is a value, not a function", shown),
                     fmt::format("to multiply, write '{}*('", shown));
-    report(name.where, fmt::format("unknown function '{}'", shown), hintForFunction(name.text));
-  }
-
-  std::string hintForFunction(std::string_view name) const {
-    const std::vector<std::string> values = names_.values();
-    if (const std::string_view advice = adviceFor(name); !advice.empty()) return std::string(advice);
-    if (const std::string split = asCall(name, values, true); !split.empty())
-      return fmt::format("did you mean '{}('?", split);
-    if (const std::string product = asProduct(name, values); !product.empty())
-      return fmt::format("did you mean '{}*('?", product);
-    std::vector<std::string> functions;
-    for (const FormulaFunction& function : formulaFunctions()) functions.emplace_back(function.name);
-    constexpr std::size_t kLongestTypo = 64;
-    const std::string all = fmt::format("functions: {}", listed(functions));
-    return name.size() <= kLongestTypo ? didYouMean(name, functions, all) : all;
+    report(name.where, fmt::format("unknown function '{}'", shown),
+           hintForFunction(name.text, names_.values()));
   }
 
   std::string_view text_;

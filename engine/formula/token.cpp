@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <span>
 
@@ -42,7 +43,7 @@ constexpr Operator kOperators[] = {
     {",", TokenKind::Comma},
     {"<", TokenKind::Less},
     {">", TokenKind::Greater},
-    {"=", TokenKind::Equal, "a comparison is written '=='"},
+    {"=", TokenKind::Equal, "write only what stands on its right; a comparison is '=='"},
     {"[", TokenKind::Open, "brackets are round: ( )"},
     {"]", TokenKind::Close, "brackets are round: ( )"},
     {"{", TokenKind::Open, "brackets are round: ( )"},
@@ -50,7 +51,7 @@ constexpr Operator kOperators[] = {
     {"%", TokenKind::Bad, "a remainder is mod(a, b), a percentage a division by 100"},
     {"&", TokenKind::Bad, "'and' is a product: (u < 1)*(v < 1)"},
     {"|", TokenKind::Bad, "an absolute value is abs(x)"},
-    {"!", TokenKind::Bad, "'not' is a comparison with 0: (u < 1) == 0"},
+    {"!", TokenKind::Bad, "'not' is a comparison with 0: (u < 1) == 0; there are no factorials"},
     {"?", TokenKind::Bad, "write if(condition, a, b)"},
     {":", TokenKind::Bad, "write if(condition, a, b)"},
     {";", TokenKind::Comma, "arguments are separated by ','"},
@@ -90,9 +91,9 @@ constexpr Symbol kSymbols[] = {
     {U'\u00b2', TokenKind::Power, "^2", 2},
     {U'\u00b3', TokenKind::Power, "^3", 3},
     {U'\u2074', TokenKind::Power, "^4", 4},
-    {U'\u00bd', TokenKind::Number, "(1/2)", 0.5},
-    {U'\u00bc', TokenKind::Number, "(1/4)", 0.25},
-    {U'\u00be', TokenKind::Number, "(3/4)", 0.75},
+    {U'\u00bd', TokenKind::Number, "0.5", 0.5},
+    {U'\u00bc', TokenKind::Number, "0.25", 0.25},
+    {U'\u00be', TokenKind::Number, "0.75", 0.75},
     {U'\u03c0', TokenKind::Name, "pi"},
     {U'\u03c4', TokenKind::Name, "tau"},
     {U'\u00b0', TokenKind::Name, "deg"},
@@ -154,6 +155,13 @@ class Tokenizer {
     diagnostics_.push_back({{at_, at_ + bytes}, std::move(message), std::move(hint)});
   }
 
+  // A pair of quotes, a pair of wrong brackets: one advice for both.
+  void reportOnce(std::size_t bytes, std::string message, std::string_view hint) {
+    const auto says = [&](const Diagnostic& d) { return d.hint == hint; };
+    if (hint.empty() || std::none_of(diagnostics_.begin(), diagnostics_.end(), says))
+      report(bytes, std::move(message), std::string(hint));
+  }
+
   std::size_t digitsFrom(std::size_t begin) const {
     std::size_t end = begin;
     while (end < text_.size() && isDigit(text_[end])) ++end;
@@ -191,7 +199,19 @@ class Tokenizer {
   void name() {
     std::size_t end = at_;
     while (end < text_.size() && (isLetter(text_[end]) || isDigit(text_[end]))) ++end;
+    if (end + 1 < text_.size() && text_[end] == '.' && isLetter(text_[end + 1])) return prefix(end);
     add(TokenKind::Name, end - at_);
+  }
+
+  // "math.sin": read as "sin".
+  void prefix(std::size_t dot) {
+    const std::string_view left = text_.substr(at_, dot - at_);
+    std::size_t end = dot + 1;
+    while (end < text_.size() && (isLetter(text_[end]) || isDigit(text_[end]))) ++end;
+    const std::string right = shortened(text_.substr(dot + 1, end - dot - 1));
+    report(dot + 1 - at_, "a '.' inside a name",
+           fmt::format("write '{}' alone, or '{}*{}' for a product", right, shortened(left), right));
+    at_ = dot + 1;
   }
 
   // Whatever follows is LaTeX as well: one error says it all.
@@ -208,7 +228,7 @@ class Tokenizer {
     for (const Operator& known : kOperators) {
       if (!text_.substr(at_).starts_with(known.text)) continue;
       if (!known.hint.empty())
-        report(known.text.size(), fmt::format("unexpected '{}'", known.text), std::string(known.hint));
+        reportOnce(known.text.size(), fmt::format("unexpected '{}'", known.text), known.hint);
       return add(known.kind, known.text.size());
     }
     const unsigned char c = static_cast<unsigned char>(text_[at_]);
@@ -223,8 +243,9 @@ class Tokenizer {
     const Utf8Character c = decodeUtf8(text_, at_);
     const std::string_view bytes = text_.substr(at_, c.bytes);
     if (!c.valid) {
-      report(1, fmt::format("the byte 0x{:02x} is not text (UTF-8)", static_cast<unsigned char>(bytes[0])),
-             "save the file as UTF-8");
+      reportOnce(1,
+                 fmt::format("the byte 0x{:02x} is not text (UTF-8)", static_cast<unsigned char>(bytes[0])),
+                 "save the file as UTF-8");
       return add(TokenKind::Bad, 1);
     }
     for (const Symbol& known : kSymbols)
@@ -237,16 +258,19 @@ class Tokenizer {
 
   void symbol(const Symbol& known, std::string_view bytes) {
     if (known.text.empty()) {
-      report(bytes.size(),
-             fmt::format("an invisible character that is no space (U+{:04X})",
-                         static_cast<std::uint32_t>(known.point)),
-             "delete it, or write a plain space");
+      reportOnce(bytes.size(),
+                 fmt::format("an invisible character that is no space (U+{:04X})",
+                             static_cast<std::uint32_t>(known.point)),
+                 "delete it, or write a plain space");
       at_ += bytes.size();
       return;
     }
     const bool literal = known.kind != TokenKind::Bad;
-    report(bytes.size(), fmt::format("unexpected '{}'", bytes),
-           literal ? fmt::format("write '{}'", known.text) : fmt::format("write {}", known.text));
+    const std::string message = fmt::format("unexpected '{}'", bytes);
+    if (literal)
+      report(bytes.size(), message, fmt::format("write '{}'", known.text));
+    else
+      reportOnce(bytes.size(), message, fmt::format("write {}", known.text));
     add(known.kind, bytes.size(), known.number);
     if (known.kind == TokenKind::Name) tokens_.back().text = known.text;
     if (known.kind == TokenKind::Power)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formula/vocabulary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
+
+#include "base/suggestion.h"
 
 namespace luxo {
 namespace {
@@ -137,6 +141,7 @@ constexpr Advice kAdvice[] = {
 };
 
 constexpr std::size_t kLongestProduct = 32;  // a longer name is no product of letters
+constexpr std::size_t kLongestTypo = 64;     // nor is a longer one a slip
 
 std::string lowered(std::string_view text) {
   std::string result(text);
@@ -167,6 +172,38 @@ std::string fewestFactors(std::string_view text, std::span<const std::string> va
   return best.back().factors == 0 ? std::string() : best.back().product;
 }
 
+// What to write for a name that other languages have; empty when it is none.
+std::string_view adviceFor(std::string_view name) {
+  const std::string known = lowered(name);
+  for (const Advice& advice : kAdvice)
+    if (advice.name == known) return advice.hint;
+  return {};
+}
+
+// A name as a product of values; empty when it is none.
+std::string asProduct(std::string_view name, std::span<const std::string> values) {
+  return name.size() > kLongestProduct ? std::string() : fewestFactors(name, values);
+}
+
+// A name as a function beside its argument, "vsinu" -> "v*sin(u)", or where a bracket follows behind a
+// factor: "vsin" -> "v*sin". Empty when it is neither.
+std::string asCall(std::string_view name, std::span<const std::string> values, bool bracketFollows) {
+  if (name.size() > kLongestProduct) return {};
+  for (const FormulaFunction& function : kFunctions) {
+    for (std::size_t at = name.find(function.name); at != name.npos; at = name.find(function.name, at + 1)) {
+      const std::string_view before = name.substr(0, at), after = name.substr(at + function.name.size());
+      if (after.empty() != bracketFollows || (bracketFollows && before.empty())) continue;
+      const std::string factor = fewestFactors(before, values), argument = fewestFactors(after, values);
+      if (factor.empty() != before.empty() || argument.empty() != after.empty()) continue;
+      return (factor.empty() ? "" : factor + "*") + std::string(function.name) +
+             (bracketFollows ? "" : "(" + argument + ")");
+    }
+  }
+  return {};
+}
+
+std::string meant(std::string_view what) { return fmt::format("did you mean '{}'?", what); }
+
 }  // namespace
 
 std::span<const FormulaFunction> formulaFunctions() { return kFunctions; }
@@ -184,30 +221,27 @@ const FormulaConstant* findConstant(std::string_view name) {
   return found == std::end(kConstants) ? nullptr : found;
 }
 
-std::string_view adviceFor(std::string_view name) {
-  const std::string known = lowered(name);
-  for (const Advice& advice : kAdvice)
-    if (advice.name == known) return advice.hint;
-  return {};
+std::string hintForValue(std::string_view name, const std::vector<std::string>& values) {
+  if (const std::string product = asProduct(name, values); !product.empty()) return meant(product);
+  if (const std::string_view advice = adviceFor(name); !advice.empty()) return std::string(advice);
+  const std::string_view letters = name.substr(0, name.find_last_not_of("0123456789") + 1);
+  if (std::find(values.begin(), values.end(), letters) != values.end())
+    return fmt::format("did you mean '{0}^{1}' or '{1}*{0}'?", letters, name.substr(letters.size()));
+  if (const std::string call = asCall(name, values, false); !call.empty()) return meant(call);
+  if (name.size() <= kLongestTypo)
+    if (const std::string closest = closestName(name, values); !closest.empty()) return meant(closest);
+  constexpr std::size_t kMostListed = 16;
+  return values.size() <= kMostListed ? "known here: " + listed(values) : std::string();
 }
 
-std::string asProduct(std::string_view name, std::span<const std::string> values) {
-  return name.size() > kLongestProduct ? std::string() : fewestFactors(name, values);
-}
-
-std::string asCall(std::string_view name, std::span<const std::string> values, bool bracketFollows) {
-  if (name.size() > kLongestProduct) return {};
-  for (const FormulaFunction& function : kFunctions) {
-    for (std::size_t at = name.find(function.name); at != name.npos; at = name.find(function.name, at + 1)) {
-      const std::string_view before = name.substr(0, at), after = name.substr(at + function.name.size());
-      if (after.empty() != bracketFollows || (bracketFollows && before.empty())) continue;
-      const std::string factor = fewestFactors(before, values), argument = fewestFactors(after, values);
-      if (factor.empty() != before.empty() || argument.empty() != after.empty()) continue;
-      return (factor.empty() ? "" : factor + "*") + std::string(function.name) +
-             (bracketFollows ? "" : "(" + argument + ")");
-    }
-  }
-  return {};
+std::string hintForFunction(std::string_view name, const std::vector<std::string>& values) {
+  if (const std::string_view advice = adviceFor(name); !advice.empty()) return std::string(advice);
+  if (const std::string split = asCall(name, values, true); !split.empty()) return meant(split + "(");
+  if (const std::string product = asProduct(name, values); !product.empty()) return meant(product + "*(");
+  std::vector<std::string> functions;
+  for (const FormulaFunction& function : kFunctions) functions.emplace_back(function.name);
+  const std::string all = "functions: " + listed(functions);
+  return name.size() <= kLongestTypo ? didYouMean(name, functions, all) : all;
 }
 
 }  // namespace luxo

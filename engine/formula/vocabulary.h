@@ -31,15 +31,11 @@ struct FormulaConstant {
 [[nodiscard]] std::span<const FormulaConstant> formulaConstants();
 [[nodiscard]] const FormulaConstant* findConstant(std::string_view name);
 
-/// What to write for a name that other languages have; empty when it is none.
-[[nodiscard]] std::string_view adviceFor(std::string_view name);
+/// What was probably meant by a name that nobody knows, where `values` are those that have one: "uv" -> did
+/// you mean 'u*v'? "sinu" -> 'sin(u)', "ln" -> 'log', "sped" -> 'speed'. Empty when there is nothing to say.
+[[nodiscard]] std::string hintForValue(std::string_view name, const std::vector<std::string>& values);
 
-/// `name` as a product of the names in `values`: "uv" -> "u*v", "2uv" -> "2*u*v". Empty when it is none.
-[[nodiscard]] std::string asProduct(std::string_view name, std::span<const std::string> values);
-
-/// `name` as a function beside its argument, "sinu" -> "sin(u)", "vsinu" -> "v*sin(u)"; or, where a bracket
-/// follows, behind a factor: "usin" -> "u*sin". Empty when it is neither.
-[[nodiscard]] std::string asCall(std::string_view name, std::span<const std::string> values,
-                                 bool bracketFollows);
+/// The same before a bracket: "vsin" -> 'v*sin(', "arcsin" -> 'asin'.
+[[nodiscard]] std::string hintForFunction(std::string_view name, const std::vector<std::string>& values);
 
 }  // namespace luxo

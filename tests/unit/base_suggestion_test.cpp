@@ -25,6 +25,7 @@ TEST(Suggestion, OneLetterIsNotASlipAwayFromEveryOther) {
   EXPECT_EQ(closestName("w", names), "");
   EXPECT_EQ(closestName("U", names), "u");
   EXPECT_EQ(closestName("po", names), "pi");
+  EXPECT_EQ(closestName("i", names), "");
 }
 
 }  // namespace

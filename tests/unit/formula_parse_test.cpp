@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -272,6 +273,8 @@ struct Mistake {
   std::string_view hint;  // a part of it; empty: there is none
 };
 
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.text; }
+
 // One mistake, one error, at its place.
 class FormulaMistakes : public testing::TestWithParam<Mistake> {};
 
@@ -321,6 +324,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"pi(2)", 0, 2, "'pi' is a value, not a function", "write 'pi*('"},
                     Mistake{"inf", 0, 3, "unknown name 'inf'", "no infinity"},
                     Mistake{"NaN", 0, 3, "unknown name 'NaN'", "a number as its value"},
+                    Mistake{"u and v", 2, 5, "unknown name 'and'", "'and' is a product"},
+                    Mistake{"not u", 0, 3, "unknown name 'not'", "comparison with 0"},
+                    Mistake{"i + 1", 0, 1, "unknown name 'i'", "known here"},
+                    Mistake{"f(u)", 0, 1, "unknown function 'f'", "functions: sin"},
+                    Mistake{"math.sin(u)", 0, 5, "a '.' inside a name", "write 'sin' alone"},
+                    Mistake{"u.v", 0, 2, "a '.' inside a name", "'u*v' for a product"},
                     Mistake{"true", 0, 4, "unknown name 'true'", "write 1"}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -332,10 +341,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"atan(u, v)", 0, 10, "atan takes 1 argument, not 2", "atan2(y, x)"},
                     Mistake{"log(u, 2)", 0, 9, "log takes 1 argument, not 2", "log(x)/log(base)"},
                     Mistake{"if(u<1, 2)", 0, 10, "if takes 3 arguments, not 2", "if(condition, a, b)"},
-                    Mistake{"sin u", 0, 3, "the function 'sin' needs its argument in brackets", "'sin(u)'"},
-                    Mistake{"2sin", 1, 4, "the function 'sin' needs its argument in brackets", "sin(x)"},
-                    Mistake{"sin^2(u)", 0, 3, "the function 'sin' needs its argument in brackets",
-                            "sin(x)^2"},
+                    Mistake{"sin u", 0, 3, "the function 'sin' needs brackets", "'sin(u)'"},
+                    Mistake{"2sin", 1, 4, "the function 'sin' needs brackets", "sin(x)"},
+                    Mistake{"sin^2(u)", 0, 3, "the function 'sin' needs brackets", "sin(x)^2"},
+                    Mistake{"tan^-1(u)", 0, 3, "the function 'tan' needs brackets", "atan(x)"},
+                    Mistake{"sin 45deg", 0, 3, "the function 'sin' needs brackets", "'sin(45deg)'"},
+                    Mistake{"max u v", 0, 3, "the function 'max' needs brackets", "max(a, b, ...)"},
+                    Mistake{"if u<0 then 1 else 2", 0, 2, "the function 'if' needs brackets", "if(condition"},
+                    Mistake{"sin(0,5)", 0, 8, "sin takes 1 argument, not 2", "decimals take a point: 0.5"},
+                    Mistake{"sin(u,)", 5, 6, "an argument is missing behind this comma", ""},
                     Mistake{"min(u,,v)", 5, 6, "an argument is missing behind this comma", ""},
                     Mistake{"min(,u,v)", 4, 5, "an argument is missing before this comma", ""},
                     Mistake{"min(u,v,)", 7, 8, "an argument is missing behind this comma", ""}));
@@ -374,6 +388,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"0<u<1", 3, 4, "comparisons cannot be chained", "write (0<u)*(u<1)"},
         Mistake{"0 <= 2u < k+1", 8, 9, "comparisons cannot be chained", "(0 <= 2u)*(2u < k+1)"},
         Mistake{"u**2", 1, 3, "unexpected '**'", "'^'"}, Mistake{"u = 1", 2, 3, "unexpected '='", "'=='"},
+        Mistake{"|u|", 0, 1, "unexpected '|'", "abs(x)"},
+        Mistake{"'u'", 0, 1, "unexpected '\''", "no quotes"},
+        Mistake{"u<0 ? 1 : 2", 4, 5, "unexpected '?'", "if(condition, a, b)"},
+        Mistake{"sin[u]", 3, 4, "unexpected '['", "round"},
+        Mistake{"0<u<v<1<2", 3, 4, "comparisons cannot be chained", "a product of comparisons"},
         Mistake{"u<1 && v<1", 4, 6, "unexpected '&&'", "product: (u < 1)*(v < 1)"},
         Mistake{"u<1 || v<1", 4, 6, "unexpected '||'", "maximum"},
         Mistake{"!(u<1)", 0, 1, "unexpected '!'", "== 0"},
@@ -419,7 +438,7 @@ TEST(FormulaErrors, AllIndependentOnesAreReported) {
   EXPECT_EQ(placesIn("sin(a, b) + c"), (Places{0, 4, 7, 12}));
   EXPECT_EQ(placesIn("(u + ) * (v * ) + w"), (Places{3, 12, 18}));
   EXPECT_EQ(placesIn("min(u v, q) + 1 2"), (Places{6, 9, 16}));
-  EXPECT_EQ(placesIn("\u201cu\u00d7q\u201d"), (Places{0, 4, 6, 7}));
+  EXPECT_EQ(placesIn("\u201cu\u00d7q\u201d"), (Places{0, 4, 6}));
   EXPECT_EQ(placesIn("u) + q"), (Places{1, 5}));
   EXPECT_EQ(placesIn("(u + q"), (Places{0, 5}));
 }
