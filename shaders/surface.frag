@@ -1,53 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light per fragment, with the interpolated normal (Phong shading) or the facet's own (flat shading).
-// Out: scene-linear colour and opacity.
-//
-// What is interpolated is so at each sample, as in every shader here: a pixel's centre may lie beside the triangle, where
-// normals sparkle and positions leave the node whose bounds decided which lights reach it. (Centroids lie inside, but a
-// driver may choose them among the samples that passed the depth test, so that the order of draws would show.)
+// Light per fragment: scene-linear colour and opacity.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/illumination.glsl"
-#include "lib/lights.glsl"
-#include "lib/scene.glsl"
+#include "lib/surface_fragment.glsl"
 
-layout(constant_id = 2) const bool kFacetNormal = false;
-
-layout(location = 0) sample in vec3 inPosition;
-layout(location = 1) sample in vec3 inNormal;
-layout(location = 2) flat in vec3 inAmbient;
-layout(location = 3) flat in vec3 inDiffuse;
-layout(location = 4) flat in vec3 inSpecular;
-layout(location = 5) flat in vec2 inShininessOpacity;
-layout(location = 6) flat in uint inFlags;
-layout(location = 7) flat in vec4 inViewer;
-layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
-layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
-
-layout(location = 0) out vec4 outColor;
-
-LightData lightAt(uint i) {
-  if (i >= kCarriedLights) return lightSet.lights[i];
-  return LightData(inLights[2 * i], inLights[2 * i + 1].xyz, uint(inLights[2 * i + 1].w));
-}
-
-ShadeData shadeAt(uint i) {
-  if (i >= kCarriedShades) return lightSet.shades[i];
-  return ShadeData(inShades[2 * i].xyz, inShades[2 * i].w, inShades[2 * i + 1].x);
-}
-
-void main() {
-  vec3 v = towardViewer(inViewer, inPosition);
-  // The facet is flat, so the derivatives of its position span it; which of its sides is seen, the rasteriser knows.
-  vec3 n;
-  if (kFacetNormal) {
-    vec3 facet = cross(dFdx(inPosition), dFdy(inPosition));
-    n = unitOrZero(facet);
-    n = (dot(n, v) > 0.0) == (gl_FrontFacing || (inFlags & kTwoSided) != 0) ? n : -n;
-  } else {
-    n = unitOrZero(inNormal);
-    if ((inFlags & kTwoSided) != 0 && !gl_FrontFacing) n = -n;
-  }
-  Material material = Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inFlags);
-  outColor = vec4(illuminated(material, inPosition, n, v), inShininessOpacity.y);
-}
+void main() { outColor = shadedFragment(inAmbient, inDiffuse); }

@@ -17,12 +17,13 @@
 namespace luxo {
 
 /// What decides the shaders and fixed-function state of a draw. Light counts are part of it (the loops over
-/// lights unroll); which lights they are is data.
+/// lights unroll), and so are formulas; which lights they are and the values of parameters are data.
 struct DrawState {
   Shading shading = Shading::Phong;
   Output output = Output::Color;
   std::uint32_t plainLights = 0, shadedLights = 0;
   bool blended = false;
+  Pattern pattern = {};  ///< where light falls on it; none for views of geometry
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -52,6 +53,7 @@ struct DrawList {
   shared::ViewData view;
   std::vector<shared::InstanceData> instances;
   std::vector<shared::LightSet> lightSets;  ///< never empty
+  std::vector<float> patternParameters;     ///< not empty when a draw has a pattern
   std::vector<DrawBatch> opaque;            ///< grouped, roughly front to back
   std::vector<DrawBatch> transparent;       ///< strictly back to front
   double boundPx = 0;                       ///< largest proven error of a drawn mesh on the screen

@@ -139,9 +139,11 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
                  samples);
   store_.dropUnused();
   upload(list, !options.skips.unchanged);
-  const VkDescriptorSet set = frames.descriptors().write(
-      pipelines_.sceneLayout(),
-      {view_.buffer, instances_.buffer, {lights_.buffer, 0, sizeof(shared::LightSet)}});
+  DescriptorSets sets{.scene = frames.descriptors().write(
+                          pipelines_.sceneLayout(),
+                          {view_.buffer, instances_.buffer, {lights_.buffer, 0, sizeof(shared::LightSet)}})};
+  if (!list.patternParameters.empty())
+    sets.pattern = frames.descriptors().write(pipelines_.patternLayout(), {patternParameters_.buffer});
 
   using enum gpu::Use;
   const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
@@ -151,7 +153,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
     gpu::use(commands, {{color_, ColorAttachment, contents}, {depth_, DepthAttachment, contents}});
     if (resolved_) gpu::use(commands, {{resolved_, ResolveTarget, gpu::Contents::Discard}});
     beginPass(commands, targets, load, backgroundOf(snapshot, options.output));
-    paint(commands, set, batches, statistics);
+    paint(commands, sets, batches, statistics);
     vkCmdEndRendering(commands);
     ++statistics.count.passes;
   };
@@ -162,6 +164,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   const gpu::Counters after = context_->counters();
   statistics.count.uploadBytes += after.uploadedBytes - before.uploadedBytes;
   statistics.count.pipelinesCreated += after.pipelinesCreated - before.pipelinesCreated;
+  statistics.count.shadersCompiled += after.shadersCompiled - before.shadersCompiled;
   statistics.ms.upload += watch.lap();
 }
 
@@ -202,6 +205,9 @@ void ScenePainter::upload(const DrawList& list, bool always) {
   for (std::size_t i = 0; i < list.lightSets.size(); ++i)
     std::memcpy(lights.data() + i * lightStride_, &list.lightSets[i], sizeof(shared::LightSet));
   write(lights_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
+  if (!list.patternParameters.empty())
+    write(patternParameters_, std::as_bytes(std::span(list.patternParameters)),
+          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "pattern parameters", always);
 }
 
 void ScenePainter::write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
@@ -220,8 +226,8 @@ void ScenePainter::write(Mirror& mirror, std::span<const std::byte> bytes, VkBuf
   mirror.bytes.assign(bytes.begin(), bytes.end());
 }
 
-void ScenePainter::paint(VkCommandBuffer commands, VkDescriptorSet set, const std::vector<DrawBatch>& batches,
-                         FrameStatistics& statistics) {
+void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
+                         const std::vector<DrawBatch>& batches, FrameStatistics& statistics) {
   for (const DrawBatch& batch : batches) {
     const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
     const bool withParameters = readsParameters(batch.state);
@@ -229,7 +235,8 @@ void ScenePainter::paint(VkCommandBuffer commands, VkDescriptorSet set, const st
     const auto lightOffset = static_cast<std::uint32_t>(batch.lightSet * lightStride_);
 
     pipeline.bind(commands);
-    pipeline.bindSet(commands, 0, set, {&lightOffset, 1});
+    pipeline.bindSet(commands, 0, sets.scene, {&lightOffset, 1});
+    if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, sets.pattern);
     gpu::setDepthBias(commands, biasOf(batch));
     vkCmdSetCullMode(commands, cullMode(batch.culling));
     vkCmdSetFrontFace(commands, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);

@@ -41,11 +41,16 @@ class ScenePainter {
     std::vector<std::byte> bytes;
   };
 
+  struct DescriptorSets {
+    VkDescriptorSet scene = VK_NULL_HANDLE;
+    VkDescriptorSet pattern = VK_NULL_HANDLE;  ///< where a draw has a pattern
+  };
+
   void prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples);
   void upload(const DrawList& list, bool always);
   void write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage, const char* name,
              bool always);
-  void paint(VkCommandBuffer commands, VkDescriptorSet set, const std::vector<DrawBatch>& batches,
+  void paint(VkCommandBuffer commands, const DescriptorSets& sets, const std::vector<DrawBatch>& batches,
              FrameStatistics& statistics);
 
   gpu::Context* context_;
@@ -53,7 +58,7 @@ class ScenePainter {
   ScenePipelines pipelines_;
   MeshCache meshes_;
   MeshStore store_;
-  Mirror view_, instances_, lights_;
+  Mirror view_, instances_, lights_, patternParameters_;
   VkDeviceSize lightStride_ = 0;
   gpu::Texture color_, resolved_, depth_;
 };

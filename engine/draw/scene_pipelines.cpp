@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/scene_pipelines.h"
 
-#include <string>
+#include <algorithm>
+#include <iterator>
+#include <span>
 
 #include "base/error.h"
+#include "gpu/shader_compiler.h"
 #include "luxo/shaders/gouraud_frag.h"
+#include "luxo/shaders/gouraud_pattern_vert.h"
 #include "luxo/shaders/gouraud_vert.h"
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
+#include "luxo/shaders/sources.h"
+#include "luxo/shaders/surface_detail_vert.h"
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_vert.h"
+#include "luxo/shaders/toon_frag.h"
 #include "luxo/shaders/wireframe_frag.h"
 #include "luxo/shaders/wireframe_vert.h"
 
@@ -62,7 +69,9 @@ DrawState canonical(DrawState state) {
 
 }  // namespace
 
-bool readsParameters(const DrawState& state) { return inspectionOf(state).has_value(); }
+bool readsParameters(const DrawState& state) {
+  return inspectionOf(state) || state.pattern.valid() || state.shading == Shading::Toon;
+}
 
 ScenePipelines::ScenePipelines(gpu::Context& context)
     : context_(&context),
@@ -77,7 +86,25 @@ const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const 
   return pipelines_.emplace(std::pair{state, format}, make(state, format)).first->second;
 }
 
-gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFormat& format) const {
+const gpu::DescriptorLayout& ScenePipelines::patternLayout() {
+  if (patternLayout_.bindings().empty())
+    patternLayout_ = gpu::DescriptorLayout(*context_, {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}});
+  return patternLayout_;
+}
+
+const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& pattern,
+                                                                std::string_view name) {
+  const auto found = patternShaders_.find({pattern, name});
+  if (found != patternShaders_.end()) return found->second;
+  std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
+  sources.push_back({"pattern", pattern.glsl()});
+  const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
+  auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources});
+  context_->counted().shadersCompiled += shader.compiled;
+  return patternShaders_.emplace(std::pair{pattern, name}, std::move(shader.spirv)).first->second;
+}
+
+gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFormat& format) {
   gpu::GraphicsPipelineDesc desc{
       .name = nameOf(state.shading),
       .vertexShader = luxo_surface_vert,
@@ -93,11 +120,14 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
       .specialization = {state.plainLights, state.shadedLights},
       .setLayouts = {sceneLayout_},
   };
+  if (readsParameters(state)) {
+    desc.bindings.push_back({1, sizeof(Vec2f), VK_VERTEX_INPUT_RATE_VERTEX});
+    desc.attributes.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, 0});
+  }
+  if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
   if (const auto inspection = inspectionOf(state)) {
     desc.vertexShader = luxo_inspect_vert;
     desc.fragmentShader = luxo_inspect_frag;
-    desc.bindings.push_back({1, sizeof(Vec2f), VK_VERTEX_INPUT_RATE_VERTEX});
-    desc.attributes.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, 0});
     desc.specialization = {static_cast<std::uint32_t>(inspection->quantity), inspection->asColor};
     // Geometry is not seen through: the nearest surface counts, transparent or not.
     desc.depthWrite = true;
@@ -105,6 +135,10 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
   } else if (state.shading == Shading::Gouraud) {
     desc.vertexShader = luxo_gouraud_vert;
     desc.fragmentShader = luxo_gouraud_frag;
+    if (state.pattern.valid()) {
+      desc.vertexShader = luxo_gouraud_pattern_vert;
+      desc.fragmentShader = patternShader(state.pattern, "pattern/gouraud.frag");
+    }
   } else if (state.shading == Shading::Wireframe) {
     if (!context_->features().fillModeNonSolid)
       throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
@@ -114,8 +148,16 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
     desc.attributes.pop_back();
     desc.polygonMode = VK_POLYGON_MODE_LINE;
     desc.specialization.clear();
+  } else if (state.shading == Shading::Toon) {
+    desc.vertexShader = luxo_surface_detail_vert;
+    desc.fragmentShader = luxo_toon_frag;
+    if (state.pattern.valid()) desc.fragmentShader = patternShader(state.pattern, "pattern/toon.frag");
   } else {
     desc.specialization.push_back(state.shading == Shading::Flat);
+    if (state.pattern.valid()) {
+      desc.vertexShader = luxo_surface_detail_vert;
+      desc.fragmentShader = patternShader(state.pattern, "pattern/surface.frag");
+    }
   }
   return {*context_, desc};
 }

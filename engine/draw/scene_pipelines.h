@@ -3,7 +3,11 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "draw/draw_list.h"
 #include "gpu/descriptor.h"
@@ -30,12 +34,18 @@ class ScenePipelines {
   [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const PassFormat& format);
   /// Set 0 of every pipeline: view, instances, lights (shared/scene_data.h).
   [[nodiscard]] const gpu::DescriptorLayout& sceneLayout() const { return sceneLayout_; }
+  /// Set 1 of pipelines with a pattern: the parameters. Made when first asked for.
+  [[nodiscard]] const gpu::DescriptorLayout& patternLayout();
 
  private:
-  [[nodiscard]] gpu::GraphicsPipeline make(const DrawState& state, const PassFormat& format) const;
+  [[nodiscard]] gpu::GraphicsPipeline make(const DrawState& state, const PassFormat& format);
+  /// The fragment shader of that name below shaders/pattern, made for a pattern.
+  [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Pattern& pattern,
+                                                                std::string_view name);
 
   gpu::Context* context_;
-  gpu::DescriptorLayout sceneLayout_;
+  gpu::DescriptorLayout sceneLayout_, patternLayout_;
+  std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, PassFormat>, gpu::GraphicsPipeline> pipelines_;
 };
 

@@ -21,6 +21,7 @@ struct FrameCounts {
   std::uint64_t uploadBytes = 0;
   std::uint64_t tessellated = 0;  ///< meshes made for this frame
   std::uint64_t pipelinesCreated = 0;
+  std::uint64_t shadersCompiled = 0;  ///< of patterns that no run before this one has drawn
   std::uint64_t passes = 0, shadowPasses = 0;
 };
 

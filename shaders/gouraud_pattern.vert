@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light per vertex for a pattern: of each side what the pattern will scale, and the rest.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/illumination.glsl"
+#include "lib/lights.glsl"
+#include "lib/scene.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec2 inParameters;
+
+layout(location = 0) sample out vec3 outFront;
+layout(location = 1) sample out vec3 outBack;
+layout(location = 2) sample out vec4 outFrontRest;
+layout(location = 3) sample out vec4 outBackRest;
+layout(location = 14) sample out vec2 outParameters;
+layout(location = 15) flat out uint outFirstParameter;
+
+invariant gl_Position;
+
+LightData lightAt(uint i) { return lightSet.lights[i]; }
+ShadeData shadeAt(uint i) { return lightSet.shades[i]; }
+
+void main() {
+  InstanceData instance = instances[gl_InstanceIndex];
+  vec3 position = relativeFromObject(instance, inPosition);
+  vec3 n = unitOrZero(instance.normalFromObject * inNormal);
+  vec3 v = towardViewer(view.viewer, position);
+  bool follows = (instance.flags & kPatternAmbient) != 0;
+  Material scaled =
+      Material(follows ? instance.ambient : vec3(0), vec3(1), vec3(0), instance.shininess, instance.flags);
+  Material rest =
+      Material(follows ? vec3(0) : instance.ambient, vec3(0), instance.specular, instance.shininess, instance.flags);
+  vec3 back = (instance.flags & kTwoSided) != 0 ? -n : n;
+  outFront = illuminated(scaled, position, n, v);
+  outBack = illuminated(scaled, position, back, v);
+  outFrontRest = vec4(illuminated(rest, position, n, v), instance.opacity);
+  outBackRest = vec4(illuminated(rest, position, back, v), instance.opacity);
+  outParameters = inParameters;
+  outFirstParameter = instance.firstPatternParameter;
+  gl_Position = view.clipFromRelative * vec4(position, 1);
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pattern of a material. The file "pattern" is made from its formulas when a scene is read.
+#include "lib/formula.glsl"
+#include "shared/scene_data.h"
+
+layout(scalar, set = 1, binding = 0) readonly buffer PatternParameters { float patternParameters[]; };
+
+layout(location = 15) flat in uint inFirstParameter;
+
+float parameterAt(uint k) { return patternParameters[inFirstParameter + k]; }
+
+#include "pattern"
+
+// A formula without a value is black.
+float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? c : 0.0; }
+
+vec3 patternAt(vec2 parameters) {
+  vec3 color;
+  patternColor(parameters.x, parameters.y, color);
+  return vec3(colorOrBlack(color.r), colorOrBlack(color.g), colorOrBlack(color.b));
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices of a surface that is shaded per fragment. In: object space. Out: relative to the eye, axes of the world.
+#include "lib/lights.glsl"
+#include "lib/scene.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+
+layout(location = 0) sample out vec3 outPosition;
+layout(location = 1) sample out vec3 outNormal;
+layout(location = 2) flat out vec3 outAmbient;
+layout(location = 3) flat out vec3 outDiffuse;
+layout(location = 4) flat out vec3 outSpecular;
+layout(location = 5) flat out vec2 outShininessOpacity;
+layout(location = 6) flat out uint outFlags;
+layout(location = 7) flat out vec4 outViewer;
+layout(location = 8) flat out vec4 outLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
+layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; reach
+
+invariant gl_Position;
+
+void writeSurfaceVertex(InstanceData instance) {
+  outPosition = relativeFromObject(instance, inPosition);
+  outNormal = unitOrZero(instance.normalFromObject * inNormal);
+  outAmbient = instance.ambient;
+  outDiffuse = instance.diffuse;
+  outSpecular = instance.specular;
+  outShininessOpacity = vec2(instance.shininess, instance.opacity);
+  outFlags = instance.flags;
+  outViewer = view.viewer;
+  for (uint i = 0; i < kCarriedLights; ++i) {
+    outLights[2 * i] = lightSet.lights[i].position;
+    outLights[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
+  }
+  for (uint i = 0; i < kCarriedShades; ++i) {
+    outShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
+    outShades[2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
+  }
+  gl_Position = view.clipFromRelative * vec4(outPosition, 1);
+}

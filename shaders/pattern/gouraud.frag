@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interpolated light of the side that is seen, on a pattern.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/pattern.glsl"
+
+layout(location = 0) sample in vec3 inFront;
+layout(location = 1) sample in vec3 inBack;
+layout(location = 2) sample in vec4 inFrontRest;
+layout(location = 3) sample in vec4 inBackRest;
+layout(location = 14) sample in vec2 inParameters;
+
+layout(location = 0) out vec4 outColor;
+
+void main() {
+  vec4 rest = gl_FrontFacing ? inFrontRest : inBackRest;
+  outColor = vec4(patternAt(inParameters) * (gl_FrontFacing ? inFront : inBack) + rest.rgb, rest.a);
+}

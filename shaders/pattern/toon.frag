@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// A drawing in two levels with an outline, of a pattern.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/toon.glsl"
+#include "lib/pattern.glsl"
+
+void main() { outColor = drawnFragment(patternAt(inDetail.xy)); }
