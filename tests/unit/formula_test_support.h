@@ -32,22 +32,37 @@ struct Dual {
   }
 };
 
+// What the engine's operations mean, for numbers without them.
 inline long double power(long double x, int n) {
   long double product = 1;
   for (int i = 0; i < std::abs(n); ++i) product *= x;
   return n < 0 ? 1 / product : product;
 }
 inline Expr power(Expr x, int n) { return pow(x, n); }
+inline long double sign(long double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
+inline long double min(long double x, long double y) { return y < x || std::isnan(y) ? y : x; }
+inline long double max(long double x, long double y) { return y > x || std::isnan(y) ? y : x; }
+inline long double less(long double x, long double y) { return x < y ? 1 : 0; }
+inline long double lessEqual(long double x, long double y) { return x <= y ? 1 : 0; }
+inline long double equal(long double x, long double y) { return x == y ? 1 : 0; }
+inline long double select(long double c, long double x, long double y) { return c != 0 ? x : y; }
+
+inline long double valueOf(long double x) { return x; }
+template <class T>
+long double valueOf(const Dual<T>& x) {
+  return valueOf(x.value);
+}
 
 // Each function with its derivative; the unqualified calls find the functions of T, dual or not.
-#define LUXO_TEST_DUAL(function, derivative)       \
-  template <class T>                               \
-  Dual<T> function(Dual<T> dual) {                 \
-    using std::cos, std::cosh, std::exp;           \
-    using std::log, std::sin, std::sinh;           \
-    using std::sqrt, std::tan, std::tanh;          \
-    const T x = dual.value;                        \
-    return {function(x), derivative * dual.slope}; \
+#define LUXO_TEST_DUAL(function, derivative)          \
+  template <class T>                                  \
+  Dual<T> function(Dual<T> dual) {                    \
+    using std::abs, std::acos, std::asin, std::atan;  \
+    using std::cos, std::cosh, std::exp, std::floor;  \
+    using std::log, std::sin, std::sinh;              \
+    using std::sqrt, std::tan, std::tanh;             \
+    const T x = dual.value;                           \
+    return {function(x), T(derivative) * dual.slope}; \
   }
 LUXO_TEST_DUAL(sqrt, T(0.5) / sqrt(x))
 LUXO_TEST_DUAL(exp, exp(x))
@@ -55,20 +70,63 @@ LUXO_TEST_DUAL(log, T(1) / x)
 LUXO_TEST_DUAL(sin, cos(x))
 LUXO_TEST_DUAL(cos, -sin(x))
 LUXO_TEST_DUAL(tan, T(1) / (cos(x) * cos(x)))
+LUXO_TEST_DUAL(asin, T(1) / sqrt(T(1) - x * x))
+LUXO_TEST_DUAL(acos, T(-1) / sqrt(T(1) - x * x))
+LUXO_TEST_DUAL(atan, T(1) / (T(1) + x * x))
 LUXO_TEST_DUAL(sinh, cosh(x))
 LUXO_TEST_DUAL(cosh, sinh(x))
 LUXO_TEST_DUAL(tanh, T(1) / (cosh(x) * cosh(x)))
+LUXO_TEST_DUAL(abs, sign(valueOf(x)))
+LUXO_TEST_DUAL(floor, 0)
+LUXO_TEST_DUAL(sign, 0)
 #undef LUXO_TEST_DUAL
 
 template <class T>
 Dual<T> power(Dual<T> x, int n) {
   return {power(x.value, n), n == 0 ? T(0) : T(n) * power(x.value, n - 1) * x.slope};
 }
+template <class T>
+Dual<T> pow(Dual<T> x, Dual<T> y) {
+  using std::log, std::pow;
+  const T byBase = y.value * pow(x.value, y.value - T(1)), byExponent = pow(x.value, y.value) * log(x.value);
+  return {pow(x.value, y.value), byBase * x.slope + byExponent * y.slope};
+}
+template <class T>
+Dual<T> atan2(Dual<T> y, Dual<T> x) {
+  using std::atan2;
+  return {atan2(y.value, x.value),
+          (x.value * y.slope - y.value * x.slope) / (x.value * x.value + y.value * y.value)};
+}
+template <class T>
+Dual<T> min(Dual<T> x, Dual<T> y) {
+  return valueOf(y) < valueOf(x) ? y : x;
+}
+template <class T>
+Dual<T> max(Dual<T> x, Dual<T> y) {
+  return valueOf(y) > valueOf(x) ? y : x;
+}
+template <class T>
+Dual<T> less(Dual<T> x, Dual<T> y) {
+  return valueOf(x) < valueOf(y) ? 1 : 0;
+}
+template <class T>
+Dual<T> lessEqual(Dual<T> x, Dual<T> y) {
+  return valueOf(x) <= valueOf(y) ? 1 : 0;
+}
+template <class T>
+Dual<T> equal(Dual<T> x, Dual<T> y) {
+  return valueOf(x) == valueOf(y) ? 1 : 0;
+}
+template <class T>
+Dual<T> select(Dual<T> c, Dual<T> x, Dual<T> y) {
+  return valueOf(c) != 0 ? x : y;
+}
 
 /// A formula as a list of operations on earlier results; inputs are u, v and one parameter.
 class RandomFormula {
  public:
-  /// With `smooth` every operation stays inside its domain and away from singularities and overflow.
+  /// With `smooth` every operation stays inside its domain and away from singularities and overflow; kinks
+  /// and jumps remain.
   RandomFormula(std::mt19937_64& random, int operations, bool smooth) : random_(random), smooth_(smooth) {
     for (std::uint32_t i = 0; i < 3; ++i) add({.op = Op::Variable, .a = i});
     while (static_cast<int>(steps_.size()) < operations + 3) addOperation();
@@ -77,7 +135,8 @@ class RandomFormula {
   /// Runs on any kind of number that has the operations.
   template <class T>
   [[nodiscard]] T operator()(T u, T v, T parameter) const {
-    using std::cos, std::cosh, std::exp, std::log, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+    using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::floor,
+        std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
     std::vector<T> r{u, v, parameter};
     for (std::size_t i = 3; i < steps_.size(); ++i) {
       const Step& s = steps_[i];
@@ -130,7 +189,49 @@ class RandomFormula {
         case Op::Tanh:
           r.push_back(tanh(r[s.a]));
           break;
-        default:
+        case Op::Asin:
+          r.push_back(asin(r[s.a]));
+          break;
+        case Op::Acos:
+          r.push_back(acos(r[s.a]));
+          break;
+        case Op::Atan:
+          r.push_back(atan(r[s.a]));
+          break;
+        case Op::Abs:
+          r.push_back(abs(r[s.a]));
+          break;
+        case Op::Floor:
+          r.push_back(floor(r[s.a]));
+          break;
+        case Op::Sign:
+          r.push_back(sign(r[s.a]));
+          break;
+        case Op::Atan2:
+          r.push_back(atan2(r[s.a], r[s.b]));
+          break;
+        case Op::Min:
+          r.push_back(min(r[s.a], r[s.b]));
+          break;
+        case Op::Max:
+          r.push_back(max(r[s.a], r[s.b]));
+          break;
+        case Op::Raise:
+          r.push_back(pow(r[s.a], r[s.b]));
+          break;
+        case Op::Less:
+          r.push_back(less(r[s.a], r[s.b]));
+          break;
+        case Op::LessEqual:
+          r.push_back(lessEqual(r[s.a], r[s.b]));
+          break;
+        case Op::Equal:
+          r.push_back(equal(r[s.a], r[s.b]));
+          break;
+        case Op::Select:
+          r.push_back(select(r[s.a], r[s.b], r[s.c]));
+          break;
+        case Op::Variable:
           break;
       }
     }
@@ -140,7 +241,7 @@ class RandomFormula {
  private:
   struct Step {
     Op op = Op::Constant;
-    std::uint32_t a = 0, b = 0;
+    std::uint32_t a = 0, b = 0, c = 0;
     double value = 0;
     int exponent = 0;
   };
@@ -168,10 +269,15 @@ class RandomFormula {
     return add({.op = Op::Add, .a = squared, .b = half});
   }
   std::uint32_t bounded(std::uint32_t x) { return add({.op = Op::Sin, .a = x}); }
+  /// sin(x) / 2: fit for an arc sine, away from its ends.
+  std::uint32_t half(std::uint32_t x) {
+    const std::uint32_t part = add({.op = Op::Constant, .value = 0.5});
+    return add({.op = Op::Multiply, .a = bounded(x), .b = part});
+  }
 
   void addOperation() {
-    const auto op = static_cast<Op>(random_() % (static_cast<int>(Op::Tanh) + 1));
-    Step step{.op = op, .a = any(), .b = any(), .exponent = 1 + static_cast<int>(random_() % 5)};
+    const auto op = static_cast<Op>(random_() % (static_cast<int>(Op::Select) + 1));
+    Step step{.op = op, .a = any(), .b = any(), .c = any(), .exponent = 1 + static_cast<int>(random_() % 5)};
     if (op == Op::Variable) return;
     if (op == Op::Constant) {
       const Op with[] = {Op::Add, Op::Subtract, Op::Multiply};
@@ -179,10 +285,12 @@ class RandomFormula {
       step.b = constant();
     }
     if (smooth_) {
-      if (op == Op::Sqrt || op == Op::Log) step.a = positive(step.a);
-      if (op == Op::Divide) step.b = positive(step.b);
+      if (op == Op::Sqrt || op == Op::Log || op == Op::Raise) step.a = positive(step.a);
+      if (op == Op::Divide || op == Op::Atan2) step.b = positive(step.b);
       if (op == Op::Exp || op == Op::Sinh || op == Op::Cosh || op == Op::Tan || op == Op::Power)
         step.a = bounded(step.a);
+      if (op == Op::Raise) step.b = bounded(step.b);
+      if (op == Op::Asin || op == Op::Acos) step.a = half(step.a);
     } else if (random_() % 4 == 0) {
       step.exponent = -step.exponent;
     }
