@@ -99,8 +99,10 @@ bool Caster::lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const {
   const SnapshotNode& node = snapshot_.nodes[hit.node];
   const Material& material = snapshot_.materials[node.material.index];
-  const Vec3 diffuse = material.diffuse;
-  Vec3 sum = material.ambientOrDiffuse() * snapshot_.ambient;
+  const Vec3 diffuse = material.diffusePattern.valid()
+                           ? material.diffusePattern.colorAt(hit.u, hit.v, material.patternParameters)
+                           : material.diffuse;
+  Vec3 sum = material.ambient.value_or(diffuse) * snapshot_.ambient;
   for (const SnapshotLight& light : snapshot_.lights) {
     const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
     const double distance = glm::length(toLight);

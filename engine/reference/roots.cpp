@@ -13,6 +13,7 @@ namespace {
 constexpr double kEpsilon = 0x1p-52;
 constexpr double kSmallest = 1e-13;   // of the domain
 constexpr double kOnTheEdge = 1e-12;  // of the domain: how far outside a root may be found
+constexpr double kSamePoint = 1e-9;   // of the distance
 constexpr int kMostCells = 20'000;    // per ray
 constexpr int kNewtonSteps = 6;       // from inside a proven cell: quadratic from the first
 constexpr double kNarrower = 0.75;    // a narrowing worth repeating
@@ -41,7 +42,11 @@ struct Matrix {
 class Search {
  public:
   Search(const CellTree& tree, const RayFunctions& ray, const RootQuery& query)
-      : tree_(tree), ray_(ray), query_(query), farthest_(query.farthest) {}
+      : tree_(tree),
+        ray_(ray),
+        query_(query),
+        farthest_(query.farthest),
+        size_(glm::length(tree.nodes()[0].half)) {}
 
   Roots run() {
     struct Visit {
@@ -74,8 +79,9 @@ class Search {
       if (size == before + 2 && stack[before].nearest < stack[before + 1].nearest)
         std::swap(stack[before], stack[before + 1]);  // the nearer one is looked at first
     }
-    Roots roots{.nearest = found_, .certified = undecided_ > farthest_ || undecided_ == kNever};
-    if (!found_ && doubtful_ && !roots.certified) roots.nearest = doubtful_;
+    Roots roots{.nearest = found_, .certified = undecided_ == kNever || (found_ && undecided_ > found_->t)};
+    // An undecided part is within rounding of the ray: taken for a hit, but not for a proven one.
+    if (doubtful_ && (!found_ || doubtful_->t < found_->t)) roots.nearest = doubtful_;
     return roots;
   }
 
@@ -121,10 +127,13 @@ class Search {
       if (frontless(b)) return;
       if (krawczyk(d, hu, hv, j, f1, f2)) return;
     }
-    if (hu < kSmallest * whole.u.width() && hv < kSmallest * whole.v.width()) {
+    const bool smallInSpace = b.smooth && cutU + cutV < kSmallest * size_;
+    if (smallInSpace || (hu < kSmallest * whole.u.width() && hv < kSmallest * whole.v.width())) {
       undecided_ = std::min(undecided_, t.lo());
       const double distance = ray_.t(b.middle.center);
-      if (!doubtful_ || distance < doubtful_->t) doubtful_ = Root{distance, patch_, d.u.mid(), d.v.mid()};
+      doubtful_ = Root{distance, patch_, d.u.mid(), d.v.mid()};
+      // Of a pole many cells meet the ray in the same point: one of them is enough.
+      farthest_ = std::min(farthest_, distance - kSamePoint * std::abs(distance));
       return;
     }
     if (!(std::isfinite(cutU) && std::isfinite(cutV)) || cutU + cutV == 0) {
@@ -247,6 +256,7 @@ class Search {
   const RayFunctions& ray_;
   const RootQuery& query_;
   double farthest_;  // no root beyond matters
+  double size_;      // of the whole surface
   std::optional<Root> found_, doubtful_;
   double undecided_ = kNever;  // nearest t that an undecided part may have
   std::uint32_t patch_ = 0;

@@ -5,7 +5,8 @@
 // and a distance t along it. Cells whose offsets cannot be (0, 0) are left out by their bounds; in the others
 // Krawczyk's test proves that there is no root, or exactly one, or narrows the cell, or it is cut in half
 // (R. Krawczyk 1969; D. Toth, "On ray tracing parametric surfaces", 1985). What neither test decides before
-// the cell is smaller than 1e-13 of the domain is reported as undecided: grazing rays, within rounding.
+// the cell is smaller than 1e-13 of the surface or of its domain is reported as undecided: grazing rays,
+// within rounding.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +52,7 @@ struct RootQuery {
 };
 
 struct Roots {
-  std::optional<Root> nearest;
+  std::optional<Root> nearest;  ///< an undecided one counts as a root
   bool certified = true;  ///< nothing undecided lies before the nearest root (before `farthest` if none)
 };
 

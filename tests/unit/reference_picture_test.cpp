@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground truth against pictures worked out from equations: a sphere and a floor, their light, their
+// shadow.
+#include "reference/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "surface/library.h"
+
+namespace luxo {
+namespace {
+
+constexpr PixelSize kSize{96, 64};
+constexpr double kRadius = 1.25;
+const Vec3 kLight(4, 5, 6);
+
+Camera camera() { return {.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .fovY = radians(40), .near = 0.1}; }
+
+Scene sphereScene(Material material = {.diffuse = {0.6, 0.4, 0.2}, .specular = Vec3(0.3), .shininess = 30}) {
+  Scene scene;
+  scene.set(RenderSettings{.size = kSize, .background = {0.1, 0.2, 0.3}, .ambient = Vec3(0.05)});
+  scene.add(Node{.surface = sphere(kRadius), .material = scene.add(std::move(material))});
+  scene.add(Node{.translation = kLight,
+                 .light = Light{.intensity = 40, .attenuation = Light::Attenuation::InverseSquare}});
+  scene.add(camera());
+  return scene;
+}
+
+/// Unit direction of the ray through a pixel's centre, from the definition of the camera above.
+Vec3 directionOf(int x, int y) {
+  const double half = std::tan(radians(20));
+  return glm::normalize(Vec3(((x + 0.5) / kSize.width * 2 - 1) * half * kSize.width / kSize.height,
+                             (1 - (y + 0.5) / kSize.height * 2) * half, -1));
+}
+
+TEST(ReferencePicture, SphereByItsEquations) {
+  const ReferencePicture picture = castPicture(takeSnapshot(sphereScene(), 0, kSize));
+  std::uint64_t hits = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y * kSize.width + x);
+      const Vec3 eye(0, 0, 5), d = directionOf(x, y);
+      const double b = glm::dot(eye, d), discriminant = b * b - (25 - kRadius * kRadius);
+      const auto color = picture.color.pixel(x, y);
+      if (discriminant < 0) {
+        EXPECT_EQ(picture.number[i], 0U);
+        EXPECT_TRUE(std::isinf(picture.depth[i]));
+        EXPECT_FLOAT_EQ(color[1], 0.2F);
+        continue;
+      }
+      ++hits;
+      const Vec3 p = eye + (-b - std::sqrt(discriminant)) * d, n = p / kRadius,
+                 l = glm::normalize(kLight - p);
+      const Vec3 h = glm::normalize(l - d);
+      const double cosine = glm::dot(n, l), far = glm::length(kLight - p);
+      Vec3 expected = Vec3(0.6, 0.4, 0.2) * 0.05;
+      if (cosine > 0)
+        expected +=
+            (Vec3(0.6, 0.4, 0.2) * cosine + Vec3(0.3) * std::pow(std::max(glm::dot(n, h), 0.0), 30.0)) *
+            40.0 / (far * far);
+      EXPECT_EQ(picture.number[i], 1U);
+      EXPECT_NEAR(picture.depth[i], 5 - p.z, 1e-12);
+      EXPECT_LT(glm::length(picture.position[i] - p), 1e-12);
+      EXPECT_LT(glm::length(picture.normal[i] - n), 1e-12);
+      for (int c = 0; c < 3; ++c)  // the picture holds floats
+        EXPECT_NEAR(color[static_cast<std::size_t>(c)], expected[c], 1e-7 + 6e-8 * expected[c])
+            << x << ',' << y;
+    }
+  EXPECT_GT(hits, 1000U);
+  EXPECT_EQ(picture.hits, hits);
+  EXPECT_EQ(picture.misses + picture.hits, static_cast<std::uint64_t>(kSize.width * kSize.height));
+  EXPECT_EQ(picture.undecided, 0U);
+}
+
+TEST(ReferencePicture, IsTheSameOnAnyNumberOfThreads) {
+  const Snapshot snapshot = takeSnapshot(sphereScene(), 0, kSize);
+  const ReferencePicture one = castPicture(snapshot, {.samples = 3, .threads = 1});
+  const ReferencePicture two = castPicture(snapshot, {.samples = 3, .threads = 2});
+  EXPECT_TRUE(std::ranges::equal(one.color.samples(), two.color.samples()));
+  EXPECT_EQ(one.depth, two.depth);
+  EXPECT_EQ(one.standardErrorRms, two.standardErrorRms);
+}
+
+// A checkerboard of the surface's own parameters, in linear light alone.
+TEST(ReferencePicture, PatternsAreEvaluatedAtTheHit) {
+  const Pattern halves = pattern([](auto, auto v) {
+    const Expr upper = lessEqual(Expr(0.5), v);
+    return point(upper, 1 - upper, Expr(0));
+  });
+  Scene scene = sphereScene({.ambient = std::nullopt, .specular = Vec3(0), .diffusePattern = halves});
+  RenderSettings settings = scene.settings();
+  settings.ambient = Vec3(1);
+  scene.set(settings);
+  const ReferencePicture picture = castPicture(takeSnapshot(scene, 0, kSize));
+  // v is the latitude: the northern half is red and the southern green.
+  const auto north = picture.color.pixel(48, 20), south = picture.color.pixel(48, 44);
+  EXPECT_GE(north[0], 1);
+  EXPECT_EQ(north[1], 0);
+  EXPECT_EQ(south[0], 0);
+  EXPECT_GE(south[1], 1);
+}
+
+// Half transparent: in front of what lies behind it, its own far side included.
+TEST(ReferencePicture, TransparentSurfacesAreSeenThrough) {
+  Scene scene;
+  scene.set(RenderSettings{.size = kSize, .background = Vec3(0.5), .ambient = Vec3(1)});
+  const MaterialId glass = scene.add(
+      Material{.diffuse = Vec3(1, 0, 0), .specular = Vec3(0), .opacity = 0.5, .twoSided = TwoSided::Yes});
+  scene.add(Node{.surface = sphere(kRadius), .material = glass});
+  scene.add(camera());
+  const ReferencePicture picture = castPicture(takeSnapshot(scene, 0, kSize));
+  const auto middle = picture.color.pixel(kSize.width / 2, kSize.height / 2);
+  EXPECT_FLOAT_EQ(middle[0], 0.5F + 0.5F * (0.5F + 0.5F * 0.5F));  // red over red over grey
+  EXPECT_FLOAT_EQ(middle[1], 0.125F);
+}
+
+// A pixel that a straight edge cuts: its mean over many samples is the part that is covered, and the stated
+// error tells how far it is from that.
+TEST(ReferencePicture, SamplesAverageToCoverage) {
+  Scene scene;
+  constexpr PixelSize kSmall{8, 8};
+  scene.set(RenderSettings{.size = kSmall, .background = Vec3(0), .ambient = Vec3(1)});
+  const MaterialId white = scene.add(Material{.diffuse = Vec3(1), .specular = Vec3(0)});
+  // A square from x = -inf to x = 0.3 pixels right of the middle; 8 pixels are 8 metres.
+  scene.add(Node{.translation = Vec3(-10 + 0.3, 0, 0),
+                 .rotation = Rotation{{1, 0, 0}, radians(90)},
+                 .surface = rectangle(20, 40),
+                 .material = white});
+  scene.add(
+      Camera{.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .projection = Projection::Orthographic, .height = 8});
+  const ReferencePicture picture = castPicture(takeSnapshot(scene, 0, kSmall), {.samples = 256});
+  for (int y = 0; y < 8; ++y) {
+    EXPECT_EQ(picture.color.pixel(3, y)[0], 1);
+    EXPECT_EQ(picture.color.pixel(5, y)[0], 0);
+    // Random points would err by sqrt(0.3 * 0.7 / 256) = 0.029; the stated error is that.
+    EXPECT_NEAR(picture.color.pixel(4, y)[0], 0.3, 3 * 0.0287);
+  }
+  EXPECT_NEAR(picture.standardErrorMax, std::sqrt(0.3 * 0.7 / 255), 0.002);
+}
+
+TEST(ReferencePicture, RefusesWhatIsNotLight) {
+  Scene scene = sphereScene({.name = "inky", .shading = Shading::Toon});
+  try {
+    static_cast<void>(castPicture(takeSnapshot(scene, 0, kSize)));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("inky"), std::string::npos);
+  }
+}
+
+TEST(ReferencePicture, StopsWhenAsked) {
+  const ReferencePicture picture = castPicture(takeSnapshot(sphereScene(), 0, kSize),
+                                               {.threads = 1, .progress = [](double) { return false; }});
+  EXPECT_FALSE(picture.complete);
+}
+
+}  // namespace
+}  // namespace luxo
