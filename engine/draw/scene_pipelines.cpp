@@ -13,10 +13,11 @@
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
 #include "luxo/shaders/sources.h"
-#include "luxo/shaders/surface_detail_vert.h"
 #include "luxo/shaders/surface_frag.h"
+#include "luxo/shaders/surface_pattern_vert.h"
 #include "luxo/shaders/surface_vert.h"
 #include "luxo/shaders/toon_frag.h"
+#include "luxo/shaders/toon_vert.h"
 #include "luxo/shaders/wireframe_frag.h"
 #include "luxo/shaders/wireframe_vert.h"
 
@@ -70,7 +71,7 @@ DrawState canonical(DrawState state) {
 }  // namespace
 
 bool readsParameters(const DrawState& state) {
-  return inspectionOf(state) || state.pattern.valid() || state.shading == Shading::Toon;
+  return inspectionOf(state).has_value() || state.pattern.valid();
 }
 
 ScenePipelines::ScenePipelines(gpu::Context& context)
@@ -149,13 +150,16 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
     desc.polygonMode = VK_POLYGON_MODE_LINE;
     desc.specialization.clear();
   } else if (state.shading == Shading::Toon) {
-    desc.vertexShader = luxo_surface_detail_vert;
+    desc.vertexShader = luxo_toon_vert;
     desc.fragmentShader = luxo_toon_frag;
-    if (state.pattern.valid()) desc.fragmentShader = patternShader(state.pattern, "pattern/toon.frag");
+    if (state.pattern.valid()) {
+      desc.vertexShader = luxo_surface_pattern_vert;
+      desc.fragmentShader = patternShader(state.pattern, "pattern/toon.frag");
+    }
   } else {
     desc.specialization.push_back(state.shading == Shading::Flat);
     if (state.pattern.valid()) {
-      desc.vertexShader = luxo_surface_detail_vert;
+      desc.vertexShader = luxo_surface_pattern_vert;
       desc.fragmentShader = patternShader(state.pattern, "pattern/surface.frag");
     }
   }

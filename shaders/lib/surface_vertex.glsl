@@ -38,3 +38,10 @@ void writeSurfaceVertex(InstanceData instance) {
   }
   gl_Position = view.clipFromRelative * vec4(outPosition, 1);
 }
+
+// (N.V) |N.V|: near a silhouette this is proportional to the distance from it in the picture, so that its interpolation
+// between vertices is exact there. A plane has no silhouette.
+float silhouette(InstanceData instance) {
+  float facing = dot(outNormal, towardViewer(view.viewer, outPosition));
+  return (instance.flags & kPlane) != 0 ? 1.0 : facing * abs(facing);
+}

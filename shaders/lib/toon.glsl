@@ -7,7 +7,7 @@ const float kBright = 0.5;        // N.L from which the colour is full
 const float kShaded = 0.5;        // the level below
 const float kOutlineWidth = 2.0;  // pixels
 
-layout(location = 14) sample in vec3 inDetail;  // u, v; (N.V) |N.V|, as in surface_detail.vert
+layout(location = 14) sample in vec3 inDetail;  // u, v where there is a pattern; (N.V) |N.V|
 
 float gradientLength(float x) { return max(length(vec2(dFdx(x), dFdy(x))), 1e-30); }
 
