@@ -42,7 +42,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, Destination
   add("--fps", t.fps, "frames per second (24)", "N");
   add("--samples", t.samples, "samples per pixel: 1 or 4 (1)", "N");
   add("--tolerance", t.tolerance, "how far meshes may be from their surfaces, in pixels (0.5)", "PX");
-  add("--shading", t.shading, "flat gouraud phong wireframe, or a view: normal uv depth id", "NAME");
+  add("--shading", t.shading, "flat gouraud phong toon wireframe, or a view: normal uv depth id", "NAME");
   add("--engine", t.engine, "vulkan", "NAME");
   add("--camera", t.camera, "camera of the scene", "NAME");
   add("-P,--param", t.parameters, "value or expression of a scene parameter", "NAME=VALUE")

@@ -41,6 +41,7 @@ Json frameJson(const FrameReport& frame) {
         {"upload_bytes", count.uploadBytes},
         {"tessellated", count.tessellated},
         {"pipelines_created", count.pipelinesCreated},
+        {"shaders_compiled", count.shadersCompiled},
         {"passes", count.passes},
         {"shadow_passes", count.shadowPasses}}},
       {"error",

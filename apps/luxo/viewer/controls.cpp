@@ -25,6 +25,7 @@ constexpr KeyHelp kKeys[] = {
     {"Middle drag", "move the camera; or Shift and drag"},
     {"R", "back to the scene's camera"},
     {"1  2  3  4", "flat, gouraud, phong, normals"},
+    {"T", "toon: a drawing with outlines"},
     {"W", "wireframe"},
     {"C", "back-face culling"},
     {"M", "4 samples per pixel, or 1"},
@@ -98,6 +99,9 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
       break;
     case '4':
       shade(Shading::Normal);
+      break;
+    case 'T':
+      shade(Shading::Toon);
       break;
     case 'W':
       shade(draw_.shading == Shading::Wireframe ? solidShading_ : Shading::Wireframe);
