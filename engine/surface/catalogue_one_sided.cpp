@@ -49,17 +49,17 @@ Surface makeBoy(const SurfaceInputs& in) {
 /// |(x, y, up)|^2 is divisible by |d|^2, because 9 z^6 - (1 + z^6)^2 = -d (z^6 - sqrt5 z^3 - 1): S is
 /// (x, y, up) / w. In polar form all four are sums of waves; w is at least 1/4.
 Surface makeBryantKusner(const SurfaceInputs& in) {
-  const Expr r = in.v(), phi = in.phi(), r3 = pow(r, 3), r6 = r3 * r3, r12 = r6 * r6;
-  const double root5 = std::sqrt(5.0);
-  const Expr once = r * (1 - pow(r, 10)), twice = root5 * (pow(r, 4) * (1 + pow(r, 4))),
-             fivefold = pow(r, 5) * (1 - r * r), threefold = root5 * (r3 * (1 - r6));
+  const Expr r = in.v(), phi = in.phi(), r2 = r * r, r3 = pow(r, 3), r6 = pow(r, 6), r12 = pow(r, 12);
+  const double root5 = std::sqrt(5.0), tilt = std::atan(0.5);
+  const Expr once = r * (1 - pow(r, 10)), twice = root5 * (r2 * r2 * (1 + r2 * r2)),
+             fivefold = pow(r, 5) * (1 - r2), threefold = r3 * (1 - r6);
   const Expr x = 1.5 * (once * sin(phi) + twice * sin(2 * phi) - fivefold * sin(5 * phi));
   const Expr y = 1.5 * (once * cos(phi) - twice * cos(2 * phi) + fivefold * cos(5 * phi));
-  const Expr up = threefold * (cos(3 * phi) - sin(3 * phi)) + r6 * (cos(6 * phi) - 2 * sin(6 * phi)) -
-                  0.5 * (1 + r12 + 5 * r6);
-  const Expr s = sin(3 * phi - std::atan(0.5));
-  const Expr w = 0.25 * (1 + r12) + 2.25 * (r * r * (1 + pow(r, 8))) + r6 * (6.25 - 5 * (s * s)) +
-                 (0.5 * root5) * (threefold * s);
+  const Expr up = std::sqrt(10.0) * (threefold * cos(3 * phi + 0.25 * kPi)) -
+                  root5 * (r6 * sin(6 * phi - tilt)) - 0.5 * (1 + r12 + 5 * r6);
+  const Expr s = sin(3 * phi - tilt);
+  const Expr w =
+      0.25 * (1 + r12) + 2.25 * (r2 * (1 + pow(r, 8))) + r6 * (6.25 - 5 * (s * s)) + 2.5 * (threefold * s);
   const Expr k = in("scale") / w;
   // Opposite points of the border are one: half of the border is glued to the other half.
   return in.patchwork(upright(k * x, k * y, k * up), {{{{0, 0.5}, {0, 1}}}, {{{0.5, 1}, {0, 1}}}});
