@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "base/assert.h"
 #include "base/error.h"
@@ -51,13 +53,13 @@ Expr smoothstep(Expr edge0, Expr edge1, Expr x) {
 
 namespace {
 
-std::uint64_t hash(const ExprNode& node) {
+std::uint32_t hash(const ExprNode& node) {
   constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15u;
   std::uint64_t h = static_cast<std::uint64_t>(node.op) + 1;
   for (const std::uint64_t part : {std::uint64_t{node.a} << 32 | node.b, std::uint64_t{node.c},
                                    std::bit_cast<std::uint64_t>(node.value)})
     h = std::rotl((h ^ part) * kOdd, 29);
-  return h * kOdd >> 20;
+  return static_cast<std::uint32_t>(h * kOdd >> 32);
 }
 
 /// By bits, so that NaN is one constant and -0 is not 0.
@@ -69,28 +71,33 @@ bool same(const ExprNode& x, const ExprNode& y) {
 }  // namespace
 
 Expr Graph::intern(const ExprNode& node) {
-  if (2 * (nodes_.size() + 1) > table_.size()) rehash();
+  if (2 * (nodes_.size() + 1) > table_.size()) growTable();
   const std::size_t mask = table_.size() - 1;
-  std::size_t place = hash(node) & mask;
-  for (; table_[place] != 0; place = (place + 1) & mask)
-    if (same(nodes_[table_[place] - 1], node)) return {this, table_[place] - 1};
+  const std::uint32_t key = hash(node);
+  std::size_t place = key & mask;
+  for (; table_[place].next != 0; place = (place + 1) & mask) {
+    const std::uint32_t known = table_[place].next - 1;
+    if (table_[place].hash == key && same(nodes_[known], node)) return {this, known};
+  }
   if (nodes_.size() == kMostNodes)
     throw Error(ErrorKind::Scene,
                 fmt::format("the formula and its derivatives need more than {} operations", kMostNodes),
                 "split the surface, or simplify the formula");
   nodes_.push_back(node);
-  table_[place] = static_cast<std::uint32_t>(nodes_.size());
-  return {this, table_[place] - 1};
+  table_[place] = {key, static_cast<std::uint32_t>(nodes_.size())};
+  return {this, table_[place].next - 1};
 }
 
-void Graph::rehash() {
-  table_.assign(std::max<std::size_t>(64, 2 * table_.size()), 0);
-  const std::size_t mask = table_.size() - 1;
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    std::size_t place = hash(nodes_[i]) & mask;
-    while (table_[place] != 0) place = (place + 1) & mask;
-    table_[place] = i + 1;
+void Graph::growTable() {
+  std::vector<Entry> larger(std::max<std::size_t>(64, 2 * table_.size()));
+  const std::size_t mask = larger.size() - 1;
+  for (const Entry& entry : table_) {
+    if (entry.next == 0) continue;
+    std::size_t place = entry.hash & mask;
+    while (larger[place].next != 0) place = (place + 1) & mask;
+    larger[place] = entry;
   }
+  table_ = std::move(larger);
 }
 
 Expr Graph::variable(std::uint32_t index) { return intern({.op = Op::Variable, .a = index}); }

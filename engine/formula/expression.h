@@ -159,7 +159,7 @@ struct Kink {
 /// recurses, so no formula is too deep.
 class Graph {
  public:
-  /// Most nodes of one graph; whatever would add more throws Error(Scene). 32 bytes each.
+  /// Most nodes of one graph; whatever would add more throws Error(Scene). At most 56 bytes each.
   static constexpr std::size_t kMostNodes = std::size_t{1} << 22;
 
   Graph() = default;
@@ -190,11 +190,16 @@ class Graph {
  private:
   struct Simplifier;
 
+  struct Entry {
+    std::uint32_t hash = 0;
+    std::uint32_t next = 0;  ///< the number after the node's; 0: free
+  };
+
   Expr intern(const ExprNode& node);
-  void rehash();
+  void growTable();
 
   std::vector<ExprNode> nodes_;
-  std::vector<std::uint32_t> table_;  ///< open addressing by content: node + 1, or 0
+  std::vector<Entry> table_;  ///< of the nodes by content; open addressing
 };
 
 /// Indices of all nodes that `roots` need, ascending: a valid order of evaluation.

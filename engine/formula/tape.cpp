@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "base/assert.h"
 #include "formula/operation.h"
@@ -13,18 +12,17 @@ namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-/// Sines and cosines of one operand, either by the other: one reduction of the angle serves both.
-std::unordered_map<std::uint32_t, std::uint32_t> findPairs(const std::vector<ExprNode>& nodes,
-                                                           const std::vector<std::uint32_t>& order) {
-  std::unordered_map<std::uint32_t, std::uint32_t> sineOf, partners;
+/// The sine of a cosine's operand and the cosine of a sine's, by node: one reduction of the angle serves
+/// both.
+std::vector<std::uint32_t> findPartners(const std::vector<ExprNode>& nodes,
+                                        const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> sineOf(nodes.size(), kNone), partners(nodes.size(), kNone);
   for (const std::uint32_t n : order)
     if (nodes[n].op == Op::Sin) sineOf[nodes[n].a] = n;
   for (const std::uint32_t n : order) {
-    if (nodes[n].op != Op::Cos) continue;
-    const auto sine = sineOf.find(nodes[n].a);
-    if (sine == sineOf.end()) continue;
-    partners[n] = sine->second;
-    partners[sine->second] = n;
+    if (nodes[n].op != Op::Cos || sineOf[nodes[n].a] == kNone) continue;
+    partners[n] = sineOf[nodes[n].a];
+    partners[partners[n]] = n;
   }
   return partners;
 }
@@ -73,7 +71,7 @@ Tape::Tape(Graph& graph, std::span<const Expr> outputs) {
     }
   }
 
-  const auto partners = findPairs(nodes, order);
+  const std::vector<std::uint32_t> partners = findPartners(nodes, order);
   for (int rate = 0; rate < kRates; ++rate) {
     for (const std::uint32_t n : order) {
       const ExprNode& node = nodes[n];
@@ -83,14 +81,13 @@ Tape::Tape(Graph& graph, std::span<const Expr> outputs) {
       step.a = valueOf[node.a];
       step.b = operands > 1 ? valueOf[node.b] : step.a;
       step.c = operands > 2 ? valueOf[node.c] : step.a;
-      const auto partner = partners.find(n);
-      if (partner == partners.end()) {
+      if (partners[n] == kNone) {
         addValue(n);
       } else {
         step.op = Op::Sin;
         step.paired = true;
-        addValue(node.op == Op::Sin ? n : partner->second);
-        addValue(node.op == Op::Sin ? partner->second : n);
+        addValue(node.op == Op::Sin ? n : partners[n]);
+        addValue(node.op == Op::Sin ? partners[n] : n);
       }
       step.result = static_cast<std::uint32_t>(rates_.size()) - (step.paired ? 2 : 1);
       steps_.push_back(step);
