@@ -16,7 +16,7 @@
 namespace luxo {
 
 /// Where the values of one output go: value i to first[i * stride].
-struct Destination {
+struct OutputArray {
   double* first = nullptr;
   std::size_t stride = 1;
 };
@@ -36,7 +36,7 @@ class Tape {
                                                           std::span<const double> parameters) const;
   /// The same into memory of the caller's choice, one destination per output.
   void evaluate(std::span<const double> u, std::span<const double> v, std::span<const double> parameters,
-                std::span<const Destination> destinations) const;
+                std::span<const OutputArray> destinations) const;
 
   /// Output k at every (u[i], v[j]) in result[k][j * u.size() + i]: bit for bit what evaluate() gives there.
   /// What depends on u alone is computed once per column and what depends on v alone once per row, so that a
@@ -45,7 +45,7 @@ class Tape {
                                                               std::span<const double> v,
                                                               std::span<const double> parameters) const;
   void evaluateGrid(std::span<const double> u, std::span<const double> v, std::span<const double> parameters,
-                    std::span<const Destination> destinations) const;
+                    std::span<const OutputArray> destinations) const;
 
   /// The outputs at one point; `values` takes one per output. Allocates nothing.
   void evaluatePoint(double u, double v, std::span<const double> parameters, std::span<double> values) const;

@@ -125,7 +125,7 @@ void mapOperation(Op op, int exponent, std::size_t n, double* out, Lane x, Lane 
 }
 
 /// Copies a lane to where the caller wants it.
-void store(Lane from, std::size_t n, Destination to, std::size_t first) {
+void store(Lane from, std::size_t n, OutputArray to, std::size_t first) {
   double* const out = to.first + first * to.stride;
   if (from.step == 1 && to.stride == 1)
     std::memcpy(out, from.values, n * sizeof(double));
@@ -133,8 +133,8 @@ void store(Lane from, std::size_t n, Destination to, std::size_t first) {
     for (std::size_t i = 0; i < n; ++i) out[i * to.stride] = from.values[i * from.step];
 }
 
-std::vector<Destination> destinationsOf(std::vector<std::vector<double>>& results) {
-  std::vector<Destination> destinations;
+std::vector<OutputArray> destinationsOf(std::vector<std::vector<double>>& results) {
+  std::vector<OutputArray> destinations;
   for (std::vector<double>& result : results) destinations.push_back({result.data()});
   return destinations;
 }
@@ -153,7 +153,7 @@ struct Tape::Batch {
   void compute(Rate from, Rate to, std::size_t n) const;
   void computeRows(std::size_t rowCount) const;
   void useRow(std::size_t row, std::size_t rowCount) const;
-  void storeOutputs(std::size_t n, std::size_t at, std::span<const Destination> destinations) const;
+  void storeOutputs(std::size_t n, std::size_t at, std::span<const OutputArray> destinations) const;
   [[nodiscard]] double* registerOf(std::uint32_t value) const {
     return registers + tape.registers_[value] * chunk;
   }
@@ -230,13 +230,13 @@ void Tape::Batch::useRow(std::size_t row, std::size_t rowCount) const {
 }
 
 void Tape::Batch::storeOutputs(std::size_t n, std::size_t at,
-                               std::span<const Destination> destinations) const {
+                               std::span<const OutputArray> destinations) const {
   for (std::size_t k = 0; k < destinations.size(); ++k)
     store(lanes[tape.outputs_[k]], n, destinations[k], at);
 }
 
 void Tape::evaluate(std::span<const double> u, std::span<const double> v, std::span<const double> parameters,
-                    std::span<const Destination> destinations) const {
+                    std::span<const OutputArray> destinations) const {
   LUXO_REQUIRE_COMPARE(u.size(), ==, v.size());
   require(parameters, destinations.size());
   const Batch batch(*this, u, v, 0, parameters);
@@ -250,7 +250,7 @@ void Tape::evaluate(std::span<const double> u, std::span<const double> v, std::s
 }
 
 void Tape::evaluateGrid(std::span<const double> u, std::span<const double> v,
-                        std::span<const double> parameters, std::span<const Destination> destinations) const {
+                        std::span<const double> parameters, std::span<const OutputArray> destinations) const {
   require(parameters, destinations.size());
   const Batch batch(*this, u, v, v.size(), parameters);
   batch.computeRows(v.size());

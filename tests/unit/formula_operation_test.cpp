@@ -153,7 +153,7 @@ TEST(Operation, DoublesLieInsideTheirBounds) {
     const Expr f = c.engine(graph.variable(0));
     const Tape tape(graph, {&f, 1});
     std::vector<double> values(kPoints);
-    const Destination out{values.data()};
+    const OutputArray out{values.data()};
     for (int i = 0; i < kBoxes; ++i) {
       const double lo = place(random);
       const Interval box(lo, lo + std::exp(size(random)));

@@ -133,7 +133,7 @@ TEST(Tape, WritesWhereItIsTold) {
   std::vector<double> us(300), vs{10, 20};
   for (std::size_t i = 0; i < us.size(); ++i) us[i] = static_cast<double>(i);
   std::vector<double> points(4 * us.size() * vs.size(), -1);
-  const Destination to[] = {{&points[0], 4}, {&points[1], 4}, {&points[2], 4}};
+  const OutputArray to[] = {{&points[0], 4}, {&points[1], 4}, {&points[2], 4}};
   tape.evaluateGrid(us, vs, {}, to);
   for (std::size_t j = 0; j < vs.size(); ++j)
     for (std::size_t i = 0; i < us.size(); ++i) {
