@@ -56,9 +56,10 @@ void MomentFormulas::prepareNames() {
 }
 
 bool MomentFormulas::accept(const Quantity& quantity, double value, const Allowed& allowed) {
-  if (allowed.range.contains(value)) return true;
+  if (allowed.words.empty() || allowed.range.contains(value)) return true;
+  const std::string shown = std::isnan(value) ? "not a number" : fmt::format("{}", value);
   problems_.add(quantity, {{0, quantity.isFormula() ? quantity.formula().size() : 0},
-                           fmt::format("this is {}; it must be {}", value, allowed.words),
+                           fmt::format("this is {}; it must be {}", shown, allowed.words),
                            {}});
   return false;
 }

@@ -21,8 +21,7 @@ struct Allowed {
   std::string_view words = "finite";
 };
 inline constexpr Allowed kFinite{};
-inline constexpr Allowed kAny{
-    {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, "a number"};
+inline constexpr Allowed kAny{.words = ""};  ///< infinities and NaN included
 inline constexpr Allowed kNotNegative{{0, std::numeric_limits<double>::max()}, "finite and not negative"};
 inline constexpr Allowed kAboveZero{
     {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()}, "finite and above 0"};

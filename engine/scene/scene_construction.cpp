@@ -289,7 +289,10 @@ void SceneConstruction::setRender(const RenderDesc& desc) {
 Scene constructScene(const SceneFile& file, std::span<const ParameterOverride> overrides,
                      SceneProblems& problems, std::vector<Diagnostic>* warnings) {
   Scene scene = SceneConstruction(file, overrides, problems, warnings).build();
-  if (warnings) addFileWarnings(file, *warnings);
+  if (warnings) {
+    addFileWarnings(file, *warnings);
+    std::ranges::stable_sort(*warnings, {}, [](const Diagnostic& warning) { return warning.where.begin; });
+  }
   return scene;
 }
 

@@ -38,6 +38,7 @@ class Random {
   explicit Random(unsigned seed) : engine_(seed) {}
 
   double uniform(double low, double high) { return low + (high - low) * (engine_() * 0x1p-64); }
+  std::uint64_t bits() { return engine_(); }
   int below(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
   Vec3 inCube(double half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
   Vec3 direction() {
