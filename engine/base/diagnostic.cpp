@@ -25,6 +25,17 @@ bool isShowable(const Utf8Character& c) {
   return c.valid && !control && !invisible;
 }
 
+// Messages quote what people wrote.
+std::string showable(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const Utf8Character c = decodeUtf8(text, i);
+    result += isShowable(c) ? text.substr(i, c.bytes) : "\uFFFD";
+    i += c.bytes;
+  }
+  return result;
+}
+
 std::size_t startOfLine(std::string_view text, std::size_t byte) {
   const std::size_t newline = byte == 0 ? std::string_view::npos : text.rfind('\n', byte - 1);
   return newline == std::string_view::npos ? 0 : newline + 1;
@@ -102,8 +113,8 @@ std::string describe(std::string_view sourceName, std::string_view text, const D
   const std::string number = fmt::format("{}", position.line);
   std::string result =
       fmt::format("{}:{}:{}: {}\n  {} | {}\n  {:{}} | {}", sourceName, position.line, position.column,
-                  diagnostic.message, number, line.shown, "", number.size(), line.marks);
-  if (!diagnostic.hint.empty()) result += fmt::format("\n  help: {}", diagnostic.hint);
+                  showable(diagnostic.message), number, line.shown, "", number.size(), line.marks);
+  if (!diagnostic.hint.empty()) result += fmt::format("\n  help: {}", showable(diagnostic.hint));
   return result;
 }
 

@@ -43,7 +43,7 @@ struct TextPosition {
 ///       help: did you mean 'u*v'?
 ///
 /// Long lines are cut around the place; bytes that a terminal would act on or that are not UTF-8 are shown as
-/// U+FFFD. Cost: linear in the place.
+/// U+FFFD, also in the message and the hint. Cost: linear in the place.
 [[nodiscard]] std::string describe(std::string_view sourceName, std::string_view text,
                                    const Diagnostic& diagnostic);
 

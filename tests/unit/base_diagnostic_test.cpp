@@ -60,6 +60,8 @@ TEST(Diagnostic, ColumnsCountCharacters) {
 TEST(Diagnostic, WhatATerminalWouldActOnIsReplaced) {
   EXPECT_EQ(describe("x", "\x1b[31m\xffu", {{6, 7}, "no", {}}),
             "x:1:7: no\n  1 | \uFFFD[31m\uFFFDu\n    |       ^");
+  EXPECT_EQ(describe("x", "u", {{0, 1}, "no '\x07'", "or \n\xff"}),
+            "x:1:1: no '\uFFFD'\n  1 | u\n    | ^\n  help: or \uFFFD\uFFFD");
   EXPECT_EQ(describe("x", "a\u202eb\u200bc", {{1, 4}, "no", {}}),
             "x:1:2: no\n  1 | a\uFFFDb\uFFFDc\n    |  ^");
 }
