@@ -3,6 +3,8 @@
 // when a promise does not hold; the input is printed first.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,20 +31,39 @@ std::map<std::string, std::string> corpusOf(std::string_view target) {
 
 using Target = void (*)(std::string_view);
 
+std::string running;
+
+// The input that broke a promise, in the words of C++.
+void printRunning(int) {
+  std::fputs("the input was \"", stderr);
+  for (const char c : running) {
+    const bool plain = c >= 0x20 && c < 0x7f && c != '"' && c != '\\';
+    if (plain)
+      std::fputc(c, stderr);
+    else
+      std::fprintf(stderr, "\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  }
+  std::fputs("\"\n", stderr);
+}
+
+void run(Target target, std::string input) {
+  running = std::move(input);
+  const auto before = std::signal(SIGABRT, printRunning);
+  target(running);
+  std::signal(SIGABRT, before);
+}
+
 void replay(std::string_view name, Target target) {
   const auto corpus = corpusOf(name);
   ASSERT_GE(corpus.size(), 10u);
-  for (const auto& [file, input] : corpus) {
-    SCOPED_TRACE(file);
-    target(input);
-  }
+  for (const auto& [file, input] : corpus) run(target, input);
 }
 
 void mutate(std::string_view name, Target target, std::span<const std::string_view> words, int count) {
   std::vector<std::string> corpus;
   for (auto& [file, input] : corpusOf(name)) corpus.push_back(std::move(input));
   Mutator mutator(corpus, words, 20260731);
-  for (int i = 0; i < count; ++i) target(mutator.next());
+  for (int i = 0; i < count; ++i) run(target, mutator.next());
 }
 
 constexpr std::string_view kFormulaWords[] = {
@@ -60,6 +81,68 @@ constexpr std::string_view kFormulaWords[] = {
 
 TEST(FuzzFormula, KeptInputsKeepThePromises) { replay("formula", fuzzFormula); }
 TEST(FuzzFormula, MutatedInputsKeepThePromises) { mutate("formula", fuzzFormula, kFormulaWords, 20'000); }
+
+constexpr std::string_view kSceneWords[] = {
+    "{",
+    "}",
+    "[",
+    "]",
+    ",",
+    ":",
+    "\"",
+    "0",
+    "-1",
+    "1e308",
+    "1e999",
+    "0.5",
+    "null",
+    "true",
+    "// x\n",
+    "\\u0000",
+    "\xff",
+    "\"t\"",
+    "\"1/0\"",
+    "\"u\"",
+    "\"2k\"",
+    "\"luxo\":1",
+    "\"nodes\"",
+    "\"name\"",
+    "\"surface\"",
+    "\"type\"",
+    "\"sphere\"",
+    "\"formula\"",
+    "\"revolve\"",
+    "\"tube\"",
+    "\"bezier\"",
+    "\"teapot\"",
+    "\"params\"",
+    "\"let\"",
+    "\"position\"",
+    "\"radius\"",
+    "\"value\"",
+    "\"range\"",
+    "\"children\"",
+    "\"translate\"",
+    "\"rotate\"",
+    "\"axis\"",
+    "\"angle\"",
+    "\"scale\"",
+    "\"visible\"",
+    "\"light\"",
+    "\"camera\"",
+    "\"segments\"",
+    "[0,1]",
+    "[1,2,3]",
+    "\"#ff0000\"",
+    "\"material\"",
+    "\"materials\"",
+    "\"diffuse\"",
+    "\"opacity\"",
+    "\"closed\"",
+};
+
+TEST(FuzzScene, KeptInputsKeepThePromises) { replay("scene", fuzzScene); }
+TEST(FuzzScene, MutatedInputsKeepThePromises) { mutate("scene", fuzzScene, kSceneWords, 3'000); }
 
 }  // namespace
 }  // namespace luxo

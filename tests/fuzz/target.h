@@ -10,4 +10,7 @@ namespace luxo {
 /// Parsed, described, differentiated twice, compiled, evaluated on a grid, bounded over it.
 void fuzzFormula(std::string_view input);
 
+/// A scene file: read; if it is good, written, read again, built, and looked at at two moments.
+void fuzzScene(std::string_view input);
+
 }  // namespace luxo
