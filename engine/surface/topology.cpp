@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "surface/holes.h"
 #include "surface/normal.h"
 #include "surface/spread.h"
 
@@ -278,11 +279,18 @@ class Search {
       });
       const bool manifold = std::ranges::none_of(whole, [&](std::uint32_t patch) { return branched[patch]; });
       topology_.borderless = topology_.borderless && borderless;
-      const double volume = borderless && manifold ? signedVolumePart(whole) : 0;
+      const double volume = borderless && manifold && !hasHoles(whole) ? signedVolumePart(whole) : 0;
       if (!(std::abs(volume) > kNoVolume)) topology_.closed = false;
       if (std::abs(volume) > kNoVolume && volume < 0)
         for (const std::uint32_t patch : whole) topology_.orientations[patch] *= -1;
     }
+  }
+
+  [[nodiscard]] bool hasHoles(const std::vector<std::uint32_t>& whole) const {
+    return std::ranges::any_of(whole, [&](std::uint32_t index) {
+      const Patch& patch = patches_[index];
+      return !findHoles(patch, PatchInputs(patch, parameters_)).empty();
+    });
   }
 
   /// Signed volume by the divergence theorem, midpoint rule, as a part of what would be summed without signs:

@@ -165,6 +165,19 @@ TEST(Holes, WhatIsJustDefinedHasNone) {
   for (const Surface& named : {sphere(1), torus(1, 0.3), cone(1, 0, 1)}) EXPECT_TRUE(named.holes({}).empty());
 }
 
+TEST(Holes, ASphereWithAHoleEnclosesNothing) {
+  const auto ball = [](double low) {
+    return surface(
+        [=](auto u, auto v) {
+          const auto hole = 0.01 * sqrt(cos(u) * cos(v) - low);
+          return point((1 + hole) * (cos(v) * cos(u)), sin(v), -(cos(v) * sin(u)));
+        },
+        {{0.5, 0.5 + kTau}, {-kPi / 2, kPi / 2}});
+  };
+  EXPECT_TRUE(ball(-2).closed());
+  EXPECT_FALSE(ball(-0.9).closed()) << "no number where cos u cos v < -0.9";
+}
+
 TEST(Holes, ASurfaceFiniteNowhereIsRefused) {
   // Half a surface is a surface; topology.RefusesWhatIsNoSurface has the rest.
   EXPECT_NO_THROW(static_cast<void>(
