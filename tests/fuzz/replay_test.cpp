@@ -142,7 +142,7 @@ constexpr std::string_view kSceneWords[] = {
 };
 
 TEST(FuzzScene, KeptInputsKeepThePromises) { replay("scene", fuzzScene); }
-TEST(FuzzScene, MutatedInputsKeepThePromises) { mutate("scene", fuzzScene, kSceneWords, 3'000); }
+TEST(FuzzScene, MutatedInputsKeepThePromises) { mutate("scene", fuzzScene, kSceneWords, 20'000); }
 
 }  // namespace
 }  // namespace luxo
