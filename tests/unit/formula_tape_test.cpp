@@ -252,6 +252,11 @@ TEST(Tape, BoundsOfKnownFormulas) {
   }
   EXPECT_EQ(b[0].lo, 0) << "a square is never negative";
   EXPECT_EQ(b[3], Interval(4));
+  for (const double wild : {std::nan(""), HUGE_VAL}) {
+    Tape(graph, outputs).bound({-1, 2}, {-3, 1}, {&wild, 1}, b);
+    EXPECT_EQ(b[2], Interval::everything());
+    EXPECT_EQ(b[0], Interval(0, 4));
+  }
 }
 
 TEST(TapeDeath, WantsItsParametersAndEqualCounts) {
