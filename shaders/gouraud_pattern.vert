@@ -15,7 +15,8 @@ layout(location = 1) sample out vec3 outBack;
 layout(location = 2) sample out vec4 outFrontRest;
 layout(location = 3) sample out vec4 outBackRest;
 layout(location = 14) sample out vec2 outParameters;
-layout(location = 15) flat out uint outFirstParameter;
+layout(location = 6, component = 1) flat out uint outFirstParameter;
+layout(location = 15) flat out vec4 outParameterBounds;
 
 invariant gl_Position;
 
@@ -39,5 +40,6 @@ void main() {
   outBackRest = vec4(illuminated(rest, position, back, v), instance.opacity);
   outParameters = inParameters;
   outFirstParameter = instance.firstPatternParameter;
+  outParameterBounds = parameterBounds(instance);
   gl_Position = view.clipFromRelative * vec4(position, 1);
 }

@@ -14,8 +14,9 @@
 namespace luxo {
 namespace {
 
-// Light that is interpolated between vertices needs vertices where light changes, also on flat surfaces.
-constexpr double kGouraudSpacingPx = 12;
+// Light that is interpolated between vertices needs vertices where light changes, also on flat surfaces. An
+// outline is as wide as the slope of what is interpolated says, which long facets of a cone get wrong.
+constexpr double kVertexSpacingPx = 12;
 
 Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
 
@@ -27,8 +28,8 @@ bool needsLights(const DrawState& state) {
 
 MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shading shading, const View& view) {
   MeshDesc desc{.uniform = node.segments, .tolerance = visible.toleranceObject};
-  if (shading == Shading::Gouraud)
-    desc.longestEdge = kGouraudSpacingPx * (view.perspective() ? visible.nearestDepth : 1) /
+  if (shading == Shading::Gouraud || (shading == Shading::Toon && !node.surface.flatNormal()))
+    desc.longestEdge = kVertexSpacingPx * (view.perspective() ? visible.nearestDepth : 1) /
                        (visible.stretch * visible.pixelsPerUnit);
   return desc;
 }

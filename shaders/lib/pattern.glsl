@@ -5,7 +5,8 @@
 
 layout(scalar, set = 1, binding = 0) readonly buffer PatternParameters { float patternParameters[]; };
 
-layout(location = 15) flat in uint inFirstParameter;
+layout(location = 6, component = 1) flat in uint inFirstParameter;
+layout(location = 15) flat in vec4 inParameterBounds;
 
 float parameterAt(uint k) { return patternParameters[inFirstParameter + k]; }
 
@@ -15,6 +16,8 @@ float parameterAt(uint k) { return patternParameters[inFirstParameter + k]; }
 float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? c : 0.0; }
 
 vec3 patternAt(vec2 parameters) {
+  // Rounding must not lead across the end of the domain, where a pattern may jump.
+  parameters = clamp(parameters, inParameterBounds.xy, inParameterBounds.zw);
   vec3 color;
   patternColor(parameters.x, parameters.y, color);
   return vec3(colorOrBlack(color.r), colorOrBlack(color.g), colorOrBlack(color.b));

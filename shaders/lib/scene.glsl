@@ -14,6 +14,12 @@ vec3 towardViewer(vec4 viewer, vec3 position) {
 // Unit vector along v; 0 where a flattened surface has no normal, which is where it has no area.
 vec3 unitOrZero(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-37)); }
 
+// The lowest and highest u and v inside a surface, a millionth of the domain from its ends.
+vec4 parameterBounds(InstanceData instance) {
+  vec2 margin = 1e-6 * instance.domain.zw;
+  return vec4(instance.domain.xy + margin, instance.domain.xy + instance.domain.zw - margin);
+}
+
 vec3 relativeFromObject(InstanceData instance, vec3 position) {
   return instance.relativeFromObject * position + instance.translation;
 }

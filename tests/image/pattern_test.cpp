@@ -184,6 +184,20 @@ TEST_F(PatternTest, WithoutAValueItIsBlack) {
   EXPECT_TRUE(near(colorAt(image, 80, 32), {std::sqrt((80.5 - 48) / kSize.width * 9 / 8), 0, 0}, 1e-5));
 }
 
+TEST_F(PatternTest, RoundingNeverCrossesASeam) {
+  // u and v run from 0 to 1: below their upper end the floor is 0, at it and beyond 1, and below 0 it is -1.
+  const Pattern inside = pattern([](auto u, auto v) { return point(floor(u) + 1, floor(v) + 1, 1); });
+  for (const Surface& surface : {sphere(1), torus(0.7, 0.3), cylinder(0.8, 1)})
+    for (int k = 0; k < 12; ++k) {
+      Scene scene;
+      scene.set(plainSettings(Vec3(1)));
+      const MaterialId id = scene.add(Material{.specular = Vec3(0), .diffusePattern = inside});
+      scene.add(Node{.rotation = Rotation{{1, k - 6, 0.3 * k}, 0.9}, .surface = surface, .material = id});
+      const Image image = draw(scene, Camera{.eye = Vec3(3, 0.2 * k - 1, 0)}, kSize).image;
+      for (const float sample : image.samples()) ASSERT_EQ(sample, 1.0f) << surface.name() << " " << k;
+    }
+}
+
 TEST_F(PatternTest, IsBlendedLikeAnyColor) {
   Scene scene = plateScene({.specular = Vec3(0), .opacity = 0.5, .diffusePattern = checker()}, {8, 6});
   scene.set(plainSettings(Vec3(0.4)));

@@ -107,6 +107,31 @@ TEST_F(Toon, ShowsTwoLevelsWithTheirBorderAtSixtyDegrees) {
   EXPECT_GT(half, 5000);
 }
 
+TEST_F(Toon, LongFacetsAreInkedAtTheirSilhouetteOnly) {
+  // The walls of a cone are triangles as long as the cone, as narrow as a pixel near the silhouette.
+  constexpr PixelSize kSize{360, 300};
+  for (const double turn : {0.0, 0.3, 0.6}) {
+    Node node{.translation = Vec3(0, -0.9, 0),
+              .rotation = Rotation{{1, 0.3, 0}, turn},
+              .surface = cone(0.9, 0.2, 1.8)};
+    const Camera camera{.eye = Vec3(0, 0, 7), .fovY = radians(20)};
+    const Image image = draw(sceneOf(std::move(node), Vec3(1)), camera, kSize, kToon).image;
+    double ink = 0;  // pixels of area
+    for (int y = 5; y < kSize.height - 5; ++y)
+      for (int x = 5; x < kSize.width - 5; ++x) {
+        const double amount = 1 - colorAt(image, x, y).y / (0.5 * kPaint.y);
+        if (amount <= 1e-6) continue;
+        ink += amount;
+        bool atBorder = false;
+        for (int dx = -5; dx <= 5; ++dx) atBorder = atBorder || colorAt(image, x + dx, y) == Vec3(1);
+        ASSERT_TRUE(atBorder) << "ink inside at " << x << ", " << y << ", turned by " << turn;
+      }
+    // Two sides, each sqrt(1.8^2 + 0.7^2) m long before it is turned away, at 122 pixels a metre.
+    const double lengthPx = 2 * std::hypot(1.8 * std::cos(turn), 0.7) * 122;
+    EXPECT_NEAR(ink / lengthPx, 2, 0.5) << turn;
+  }
+}
+
 TEST_F(Toon, HidesWhatIsBehindAndKeepsOutlinesOfHolesAndFolds) {
   // The near half of a torus seen from low above hides the lower part of the far half: there is ink between
   // the two, away from the border to the background.
