@@ -47,6 +47,11 @@ Surface makeCyclide(const SurfaceInputs& in) {
                             sqrt(squared) * sv * (c * cu - d) / w));
 }
 
+Surface makeWhitneyUmbrella(const SurfaceInputs& in) {
+  const Expr s = across(in.u()), t = across(in.v()), scale = in("scale");
+  return in.surface(upright(scale * (s * t), scale * s, scale * (t * t)));
+}
+
 }  // namespace
 
 std::vector<CatalogueEntry> algebraicSurfaces() {
@@ -103,6 +108,14 @@ std::vector<CatalogueEntry> algebraicSurfaces() {
        .eulerCharacteristic = 0,
        .meets = [](std::span<const double> a) { return a[2] < a[1] && a[1] < a[0]; },
        .make = makeCyclide},
+      {.name = "whitney_umbrella",
+       .summary = "a sheet that passes through itself along +Y, down to a pinch at the origin, where it has "
+                  "no normal",
+       .equation = "scale (s t, t^2, -s), s = 2u - 1, t = 2v - 1: x^2 = y z^2",
+       .source = "Whitney 1944",
+       .arguments = {length("scale", 1, "metres per unit of the equation")},
+       .make = makeWhitneyUmbrella},
+
   };
 }
 

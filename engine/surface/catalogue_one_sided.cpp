@@ -44,6 +44,10 @@ Surface makeBoy(const SurfaceInputs& in) {
                             w * (root2 * sin(2 * p) * s2 + sin(p) * twice), w * (3 * s2)));
 }
 
+/// The patches of a hemisphere whose opposite border points are one, so that half of its border is glued to
+/// the other half.
+std::vector<PatchPlace> hemisphere() { return {{{{0, 0.5}, {0, 1}}}, {{{0.5, 1}, {0, 1}}}}; }
+
 /// S = g / |g|^2 with g = (-3/2 Im z(1 - z^4)/d, -3/2 Re z(1 + z^4)/d, Im (1 + z^6)/d - 1/2), z = r e^(i phi)
 /// and d = z^6 + sqrt5 z^3 - 1, where g runs to infinity at the zeros of d. With g = (x, y, up) / |d|^2,
 /// |(x, y, up)|^2 is divisible by |d|^2, because 9 z^6 - (1 + z^6)^2 = -d (z^6 - sqrt5 z^3 - 1): S is
@@ -61,8 +65,24 @@ Surface makeBryantKusner(const SurfaceInputs& in) {
   const Expr w =
       0.25 * (1 + r12) + 2.25 * (r2 * (1 + pow(r, 8))) + r6 * (6.25 - 5 * (s * s)) + 2.5 * (threefold * s);
   const Expr k = in("scale") / w;
-  // Opposite points of the border are one: half of the border is glued to the other half.
-  return in.patchwork(upright(k * x, k * y, k * up), {{{{0, 0.5}, {0, 1}}}, {{{0.5, 1}, {0, 1}}}});
+  return in.patchwork(upright(k * x, k * y, k * up), hemisphere());
+}
+
+Surface makeRoman(const SurfaceInputs& in) {
+  const Expr phi = in.phi(), q = 0.5 * kPi * in.v(), level = 0.5 * in("scale") * sin(2 * q);
+  return in.patchwork(
+      upright(level * sin(phi), level * cos(phi), 0.5 * in("scale") * (sin(q) * sin(q) * sin(2 * phi))),
+      hemisphere());
+}
+
+Surface makeCrossCap(const SurfaceInputs& in) {
+  // An eighth of a turn on: otherwise each half of the border is its own mirror image, glued to nobody knows
+  // which end of the other.
+  const Expr phi = in.phi() + 0.25 * kPi, q = 0.5 * kPi * in.v(), level = 0.5 * in("scale") * sin(2 * q);
+  const Expr x = sin(q) * cos(phi);
+  return in.patchwork(
+      upright(level * cos(phi), level * sin(phi), 0.5 * in("scale") * (cos(q) * cos(q) - x * x)),
+      hemisphere());
 }
 
 }  // namespace
@@ -126,6 +146,26 @@ std::vector<CatalogueEntry> oneSidedSurfaces() {
        .borderless = true,
        .orientable = false,
        .make = makeBryantKusner},
+      {.name = "steiner_roman",
+       .summary = "Steiner's Roman surface, a projective plane with six pinches, where it has no normal",
+       .equation =
+           "scale (Y Z, X Y, -X Z) for the points (X, Y, Z) = (sin q cos phi, sin q sin phi, cos q) of the "
+           "hemisphere, q = pi v/2: x^2 y^2 + y^2 z^2 + z^2 x^2 + scale x y z = 0",
+       .source = "Steiner 1844",
+       .arguments = {scale},
+       .borderless = true,
+       .orientable = false,
+       .make = makeRoman},
+      {.name = "cross_cap",
+       .summary = "the cross-cap, a projective plane with two pinches, where it has no normal",
+       .equation =
+           "scale/2 (sin 2q cos p, cos^2 q - cos^2 p sin^2 q, -sin 2q sin p), p = phi + pi/4, q = pi v/2",
+       .source = "Hilbert, Cohn-Vossen, Geometry and the Imagination, section 46",
+       .arguments = {scale},
+       .borderless = true,
+       .orientable = false,
+       .make = makeCrossCap},
+
   };
 }
 

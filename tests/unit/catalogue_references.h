@@ -4,7 +4,9 @@
 // curvatures.
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -16,6 +18,20 @@ namespace luxo {
 
 using Real = long double;
 using Point = glm::vec<3, Real>;
+
+inline constexpr Real kPiL = std::numbers::pi_v<Real>;
+inline constexpr Real kTauL = 2 * kPiL;
+
+/// The literature's z-up frame to luxo's.
+inline Point upright(Real x, Real y, Real z) { return {x, z, -y}; }
+inline Point upright(const Point& p) { return upright(p.x, p.y, p.z); }
+
+/// (radius cos phi, radius sin phi, z) of the literature.
+inline Point around(Real u, Real radius, Real z) {
+  return upright(radius * std::cos(kTauL * u), radius * std::sin(kTauL * u), z);
+}
+
+inline Real rho(const Point& p) { return std::hypot(p.x, p.z); }
 
 struct CatalogueReference {
   std::string label;
@@ -35,5 +51,11 @@ struct CatalogueReference {
 inline void PrintTo(const CatalogueReference& reference, std::ostream* out) { *out << reference.label; }
 
 [[nodiscard]] const std::vector<CatalogueReference>& catalogueReferences();
+
+// The part of them that is in catalogue_closed_references.cpp.
+void addOneSided(std::vector<CatalogueReference>& all);
+void addPinched(std::vector<CatalogueReference>& all);
+void addSuperquadrics(std::vector<CatalogueReference>& all);
+void addTubes(std::vector<CatalogueReference>& all);
 
 }  // namespace luxo
