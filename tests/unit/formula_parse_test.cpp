@@ -324,6 +324,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"pi(2)", 0, 2, "'pi' is a value, not a function", "write 'pi*('"},
                     Mistake{"inf", 0, 3, "unknown name 'inf'", "no infinity"},
                     Mistake{"NaN", 0, 3, "unknown name 'NaN'", "a number as its value"},
+                    Mistake{"90 degrees", 3, 10, "unknown name 'degrees'", "written 18deg"},
+                    Mistake{"2*time", 2, 6, "unknown name 'time'", "'t', in seconds"},
                     Mistake{"u and v", 2, 5, "unknown name 'and'", "'and' is a product"},
                     Mistake{"not u", 0, 3, "unknown name 'not'", "comparison with 0"},
                     Mistake{"i + 1", 0, 1, "unknown name 'i'", "known here"},
