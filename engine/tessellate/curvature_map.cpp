@@ -16,8 +16,9 @@ constexpr std::uint32_t kMostLevels = 5;     // of the map
 constexpr std::uint32_t kDeepestLevel = 10;  // of what is looked at to make it
 /// Half a turn is bounded no better than a whole one, nor is a quarter: that says nothing about the eighth.
 constexpr std::uint32_t kBlindLevels = 3;
-constexpr std::size_t kMostLeaves = 1024, kFewestLeaves = 16;
-constexpr double kGoodEnough = 0.05;  // more triangles than sharper bounds would give
+/// A surface that moves has a map for every frame.
+constexpr std::size_t kMostLeaves = 2048, kMostLeavesMoving = 256, kFewestLeaves = 16;
+constexpr double kGoodEnough = 0.04;  // more triangles than sharper bounds would give
 
 Curvature larger(const Curvature& a, const Curvature& b) {
   return {std::max(a.uu, b.uu), std::max(a.uv, b.uv), std::max(a.vv, b.vv)};
@@ -171,7 +172,8 @@ CurvatureMap::CurvatureMap(const Surface& surface, std::span<const double> param
   for (std::uint32_t patches = surface.patchCount(); patches > 1 && levels > 1; patches /= 4) --levels;
   levelU_ = surface.revolution() ? 0 : levels;
   levelV_ = levels;
-  const std::size_t mostLeaves = std::max(kFewestLeaves, 2 * kMostLeaves / (1 + surface.patchCount()));
+  const std::size_t most = surface.parameters().empty() ? kMostLeaves : kMostLeavesMoving;
+  const std::size_t mostLeaves = std::max(kFewestLeaves, 2 * most / (1 + surface.patchCount()));
   tiles_.resize(surface.patchCount());
   parallelFor(surface.patchCount(), surface.patchCount() >= 8 ? coreCount() : 1, [&](std::size_t p) {
     const auto patch = static_cast<std::uint32_t>(p);

@@ -34,7 +34,8 @@ struct Curvature {
 /// tessellator.h). Immutable; the same surface and parameters give the same map.
 class CurvatureMap {
  public:
-  /// Cost: up to about 4,000 interval evaluations, spent where they lower the number of triangles most.
+  /// Cost: up to about 8,000 interval evaluations, 1,000 for a surface with free parameters, spent where they
+  /// lower the number of triangles most.
   CurvatureMap(const Surface& surface, std::span<const double> parameters);
 
   /// Levels up to which tiles can be asked for.
