@@ -8,5 +8,6 @@
 #include "image/image.h"
 #include "scene/scene.h"
 #include "scene/snapshot.h"
+#include "surface/catalogue.h"
 #include "surface/library.h"
 #include "surface/surface.h"

@@ -2,10 +2,10 @@
 // Surfaces with powers of sines: exponent 1 is round, toward 0 it becomes a box, 2 is an octahedron.
 //
 // sgn(cos)|cos|^e has no derivative at the axes. So the curve |x|^p + |y|^p = 1, p = 2/e, is cut at the axes
-// and at the diagonals into eight pieces; a piece beside the axis m, t = 0 on the axis and 1 on the
-// diagonal, is (1, t) / (1 + t^p)^(1/p), mirrored and turned. This is smooth up to both ends for p >= 2 (and
-// p = 1, where it is a straight line). For 1 < p < 2 the curve itself is infinitely curved at the axes: there
-// t^2 takes the place of t, so that the second derivatives stay finite.
+// and at the diagonals into eight pieces; a piece beside an axis, t = 0 on the axis and 1 on the diagonal, is
+// (1, t) / (1 + t^p)^(1/p), mirrored and turned. This is smooth up to both ends for p >= 2. For 1 < p < 2 the
+// curve itself is infinitely curved at the axes: there t^2 takes the place of t, so that the second
+// derivatives stay finite. For p = 1 the piece is straight, and written so.
 #include <cmath>
 
 #include "surface/catalogue_inputs.h"
@@ -37,11 +37,14 @@ Curve superellipse(const SurfaceInputs& in, Expr counter, Expr exponent, std::ui
   const Expr side = in.patchConstant(first + 1), cosine = in.patchConstant(first + 2),
              sine = in.patchConstant(first + 3);
   const Expr t = side * (counter - in.patchConstant(first));
-  const bool regular = exponent.isConstant() && (exponent.constant() <= 1 || exponent.constant() == 2);
+  const auto turned = [&](Expr along, Expr across) {
+    return Curve{cosine * along - sine * (side * across), sine * along + cosine * (side * across)};
+  };
+  if (exponent.isConstant() && exponent.constant() == 2) return turned(1 - 0.5 * t, 0.5 * t);
+  const bool regular = exponent.isConstant() && exponent.constant() <= 1;
   const Expr p = 2 / exponent;
   const Expr along = pow(1 + pow(t, regular ? p : 2 * p), -0.5 * exponent);
-  const Expr across = side * ((regular ? t : t * t) * along);
-  return {cosine * along - sine * across, sine * along + cosine * across};
+  return turned(along, (regular ? t : t * t) * along);
 }
 
 /// All patches whose u pieces and v pieces lie in [0, 8) and [vFirst, vLast).

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The named surfaces. Each is one formula; u and v run over the unit square unless said otherwise.
-// Axes along +Y. u runs around the axis from +X toward -Z (right-handed about +Y), v along the axis or
-// outward. Lengths in metres; zero, negative or non-finite ones throw Error(Scene).
+// The surfaces that most programs are made of, as C++ functions; surface/catalogue.h has these and all others
+// by name. Each is one formula; u and v run over the unit square. Axes along +Y. u runs around the axis from
+// +X toward -Z (right-handed about +Y), v along the axis or outward. Lengths in metres, from 1e-12 to 1e12;
+// others throw Error(Scene).
 #pragma once
 
 #include "math/animated.h"
