@@ -13,6 +13,9 @@ enum class Tuning { Off, On };
 /// Meshes and points of every named surface; points of a torus beside code written by hand.
 void registerSurfaces();
 
+/// Scene files up to a million nodes: reading, building, memory; formulas to surfaces.
+void registerScenes();
+
 /// What the CPU does for a frame of the lamp and for a file, stage by stage.
 void registerStages(const Scene& lamp);
 

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     bench::registerFrames(context, lamp, bench::Tuning::Off);
     bench::registerFrames(context, lamp, bench::Tuning::On);
     bench::registerSurfaces();
+    bench::registerScenes();
     bench::registerStages(lamp);
     bench::registerStart();
     bench::Report report;
