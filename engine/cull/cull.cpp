@@ -126,7 +126,9 @@ double thicknessPx(const Vec2& a, const Vec2& b, const Vec2& c) {
 /// that rounding could turn it over.
 bool turnsItsBack(const View& view, const SnapshotNode& node, const Bounds& bounds) {
   const std::optional<Vec3> normal = node.surface.flatNormal();
-  if (!normal || node.segments || !bounds.finite || bounds.nearest <= view.near) return false;
+  if (!normal || node.surface.patchCount() != 1 || node.segments || !bounds.finite ||
+      bounds.nearest <= view.near)
+    return false;
   const PartialBounds curved = node.surface.partialBounds(node.parameters);
   if (curved.uu != 0 || curved.uv != 0 || curved.vv != 0) return false;
 
@@ -146,6 +148,14 @@ bool turnsItsBack(const View& view, const SnapshotNode& node, const Bounds& boun
   return true;
 }
 
+/// Where most of a node without finite bounds begins. It sets the quality of what cannot be proven anyway.
+double framingDepth(const View& view, const SnapshotNode& node) {
+  const Box framing = node.surface.framing(node.parameters);
+  if (framing.empty()) return view.near;
+  const Sphere sphere = sphereAround(transformBounds(node.worldFromObject, framing));
+  return std::max(view.near, glm::dot(sphere.center - view.eye, view.forward()) - sphere.radius);
+}
+
 /// Everything about a node that does not depend on what is skipped.
 VisibleNode describe(const Snapshot& snapshot, std::uint32_t index, const Bounds& bounds,
                      double tolerancePx) {
@@ -158,9 +168,10 @@ VisibleNode describe(const Snapshot& snapshot, std::uint32_t index, const Bounds
   visible.stretch = largestStretch(node.worldFromObject.linear);
   const double tangent = std::min(bounds.tangentOffAxis, glm::length(view.halfExtent));
   visible.pixelsPerUnit = view.pixelsPerUnit * (view.perspective() ? std::hypot(1.0, tangent) : 1);
-  const double toleranceWorld =
-      view.perspective() ? tolerancePx * visible.nearestDepth / (visible.pixelsPerUnit + tolerancePx)
-                         : tolerancePx / visible.pixelsPerUnit;
+  const double depth = bounds.finite ? visible.nearestDepth : framingDepth(view, node);
+  const double toleranceWorld = view.perspective()
+                                    ? tolerancePx * depth / (visible.pixelsPerUnit + tolerancePx)
+                                    : tolerancePx / visible.pixelsPerUnit;
   visible.toleranceObject = toleranceWorld / visible.stretch;
   visible.mirrored = mirrors(node.worldFromObject);
   visible.twoSided =

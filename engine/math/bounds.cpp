@@ -18,9 +18,13 @@ Box transformBounds(const Transform& t, const Box& box) {
   if (box.empty()) return {};
   Box result;
   for (int row = 0; row < 3; ++row) {
-    Interval range = t.translation[row];
-    for (int column = 0; column < 3; ++column)
-      range = range + Interval(t.linear[column][row]) * Interval(box.min[column], box.max[column]);
+    // In transformPoint()'s order of operations: so the box holds its rounded results, too.
+    // Factors of 0 take no part, however large the box is.
+    const auto term = [&](int column) {
+      const double factor = t.linear[column][row];
+      return factor == 0 ? Interval(0) : Interval(factor) * Interval(box.min[column], box.max[column]);
+    };
+    const Interval range = term(0) + term(1) + term(2) + Interval(t.translation[row]);
     result.min[row] = range.lo;
     result.max[row] = range.hi;
   }

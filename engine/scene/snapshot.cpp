@@ -208,9 +208,16 @@ std::vector<Material> takeMaterials(const Scene& scene, const Moment& moment) {
   return materials;
 }
 
+/// Finite box around what can be looked at: a formula that grows without bound is not followed to its end.
 Box boundsOf(const std::vector<SnapshotNode>& nodes) {
   Box box;
-  for (const SnapshotNode& node : nodes) box.add(node.boundsWorld);
+  for (const SnapshotNode& node : nodes) {
+    if (std::isfinite(glm::dot(node.boundsWorld.extent(), Vec3(1)))) {
+      box.add(node.boundsWorld);
+    } else if (const Box framing = node.surface.framing(node.parameters); !framing.empty()) {
+      box.add(transformBounds(node.worldFromObject, framing));
+    }
+  }
   return box;
 }
 

@@ -234,6 +234,21 @@ TEST(Cull, ToleranceNextToTheEyeIsThatOfTheNearPlane) {
   EXPECT_GT(node.toleranceObject, 0);
 }
 
+TEST(Cull, WhatHasNoBoundsIsKeptAtTheQualityOfWhatIsSeen) {
+  // Most of 1 / u is within 40 of the origin, seen from 1000 away; some of it may be anywhere.
+  Scene scene;
+  scene.add(Node{.surface = surface([](auto u, auto v) { return point(u, 1 / u, v); }, {{-1, 1}, {0, 1}})});
+  const Camera camera{.eye = Vec3(0, 0, 1000), .lookAt = Vec3(0)};
+  const Camera away{.eye = Vec3(0, 0, 1000), .lookAt = Vec3(0, 0, 2000)};
+  EXPECT_EQ(cull(takeSnapshot(scene, 0, kSize, away), {}).counts.drawn, 1u);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, camera);
+  const VisibleNode visible = cull(snapshot, {.tolerancePx = 0.5}).opaque.at(0);
+  const double pixel = 1000 / snapshot.view.pixelsPerUnit;
+  EXPECT_LE(visible.toleranceObject, 0.5 * pixel);
+  EXPECT_GE(visible.toleranceObject, 0.25 * pixel);
+  EXPECT_TRUE(std::isinf(boundPx(snapshot.view, visible, 1))) << "and nothing is claimed";
+}
+
 TEST(Cull, OpaqueFrontToBackTransparentBackToFront) {
   test::Random random(24);
   Scene scene;

@@ -127,6 +127,22 @@ TEST(Snapshot, CameraIsTheNamedOneTheFirstOneOrAFittedOne) {
   EXPECT_NEAR(middle.y, 50, 1e-9);
 }
 
+TEST(Snapshot, AFormulaWithAPoleCanBeLookedAt) {
+  Scene scene;
+  scene.add(Node{.translation = Vec3(5, 0, 0),
+                 .surface = surface([](auto u, auto v) { return point(u, 1 / u, v); }, {{-1, 1}, {0, 1}})});
+  const Snapshot snapshot = takeSnapshot(scene, 0, {100, 100});
+  EXPECT_FALSE(std::isfinite(snapshot.nodes[0].boundsWorld.extent().y))
+      << "it has no end: it is never culled";
+  // The fitted camera looks at where most of it is; nine tenths of 1 / u lie within 1 / 0.1 of the middle.
+  const Vec3 toward = Vec3(5, 0, 0.5) - snapshot.view.eye;
+  EXPECT_GT(glm::dot(unit(toward), snapshot.view.forward()), 0.99);
+  EXPECT_LT(glm::length(toward), 200);
+  // An orthographic one has a depth range.
+  EXPECT_NO_THROW(static_cast<void>(
+      takeSnapshot(scene, 0, {100, 100}, Camera{.projection = Projection::Orthographic, .height = 20})));
+}
+
 TEST(Snapshot, BoundsHoldEverySampledPoint) {
   test::Random random(5);
   for (int i = 0; i < 300; ++i) {
