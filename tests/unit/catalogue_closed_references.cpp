@@ -3,6 +3,9 @@
 
 #include <complex>
 
+#include "surface/bezier.h"
+#include "surface/tube.h"
+
 namespace luxo {
 namespace {
 
@@ -201,6 +204,45 @@ void addTubes(std::vector<CatalogueReference>& all) {
                    return upright(r * std::cos(U), r * std::sin(U),
                                   size * (0.4L * std::sin(q) - 1.8L) + 0.9L);
                  }});
+}
+
+void addStructured(std::vector<CatalogueReference>& all) {
+  all.push_back(
+      {.label = "revolve",
+       .entry = "",
+       .position = [](Real u, Real v) { return around(u, 0.6L + 0.25L * std::sin(kTauL * v), 2 * v); },
+       .built = revolve([](auto v) {
+         return ProfilePoint{0.6 + 0.25 * sin(kTau * v), 2 * v};
+       })});
+  // A tube around a circle is a torus.
+  all.push_back({.label = "tube",
+                 .entry = "",
+                 .residual = [](Point p) { return std::hypot(rho(p) - 1, p.y) - 0.3L; },
+                 .area = kTau * kTau * 0.3,
+                 .volume = kTau * kPi * 0.09,
+                 .build =
+                     [] {
+                       return tube([](auto u) { return point(cos(u), 0, -sin(u)); },
+                                   [](auto, auto) { return 0.3; }, Interval(0, kTau));
+                     }});
+  BezierPatch patch;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) patch[4 * j + i] = Vec3(i, std::sin(3 * i + 5 * j), -j - 0.2 * i * i);
+  const auto bernstein = [](int i, Real x) {
+    constexpr Real kChoose[] = {1, 3, 3, 1};
+    return kChoose[i] * std::pow(x, static_cast<Real>(i)) * std::pow(1 - x, static_cast<Real>(3 - i));
+  };
+  all.push_back({.label = "bezier",
+                 .entry = "",
+                 .position =
+                     [=](Real u, Real v) {
+                       Point sum(0);
+                       for (int j = 0; j < 4; ++j)
+                         for (int i = 0; i < 4; ++i)
+                           sum += bernstein(i, u) * bernstein(j, v) * Point(patch[4 * j + i]);
+                       return sum;
+                     },
+                 .build = [=] { return bezier({patch}); }});
 }
 
 }  // namespace luxo

@@ -37,7 +37,7 @@ Measures measure(const Mesh& mesh) {
 
 class CatalogueMeshes : public testing::TestWithParam<CatalogueReference> {
  protected:
-  Surface surface_ = makeSurface(GetParam().entry, GetParam().arguments);
+  Surface surface_ = GetParam().surface();
 };
 
 TEST_P(CatalogueMeshes, EveryVertexIsFiniteWhateverTheGrid) {

@@ -276,9 +276,9 @@ const std::vector<CatalogueReference>& catalogueReferences() {
     addCurvature(all);
     addOneSided(all);
     addPinched(all);
-
     addSuperquadrics(all);
     addTubes(all);
+    addStructured(all);
     return all;
   }();
   return references;

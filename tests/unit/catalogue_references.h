@@ -35,16 +35,19 @@ inline Real rho(const Point& p) { return std::hypot(p.x, p.z); }
 
 struct CatalogueReference {
   std::string label;
-  std::string entry;
+  std::string entry;  ///< of the catalogue; empty for what is built otherwise
   std::vector<SurfaceArgument> arguments = {};
   std::function<Point(Real u, Real v)> position = {};  ///< luxo's frame and domain
   std::function<Point(Real u, Real v)> normal = {};    ///< outward, any length; the limit at singular points
   std::function<Real(Point)> residual = {};            ///< of an implicit equation, about a length
   std::optional<double> area = {}, volume = {};
   std::optional<double> gaussianCurvature = {};
-  bool minimal = false;  ///< mean curvature 0
-  bool kinked = false;   ///< some patches meet at an angle
-  bool smooth = true;    ///< finite curvature everywhere
+  bool minimal = false;                 ///< mean curvature 0
+  bool kinked = false;                  ///< some patches meet at an angle
+  bool smooth = true;                   ///< finite curvature everywhere
+  std::function<Surface()> build = {};  ///< where there is no entry
+
+  [[nodiscard]] Surface surface() const { return entry.empty() ? build() : makeSurface(entry, arguments); }
 };
 
 /// For GoogleTest's messages.
@@ -57,5 +60,7 @@ void addOneSided(std::vector<CatalogueReference>& all);
 void addPinched(std::vector<CatalogueReference>& all);
 void addSuperquadrics(std::vector<CatalogueReference>& all);
 void addTubes(std::vector<CatalogueReference>& all);
+/// Surfaces whose shape their author writes: turned profiles, tubes, patches.
+void addStructured(std::vector<CatalogueReference>& all);
 
 }  // namespace luxo

@@ -18,10 +18,6 @@ namespace {
 
 constexpr double kUlp = 0x1p-52;
 
-Surface surfaceOf(const CatalogueReference& reference) {
-  return makeSurface(reference.entry, reference.arguments);
-}
-
 double extentOf(const Surface& surface) { return glm::length(surface.framing({}).extent()); }
 
 struct Parameters {
@@ -61,7 +57,7 @@ std::pair<Real, Real> within(const Domain& domain, double u, double v) {
 class CatalogueReferences : public testing::TestWithParam<CatalogueReference> {};
 
 TEST_P(CatalogueReferences, PositionsAreThoseOfTheLiterature) {
-  const Surface surface = surfaceOf(GetParam());
+  const Surface surface = GetParam().surface();
   const double extent = extentOf(surface);
 
   double worst = 0, worstResidual = 0;
@@ -87,7 +83,7 @@ TEST_P(CatalogueReferences, TangentsEqualCentralDifferences) {
   // Sixth order in long double, h = 2^-13: truncation h^6 |S7| / 140 is below 1e-14 of the extent for the
   // fastest wave here (eight turns), rounding 2^-64 / h about 1e-15. A surface whose second parametrisation
   // is not written down is differenced in double with h = 2^-8: 2^-52 / h = 6e-14, truncation below 1e-8.
-  const Surface surface = surfaceOf(GetParam());
+  const Surface surface = GetParam().surface();
   const double extent = extentOf(surface);
   const bool exact = static_cast<bool>(GetParam().position);
   const Real h = exact ? 0x1p-13L : 0x1p-8L;
@@ -120,7 +116,7 @@ TEST_P(CatalogueReferences, TangentsEqualCentralDifferences) {
 
 TEST_P(CatalogueReferences, NormalsAreUnitAndAcrossBothTangents) {
   // Edges, poles and apexes included, and as near to them as 1e-9.
-  const Surface surface = surfaceOf(GetParam());
+  const Surface surface = GetParam().surface();
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
     const Parameters at = gridOn(surface.patchDomain(patch), surface.patchCount() > 2 ? 2 : 12, true);
     const SurfacePoints points = surface.evaluate(patch, at.u, at.v, {});
@@ -142,7 +138,7 @@ TEST_P(CatalogueReferences, NormalsAreUnitAndAcrossBothTangents) {
 }
 
 TEST_P(CatalogueReferences, AreaVolumeAndTotalCurvature) {
-  const Surface surface = surfaceOf(GetParam());
+  const Surface surface = GetParam().surface();
   const Topology& topology = surface.topology();
   if (!GetParam().area && !GetParam().volume && !topology.borderless) return;
   const Vec4 sums = integrate(surface, 32, [](const Jet& jet, double outward) {
@@ -168,7 +164,7 @@ TEST_P(CatalogueReferences, AreaVolumeAndTotalCurvature) {
 }
 
 TEST_P(CatalogueReferences, CurvatureIsWhatItIsKnownFor) {
-  const Surface surface = surfaceOf(GetParam());
+  const Surface surface = GetParam().surface();
   const double extent = extentOf(surface);
   const Parameters at = gridOn(surface.domain(), 40, false);
   if (!GetParam().gaussianCurvature && !GetParam().minimal) return;
@@ -184,7 +180,7 @@ TEST_P(CatalogueReferences, CurvatureIsWhatItIsKnownFor) {
 }
 
 TEST_P(CatalogueReferences, JoinedEdgesAreOneCurveWithOneNormal) {
-  const Surface surface = surfaceOf(GetParam());
+  const Surface surface = GetParam().surface();
   const double extent = extentOf(surface);
   EXPECT_EQ(std::ranges::all_of(surface.topology().joints, &Joint::smooth), !GetParam().kinked);
   constexpr int kSteps = 17;  // Ends included, but no halves or quarters: that is where pinches are.
@@ -204,7 +200,7 @@ TEST_P(CatalogueReferences, JoinedEdgesAreOneCurveWithOneNormal) {
 }
 
 TEST_P(CatalogueReferences, AreaVectorsOfAClosedSurfaceSumToZero) {
-  const Surface surface = surfaceOf(GetParam());
+  const Surface surface = GetParam().surface();
   if (!surface.closed()) return;
   const Vec4 sums = integrate(surface, 32, [](const Jet& jet, double outward) {
     return Vec4(outward * jet.cross(), glm::length(jet.cross()));
