@@ -211,9 +211,10 @@ void addStructured(std::vector<CatalogueReference>& all) {
       {.label = "revolve",
        .entry = "",
        .position = [](Real u, Real v) { return around(u, 0.6L + 0.25L * std::sin(kTauL * v), 2 * v); },
-       .built = revolve([](auto v) {
-         return ProfilePoint{0.6 + 0.25 * sin(kTau * v), 2 * v};
-       })});
+       .build =
+           [] { return revolve([](auto v) {
+                  return ProfilePoint{0.6 + 0.25 * sin(kTau * v), 2 * v};
+                }); }});
   // A tube around a circle is a torus.
   all.push_back({.label = "tube",
                  .entry = "",
