@@ -27,6 +27,7 @@ constexpr int kEdgeSamples = 17;  // odd, so that the middle and the ends of eve
 constexpr int kInnerSamples = 5;
 constexpr double kCoincident = 1e-9;  // of the extent
 constexpr double kRounding = 1e-13;   // of the coordinates, where a small surface is far from its origin
+constexpr double kLargest = 1e100;    // metres; squares of lengths must not overflow
 constexpr double kSameDirection = 1e-6;
 constexpr double kSamePole = 1e-5;
 constexpr double kNoVolume = 1e-9;  // rounding leaves 1e-13 of a volume that cancels
@@ -141,15 +142,19 @@ class Search {
       extent_ = 2 * spread.radius;
       tolerance_ = kCoincident * extent_ + kRounding * glm::length(center_);
     }
+    if (extent_ > kLargest)
+      throw Error(ErrorKind::Scene,
+                  fmt::format("surface '{}' is too large: its points are more than {:g} metres apart",
+                              stated_.name, kLargest),
+                  "check the formula and its domain");
     const Domain& d = patches_.front().domain;
     if (!(extent_ > kRounding * glm::length(center_)))
-      throw Error(
-          ErrorKind::Scene,
-          fmt::format("surface '{}' has no size: over u in [{}, {}], v in [{}, {}]{} its formula is the "
-                      "same point, or not a number, everywhere",
-                      stated_.name, d.u.lo, d.u.hi, d.v.lo, d.v.hi,
-                      patches_.size() > 1 ? " and its other patches" : ""),
-          "check the formula and its domain");
+      throw Error(ErrorKind::Scene,
+                  fmt::format("surface '{}' has no size: over u in [{}, {}], v in [{}, {}]{} its formula is "
+                              "the same point, or not a number, everywhere",
+                              stated_.name, d.u.lo, d.u.hi, d.v.lo, d.v.hi,
+                              patches_.size() > 1 ? " and its other patches" : ""),
+                  "check the formula and its domain");
   }
 
   /// Limits of Su x Sv at every other sample of an edge; found when first asked for.

@@ -183,6 +183,18 @@ TEST(Topology, RefusesWhatIsNoSurface) {
   EXPECT_TRUE(mentions(nothing, "void") && mentions(nothing, "not a number")) << nothing;
 }
 
+TEST(Topology, RefusesWhatIsTooLarge) {
+  for (const double size : {1e101, 1e200, 1e308}) {
+    const std::string text = refusal([&] {
+      return surface([=](auto u, auto v) { return point(size * u, size * v, 0); }, {}, {.name = "plain"});
+    });
+    EXPECT_TRUE(mentions(text, "plain") && mentions(text, "too large")) << text;
+  }
+  // What is far out in a few places only is a pole, not a size.
+  EXPECT_NO_THROW(static_cast<void>(
+      surface([](auto u, auto v) { return point(u, 1 / (1e-150 + u * u), v); }, {{-1, 1}, {0, 1}})));
+}
+
 TEST(Topology, NamedSurfacesRefuseImpossibleSizes) {
   for (const double size : {0.0, -1.0, kNaN, kInfinity}) {
     SCOPED_TRACE(size);
