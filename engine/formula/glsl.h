@@ -30,8 +30,8 @@ inline constexpr std::size_t kMostGlslOperations = 20'000;
 
 /// `void name(float u, float v, out ... )`, ending in a newline. Variable 0 is u, variable 1 is v, variable
 /// 2 + k is parameterAt(k). Constants are rounded to float; where the graph has an infinity or a NaN, so has
-/// the code. The text depends on the expressions alone, not on what else their graph holds. Cost: linear in
-/// the nodes of the graph. Throws Error(Scene) beyond kMostGlslOperations.
+/// the code. The text depends on the expressions and the order they were made in, not on what else their
+/// graph holds. Cost: linear in the nodes of the graph. Throws Error(Scene) beyond kMostGlslOperations.
 [[nodiscard]] std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs);
 
 /// The positions and derivatives of a surface: `void name(float u, float v, out vec3 S, out vec3 Su,

@@ -172,4 +172,16 @@ void Tape::bound(const Interval& u, const Interval& v, std::span<const double> p
   for (std::size_t k = 0; k < outputs_.size(); ++k) bounds[k] = all[outputs_[k]];
 }
 
+std::vector<Expr> Tape::expressions(Graph& graph) const {
+  std::vector<Expr> values(constants_.begin(), constants_.end());
+  for (const std::uint32_t variable : variables_) values.push_back(graph.variable(variable));
+  for (const Step& step : steps_) {
+    values.push_back(Graph::apply(step.op, values[step.a], values[step.b], values[step.c], step.exponent));
+    if (step.paired) values.push_back(cos(values[step.a]));
+  }
+  std::vector<Expr> outputs;
+  for (const std::uint32_t output : outputs_) outputs.push_back(values[output]);
+  return outputs;
+}
+
 }  // namespace luxo

@@ -56,6 +56,10 @@ class Tape {
   void bound(const Interval& u, const Interval& v, std::span<const double> parameters,
              std::span<Interval> bounds) const;
 
+  /// The outputs as expressions again, in any graph: to make something else of a formula that was compiled.
+  /// Cost: linear.
+  [[nodiscard]] std::vector<Expr> expressions(Graph& graph) const;
+
  private:
   /// What a value depends on decides how often it is computed. A formula runs in this order.
   enum class Rate : std::uint8_t { Once, PerColumn, PerRow, PerPoint };

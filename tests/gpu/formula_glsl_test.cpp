@@ -13,6 +13,7 @@
 #include "luxo/shaders/test_descriptors_vert.h"
 #include "math/vec.h"
 #include "support/gpu_fixture.h"
+#include "surface/catalogue.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -26,6 +27,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,11 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kWidth = 256;
+
+// Of whole surfaces, relative to their size: some ten roundings of 6e-8 where nothing cancels, and what the
+// rounding of an angle does, which is 1e-6 at the end of five turns (springs, knots, shells).
+constexpr double kMostSurfaceError = 3e-6;
+constexpr double kMostTangentError = 5e-6;
 
 constexpr std::string_view kFragment = R"(#version 460
 #extension GL_GOOGLE_include_directive : require
@@ -381,6 +388,91 @@ TEST_F(FormulaGlslTest, CompositionsAgreeWithTheTape) {
   for (int k = 0; k < 4; ++k)
     for (std::size_t i = 0; i < points.size(); ++i)
       ASSERT_NEAR(got[k][i], wanted[k][i], most[k]) << k << " at " << points[i].x << ", " << points[i].y;
+}
+
+/// The largest of three relative errors of vectors: the largest difference over the largest length.
+struct VectorErrors {
+  std::array<double, 3> difference{}, length{};
+
+  void add(int which, const Vec3& got, const Vec3& wanted) {
+    const bool finite = std::isfinite(glm::dot(wanted, wanted));
+    if (!finite) return;
+    difference[which] = std::max(difference[which], glm::length(got - wanted));
+    length[which] = std::max(length[which], glm::length(wanted));
+  }
+  [[nodiscard]] double of(int which) const { return difference[which] / std::max(length[which], 1e-30); }
+};
+
+TEST_F(FormulaGlslTest, SurfacesAgreeWithTheTape) {
+  constexpr std::size_t kPoints = 4096;
+  fmt::print("  {:<22} {:>10} {:>10} {:>10}   of the largest\n", "surface", "S", "Su", "Sv");
+  for (const CatalogueEntry& entry : catalogue()) {
+    const Surface surface = makeSurface(entry);
+    VectorErrors errors;
+    std::set<const SurfaceFunction*> seen;  // patches may share one
+    for (const Patch& patch : surface.patches()) {
+      if (!seen.insert(patch.function.get()).second) continue;
+      std::mt19937 random(11);  // NOLINT: the same numbers every time
+      std::uniform_real_distribution<double> anywhere(0, 1);
+      std::vector<Vec2f> points;
+      std::vector<double> u, v;
+      for (std::size_t i = 0; i < kPoints; ++i) {
+        points.emplace_back(patch.domain.u.lo + patch.domain.u.width() * anywhere(random),
+                            patch.domain.v.lo + patch.domain.v.width() * anywhere(random));
+        u.push_back(points.back().x);
+        v.push_back(points.back().y);
+      }
+      Graph graph;
+      const std::vector<Expr> outputs = patch.function->tangents.expressions(graph);
+      const auto wanted = patch.function->tangents.evaluate(u, v, patch.constants);
+      const std::vector<float> parameters(patch.constants.begin(), patch.constants.end());
+      for (int which = 0; which < 3; ++which) {
+        const auto first = outputs.begin() + 3 * which;
+        const Results got = evaluate(graph, {first, first + 3}, points, parameters);
+        for (std::size_t i = 0; i < kPoints; ++i)
+          errors.add(which, {got[0][i], got[1][i], got[2][i]},
+                     {wanted[3 * which][i], wanted[3 * which + 1][i], wanted[3 * which + 2][i]});
+      }
+    }
+    fmt::print("  {:<22} {:>10.1e} {:>10.1e} {:>10.1e}\n", entry.name, errors.of(0), errors.of(1),
+               errors.of(2));
+    EXPECT_LE(errors.of(0), kMostSurfaceError) << entry.name;
+    EXPECT_LE(errors.of(1), kMostTangentError) << entry.name;
+    EXPECT_LE(errors.of(2), kMostTangentError) << entry.name;
+  }
+}
+
+TEST_F(FormulaGlslTest, SurfaceFunctionsHaveAllDerivatives) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1), minor = graph.variable(2);
+  const ExprPoint torus =
+      point((2 + minor * cos(v)) * cos(u), minor * sin(v), -(2 + minor * cos(v)) * sin(u));
+  const std::string glsl = emitSurfaceGlsl(graph, "torus", torus, true) + R"(
+void formula(float u, float v, out vec4 result) {
+  vec3 d[6];
+  torus(u, v, d[0], d[1], d[2], d[3], d[4], d[5]);
+  int which = int(parameterAt(1u));
+  vec3 chosen = d[0];
+  for (int i = 1; i < 6; ++i) chosen = i == which ? d[i] : chosen;
+  result = vec4(chosen, 0);
+}
+)";
+  const std::vector<Vec2f> points{{0.3f, 0.7f}, {2, -1}, {-3, 3}, {1.5f, 5.5f}};
+  const double r = 0.75;
+  for (int which = 0; which < 6; ++which) {
+    const Results got = evaluate(glsl, points, {static_cast<float>(r), static_cast<float>(which)});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double cu = std::cos(points[i].x), su = std::sin(points[i].x), cv = std::cos(points[i].y),
+                   sv = std::sin(points[i].y), ring = 2 + r * cv;
+      const Vec3 wanted[] = {{ring * cu, r * sv, -ring * su},     {-ring * su, 0, -ring * cu},
+                             {-r * sv * cu, r * cv, r * sv * su}, {-ring * cu, 0, ring * su},
+                             {r * sv * su, 0, r * sv * cu},       {-r * cv * cu, -r * sv, r * cv * su}};
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(got[k][i], wanted[which][k], 2e-6) << which << " at point " << i;
+    }
+  }
+  EXPECT_THAT(emitSurfaceGlsl(graph, "torus", torus),
+              testing::HasSubstr("void torus(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)"));
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The text of shader code, and tapes turned back into expressions. What the code computes: tests/gpu.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "formula/glsl.h"
+#include "formula/tape.h"
+
+namespace luxo {
+namespace {
+
+std::string textOf(Graph& graph, const std::vector<Expr>& outputs) {
+  const GlslOutput output{"result", outputs};
+  return emitGlsl(graph, "f", {&output, 1});
+}
+
+std::size_t countOf(std::string_view part, std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(GlslText, IsAFunctionWithOneStatementAnOperation) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1), speed = graph.variable(3);
+  EXPECT_EQ(textOf(graph, {sin(u + speed) / v}),
+            "void f(float u, float v, out float result) {\n"
+            "  float t0 = parameterAt(1u);\n"
+            "  float t1 = u + t0;\n"
+            "  float t2 = formulaSin(t1);\n"
+            "  float t3 = t2 / v;\n"
+            "  result = float(t3);\n"
+            "}\n");
+  EXPECT_EQ(textOf(graph, {u, Expr(-2.5), v, Expr(1)}),
+            "void f(float u, float v, out vec4 result) {\n"
+            "  result = vec4(u, (-2.5), v, 1.0);\n"
+            "}\n");
+}
+
+TEST(GlslText, ComputesSharedPartsOnce) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1);
+  const Expr shared = exp(u * v);
+  EXPECT_EQ(countOf("formulaExp(", textOf(graph, {shared + u, shared - v, shared * shared})), 1u);
+  const ExprPoint torus = point((2 + cos(v)) * cos(u), sin(v), (2 + cos(v)) * sin(u));
+  const std::string text = emitSurfaceGlsl(graph, "torus", torus, true);
+  EXPECT_EQ(countOf("formulaSin(", text), 2u) << text;
+  EXPECT_EQ(countOf("formulaCos(", text), 2u) << text;
+}
+
+TEST(GlslText, DoesNotDependOnWhatElseTheGraphHolds) {
+  const auto formula = [](Graph& graph) {
+    return min(graph.variable(0) * graph.variable(1), graph.variable(2)) + 3 * graph.variable(0);
+  };
+  Graph alone, crowded;
+  const Expr other = atan2(crowded.variable(7), exp(crowded.variable(9)));
+  static_cast<void>(crowded.nodeOf(other));
+  EXPECT_EQ(textOf(alone, {formula(alone)}), textOf(crowded, {formula(crowded)}));
+}
+
+TEST(GlslText, HasNoLiteralThatGlslLacks) {
+  Graph graph;
+  const Expr u = graph.variable(0);
+  for (const double c :
+       {std::numeric_limits<double>::infinity(), -1e308, std::numeric_limits<double>::quiet_NaN()}) {
+    const std::string text = textOf(graph, {select(u, c, 1)});
+    EXPECT_EQ(countOf("inf", text) + countOf("nan", text), 0u) << text;
+    EXPECT_EQ(countOf("uintBitsToFloat(0x", text), 1u) << text;
+  }
+}
+
+TEST(GlslText, RefusesFormulasTooLargeForADevice) {
+  Graph graph;
+  Expr f = graph.variable(0);
+  while (graph.nodes().size() < kMostGlslOperations - 10) f = sin(f + graph.variable(1));
+  EXPECT_NO_THROW(static_cast<void>(textOf(graph, {f})));
+  for (int i = 0; i < 10; ++i) f = sin(f + graph.variable(1));
+  try {
+    static_cast<void>(textOf(graph, {f}));
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    EXPECT_NE(std::string(error.what()).find("20000"), std::string::npos) << error.what();
+  }
+}
+
+TEST(TapeExpressions, GiveTheTapeBack) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1), p = graph.variable(2);
+  const std::array outputs{sin(u) * cos(u) + cos(v), pow(u + p, 3) / max(v, p),
+                           select(less(u, v), exp(u), abs(v)), Expr(4), u};
+  const Tape tape(graph, outputs);
+  Graph other;
+  const Tape again(other, tape.expressions(other));
+  const std::vector<double> us{0.1, 0.7, -1.3}, vs{2.1, -0.2, 0.4}, parameters{1.5};
+  EXPECT_EQ(tape.evaluate(us, vs, parameters), again.evaluate(us, vs, parameters));
+}
+
+}  // namespace
+}  // namespace luxo
