@@ -49,10 +49,14 @@ void printError(const Error& error) { print(errorText(error, colouredConsole()))
 
 void printNote(const std::string& message) { print(message + "\n"); }
 
+void printWarning(const std::string& message) {
+  print(labelled("warning", kYellow, message, colouredConsole()));
+}
+
 void showLog(Verbosity verbosity) {
   if (verbosity == Verbosity::Quiet) return setLogSink({});
   setLogSink([verbosity](LogLevel level, const std::string& message) {
-    if (level == LogLevel::Warning) return print(labelled("warning", kYellow, message, colouredConsole()));
+    if (level == LogLevel::Warning) return printWarning(message);
     if (level == LogLevel::Info || verbosity == Verbosity::Verbose) print(message + "\n");
   });
 }

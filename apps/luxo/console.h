@@ -21,6 +21,8 @@ void printData(const std::string& text);
 
 void printError(const Error& error);
 void printNote(const std::string& message);
+/// "warning: message"
+void printWarning(const std::string& message);
 
 /// Shows what the library logs: warnings always unless Quiet, information unless Quiet, details when Verbose.
 void showLog(Verbosity verbosity);

@@ -34,11 +34,6 @@ std::optional<Number> wholeNumber(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-std::optional<double> finiteNumber(std::string_view text) {
-  const auto value = wholeNumber<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
 Names split(const std::string& text, char separator) {
   Names parts;
   std::size_t begin = 0;
@@ -107,6 +102,11 @@ void appendRange(const std::string& whole, const std::string& part, std::vector<
 }
 
 }  // namespace
+
+std::optional<double> finiteNumber(std::string_view text) {
+  const auto value = wholeNumber<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
 
 double parseNumber(std::string_view option, const std::string& text) { return numberIn(option, text, text); }
 

@@ -3,6 +3,7 @@
 // what it takes, and Error(Scene) for what luxo knows but cannot do yet.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,9 @@ inline constexpr int kMaxRenderSide = 16384;
 
 /// The most frames or sweep values in one run.
 inline constexpr int kMaxFrames = 1'000'000;
+
+/// The number that the whole text is, if it is one and finite.
+[[nodiscard]] std::optional<double> finiteNumber(std::string_view text);
 
 /// One finite number, or a fraction of two: `0.25`, `1e-3`, `1/255`.
 [[nodiscard]] double parseNumber(std::string_view option, const std::string& text);

@@ -21,7 +21,7 @@ struct RenderOptions::Texts {
   bool validate = false, list = false, quiet = false, verbose = false;
 };
 
-RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, Destination destination)
+RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarget destination)
     : texts_(std::make_unique<Texts>()) {
   Texts& t = *texts_;
   t.sceneArgument = scene;
@@ -30,7 +30,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, Destination
   const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
     return command.add_option(name, value, help)->type_name(type);
   };
-  const bool files = destination == Destination::File;
+  const bool files = destination == RenderTarget::File;
   if (files)
     add("-o,--output", t.output,
         "picture to write: .png .tga (8 bit, sRGB), .exr .pfm (float, linear); ####, %04d or "
@@ -48,7 +48,8 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, Destination
   add("-P,--param", t.parameters, "value or expression of a scene parameter", "NAME=VALUE")
       ->allow_extra_args(false);
   if (files) {
-    add("--sweep", t.sweep, "one picture for each value of a parameter", "NAME=FROM:TO:STEP");
+    add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
+        "NAME=FROM:TO:STEP");
     add("--aov", t.aov, "what to write: color depth position normal uv id (color)", "NAME");
     add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
   }
@@ -98,7 +99,7 @@ void requireDistinct(const std::vector<ParameterValue>& parameters, const std::o
 
 }  // namespace
 
-RenderRequest RenderOptions::request(Destination destination) const {
+RenderRequest RenderOptions::request(RenderTarget destination) const {
   const Texts& t = *texts_;
   RenderRequest request;
   request.listScenes = t.list;
@@ -132,7 +133,7 @@ RenderRequest RenderOptions::request(Destination destination) const {
   request.verbosity = t.quiet ? Verbosity::Quiet : t.verbose ? Verbosity::Verbose : Verbosity::Normal;
   requireDistinct(request.parameters, request.sweep);
   request.scene = t.scene;
-  if (destination == Destination::Window) {
+  if (destination == RenderTarget::Window) {
     refuseForWindow("--frames", t.frames);
     refuseForWindow("--sweep", t.sweep);
     refuseForWindow("--aov", t.aov);

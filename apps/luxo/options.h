@@ -44,12 +44,12 @@ struct RenderRequest {
 enum class SceneArgument { Taken, None };
 
 /// A window takes fewer options: nothing that is about files or several pictures.
-enum class Destination { File, Window };
+enum class RenderTarget { File, Window };
 
 /// Adds the options to a command; after it has been parsed, request() checks and gives their values.
 class RenderOptions {
  public:
-  RenderOptions(CLI::App& command, SceneArgument scene, Destination destination = Destination::File);
+  RenderOptions(CLI::App& command, SceneArgument scene, RenderTarget destination = RenderTarget::File);
   RenderOptions(const RenderOptions&) = delete;
   RenderOptions& operator=(const RenderOptions&) = delete;
   ~RenderOptions();
@@ -59,7 +59,7 @@ class RenderOptions {
 
   /// Error(Usage): a value is wrong, two options exclude each other, scene or output is missing, or an option
   /// means nothing in a window. Error(Scene): a value is known but not supported yet.
-  [[nodiscard]] RenderRequest request(Destination destination = Destination::File) const;
+  [[nodiscard]] RenderRequest request(RenderTarget destination = RenderTarget::File) const;
 
  private:
   struct Texts;

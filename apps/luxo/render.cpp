@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "builtin_scenes.h"
 #include "console.h"
 #include "draw/renderer.h"
 #include "exit_code.h"
@@ -19,6 +18,7 @@
 #include "image/file.h"
 #include "image/format.h"
 #include "interruption.h"
+#include "open_scene.h"
 #include "process_tuning.h"
 #include "report.h"
 #include "scene_request.h"
@@ -36,15 +36,21 @@ struct Job {
   int frame;
   double time;
   std::filesystem::path file;
+  std::optional<double> sweptValue = std::nullopt;
 };
 
 std::vector<Job> jobsOf(const RenderRequest& request, const RenderSettings& settings) {
-  const FrameNames names(request.output, request.frames.size() > 1);
-  if (names.numberAdded() && request.verbosity != Verbosity::Quiet)
-    printNote(fmt::format("several frames: writing {} and so on", names.of(request.frames.front()).string()));
+  const std::size_t count = request.sweep ? request.sweep->values.size() : request.frames.size();
+  const FrameNames names(request.output, count > 1);
   std::vector<Job> jobs;
   for (const int frame : request.frames) jobs.push_back({frame, (frame - 1) / settings.fps, names.of(frame)});
+  for (std::size_t i = 0; request.sweep && i < count; ++i) {
+    const int frame = static_cast<int>(i) + 1;
+    jobs.push_back({frame, settings.time, names.of(frame), request.sweep->values[i]});
+  }
   if (jobs.empty()) jobs.push_back({1, settings.time, names.of(1)});
+  if (names.numberAdded() && request.verbosity != Verbosity::Quiet)
+    printNote(fmt::format("several frames: writing {} and so on", jobs.front().file.string()));
   return jobs;
 }
 
@@ -71,7 +77,7 @@ class Run {
       : scene_(std::move(scene)), request_(request), settings_(settingsOf(scene_, request)) {}
 
   int toExitCode() {
-    refuseParameters(request_);
+    if (request_.sweep) swept_ = sweptParameter(scene_, *request_.sweep);
     const CameraId camera = cameraOf(scene_, request_);
     const std::vector<Job> jobs = jobsOf(request_, settings_);
     if (jobs.size() > 1) requireFolderOf(jobs.front().file);
@@ -109,12 +115,20 @@ class Run {
   };
 
   void draw(Renderer& renderer, const Job& job, CameraId camera, bool oneOfMany) {
-    report_.frames.push_back(
-        {.frame = job.frame, .time = job.time, .file = job.file, .statistics = {}, .error = {}});
+    report_.frames.push_back({.frame = job.frame,
+                              .time = job.time,
+                              .file = job.file,
+                              .parameters = {},
+                              .statistics = {},
+                              .error = {}});
     const std::size_t index = report_.frames.size() - 1;
     oneOfMany_ = oneOfMany;
     attempt(index, [&] {
       const auto start = std::chrono::steady_clock::now();
+      if (job.sweptValue) scene_.setParameter(swept_, *job.sweptValue);
+      const std::vector<double> values = scene_.parametersAt(job.time);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        report_.frames[index].parameters.emplace_back(scene_.parameters()[i].name, values[i]);
       const Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, camera);
       const double animate = millisecondsSince(start);
       DrawOptions options = drawOptions(settings_);
@@ -204,6 +218,7 @@ class Run {
   Scene scene_;
   const RenderRequest& request_;
   RenderSettings settings_;
+  ParameterId swept_;
   RunReport report_;
   std::optional<Pending> pending_;
   bool oneOfMany_ = false;
@@ -226,9 +241,9 @@ void addRender(CLI::App& app, Command& chosen) {
   verb->callback([options, &chosen] {
     chosen = [options] {
       const RenderRequest request = options->request();
-      if (!request.listScenes) return renderToFiles(openScene(request.scene), request);
+      if (!request.listScenes) return renderToFiles(openScene(request.scene, request.parameters), request);
       for (const BuiltinScene& scene : builtinScenes())
-        printData(fmt::format("{:<14} {}\n", scene.name, scene.summary));
+        printData(fmt::format("{:<20} {}\n", scene.name, scene.summary));
       return exit_code::kDone;
     };
   });

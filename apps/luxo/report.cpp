@@ -50,6 +50,10 @@ Json frameJson(const FrameReport& frame) {
         {"residual_max_px", nullptr},
         {"unconverged_px", nullptr}}},
   };
+  if (!frame.parameters.empty()) {
+    json["parameters"] = Json::object();
+    for (const auto& [name, value] : frame.parameters) json["parameters"][name] = value;
+  }
   if (frame.error) {
     json["file"] = nullptr;
     json["failure"] = *frame.error;

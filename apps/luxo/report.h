@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "draw/statistics.h"
@@ -17,6 +18,7 @@ struct FrameReport {
   int frame = 1;
   double time = 0;
   std::filesystem::path file;
+  std::vector<std::pair<std::string, double>> parameters;  ///< of the scene, with their values
   FrameStatistics statistics;
   std::optional<std::string> error;  ///< why there is no file
 };

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 #include "base/error.h"
+#include "base/suggestion.h"
 
 namespace luxo {
 
@@ -21,27 +25,46 @@ RenderSettings settingsOf(const Scene& scene, const RenderRequest& request) {
 CameraId cameraOf(const Scene& scene, const RenderRequest& request) {
   if (!request.camera) return {};
   if (const auto id = scene.findCamera(*request.camera)) return *id;
-  std::string names;
-  for (const Camera& camera : scene.cameras()) names += (names.empty() ? "" : ", ") + camera.name;
+  std::vector<std::string> names;
+  for (const Camera& camera : scene.cameras()) names.push_back(camera.name);
   throw Error(ErrorKind::Usage, fmt::format("--camera: the scene has no camera '{}'", *request.camera),
-              names.empty() ? "it has no camera at all; leave the option out"
-                            : fmt::format("its cameras: {}", names));
+              names.empty()
+                  ? "it has no camera at all; leave the option out"
+                  : didYouMean(*request.camera, names, fmt::format("its cameras: {}", listed(names))));
 }
 
 void refuseParameters(const RenderRequest& request) {
-  const std::string name = !request.parameters.empty() ? request.parameters.front().name
-                           : request.sweep             ? request.sweep->name
-                                                       : "";
-  if (!name.empty())
-    throw Error(ErrorKind::Usage, fmt::format("the scene has no parameter '{}'", name),
-                "built-in scenes have no parameters");
+  if (!request.parameters.empty())
+    throw Error(ErrorKind::Usage,
+                fmt::format("the scene has no parameter '{}'", request.parameters.front().name),
+                "it has no parameters");
 }
 
-ViewerOptions viewerOptions(const Scene& scene, const std::string& title, const RenderRequest& request) {
-  refuseParameters(request);
+ParameterId sweptParameter(const Scene& scene, const Sweep& sweep) {
+  const auto id = scene.findParameter(sweep.name);
+  if (!id) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : scene.parameters()) names.push_back(parameter.name);
+    throw Error(ErrorKind::Usage, fmt::format("--sweep: the scene has no parameter '{}'", sweep.name),
+                names.empty() ? "it has no parameters"
+                              : didYouMean(sweep.name, names, fmt::format("it has {}", listed(names))));
+  }
+  try {
+    for (const double value : sweep.values) requireAllowed(scene[*id], value);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::Usage, fmt::format("--sweep: {}", error.what()));
+  }
+  return *id;
+}
+
+ViewedScene viewedScene(Scene scene, const RenderRequest& request) {
+  const RenderSettings settings = settingsOf(scene, request);
+  const CameraId camera = cameraOf(scene, request);
+  return {std::move(scene), settings, camera};
+}
+
+ViewerOptions viewerOptions(const std::string& title, const RenderRequest& request) {
   return {.title = title,
-          .settings = settingsOf(scene, request),
-          .camera = cameraOf(scene, request),
           .playing = !request.time,
           .skips = request.skips,
           .device = request.device,

@@ -13,11 +13,17 @@ namespace luxo {
 /// None: the scene's first. Error(Usage): it has none of that name.
 [[nodiscard]] CameraId cameraOf(const Scene& scene, const RenderRequest& request);
 
-/// Error(Usage) for any -P or --sweep: built-in scenes are C++ and have no parameters.
+/// Error(Usage) for any -P: what is built in C++ has no parameters.
 void refuseParameters(const RenderRequest& request);
 
-/// A window on the scene. It starts paused where the request names a moment. Error(Usage) as above.
-[[nodiscard]] ViewerOptions viewerOptions(const Scene& scene, const std::string& title,
-                                          const RenderRequest& request);
+/// The parameter that is swept. Error(Usage): the scene has none of that name, or its range does not allow
+/// all the values.
+[[nodiscard]] ParameterId sweptParameter(const Scene& scene, const Sweep& sweep);
+
+/// The scene as the request wants it shown. Error(Usage): it has no such camera.
+[[nodiscard]] ViewedScene viewedScene(Scene scene, const RenderRequest& request);
+
+/// A window for it. It starts paused where the request names a moment.
+[[nodiscard]] ViewerOptions viewerOptions(const std::string& title, const RenderRequest& request);
 
 }  // namespace luxo

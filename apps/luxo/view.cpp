@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "builtin_scenes.h"
 #include "console.h"
+#include "open_scene.h"
 #include "scene_request.h"
 #include "verbs.h"
 #include "viewer.h"
@@ -14,14 +14,17 @@ namespace luxo {
 void addView(CLI::App& app, Command& chosen) {
   CLI::App* verb = app.add_subcommand("view", "show a scene in a window: luxo-grandpa, or the one named");
   verb->group("Verbs");
-  const auto options = std::make_shared<RenderOptions>(*verb, SceneArgument::Taken, Destination::Window);
+  const auto options = std::make_shared<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
   verb->callback([options, &chosen] {
     chosen = [options] {
-      const RenderRequest request = options->request(Destination::Window);
+      const RenderRequest request = options->request(RenderTarget::Window);
       showLog(request.verbosity);
       const std::string name = request.scene.empty() ? "luxo-grandpa" : request.scene;
-      const Scene scene = openScene(name);
-      return runViewer(scene, viewerOptions(scene, name, request));
+      const auto read = [name, request] { return viewedScene(openScene(name, request.parameters), request); };
+      ViewerOptions viewer = viewerOptions(name, request);
+      viewer.file = fileOfScene(name);
+      viewer.readAgain = read;
+      return runViewer(read(), viewer);
     };
   });
 }

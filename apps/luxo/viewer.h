@@ -2,6 +2,8 @@
 // A scene in a window: what `luxo view` and `luxo_grandpa` open.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 
 #include "draw/options.h"
@@ -9,18 +11,28 @@
 
 namespace luxo {
 
-struct ViewerOptions {
-  std::string title = "luxo";
+/// What is shown, and how as long as its user does not say otherwise.
+struct ViewedScene {
+  Scene scene;
   RenderSettings settings = {};  ///< size, first moment, shading, samples, tolerance, frames per second
   CameraId camera = {};          ///< none: the scene's first
-  bool playing = true;           ///< false: starts paused
+};
+
+struct ViewerOptions {
+  std::string title = "luxo";
+  bool playing = true;  ///< false: starts paused
   Skips skips = {};
   std::string device = "auto";
-  bool validate = false;  ///< Vulkan validation layers on; any message fails the run
+  bool validate = false;            ///< Vulkan validation layers on; any message fails the run
+  std::filesystem::path file = {};  ///< where the scene comes from; empty: nowhere
+  /// Reads that file: the viewer asks for it whenever the file is saved. What it throws is shown over the
+  /// last good scene, until the next time.
+  std::function<ViewedScene()> readAgain = {};
 };
 
 /// Shows the scene until its user closes the window, and gives the exit code. Nothing is drawn while nothing
+/// changes. Parameters with a range get sliders; moving one reads, compiles and uploads nothing but what it
 /// changes. Throws Error(Device) where there is no screen, Error(Usage) where this build has no window.
-[[nodiscard]] int runViewer(const Scene& scene, const ViewerOptions& options);
+[[nodiscard]] int runViewer(ViewedScene viewed, const ViewerOptions& options);
 
 }  // namespace luxo

@@ -2,6 +2,8 @@
 // Luxo Grandpa in a window; with -o, in a file.
 #include <CLI/CLI.hpp>
 
+#include <utility>
+
 #include "command_line.h"
 #include "console.h"
 #include "exit_code.h"
@@ -22,15 +24,18 @@ int runLamp(int argc, const char* const* argv) {
   const luxo::RenderOptions options(app, luxo::SceneArgument::None);
   if (!luxo::parseCommandLine(app, argc, argv)) return luxo::exit_code::kDone;
 
-  const luxo::Scene lamp = luxo::luxoGrandpa();
+  luxo::Scene lamp = luxo::luxoGrandpa();
   if (options.hasOutput()) {
     luxo::RenderRequest request = options.request();
     request.scene = "luxo-grandpa";
-    return luxo::renderToFiles(lamp, request);
+    luxo::refuseParameters(request);
+    return luxo::renderToFiles(std::move(lamp), request);
   }
-  const luxo::RenderRequest request = options.request(luxo::Destination::Window);
+  const luxo::RenderRequest request = options.request(luxo::RenderTarget::Window);
+  luxo::refuseParameters(request);
   luxo::showLog(request.verbosity);
-  return luxo::runViewer(lamp, luxo::viewerOptions(lamp, "Luxo Grandpa", request));
+  return luxo::runViewer(luxo::viewedScene(std::move(lamp), request),
+                         luxo::viewerOptions("Luxo Grandpa", request));
 }
 
 }  // namespace

@@ -208,19 +208,6 @@ std::vector<Material> takeMaterials(const Scene& scene, const Moment& moment) {
   return materials;
 }
 
-/// Finite box around what can be looked at: a formula that grows without bound is not followed to its end.
-Box boundsOf(const std::vector<SnapshotNode>& nodes) {
-  Box box;
-  for (const SnapshotNode& node : nodes) {
-    if (std::isfinite(glm::dot(node.boundsWorld.extent(), Vec3(1)))) {
-      box.add(node.boundsWorld);
-    } else if (const Box framing = node.surface.framing(node.parameters); !framing.empty()) {
-      box.add(transformBounds(node.worldFromObject, framing));
-    }
-  }
-  return box;
-}
-
 /// Everything but the view.
 Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
   const std::vector<Placed> placed = placeNodes(scene, moment);
@@ -242,7 +229,7 @@ struct Instant {
   [[nodiscard]] Moment moment() const { return {time, parameters}; }
   [[nodiscard]] Snapshot unseen() const { return takeUnseen(scene, moment()); }
   [[nodiscard]] Snapshot seen(Snapshot snapshot, const Camera& camera, PixelSize size) const {
-    snapshot.view = viewAt(camera, moment(), size, boundsOf(snapshot.nodes));
+    snapshot.view = viewAt(camera, moment(), size, framingOf(snapshot));
     return snapshot;
   }
 
@@ -275,8 +262,20 @@ Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, Ca
     return now.seen(std::move(snapshot), scene[camera.valid() ? camera : CameraId{0}], size);
   const double fitTime = scene.settings().time;
   const bool sameMoment = timeSeconds == fitTime || !scene.movesWithTime();
-  const Box bounds = boundsOf(sameMoment ? snapshot.nodes : Instant(scene, fitTime).unseen().nodes);
-  return now.seen(std::move(snapshot), fitCamera(bounds, size), size);
+  const Box framing = framingOf(sameMoment ? snapshot : Instant(scene, fitTime).unseen());
+  return now.seen(std::move(snapshot), fitCamera(framing, size), size);
+}
+
+Box framingOf(const Snapshot& snapshot) {
+  Box box;
+  for (const SnapshotNode& node : snapshot.nodes) {
+    if (std::isfinite(glm::dot(node.boundsWorld.extent(), Vec3(1)))) {
+      box.add(node.boundsWorld);
+    } else if (const Box framing = node.surface.framing(node.parameters); !framing.empty()) {
+      box.add(transformBounds(node.worldFromObject, framing));
+    }
+  }
+  return box;
 }
 
 Changes changesSince(const Snapshot& previous, const Snapshot& next) {

@@ -64,6 +64,10 @@ struct Snapshot {
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
                                     const Camera& camera);
 
+/// A finite box to look at: the surfaces' bounds, and where those are infinite their framing(). A fitted
+/// camera shows it, and an orthographic view clips what lies outside its depth range.
+[[nodiscard]] Box framingOf(const Snapshot& snapshot);
+
 /// What differs between two moments of one scene: consumers upload only that.
 struct Changes {
   bool structure =

@@ -23,6 +23,9 @@ constexpr float kLineSpacing = 1.3f;     // of the letters' height
 constexpr float kTitleGap = 4;           // below a title
 constexpr float kSmallestShrink = 0.6f;  // below it nobody can read
 constexpr float kDiscreetShare = 0.25f;  // of the window's area
+constexpr float kTrackWidth = 160, kTrackHeight = 4, kHandleRadius = 6;
+constexpr float kValueWidth = 56;  // at least, so that a panel keeps its size while a value changes
+constexpr float kButtonPadding = 6;
 
 constexpr ImU32 kBackground = IM_COL32(9, 10, 13, 168);
 constexpr ImU32 kBorder = IM_COL32(255, 255, 255, 20);
@@ -30,15 +33,22 @@ constexpr ImU32 kTitle = IM_COL32(255, 214, 150, 255);
 constexpr ImU32 kLabel = IM_COL32(186, 168, 138, 255);
 constexpr ImU32 kText = IM_COL32(224, 224, 228, 255);
 constexpr ImU32 kAlert = IM_COL32(255, 150, 130, 255);
+constexpr ImU32 kTrack = IM_COL32(255, 255, 255, 46);
+constexpr ImU32 kHandle = IM_COL32(255, 214, 150, 255);
+constexpr ImU32 kButton = IM_COL32(255, 255, 255, 26);
 
 // Where distributions keep a readable font; without any of them ImGui's own bitmap font serves.
-constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                  "/usr/share/fonts/TTF/DejaVuSans.ttf",
-                                  "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-                                  "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf"};
+constexpr const char* kTextFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                      "/usr/share/fonts/TTF/DejaVuSans.ttf",
+                                      "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+                                      "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf"};
+constexpr const char* kMonospacedFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+                                            "/usr/share/fonts/TTF/DejaVuSansMono.ttf",
+                                            "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
+                                            "/usr/share/fonts/truetype/noto/NotoSansMono-Regular.ttf"};
 
-void addFont(ImFontAtlas& atlas, float sizePx) {
-  for (const char* path : kFonts) {
+void addFont(ImFontAtlas& atlas, std::span<const char* const> paths, float sizePx) {
+  for (const char* path : paths) {
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
     if (bytes.empty()) continue;
@@ -88,11 +98,16 @@ gpu::Handle<VkDescriptorPool> createDescriptorPool(gpu::Context& context) {
   return {context, pool};
 }
 
+// The fonts as they were added.
+ImFont* fontOf(const Panel& panel) { return ImGui::GetIO().Fonts->Fonts[panel.monospaced ? 1 : 0]; }
+
 // One panel, measured for letters of a given size.
 struct Layout {
-  float size, line, titleGap = 0, labelWidth = 0, width = 0, height = 0;
+  ImFont* font;
+  float size, line, titleGap = 0, labelWidth = 0, trackWidth = 0, width = 0, height = 0;
 
-  Layout(const Panel& panel, float size_) : size(size_), line(std::round(size_ * kLineSpacing)) {
+  Layout(const Panel& panel, float size_)
+      : font(fontOf(panel)), size(size_), line(std::round(size_ * kLineSpacing)) {
     float textWidth = 0, lineWidth = widthOf(panel.title);
     for (const Panel::Row& row : panel.rows) {
       if (row.label.empty()) {
@@ -101,17 +116,22 @@ struct Layout {
         labelWidth = std::max(labelWidth, widthOf(row.label));
         textWidth = std::max(textWidth, widthOf(row.text));
       }
+      if (row.slider) {
+        trackWidth = std::round(unit(kTrackWidth));
+        textWidth = std::max(textWidth, unit(kValueWidth));
+      }
     }
     if (labelWidth > 0) labelWidth = std::round(labelWidth + unit(kColumnGap));
+    const float tracks = trackWidth > 0 ? trackWidth + unit(kColumnGap) : 0;
     const std::size_t lines = panel.rows.size() + (panel.title.empty() ? 0 : 1);
-    width = std::ceil(std::max(lineWidth, labelWidth + textWidth) + 2 * unit(kPadding));
+    width = std::ceil(std::max(lineWidth, labelWidth + tracks + textWidth) + 2 * unit(kPadding));
     if (!panel.title.empty() && !panel.rows.empty()) titleGap = std::round(unit(kTitleGap));
     height = std::ceil(line * static_cast<float>(lines) - (line - size) + titleGap + 2 * unit(kPadding));
   }
 
   [[nodiscard]] float unit(float length) const { return length * size / kFontSize; }
   [[nodiscard]] float widthOf(const std::string& text) const {
-    return ImGui::GetFont()->CalcTextSizeA(size, 1e9f, 0, text.data(), text.data() + text.size()).x;
+    return font->CalcTextSizeA(size, 1e9f, 0, text.data(), text.data() + text.size()).x;
   }
 };
 
@@ -134,8 +154,11 @@ struct Placed {
     const float margin = layout.unit(kMargin);
     corner = {margin, margin};
     if (panel.place == Panel::Place::TopRight) corner.x = window.x - layout.width - margin;
+    if (panel.place == Panel::Place::BottomLeft) corner.y = window.y - layout.height - margin;
     if (panel.place == Panel::Place::Bottom)
       corner = {(window.x - layout.width) / 2, window.y - layout.height - margin};
+    if (panel.place == Panel::Place::Center)
+      corner = {(window.x - layout.width) / 2, (window.y - layout.height) / 2};
     corner = {std::round(corner.x), std::round(corner.y)};
   }
 
@@ -161,7 +184,26 @@ std::vector<Placed> place(std::span<const Panel> panels, ImVec2 window) {
   return placed;
 }
 
-void draw(ImDrawList& list, const Placed& placed) {
+ImVec2 toImVec(Vec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+// Where a row can be grabbed whose slider or text begins there: as high as a line, for unsteady hands.
+GrabArea areaOf(const Layout& layout, const Panel::Row& row, ImVec2 at) {
+  const float padding = row.slider ? 0 : layout.unit(kButtonPadding);
+  const float width = row.slider ? layout.trackWidth : layout.widthOf(row.text);
+  const float gap = (layout.line - layout.size) / 2;
+  return {row.key, {at.x - padding, at.y - gap}, {at.x + width + padding, at.y - gap + layout.line}};
+}
+
+void drawSlider(ImDrawList& list, const Layout& layout, const GrabArea& area, double position) {
+  const float y = static_cast<float>(area.minPx.y + area.maxPx.y) / 2, half = layout.unit(kTrackHeight) / 2;
+  const float left = static_cast<float>(area.minPx.x), right = static_cast<float>(area.maxPx.x);
+  const float handle = left + static_cast<float>(position) * (right - left);
+  list.AddRectFilled({left, y - half}, {right, y + half}, kTrack, half);
+  list.AddRectFilled({left, y - half}, {handle, y + half}, kLabel, half);
+  list.AddCircleFilled({handle, y}, layout.unit(kHandleRadius), kHandle);
+}
+
+void draw(ImDrawList& list, const Placed& placed, std::vector<GrabArea>& areas) {
   const auto& [panel, layout, corner] = placed;
   const ImVec2 opposite{corner.x + layout.width, corner.y + layout.height};
   list.AddRectFilled(corner, opposite, kBackground, layout.unit(kRounding));
@@ -169,16 +211,26 @@ void draw(ImDrawList& list, const Placed& placed) {
 
   const float left = std::round(corner.x + layout.unit(kPadding));
   float y = std::round(corner.y + layout.unit(kPadding));
-  const auto write = [&list, size = layout.size, &y](float x, ImU32 color, const std::string& text) {
-    list.AddText(ImGui::GetFont(), size, {x, y}, color, text.data(), text.data() + text.size());
+  const auto write = [&list, font = layout.font, size = layout.size, &y](float x, ImU32 color,
+                                                                         const std::string& text) {
+    list.AddText(font, size, {x, y}, color, text.data(), text.data() + text.size());
   };
   if (!panel.title.empty()) {
     write(left, panel.alert ? kAlert : kTitle, panel.title);
     y += layout.line + layout.titleGap;
   }
   for (const Panel::Row& row : panel.rows) {
+    float x = row.label.empty() ? left : left + layout.labelWidth;
+    const GrabArea area = areaOf(layout, row, {x, y});
     write(left, kLabel, row.label);
-    write(row.label.empty() ? left : left + layout.labelWidth, kText, row.text);
+    if (row.slider) {
+      drawSlider(list, layout, area, *row.slider);
+      x += layout.trackWidth + std::round(layout.unit(kColumnGap));
+    } else if (row.key >= 0) {
+      list.AddRectFilled(toImVec(area.minPx), toImVec(area.maxPx), kButton, layout.unit(kRounding) / 2);
+    }
+    write(x, row.key >= 0 && !row.slider ? kTitle : kText, row.text);
+    if (row.key >= 0) areas.push_back(area);
     y += layout.line;
   }
 }
@@ -206,7 +258,8 @@ void Overlay::start(double contentScale) {
   stop();
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
-  addFont(atlas, kFontSize * static_cast<float>(contentScale));
+  addFont(atlas, kTextFonts, kFontSize * static_cast<float>(contentScale));
+  addFont(atlas, kMonospacedFonts, kFontSize * static_cast<float>(contentScale));
   descriptors_ = createDescriptorPool(*context_);
   ImGui_ImplVulkan_InitInfo info{.Instance = context_->instance(),
                                  .PhysicalDevice = context_->physicalDevice(),
@@ -252,9 +305,10 @@ void Overlay::prepareFramebuffers(const Swapchain& swapchain) {
   generation_ = swapchain.generation();
 }
 
-void Overlay::record(VkCommandBuffer commands, const Swapchain& swapchain, double contentScale,
-                     std::span<const Panel> panels) {
-  if (panels.empty()) return;
+std::vector<GrabArea> Overlay::record(VkCommandBuffer commands, const Swapchain& swapchain,
+                                      double contentScale, std::span<const Panel> panels) {
+  std::vector<GrabArea> areas;
+  if (panels.empty()) return areas;
   if (contentScale != contentScale_) start(contentScale);
   if (!uploaded_) {
     ImGui_ImplVulkan_CreateFontsTexture(commands);
@@ -267,7 +321,8 @@ void Overlay::record(VkCommandBuffer commands, const Swapchain& swapchain, doubl
                     static_cast<float>(swapchain.extent().height)};
   ImGui_ImplVulkan_NewFrame();
   ImGui::NewFrame();
-  for (const Placed& placed : place(panels, io.DisplaySize)) draw(*ImGui::GetForegroundDrawList(), placed);
+  for (const Placed& placed : place(panels, io.DisplaySize))
+    draw(*ImGui::GetForegroundDrawList(), placed, areas);
   ImGui::Render();
 
   const gpu::Label label(*context_, commands, "overlay");
@@ -278,6 +333,7 @@ void Overlay::record(VkCommandBuffer commands, const Swapchain& swapchain, doubl
   vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
   ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
   vkCmdEndRenderPass(commands);
+  return areas;
 }
 
 }  // namespace luxo::window

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text over the picture: panels in the corners that say what is going on. It shows and takes no input.
+// Text over the picture: panels that say what is going on, and sliders. It shows, and tells where things can
+// be grabbed; what a grab means is the application's business.
 #pragma once
 
 #include "gpu/context.h"
 #include "gpu/handle.h"
 #include "gpu/vk.h"
 #include "window/swapchain.h"
+#include "window/window.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,10 +19,14 @@ namespace luxo::window {
 
 /// Text in Latin-1's characters, UTF-8 encoded.
 struct Panel {
-  enum class Place { TopLeft, TopRight, Bottom };
+  enum class Place { TopLeft, TopRight, BottomLeft, Bottom, Center };
   struct Row {
     std::string label;  ///< in a column of its own; empty for a line across both
     std::string text;
+    /// A slider between label and text: where its handle stands, from 0 to 1.
+    std::optional<double> slider = std::nullopt;
+    /// Of its grab area: the slider's track or else, as a button, the text. -1: none.
+    int key = -1;
 
     friend bool operator==(const Row&, const Row&) = default;
   };
@@ -27,8 +34,9 @@ struct Panel {
   Place place = Place::TopLeft;
   std::string title;  ///< may be empty
   std::vector<Row> rows;
-  bool alert = false;     ///< something went wrong
-  bool discreet = false;  ///< takes at most a quarter of the window
+  bool alert = false;       ///< something went wrong
+  bool discreet = false;    ///< takes at most a quarter of the window
+  bool monospaced = false;  ///< columns of different lines align
 
   friend bool operator==(const Panel&, const Panel&) = default;
 };
@@ -43,9 +51,9 @@ class Overlay {
 
   /// Over what the image shows as Use::ColorAttachment, which it stays. Letters grow with `contentScale`
   /// (Window). A panel too large for the window shrinks; it is left out where it could not be read, or where
-  /// a later one would cover it.
-  void record(VkCommandBuffer commands, const Swapchain& swapchain, double contentScale,
-              std::span<const Panel> panels);
+  /// a later one would cover it. Gives the grab areas of what is shown.
+  [[nodiscard]] std::vector<GrabArea> record(VkCommandBuffer commands, const Swapchain& swapchain,
+                                             double contentScale, std::span<const Panel> panels);
 
  private:
   void start(double contentScale);

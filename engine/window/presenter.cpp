@@ -21,8 +21,9 @@ Presenter::Presenter(gpu::Context& context, VkFormat windowFormat)
                           .setLayouts = {layout_}}),
       overlay_(context, windowFormat) {}
 
-void Presenter::record(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Texture& picture,
-                       Swapchain& swapchain, double contentScale, std::span<const Panel> panels) {
+std::vector<GrabArea> Presenter::record(gpu::FrameRing& frames, VkCommandBuffer commands,
+                                        gpu::Texture& picture, Swapchain& swapchain, double contentScale,
+                                        std::span<const Panel> panels) {
   LUXO_REQUIRE_COMPARE(picture.extent().width, ==, swapchain.extent().width);
   LUXO_REQUIRE_COMPARE(picture.extent().height, ==, swapchain.extent().height);
   using enum gpu::Use;
@@ -30,11 +31,13 @@ void Presenter::record(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Te
   gpu::use(commands,
            {{picture, SampledFragment}, {image, swapchain.state(), ColorAttachment, gpu::Contents::Discard}});
   show(frames, commands, picture, swapchain);
+  std::vector<GrabArea> areas;
   if (!panels.empty()) {
     gpu::use(commands, {{image, swapchain.state(), ColorAttachment}});
-    overlay_.record(commands, swapchain, contentScale, panels);
+    areas = overlay_.record(commands, swapchain, contentScale, panels);
   }
   gpu::use(commands, {{image, swapchain.state(), Present}});
+  return areas;
 }
 
 void Presenter::show(gpu::FrameRing& frames, VkCommandBuffer commands, const gpu::Texture& picture,

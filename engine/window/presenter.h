@@ -12,6 +12,7 @@
 #include "window/swapchain.h"
 
 #include <span>
+#include <vector>
 
 namespace luxo::window {
 
@@ -20,9 +21,10 @@ class Presenter {
   Presenter(gpu::Context& context, VkFormat windowFormat);
 
   /// Records into the ring's open recording. `picture` is scene-linear, may be sampled and has the size of
-  /// the swapchain (required), whose acquired image it fills.
-  void record(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Texture& picture, Swapchain& swapchain,
-              double contentScale, std::span<const Panel> panels);
+  /// the swapchain (required), whose acquired image it fills. Gives the panels' grab areas.
+  [[nodiscard]] std::vector<GrabArea> record(gpu::FrameRing& frames, VkCommandBuffer commands,
+                                             gpu::Texture& picture, Swapchain& swapchain, double contentScale,
+                                             std::span<const Panel> panels);
 
  private:
   void show(gpu::FrameRing& frames, VkCommandBuffer commands, const gpu::Texture& picture,

@@ -150,7 +150,9 @@ void Window::listen() {
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { self(window).events_.damaged = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
-    if (focused == GLFW_FALSE) self(window).dragButton_ = -1;
+    if (focused == GLFW_TRUE) return;
+    self(window).dragButton_ = -1;
+    self(window).held_.reset();
   });
 }
 
@@ -184,6 +186,8 @@ Events Window::wait(double seconds) {
   }
   return std::exchange(events_, {});
 }
+
+void Window::wake() { glfwPostEmptyEvent(); }
 
 VkExtent2D Window::framebufferSize() const {
   if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) return {0, 0};
@@ -233,15 +237,34 @@ void Window::onButton(int button, int action, int modifiers) {
   if (action == GLFW_PRESS && dragButton_ == -1 && button <= GLFW_MOUSE_BUTTON_MIDDLE) {
     dragButton_ = button;
     panning_ = button != GLFW_MOUSE_BUTTON_LEFT || (modifiers & GLFW_MOD_SHIFT) != 0;
+    const auto area = std::ranges::find_if(grabAreas_, [&](const GrabArea& a) {
+      return cursorPx_.x >= a.minPx.x && cursorPx_.y >= a.minPx.y && cursorPx_.x < a.maxPx.x &&
+             cursorPx_.y < a.maxPx.y;
+    });
+    if (button != GLFW_MOUSE_BUTTON_LEFT || area == grabAreas_.end()) return;
+    held_ = *area;
+    hold(true);
   } else if (action == GLFW_RELEASE && button == dragButton_) {
     dragButton_ = -1;
+    held_.reset();
   }
+}
+
+void Window::hold(bool pressed) {
+  const double width = std::max(held_->maxPx.x - held_->minPx.x, 1.0);
+  const double fraction = std::clamp((cursorPx_.x - held_->minPx.x) / width, 0.0, 1.0);
+  events_.grabs.push_back({.key = held_->key, .fraction = fraction, .pressed = pressed});
 }
 
 void Window::onCursor(Vec2 position) {
   const Vec2 cursorPx = position * pixelsPerUnit();
-  if (dragButton_ != -1) (panning_ ? events_.panPx : events_.turnPx) += cursorPx - cursorPx_;
+  const Vec2 moved = cursorPx - cursorPx_;
   cursorPx_ = cursorPx;
+  if (held_) {
+    hold(false);
+  } else if (dragButton_ != -1) {
+    (panning_ ? events_.panPx : events_.turnPx) += moved;
+  }
 }
 
 Vec2 Window::pixelsPerUnit() const {

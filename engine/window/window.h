@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A window on the screen, its input as plain data, and what Vulkan needs to draw into it. Main thread only.
+// A window on the screen, its input as plain data, and what Vulkan needs to draw into it. Main thread only,
+// but for wake().
 //
 // All positions and sizes are pixels of the framebuffer (not the window system's units, which differ on HiDPI
 // screens): x right, y down from the top left of the window's inside.
@@ -9,7 +10,9 @@
 #include "gpu/vk.h"
 #include "math/vec.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -33,13 +36,33 @@ struct Scroll {
   Vec2 cursorPx{0};
 };
 
+/// A part of the window where the left button takes hold of something other than the camera.
+struct GrabArea {
+  int key = 0;  ///< whose it is
+  Vec2 minPx{0}, maxPx{0};
+
+  friend bool operator==(const GrabArea&, const GrabArea&) = default;
+};
+
+/// Where a grab area is held: once when the button goes down, then whenever the cursor moves until it is
+/// released.
+struct Grab {
+  int key = 0;
+  double fraction = 0;   ///< 0 at the left side of the area, 1 at the right one, and no more beyond
+  bool pressed = false;  ///< the button just went down
+};
+
 /// What happened since the last time, in order within each list.
 struct Events {
   std::vector<KeyPress> keys;
   std::vector<Scroll> scrolls;
-  Vec2 turnPx{0};        ///< dragged with the left button
+  std::vector<Grab> grabs;
+  Vec2 turnPx{0};        ///< dragged with the left button, outside of grab areas
   Vec2 panPx{0};         ///< dragged with the middle or right button, or the left one and Shift
   bool damaged = false;  ///< the window system lost (a part of) the picture: show it again
+
+  /// Whether nothing moves the camera.
+  [[nodiscard]] bool still() const { return turnPx == Vec2(0) && panPx == Vec2(0) && scrolls.empty(); }
 };
 
 struct WindowDesc {
@@ -64,6 +87,11 @@ class Window {
 
   /// Waits for input, at most that many seconds; not at all for 0.
   [[nodiscard]] Events wait(double seconds);
+  /// Ends the waiting, or the next one, at once. From any thread, while the window exists.
+  void wake();
+
+  /// Replaces the grab areas. What is being held stays held.
+  void setGrabAreas(std::vector<GrabArea> areas) { grabAreas_ = std::move(areas); }
 
   [[nodiscard]] VkExtent2D framebufferSize() const;  ///< 0x0 while there is nothing to be seen
   [[nodiscard]] double contentScale() const;         ///< 1 at about 96 dots per inch, 2 on a HiDPI screen
@@ -86,6 +114,7 @@ class Window {
   void onKey(int key, int scancode, int action, int modifiers);
   void onButton(int button, int action, int modifiers);
   void onCursor(Vec2 position);
+  void hold(bool pressed);
   [[nodiscard]] Vec2 pixelsPerUnit() const;
 
   Terminate glfw_;
@@ -94,6 +123,8 @@ class Window {
   Vec2 cursorPx_{0};
   int dragButton_ = -1;  // -1 = none
   bool panning_ = false;
+  std::vector<GrabArea> grabAreas_;
+  std::optional<GrabArea> held_;
   Placement windowed_;  // where it was before it went full screen
 };
 

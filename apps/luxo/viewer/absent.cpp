@@ -5,7 +5,7 @@
 
 namespace luxo {
 
-int runViewer(const Scene&, const ViewerOptions&) {
+int runViewer(ViewedScene, const ViewerOptions&) {
   throw Error(ErrorKind::Usage, "this build of luxo has no window",
               "use -o FILE to render without one, or build with LUXO_WINDOW=ON");
 }

@@ -31,6 +31,8 @@ constexpr KeyHelp kKeys[] = {
     {"M", "4 samples per pixel, or 1"},
     {"P", "save a picture here"},
     {"I", "numbers"},
+    {"S", "sliders"},
+    {"0", "parameters as in the scene"},
     {"F, F11", "full screen"},
     {"H", "these keys"},
     {"Esc", "quit"},
@@ -38,29 +40,30 @@ constexpr KeyHelp kKeys[] = {
 
 Vec2 pixels(PixelSize size) { return {size.width, size.height}; }
 
-// What takeSnapshot() looks through.
-Camera sceneCamera(const Scene& scene, CameraId id, PixelSize size) {
-  if (id.valid()) return scene[id];
-  if (!scene.cameras().empty()) return scene.cameras().front();
-  Box bounds;
-  const Snapshot snapshot = takeSnapshot(scene, scene.settings().time, size);
-  for (const SnapshotNode& node : snapshot.nodes) bounds.add(node.boundsWorld);
-  return fitCamera(bounds, size);
-}
-
 }  // namespace
 
 std::span<const KeyHelp> keyHelp() { return kKeys; }
 
-Controls::Controls(const Scene& scene, const ViewerOptions& options, bool canMultisample, Time now)
-    : scene_(&scene),
-      camera_(options.camera),
-      fps_(options.settings.fps),
+Controls::Controls(const ViewedScene& viewed, const ViewerOptions& options, bool canMultisample, Time now)
+    : moving_(viewed.scene.movesWithTime()),
+      startsPlaying_(options.playing),
+      fps_(viewed.settings.fps),
       canMultisample_(canMultisample),
-      draw_(luxo::drawOptions(options.settings)),
+      draw_(luxo::drawOptions(viewed.settings)),
       solidShading_(draw_.shading == Shading::Wireframe ? Shading::Phong : draw_.shading),
-      playback_(options.settings.time, options.playing && scene.movesWithTime(), now) {
+      playback_(viewed.settings.time, options.playing && moving_, now) {
   draw_.skips = options.skips;
+}
+
+void Controls::adopt(const ViewedScene& before, const ViewedScene& next, Time now) {
+  const bool moves = next.scene.movesWithTime();
+  if (moves != moving_) playback_.setPlaying(moves && startsPlaying_, now);
+  moving_ = moves;
+  fps_ = next.settings.fps;
+  draw_.tolerancePx = next.settings.tolerance;
+  if (next.settings.samples != before.settings.samples && (canMultisample_ || next.settings.samples == 1))
+    draw_.samples = next.settings.samples;
+  if (next.settings.shading != before.settings.shading) shade(next.settings.shading);
 }
 
 Controls::Request Controls::press(const window::KeyPress& press, Time now) {
@@ -77,7 +80,7 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
     case window::key::kF11:
       return Request::Fullscreen;
     case window::key::kSpace:
-      if (scene_->movesWithTime()) playback_.setPlaying(!playback_.playing(), now);
+      if (moving_) playback_.setPlaying(!playback_.playing(), now);
       break;
     case window::key::kLeft:
       step(press, -1, now);
@@ -119,6 +122,11 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
     case 'I':
       showsNumbers_ = !showsNumbers_;
       break;
+    case 'S':
+      showsSliders_ = !showsSliders_;
+      break;
+    case '0':
+      return Request::ResetParameters;
     default:
       break;
   }
@@ -138,21 +146,17 @@ void Controls::step(const window::KeyPress& press, int direction, Time now) {
   }
 }
 
-void Controls::move(const window::Events& events, PixelSize size, Time now) {
-  const bool moved = events.turnPx != Vec2(0) || events.panPx != Vec2(0) || !events.scrolls.empty();
-  if (!moved) return;
-  if (!own_) takeCamera(size, now);
+void Controls::move(const window::Events& events, const Camera& seen, const Moment& moment, PixelSize size) {
+  if (events.still()) return;
+  if (!own_) takeCamera(seen, moment);
   own_->orbit.turn(events.turnPx, pixels(size));
   own_->orbit.pan(events.panPx, pixels(size));
   for (const window::Scroll& scroll : events.scrolls)
     own_->orbit.zoom(scroll.notches, scroll.cursorPx, pixels(size));
 }
 
-void Controls::takeCamera(PixelSize size, Time now) {
-  Camera camera = sceneCamera(*scene_, camera_, size);
-  const double seconds = playback_.seconds(now);
-  const std::vector<double> parameters = scene_->parametersAt(seconds);
-  const Moment moment(seconds, parameters);
+void Controls::takeCamera(const Camera& seen, const Moment& moment) {
+  Camera camera = seen;
   const Pose pose{camera.eye.at(moment), camera.lookAt.at(moment), camera.up.at(moment)};
   const double fovY = camera.fovY.at(moment), near = camera.near.at(moment);
   const bool perspective = camera.projection == Projection::Perspective;

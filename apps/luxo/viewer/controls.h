@@ -28,19 +28,25 @@ class Controls {
   using Time = window::Playback::Clock::time_point;
 
   /// What a key asks of the viewer beyond this state.
-  enum class Request { None, Quit, Photo, Fullscreen, NoMultisampling };
+  enum class Request { None, Quit, Photo, Fullscreen, NoMultisampling, ResetParameters };
 
-  /// `canMultisample`: the device has 4 samples per pixel. The scene must outlive this.
-  Controls(const Scene& scene, const ViewerOptions& options, bool canMultisample, Time now);
+  /// `canMultisample`: the device has 4 samples per pixel.
+  Controls(const ViewedScene& viewed, const ViewerOptions& options, bool canMultisample, Time now);
+
+  /// Another scene takes the place of `before`. Moment, camera and what the user chose stay; what only the
+  /// scene said becomes what the new one says.
+  void adopt(const ViewedScene& before, const ViewedScene& next, Time now);
 
   Request press(const window::KeyPress& press, Time now);
-  /// Drags and scrolls take the camera over from the scene; `size` is the window's.
-  void move(const window::Events& events, PixelSize size, Time now);
+  /// Drags and scrolls take the camera over from the scene, which looks through `seen`; `size` is the
+  /// window's.
+  void move(const window::Events& events, const Camera& seen, const Moment& moment, PixelSize size);
 
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
   [[nodiscard]] const window::Playback& playback() const { return playback_; }
   [[nodiscard]] bool showsKeys() const { return showsKeys_; }
   [[nodiscard]] bool showsNumbers() const { return showsNumbers_; }
+  [[nodiscard]] bool showsSliders() const { return showsSliders_; }
   /// The camera the user has taken over, if any; else the scene's is meant.
   [[nodiscard]] std::optional<Camera> ownCamera() const;
 
@@ -51,19 +57,18 @@ class Controls {
     double near = 0;  ///< of `from`
   };
 
-  void takeCamera(PixelSize size, Time now);
+  void takeCamera(const Camera& seen, const Moment& moment);
   void shade(Shading shading);
   void step(const window::KeyPress& press, int direction, Time now);
 
-  const Scene* scene_;
-  CameraId camera_;
+  bool moving_, startsPlaying_;  // the scene moves; a moving scene plays
   double fps_;
   bool canMultisample_;
   DrawOptions draw_;
   Shading solidShading_;  // what to go back to from wireframe
   window::Playback playback_;
   std::optional<OwnCamera> own_;
-  bool showsKeys_ = false, showsNumbers_ = true;
+  bool showsKeys_ = false, showsNumbers_ = true, showsSliders_ = true;
 };
 
 }  // namespace luxo

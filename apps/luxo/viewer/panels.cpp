@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "scene/shading.h"
 
@@ -41,6 +43,23 @@ std::string errorText(const FrameError& error) {
                                       : std::string("no bound from so close");
 }
 
+// Of the overlay's letters at content scale 1, a little generously.
+constexpr double kLetterWidthPx = 8.6, kLineHeightPx = 18.5, kFramePx = 64;
+
+std::size_t fitting(int pixels, double contentScale, double unitPx) {
+  return static_cast<std::size_t>(std::max(1.0, (pixels / contentScale - kFramePx) / unitPx));
+}
+
+// At most that many characters of a UTF-8 text.
+std::string shortened(std::string_view line, std::size_t length) {
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool begins = (static_cast<unsigned char>(line[i]) & 0xC0) != 0x80;
+    if (begins && ++characters > length) return std::string(line.substr(0, i)) + "...";
+  }
+  return std::string(line);
+}
+
 }  // namespace
 
 Panel numbersPanel(const Status& status, const Controls& controls) {
@@ -71,6 +90,22 @@ Panel messagePanel(const Message& message) {
     panel.title = message.text;
   } else {
     panel.rows.push_back({"", message.text});
+  }
+  return panel;
+}
+
+Panel errorPanel(const std::string& title, const std::string& text, PixelSize window, double contentScale) {
+  Panel panel{.place = Panel::Place::Center, .title = title, .rows = {}, .alert = true, .monospaced = true};
+  const std::size_t lines = fitting(window.height, contentScale, kLineHeightPx);
+  const std::size_t columns = fitting(window.width, contentScale, kLetterWidthPx);
+  for (std::size_t begin = 0; begin <= text.size();) {
+    if (panel.rows.size() + 1 == lines) {
+      panel.rows.push_back({"", "..."});
+      break;
+    }
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    panel.rows.push_back({"", shortened(std::string_view(text).substr(begin, end - begin), columns)});
+    begin = end + 1;
   }
   return panel;
 }

@@ -30,5 +30,8 @@ struct Status {
 [[nodiscard]] window::Panel numbersPanel(const Status& status, const Controls& controls);
 [[nodiscard]] window::Panel keysPanel();
 [[nodiscard]] window::Panel messagePanel(const Message& message);
+/// What is wrong, as much of it as fits a window of that size.
+[[nodiscard]] window::Panel errorPanel(const std::string& title, const std::string& text, PixelSize window,
+                                       double contentScale);
 
 }  // namespace luxo

@@ -2,12 +2,16 @@
 #include "viewer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/log.h"
 #include "draw/scene_painter.h"
@@ -17,9 +21,11 @@
 #include "scene/snapshot.h"
 #include "validation.h"
 #include "viewer/controls.h"
+#include "viewer/file_watch.h"
 #include "viewer/frame_meter.h"
 #include "viewer/panels.h"
 #include "viewer/photographer.h"
+#include "viewer/sliders.h"
 #include "window/presenter.h"
 #include "window/swapchain.h"
 #include "window/window.h"
@@ -57,19 +63,21 @@ gpu::ContextDesc contextDesc(const window::Window& window, const ViewerOptions& 
 
 class Viewer {
  public:
-  Viewer(const Scene& scene, const ViewerOptions& options, std::shared_ptr<gpu::ValidationLog> log)
-      : scene_(scene),
+  Viewer(ViewedScene viewed, const ViewerOptions& options, std::shared_ptr<gpu::ValidationLog> log)
+      : viewed_(std::move(viewed)),
         options_(options),
-        window_({.title = options.title, .size = extentOf(options.settings.size)}),
+        window_({.title = options.title, .size = extentOf(viewed_.settings.size)}),
         context_(contextDesc(window_, options, std::move(log))),
         swapchain_(context_, window_),
         frames_(context_),
         painter_(context_, Precision::Half),
         presenter_(context_, swapchain_.format()),
         photographer_(context_),
-        controls_(scene, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()) {
+        controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
+        watch_(options.file, [this] { window_.wake(); }) {
     status_.title = options.title;
     status_.device = context_.deviceInfo().name;
+    look();
   }
 
   void run() {
@@ -78,6 +86,7 @@ class Viewer {
       noticeVisibility();
       if (visible_ && Clock::now() >= nextFrame_) showNext();
     }
+    log(LogLevel::Debug, fmt::format("read the scene again {} times", readings_));
     log(LogLevel::Debug, fmt::format("quit after {} pictures, {} submits", pictures_, submits()));
   }
 
@@ -108,7 +117,9 @@ class Viewer {
     const auto now = Clock::now();
     const bool wasPlaying = controls_.playback().playing();
     for (const window::KeyPress& key : events.keys) obey(controls_.press(key, now));
-    if (size().height > 0) controls_.move(events, size(), now);
+    for (const window::Grab& grab : events.grabs) turn(grab);
+    if (size().height > 0) controls_.move(events, sceneCamera(), {status_.seconds, parameters_}, size());
+    if (watch_.takeSaved()) readAgain();
     if (controls_.playback().playing() != wasPlaying)
       log(LogLevel::Debug, fmt::format("{} at {:.3f} s after {} submits", wasPlaying ? "paused" : "going on",
                                        controls_.playback().seconds(now), submits()));
@@ -126,13 +137,16 @@ class Viewer {
         quit_ = true;
         break;
       case Controls::Request::Photo:
-        if (pictures_ > 0) photographer_.take(snapshotNow(), controls_.drawOptions());
+        if (pictures_ > 0) photographer_.take(snapshotOrLast(), controls_.drawOptions());
         break;
       case Controls::Request::Fullscreen:
         window_.toggleFullscreen();
         break;
       case Controls::Request::NoMultisampling:
         tell({.text = "this device has no 4 samples per pixel", .alert = true});
+        break;
+      case Controls::Request::ResetParameters:
+        sliders_.reset(viewed_.scene);
         break;
     }
   }
@@ -149,11 +163,49 @@ class Viewer {
                                      std::lround(1e3 * (message.alert ? kAlertSeconds : kMessageSeconds)));
   }
 
+  void turn(const window::Grab& grab) {
+    if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
+  }
+
+  // The file was saved. What cannot be read leaves everything as it is.
+  void readAgain() {
+    ++readings_;
+    try {
+      ViewedScene next = options_.readAgain();
+      const double seconds = controls_.playback().seconds(Clock::now());
+      static_cast<void>(takeSnapshot(next.scene, seconds, next.settings.size, next.camera));
+      controls_.adopt(viewed_, next, Clock::now());
+      viewed_ = std::move(next);
+      problem_.clear();
+      look();
+      log(LogLevel::Debug, "shows the scene as it was saved");
+    } catch (const Error& error) {
+      problem_ = error.what() + (error.hint().empty() ? "" : "\nhelp: " + error.hint());
+      log(LogLevel::Debug, problem_);
+    }
+  }
+
+  // A scene comes into view.
+  void look() {
+    const Scene& scene = viewed_.scene;
+    if (scene.cameras().empty())
+      framing_ = framingOf(takeSnapshot(scene, scene.settings().time, viewed_.settings.size));
+    sliders_.adopt(viewed_.scene);
+  }
+
+  // Where the scene has none, one that stands still while sliders move: turning a parameter shows what it
+  // does.
+  [[nodiscard]] Camera sceneCamera() const {
+    if (viewed_.camera.valid()) return viewed_.scene[viewed_.camera];
+    if (!viewed_.scene.cameras().empty()) return viewed_.scene.cameras().front();
+    return fitCamera(framing_, size());
+  }
+
   [[nodiscard]] Snapshot snapshotNow() {
     status_.seconds = controls_.playback().seconds(Clock::now());
-    if (const auto camera = controls_.ownCamera())
-      return takeSnapshot(scene_, status_.seconds, size(), *camera);
-    return takeSnapshot(scene_, status_.seconds, size(), options_.camera);
+    parameters_ = viewed_.scene.parametersAt(status_.seconds);
+    return takeSnapshot(viewed_.scene, status_.seconds, size(),
+                        controls_.ownCamera().value_or(sceneCamera()));
   }
 
   // One turn at the screen's rate: draws and shows what differs from what is seen, if anything.
@@ -164,7 +216,7 @@ class Viewer {
     if (swapchain_.update(window_.framebufferSize()) == SwapchainStatus::Hidden) return;
     measureLastPicture();
 
-    Snapshot snapshot = snapshotNow();
+    Snapshot snapshot = snapshotOrLast();
     const DrawOptions& draw = controls_.drawOptions();
     const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_;
     if (!repaint && !damaged_ && swapchain_.generation() == shownGeneration_ && panels() == panels_) return;
@@ -187,7 +239,7 @@ class Viewer {
     }
     status_.size = size();
     panels_ = panels();
-    presenter_.record(frames_, commands, painter_.target(), swapchain_, window_.contentScale(), panels_);
+    showPanels(commands);
     const double recorded = millisecondsSince(recording);
     const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
     dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
@@ -199,6 +251,30 @@ class Viewer {
       unmeasured_ = submission;
       dirty_ = true;  // how long it took will be known, and shown
     }
+  }
+
+  // A moment that the scene does not allow (a value out of its range) keeps the last one on the screen.
+  [[nodiscard]] Snapshot snapshotOrLast() {
+    try {
+      Snapshot snapshot = snapshotNow();
+      impossible_.clear();
+      return snapshot;
+    } catch (const Error& error) {
+      if (pictures_ == 0 || error.kind() != ErrorKind::Scene) throw;
+      impossible_ = error.what();
+      return shown_;
+    }
+  }
+
+  void showPanels(VkCommandBuffer commands) {
+    std::vector<window::GrabArea> areas =
+        presenter_.record(frames_, commands, painter_.target(), swapchain_, window_.contentScale(), panels_);
+    if (areas == areas_) return;
+    for (const window::GrabArea& area : areas)
+      log(LogLevel::Debug, fmt::format("grab {} from {},{} to {},{}", area.key, area.minPx.x, area.minPx.y,
+                                       area.maxPx.x, area.maxPx.y));
+    areas_ = areas;
+    window_.setGrabAreas(std::move(areas));
   }
 
   [[nodiscard]] Clock::duration period() const {
@@ -225,14 +301,23 @@ class Viewer {
 
   [[nodiscard]] std::vector<window::Panel> panels() {
     std::vector<window::Panel> panels;
+    const double scale = window_.contentScale();
     status_.reading = meter_.read(controls_.playback().playing(), Clock::now());
     if (controls_.showsNumbers()) panels.push_back(numbersPanel(status_, controls_));
+    if (controls_.showsSliders())
+      if (auto sliders = sliders_.panel(viewed_.scene, parameters_)) panels.push_back(std::move(*sliders));
     if (controls_.showsKeys()) panels.push_back(keysPanel());
+    if (!problem_.empty()) {
+      panels.push_back(
+          errorPanel("The file has errors. This is the scene before them.", problem_, size(), scale));
+    } else if (!impossible_.empty()) {
+      panels.push_back(errorPanel("There is no picture of this moment.", impossible_, size(), scale));
+    }
     if (message_) panels.push_back(messagePanel(*message_));
     return panels;
   }
 
-  const Scene& scene_;
+  ViewedScene viewed_;
   const ViewerOptions& options_;
   // Destroyed from the last to the first.
   window::Window window_;
@@ -244,6 +329,11 @@ class Viewer {
   Photographer photographer_;
 
   Controls controls_;
+  Sliders sliders_;
+  std::vector<double> parameters_;  // at the moment that is shown
+  Box framing_;                     // of a scene without a camera, when it came into view
+  std::string problem_;             // of the file as it was saved; empty: none
+  std::string impossible_;          // why the scene has no picture now; empty: it has
   std::optional<Message> message_;
   Clock::time_point messageEnd_;
   FrameMeter meter_;
@@ -253,21 +343,24 @@ class Viewer {
   bool dirty_ = true;     // something may differ from what is shown
   bool damaged_ = false;  // the window system asks for the picture again
   Clock::time_point nextFrame_;
-  std::uint64_t pictures_ = 0;
+  std::uint64_t pictures_ = 0, readings_ = 0;
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
 
   // What is seen.
   Snapshot shown_;
   std::optional<DrawOptions> drawn_;
   std::vector<window::Panel> panels_;
+  std::vector<window::GrabArea> areas_;
   std::uint64_t shownGeneration_ = 0;
+
+  FileWatch watch_;  // ends before what it wakes
 };
 
 }  // namespace
 
-int runViewer(const Scene& scene, const ViewerOptions& options) {
+int runViewer(ViewedScene viewed, const ViewerOptions& options) {
   const auto validation = std::make_shared<gpu::ValidationLog>();
-  Viewer(scene, options, validation).run();
+  Viewer(std::move(viewed), options, validation).run();
   requireNoMessage(*validation);
   return exit_code::kDone;
 }

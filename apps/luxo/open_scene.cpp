@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "open_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "base/diagnostic.h"
+#include "base/error.h"
+#include "base/suggestion.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "scenes/embedded_scenes.h"
+#include "scenes/gallery.h"
+
+namespace luxo {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr const char* kGallery = "gallery";  // in C++
+
+const EmbeddedScene* embeddedScene(std::string_view name) {
+  const auto scenes = embeddedScenes();
+  const auto found = std::ranges::find(scenes, name, &EmbeddedScene::name);
+  return found == scenes.end() ? nullptr : &*found;
+}
+
+Names builtinNames() {
+  Names names;
+  for (const BuiltinScene& scene : builtinScenes()) names.push_back(scene.name);
+  return names;
+}
+
+/// The first sentence of the first comment.
+std::string summaryOf(std::string_view text) {
+  const std::size_t slashes = text.find("// ");
+  if (slashes == std::string_view::npos) return {};
+  text = text.substr(slashes + 3);
+  return std::string(text.substr(0, std::min(text.find('\n'), text.find(". "))));
+}
+
+void refuseModel(const std::filesystem::path& file) {
+  constexpr std::array kSuffixes = {".obj", ".glb", ".gltf", ".ply", ".stl"};
+  if (std::ranges::find(kSuffixes, file.extension().string()) != kSuffixes.end())
+    throw Error(ErrorKind::Scene, fmt::format("'{}': models are not supported yet", file.string()),
+                "write a scene file (.luxo.json) of formulas");
+}
+
+void requireKnown(const std::string& scene) {
+  std::error_code ignored;
+  const bool looksLikeFile = scene.find_first_of("./") != std::string::npos;
+  if (looksLikeFile || std::filesystem::exists(scene, ignored)) return;
+  const Names names = builtinNames();
+  throw Error(ErrorKind::Scene, fmt::format("there is no scene '{}'", scene),
+              didYouMean(scene, names, fmt::format("the built-in scenes are {}", listed(names))));
+}
+
+Quantity quantityOf(const std::string& text) {
+  const auto number = finiteNumber(text);
+  return number ? Quantity(*number) : Quantity(text);
+}
+
+void refuseParameters(const std::string& scene, std::span<const ParameterValue> parameters) {
+  if (!parameters.empty())
+    throw Error(ErrorKind::Usage, fmt::format("the scene has no parameter '{}'", parameters.front().name),
+                fmt::format("{} has no parameters", scene));
+}
+
+}  // namespace
+
+std::vector<BuiltinScene> builtinScenes() {
+  std::vector<BuiltinScene> scenes;
+  for (const EmbeddedScene& scene : embeddedScenes())
+    scenes.push_back({std::string(scene.name), summaryOf(scene.text)});
+  if (embeddedScene(kGallery) == nullptr) scenes.push_back({kGallery, "the named surfaces side by side"});
+  std::ranges::sort(scenes, {}, &BuiltinScene::name);
+  return scenes;
+}
+
+std::filesystem::path fileOfScene(const std::string& scene) {
+  const Names names = builtinNames();
+  const bool builtin = std::ranges::find(names, scene) != names.end();
+  return builtin ? std::filesystem::path() : std::filesystem::path(scene);
+}
+
+Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,
+                std::vector<std::string>* warnings) {
+  if (const EmbeddedScene* embedded = embeddedScene(scene))
+    return buildScene(parseScene(std::string(embedded->text), scene), parameters, warnings);
+  if (scene == kGallery) {
+    refuseParameters(scene, parameters);
+    return gallery();
+  }
+  refuseModel(scene);
+  requireKnown(scene);
+  return buildScene(readSceneFile(scene), parameters, warnings);
+}
+
+Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,
+                 std::vector<std::string>* warnings) {
+  std::vector<ParameterOverride> overrides;
+  for (const auto& [name, value] : parameters) overrides.push_back({name, quantityOf(value)});
+  std::vector<Diagnostic> found;
+  Scene scene = buildScene(file, overrides, warnings != nullptr ? &found : nullptr);
+  for (const Diagnostic& diagnostic : found)
+    warnings->push_back(
+        describe(file.source.name, file.source.text ? *file.source.text : std::string(), diagnostic));
+  return scene;
+}
+
+}  // namespace luxo

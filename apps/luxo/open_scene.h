@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What SCENE on a command line means: a scene that every luxo carries, or a file.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "option_values.h"
+#include "scene/scene.h"
+#include "scene/scene_file.h"
+
+namespace luxo {
+
+struct BuiltinScene {
+  std::string name, summary;
+};
+
+/// By name. They are carried as text, so they work from any folder.
+[[nodiscard]] std::vector<BuiltinScene> builtinScenes();
+
+/// The scene of that name: built-in ones first, then files (so ./teapot is the file). `parameters` replace
+/// values of the scene's. Error(Scene): there is none of that name; it cannot be read or has errors; a model.
+/// Error(Usage): it has no such parameter, or not with that value.
+///
+/// `warnings`, where given, takes what is allowed but probably not meant (scene/scene_builder.h), as people
+/// read it.
+[[nodiscard]] Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters = {},
+                              std::vector<std::string>* warnings = nullptr);
+
+/// The file behind a scene: empty for built-in ones.
+[[nodiscard]] std::filesystem::path fileOfScene(const std::string& scene);
+
+/// As openScene(), for a description that is in memory.
+[[nodiscard]] Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,
+                               std::vector<std::string>* warnings);
+
+}  // namespace luxo

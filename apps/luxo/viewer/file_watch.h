@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells when a file has been saved.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace luxo {
+
+/// Watches the folder, since editors save by renaming: the file itself may be another one each time. Looks at
+/// nothing while nothing happens there. Behind a symbolic link, the folder of its target is watched, too.
+class FileWatch {
+ public:
+  /// `notify` is called from another thread after the file was saved. Watches nothing for an empty path, and
+  /// where the system cannot (a warning is logged).
+  FileWatch(const std::filesystem::path& file, std::function<void()> notify);
+  ~FileWatch();
+  FileWatch(const FileWatch&) = delete;
+  FileWatch& operator=(const FileWatch&) = delete;
+
+  /// Whether the file was saved since the last time.
+  [[nodiscard]] bool takeSaved() { return saved_.exchange(false); }
+
+ private:
+  struct Descriptor {
+    int number = -1;
+    ~Descriptor();
+  };
+  struct Place {
+    int watch = -1;
+    std::string name;  ///< of the file in the watched folder
+  };
+
+  void add(const std::filesystem::path& file);
+  void listen();
+
+  std::function<void()> notify_;
+  Descriptor events_, end_;
+  std::vector<Place> places_;
+  std::atomic<bool> saved_ = false;
+  std::thread listener_;
+};
+
+}  // namespace luxo

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene files as a user meets them: every mistake in one ends with exit code 3, a message that points at it,
+// and no picture. Parameters, sweeps, built-in names.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace luxo::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A wave with a parameter; what the tests below break.
+const char* const kWave = R"({
+  "luxo": 1,
+  "render": { "size": [64, 48] },
+  "params": { "k": { "value": 3, "range": [1, 12], "step": 1 }, "half": "k/2" },
+  "surfaces": { "wave": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "0.2*sin(k*u)", "v"]
+}
+}
+, "nodes" : [
+  {"surface" : "wave"},
+  {"rotate" : {"axis" : [ 1, 0, 0 ], "angle" : "-60deg"}, "light" : {"type" : "directional"}}
+]
+}
+)";
+
+class SceneFiles : public RenderTest {
+ protected:
+  /// Renders a file with that text and expects exit code 3, the words, and nothing but the file left behind.
+  void expectBad(const std::string& text, const std::string& said) const {
+    writeText(folder / "bad.luxo.json", text);
+    const Outcome outcome = run(folder, {"render", "bad.luxo.json", "-o", "a.png"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(contains(outcome.err, said)) << outcome.err << "\nlacks: " << said;
+    EXPECT_EQ(folder.entries(), 1u) << said;
+  }
+
+  /// The wave with one part replaced.
+  [[nodiscard]] static std::string waveWith(const std::string& part, const std::string& instead) {
+    std::string text = kWave;
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return text.replace(at, part.size(), instead);
+  }
+};
+
+TEST_F(SceneFiles, MistakesAreShownWithTheirPlace) {
+  const std::string wave = kWave;
+  expectBad(wave.substr(0, wave.size() / 2), "bad.luxo.json:5:");
+  expectBad(waveWith("\"size\": [64, 48]", "\"size\": \"large\""), "bad.luxo.json:3:");
+  expectBad(waveWith("\"position\"", "\"postion\""), "did you mean 'position'?");
+  expectBad(waveWith("\"half\"", "\"k\""), "bad.luxo.json:4:");
+  expectBad(waveWith("\"surface\": \"wave\"", "\"surface\": \"wafe\""), "did you mean 'wave'?");
+  expectBad(waveWith("\"value\": 3", "\"value\": \"half\""), "bad.luxo.json:4:");
+  expectBad(waveWith("\"value\": 3", "\"value\": 13"), "12");
+  expectBad(waveWith("sin(k*u)", "sin(uk)"), "'uk'");
+  expectBad(waveWith("0.2*sin(k*u)", "log(-1-u^2)"), "bad.luxo.json:5:");
+  expectBad(waveWith("\"u\": [-1, 1]", "\"u\": [1, 1]"), "bad.luxo.json:5:");
+  expectBad(waveWith("[64, 48]", "[64, 1e999]"), "bad.luxo.json:3:");
+  expectBad(waveWith("\"type\": \"formula\"", "\"type\": \"sphere\", \"radius\": 0, \"x-was\": 0"),
+            "bad.luxo.json:5:");
+  expectBad("\xff\xfe garbage", "bad.luxo.json:1:1");
+  expectBad("", "bad.luxo.json:1:1");
+}
+
+TEST_F(SceneFiles, DepthAndSizeCrashNothing) {
+  expectBad(std::string(1 << 20, '['), "bad.luxo.json:1:");
+  expectBad(std::string(100 << 20, 'x'), "bad.luxo.json:1:1");
+  std::string deep = "u";
+  for (int i = 0; i < 10'000; ++i) deep = "(" + deep + ")";
+  expectBad(waveWith("0.2*sin(k*u)", deep), "bad.luxo.json:5:");
+  expectBad(waveWith("\"u\", \"0.2", "\"1e308*u*1e308\", \"0.2"), "");
+}
+
+TEST_F(SceneFiles, AllMistakesAtOnce) {
+  writeText(folder / "bad.luxo.json",
+            R"({ "luxo": 1, "nodes": [ { "surfac": "a" }, { "material": "b" }, 7 ] })");
+  const Outcome outcome = run(folder, {"render", "bad.luxo.json", "-o", "a.png"});
+  EXPECT_EQ(outcome.code, 3);
+  for (const char* said : {"'surface'?", "'b'", "bad.luxo.json:1:66"})
+    EXPECT_TRUE(contains(outcome.err, said)) << outcome.err << "\nlacks: " << said;
+}
+
+TEST_F(SceneFiles, WhatIsNoFile) {
+  std::filesystem::create_directory(folder / "folder.luxo.json");
+  for (const char* name : {"folder.luxo.json", "missing.luxo.json", "./missing"}) {
+    const Outcome outcome = run(folder, {"render", name, "-o", "a.png"});
+    EXPECT_EQ(outcome.code, 3) << name;
+    EXPECT_TRUE(contains(outcome.err, name)) << outcome.err;
+  }
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST_F(SceneFiles, ParametersOnTheCommandLine) {
+  writeText(folder / "wave.luxo.json", kWave);
+  const auto refused = [&](const Arguments& extra, const std::string& said) {
+    Arguments arguments = {"render", "wave.luxo.json", "-o", "a.png"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const Outcome outcome = run(folder, arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, said)) << outcome.err << "\nlacks: " << said;
+  };
+  refused({"-P", "hal=2"}, "did you mean 'half'?");
+  refused({"-P", "k=13"}, "12");
+  refused({"-P", "k=2+"}, "nothing on its right");
+  refused({"--sweep", "hal=1:2:1"}, "did you mean 'half'?");
+  refused({"--sweep", "k=0:2:1"}, "range from 1 to 12");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+class SceneFilePictures : public DeviceRenderTest {
+ protected:
+  [[nodiscard]] std::string picture(Arguments arguments) const {
+    arguments.insert(arguments.end(), {"-q", "-o", "a.pfm"});
+    const Outcome outcome = run(folder, arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return textOf(folder / "a.pfm");
+  }
+};
+
+TEST_F(SceneFilePictures, SweptPicturesAreThoseOfTheirValues) {
+  writeText(folder / "wave.luxo.json", kWave);
+  const Outcome outcome = run(
+      folder, {"render", "wave.luxo.json", "--sweep", "k=2:8:3", "-o", "s.pfm", "-q", "--report", "r.json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json frames = Json::parse(textOf(folder / "r.json"))["frames"];
+  ASSERT_EQ(frames.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    const double k = 2 + 3 * i;
+    EXPECT_EQ(frames[i]["frame"], i + 1);
+    EXPECT_EQ(frames[i]["file"], fmt::format("s.{:04}.pfm", i + 1));
+    EXPECT_EQ(frames[i]["parameters"]["k"], k);
+    EXPECT_EQ(frames[i]["parameters"]["half"], k / 2);
+    EXPECT_TRUE(textOf(folder / fmt::format("s.{:04}.pfm", i + 1)) ==
+                picture({"render", "wave.luxo.json", "-P", fmt::format("k={}", k)}))
+        << "k = " << k;
+  }
+  EXPECT_TRUE(picture({"render", "wave.luxo.json"}) == picture({"render", "wave.luxo.json", "-P", "k=6/2"}));
+  EXPECT_FALSE(picture({"render", "wave.luxo.json"}) == picture({"render", "wave.luxo.json", "-P", "k=4"}));
+}
+
+TEST_F(SceneFilePictures, TheLampIsTheSameFromItsFileAndFromItsCode) {
+  const std::string file = picture({"render", "luxo-grandpa", "--size", "64x36"});
+  ASSERT_EQ(run({.arguments = {"--size", "64x36", "-q", "-o", "b.pfm"},
+                 .folder = folder.path(),
+                 .program = LUXO_LAMP_PROGRAM})
+                .code,
+            0);
+  EXPECT_TRUE(file == textOf(folder / "b.pfm"));
+}
+
+TEST_F(SceneFilePictures, AHoleHurtsNobodyElse) {
+  const auto withHole = [&](const std::string& formula) {
+    writeText(folder / "hole.luxo.json",
+              fmt::format(R"({{ "luxo": 1, "render": {{ "size": [64, 48], "ambient": 1 }},
+    "surfaces": {{ "ball": {{ "type": "sphere", "radius": 1 }},
+                   "odd": {{ "type": "formula", "u": [-1, 1], "v": [0, 1], "position": ["u+50", "{}", "v"] }} }},
+    "nodes": [ {{ "surface": "ball" }}, {{ "surface": "odd" }} ], "camera": {{ "eye": [0, 0, 5] }} }})",
+                          formula));
+    return picture({"render", "hole.luxo.json"});
+  };
+  EXPECT_TRUE(withHole("0") == withHole("1/u")) << "the odd one is out of sight either way";
+}
+
+TEST_F(SceneFiles, BuiltinScenesAreListed) {
+  const Outcome outcome = run(folder, {"render", "--list"});
+  EXPECT_EQ(outcome.code, 0);
+  for (const char* name : {"luxo-grandpa", "gallery", "teapot", "flag"})
+    EXPECT_TRUE(contains(outcome.out, name)) << outcome.out;
+}
+
+}  // namespace
+}  // namespace luxo::test
