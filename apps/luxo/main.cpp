@@ -23,6 +23,8 @@ int runLuxo(int argc, const char* const* argv) {
   luxo::Command chosen;
   luxo::addRender(app, chosen);
   luxo::addView(app, chosen);
+  luxo::addPlot(app, chosen);
+  luxo::addInspect(app, chosen);
   luxo::addDiff(app, chosen);
   luxo::addDoctor(app, chosen);
   if (!luxo::parseCommandLine(app, argc, argv)) return luxo::exit_code::kDone;

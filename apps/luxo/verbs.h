@@ -16,6 +16,8 @@ using Command = std::function<int()>;
 
 void addRender(CLI::App& app, Command& chosen);
 void addView(CLI::App& app, Command& chosen);
+void addPlot(CLI::App& app, Command& chosen);
+void addInspect(CLI::App& app, Command& chosen);
 void addDiff(CLI::App& app, Command& chosen);
 void addDoctor(CLI::App& app, Command& chosen);
 

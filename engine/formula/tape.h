@@ -29,6 +29,8 @@ class Tape {
   Tape(Graph& graph, std::span<const Expr> outputs);
 
   [[nodiscard]] std::size_t outputCount() const { return outputs_.size(); }
+  /// Operations of one evaluation at one point.
+  [[nodiscard]] std::size_t stepCount() const { return steps_.size(); }
 
   /// Output k at every (u[i], v[i]) in result[k][i].
   [[nodiscard]] std::vector<std::vector<double>> evaluate(std::span<const double> u,

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <set>
+#include <string_view>
+
+#include "base/diagnostic.h"
+#include "base/error.h"
+#include "base/suggestion.h"
+
+namespace luxo {
+namespace {
+
+constexpr const char* kSourceName = "plot";
+constexpr const char* kPositionHint = "give three formulas of u and v, as in \"[cos(u), v, sin(u)]\"";
+constexpr const char* kRangeHint = "give from:to, as in 0:tau";
+constexpr const char* kDefinitionHint = "give name=formula, as in -L k=3";
+
+bool startsName(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// The names a formula uses.
+std::set<std::string> namesIn(std::string_view formula) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < formula.size();) {
+    if (!startsName(formula[i])) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < formula.size() && (startsName(formula[end]) || isDigit(formula[end]))) ++end;
+    names.emplace(formula.substr(i, end - i));
+    i = end;
+  }
+  return names;
+}
+
+/// What was typed as one text, a line for each argument, so that messages can show the line and the place.
+class Typed {
+ public:
+  /// A part of the text.
+  struct Part {
+    std::string text;
+    std::size_t begin = 0;
+
+    [[nodiscard]] Part from(std::size_t first, std::size_t count = std::string::npos) const {
+      return {text.substr(first, count), begin + first};
+    }
+    [[nodiscard]] Part trimmed() const {
+      const std::size_t first = text.find_first_not_of(" \t\n");
+      if (first == std::string::npos) return {"", begin};
+      return from(first, text.find_last_not_of(" \t\n") + 1 - first);
+    }
+  };
+
+  Part add(std::string_view option, const std::string& argument) {
+    text_ += option;
+    const Part part{argument, text_.size()};
+    text_ += argument + "\n";
+    return part;
+  }
+
+  [[noreturn]] void refuse(const Part& part, const std::string& message, const std::string& hint) const {
+    const SourceRange where{part.begin, part.begin + part.text.size()};
+    throw Error(ErrorKind::Usage, describe(kSourceName, text_, {where, message, hint}));
+  }
+
+  /// Places include one character on either side: the quotes that formulas of scene files stand in.
+  [[nodiscard]] Quantity quantity(const Part& part) const {
+    const Part formula = part.trimmed();
+    const FilePlace place{static_cast<std::uint32_t>(formula.begin - 1),
+                          static_cast<std::uint32_t>(formula.begin + formula.text.size() + 1)};
+    const auto number = finiteNumber(formula.text);
+    return number ? Quantity(*number, place) : Quantity(formula.text, place);
+  }
+
+  [[nodiscard]] SceneSource source() const {
+    return {kSourceName, std::make_shared<const std::string>(text_)};
+  }
+
+ private:
+  std::string text_;
+};
+
+using Part = Typed::Part;
+
+/// Between the commas that are in no bracket.
+std::vector<Part> splitAtCommas(const Part& whole) {
+  std::vector<Part> parts;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < whole.text.size(); ++i) {
+    const char c = whole.text[i];
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c != ',' || depth > 0) continue;
+    parts.push_back(whole.from(begin, i - begin));
+    begin = i + 1;
+  }
+  parts.push_back(whole.from(begin));
+  return parts;
+}
+
+Quantity3 positionOf(const Typed& typed, const Part& argument) {
+  const Part whole = argument.trimmed();
+  if (whole.text.size() < 2 || whole.text.front() != '[' || whole.text.back() != ']')
+    typed.refuse(whole, "the position stands in no brackets", kPositionHint);
+  const std::vector<Part> parts = splitAtCommas(whole.from(1, whole.text.size() - 2));
+  if (parts.size() != 3)
+    typed.refuse(whole, fmt::format("the position has {} components instead of 3", parts.size()),
+                 kPositionHint);
+  return {typed.quantity(parts[0]), typed.quantity(parts[1]), typed.quantity(parts[2])};
+}
+
+QuantityPair rangeOf(const Typed& typed, const Part& argument) {
+  const std::size_t colon = argument.text.find(':');
+  if (colon == std::string::npos || argument.text.find(':', colon + 1) != std::string::npos)
+    typed.refuse(argument, "the range has not two ends", kRangeHint);
+  return {typed.quantity(argument.from(0, colon)), typed.quantity(argument.from(colon + 1))};
+}
+
+struct Definition {
+  Part name, formula;
+  std::set<std::string> uses;
+};
+
+std::vector<Definition> definitionsOf(Typed& typed, const std::vector<std::string>& texts) {
+  std::vector<Definition> definitions;
+  for (const std::string& text : texts) {
+    const Part whole = typed.add("-L ", text);
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) typed.refuse(whole, "there is no '='", kDefinitionHint);
+    const Part name = whole.from(0, equals).trimmed();
+    if (namesIn(name.text) != std::set{name.text})
+      typed.refuse(name, fmt::format("'{}' is not a name", name.text), kDefinitionHint);
+    const Part formula = whole.from(equals + 1);
+    definitions.push_back({name, formula, namesIn(formula.text)});
+  }
+  return definitions;
+}
+
+/// The names of those that need u or v, these two included.
+std::set<std::string> namesOfPlace(const std::vector<Definition>& definitions) {
+  std::set<std::string> found = {"u", "v"};
+  for (std::size_t before = 0; before != found.size();) {
+    before = found.size();
+    for (const Definition& definition : definitions)
+      if (std::ranges::any_of(definition.uses, [&](const std::string& name) { return found.contains(name); }))
+        found.insert(definition.name.text);
+  }
+  return found;
+}
+
+FileName nameAt(const Part& part) {
+  return {
+      part.text,
+      {static_cast<std::uint32_t>(part.begin), static_cast<std::uint32_t>(part.begin + part.text.size())}};
+}
+
+void replaceParameter(Typed& typed, SceneFile& file, const ParameterValue& value) {
+  const auto found = std::ranges::find(file.parameters, value.name,
+                                       [](const ParameterDesc& parameter) { return parameter.name.text; });
+  if (found == file.parameters.end()) {
+    std::vector<std::string> names;
+    for (const ParameterDesc& parameter : file.parameters) names.push_back(parameter.name.text);
+    throw Error(ErrorKind::Usage, fmt::format("the plot has no parameter '{}'", value.name),
+                didYouMean(value.name, names, fmt::format("define it: -L {}={}", value.name, value.value)));
+  }
+  found->value = typed.quantity(typed.add(fmt::format("-P {}=", value.name), value.value));
+}
+
+RenderDesc renderOf(const RenderRequest& request) {
+  RenderDesc render;
+  if (request.size) render.size = {request.size->width, request.size->height};
+  if (request.time) render.time = *request.time;
+  if (request.fps) render.fps = *request.fps;
+  render.samples = request.samples.value_or(4);
+  if (request.tolerancePx) render.tolerance = *request.tolerancePx;
+  if (request.shading) render.shading = *request.shading;
+  // Paper, and light from all sides: nothing is black.
+  render.background = {0.86, 0.88, 0.9};
+  render.ambient = repeated(0.22);
+  return render;
+}
+
+MaterialDesc materialOf() {
+  return {.name = "enamel",
+          .diffuse = {0.1, 0.34, 0.64},
+          .specular = repeated(0.35),
+          .shininess = 60,
+          .twoSided = TwoSided::Yes};
+}
+
+/// Seen from the fitted camera's direction, (1, 0.8, 1.5): the main light from above on the left, a weak one
+/// from the right. A light shines along its node's -Z.
+std::vector<NodeDesc> lightsOf() {
+  const auto light = [](const char* name, Quantity turn, Quantity tilt, double intensity, Quantity3 color) {
+    return NodeDesc{.name = name,
+                    .rotate = {{.axis = {0, 1, 0}, .angle = std::move(turn)},
+                               {.axis = {1, 0, 0}, .angle = std::move(tilt)}},
+                    .light = LightDesc{
+                        .type = Light::Type::Directional, .color = std::move(color), .intensity = intensity}};
+  };
+  return {light("key light", "-15deg", "-50deg", 0.9, {1, 0.97, 0.92}),
+          light("fill light", "100deg", "-10deg", 0.25, {0.85, 0.92, 1})};
+}
+
+}  // namespace
+
+SceneFile plotScene(const PlotDesc& plot, const RenderRequest& request) {
+  Typed typed;
+  FormulaShape shape{.position = positionOf(typed, typed.add("", plot.position))};
+  shape.u = rangeOf(typed, typed.add("--u ", plot.u));
+  shape.v = rangeOf(typed, typed.add("--v ", plot.v));
+
+  SceneFile file;
+  const std::vector<Definition> definitions = definitionsOf(typed, plot.definitions);
+  const std::set<std::string> ofPlace = namesOfPlace(definitions);
+  for (const Definition& definition : definitions) {
+    const Quantity value = typed.quantity(definition.formula);
+    if (ofPlace.contains(definition.name.text)) {
+      shape.let.push_back({nameAt(definition.name), value});
+    } else {
+      file.parameters.push_back({.name = nameAt(definition.name), .value = value});
+    }
+  }
+  for (const ParameterValue& value : request.parameters) replaceParameter(typed, file, value);
+
+  file.render = renderOf(request);
+  file.materials = {materialOf()};
+  file.surfaces = {{.name = "plot", .shape = std::move(shape)}};
+  file.nodes = lightsOf();
+  file.nodes.insert(file.nodes.begin(), NodeDesc{.name = "plot", .surface = "plot", .material = "enamel"});
+  file.source = typed.source();
+  return file;
+}
+
+}  // namespace luxo

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// `luxo plot`: the scene of one formula.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "option_values.h"
+#include "options.h"
+#include "scene/scene_file.h"
+
+namespace luxo {
+
+/// What was typed.
+struct PlotDesc {
+  std::string position;                    ///< "[x, y, z]": three formulas of u and v
+  std::string u, v;                        ///< "from:to", numbers or formulas
+  std::vector<std::string> definitions{};  ///< "name=formula"
+};
+
+/// The surface in two lights, enamelled on both sides, for a fitted camera. A definition that needs u or v
+/// (itself or through another one) belongs to the surface; every other one is a parameter of the scene, whose
+/// value the request may replace. The scene's settings are what the request asks for. Errors in the formulas
+/// are found when the scene is built and point into the text as typed; Error(Usage): text of another shape, a
+/// parameter that is not defined.
+[[nodiscard]] SceneFile plotScene(const PlotDesc& plot, const RenderRequest& request);
+
+}  // namespace luxo

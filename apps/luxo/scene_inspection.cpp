@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_inspection.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cull/cull.h"
+#include "draw/draw_list.h"
+#include "draw/renderer.h"
+#include "scene/snapshot.h"
+
+namespace luxo {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinity.
+Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json vectorJson(const Vec3& v) { return {numberJson(v.x), numberJson(v.y), numberJson(v.z)}; }
+
+Json boxJson(const Box& box) {
+  if (box.empty()) return nullptr;
+  return {{"min", vectorJson(box.min)}, {"max", vectorJson(box.max)}};
+}
+
+Json intervalJson(const Interval& range) { return {range.lo, range.hi}; }
+
+/// Everything that is asked of a scene at one moment.
+class Inspector {
+ public:
+  Inspector(const ViewedScene& viewed, std::vector<std::string> warnings)
+      : scene_(viewed.scene),
+        settings_(viewed.settings),
+        values_(scene_.parametersAt(settings_.time)),
+        moment_(settings_.time, values_),
+        snapshot_(takeSnapshot(scene_, settings_.time, settings_.size, viewed.camera)),
+        warnings_(std::move(warnings)) {
+    for (const SnapshotNode& node : snapshot_.nodes) shown_[node.id.index] = &node;
+  }
+
+  Json inspect(const std::string& name) {
+    Json json = {{"luxo", LUXO_VERSION},
+                 {"inspect", 1},
+                 {"scene", name},
+                 {"time", settings_.time},
+                 {"size", {settings_.size.width, settings_.size.height}},
+                 {"shading", nameOf(settings_.shading)},
+                 {"count", countsJson()},
+                 {"picture", pictureJson()},
+                 {"bounds", boxJson(boundsOfAll())},
+                 {"parameters", parametersJson()},
+                 {"nodes", nodesJson()},
+                 {"surfaces", surfacesJson()},
+                 {"materials", materialsJson()},
+                 {"lights", lightsJson()},
+                 {"cameras", camerasJson()}};
+    json["warnings"] = warnings_;
+    return json;
+  }
+
+ private:
+  [[nodiscard]] Json countsJson() const {
+    std::size_t nodes = 0, surfaces = 0, lights = 0;
+    for (const Scene::Entry& entry : scene_.nodes()) {
+      if (entry.removed) continue;
+      ++nodes;
+      surfaces += entry.node.surface.valid() ? 1 : 0;
+      lights += entry.node.light ? 1 : 0;
+    }
+    return {{"nodes", nodes},
+            {"shown", snapshot_.nodes.size()},
+            {"with_surface", surfaces},
+            {"surfaces", distinctSurfaces().size()},
+            {"materials", scene_.materials().size() - 1},
+            {"lights", lights},
+            {"cameras", scene_.cameras().size()},
+            {"parameters", scene_.parameters().size()}};
+  }
+
+  /// What a picture would be made of.
+  [[nodiscard]] Json pictureJson() {
+    DrawOptions options = drawOptions(settings_);
+    const VisibleList visible =
+        cull(snapshot_,
+             {.tolerancePx = options.tolerancePx, .samples = options.samples, .shading = options.shading});
+    MeshCache meshes;
+    const DrawList list = listDraws(snapshot_, visible, options, meshes);
+    std::uint64_t triangles = 0;
+    for (const auto* batches : {&list.opaque, &list.transparent})
+      for (const DrawBatch& batch : *batches) triangles += batch.mesh->triangleCount() * batch.instanceCount;
+    if (!std::isfinite(list.boundPx)) warnings_.push_back("the error of the picture has no proven bound");
+    return {{"tolerance_px", options.tolerancePx},
+            {"bound_px", numberJson(list.boundPx)},
+            {"drawn", visible.counts.drawn},
+            {"draw_calls", list.opaque.size() + list.transparent.size()},
+            {"triangles", triangles}};
+  }
+
+  [[nodiscard]] Box boundsOfAll() const {
+    Box box;
+    for (const SnapshotNode& node : snapshot_.nodes) box.add(node.boundsWorld);
+    return box;
+  }
+
+  [[nodiscard]] Json parametersJson() const {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const Parameter& parameter = scene_.parameters()[i];
+      list.push_back({{"name", parameter.name},
+                      {"label", parameter.labelOrName()},
+                      {"value", values_[i]},
+                      {"range", parameter.range ? intervalJson(*parameter.range) : Json()},
+                      {"step", parameter.step ? Json(*parameter.step) : Json()},
+                      {"moves", parameter.value.movesWithTime()}});
+    }
+    return list;
+  }
+
+  /// In file order; `depth` is that in the tree.
+  [[nodiscard]] Json nodesJson() const {
+    Json list = Json::array();
+    std::vector<int> depths(scene_.nodes().size());
+    for (std::uint32_t i = 0; i < scene_.nodes().size(); ++i) {
+      const auto& [node, removed, bounds] = scene_.nodes()[i];
+      if (removed) continue;
+      depths[i] = node.parent.valid() ? depths[node.parent.index] + 1 : 0;
+      const auto shown = shown_.find(i);
+      list.push_back({{"name", node.name},
+                      {"depth", depths[i]},
+                      {"surface", node.surface.valid() ? Json(node.surface.name()) : Json()},
+                      {"material", node.surface.valid() ? Json(materialName(node.material)) : Json()},
+                      {"light", node.light.has_value()},
+                      {"shown", shown != shown_.end() || (!node.surface.valid() && node.visible.at(moment_))},
+                      {"bounds", shown != shown_.end() ? boxJson(shown->second->boundsWorld) : Json()}});
+    }
+    return list;
+  }
+
+  [[nodiscard]] std::string materialName(MaterialId id) const { return scene_[id].at(moment_).name; }
+
+  [[nodiscard]] std::vector<const Surface*> distinctSurfaces() const {
+    std::vector<const Surface*> surfaces;
+    std::set<const void*> known;
+    for (const Scene::Entry& entry : scene_.nodes())
+      if (!entry.removed && entry.node.surface.valid() && known.insert(entry.node.surface.identity()).second)
+        surfaces.push_back(&entry.node.surface);
+    return surfaces;
+  }
+
+  [[nodiscard]] Json surfacesJson() {
+    Json list = Json::array();
+    for (const Surface* surface : distinctSurfaces()) {
+      const Topology& topology = surface->topology();
+      std::set<const SurfaceFunction*> functions;
+      std::size_t position = 0, second = 0;
+      for (const Patch& patch : surface->patches())
+        if (functions.insert(patch.function.get()).second) {
+          position += patch.function->position.stepCount();
+          second += patch.function->second.stepCount();
+        }
+      list.push_back({{"name", surface->name()},
+                      {"patches", surface->patchCount()},
+                      {"formulas", functions.size()},
+                      {"operations", position},
+                      {"second_derivative_operations", second},
+                      {"closed", topology.closed},
+                      {"orientable", topology.orientable},
+                      {"euler_characteristic", topology.eulerCharacteristic},
+                      {"u", intervalJson(surface->domain().u)},
+                      {"v", intervalJson(surface->domain().v)}});
+      if (!topology.orientable)
+        warnings_.push_back(fmt::format("surface '{}' has one side only: it is lit from wherever it is seen",
+                                        surface->name()));
+    }
+    return list;
+  }
+
+  [[nodiscard]] Json materialsJson() const {
+    Json list = Json::array();
+    for (std::size_t i = 1; i < scene_.materials().size(); ++i) {
+      const Material material = scene_.materials()[i].at(moment_);
+      list.push_back({{"name", material.name},
+                      {"diffuse", vectorJson(material.diffuse)},
+                      {"ambient", vectorJson(material.ambientOrDiffuse())},
+                      {"specular", vectorJson(material.specular)},
+                      {"shininess", material.shininess},
+                      {"opacity", material.opacity}});
+    }
+    return list;
+  }
+
+  [[nodiscard]] Json lightsJson() const {
+    Json list = Json::array();
+    for (const SnapshotLight& light : snapshot_.lights) {
+      const std::string attenuation =
+          light.attenuation == Light::Attenuation::InverseSquare ? "inverse-square" : "none";
+      list.push_back(
+          {{"node", scene_[light.id].name},
+           {"type", light.directional() ? "directional" : "point"},
+           {light.directional() ? "toward_light" : "position", vectorJson(Vec3(light.positionWorld))},
+           {"radiance", vectorJson(light.radiance)},
+           {"attenuation", attenuation},
+           {"shadow", light.shade.has_value()}});
+    }
+    return list;
+  }
+
+  [[nodiscard]] Json camerasJson() const {
+    Json list = Json::array();
+    for (const Camera& camera : scene_.cameras()) {
+      const bool perspective = camera.projection == Projection::Perspective;
+      list.push_back({{"name", camera.name},
+                      {"type", perspective ? "perspective" : "orthographic"},
+                      {"eye", vectorJson(camera.eye.at(moment_))},
+                      {"look_at", vectorJson(camera.lookAt.at(moment_))},
+                      {perspective ? "fov_y_degrees" : "height",
+                       perspective ? camera.fovY.at(moment_) * (180 / kPi) : camera.height.at(moment_)}});
+    }
+    return list;
+  }
+
+  const Scene& scene_;
+  const RenderSettings& settings_;
+  std::vector<double> values_;
+  Moment moment_;
+  Snapshot snapshot_;
+  std::map<std::uint32_t, const SnapshotNode*> shown_;
+  std::vector<std::string> warnings_;
+};
+
+// --- as text
+// ---------------------------------------------------------------------------------------------------
+
+std::string numberText(const Json& number) {
+  return number.is_null() ? "infinite" : fmt::format("{:.6g}", number.get<double>());
+}
+
+std::string listText(const Json& numbers) {
+  std::vector<std::string> texts;
+  for (const Json& number : numbers) texts.push_back(numberText(number));
+  return fmt::format("({})", fmt::join(texts, ", "));
+}
+
+std::string boundsText(const Json& box) {
+  if (box.is_null()) return {};
+  return fmt::format("{} to {}", listText(box["min"]), listText(box["max"]));
+}
+
+std::string textOf(const Json& value, const char* otherwise = "") {
+  return value.is_null() ? otherwise : value.get<std::string>();
+}
+
+std::string counted(const Json& count, const char* thing) {
+  return fmt::format("{} {}{}", count.get<std::uint64_t>(), thing, count == 1 ? "" : "s");
+}
+
+std::string header(const Json& json) {
+  const Json &count = json["count"], &picture = json["picture"];
+  std::string text = fmt::format("{} at {} s\n", json["scene"].get<std::string>(), numberText(json["time"]));
+  text += fmt::format("  {}, {} shown, {}, {}, {}, {}, {}\n", counted(count["nodes"], "node"),
+                      count["shown"].get<std::uint64_t>(), counted(count["surfaces"], "surface"),
+                      counted(count["materials"], "material"), counted(count["lights"], "light"),
+                      counted(count["cameras"], "camera"), counted(count["parameters"], "parameter"));
+  if (!json["bounds"].is_null()) text += fmt::format("  from {} metres\n", boundsText(json["bounds"]));
+  return text + fmt::format("  {} in {} x {} pixels within {} px, proven bound {} px\n",
+                            counted(picture["triangles"], "triangle"), json["size"][0].get<int>(),
+                            json["size"][1].get<int>(), numberText(picture["tolerance_px"]),
+                            numberText(picture["bound_px"]));
+}
+
+std::string nodeText(const Json& node) {
+  const std::string name = node["name"].get<std::string>();
+  std::string text =
+      fmt::format("  {:{}}{:<20}", "", 2 * node["depth"].get<int>(), name.empty() ? "-" : name);
+  if (!node["surface"].is_null())
+    text += fmt::format(" {}, {}", textOf(node["surface"]), textOf(node["material"]));
+  if (node["light"].get<bool>()) text += " light";
+  if (!node["shown"].get<bool>()) text += " hidden";
+  return text + (node["bounds"].is_null() ? "\n" : fmt::format("  {}\n", boundsText(node["bounds"])));
+}
+
+std::string surfaceText(const Json& surface) {
+  const char* kind = surface["closed"].get<bool>()       ? "closed"
+                     : surface["orientable"].get<bool>() ? "open"
+                                                         : "one-sided";
+  return fmt::format("  {:<20} {}, u {} v {}, {}, {}\n", textOf(surface["name"]), kind,
+                     listText(surface["u"]), listText(surface["v"]),
+                     counted(surface["patches"], surface["patches"] == 1 ? "patch" : "patche"),
+                     counted(surface["operations"], "operation"));
+}
+
+std::string parameterText(const Json& parameter) {
+  std::string text =
+      fmt::format("  {:<20} {}", parameter["name"].get<std::string>(), numberText(parameter["value"]));
+  if (!parameter["range"].is_null()) text += fmt::format(", range {}", listText(parameter["range"]));
+  if (!parameter["step"].is_null()) text += fmt::format(", step {}", numberText(parameter["step"]));
+  if (parameter["moves"].get<bool>()) text += ", moves with time";
+  if (parameter["label"] != parameter["name"]) text += fmt::format(", \"{}\"", textOf(parameter["label"]));
+  return text + "\n";
+}
+
+std::string lightText(const Json& light) {
+  const bool point = light["type"] == "point";
+  return fmt::format("  {:<20} {}, {} {}, radiance {}, attenuation {}{}\n", textOf(light["node"]),
+                     textOf(light["type"]), point ? "at" : "toward",
+                     listText(light[point ? "position" : "toward_light"]), listText(light["radiance"]),
+                     textOf(light["attenuation"]), light["shadow"].get<bool>() ? ", exact shadow" : "");
+}
+
+std::string cameraText(const Json& camera) {
+  const bool perspective = camera["type"] == "perspective";
+  return fmt::format("  {:<20} {}, eye {}, look_at {}, {} {}\n", textOf(camera["name"]),
+                     textOf(camera["type"]), listText(camera["eye"]), listText(camera["look_at"]),
+                     perspective ? "fov_y degrees" : "height",
+                     numberText(camera[perspective ? "fov_y_degrees" : "height"]));
+}
+
+template <class Line>
+std::string section(const Json& json, const char* name, const Line& line) {
+  if (json[name].empty()) return {};
+  std::string text = fmt::format("\n{}\n", name);
+  for (const Json& entry : json[name]) text += line(entry);
+  return text;
+}
+
+}  // namespace
+
+Json inspectScene(const std::string& name, const ViewedScene& viewed, std::vector<std::string> warnings) {
+  return Inspector(viewed, std::move(warnings)).inspect(name);
+}
+
+std::string inspectionText(const Json& inspection) {
+  return header(inspection) + section(inspection, "nodes", nodeText) +
+         section(inspection, "surfaces", surfaceText) + section(inspection, "parameters", parameterText) +
+         section(inspection, "lights", lightText) + section(inspection, "cameras", cameraText) +
+         section(inspection, "warnings", [](const Json& warning) { return "  " + textOf(warning) + "\n"; });
+}
+
+}  // namespace luxo

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// luxo plot: from one formula to a picture, and to the scene file that draws the same.
+#include <fmt/format.h>
+
+#include "cli/program.h"
+#include "plot_scene.h"
+
+namespace luxo::test {
+namespace {
+
+const Arguments kRanges = {"--u", "-1:1", "--v", "0:tau/2"};
+
+class Plot : public RenderTest {
+ protected:
+  [[nodiscard]] Outcome plot(const std::string& formula, const Arguments& extra) const {
+    Arguments arguments = {"plot", formula};
+    arguments.insert(arguments.end(), kRanges.begin(), kRanges.end());
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    return run(folder, arguments);
+  }
+};
+class PlotPictures : public Plot {
+ protected:
+  void SetUp() override {
+    Plot::SetUp();
+    requireDevice();
+  }
+};
+
+TEST_F(Plot, MistakesPointIntoTheArgument) {
+  const Outcome outcome = plot("[u, uv, v]", {"-o", "a.png"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  for (const char* said : {"plot:1:5: unknown name 'uv'", "1 | [u, uv, v]", "    ^^", "did you mean 'u*v'?"})
+    EXPECT_TRUE(contains(outcome.err, said)) << outcome.err << "\nlacks: " << said;
+
+  const auto refused = [&](const std::string& formula, const Arguments& extra, int code,
+                           const std::string& said) {
+    const Outcome bad = plot(formula, extra);
+    EXPECT_EQ(bad.code, code) << bad.err;
+    EXPECT_TRUE(contains(bad.err, said)) << bad.err << "\nlacks: " << said;
+  };
+  refused("[u, v]", {"-o", "a.png"}, 2, "2 components instead of 3");
+  refused("u, v, 0", {"-o", "a.png"}, 2, "brackets");
+  refused("[u, v, k]", {"-o", "a.png"}, 3, "'k'");
+  refused("[u, v, k]", {"-L", "k", "-o", "a.png"}, 2, "there is no '='");
+  refused("[u, v, k]", {"-L", "k=1", "-P", "q=1", "-o", "a.png"}, 2, "no parameter 'q'");
+  refused("[u, v, a]", {"-L", "a=b", "-L", "b=a", "-o", "a.png"}, 3, "plot:4:");
+  refused("[u, v, 0]", {}, 2, "no output is given");
+  EXPECT_EQ(folder.entries(), 0u);
+  EXPECT_EQ(run(folder, {"plot", "[u, v, 0]", "--u", "0:1", "-o", "a.png"}).code, 2);
+  EXPECT_EQ(run(folder, {"plot", "[u, v, 0]", "--u", "0:1", "--v", "1:1", "-o", "a.png"}).code, 3);
+}
+
+TEST_F(Plot, DefinitionsThatNeedThePlaceBelongToTheSurface) {
+  const SceneFile file = plotScene({.position = "[r, v, mix(r, k, 0.5)]",
+                                    .u = "0:1",
+                                    .v = "0:2u0",
+                                    .definitions = {"r=2s", "s=1+u0*v", "u0=3", "k=u0+1"}},
+                                   {});
+  ASSERT_EQ(file.parameters.size(), 2u);
+  EXPECT_EQ(file.parameters[0].name, "u0");
+  EXPECT_EQ(file.parameters[1].name, "k");
+  const auto& shape = std::get<FormulaShape>(file.surfaces.at(0).shape);
+  ASSERT_EQ(shape.let.size(), 2u);
+  EXPECT_EQ(shape.let[0].name, "r");
+  EXPECT_EQ(shape.let[1].value, Quantity("1+u0*v"));
+  EXPECT_EQ(shape.position[2], Quantity("mix(r, k, 0.5)"));
+}
+
+TEST_F(PlotPictures, TheSceneFileDrawsTheSameBytes) {
+  const std::string formula = "[u, r*sin(v), cos(v) + u^2]";
+  const Arguments options = {"-L", "k=3", "-L", "r=1+k*u", "-P", "k=0.5", "--size", "61x43", "--time", "2"};
+  Arguments emitting = options, drawing = options;
+  emitting.push_back("--emit");
+  drawing.insert(drawing.end(), {"-q", "-o", "a.pfm"});
+  const Outcome emitted = plot(formula, emitting);
+  ASSERT_EQ(emitted.code, 0) << emitted.err;
+  writeText(folder / "plot.luxo.json", emitted.out);
+  ASSERT_EQ(plot(formula, drawing).code, 0);
+  const Outcome rendered = run(folder, {"render", "plot.luxo.json", "-q", "-o", "b.pfm"});
+  ASSERT_EQ(rendered.code, 0) << rendered.err;
+  EXPECT_TRUE(textOf(folder / "a.pfm") == textOf(folder / "b.pfm"));
+}
+
+}  // namespace
+}  // namespace luxo::test
