@@ -23,7 +23,7 @@ Surface assemble(const FormulaSet& formulas, const ExprPoint& position, const Mo
                  SurfaceTraits traits) {
   std::vector<Animated<double>> still;
   for (const Animated<double>& parameter : formulas.parameters()) still.emplace_back(parameter.at(start));
-  const Surface surface(compileSurface(formulas.graph(), position), formulas.domain(), std::move(still),
+  const Surface surface(cutAtKinks(formulas.graph(), position, formulas.domain()), std::move(still),
                         std::move(traits));
   return surface.withParameters(formulas.parameters());
 }

@@ -49,6 +49,11 @@ class PatchInputs {
   std::span<const double> values_;
 };
 
+/// The patches of a formula on a rectangle: cut along the lines of constant u and of constant v on which it
+/// is kinked, so that each has a smooth piece of it (formula/pieces.h). One patch for a formula without
+/// kinks.
+[[nodiscard]] std::vector<Patch> cutAtKinks(Graph& graph, const ExprPoint& position, const Domain& domain);
+
 /// The edges of a rectangle. Along an edge the other parameter runs from 0 (its lower end) to 1.
 enum class Side : std::uint8_t { UMin, UMax, VMin, VMax };
 

@@ -172,7 +172,7 @@ template <class Formula, class... Parameters>
   const std::array<Expr, sizeof...(Parameters)> free{
       (static_cast<void>(parameters), graph.variable(next++))...};
   const ExprPoint position = std::apply([&](auto... p) { return formula(u, v, p...); }, free);
-  return {compileSurface(graph, position), domain, {Animated<double>(parameters)...}, std::move(traits)};
+  return Surface(cutAtKinks(graph, position, domain), {Animated<double>(parameters)...}, std::move(traits));
 }
 
 /// A profile in the half plane of the Y axis: its distance from the axis and its height.

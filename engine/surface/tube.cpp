@@ -99,7 +99,7 @@ Surface tube(Graph& graph, const ExprPoint& curve, Expr radius, const Interval& 
   const Expr c = radius * cos(turn), s = radius * sin(turn);
   ExprPoint position;
   for (std::size_t axis = 0; axis < 3; ++axis) position[axis] = curve[axis] + (c * n[axis] - s * b[axis]);
-  return {compileSurface(graph, position), {u, {0, 1}}, std::move(parameters), std::move(traits)};
+  return Surface(cutAtKinks(graph, position, {u, {0, 1}}), std::move(parameters), std::move(traits));
 }
 
 }  // namespace luxo

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/patch.h"
+
+#include "formula/pieces.h"
+
+namespace luxo {
+namespace {
+
+/// `range` in the parts that the lines, ascending, cut it into.
+std::vector<Interval> parts(const Interval& range, const std::vector<double>& lines) {
+  std::vector<Interval> parts;
+  double from = range.lo;
+  for (const double line : lines) {
+    parts.emplace_back(from, line);
+    from = line;
+  }
+  parts.emplace_back(from, range.hi);
+  return parts;
+}
+
+}  // namespace
+
+std::vector<Patch> cutAtKinks(Graph& graph, const ExprPoint& position, const Domain& domain) {
+  const std::vector<Interval> columns = parts(domain.u, kinkLines(graph, position, 0, domain.u));
+  const std::vector<Interval> rows = parts(domain.v, kinkLines(graph, position, 1, domain.v));
+  if (columns.size() * rows.size() == 1) return {{compileSurface(graph, position), domain}};
+  std::vector<Patch> patches;
+  for (const Interval& v : rows)
+    for (const Interval& u : columns) {
+      const std::vector<Expr> p = pieceOf(graph, position, u, v);
+      patches.push_back({compileSurface(graph, {p[0], p[1], p[2]}), {u, v}});
+    }
+  return patches;
+}
+
+}  // namespace luxo
