@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 
@@ -122,36 +123,45 @@ bool Surface::revolution() const { return description_->traits.revolution; }
 
 namespace {
 
-SurfacePoints gather(const std::vector<std::vector<double>>& values) {
-  const std::size_t count = values[0].size();
-  SurfacePoints points;
-  std::vector<Vec3>* const targets[3] = {&points.position, &points.du, &points.dv};
-  for (int t = 0; t < 3; ++t) {
-    targets[t]->resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-      (*targets[t])[i] = {values[3 * t][i], values[3 * t + 1][i], values[3 * t + 2][i]};
-  }
-  return points;
+SurfacePoints pointsFor(std::size_t count) {
+  return {std::vector<Vec3>(count), std::vector<Vec3>(count), std::vector<Vec3>(count)};
 }
+
+/// Where S, Su and Sv go, component by component.
+std::array<OutputArray, 9> arraysOf(SurfacePoints& points) {
+  std::array<OutputArray, 9> arrays;
+  std::size_t k = 0;
+  for (std::vector<Vec3>* const target : {&points.position, &points.du, &points.dv})
+    for (int component = 0; component < 3; ++component)
+      arrays[k++] = {target->empty() ? nullptr : &target->front()[component], 3};
+  return arrays;
+}
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
 }  // namespace
 
 SurfacePoints Surface::evaluate(std::uint32_t patch, std::span<const double> u, std::span<const double> v,
                                 std::span<const double> parameters) const {
   const Patch& p = patches()[patch];
-  return gather(p.function->tangents.evaluate(u, v, PatchInputs(p, parameters)));
+  SurfacePoints points = pointsFor(u.size());
+  p.function->tangents.evaluate(u, v, PatchInputs(p, parameters), arraysOf(points));
+  return points;
 }
 
 SurfacePoints Surface::evaluateGrid(std::uint32_t patch, std::span<const double> u, std::span<const double> v,
                                     std::span<const double> parameters) const {
   const Patch& p = patches()[patch];
-  return gather(p.function->tangents.evaluateGrid(u, v, PatchInputs(p, parameters)));
+  SurfacePoints points = pointsFor(u.size() * v.size());
+  p.function->tangents.evaluateGrid(u, v, PatchInputs(p, parameters), arraysOf(points));
+  return points;
 }
 
 Vec3 Surface::position(std::uint32_t patch, double u, double v, std::span<const double> parameters) const {
   const Patch& p = patches()[patch];
-  const auto s = p.function->position.evaluate({&u, 1}, {&v, 1}, PatchInputs(p, parameters));
-  return {s[0][0], s[1][0], s[2][0]};
+  double s[3];
+  p.function->position.evaluatePoint(u, v, PatchInputs(p, parameters), s);
+  return {s[0], s[1], s[2]};
 }
 
 Vec3 Surface::normal(std::uint32_t patch, double u, double v, std::span<const double> parameters) const {
