@@ -66,8 +66,6 @@ struct Topology {
   /// kink.
   [[nodiscard]] bool seamU() const { return wraps(Side::UMin, Side::UMax); }
   [[nodiscard]] bool seamV() const { return wraps(Side::VMin, Side::VMax); }
-  [[nodiscard]] bool collapsedVMin() const { return edge(0, Side::VMin).collapsed(); }
-  [[nodiscard]] bool collapsedVMax() const { return edge(0, Side::VMax).collapsed(); }
 
  private:
   [[nodiscard]] bool wraps(Side lower, Side upper) const;

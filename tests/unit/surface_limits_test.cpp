@@ -64,8 +64,16 @@ TEST(Limits, APlaceWithoutATangentPlaneStillHasAUnitVector) {
   EXPECT_EQ(s.normal(0.5, 0.5), Vec3(0, 1, 0));
 }
 
+/// One patch, not cut where the formula is kinked.
+template <class Formula>
+Surface uncut(const Formula& formula, const Domain& domain) {
+  Graph graph;
+  const ExprPoint position = formula(graph.variable(0), graph.variable(1));
+  return {compileSurface(graph, position), domain};
+}
+
 Surface creased() {
-  return surface([](auto u, auto v) { return point(u, abs(u), v); }, {{-1, 1}, {0, 1}});
+  return uncut([](auto u, auto v) { return point(u, abs(u), v); }, {{-1, 1}, {0, 1}});
 }
 
 TEST(Kinks, ACellAcrossACreaseIsKinked) {
@@ -89,16 +97,15 @@ TEST(Kinks, ACreaseAlongACellsEdgeDoesNotCount) {
 
 TEST(Kinks, AJumpAlongACellsEdgeCounts) {
   // floor takes its new value at the integer itself: the cell below it has that value on its last edge.
-  const Surface stairs =
-      surface([](auto u, auto v) { return point(u, 0.5 * floor(u), v); }, {{0, 3}, {0, 1}});
+  const Surface stairs = uncut([](auto u, auto v) { return point(u, 0.5 * floor(u), v); }, {{0, 3}, {0, 1}});
   EXPECT_TRUE(stairs.boundCell(0, {{0.5, 1}, {0, 1}}, {}).kinked);
   EXPECT_FALSE(stairs.boundCell(0, {{1, 1.5}, {0, 1}}, {}).kinked);
   EXPECT_TRUE(stairs.boundCell(0, {{1.5, 2.5}, {0, 1}}, {}).kinked);
   EXPECT_FALSE(stairs.boundCell(0, {{1.25, 1.75}, {0, 1}}, {}).kinked);
   // Two pieces that meet: no jump. Two that do not: a jump.
   const auto pieces = [](double gap) {
-    return surface([=](auto u, auto v) { return point(u, select(less(u, 0.5), u * u, u / 2 + gap), v); },
-                   {{0, 1}, {0, 1}});
+    return uncut([=](auto u, auto v) { return point(u, select(less(u, 0.5), u * u, u / 2 + gap), v); },
+                 {{0, 1}, {0, 1}});
   };
   EXPECT_FALSE(pieces(0).boundCell(0, {{0.25, 0.5}, {0, 1}}, {}).kinked);
   EXPECT_TRUE(pieces(0).boundCell(0, {{0.25, 0.75}, {0, 1}}, {}).kinked);

@@ -34,8 +34,6 @@ TEST(Topology, EdgesOrientationAndClosednessOfEverySurface) {
     EXPECT_EQ(t.closed, sample.volume.has_value());
     EXPECT_EQ(sample.surface.closed(), sample.volume.has_value());
     EXPECT_EQ(t.seamU(), sample.u == Edge::Seam && sample.orientable);
-    EXPECT_EQ(t.collapsedVMin(), sample.vMin == Edge::Pole || sample.vMin == Edge::Apex);
-    EXPECT_EQ(t.collapsedVMax(), sample.vMax == Edge::Pole || sample.vMax == Edge::Apex);
   }
 }
 
