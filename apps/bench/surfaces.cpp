@@ -3,56 +3,56 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "benchmarks.h"
 #include "side_by_side.h"
+#include "surface/catalogue.h"
 #include "surface/library.h"
+#include "tessellate/curvature_map.h"
 #include "tessellate/tessellator.h"
 
 namespace luxo::bench {
 namespace {
 
-/// About as large as a picture of 720 lines shows it at a distance of its own height: half a pixel is 1/1440
-/// of it.
-constexpr double kHalfPixel = 2.0 / 1440;
+/// The surface fills a picture of 720 lines: half a pixel is 1/1440 of its size.
+constexpr double kHalfPixel = 1.0 / 1440;
 
-struct NamedSurface {
-  const char* name;
-  Surface (*make)();
+struct SizedSurface {
+  Surface surface;
+  double tolerance = 0;
 };
 
-constexpr NamedSurface kSurfaces[] = {
-    {"rectangle", [] { return rectangle(2, 2); }}, {"disk", [] { return disk(1); }},
-    {"cylinder", [] { return cylinder(1, 2); }},   {"cone", [] { return cone(1, 0, 2); }},
-    {"sphere", [] { return sphere(1); }},          {"paraboloid", [] { return paraboloid(0.2, 1.8); }},
-    {"torus", [] { return torus(0.8, 0.35); }},    {"flag", [] { return flag({.phase = 0.3}); }},
-};
-
-std::vector<double> parametersOf(const Surface& surface) {
-  std::vector<double> values;
-  for (const Animated<double>& parameter : surface.parameters()) values.push_back(parameter.at(0));
-  return values;
+SizedSurface sized(const CatalogueEntry& entry) {
+  Surface surface = makeSurface(entry);
+  const double size = glm::length(surface.framing({}).extent());
+  return {std::move(surface), kHalfPixel * size};
 }
 
-void tessellateSurface(benchmark::State& state, const Surface& surface, const MeshDesc& desc) {
-  const std::vector<double> parameters = parametersOf(surface);
-  std::size_t vertices = 0;
+/// From nothing but the compiled formula, and with the map of its curvature, as for every further level.
+void tessellateSurface(benchmark::State& state, const CatalogueEntry& entry, bool withMap) {
+  const SizedSurface s = sized(entry);
+  const CurvatureMap map(s.surface, {});
+  const MeshDesc desc{.tolerance = s.tolerance};
+  std::size_t triangles = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const Mesh mesh = tessellate(surface, parameters, desc);
-    vertices += mesh.positions.size();
+    const Mesh mesh = withMap ? tessellate(s.surface, {}, map, desc) : tessellate(s.surface, {}, desc);
+    triangles = mesh.triangleCount();
     benchmark::DoNotOptimize(mesh.indices.data());
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(vertices));
+  state.counters["triangles"] = static_cast<double>(triangles);
 }
 
-/// From the formula, compiled and differentiated, to proven bounds: a surface keeps what it once found.
-void boundSurface(benchmark::State& state, const NamedSurface& named) {
+/// Every frame of a waving flag has bounds, blocks and triangles of its own.
+void tessellateMoving(benchmark::State& state) {
+  const Surface surface = flag({.phase = [](double t) { return t; }});
+  double phase = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const Surface surface = named.make();
-    benchmark::DoNotOptimize(surface.partialBounds(parametersOf(surface)));
+    phase += 0.01;
+    benchmark::DoNotOptimize(tessellate(surface, std::vector{phase}, {.tolerance = 4 * kHalfPixel}));
   }
 }
 
@@ -123,6 +123,37 @@ void evaluateTorus(benchmark::State& state, const Points& ours, const Points& by
   state.SetItemsProcessed(state.iterations() * kSide * kSide);
 }
 
+/// The whole catalogue to half a pixel, with a proof, beside as many uniform grids of n x n cells of the
+/// torus written by hand, without indices, normals or a bound. `maps_ms`: of the curvature, made once for all
+/// levels.
+void tessellateCatalogue(benchmark::State& state, std::size_t n) {
+  std::vector<SizedSurface> surfaces;
+  for (const CatalogueEntry& entry : catalogue()) surfaces.push_back(sized(entry));
+  std::vector<CurvatureMap> maps;
+  const auto start = std::chrono::steady_clock::now();
+  for (const SizedSurface& s : surfaces) maps.emplace_back(s.surface, std::span<const double>());
+  const std::chrono::duration<double, std::milli> mapping = std::chrono::steady_clock::now() - start;
+  std::vector<double> side(n + 1);
+  for (std::size_t i = 0; i <= n; ++i) side[i] = static_cast<double>(i) / static_cast<double>(n);
+  std::size_t triangles = 0;
+  sideBySide(
+      state,
+      [&](int) {
+        triangles = 0;
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+          const MeshDesc desc{.tolerance = surfaces[i].tolerance};
+          triangles += tessellate(surfaces[i].surface, {}, maps[i], desc).triangleCount();
+        }
+      },
+      [&](int) {
+        for (std::size_t i = 0; i < surfaces.size(); ++i)
+          benchmark::DoNotOptimize(torusGridByHand(side, side).position.data());
+      });
+  state.counters["maps_ms"] = mapping.count();
+  state.counters["triangles"] = static_cast<double>(triangles);
+  state.counters["triangles_by_hand"] = static_cast<double>(2 * n * n * surfaces.size());
+}
+
 void evaluatePoints(benchmark::State& state) {
   std::vector<double> u, v;
   for (const double row : centers())
@@ -145,18 +176,20 @@ void evaluateGrid(benchmark::State& state) {
 }  // namespace
 
 void registerSurfaces() {
-  for (const NamedSurface& named : kSurfaces) {
-    const Surface surface = named.make();
-    const std::pair<const char*, MeshDesc> meshes[] = {{"half_pixel", {.tolerance = kHalfPixel}},
-                                                       {"64x64", {.uniform = Segments{64, 64}}},
-                                                       {"256x256", {.uniform = Segments{256, 256}}}};
-    for (const auto& [grid, desc] : meshes)
-      benchmark::RegisterBenchmark(fmt::format("tessellate/{}/{}", named.name, grid).c_str(),
-                                   tessellateSurface, surface, desc)
+  for (const CatalogueEntry& entry : catalogue())
+    for (const bool withMap : {false, true})
+      benchmark::RegisterBenchmark(
+          fmt::format("tessellate/{}/{}", entry.name, withMap ? "with_map" : "all").c_str(),
+          [&entry, withMap](benchmark::State& state) { tessellateSurface(state, entry, withMap); })
+          ->MinTime(0.05)
           ->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark(fmt::format("partial_bounds/{}", named.name).c_str(), boundSurface, named)
-        ->Unit(benchmark::kMicrosecond);
-  }
+  benchmark::RegisterBenchmark("tessellate/moving_flag", tessellateMoving)->Unit(benchmark::kMicrosecond);
+  for (const std::size_t n : {64, 256})
+    benchmark::RegisterBenchmark(fmt::format("tessellate/catalogue/beside_{0}x{0}", n).c_str(),
+                                 tessellateCatalogue, n)
+        ->UseManualTime()
+        ->Iterations(11)
+        ->Unit(benchmark::kMillisecond);
   const auto besideHandWritten = [](const char* name, void (*body)(benchmark::State&)) {
     benchmark::RegisterBenchmark(name, body)->UseManualTime()->Iterations(101)->Unit(benchmark::kMillisecond);
   };

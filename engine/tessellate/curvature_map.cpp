@@ -2,6 +2,7 @@
 #include "tessellate/curvature_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -24,6 +25,12 @@ Curvature larger(const Curvature& a, const Curvature& b) {
   return {std::max(a.uu, b.uu), std::max(a.uv, b.uv), std::max(a.vv, b.vv)};
 }
 
+Curvature inParts(const Surface& surface, const Domain& domain, const PartialBounds& m) {
+  const bool mixedCounts = !surface.flatNormal() && !surface.revolution();
+  const double du = domain.u.width(), dv = domain.v.width();
+  return {m.uu * du * du, mixedCounts ? m.uv * du * dv : 0, m.vv * dv * dv};
+}
+
 /// A tile whose bound is known, with what looking closer may bring.
 struct Leaf {
   Tile tile;
@@ -42,9 +49,12 @@ class PatchExplorer {
       : surface_(surface),
         patch_(patch),
         parameters_(parameters),
+        inputs_(surface.patches()[patch].constants),
         mapLevelU_(mapLevelU),
         mapLevelV_(mapLevelV),
-        mostLeaves_(mostLeaves) {}
+        mostLeaves_(mostLeaves) {
+    inputs_.insert(inputs_.end(), parameters.begin(), parameters.end());
+  }
 
   std::vector<Leaf> explore() && {
     push(look({}));
@@ -75,6 +85,16 @@ class PatchExplorer {
     const double area = tile.widthU() * tile.widthV();
     leaf.excess = area * (price(leaf.bound) - (middle.proven() ? price(middle) : 0));
     return leaf;
+  }
+
+  /// What is really taken at a point; rounded, as it decides nothing but where to look.
+  [[nodiscard]] Curvature at(double u, double v) const {
+    std::array<double, 9> second{};
+    surface_.patches()[patch_].function->second.evaluatePoint(u, v, inputs_, second);
+    const auto length = [&](std::size_t k) {
+      return glm::length(Vec3(second[k], second[k + 1], second[k + 2]));
+    };
+    return inParts(surface_, surface_.patchDomain(patch_), {length(0), length(3), length(6)});
   }
 
   [[nodiscard]] double cost(const Leaf& leaf) const {
@@ -135,6 +155,7 @@ class PatchExplorer {
   const Surface& surface_;
   std::uint32_t patch_;
   std::span<const double> parameters_;
+  std::vector<double> inputs_;  ///< of the patch's function
   std::uint32_t mapLevelU_, mapLevelV_;
   std::size_t mostLeaves_;
   std::priority_queue<Leaf> open_;
@@ -160,10 +181,7 @@ Curvature curvatureOf(const Surface& surface, std::uint32_t patch, const Domain&
                       std::span<const double> parameters) {
   const Surface::CellBounds bounds = surface.boundCell(patch, cell, parameters);
   if (bounds.kinked) return {kInfinity, kInfinity, kInfinity};
-  const PartialBounds& m = bounds.second;
-  const bool mixedCounts = !surface.flatNormal() && !surface.revolution();
-  const double du = domain.u.width(), dv = domain.v.width();
-  return {m.uu * du * du, mixedCounts ? m.uv * du * dv : 0, m.vv * dv * dv};
+  return inParts(surface, domain, bounds.second);
 }
 
 CurvatureMap::CurvatureMap(const Surface& surface, std::span<const double> parameters) {
