@@ -96,6 +96,13 @@ Excerpt excerpt(std::string_view text, SourceRange where) {
   return result;
 }
 
+// A message, or the beginning of one that quotes too much.
+std::string said(const std::string& message) {
+  constexpr std::size_t kMost = 2000;
+  if (message.size() <= kMost) return showable(message);
+  return showable(message.substr(0, startOfCharacter(message, kMost))) + std::string(kCut);
+}
+
 }  // namespace
 
 TextPosition positionAt(std::string_view text, std::size_t byte) {
@@ -113,8 +120,8 @@ std::string describe(std::string_view sourceName, std::string_view text, const D
   const std::string number = fmt::format("{}", position.line);
   std::string result =
       fmt::format("{}:{}:{}: {}\n  {} | {}\n  {:{}} | {}", sourceName, position.line, position.column,
-                  showable(diagnostic.message), number, line.shown, "", number.size(), line.marks);
-  if (!diagnostic.hint.empty()) result += fmt::format("\n  help: {}", showable(diagnostic.hint));
+                  said(diagnostic.message), number, line.shown, "", number.size(), line.marks);
+  if (!diagnostic.hint.empty()) result += fmt::format("\n  help: {}", said(diagnostic.hint));
   return result;
 }
 

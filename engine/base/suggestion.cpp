@@ -37,8 +37,10 @@ std::string closestName(std::string_view typed, std::span<const std::string> can
   std::string best;
   std::size_t fewest = 0;
   for (const std::string& candidate : candidates) {
+    const std::size_t most = std::max<std::size_t>(1, candidate.size() / 3);
+    if (std::max(typed.size(), candidate.size()) - std::min(typed.size(), candidate.size()) > most) continue;
     const std::size_t slips = slipsBetween(typed, candidate);
-    if (slips > std::max<std::size_t>(1, candidate.size() / 3)) continue;
+    if (slips > most) continue;
     if (slips >= std::min(typed.size(), candidate.size())) continue;
     if (!best.empty() && slips >= fewest) continue;
     best = candidate;

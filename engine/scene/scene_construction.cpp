@@ -38,6 +38,10 @@ class Named {
     if (name.empty()) return nullptr;
     const auto found = things_.find(name.text);
     if (found != things_.end()) return &found->second;
+    if (problems.full()) {
+      problems.add(name.place, {});
+      return nullptr;
+    }
     constexpr std::size_t kMostToCompare = 1000;
     std::vector<std::string> names;
     for (const auto& [known, thing] : things_)

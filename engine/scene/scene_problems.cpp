@@ -20,6 +20,8 @@ SourceRange rangeIn(const Quantity& quantity, SourceRange part) {
   return {whole.begin + 1 + part.begin, whole.begin + 1 + part.end};
 }
 
+bool SceneProblems::full() const { return count_ >= kMaxKeptProblems; }
+
 void SceneProblems::add(SourceRange where, std::string message, std::string hint) {
   if (++count_ <= kMaxKeptProblems) problems_.push_back({{where, std::move(message), std::move(hint)}, {}});
 }

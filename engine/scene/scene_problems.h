@@ -33,6 +33,8 @@ class SceneProblems {
 
   [[nodiscard]] bool any() const { return count_ > 0; }
   [[nodiscard]] std::size_t count() const { return count_; }
+  /// Whether more will only be counted.
+  [[nodiscard]] bool full() const;
   /// As people read them, in the order of the file.
   [[nodiscard]] std::string text() const;
   /// Throws Error(Scene) with text() if there is any.

@@ -87,10 +87,17 @@ Surface ShapeBuilder::buildShape(const std::string& name, const FormulaShape& sh
 }
 
 void ShapeBuilder::checkClosed(const FormulaShape& shape, const Surface& surface) {
+  const Domain& whole = surface.domain();
+  // Patches are also joined to each other, inside the whole.
+  const auto isOuter = [&](const PatchEdge& edge) {
+    const EdgePoint inner = edgePoint(surface.patchDomain(edge.patch), edge.side, 0.5);
+    const EdgePoint outer = edgePoint(whole, edge.side, 0.5);
+    return edge.side == Side::UMin || edge.side == Side::UMax ? inner.u == outer.u : inner.v == outer.v;
+  };
   const auto joined = [&](Side lower, Side upper) {
     return std::ranges::any_of(surface.topology().joints, [&](const Joint& joint) {
-      return (joint.a.side == lower && joint.b.side == upper) ||
-             (joint.a.side == upper && joint.b.side == lower);
+      const auto [a, b] = std::minmax(joint.a.side, joint.b.side);
+      return a == lower && b == upper && isOuter(joint.a) && isOuter(joint.b);
     });
   };
   const bool found[] = {joined(Side::UMin, Side::UMax), joined(Side::VMin, Side::VMax)};

@@ -397,8 +397,8 @@ TEST(SceneBuilder, DescriptionsMadeInCppNeedNoText) {
 TEST(SceneBuilder, WarnsOfWhatIsProbablyNotMeant) {
   const SceneFile file = parseScene(R"_({ "luxo": 1, "materials": { "m": {} },
 "surfaces": { "hole": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "v", "sqrt(0.25 - u)"] },
-"kink": { "type": "formula", "u": [-1, 1], "position": ["u", "v", "abs(u)"] },
-"open": { "type": "formula", "u": [0, "tau"], "closed": [false, false], "position": ["cos(u)", "v", "sin(u)"] },
+"kink": { "type": "formula", "u": [-1, 1], "position": ["u", "v", "abs(u + v)"] },
+"open": { "type": "formula", "u": [0, "tau"], "closed": [false, false], "position": ["cos(u)", "v + abs(u - 1)*(u - tau)*u", "sin(u)"] },
 "fine": { "type": "formula", "u": [-1, 1], "position": ["u", "v", "1/2e1 + 1/2*u + u/(2v + 3)"] } },
 "nodes": [ { "surface": "hole", "translate": ["1/2t", 0, 0] }, { "surface": "kink" }, { "surface": "open" } ] })_",
                                     "w");

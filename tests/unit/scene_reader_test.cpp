@@ -195,6 +195,8 @@ TEST(SceneReader, PointsIntoFormulas) {
        "a range cannot depend on it"},
       {formula("\"u\", \"v\", \"0\"", ", \"closed\": [true, false]"), "2:51",
        "the surface is not closed in u"},
+      {formula("\"u\", \"v\", \"abs(u - 0.5)\"", ", \"closed\": [true, false]"), "2:51",
+       "the surface is not closed in u"},
       {formula("\"u\", \"v\", \"a\"", ", \"let\": { \"a\": \"b\", \"b\": \"a\" }"), "2:66",
        "'a' depends on itself"},
       {formula("\"u\", \"v\", \"0\"", ", \"let\": { \"u\": \"1\" }"), "2:50", "the name 'u' is taken"},
@@ -245,6 +247,23 @@ TEST(SceneReader, ShowsTwentyErrorsAndCountsTheOthers) {
   for (std::size_t at = 0; (at = error.find("there is no surface", at)) != std::string::npos; ++at) ++shown;
   EXPECT_EQ(shown, kMaxShownProblems);
   EXPECT_TRUE(error.ends_with("\nand 37 more errors")) << error;
+}
+
+TEST(SceneReader, LongNamesAndManyMistakesStayShort) {
+  const std::string name(2'000'000, 'x');
+  for (const std::string& members :
+       {"\"" + name + "\": 1", name + ": 1", "'" + name + "': 1",
+        "\"params\": { \"" + name + "\": \"" + name + "\" }",
+        "\"nodes\": [{ \"surface\": \"" + name + "\" }], \"surfaces\": { \"s\": {} }"}) {
+    const std::string error = errorOf(scene(members));
+    EXPECT_FALSE(error.empty());
+    EXPECT_LT(error.size(), 20000u);
+  }
+  std::string nodes = "\"surfaces\": { ";
+  for (int i = 0; i < 100; ++i) nodes += fmt::format("\"s{}\": {{ \"type\": \"sphere\" }}, ", i);
+  nodes += "\"s\": { \"type\": \"sphere\" } }, \"nodes\": [";
+  for (int i = 0; i < 6000; ++i) nodes += "{ \"surface\": \"none\" }, ";
+  EXPECT_TRUE(errorOf(scene(nodes + "{}]")).ends_with("\nand 5980 more errors"));
 }
 
 TEST(SceneReader, DeepHierarchiesHaveALimit) {
