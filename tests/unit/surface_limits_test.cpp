@@ -157,12 +157,28 @@ TEST(Holes, PolesBetweenSamplesAreFound) {
   ASSERT_EQ(holes.size(), 1u);
   EXPECT_TRUE(holes[0].u.contains(1.0 / 3)) << holes[0].u.lo << ' ' << holes[0].u.hi;
   EXPECT_LE(holes[0].u.width(), 1.0 / 64);
-  EXPECT_LE(holes[0].v.lo, 1.0 / 64);
-  EXPECT_GE(holes[0].v.hi, 63.0 / 64);
+  EXPECT_NEAR(holes[0].v.lo, 0, 1e-5);
+  EXPECT_NEAR(holes[0].v.hi, 1, 1e-5);
   // Nine points of ten are within a few units; the box to look at is not as large as the highest sample.
   const Box box = s.framing({});
   EXPECT_TRUE(box.contains({0.9, 1 / (0.9 - 1.0 / 3), 0.5}));
   EXPECT_LE(box.extent().y, 100);
+}
+
+TEST(Holes, LinesThatCrossAndFramesAreRectangles) {
+  // u = 0 and v = 0: the line of v = 0 whole, that of u = 0 on both sides of it.
+  const Surface cross = surface([](auto u, auto v) { return point(u, v, 1 / (u * v)); }, {{-1, 1}, {-1, 1}});
+  const std::vector<Domain> lines = cross.holes({});
+  EXPECT_EQ(lines.size(), 3u);
+  for (const Domain& line : lines) EXPECT_LE(std::min(line.u.width(), line.v.width()), 1e-6);
+  const Surface frame =
+      surface([](auto u, auto v) { return point(u, acos(2 * u) + asin(2 * v), v); }, {{-1, 1}, {-1, 1}});
+  double area = 0;
+  for (const Domain& side : frame.holes({})) {
+    EXPECT_FALSE(covers(side, 0, 0));
+    area += side.u.width() * side.v.width();
+  }
+  EXPECT_NEAR(area, 4 - 1, 0.2) << "without the square in the middle; corners may count twice";
 }
 
 TEST(Holes, WhatIsJustDefinedHasNone) {
