@@ -20,7 +20,6 @@ FormulaSet::FormulaSet(const FormulaSetDesc& desc, const SceneVariables& variabl
   for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = kFirst + i;
   read(desc, variables, numbers);
   if (!ok()) return;
-  std::ranges::fill(numbers, 0);
   std::vector<Expr> all = values_;
   all.insert(all.end(), {u_, v_});
   for (const std::uint32_t variable : variablesOf(*graph_, all)) {
@@ -36,9 +35,7 @@ void FormulaSet::read(const FormulaSetDesc& desc, const SceneVariables& variable
                       std::span<const std::uint32_t> numbers) {
   graph_ = std::make_unique<Graph>();
   Scope scope;
-  variables.bind(scope, [&](std::size_t which) {
-    return numbers[which] == 0 ? Expr(0) : graph_->variable(numbers[which]);
-  });
+  variables.bind(scope, [&](std::size_t which) { return graph_->variable(numbers[which]); });
   scope.explainAbsence("u", desc.whyNoU.empty() ? "a range cannot depend on it" : desc.whyNoU);
   scope.explainAbsence("v", desc.whyNoV.empty() ? "a range cannot depend on it" : desc.whyNoV);
   u_ = readRange(desc.u, scope, kU, domain_.u);

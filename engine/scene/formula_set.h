@@ -53,7 +53,7 @@ class FormulaSet {
     std::optional<FilePlace> place;  ///< instead of the quantity's
   };
 
-  /// Reads everything into a new graph in which the scene's variables have these numbers; 0: not there.
+  /// Reads everything into a new graph in which the scene's variables have these numbers.
   void read(const FormulaSetDesc& desc, const SceneVariables& variables,
             std::span<const std::uint32_t> numbers);
   Expr readRange(const QuantityPair& range, Scope& scope, std::uint32_t variable, Interval& domain);

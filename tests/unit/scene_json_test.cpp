@@ -2,6 +2,7 @@
 // JSON: values and their places, every kind of mistake with its line and column, limits.
 #include "scene/json.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -181,14 +182,14 @@ TEST(Json, FindsSeveralSlipsAtOnce) {
 }
 
 TEST(Json, StopsAfterManyErrors) {
-  const JsonDocument document = read("[" + std::string(100000, ',') + "]");
+  const JsonDocument document = read(fmt::format("[{}]", std::string(100000, ',')));
   EXPECT_LE(document.diagnostics().size(), kMaxJsonErrors);
   EXPECT_FALSE(document.complete());
 }
 
 TEST(Json, FindsKeysGivenTwiceAmongMany) {
   std::string text = "{";
-  for (int i = 0; i < 1000; ++i) text += "\"k" + std::to_string(i) + "\": 0, ";
+  for (int i = 0; i < 1000; ++i) text += fmt::format("\"k{}\": 0, ", i);
   const JsonDocument good = read(text + "\"k\": 0}"), bad = read(text + "\"k7\": 0}");
   EXPECT_TRUE(good.diagnostics().empty());
   ASSERT_EQ(bad.diagnostics().size(), 1u);
