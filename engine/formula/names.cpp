@@ -122,7 +122,7 @@ std::optional<Diagnostic> Scope::nameProblem(std::string_view name) const {
   const std::vector<Token> tokens = tokenize(name, foreign);
   if (tokens.size() != 2 || tokens[0].text != name || tokens[0].kind != TokenKind::Name)
     return Diagnostic{all, fmt::format("'{}' cannot be a name", shown),
-                      "names are ASCII letters, digits and _, and start with a letter"};
+                      "names are ASCII letters, digits and _, and do not start with a digit"};
   if (findFunction(name))
     return Diagnostic{all, fmt::format("'{}' is the name of a function", shown), "choose another name"};
   if (findConstant(name))
