@@ -14,19 +14,15 @@ namespace {
 using Json = nlohmann::json;
 
 /// A wave with a parameter; what the tests below break.
-const char* const kWave = R"({
+const char* const kWave = R"scene({
   "luxo": 1,
   "render": { "size": [64, 48] },
   "params": { "k": { "value": 3, "range": [1, 12], "step": 1 }, "half": "k/2" },
-  "surfaces": { "wave": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "0.2*sin(k*u)", "v"]
+  "surfaces": { "wave": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "0.2*sin(k*u)", "v"] } },
+  "nodes": [ { "surface": "wave" },
+             { "rotate": { "axis": [1, 0, 0], "angle": "-60deg" }, "light": { "type": "directional" } } ]
 }
-}
-, "nodes" : [
-  {"surface" : "wave"},
-  {"rotate" : {"axis" : [ 1, 0, 0 ], "angle" : "-60deg"}, "light" : {"type" : "directional"}}
-]
-}
-)";
+)scene";
 
 class SceneFiles : public RenderTest {
  protected:
@@ -82,7 +78,7 @@ TEST_F(SceneFiles, AllMistakesAtOnce) {
             R"({ "luxo": 1, "nodes": [ { "surfac": "a" }, { "material": "b" }, 7 ] })");
   const Outcome outcome = run(folder, {"render", "bad.luxo.json", "-o", "a.png"});
   EXPECT_EQ(outcome.code, 3);
-  for (const char* said : {"'surface'?", "'b'", "bad.luxo.json:1:66"})
+  for (const char* said : {"'surface'?", "'b'", "bad.luxo.json:1:65"})
     EXPECT_TRUE(contains(outcome.err, said)) << outcome.err << "\nlacks: " << said;
 }
 
