@@ -17,7 +17,7 @@ namespace {
 /// Parts of sides are rounded, so that cells may be larger than planned by 1e-10 of themselves.
 constexpr double kRoundingSlack = 1 + 1e-9;
 
-/// So few vertices are not worth a thread.
+/// So few vertices are not worth waking a thread.
 constexpr std::size_t kVerticesPerTask = 8192;
 
 bool finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -306,8 +306,8 @@ void evaluateAll(const Surface& surface, std::span<const double> parameters, con
     const auto rows = static_cast<std::uint32_t>(std::max<std::size_t>(1, kVerticesPerTask / nu));
     for (std::uint32_t row = 1; row < nv; row += rows) tasks.push_back({b, row, std::min(nv, row + rows)});
   }
-  const std::size_t threads = std::min(coreCount(), mesh.positions.size() / kVerticesPerTask + 1);
-  parallelFor(edgesOfPatch.size() + tasks.size(), threads, [&](std::size_t i) {
+  const bool many = mesh.positions.size() >= 2 * kVerticesPerTask;
+  forEachIndex(edgesOfPatch.size() + tasks.size(), many, [&](std::size_t i) {
     if (i < edgesOfPatch.size()) {
       evaluator.edges(static_cast<std::uint32_t>(i), net.vertices(), edgesOfPatch[i]);
       return;

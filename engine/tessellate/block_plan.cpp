@@ -22,13 +22,15 @@ constexpr double kBorderPrice = 2;
 constexpr double kLeastSaving = 0.04;
 
 /// Where no bound of the second derivatives exists, tiles become as small as the tolerance: as many and as
-/// small as this.
-constexpr std::size_t kMostUnprovenTiles = 4096;
+/// small as this; fewer on a surface that moves, which is planned for every frame.
+constexpr std::size_t kMostUnprovenTiles = 4096, kMostUnprovenTilesMoving = 512;
 constexpr std::uint32_t kDeepestUnproven = 16;
 /// Tiles on which the surface may have no finite size are cut down to this level and drawn with this many
 /// segments.
 constexpr std::uint32_t kDeepestUnbounded = 6;
 constexpr std::uint32_t kUnboundedSegments = 4;
+
+constexpr std::size_t kPatchesForAllCores = 8;
 
 /// `longestEdge` asks for no more segments than this along a patch.
 constexpr double kMostSpacingSegments = 128;
@@ -250,7 +252,8 @@ class UnprovenPlanner {
   }
 
   void plan(std::vector<Block>& blocks) && {
-    while (!open_.empty() && open_.size() + done_.size() < kMostUnprovenTiles) {
+    const std::size_t most = surface_.parameters().empty() ? kMostUnprovenTiles : kMostUnprovenTilesMoving;
+    while (!open_.empty() && open_.size() + done_.size() < most) {
       const Part part = open_.top();
       open_.pop();
       split(part);
@@ -392,7 +395,7 @@ std::vector<Block> planBlocks(const Surface& surface, std::span<const double> pa
     std::vector<Tile> unproven;
   };
   std::vector<Plan> plans(surface.patchCount());
-  parallelFor(plans.size(), plans.size() >= 8 ? coreCount() : 1, [&](std::size_t p) {
+  forEachIndex(plans.size(), plans.size() >= kPatchesForAllCores, [&](std::size_t p) {
     const auto patch = static_cast<std::uint32_t>(p);
     PatchPlanner(map, patch, limits[p], tolerance).plan(plans[p].blocks, plans[p].unproven);
   });

@@ -19,6 +19,7 @@ constexpr std::uint32_t kDeepestLevel = 10;  // of what is looked at to make it
 constexpr std::uint32_t kBlindLevels = 3;
 /// A surface that moves has a map for every frame.
 constexpr std::size_t kMostLeaves = 2048, kMostLeavesMoving = 256, kFewestLeaves = 16;
+constexpr std::uint32_t kPatchesForAllCores = 8;
 constexpr double kGoodEnough = 0.04;  // more triangles than sharper bounds would give
 
 Curvature larger(const Curvature& a, const Curvature& b) {
@@ -193,7 +194,7 @@ CurvatureMap::CurvatureMap(const Surface& surface, std::span<const double> param
   const std::size_t most = surface.parameters().empty() ? kMostLeaves : kMostLeavesMoving;
   const std::size_t mostLeaves = std::max(kFewestLeaves, 2 * most / (1 + surface.patchCount()));
   tiles_.resize(surface.patchCount());
-  parallelFor(surface.patchCount(), surface.patchCount() >= 8 ? coreCount() : 1, [&](std::size_t p) {
+  forEachIndex(surface.patchCount(), surface.patchCount() >= kPatchesForAllCores, [&](std::size_t p) {
     const auto patch = static_cast<std::uint32_t>(p);
     std::vector<Curvature>& tiles = tiles_[p];
     tiles.resize(tileCount());

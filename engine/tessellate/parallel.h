@@ -2,38 +2,20 @@
 // Independent pieces of work on all cores.
 #pragma once
 
-#include <algorithm>
-#include <atomic>
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cstddef>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
 
 namespace luxo {
 
-/// Calls work(0) .. work(count - 1), each once, in any order, on up to `threads` threads (this one included).
-/// Throws what a call threw.
+/// Calls work(0) .. work(count - 1), each once: in order on this thread, or in any order on all of them where
+/// that is worth waking them.
 template <class Work>
-void parallelFor(std::size_t count, std::size_t threads, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex failureMutex;
-  const auto take = [&] {
-    try {
-      for (std::size_t i = next++; i < count; i = next++) work(i);
-    } catch (...) {
-      const std::lock_guard lock(failureMutex);
-      failure = std::current_exception();
-    }
-  };
-  std::vector<std::thread> others;
-  for (std::size_t t = 1; t < std::min(count, threads); ++t) others.emplace_back(take);
-  take();
-  for (std::thread& other : others) other.join();
-  if (failure) std::rethrow_exception(failure);
+void forEachIndex(std::size_t count, bool onAllCores, const Work& work) {
+  if (onAllCores)
+    oneapi::tbb::parallel_for(std::size_t{0}, count, work);
+  else
+    for (std::size_t i = 0; i < count; ++i) work(i);
 }
-
-[[nodiscard]] inline std::size_t coreCount() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 }  // namespace luxo

@@ -15,6 +15,9 @@
 namespace luxo {
 namespace {
 
+/// What rounding leaves of points on planes of size 1.
+constexpr double kRounding = 1e-14;
+
 /// A plate of 2 x 2 whose height over (u, v) in -1..1 is the formula.
 template <class Height>
 Surface relief(const Height& height) {
@@ -28,8 +31,8 @@ void expectFinite(const Mesh& mesh) {
   }
 }
 
-TEST(Kinks, AlongALineOfTheGridCostNothing) {
-  // A roof: two planes that meet where the patch is first split.
+TEST(Kinks, AlongAParameterLineCostNothing) {
+  // A roof: two planes.
   const Mesh mesh = tessellate(relief([](auto u, auto) { return -abs(u); }), {}, {.tolerance = 1e-3});
   EXPECT_LE(mesh.bound, 1e-3);
   EXPECT_LE(mesh.triangleCount(), 8u);
@@ -44,7 +47,7 @@ TEST(Kinks, AreCutUntilTheirBoxesAreSmall) {
     for (const double tolerance : {0.1, 0.02, 0.005}) {
       const Mesh mesh = tessellate(surface, {}, {.tolerance = tolerance});
       EXPECT_LE(mesh.bound, tolerance);
-      EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound);
+      EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRounding);
       expectFinite(mesh);
     }
 }
@@ -54,17 +57,17 @@ TEST(Kinks, BeyondTheBudgetTheBoundSaysSo) {
   const Mesh mesh = tessellate(surface, {}, {.tolerance = 1e-6});
   EXPECT_GT(mesh.bound, 1e-6);
   EXPECT_LT(mesh.bound, 0.02);
-  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound);
+  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRounding);
   EXPECT_LT(mesh.triangleCount(), 40'000u);
 }
 
 TEST(Kinks, AJumpIsAsFarOffAsItIsHigh) {
-  // Steps of height 0.5: a triangle joins their edges, and is up to a step away from both.
-  const Surface surface = relief([](auto u, auto) { return floor(2.3 * u) / 2; });
+  // Slanting steps of height 0.5: a triangle joins their edges, and is up to a step away from both.
+  const Surface surface = relief([](auto u, auto v) { return floor(1.3 * (u + 0.4 * v)) / 2; });
   const Mesh mesh = tessellate(surface, {}, {.tolerance = 0.01});
   EXPECT_GE(mesh.bound, 0.5);
   EXPECT_LT(mesh.bound, 0.6);
-  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound);
+  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRounding);
   expectFinite(mesh);
 }
 
