@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formula/parse.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -181,9 +182,8 @@ TEST(FormulaScope, NamesAreLettersDigitsAndUnderscores) {
 TEST(FormulaScope, AChainOfDefinitionsMayBeOfAnyLength) {
   Scope scope;
   const int length = 100'000;
-  for (int i = 0; i < length; ++i)
-    scope.define("a" + std::to_string(i), "a" + std::to_string(i + 1) + " + 1");
-  scope.define("a" + std::to_string(length), "0");
+  for (int i = 0; i < length; ++i) scope.define(fmt::format("a{}", i), fmt::format("a{} + 1", i + 1));
+  scope.define(fmt::format("a{}", length), "0");
   EXPECT_EQ(valueOf("a0", std::move(scope)), length);
 }
 
@@ -211,7 +211,7 @@ TEST(FormulaScope, ACircleOfOneAndACircleOfManyAreNamed) {
   one.define("a", "1 + a");
   EXPECT_EQ(one.definition("a").diagnostics.at(0).message, "'a' depends on itself: a -> a");
   Scope many;
-  for (int i = 0; i < 1000; ++i) many.define("a" + std::to_string(i), "a" + std::to_string((i + 1) % 1000));
+  for (int i = 0; i < 1000; ++i) many.define(fmt::format("a{}", i), fmt::format("a{}", (i + 1) % 1000));
   EXPECT_FALSE(many.definition("a0").ok);
   EXPECT_EQ(many.definition("a999").diagnostics.at(0).message,
             "'a0' depends on itself: a0 -> a1 -> a2 -> a3 -> a4 -> a5 -> ... -> a999 -> a0");
