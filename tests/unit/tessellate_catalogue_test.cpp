@@ -119,6 +119,30 @@ TEST_P(CatalogueMesh, IsAManifoldOfTheRightShape) {
   }
 }
 
+TEST_P(CatalogueMesh, HasNoTriangleLargerThanItsBlocksCells) {
+  // What the bound rests on where blocks of different cells meet.
+  const Surface surface = makeSurface(GetParam());
+  const MeshDesc desc{.tolerance = glm::length(surface.framing({}).extent()) / 500};
+  std::vector<Block> blocks = planBlocks(surface, {}, CurvatureMap(surface, {}), desc);
+  const EdgeNet net(surface.topology(), blocks);
+  const Mesh mesh = tessellate(surface, {}, desc);
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const std::uint32_t* i = &mesh.indices[3 * t];
+    const Vec2 &a = mesh.parameters[i[0]], &b = mesh.parameters[i[1]], &c = mesh.parameters[i[2]];
+    const Vec2 center = (a + b + c) / 3.0;
+    const auto holdsCenter = [&](const Block& block) {
+      return domainOf(block.tile, surface.patchDomain(block.patch)).contains(center.x, center.y);
+    };
+    const auto block = std::find_if(blocks.begin(), blocks.end(), holdsCenter);
+    ASSERT_NE(block, blocks.end());
+    const Domain d = domainOf(block->tile, surface.patchDomain(block->patch));
+    const Vec2 cell(d.u.width() / block->segments.u, d.v.width() / block->segments.v);
+    const Vec2 size = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
+    ASSERT_LE(size.x, cell.x * (1 + 1e-9)) << "triangle " << t;
+    ASSERT_LE(size.y, cell.y * (1 + 1e-9)) << "triangle " << t;
+  }
+}
+
 TEST_P(CatalogueMesh, FacesTheWayItsNormalsPoint) {
   const Surface surface = makeSurface(GetParam());
   const double size = glm::length(surface.framing({}).extent());
