@@ -226,6 +226,14 @@ class Run {
   ErrorKind lastFailure_ = ErrorKind::Internal;
 };
 
+int renderScene(const RenderRequest& request) {
+  const bool warn = request.verbosity == Verbosity::Verbose;  // looking for holes takes time
+  std::vector<std::string> warnings;
+  Scene scene = openScene(request.scene, request.parameters, warn ? &warnings : nullptr);
+  for (const std::string& warning : warnings) printWarning(warning);
+  return renderToFiles(std::move(scene), request);
+}
+
 }  // namespace
 
 int renderToFiles(Scene scene, const RenderRequest& request) {
@@ -241,7 +249,7 @@ void addRender(CLI::App& app, Command& chosen) {
   verb->callback([options, &chosen] {
     chosen = [options] {
       const RenderRequest request = options->request();
-      if (!request.listScenes) return renderToFiles(openScene(request.scene, request.parameters), request);
+      if (!request.listScenes) return renderScene(request);
       for (const BuiltinScene& scene : builtinScenes())
         printData(fmt::format("{:<20} {}\n", scene.name, scene.summary));
       return exit_code::kDone;

@@ -282,6 +282,7 @@ class DrawLister {
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
   void append(std::vector<DrawBatch>& batches, DrawBatch batch,
               std::span<const shared::InstanceData> instances, std::array<Half, 2> halves) {
+    if (batch.mesh->indices.empty()) return;  // a formula without a single finite triangle
     batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
     batch.instanceCount = static_cast<std::uint32_t>(instances.size());
     list_.instances.insert(list_.instances.end(), instances.begin(), instances.end());

@@ -24,6 +24,14 @@ const char* const kWave = R"scene({
 }
 )scene";
 
+/// The wave with one part replaced.
+std::string waveWith(const std::string& part, const std::string& instead) {
+  std::string text = kWave;
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), instead);
+}
+
 class SceneFiles : public RenderTest {
  protected:
   /// Renders a file with that text and expects exit code 3, the words, and nothing but the file left behind.
@@ -34,14 +42,6 @@ class SceneFiles : public RenderTest {
     EXPECT_EQ(outcome.out, "");
     EXPECT_TRUE(contains(outcome.err, said)) << outcome.err << "\nlacks: " << said;
     EXPECT_EQ(folder.entries(), 1u) << said;
-  }
-
-  /// The wave with one part replaced.
-  [[nodiscard]] static std::string waveWith(const std::string& part, const std::string& instead) {
-    std::string text = kWave;
-    const std::size_t at = text.find(part);
-    EXPECT_NE(at, std::string::npos) << part;
-    return text.replace(at, part.size(), instead);
   }
 };
 
@@ -70,7 +70,9 @@ TEST_F(SceneFiles, DepthAndSizeCrashNothing) {
   std::string deep = "u";
   for (int i = 0; i < 10'000; ++i) deep = "(" + deep + ")";
   expectBad(waveWith("0.2*sin(k*u)", deep), "bad.luxo.json:5:");
-  expectBad(waveWith("\"u\", \"0.2", "\"1e308*u*1e308\", \"0.2"), "");
+  expectBad(
+      R"({ "luxo": 1, "surfaces": { "s": { "type": "sphere", "radius": 1e308 } }, "nodes": [ { "surface": "s" } ] })",
+      "radius");
 }
 
 TEST_F(SceneFiles, AllMistakesAtOnce) {
@@ -148,6 +150,13 @@ TEST_F(SceneFilePictures, TheLampIsTheSameFromItsFileAndFromItsCode) {
                 .code,
             0);
   EXPECT_TRUE(file == textOf(folder / "b.pfm"));
+}
+
+TEST_F(SceneFilePictures, WhatOverflowsAlmostEverywhereIsAHole) {
+  writeText(folder / "wave.luxo.json", waveWith("\"u\", \"0.2", "\"1e308*u*1e308\", \"0.2"));
+  const Outcome outcome = run(folder, {"render", "wave.luxo.json", "-v", "-o", "a.png"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "hole")) << outcome.err;
 }
 
 TEST_F(SceneFilePictures, AHoleHurtsNobodyElse) {
