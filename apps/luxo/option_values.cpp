@@ -160,7 +160,7 @@ double parsePixels(std::string_view option, const std::string& text) {
 }
 
 Shading parseShading(const std::string& text) {
-  static const Names kPlanned = {"exact", "toon", "residual", "overdraw", "lod"};
+  static const Names kPlanned = {"exact", "residual", "overdraw", "lod"};
   if (const auto shading = shadingNamed(text)) return *shading;
   const Names known(kShadingNames.begin(), kShadingNames.end());
   if (contains(kPlanned, text))

@@ -98,7 +98,7 @@ TEST(OptionValues, Names) {
   EXPECT_EQ(parseShading("gouraud"), Shading::Gouraud);
   EXPECT_EQ(parseShading("id"), Shading::Id);
   expectRefused(ErrorKind::Usage, parseShading, {"", "phon", "Phong ", "5"});
-  expectRefused(ErrorKind::Scene, parseShading, {"exact", "toon", "residual", "overdraw", "lod"});
+  expectRefused(ErrorKind::Scene, parseShading, {"exact", "residual", "overdraw", "lod"});
   EXPECT_EQ(hintOf([] { static_cast<void>(parseShading("gourad")); }), "did you mean 'gouraud'?");
 
   EXPECT_EQ(parseAov("color"), Output::Color);
