@@ -155,8 +155,7 @@ struct Placed {
     corner = {margin, margin};
     if (panel.place == Panel::Place::TopRight) corner.x = window.x - layout.width - margin;
     if (panel.place == Panel::Place::BottomLeft) corner.y = window.y - layout.height - margin;
-    if (panel.place == Panel::Place::Bottom)
-      corner = {(window.x - layout.width) / 2, window.y - layout.height - margin};
+    if (panel.place == Panel::Place::Top) corner.x = (window.x - layout.width) / 2;
     if (panel.place == Panel::Place::Center)
       corner = {(window.x - layout.width) / 2, (window.y - layout.height) / 2};
     corner = {std::round(corner.x), std::round(corner.y)};

@@ -19,7 +19,7 @@ namespace luxo::window {
 
 /// Text in Latin-1's characters, UTF-8 encoded.
 struct Panel {
-  enum class Place { TopLeft, TopRight, BottomLeft, Bottom, Center };
+  enum class Place { TopLeft, Top, TopRight, BottomLeft, Center };
   struct Row {
     std::string label;  ///< in a column of its own; empty for a line across both
     std::string text;

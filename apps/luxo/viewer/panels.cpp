@@ -85,7 +85,7 @@ Panel keysPanel() {
 }
 
 Panel messagePanel(const Message& message) {
-  Panel panel{.place = Panel::Place::Bottom, .title = {}, .rows = {}, .alert = message.alert};
+  Panel panel{.place = Panel::Place::Top, .title = {}, .rows = {}, .alert = message.alert};
   if (message.alert) {
     panel.title = message.text;
   } else {

@@ -56,7 +56,7 @@ std::optional<window::Panel> Sliders::panel(const Scene& scene, std::span<const 
                           .key = static_cast<int>(i)});
   }
   if (panel.rows.empty()) return std::nullopt;
-  if (!chosen_.empty()) panel.rows.push_back({.label = "", .text = "reset", .key = kResetKey});
+  panel.rows.push_back({.label = "", .text = "reset", .key = kResetKey});
   return panel;
 }
 

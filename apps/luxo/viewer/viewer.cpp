@@ -86,7 +86,8 @@ class Viewer {
       noticeVisibility();
       if (visible_ && Clock::now() >= nextFrame_) showNext();
     }
-    log(LogLevel::Debug, fmt::format("read the scene again {} times", readings_));
+    log(LogLevel::Debug,
+        fmt::format("made {} pipelines, read the scene again {} times", pipelines_, readings_));
     log(LogLevel::Debug, fmt::format("quit after {} pictures, {} submits", pictures_, submits()));
   }
 
@@ -233,6 +234,7 @@ class Viewer {
     if (repaint) {
       status_.statistics = {};
       painter_.record(frames_, commands, snapshot, draw, status_.statistics);
+      pipelines_ += status_.statistics.count.pipelinesCreated;
       shown_ = std::move(snapshot);
       drawn_ = draw;
       ++pictures_;
@@ -343,7 +345,7 @@ class Viewer {
   bool dirty_ = true;     // something may differ from what is shown
   bool damaged_ = false;  // the window system asks for the picture again
   Clock::time_point nextFrame_;
-  std::uint64_t pictures_ = 0, readings_ = 0;
+  std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
 
   // What is seen.

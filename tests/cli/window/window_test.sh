@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# window_test.sh CASE BIN: luxo_grandpa on a virtual screen of its own, with a window manager, validation on.
+# window_test.sh CASE BIN: luxo_grandpa, or luxo view, on a virtual screen of its own, with a window manager, validation on.
 # Pictures are compared with files rendered headless, byte for byte; the screen with pictures, to one code.
 # Exit code 77: skipped, for want of Xvfb, openbox or xdotool; with LUXO_REQUIRE_GPU=1 that is a failure.
 set -uo pipefail
@@ -110,7 +110,17 @@ shown_as() {
 
 # start_in FOLDER OPTIONS...
 start_in() {
-  (cd "$1" && exec "$bin/luxo_grandpa" --validate -v "${@:2}" 2>"$folder/log") &
+  title='Luxo Grandpa'
+  launch "$1" luxo_grandpa "${@:2}"
+}
+# view FILE OPTIONS...
+view() {
+  title=$1
+  launch "$folder" luxo view "$@"
+}
+# launch FOLDER PROGRAM ARGUMENTS...
+launch() {
+  (cd "$1" && exec "$bin/$2" "${@:3}" --validate -v 2>"$folder/log") &
   program=$!
   pids+=("$program")
   await "there is a window" find_window
@@ -120,7 +130,7 @@ start_in() {
 start() { start_in "$folder" "$@"; }
 find_window() {
   kill -0 "$program" 2>/dev/null || fail "it ended at once"
-  window=$(xdotool search --onlyvisible --name '^Luxo Grandpa$' 2>/dev/null | tail -1)
+  window=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | tail -1)
   [[ -n $window ]]
 }
 first_picture() { grep -q '^shows the first picture' "$folder/log"; }
@@ -325,6 +335,92 @@ case_pictures() {
   rmdir "$folder/gone"
   keys p
   await "it says what is wrong" logged 'cannot ' 1
+  quit
+}
+
+# A wave with two sliders and a camera: write_wave FILE HEIGHT.
+write_wave() {
+  cat >"$folder/$1" <<END
+{ "luxo": 1,
+  "params": { "k": { "value": 3, "range": [1, 12], "step": 1, "label": "lobes" }, "h": { "value": 0.2, "range": [0, 1] } },
+  "surfaces": { "wave": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "$2", "v"] } },
+  "nodes": [ { "surface": "wave", "rotate": { "axis": [0, 1, 0], "angle": "t" } },
+             { "rotate": { "axis": [1, 0, 0], "angle": "-60deg" }, "light": { "type": "directional" } } ],
+  "camera": { "eye": [2, 2, 3] } }
+END
+}
+render_wave() {
+  (unset DISPLAY && cd "$folder" && "$bin/luxo" render wave.luxo.json -q --size 640x360 "$@") || fail "cannot render: $*"
+}
+
+# Drags the slider KEY to PERCENT of its length.
+drag_slider() {
+  local x0 y0 x1 y1
+  read -r x0 y0 x1 y1 < <(sed -n "s/^grab $1 from \([0-9]*\)[.0-9]*,\([0-9]*\)[.0-9]* to \([0-9]*\)[.0-9]*,\([0-9]*\).*/\1 \2 \3 \4/p" \
+    "$folder/log" | tail -1)
+  [[ -n $x0 ]] || fail "there is no slider $1"
+  xdotool mousemove --window "$window" $(((x0 + x1) / 2)) $(((y0 + y1) / 2)) mousedown 1
+  xdotool mousemove --window "$window" $((x0 + (x1 - x0) * $2 / 100)) $(((y0 + y1) / 2)) mouseup 1
+}
+pipelines() { sed -n 's/^made \([0-9]*\) pipelines.*/\1/p' "$folder/log"; }
+
+case_sliders() {
+  open_screen
+  write_wave wave.luxo.json 'h*sin(k*u)'
+  view wave.luxo.json --size 640x360 --time 3
+  photo given.png
+  render_wave --time 3 -o given_file.png
+  same given.png given_file.png "nothing is turned yet"
+  drag_slider 0 120  # beyond its end
+  await "the slider turns the parameter" logged 'a parameter is turned' 2
+  photo turned.png
+  render_wave --time 3 -P k=12 -o turned_file.png
+  same turned.png turned_file.png "12 lobes, and the camera as it was"
+  drag_slider 1 50
+  photo both.png
+  render_wave --time 3 -P k=12 -P h=0.5 -o both_file.png
+  same both.png both_file.png "12 lobes of height 0.5"
+  keys 0
+  photo reset.png
+  same reset.png given.png "0 gives the parameters back"
+  quit
+  # Turning read nothing, and made no pipeline beyond those of the first picture.
+  grep -q 'read the scene again 0 times' "$folder/log" || fail "turning a parameter read the scene"
+  local turned
+  turned=$(pipelines)
+  view wave.luxo.json --size 640x360 --time 3
+  photo given.png
+  quit
+  [[ $turned == "$(pipelines)" ]] || fail "turning a parameter made pipelines"
+}
+
+case_reloads() {
+  open_screen
+  write_wave wave.luxo.json 'h*sin(k*u)'
+  view wave.luxo.json --size 640x360 --time 3
+  keys i
+  drag_slider 0 120
+  await "the slider turns the parameter" logged 'a parameter is turned' 2
+  photo good.png
+  settle
+  shot good
+  write_wave wave.luxo.json 'h*sin(kk*u)'
+  await "the mistake is noticed" logged 'wave.luxo.json:3:.*unknown name' 1
+  await "the mistake is shown" screen_is_not good
+  photo still_good.png
+  same still_good.png good.png "the last good scene stays"
+  # Editors write another file and rename it.
+  write_wave other 'h*cos(k*u)'
+  mv "$folder/other" "$folder/wave.luxo.json"
+  await "the file is read again" logged 'shows the scene as it was saved' 1
+  photo mended.png
+  render_wave --time 3 -P k=12 -o mended_file.png
+  same mended.png mended_file.png "the new scene, at the same moment, the slider where it was"
+  rm "$folder/wave.luxo.json"
+  write_wave wave.luxo.json 'h*sin(k*u)'
+  await "a file that comes back is read" logged 'shows the scene as it was saved' 2
+  photo back.png
+  same back.png good.png "as it was"
   quit
 }
 
