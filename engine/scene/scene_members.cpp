@@ -51,6 +51,10 @@ SceneMembers::SceneMembers(const JsonValue& object, const SceneKeys& kind, Scene
     if (known != kind.keys.end()) {
       values_[static_cast<std::size_t>(known - kind.keys.begin())] = member;
     } else if (!key.starts_with("x-") && std::ranges::find(more, key) == more.end()) {
+      if (problems.full()) {
+        problems.add(member.keyWhere(), {});  // counted only: no time for suggestions
+        continue;
+      }
       std::vector<std::string> names = strings(kind.keys);
       names.insert(names.end(), more.begin(), more.end());
       problems.add(member.keyWhere(), fmt::format("unknown key \"{}\" in {}", key, kind.what),

@@ -40,6 +40,7 @@ class SceneReader {
   void readMaterial(const JsonValue& value, const FileName& name);
   void readNodes(const JsonValue& nodes, std::uint32_t parent);
   void readNode(const JsonValue& value, std::uint32_t parent);
+  bool takesNode(const JsonValue& value);
   void readName(const JsonValue& name, NodeDesc& node);
   void readRotations(const JsonValue& rotate, std::vector<RotationDesc>& rotations);
   void readRotation(const JsonValue& rotate, RotationDesc& rotation);
@@ -115,6 +116,10 @@ void SceneReader::readRender(const JsonValue& render) {
 }
 
 void SceneReader::readParameter(const JsonValue& value, const FileName& name) {
+  if (file_.parameters.size() >= kMostSceneParameters) {
+    problems_.add(name.place, fmt::format("the scene has more than {} parameters", kMostSceneParameters));
+    return;
+  }
   ParameterDesc parameter{.name = name};
   if (value.kind() == JsonKind::Object) {
     const SceneMembers members(value, keys::kParameter, problems_);
@@ -162,8 +167,19 @@ void SceneReader::readNodes(const JsonValue& nodes, std::uint32_t parent) {
   for (JsonValue node = nodes.first(); node.exists(); node = node.next()) readNode(node, parent);
 }
 
+bool SceneReader::takesNode(const JsonValue& value) {
+  if (value.kind() != JsonKind::Object) {
+    const SceneMembers rejected(value, keys::kNode, problems_);
+    return false;
+  }
+  if (file_.nodes.size() < kMostSceneNodes) return true;
+  problems_.add(value.where(), fmt::format("the scene has more than {} nodes", kMostSceneNodes));
+  return false;
+}
+
 // Recursive: nodes are nested at most half as deep as JSON values may be.
 void SceneReader::readNode(const JsonValue& value, std::uint32_t parent) {
+  if (!takesNode(value)) return;
   const SceneMembers members(value, keys::kNode, problems_);
   const auto index = static_cast<std::uint32_t>(file_.nodes.size());
   NodeDesc& node = file_.nodes.emplace_back();
