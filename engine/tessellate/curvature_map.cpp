@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 #include "tessellate/parallel.h"
 
@@ -20,6 +19,7 @@ constexpr std::uint32_t kBlindLevels = 3;
 /// A surface that moves has a map for every frame.
 constexpr std::size_t kMostLeaves = 2048, kMostLeavesMoving = 256, kFewestLeaves = 16;
 constexpr std::uint32_t kPatchesForAllCores = 8;
+constexpr double kWild = 1e6;         // times what the others have
 constexpr double kGoodEnough = 0.04;  // more triangles than sharper bounds would give
 
 Curvature larger(const Curvature& a, const Curvature& b) {
@@ -64,7 +64,7 @@ class PatchExplorer {
       const Leaf leaf = pop();
       split(leaf);
     }
-    for (; !open_.empty(); open_.pop()) done_.push_back(open_.top());
+    done_.insert(done_.end(), open_.begin(), open_.end());
     return std::move(done_);
   }
 
@@ -119,19 +119,33 @@ class PatchExplorer {
       return;
     }
     if (!proven) ++unproven_;
-    open_.push(leaf);
+    open_.push_back(leaf);
+    std::push_heap(open_.begin(), open_.end());
   }
 
   Leaf pop() {
-    Leaf leaf = open_.top();
-    open_.pop();
+    std::pop_heap(open_.begin(), open_.end());
+    Leaf leaf = open_.back();
+    open_.pop_back();
     if (leaf.bound.proven()) {
       needed_ -= cost(leaf) - leaf.excess;
       excess_ -= leaf.excess;
+      // What is left of the sums is rounding of what has gone: wild bounds come first.
+      if (leaf.excess > kWild * excess_) addUp();
     } else {
       --unproven_;
     }
     return leaf;
+  }
+
+  void addUp() {
+    needed_ = excess_ = 0;
+    for (const std::vector<Leaf>* leaves : {&open_, &done_})
+      for (const Leaf& leaf : *leaves) {
+        if (!leaf.bound.proven()) continue;
+        needed_ += cost(leaf) - leaf.excess;
+        excess_ += leaf.excess;
+      }
   }
 
   void split(const Leaf& leaf) {
@@ -159,7 +173,7 @@ class PatchExplorer {
   std::vector<double> inputs_;  ///< of the patch's function
   std::uint32_t mapLevelU_, mapLevelV_;
   std::size_t mostLeaves_;
-  std::priority_queue<Leaf> open_;
+  std::vector<Leaf> open_;  ///< a heap: the largest excess first
   std::vector<Leaf> done_;
   std::size_t unproven_ = 0;
   double needed_ = 0, excess_ = 0;
