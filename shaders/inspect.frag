@@ -28,7 +28,7 @@ void main() {
     value = inPosition;
   } else if (kQuantity == 1) {
     vec3 n = unitOrZero(inNormal);
-    if ((inFlagsId.x & kTwoSided) != 0 && !gl_FrontFacing) n = -n;
+    if ((inFlagsId.x & kTwoSided) != 0 && !seenFromFront(n, towardViewer(view.viewer, inPosition), gl_FrontFacing)) n = -n;
     value = kAsColor ? 0.5 + 0.5 * n : n;
   } else if (kQuantity == 2) {
     value = vec3(kAsColor ? (inParameters - inDomain.xy) / inDomain.zw : inParameters, 0);

@@ -30,6 +30,10 @@ constexpr std::uint32_t kDeepestUnproven = 16;
 constexpr std::uint32_t kDeepestUnbounded = 6;
 constexpr std::uint32_t kUnboundedSegments = 4;
 
+/// Cells narrower than this many tolerances are slivers: of half a pixel, three pixels. The raster's grid
+/// turns them over, and every one of them costs as much as a large one.
+constexpr double kStoutness = 6;
+
 constexpr std::size_t kPatchesForAllCores = 8;
 
 /// `longestEdge` asks for no more segments than this along a patch.
@@ -46,10 +50,15 @@ struct Range {
 /// a collapsed edge.
 struct Limits {
   Range u, v;
+  Vec2 stout{kInfinity};  ///< more segments than this make slivers
   int collapsedRows = 0, collapsedColumns = 0;
 
   [[nodiscard]] double triangles(double nu, double nv) const {
     return 2 * nu * nv - collapsedRows * nu - collapsedColumns * nv;
+  }
+  /// Triangles, slivers counting for more than one.
+  [[nodiscard]] double price(double nu, double nv) const {
+    return triangles(nu, nv) * std::max(1.0, nu / stout.x) * std::max(1.0, nv / stout.y);
   }
 };
 
@@ -63,8 +72,8 @@ double segmentsAcross(const Curvature& c, double nu, double tolerance) {
 }
 
 /// The segments with the fewest triangles, within 2 % where there are many, whose deviation is within the
-/// tolerance. Every nu that could lead there is tried, or one in 64: from the first that leaves room for v to
-/// where not even the nv of infinitely many columns would help.
+/// tolerance; rather more of them than slivers. Every nu that could lead there is tried, or one in 64: from
+/// the first that leaves room for v to where not even the nv of infinitely many columns would help.
 Segments fewestSegments(const Curvature& c, const Limits& limits, double tolerance) {
   const double fewestAcross = std::max(limits.v.least, roundUp(segmentsAcross({0, 0, c.vv}, 1, tolerance)));
   double best = kInfinity;
@@ -77,8 +86,8 @@ Segments fewestSegments(const Curvature& c, const Limits& limits, double toleran
     double nv = std::max(limits.v.least, roundUp(segmentsAcross(c, nu, tolerance)));
     if (c.deviation(1 / nu, 1 / nv) > tolerance) ++nv;
     if (nv > limits.v.most || c.deviation(1 / nu, 1 / nv) > tolerance) continue;
-    if (limits.triangles(nu, nv) >= best) continue;
-    best = limits.triangles(nu, nv);
+    if (limits.price(nu, nv) >= best) continue;
+    best = limits.price(nu, nv);
     found = {nu, nv};
   }
   return {static_cast<std::uint32_t>(found.x), static_cast<std::uint32_t>(found.y)};
@@ -93,8 +102,9 @@ Curvature inPartsOf(const Tile& tile, const Curvature& c) {
 /// What holds for all tiles of one patch.
 class PatchLimits {
  public:
-  PatchLimits(const Surface& surface, std::uint32_t patch, Vec2 spacing)
-      : least_(glm::max(spacing, [&] {
+  /// `lengths` of the patch in both directions.
+  PatchLimits(const Surface& surface, std::uint32_t patch, Vec2 spacing, Vec2 lengths, double tolerance)
+      : stout_(lengths / (kStoutness * tolerance)), least_(glm::max(spacing, [&] {
           const Segments least = leastSegments(surface.topology(), patch);
           return Vec2(least.u, least.v);
         }())) {
@@ -109,6 +119,7 @@ class PatchLimits {
     };
     return {.u = range(least_.x, tile.widthU()),
             .v = range(least_.y, tile.widthV()),
+            .stout = stout_ * Vec2(tile.widthU(), tile.widthV()),
             .collapsedRows =
                 (collapsed(Side::VMin) && tile.lowV() == 0) + (collapsed(Side::VMax) && tile.highV() == 1),
             .collapsedColumns =
@@ -116,7 +127,7 @@ class PatchLimits {
   }
 
  private:
-  Vec2 least_;
+  Vec2 stout_, least_;
   std::array<bool, 4> collapsed_{};
 };
 
@@ -383,11 +394,9 @@ std::vector<Block> planBlocks(const Surface& surface, std::span<const double> pa
   const double tolerance = affordableTolerance(surface, map, desc.tolerance);
   std::vector<PatchLimits> limits;
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
-    Vec2 spacing(1);
-    if (std::isfinite(desc.longestEdge))
-      spacing = glm::clamp(curveLengths(surface, patch, parameters) / desc.longestEdge, Vec2(1),
-                           Vec2(kMostSpacingSegments));
-    limits.emplace_back(surface, patch, spacing);
+    const Vec2 lengths = curveLengths(surface, patch, parameters);
+    const Vec2 spacing = glm::clamp(lengths / desc.longestEdge, Vec2(1), Vec2(kMostSpacingSegments));
+    limits.emplace_back(surface, patch, spacing, lengths, tolerance);
   }
 
   struct Plan {

@@ -23,3 +23,12 @@ vec4 parameterBounds(InstanceData instance) {
 vec3 relativeFromObject(InstanceData instance, vec3 position) {
   return instance.relativeFromObject * position + instance.translation;
 }
+
+// Which side of a surface is seen, given its outward normal, the direction toward the viewer (both unit) and whether the
+// facet faces the viewer. The facet decides where the surface turns away: there the interpolated normal runs ahead of
+// it. Elsewhere the normal does: the raster's grid turns facets over that are thinner than a pixel.
+bool seenFromFront(vec3 n, vec3 v, bool facetFaces) {
+  const float kTurningAway = 0.35;
+  float cosine = dot(n, v);
+  return abs(cosine) > kTurningAway ? cosine > 0.0 : facetFaces;
+}

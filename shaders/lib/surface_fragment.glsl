@@ -41,7 +41,7 @@ vec3 fragmentNormal(vec3 v) {
     return (dot(n, v) > 0.0) == (gl_FrontFacing || (inFlags & kTwoSided) != 0) ? n : -n;
   }
   vec3 n = unitOrZero(inNormal);
-  return (inFlags & kTwoSided) != 0 && !gl_FrontFacing ? -n : n;
+  return (inFlags & kTwoSided) != 0 && !seenFromFront(n, v, gl_FrontFacing) ? -n : n;
 }
 
 vec4 shadedFragment(vec3 ambient, vec3 diffuse) {
