@@ -33,6 +33,7 @@ constexpr std::uint32_t kUnboundedSegments = 4;
 /// Cells narrower than this many tolerances are slivers: of half a pixel, three pixels. The raster's grid
 /// turns them over, and every one of them costs as much as a large one.
 constexpr double kStoutness = 6;
+constexpr double kFew = 4;  // along a patch: never too many
 
 constexpr std::size_t kPatchesForAllCores = 8;
 
@@ -104,7 +105,7 @@ class PatchLimits {
  public:
   /// `lengths` of the patch in both directions.
   PatchLimits(const Surface& surface, std::uint32_t patch, Vec2 spacing, Vec2 lengths, double tolerance)
-      : stout_(lengths / (kStoutness * tolerance)), least_(glm::max(spacing, [&] {
+      : stout_(glm::max(lengths / (kStoutness * tolerance), Vec2(kFew))), least_(glm::max(spacing, [&] {
           const Segments least = leastSegments(surface.topology(), patch);
           return Vec2(least.u, least.v);
         }())) {
