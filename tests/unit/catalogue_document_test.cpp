@@ -35,9 +35,9 @@ std::string rowOf(const CatalogueEntry& entry) {
     arguments +=
         fmt::format("{}`{}` = {}: {}", arguments.empty() ? "" : "<br>", a.name, initialOf(a), a.meaning);
   if (!entry.requirement.empty()) arguments += fmt::format("<br>Needs {}.", entry.requirement);
-  return fmt::format("| `{}` | {} | `{}` | {} | {} | {}{}{} |", entry.name, escaped(entry.summary),
-                     escaped(entry.equation), escaped(arguments), escaped(entry.source),
-                     entry.eulerCharacteristic, entry.borderless ? ", no border" : "",
+  return fmt::format("| `{0}` | {1} | `{2}` | {3} | {4} | {5}{6}{7} | ![{0}](pictures/{0}.png) |", entry.name,
+                     escaped(entry.summary), escaped(entry.equation), escaped(arguments),
+                     escaped(entry.source), entry.eulerCharacteristic, entry.borderless ? ", no border" : "",
                      entry.orientable ? "" : ", one side");
 }
 
@@ -49,8 +49,11 @@ TEST(CatalogueDocument, HasARowForEverySurfaceAndNoOther) {
   std::vector<std::string> rows;
   for (std::string line; std::getline(text, line);)
     if (line.starts_with("| `")) rows.push_back(line);
-  for (const CatalogueEntry& entry : catalogue())
+  for (const CatalogueEntry& entry : catalogue()) {
     EXPECT_TRUE(std::ranges::count(rows, rowOf(entry)) == 1) << "the row should be\n" << rowOf(entry);
+    EXPECT_TRUE(std::filesystem::exists(file.parent_path() / "pictures" / (std::string(entry.name) + ".png")))
+        << entry.name;
+  }
   EXPECT_EQ(rows.size(), catalogue().size());
 }
 
