@@ -232,7 +232,7 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
   for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i) {
     const SnapshotNode& node = snapshot.nodes[i];
     const Material& material = snapshot.materials[node.material.index];
-    const bool lines = material.shading.value_or(options.shading) == Shading::Wireframe;
+    const bool lines = material.shadingIn(options.shading) == Shading::Wireframe;
     const Bounds bounds = boundsInEyeSpace(view, node);
     ++counts.nodes;
     if (options.frustum && bounds.finite &&

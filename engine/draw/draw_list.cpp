@@ -242,7 +242,7 @@ class DrawLister {
   Item itemOf(const VisibleNode& v, bool blended) {
     const SnapshotNode& node = snapshot_.nodes[v.node];
     const Material& material = snapshot_.materials[node.material.index];
-    const Shading shading = material.shading.value_or(options_.shading);
+    const Shading shading = material.shadingIn(options_.shading);
     Item item;
     DrawBatch& batch = item.batch;
     batch.state = {.shading = shading, .output = options_.output, .blended = blended};

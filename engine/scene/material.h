@@ -29,12 +29,15 @@ struct Material {
   double shininess = 30;  ///< exponent of Blinn's half vector
   double opacity = 1;     ///< 1 is opaque; less is blended over what lies behind
   TwoSided twoSided = TwoSided::Auto;
-  std::optional<Shading> shading = std::nullopt;  ///< overrides the picture's shading
+  std::optional<Shading> shading = std::nullopt;  ///< overrides the picture's shading, unless that shows data
   bool lectureSpecular = false;                   ///< highlights even where the light is below the horizon
   Pattern diffusePattern = {};  ///< stands for `diffuse`, and for the ambient colour unless that is given
   std::vector<double> patternParameters = {};  ///< as many as the pattern has
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
+  [[nodiscard]] Shading shadingIn(Shading picture) const {
+    return showsData(picture) ? picture : shading.value_or(picture);
+  }
   [[nodiscard]] bool transparent() const { return opacity < 1; }
   friend bool operator==(const Material&, const Material&) = default;
 };

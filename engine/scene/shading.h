@@ -27,6 +27,12 @@ inline constexpr std::array<std::string_view, 9> kShadingNames = {
   return kShadingNames[static_cast<std::size_t>(shading)];
 }
 
+/// Whether it shows the geometry instead of light.
+[[nodiscard]] constexpr bool showsData(Shading shading) {
+  return shading == Shading::Wireframe || shading == Shading::Normal || shading == Shading::Uv ||
+         shading == Shading::Depth || shading == Shading::Id;
+}
+
 /// The shading of that name, or nothing.
 [[nodiscard]] constexpr std::optional<Shading> shadingNamed(std::string_view name) {
   for (std::size_t i = 0; i < kShadingNames.size(); ++i)
