@@ -25,6 +25,8 @@ constexpr double kLeastSaving = 0.04;
 /// small as this; fewer on a surface that moves, which is planned for every frame.
 constexpr std::size_t kMostUnprovenTiles = 4096, kMostUnprovenTilesMoving = 512;
 constexpr std::uint32_t kDeepestUnproven = 16;
+/// Beside a singularity surfaces bend without limit: there cells stay this much larger than elsewhere.
+constexpr double kRoughening = 4;
 /// Tiles on which the surface may have no finite size are cut down to this level and drawn with this many
 /// segments.
 constexpr std::uint32_t kDeepestUnbounded = 6;
@@ -317,7 +319,10 @@ class UnprovenPlanner {
 
   void file(const Part& part) {
     if (part.curvature.proven()) {
-      const Segments n = fewestSegments(part.curvature, part.limits->of(part.tile), tolerance_);
+      Limits limits = part.limits->of(part.tile);
+      for (Range* range : {&limits.u, &limits.v})
+        range->most = std::max(range->least, std::floor(range->most / kRoughening));
+      const Segments n = fewestSegments(part.curvature, limits, tolerance_);
       proven_.push_back({part.patch, part.tile, n, part.curvature.deviation(1.0 / n.u, 1.0 / n.v)});
     } else if (part.diameter > tolerance_ && splittable(part)) {
       open_.push(part);

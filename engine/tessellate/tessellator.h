@@ -38,7 +38,7 @@ inline constexpr std::uint32_t kMostSegments = 2048;
 
 /// About the most triangles of a mesh; where a tolerance would need more, it is raised, and the mesh's bound
 /// says so.
-inline constexpr double kMostTriangles = 1 << 23;
+inline constexpr double kMostTriangles = 1 << 21;
 
 /// What a mesh should be like. Object units.
 struct MeshDesc {
