@@ -360,6 +360,8 @@ Mesh meshOfBlocks(const Surface& surface, std::span<const double> parameters, st
 
   Triangulator triangulator(surface, parameters, blocks, net, points, mesh);
   for (std::size_t b = 0; b < blocks.size(); ++b) triangulator.add(b, firstInner[b]);
+  // Derivatives may be known where the formula has no value: log(-1) + u is straight.
+  if (mesh.dropped > 0) mesh.bound = std::numeric_limits<double>::infinity();
   compact(mesh);
   return mesh;
 }

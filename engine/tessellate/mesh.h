@@ -19,7 +19,8 @@ struct Mesh {
   std::vector<Vec2> parameters;  ///< (u, v) of each vertex; at poles the middle of the triangle's
   std::vector<std::uint32_t> indices;
   /// Proven: no point of the surface is farther (object units) from its own triangle, and no point of a
-  /// triangle from its own point of the surface. Infinite where nothing could be proven.
+  /// triangle from its own point of the surface. Infinite where nothing could be proven, and where triangles
+  /// are missing.
   double bound = 0;
   /// Triangles that are missing because the formula has no finite value at a corner.
   std::uint64_t dropped = 0;

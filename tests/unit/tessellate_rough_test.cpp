@@ -97,6 +97,16 @@ TEST(Holes, AFormulaWithoutValuesIsNoTriangles) {
   for (const Vec2& p : mesh.parameters) EXPECT_GT(p.x, 0.9);
 }
 
+TEST(Holes, AMeshWithoutTrianglesIsBoundless) {
+  // Straight, as far as derivatives know, and without a single value once the logarithm's is none.
+  const Surface plane =
+      surface([](auto u, auto v, auto a) { return point(u, log(a), v); }, {{-1, 1}, {-1, 1}}, {}, 1.0);
+  const double none = -1;
+  const Mesh mesh = tessellate(plane, {&none, 1}, {.tolerance = 0.01});
+  EXPECT_EQ(mesh.triangleCount(), 0u);
+  EXPECT_TRUE(std::isinf(mesh.bound));
+}
+
 TEST(Holes, APoleOfTheFormulaIsBoundless) {
   const Surface surface = relief([](auto u, auto v) { return 0.01 / (u - 0.3) + 0 * v; });
   const Mesh mesh = tessellate(surface, {}, {.tolerance = 0.01});
