@@ -119,8 +119,8 @@ Quantity3 positionOf(const Typed& typed, const Part& argument) {
 
 QuantityPair rangeOf(const Typed& typed, const Part& argument) {
   const std::size_t colon = argument.text.find(':');
-  if (colon == std::string::npos || argument.text.find(':', colon + 1) != std::string::npos)
-    typed.refuse(argument, "the range has not two ends", kRangeHint);
+  if (const auto colons = std::ranges::count(argument.text, ':'); colons != 1)
+    typed.refuse(argument, fmt::format("expected the two ends of a range, found {}", colons + 1), kRangeHint);
   return {typed.quantity(argument.from(0, colon)), typed.quantity(argument.from(colon + 1))};
 }
 

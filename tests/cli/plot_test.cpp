@@ -2,6 +2,9 @@
 // luxo plot: from one formula to a picture, and to the scene file that draws the same.
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
 #include "cli/program.h"
 #include "plot_scene.h"
 
@@ -46,6 +49,11 @@ TEST_F(Plot, MistakesPointIntoTheArgument) {
   refused("[u, v, k]", {"-L", "k=1", "-P", "q=1", "-o", "a.png"}, 2, "no parameter 'q'");
   refused("[u, v, a]", {"-L", "a=b", "-L", "b=a", "-o", "a.png"}, 3, "plot:4:");
   refused("[u, v, 0]", {}, 2, "no output is given");
+  for (const auto& [range, found] : {std::pair("3", "found 1"), std::pair("0:1:2", "found 3")}) {
+    const Outcome bad = run(folder, {"plot", "[u, v, 0]", "--u", range, "--v", "0:1", "-o", "a.png"});
+    EXPECT_EQ(bad.code, 2) << bad.err;
+    EXPECT_TRUE(contains(bad.err, std::string("expected the two ends of a range, ") + found)) << bad.err;
+  }
   EXPECT_EQ(folder.entries(), 0u);
   EXPECT_EQ(run(folder, {"plot", "[u, v, 0]", "--u", "0:1", "-o", "a.png"}).code, 2);
   EXPECT_EQ(run(folder, {"plot", "[u, v, 0]", "--u", "0:1", "--v", "1:1", "-o", "a.png"}).code, 3);
@@ -80,6 +88,14 @@ TEST_F(PlotPictures, TheSceneFileDrawsTheSameBytes) {
   const Outcome rendered = run(folder, {"render", "plot.luxo.json", "-q", "-o", "b.pfm"});
   ASSERT_EQ(rendered.code, 0) << rendered.err;
   EXPECT_TRUE(textOf(folder / "a.pfm") == textOf(folder / "b.pfm"));
+}
+
+TEST_F(PlotPictures, TheReportOfAPoleHasNoBound) {
+  const Outcome outcome = plot("[u, 1/u, v]", {"--size", "32x24", "--report", "r.json", "-q", "-o", "a.png"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(textOf(folder / "r.json"));
+  EXPECT_TRUE(report["frames"][0]["error"]["bound_px"].is_null()) << report["frames"][0]["error"];
+  EXPECT_EQ(report["frames"][0]["error"]["tolerance_px"], 0.5);
 }
 
 }  // namespace
