@@ -47,10 +47,10 @@ void requireDomain(const Domain& domain, const std::string& name) {
   for (const Interval& range : {domain.u, domain.v})
     if (!(std::isfinite(range.lo) && std::isfinite(range.hi) && std::isfinite(range.width()) &&
           range.lo < range.hi))
-      throw Error(
-          ErrorKind::Scene,
-          fmt::format("surface '{}': its domain [{}, {}] is empty or not finite", name, range.lo, range.hi),
-          "give u and v a finite range with the smaller value first");
+      throw Error(ErrorKind::Scene,
+                  fmt::format("surface '{}': its domain [{:.9g}, {:.9g}] is empty or not finite", name,
+                              range.lo, range.hi),
+                  "give u and v a finite range with the smaller value first");
 }
 
 Domain hullOf(const std::vector<Patch>& patches) {

@@ -149,12 +149,14 @@ class Search {
                   "check the formula and its domain");
     const Domain& d = patches_.front().domain;
     if (!(extent_ > kRounding * glm::length(center_)))
-      throw Error(ErrorKind::Scene,
-                  fmt::format("surface '{}' has no size: over u in [{}, {}], v in [{}, {}]{} its formula is "
-                              "the same point, or not a number, everywhere",
-                              stated_.name, d.u.lo, d.u.hi, d.v.lo, d.v.hi,
-                              patches_.size() > 1 ? " and its other patches" : ""),
-                  "check the formula and its domain");
+      throw Error(
+          ErrorKind::Scene,
+          fmt::format(
+              "surface '{}' has no size: over u in [{:.9g}, {:.9g}], v in [{:.9g}, {:.9g}]{} its formula is "
+              "the same point, or not a number, everywhere",
+              stated_.name, d.u.lo, d.u.hi, d.v.lo, d.v.hi,
+              patches_.size() > 1 ? " and its other patches" : ""),
+          "check the formula and its domain");
   }
 
   /// Limits of Su x Sv at every other sample of an edge; found when first asked for.
