@@ -49,17 +49,19 @@ void FormulaSet::read(const FormulaSetDesc& desc, const SceneVariables& variable
 
 Expr FormulaSet::readRange(const QuantityPair& range, Scope& scope, std::uint32_t variable,
                            Interval& domain) {
+  const std::size_t problemsBefore = problems_.size();
   const Expr lowest = readOne(range[0], scope), highest = readOne(range[1], scope);
   const Expr unit = graph_->variable(variable);
   domain = {0, 1};
-  if (!ok()) return unit;
+  if (problems_.size() > problemsBefore) return unit;
   if (!lowest.isConstant() || !highest.isConstant()) return lowest + (highest - lowest) * unit;
   const double a = lowest.constant(), b = highest.constant();
   if (std::isfinite(a) && std::isfinite(b) && a < b) {
     domain = {a, b};
     return unit;
   }
-  std::string message = fmt::format("the range from {} to {} is {}", a, b, a >= b ? "empty" : "not finite");
+  std::string message =
+      fmt::format("the range from {:.9g} to {:.9g} is {}", a, b, a >= b ? "empty" : "not finite");
   const std::size_t size = range[0].isFormula() ? range[0].formula().size() : 0;
   problems_.push_back(
       {range[0], {{0, size}, std::move(message), a > b ? "write the smaller number first" : ""}, {}});

@@ -114,11 +114,15 @@ bool JsonParser::report(std::size_t begin, std::size_t end, std::string message,
 }
 
 bool JsonParser::fail(std::string_view expected, std::string hint) {
+  // What does not belong into an array or object tells that it was to be closed before.
+  const bool unclosed =
+      !open_.empty() && (atEnd() || std::string_view(":]}").find(peek()) != std::string_view::npos);
+  if (hint.empty() && unclosed)
+    hint = fmt::format("the {} was opened at {}", inObject() ? "'{'" : "'['",
+                       place(document_.nodes_[open_.back().node].begin));
   if (atEnd()) {
     report(text_.size(), text_.size(), fmt::format("expected {}, but the file ends here", expected),
-           hint.empty() && !open_.empty() ? fmt::format("the {} was opened at {}", inObject() ? "'{'" : "'['",
-                                                        place(document_.nodes_[open_.back().node].begin))
-                                          : std::move(hint));
+           std::move(hint));
     return false;
   }
   const auto byte = static_cast<unsigned char>(peek());

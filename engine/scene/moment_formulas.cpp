@@ -57,10 +57,13 @@ void MomentFormulas::prepareNames() {
 
 bool MomentFormulas::accept(const Quantity& quantity, double value, const Allowed& allowed) {
   if (allowed.words.empty() || allowed.range.contains(value)) return true;
-  const std::string shown = std::isnan(value) ? "not a number" : fmt::format("{}", value);
+  const std::string shown = std::isnan(value) ? "not a number"
+                            : allowed.angle   ? fmt::format("{} radians", value)
+                                              : fmt::format("{}", value);
+  const bool degrees = allowed.angle && !quantity.isFormula() && value > 0;
   problems_.add(quantity, {{0, quantity.isFormula() ? quantity.formula().size() : 0},
                            fmt::format("this is {}; it must be {}", shown, allowed.words),
-                           {}});
+                           degrees ? fmt::format("write \"{}deg\"", value) : std::string()});
   return false;
 }
 

@@ -19,6 +19,7 @@ namespace luxo {
 struct Allowed {
   Interval range{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
   std::string_view words = "finite";
+  bool angle = false;  ///< in radians, which messages say
 };
 inline constexpr Allowed kFinite{};
 inline constexpr Allowed kAny{.words = ""};  ///< infinities and NaN included

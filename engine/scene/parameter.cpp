@@ -15,7 +15,7 @@ void validate(const Parameter& parameter) {
   };
   if (const auto& range = parameter.range;
       range && !(std::isfinite(range->lo) && std::isfinite(range->hi) && range->lo < range->hi))
-    reject(fmt::format("its range from {} to {} is empty or not finite", range->lo, range->hi));
+    reject(fmt::format("its range from {:.9g} to {:.9g} is empty or not finite", range->lo, range->hi));
   if (const auto& step = parameter.step; step && !(*step > 0 && std::isfinite(*step)))
     reject(fmt::format("its step is {}; it must be above 0", *step));
   if (parameter.value.isConstant()) requireAllowed(parameter, parameter.value.at(0));
@@ -27,8 +27,8 @@ void requireAllowed(const Parameter& parameter, double value) {
                 fmt::format("parameter '{}' is {}; it must be finite", parameter.name, value));
   if (parameter.range && !parameter.range->contains(value))
     throw Error(ErrorKind::Scene,
-                fmt::format("parameter '{}' is {}, outside its range from {} to {}", parameter.name, value,
-                            parameter.range->lo, parameter.range->hi));
+                fmt::format("parameter '{}' is {}, outside its range from {:.9g} to {:.9g}", parameter.name,
+                            value, parameter.range->lo, parameter.range->hi));
 }
 
 }  // namespace luxo

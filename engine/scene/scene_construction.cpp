@@ -254,7 +254,8 @@ void SceneConstruction::setCasters() {
 
 void SceneConstruction::addCamera(const CameraDesc& desc) {
   cameras_.add(desc.name, true, problems_);
-  const Allowed angle{{kAboveZero.range.lo, std::nextafter(kPi, 0.0)}, "above 0 and below 180 degrees"};
+  const Allowed angle{
+      {kAboveZero.range.lo, std::nextafter(kPi, 0.0)}, "above 0 and below pi, which is 180 degrees", true};
   const bool perspective = desc.projection == Projection::Perspective;
   Camera camera{.name = desc.name.text,
                 .eye = formulas_.vector(desc.eye),

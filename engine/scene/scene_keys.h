@@ -16,7 +16,8 @@ struct SceneKeys {
   std::string_view what;        ///< in messages: "a node"
   std::string_view definition;  ///< in the schema's $defs; empty: its root
   std::span<const std::string_view> keys;
-  std::size_t required = 0;  ///< how many of them, from the first
+  std::size_t required = 0;           ///< how many of them, from the first
+  std::string_view whenMissing = {};  ///< what to write for one that is missing
 };
 
 namespace keys {
@@ -45,7 +46,7 @@ inline constexpr std::array<Names, 6> kLightNames = {"type",        "color",  "i
 inline constexpr std::array<Names, 7> kCameraNames = {"eye",  "look_at", "up",    "fov_y",
                                                       "near", "type",    "height"};
 
-inline constexpr SceneKeys kRoot{"a scene", "", kRootNames, 1};
+inline constexpr SceneKeys kRoot{"a scene", "", kRootNames, 1, "write \"luxo\": 1 as the first key"};
 inline constexpr SceneKeys kRender{"the render settings", "render", kRenderNames};
 inline constexpr SceneKeys kParameter{"a parameter", "parameter", kParameterNames, 1};
 inline constexpr SceneKeys kMaterial{"a material", "material", kMaterialNames};

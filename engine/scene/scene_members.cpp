@@ -2,9 +2,12 @@
 #include "scene/scene_members.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <system_error>
 
 #include "base/assert.h"
 #include "base/srgb_curve.h"
@@ -27,6 +30,37 @@ std::optional<std::array<double, 3>> hexColor(std::string_view text) {
     color[i] = linearFromSrgb((length == 1 ? 17 * code : code) / 255.0);
   }
   return color;
+}
+
+/// "1280x720" and "0, 1, 0" as the arrays they mean; empty for another text.
+std::vector<double> numbersIn(std::string_view text) {
+  constexpr std::string_view kBetween = " ,;x[]()";
+  std::vector<double> numbers;
+  for (std::size_t at = 0; (at = text.find_first_not_of(kBetween, at)) != std::string_view::npos;) {
+    const std::string_view word = text.substr(at, text.find_first_of(kBetween, at) - at);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), numbers.emplace_back());
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(numbers.back())) return {};
+    at += word.size();
+  }
+  return numbers;
+}
+
+/// "y" and "-y" as the axes they mean; empty for another text.
+std::vector<double> axisIn(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  const std::size_t axis = text.size() == 1 ? std::string_view("xyz").find(text[0]) : std::string_view::npos;
+  if (axis == std::string_view::npos) return {};
+  std::vector<double> direction(3, 0.0);
+  direction[axis] = negative ? -1 : 1;
+  return direction;
+}
+
+/// What to write for an array that stands in a text.
+std::string arrayHint(std::string_view text, std::size_t count) {
+  for (const std::vector<double>& numbers : {numbersIn(text), axisIn(text)})
+    if (numbers.size() == count) return fmt::format("write [{}]", fmt::join(numbers, ", "));
+  return {};
 }
 
 }  // namespace
@@ -65,7 +99,8 @@ SceneMembers::SceneMembers(const JsonValue& object, const SceneKeys& kind, Scene
     if (values_[i].exists()) continue;
     complete_ = false;
     const std::size_t begin = object.where().begin;
-    problems.add(SourceRange{begin, begin + 1}, fmt::format("{} needs \"{}\"", kind.what, kind.keys[i]));
+    problems.add(SourceRange{begin, begin + 1}, fmt::format("{} needs \"{}\"", kind.what, kind.keys[i]),
+                 std::string(kind.whenMissing));
   }
 }
 
@@ -96,7 +131,9 @@ bool SceneValues::read(const JsonValue& value, Quantity& target) {
 bool SceneValues::readArray(const JsonValue& value, std::span<Quantity> target) {
   if (!value.exists()) return true;
   if (value.kind() != JsonKind::Array)
-    return reject(value, fmt::format("an array of {} numbers", target.size()));
+    return reject(
+        value, fmt::format("an array of {} numbers", target.size()),
+        value.kind() == JsonKind::String ? arrayHint(value.string(), target.size()) : std::string());
   if (const std::size_t count = value.size(); count != target.size()) {
     problems_.add(value.where(), fmt::format("expected {} numbers, found {}", target.size(), count));
     return false;

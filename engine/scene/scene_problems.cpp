@@ -29,12 +29,24 @@ void SceneProblems::add(SourceRange where, std::string message, std::string hint
 void SceneProblems::add(const Quantity& quantity, Diagnostic diagnostic) {
   if (source_.text) {
     diagnostic.where = rangeIn(quantity, diagnostic.where);
+    if (isRecent(diagnostic)) return;
     add(diagnostic.where, std::move(diagnostic.message), std::move(diagnostic.hint));
     return;
   }
   const std::string formula =
       quantity.isFormula() ? quantity.formula() : fmt::format("{}", quantity.number());
   if (++count_ <= kMaxKeptProblems) problems_.push_back({std::move(diagnostic), formula});
+}
+
+bool SceneProblems::isRecent(const Diagnostic& diagnostic) const {
+  constexpr std::size_t kFew = 16;  // more than one formula has, but for very long ones
+  const std::size_t first = problems_.size() - std::min(problems_.size(), kFew);
+  return std::any_of(problems_.begin() + static_cast<std::ptrdiff_t>(first), problems_.end(),
+                     [&](const Problem& problem) {
+                       return problem.diagnostic.where.begin == diagnostic.where.begin &&
+                              problem.diagnostic.where.end == diagnostic.where.end &&
+                              problem.diagnostic.message == diagnostic.message;
+                     });
 }
 
 std::string SceneProblems::text() const {

@@ -28,7 +28,8 @@ class SceneProblems {
   void add(FilePlace place, std::string message, std::string hint = {}) {
     add(rangeOf(place), std::move(message), std::move(hint));
   }
-  /// A problem of a quantity's formula, its range relative to the formula.
+  /// A problem of a quantity's formula, its range relative to the formula. One of the last few is not
+  /// repeated: one formula may stand for three numbers.
   void add(const Quantity& quantity, Diagnostic diagnostic);
 
   [[nodiscard]] bool any() const { return count_ > 0; }
@@ -45,6 +46,8 @@ class SceneProblems {
     Diagnostic diagnostic;
     std::string formula;  ///< what the diagnostic is about where there is no file
   };
+
+  [[nodiscard]] bool isRecent(const Diagnostic& diagnostic) const;
 
   SceneSource source_;
   std::vector<Problem> problems_;  ///< the first few thousand

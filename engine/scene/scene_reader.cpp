@@ -4,17 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <system_error>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "formula/parse.h"
 #include "scene/json.h"
 #include "scene/scene_construction.h"
 #include "scene/scene_members.h"
@@ -44,6 +49,11 @@ class SceneReader {
   void readName(const JsonValue& name, NodeDesc& node);
   void readRotations(const JsonValue& rotate, std::vector<RotationDesc>& rotations);
   void readRotation(const JsonValue& rotate, RotationDesc& rotation);
+  void rejectRotations(const JsonValue& rotate);
+  void readScale(const JsonValue& scale, Quantity3& target);
+  /// The name of something that stands in `section`.
+  void readReference(const JsonValue& value, std::string_view section, FileName& target);
+  void readColor(const JsonValue& value, Quantity3& target);
   void readVisible(const JsonValue& visible, Quantity& target);
   void readLight(const JsonValue& value, LightDesc& light);
   void readCasters(const JsonValue& value, std::vector<FileName>& casters);
@@ -56,6 +66,7 @@ class SceneReader {
   SceneProblems& problems_;
   SceneValues values_;
   std::unordered_map<std::string, FilePlace> nodeNames_;
+  std::set<std::string> parameterNames_;
 };
 
 template <class Read>
@@ -79,8 +90,8 @@ void SceneReader::readRoot(const JsonValue& root) {
   readVersion(members["luxo"]);
   std::string schema;
   values_.read(members["$schema"], schema);
-  readRender(members["render"]);
   readNamed(members["params"], [&](const JsonValue& v, const FileName& name) { readParameter(v, name); });
+  readRender(members["render"]);  // its colours and those of materials may name parameters
   readNamed(members["materials"], [&](const JsonValue& v, const FileName& name) { readMaterial(v, name); });
   readNamed(members["surfaces"], [&](const JsonValue& v, const FileName& name) {
     file_.surfaces.push_back(readSurface(v, name, problems_));
@@ -111,8 +122,8 @@ void SceneReader::readRender(const JsonValue& render) {
   values_.read(members["samples"], target.samples);
   values_.read(members["tolerance"], target.tolerance);
   values_.readWord(members["shading"], kShadingNames, target.shading);
-  values_.readColor(members["background"], target.background);
-  values_.readColor(members["ambient"], target.ambient);
+  readColor(members["background"], target.background);
+  readColor(members["ambient"], target.ambient);
 }
 
 void SceneReader::readParameter(const JsonValue& value, const FileName& name) {
@@ -120,6 +131,7 @@ void SceneReader::readParameter(const JsonValue& value, const FileName& name) {
     problems_.add(name.place, fmt::format("the scene has more than {} parameters", kMostSceneParameters));
     return;
   }
+  parameterNames_.insert(name.text);
   ParameterDesc parameter{.name = name};
   if (value.kind() == JsonKind::Object) {
     const SceneMembers members(value, keys::kParameter, problems_);
@@ -138,9 +150,9 @@ void SceneReader::readParameter(const JsonValue& value, const FileName& name) {
 void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
   const SceneMembers members(value, keys::kMaterial, problems_);
   MaterialDesc material{.name = name};
-  values_.readColor(members["diffuse"], material.diffuse);
-  if (members["ambient"].exists()) values_.readColor(members["ambient"], material.ambient.emplace());
-  values_.readColor(members["specular"], material.specular);
+  readColor(members["diffuse"], material.diffuse);
+  if (members["ambient"].exists()) readColor(members["ambient"], material.ambient.emplace());
+  readColor(members["specular"], material.specular);
   values_.read(members["shininess"], material.shininess);
   values_.read(members["opacity"], material.opacity);
   if (const JsonValue sides = members["two_sided"]; sides.exists()) {
@@ -189,10 +201,10 @@ void SceneReader::readNode(const JsonValue& value, std::uint32_t parent) {
   readName(members["name"], node);
   values_.read(members["translate"], node.translate);
   readRotations(members["rotate"], node.rotate);
-  values_.read(members["scale"], node.scale);
+  readScale(members["scale"], node.scale);
   readVisible(members["visible"], node.visible);
-  values_.read(members["surface"], node.surface);
-  values_.read(members["material"], node.material);
+  readReference(members["surface"], "surfaces", node.surface);
+  readReference(members["material"], "materials", node.material);
   if (members["light"].exists()) readLight(members["light"], node.light.emplace());
   readNodes(members["children"], index);  // moves `node`
 }
@@ -206,11 +218,64 @@ void SceneReader::readName(const JsonValue& name, NodeDesc& node) {
         fmt::format("the first one is in line {}", positionAt(*file_.source.text, first->second.begin).line));
 }
 
+void SceneReader::readReference(const JsonValue& value, std::string_view section, FileName& target) {
+  if (value.exists() && value.kind() == JsonKind::Object)
+    values_.reject(value, "a name", fmt::format("define it in \"{}\" and write its name here", section));
+  else
+    values_.read(value, target);
+}
+
+void SceneReader::readScale(const JsonValue& scale, Quantity3& target) {
+  if (scale.exists() && scale.kind() == JsonKind::Number)
+    values_.reject(scale, "an array of 3 numbers", fmt::format("write [{0}, {0}, {0}]", scale.number()));
+  else
+    values_.read(scale, target);
+}
+
+/// Whether a word means nothing in a formula, unless a parameter has this name.
+bool isUnknownWord(const std::string& word) {
+  constexpr std::array<std::string_view, 3> kVariables = {"t", "u", "v"};
+  // A scope takes any name that has no meaning yet.
+  return std::ranges::find(kVariables, word) == kVariables.end() && !Scope().nameProblem(word);
+}
+
+void SceneReader::readColor(const JsonValue& value, Quantity3& target) {
+  const std::string word = value.exists() && value.kind() == JsonKind::String ? value.string() : "";
+  if (word.empty() || parameterNames_.contains(word) || problems_.full() || !isUnknownWord(word)) {
+    values_.readColor(value, target);
+    return;
+  }
+  constexpr std::size_t kMostToCompare = 100;
+  std::vector<std::string> names;
+  if (parameterNames_.size() <= kMostToCompare) names.assign(parameterNames_.begin(), parameterNames_.end());
+  problems_.add(value.where(), fmt::format("'{}' is no colour and no parameter", word),
+                didYouMean(word, names, R"(write a colour as "#rrggbb" or [r, g, b])"));
+}
+
 void SceneReader::readRotations(const JsonValue& rotate, std::vector<RotationDesc>& rotations) {
   if (!rotate.exists()) return;
-  if (rotate.kind() != JsonKind::Array) return readRotation(rotate, rotations.emplace_back());
+  if (rotate.kind() == JsonKind::Object) return readRotation(rotate, rotations.emplace_back());
+  bool good = rotate.kind() == JsonKind::Array;
+  for (JsonValue element = rotate.first(); good && element.exists(); element = element.next())
+    good = element.kind() == JsonKind::Object;
+  if (!good) return rejectRotations(rotate);
   for (JsonValue element = rotate.first(); element.exists(); element = element.next())
     readRotation(element, rotations.emplace_back());
+}
+
+void SceneReader::rejectRotations(const JsonValue& rotate) {
+  // [0, 90, 0] can only mean one thing; turns about several axes would need an order.
+  std::vector<double> angles;
+  for (JsonValue element = rotate.first(); element.exists(); element = element.next())
+    angles.push_back(element.kind() == JsonKind::Number ? element.number() : 0);
+  if (angles.size() != 3 || std::ranges::count(angles, 0.0) != 2) angles = {0, 90, 0};
+  const double angle = *std::ranges::find_if(angles, [](double a) { return a != 0; });
+  const std::string written =
+      std::abs(angle) > kTau ? fmt::format("\"{}deg\"", angle) : fmt::format("{}", angle);
+  const auto axis = [&](std::size_t i) { return angles[i] == 0 ? 0 : 1; };
+  values_.reject(
+      rotate, "an axis and an angle",
+      fmt::format(R"(write {{ "axis": [{}, {}, {}], "angle": {} }})", axis(0), axis(1), axis(2), written));
 }
 
 void SceneReader::readRotation(const JsonValue& value, RotationDesc& rotation) {
@@ -233,7 +298,7 @@ void SceneReader::readVisible(const JsonValue& visible, Quantity& target) {
 void SceneReader::readLight(const JsonValue& value, LightDesc& light) {
   const SceneMembers members(value, keys::kLight, problems_);
   values_.readWord(members["type"], keys::kLightTypes, light.type);
-  values_.readColor(members["color"], light.color);
+  readColor(members["color"], light.color);
   values_.read(members["intensity"], light.intensity);
   values_.readWord(members["attenuation"], keys::kAttenuations, light.attenuation);
   values_.readWord(members["shadow"], keys::kShadows, light.shadow);

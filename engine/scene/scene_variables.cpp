@@ -50,7 +50,7 @@ std::optional<Interval> rangeOf(const QuantityPair& range, MomentFormulas& limit
   const std::optional<double> lowest = limits.fixed(range[0]), highest = limits.fixed(range[1]);
   if (!lowest || !highest) return std::nullopt;
   if (*lowest < *highest) return Interval{*lowest, *highest};
-  problems.add(range[0].place(), fmt::format("the range from {} to {} is empty", *lowest, *highest),
+  problems.add(range[0].place(), fmt::format("the range from {:.9g} to {:.9g} is empty", *lowest, *highest),
                "write the smaller number first");
   return std::nullopt;
 }

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -95,6 +97,26 @@ SourceRange ambiguousQuotient(std::string_view formula) {
   return {};
 }
 
+/// A colour whose components are far above 1 was probably meant to count to 255.
+void warnOfBrightness(const MaterialDesc& material, std::vector<Diagnostic>& warnings) {
+  constexpr double kBright = 1.5;  // some go a little over 1 for a glow
+  const Quantity3& color = material.diffuse;
+  const auto found = std::ranges::find_if(color, [](const Quantity& q) { return q.number() > kBright; });
+  if (found == color.end()) return;
+  constexpr double kFaintByte = 16;  // 2 or 3 mean bright, not nearly black
+  const bool bytes =
+      found->number() >= kFaintByte && std::ranges::all_of(color, [](const Quantity& q) {
+        return !q.isFormula() && q.number() >= 0 && q.number() <= 255 && q.number() == std::floor(q.number());
+      });
+  warnings.push_back(
+      {rangeOf(found->place()),
+       fmt::format("the diffuse colour of '{}' has the component {}: colours are 0..1", material.name.text,
+                   found->number()),
+       bytes ? fmt::format("write \"#{:02x}{:02x}{:02x}\"", static_cast<int>(color[0].number()),
+                           static_cast<int>(color[1].number()), static_cast<int>(color[2].number()))
+             : std::string()});
+}
+
 }  // namespace
 
 void forEachQuantity(const SceneFile& file, const Visit& visit) {
@@ -137,6 +159,7 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
   };
   unused(file.surfaces, surfaces, "surface");
   unused(file.materials, materials, "material");
+  for (const MaterialDesc& material : file.materials) warnOfBrightness(material, warnings);
   forEachQuantity(file, [&](const Quantity& quantity) {
     if (!quantity.isFormula()) return;
     const SourceRange quotient = ambiguousQuotient(quantity.formula());

@@ -28,7 +28,37 @@ Surface assemble(const FormulaSet& formulas, const ExprPoint& position, const Mo
   return surface.withParameters(formulas.parameters());
 }
 
-std::string shown(const Interval& range) { return fmt::format("{:.4g}..{:.4g}", range.lo, range.hi); }
+std::string shown(const Interval& range) {
+  const std::string lowest = fmt::format("{:.4g}", range.lo), highest = fmt::format("{:.4g}", range.hi);
+  return lowest == highest ? lowest : lowest + ".." + highest;
+}
+
+/// Whether a hole leaves nothing of a range that could be seen.
+bool covers(const Interval& hole, const Interval& range) { return hole.width() >= 0.999 * range.width(); }
+
+/// Whether Su and Sv are parallel, up to rounding, wherever they exist: curves, seen from nowhere.
+bool lacksArea(const Surface& surface, std::span<const double> parameters) {
+  constexpr int kSamples = 9;
+  constexpr double kSine = 1e-12;  // rounding is some 1e-15, what is oblique on purpose far above
+  bool parallel = false;
+  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
+    const Domain& domain = surface.patchDomain(patch);
+    std::vector<double> u, v;
+    for (int i = 0; i < kSamples; ++i) {
+      const double part = (i + 0.5) / kSamples;
+      u.push_back(domain.u.lo + part * domain.u.width());
+      v.push_back(domain.v.lo + part * domain.v.width());
+    }
+    const SurfacePoints points = surface.evaluateGrid(patch, u, v, parameters);
+    for (std::size_t i = 0; i < points.position.size(); ++i) {
+      const Vec3 &du = points.du[i], &dv = points.dv[i];
+      const double area = glm::length(glm::cross(du, dv)), most = glm::length(du) * glm::length(dv);
+      if (area > kSine * most) return false;
+      parallel = parallel || area <= kSine * most;  // not for NaN
+    }
+  }
+  return parallel;
+}
 
 }  // namespace
 
@@ -105,10 +135,11 @@ void ShapeBuilder::checkClosed(const FormulaShape& shape, const Surface& surface
     const char name = i == 0 ? 'u' : 'v';
     const Interval& range = i == 0 ? surface.domain().u : surface.domain().v;
     if ((*shape.closed)[i] && !found[i])
-      problems_.add(shape.closedPlace,
-                    fmt::format("the surface is not closed in {}: its edges at {} = {} and {} = {} differ",
-                                name, name, range.lo, name, range.hi),
-                    "leave \"closed\" out: luxo finds what closes");
+      problems_.add(
+          shape.closedPlace,
+          fmt::format("the surface is not closed in {}: its edges at {} = {:.9g} and {} = {:.9g} differ",
+                      name, name, range.lo, name, range.hi),
+          "leave \"closed\" out: luxo finds what closes");
     if (!(*shape.closed)[i] && found[i] && warnings_)
       warnings_->push_back({rangeOf(shape.closedPlace), fmt::format("the surface is closed in {}", name),
                             "leave \"closed\" out: luxo finds what closes"});
@@ -181,11 +212,20 @@ void ShapeBuilder::warn(const SurfaceDesc& desc, const Surface& surface) {
   std::vector<double> parameters;
   for (const Animated<double>& parameter : surface.parameters())
     parameters.push_back(parameter.at({0, *variables_.initial()}));
-  for (const Domain& hole : surface.holes(parameters))
-    warnings_->push_back({where,
-                          fmt::format("surface '{}' has a hole: its formula has no value in u {}, v {}",
-                                      desc.name.text, shown(hole.u), shown(hole.v)),
-                          "the rest of it is drawn"});
+  const Domain& whole = surface.domain();
+  for (const Domain& hole : surface.holes(parameters)) {
+    const bool all = covers(hole.u, whole.u) && covers(hole.v, whole.v);
+    warnings_->push_back(
+        {where,
+         fmt::format("surface '{}' has {}: its formula has no value in u {}, v {}", desc.name.text,
+                     all ? "no points" : "a hole", shown(hole.u), shown(hole.v)),
+         all ? "check the formula and its ranges" : "the rest of it is drawn"});
+  }
+  if (lacksArea(surface, parameters))
+    warnings_->push_back(
+        {where,
+         fmt::format("surface '{}' has no area{}", desc.name.text, parameters.empty() ? "" : " at time 0"),
+         "let its position depend on u and on v, in two directions"});
   if (std::ranges::any_of(surface.patches(),
                           [](const Patch& p) { return !p.function->guardAtIntegers.empty(); }))
     warnings_->push_back({where, fmt::format("surface '{}' has kinks or jumps", desc.name.text),

@@ -3,10 +3,12 @@
 // turn everything and recompile nothing.
 #include "scene/scene_builder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/srgb_curve.h"
@@ -394,21 +396,26 @@ TEST(SceneBuilder, DescriptionsMadeInCppNeedNoText) {
                          {"formula:1:3: ", "2 +* 3", "there is no material 'none'"});
 }
 
-TEST(SceneBuilder, WarnsOfWhatIsProbablyNotMeant) {
-  const SceneFile file = parseScene(R"_({ "luxo": 1, "materials": { "m": {} },
-"surfaces": { "hole": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "v", "sqrt(0.25 - u)"] },
-"kink": { "type": "formula", "u": [-1, 1], "position": ["u", "v", "abs(u + v)"] },
-"open": { "type": "formula", "u": [0, "tau"], "closed": [false, false], "position": ["cos(u)", "v + abs(u - 1)*(u - tau)*u", "sin(u)"] },
-"fine": { "type": "formula", "u": [-1, 1], "position": ["u", "v", "1/2e1 + 1/2*u + u/(2v + 3)"] } },
-"nodes": [ { "surface": "hole", "translate": ["1/2t", 0, 0] }, { "surface": "kink" }, { "surface": "open" } ] })_",
-                                    "w");
+/// "line:column message (hint)" of every warning.
+std::vector<std::string> warningsOf(const std::string& text) {
+  const SceneFile file = parseScene(text, "w");
   std::vector<Diagnostic> warnings;
   static_cast<void>(buildScene(file, {}, &warnings));
   std::vector<std::string> found;
   for (const Diagnostic& warning : warnings) {
     const TextPosition place = positionAt(*file.source.text, warning.where.begin);
-    found.push_back(std::to_string(place.line) + ":" + std::to_string(place.column) + " " + warning.message);
+    found.push_back(fmt::format("{}:{} {} ({})", place.line, place.column, warning.message, warning.hint));
   }
+  return found;
+}
+
+TEST(SceneBuilder, WarnsOfWhatIsProbablyNotMeant) {
+  const std::vector<std::string> found = warningsOf(R"_({ "luxo": 1, "materials": { "m": {} },
+"surfaces": { "hole": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "v", "sqrt(0.25 - u)"] },
+"kink": { "type": "formula", "u": [-1, 1], "position": ["u", "v", "abs(u + v)"] },
+"open": { "type": "formula", "u": [0, "tau"], "closed": [false, false], "position": ["cos(u)", "v + abs(u - 1)*(u - tau)*u", "sin(u)"] },
+"fine": { "type": "formula", "u": [-1, 1], "position": ["u", "v", "1/2e1 + 1/2*u + u/(2v + 3)"] } },
+"nodes": [ { "surface": "hole", "translate": ["1/2t", 0, 0] }, { "surface": "kink" }, { "surface": "open" } ] })_");
   const auto warned = [&](const std::string& text) {
     for (const std::string& warning : found)
       if (warning.starts_with(text)) return true;
@@ -421,6 +428,49 @@ TEST(SceneBuilder, WarnsOfWhatIsProbablyNotMeant) {
   EXPECT_TRUE(warned("5:1 no node uses the surface 'fine'"));
   EXPECT_TRUE(warned("6:49 what follows the number is multiplied"));
   EXPECT_EQ(found.size(), 6u) << testing::PrintToString(found);
+}
+
+TEST(SceneBuilder, WarnsOfSurfacesThatCannotBeSeen) {
+  const std::string area = "(let its position depend on u and on v, in two directions)";
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
+      {R"_("u", 0, 0)_", {"2:1 surface 's' has no area " + area}},
+      {R"_("u + v", "sin(u + v)", "exp(u + v)")_", {"2:1 surface 's' has no area " + area}},
+      {R"_("u", "t*v", 0)_", {"2:1 surface 's' has no area at time 0 " + area}},
+      {R"_("u", "1e-9*v", 0)_", {}},
+      {R"_("u", "v", "sqrt(-u)")_",  // the curve u = 0 is left
+       {"2:1 surface 's' has no points: its formula has no value in u ",
+        "(check the formula and its ranges)"}},
+      {R"_("u", "v", "sqrt(0.25 - u)")_",
+       {"2:1 surface 's' has a hole: its formula has no value in u 0.25..1, v 0..1 (the rest of it is "
+        "drawn)"}},
+      {R"_("u", "v", "1/(u - 0.5)")_",
+       {"2:1 surface 's' has a hole: its formula has no value in u 0.5, v 0..1 (the rest of it is drawn)"}},
+  };
+  for (const auto& [position, expected] : cases) {
+    const std::vector<std::string> found = warningsOf(
+        "{ \"luxo\": 1, \"surfaces\": {\n\"s\": { \"type\": " + std::string("\"formula\", \"position\": [") +
+        position + "] } }, \"nodes\": [{ \"surface\": \"s\" }] }");
+    EXPECT_EQ(found.size(), expected.empty() ? 0u : 1u) << position << testing::PrintToString(found);
+    for (const std::string& part : expected)
+      EXPECT_TRUE(!found.empty() && found[0].find(part) != std::string::npos)
+          << position << testing::PrintToString(found);
+  }
+}
+
+TEST(SceneBuilder, WarnsOfColoursThatCountTo255) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"[255, 20, 20]",
+       "2:13 the diffuse colour of 'm' has the component 255: colours are 0..1 (write \"#ff1414\")"},
+      {"[0, 1.6, 0]", "2:16 the diffuse colour of 'm' has the component 1.6: colours are 0..1 ()"},
+      {"[0, 1.5, 0]", ""},
+      {"3", "2:12 the diffuse colour of 'm' has the component 3: colours are 0..1 ()"},
+  };
+  for (const auto& [color, expected] : cases) {
+    const std::vector<std::string> found =
+        warningsOf("{ \"luxo\": 1, \"materials\": { \"m\": {\n\"diffuse\": " + color +
+                   "} }, \"nodes\": [{ \"material\": \"m\" }] }");
+    EXPECT_EQ(found, expected.empty() ? std::vector<std::string>{} : std::vector{expected});
+  }
 }
 
 }  // namespace

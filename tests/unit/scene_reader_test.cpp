@@ -64,7 +64,7 @@ TEST(SceneReader, AnEmptySceneIsAScene) { EXPECT_EQ(errorOf(scene("\"x-mine\": [
 TEST(SceneReader, PointsAtMistakesOfForm) {
   expectAll({
       {"[]", "1:1", "expected a scene: an object, found an array"},
-      {"{}", "1:1", "a scene needs \"luxo\""},
+      {"{}", "1:1", "a scene needs \"luxo\"", "write \"luxo\": 1 as the first key"},
       {"{ \"luxo\": 2 }", "1:11", "this luxo reads version 1 of the format, not 2"},
       {"{ \"luxo\": \"1\" }", "1:11", "expected the version of the format, found a text"},
       {scene("\"node\": []"), "2:1", "unknown key \"node\" in a scene", "did you mean 'nodes'?"},
@@ -77,6 +77,32 @@ TEST(SceneReader, PointsAtMistakesOfForm) {
       {scene("\"nodes\": [{ \"translate\": [1, 2, true] }]"), "2:33",
        "expected a number or a formula, found true"},
       {scene("\"nodes\": [{ \"rotate\": { \"axis\": [0, 1, 0] } }]"), "2:23", "a rotation needs \"angle\""},
+      {scene(R"("nodes": [{ "scale": 2 }])"), "2:22", "expected an array of 3 numbers, found a number",
+       "write [2, 2, 2]"},
+      {scene(R"("nodes": [{ "translate": "0, 1.5, -2" }])"), "2:26",
+       "expected an array of 3 numbers, found a text", "write [0, 1.5, -2]"},
+      {scene(R"("render": { "size": "1280x720" })"), "2:21", "expected an array of 2 numbers, found a text",
+       "write [1280, 720]"},
+      {scene(R"("nodes": [{ "rotate": { "axis": "y", "angle": 1 } }])"), "2:33",
+       "expected an array of 3 numbers, found a text", "write [0, 1, 0]"},
+      {scene(R"("nodes": [{ "rotate": { "axis": "-z", "angle": 1 } }])"), "2:33",
+       "expected an array of 3 numbers, found a text", "write [0, 0, -1]"},
+      {scene(R"("nodes": [{ "rotate": [0, 90, 0] }])"), "2:23",
+       "expected an axis and an angle, found an array", R"(write { "axis": [0, 1, 0], "angle": "90deg" })"},
+      {scene(R"("nodes": [{ "rotate": [-1.5, 0, 0] }])"), "2:23",
+       "expected an axis and an angle, found an array", R"(write { "axis": [1, 0, 0], "angle": -1.5 })"},
+      {scene(R"("nodes": [{ "rotate": [10, 20, 30] }])"), "2:23",
+       "expected an axis and an angle, found an array", R"(write { "axis": [0, 1, 0], "angle": "90deg" })"},
+      {scene(R"("nodes": [{ "rotate": 30 }])"), "2:23", "expected an axis and an angle, found a number",
+       R"(write { "axis": )"},
+      {scene(R"("nodes": [{ "surface": { "type": "sphere" } }])"), "2:24", "expected a name, found an object",
+       "define it in \"surfaces\" and write its name here"},
+      {scene(R"("nodes": [{ "material": { "diffuse": 1 } }])"), "2:25", "expected a name, found an object",
+       "define it in \"materials\" and write its name here"},
+      {scene("\"camera\": { \"eye\": [3, 3, 3, \"look_at\": [0, 0, 0] }"), "2:39",
+       "expected ',' or ']', found ':'", "the '[' was opened at line 2, column 20"},
+      {scene("\"nodes\": [{ \"scale\": [1, 1, 1 }]"), "2:31", "expected ',' or ']', found '}'",
+       "the '[' was opened at line 2, column 22"},
       {scene("\"nodes\": [{ \"name\": 1 }]"), "2:21", "expected a name, found a number"},
       {scene("\"nodes\": [{ \"name\": \"\" }]"), "2:21", "a name is empty"},
       {scene("\"nodes\": [{ \"name\": \"a\" },\n{ \"name\": \"a\" }]"), "3:11", "two nodes have the name 'a'",
@@ -94,6 +120,12 @@ TEST(SceneReader, PointsAtMistakesOfForm) {
       {scene("\"materials\": { \"m\": { \"diffuse\": \"#12345g\" } }"), "2:34", "'#12345g' is not a colour"},
       {scene("\"materials\": { \"m\": { \"diffuse\": {} } }"), "2:34", "expected a colour, found an object",
        "#rrggbb"},
+      {scene(R"("materials": { "m": { "diffuse": "red" } })"), "2:34", "'red' is no colour and no parameter",
+       "write a colour as \"#rrggbb\" or [r, g, b]"},
+      {scene(R"("materials": { "m": { "specular": "gloos" } }, "params": { "gloss": 1 })"), "2:35",
+       "'gloos' is no colour and no parameter", "did you mean 'gloss'?"},
+      {scene(R"("render": { "background": "skyblue" })"), "2:27", "'skyblue' is no colour", "#rrggbb"},
+      {scene(R"("materials": { "m": { "diffuse": "1 - red" } })"), "2:39", "unknown name 'red'"},
       {scene("\"materials\": { \"m\": { \"shading\": \"fong\" } }"), "2:34", "unknown word 'fong'",
        "gouraud, phong"},
       {scene("\"materials\": { \"m\": {}, \"m\": {} }"), "2:25", "the name \"m\" is given twice"},
@@ -157,6 +189,8 @@ TEST(SceneReader, PointsAtMistakesOfMeaning) {
       {scene("\"surfaces\": { \"s\": { \"type\": \"sphere\", \"segments\": [0, 4] } }"), "2:53",
        "this is 0; it must be a whole number from 1"},
       {scene("\"camera\": { \"fov_y\": \"180deg\" }"), "2:23", "this is 3.14159"},
+      {scene("\"camera\": { \"fov_y\": 50 }"), "2:22", "this is 50 radians; it must be above 0 and below pi",
+       "write \"50deg\""},
       {scene("\"camera\": { \"type\": \"orthographic\", \"height\": 0 }"), "2:47",
        "this is 0; it must be finite and above 0"},
       {scene("\"render\": { \"size\": [1.5, 1] }"), "2:22", "this is 1.5; it must be a whole number from 1"},
@@ -189,6 +223,8 @@ TEST(SceneReader, PointsIntoFormulas) {
       {formula("\"1\", \"2\", \"3\""), "2:15", "surface 'f' "},
       {formula("\"log(-1 - u^2)\", \"v\", \"0\""), "2:15", "surface 'f' "},
       {formula("\"u\", \"v\", \"0\"", ", \"u\": [1, 1]"), "2:47", "the range from 1 to 1 is empty"},
+      {formula("\"u\", \"v\", \"0\"", ", \"u\": [1e12, -2.5e-10]"), "2:47",
+       "the range from 1e+12 to -2.5e-10 is empty"},
       {formula("\"u\", \"v\", \"0\"", ", \"u\": [1, \"-pi\"]"), "2:47", "the range from 1 to -3.14",
        "the smaller number first"},
       {formula("\"u\", \"v\", \"0\"", ", \"v\": [0, \"u\"]"), "2:51", "'u' is not known here",
@@ -206,6 +242,18 @@ TEST(SceneReader, PointsIntoFormulas) {
            "\"surfaces\": { \"s\": { \"type\": \"tube\", \"radius\": 0.1, \"curve\": [\"u\", \"v\", 0] } }"),
        "2:68", "the curve of a tube cannot depend on v"},
   });
+}
+
+TEST(SceneReader, BothRangesOfASurfaceAreReported) {
+  const std::string error = errorOf(formula("\"u\", \"v\", \"0\"", R"(, "u": [1, 0], "v": [3, 2])"));
+  EXPECT_NE(error.find("s:2:47: the range from 1 to 0 is empty"), std::string::npos) << error;
+  EXPECT_NE(error.find("s:2:60: the range from 3 to 2 is empty"), std::string::npos) << error;
+}
+
+TEST(SceneReader, ColoursMayBeParametersWithTheNamesOfColours) {
+  EXPECT_EQ(errorOf(scene(R"("render": { "background": "red" }, "params": { "red": 0.5 },
+    "materials": { "m": { "diffuse": "red", "specular": "e" }, "n": { "diffuse": "u", "specular": "t" } })")),
+            "");
 }
 
 TEST(SceneReader, EscapesInAFormulaPointAtAllOfIt) {
