@@ -146,8 +146,9 @@ double parseFps(const std::string& text) {
 
 int parseSamples(const std::string& text) {
   const auto samples = wholeNumber<int>(text);
-  if (!samples || *samples < 1) refuse("--samples", text, "not a number of samples", "give 1 or 4");
-  if (*samples != 1 && *samples != 4) refuseUntilSupported("--samples", text, "give 1 or 4");
+  if (!samples || *samples < 1 || *samples > kMaxSamples)
+    refuse("--samples", text, "not a number of samples",
+           fmt::format("give a number from 1 to {}", kMaxSamples));
   return *samples;
 }
 
@@ -178,9 +179,9 @@ Output parseAov(const std::string& text) {
   return kOutputs[found - kKnown.begin()];
 }
 
-void requireVulkanEngine(const std::string& text) {
-  if (text == "vulkan") return;
-  if (text == "reference") refuseUntilSupported("--engine", text, "use --engine vulkan");
+Engine parseEngine(const std::string& text) {
+  if (text == "vulkan") return Engine::Vulkan;
+  if (text == "reference") return Engine::Reference;
   refuseName("--engine", text, {"vulkan", "reference"}, "engine");
 }
 

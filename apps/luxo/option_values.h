@@ -37,7 +37,10 @@ inline constexpr int kMaxFrames = 1'000'000;
 /// Frames per second, above 0.
 [[nodiscard]] double parseFps(const std::string& text);
 
-/// 1 or 4.
+/// The most samples per pixel that any engine takes.
+inline constexpr int kMaxSamples = 256;
+
+/// 1..kMaxSamples.
 [[nodiscard]] int parseSamples(const std::string& text);
 
 /// A length in pixels above 0, `0.25` or `0.25px`.
@@ -46,8 +49,11 @@ inline constexpr int kMaxFrames = 1'000'000;
 [[nodiscard]] Shading parseShading(const std::string& text);
 [[nodiscard]] Output parseAov(const std::string& text);
 
-/// `vulkan`; `reference` is not supported yet.
-void requireVulkanEngine(const std::string& text);
+/// What makes the pictures: triangles on a Vulkan device, or rays in double precision.
+enum class Engine { Vulkan, Reference };
+
+/// `vulkan` or `reference`.
+[[nodiscard]] Engine parseEngine(const std::string& text);
 
 /// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes: only those are on.
 [[nodiscard]] Skips parseSkips(const std::string& text);

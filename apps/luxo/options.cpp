@@ -40,10 +40,11 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   add("--time", t.time, "moment to draw, in seconds (the scene's own)", "S");
   if (files) add("--frames", t.frames, "frames to draw: 1-250:2,300; frame n is at (n-1)/fps", "LIST");
   add("--fps", t.fps, "frames per second (24)", "N");
-  add("--samples", t.samples, "samples per pixel: 1 or 4 (1)", "N");
+  add("--samples", t.samples, "samples per pixel: 1 or 4; 1 to 256 by rays (1)", "N");
   add("--tolerance", t.tolerance, "how far meshes may be from their surfaces, in pixels (0.5)", "PX");
   add("--shading", t.shading, "flat gouraud phong toon wireframe, or a view: normal uv depth id", "NAME");
-  add("--engine", t.engine, "vulkan", "NAME");
+  add("--engine", t.engine,
+      files ? "vulkan, or reference: the ground truth by rays, needs no device (vulkan)" : "vulkan", "NAME");
   add("--camera", t.camera, "camera of the scene", "NAME");
   add("-P,--param", t.parameters, "value or expression of a scene parameter", "NAME=VALUE")
       ->allow_extra_args(false);
@@ -97,6 +98,19 @@ void requireDistinct(const std::vector<ParameterValue>& parameters, const std::o
   }
 }
 
+/// What the chosen engine can do, and what contradicts its choice.
+void requireForEngine(const RenderRequest& request) {
+  if (request.engine == Engine::Reference) {
+    if (request.device != "auto" && request.device != "cpu")
+      refuse("--device and --engine reference contradict each other", "rays need no Vulkan device");
+    return;
+  }
+  const int samples = request.samples.value_or(1);
+  if (samples != 1 && samples != 4)
+    throw Error(ErrorKind::Scene, fmt::format("--samples '{}' is not supported yet", samples),
+                "give 1 or 4, or use --engine reference");
+}
+
 }  // namespace
 
 RenderRequest RenderOptions::request(RenderTarget destination) const {
@@ -118,7 +132,7 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   take(request.tolerancePx, t.tolerance,
        [](const std::string& text) { return parsePixels("--tolerance", text); });
   take(request.shading, t.shading, parseShading);
-  if (t.engine) requireVulkanEngine(*t.engine);
+  take(request.engine, t.engine, parseEngine);
   request.camera = t.camera;
   for (const std::string& text : t.parameters) request.parameters.push_back(parseParameter(text));
   take(request.sweep, t.sweep, parseSweep);
@@ -132,8 +146,10 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   request.validate = t.validate;
   request.verbosity = t.quiet ? Verbosity::Quiet : t.verbose ? Verbosity::Verbose : Verbosity::Normal;
   requireDistinct(request.parameters, request.sweep);
+  requireForEngine(request);
   request.scene = t.scene;
   if (destination == RenderTarget::Window) {
+    if (request.engine != Engine::Vulkan) refuseForWindow("--engine reference", t.engine);
     refuseForWindow("--frames", t.frames);
     refuseForWindow("--sweep", t.sweep);
     refuseForWindow("--aov", t.aov);

@@ -28,6 +28,7 @@ struct RenderRequest {
   std::optional<int> samples = std::nullopt;
   std::optional<double> tolerancePx = std::nullopt;
   std::optional<Shading> shading = std::nullopt;
+  Engine engine = Engine::Vulkan;
   std::optional<std::string> camera = std::nullopt;
   std::vector<ParameterValue> parameters = {};
   std::optional<Sweep> sweep = std::nullopt;  ///< one picture per value; never together with frames

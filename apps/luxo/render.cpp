@@ -12,13 +12,13 @@
 
 #include "base/error.h"
 #include "console.h"
-#include "draw/renderer.h"
 #include "exit_code.h"
 #include "frame_names.h"
 #include "image/file.h"
 #include "image/format.h"
 #include "interruption.h"
 #include "open_scene.h"
+#include "picture_engine.h"
 #include "process_tuning.h"
 #include "report.h"
 #include "scene_request.h"
@@ -83,19 +83,19 @@ class Run {
     if (jobs.size() > 1) requireFolderOf(jobs.front().file);
     warnAboutClampedValues();
 
-    auto validation = std::make_shared<gpu::ValidationLog>();
+    const auto validation = std::make_shared<gpu::ValidationLog>();
     {
-      gpu::Context context(
-          {.device = request_.device, .validation = request_.validate, .validationLog = validation});
-      report_.device = context.deviceInfo();
+      const std::unique_ptr<PictureEngine> engine = request_.engine == Engine::Reference
+                                                        ? referenceEngine(request_, settings_)
+                                                        : vulkanEngine(request_, settings_, validation);
+      report_.device = engine->device();
       report_.scene = request_.scene;
       report_.size = settings_.size;
-      Renderer renderer(context);
       report_.startupMs = millisecondsSince(processStart());
       for (const Job& job : jobs) {
         if (interruptingSignal() != 0) break;
-        draw(renderer, job, camera, jobs.size() > 1);
-        if (jobs.size() > 1) showProgress(jobs.size());
+        draw(*engine, job, camera, jobs.size() > 1);
+        if (jobs.size() > 1 && interruptingSignal() == 0) showProgress(jobs.size());
       }
       finishPending();
     }
@@ -114,12 +114,13 @@ class Run {
     std::future<double> encoded;
   };
 
-  void draw(Renderer& renderer, const Job& job, CameraId camera, bool oneOfMany) {
+  void draw(PictureEngine& engine, const Job& job, CameraId camera, bool oneOfMany) {
     report_.frames.push_back({.frame = job.frame,
                               .time = job.time,
                               .file = job.file,
                               .parameters = {},
                               .statistics = {},
+                              .reference = {},
                               .error = {}});
     const std::size_t index = report_.frames.size() - 1;
     oneOfMany_ = oneOfMany;
@@ -131,16 +132,15 @@ class Run {
         report_.frames[index].parameters.emplace_back(scene_.parameters()[i].name, values[i]);
       const Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, camera);
       const double animate = millisecondsSince(start);
-      DrawOptions options = drawOptions(settings_);
-      options.output = request_.aov;
-      options.skips = request_.skips;
-      Picture picture = renderer.render(snapshot, options);
-      picture.statistics.ms.animate = animate;
-      picture.statistics.ms.total += animate;
-      report_.frames[index].statistics = picture.statistics;
+      std::optional<MadePicture> picture = engine.make(snapshot);
+      if (!picture) return report_.frames.pop_back();
+      picture->statistics.ms.animate = animate;
+      picture->statistics.ms.total += animate;
+      report_.frames[index].statistics = picture->statistics;
+      report_.frames[index].reference = picture->reference;
       finishPending();
       pending_ =
-          Pending{index, std::async(std::launch::async, [image = std::move(picture.image), file = job.file] {
+          Pending{index, std::async(std::launch::async, [image = std::move(picture->image), file = job.file] {
                     return encodeToFile(image, file);
                   })};
     });
@@ -177,10 +177,18 @@ class Run {
   void announce(const FrameReport& frame) const {
     if (request_.verbosity == Verbosity::Quiet || (oneOfMany_ && request_.verbosity != Verbosity::Verbose))
       return;
-    const FrameStatistics& s = frame.statistics;
-    printNote(fmt::format("{}  {}x{}  {:.0f} ms  {} triangles  bound {:.2g} px  on {}", frame.file.string(),
-                          settings_.size.width, settings_.size.height, millisecondsSince(processStart()),
-                          s.count.triangles, s.error.boundPx, report_.device.name));
+    printNote(fmt::format("{}  {}x{}  {:.0f} ms  {}  on {}", frame.file.string(), settings_.size.width,
+                          settings_.size.height, millisecondsSince(processStart()), qualityOf(frame),
+                          report_.device.name));
+  }
+
+  [[nodiscard]] static std::string qualityOf(const FrameReport& frame) {
+    if (const auto& reference = frame.reference)
+      return fmt::format("{} of {} pixels undecided, standard error {:.2g}", reference->undecided,
+                         reference->hits + reference->misses + reference->undecided,
+                         reference->standardErrorRms);
+    return fmt::format("{} triangles  bound {:.2g} px", frame.statistics.count.triangles,
+                       frame.statistics.error.boundPx);
   }
 
   void showProgress(std::size_t total) const {
@@ -207,12 +215,18 @@ class Run {
 
   void requireError() const {
     if (!request_.requireErrorPx) return;
-    for (const FrameReport& frame : report_.frames)
-      if (!frame.error && !(frame.statistics.error.boundPx <= *request_.requireErrorPx))
+    for (const FrameReport& frame : report_.frames) {
+      if (frame.error || frame.statistics.error.boundPx <= *request_.requireErrorPx) continue;
+      if (frame.reference)
         throw Error(ErrorKind::Requirement,
-                    fmt::format("frame {}: the proven error is {:.3g} px, more than the {:.3g} px required",
-                                frame.frame, frame.statistics.error.boundPx, *request_.requireErrorPx),
-                    "ask for a smaller --tolerance");
+                    fmt::format("frame {}: {} pixels are undecided, so nothing is proven of them",
+                                frame.frame, frame.reference->undecided),
+                    "move the camera a little");
+      throw Error(ErrorKind::Requirement,
+                  fmt::format("frame {}: the proven error is {:.3g} px, more than the {:.3g} px required",
+                              frame.frame, frame.statistics.error.boundPx, *request_.requireErrorPx),
+                  "ask for a smaller --tolerance");
+    }
   }
 
   Scene scene_;

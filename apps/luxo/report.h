@@ -2,6 +2,7 @@
 // `--report`: what a run did, as JSON with stable names.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,10 +10,16 @@
 #include <vector>
 
 #include "draw/statistics.h"
-#include "gpu/device.h"
 #include "scene/camera.h"
 
 namespace luxo {
+
+/// What rays say of a picture: how much of it is proven, and what sampling leaves open.
+struct ReferenceStatistics {
+  std::uint64_t hits = 0, misses = 0;  ///< pixels whose centre is proven to show a surface, nothing
+  std::uint64_t undecided = 0;         ///< pixels in which some ray is within rounding of either
+  double standardErrorRms = 0, standardErrorMax = 0;  ///< of the colour, scene-linear
+};
 
 struct FrameReport {
   int frame = 1;
@@ -20,11 +27,17 @@ struct FrameReport {
   std::filesystem::path file;
   std::vector<std::pair<std::string, double>> parameters;  ///< of the scene, with their values
   FrameStatistics statistics;
-  std::optional<std::string> error;  ///< why there is no file
+  std::optional<ReferenceStatistics> reference;  ///< cast, not drawn: most of `statistics` does not apply
+  std::optional<std::string> error;              ///< why there is no file
+};
+
+struct DeviceReport {
+  std::string name, type;
+  std::optional<std::string> driver;
 };
 
 struct RunReport {
-  gpu::DeviceInfo device;
+  DeviceReport device;
   std::string scene;
   PixelSize size;
   double startupMs = 0;  ///< from the start of the program to the first frame

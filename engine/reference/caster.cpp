@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace luxo::reference {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostLayers = 1024;  // of transparent surfaces behind each other
 
 // x^n for 0 <= x <= 1 with 0^0 = 1.
@@ -42,12 +40,10 @@ Ray Caster::rayThrough(double x, double y) const {
   return {view.eye + across, view.forward()};
 }
 
-void Caster::meet(const Ray& ray, std::uint32_t node, double farthest, Sight& sight) const {
+void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const {
   const SnapshotNode& n = snapshot_.nodes[node];
   const Body& body = bodies_[node];
   const RayFunctions functions(ray, n.worldFromObject);
-  // The near plane is a plane, not a sphere.
-  const double nearest = snapshot_.view.near / glm::dot(ray.direction, snapshot_.view.forward());
   RootQuery query{nearest, farthest, body.facing, body.mirrored};
   for (int layer = 0; layer < kMostLayers; ++layer) {
     const Roots roots = nearestRoot(*body.tree, functions, query);
@@ -67,14 +63,17 @@ void Caster::meet(const Ray& ray, std::uint32_t node, double farthest, Sight& si
 
 Caster::Sight Caster::look(const Ray& ray) const {
   Sight sight;
-  double opaque = kInfinity;
+  // The near and far planes are planes, not spheres.
+  const double perDepth = 1 / glm::dot(ray.direction, snapshot_.view.forward());
+  const double nearest = snapshot_.view.near * perDepth;
+  double opaque = snapshot_.view.far * perDepth;
   for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
-    meet(ray, node, opaque, sight);
+    meet(ray, node, nearest, opaque, sight);
     for (const Hit& hit : sight.hits)
       if (bodies_[hit.node].opacity >= 1) opaque = std::min(opaque, hit.t);
   }
   std::erase_if(sight.hits, [&](const Hit& hit) { return hit.t > opaque; });
-  // Of two points at one distance the later node is drawn over the earlier one.
+  // Of two points at one distance that of the earlier node is in front.
   std::stable_sort(sight.hits.begin(), sight.hits.end(),
                    [](const Hit& a, const Hit& b) { return a.t < b.t; });
   return sight;

@@ -57,7 +57,7 @@ class Caster {
     double opacity = 1;
   };
 
-  void meet(const Ray& ray, std::uint32_t node, double farthest, Sight& sight) const;
+  void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const;
   [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const;
   [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight, double distance,
                          bool& certified) const;

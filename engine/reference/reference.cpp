@@ -21,6 +21,8 @@ namespace {
 using reference::Caster;
 using reference::Ray;
 
+constexpr int kRaysBetweenReports = 1024;
+
 void requireLight(const Snapshot& snapshot) {
   for (const SnapshotNode& node : snapshot.nodes) {
     const auto shading = snapshot.materials[node.material.index].shading;
@@ -82,12 +84,21 @@ class Exposure {
 
  private:
   void exposeRow(int y) {
-    if (stopped_) return;
-    for (int x = 0; x < size_.width; ++x) exposePixel(x, y, rows_[static_cast<std::size_t>(y)]);
-    const int done = ++rowsDone_;
+    // Seldom enough to cost nothing, often enough to stop soon.
+    const int stretch = std::max(1, kRaysBetweenReports / options_.samples);
+    for (int x = 0; x < size_.width && !stopped_; x += stretch) {
+      const int end = std::min(x + stretch, size_.width);
+      for (int i = x; i < end; ++i) exposePixel(i, y, rows_[static_cast<std::size_t>(y)]);
+      report(end - x);
+    }
+  }
+
+  void report(int pixels) {
+    const std::uint64_t done = pixelsDone_ += static_cast<std::uint64_t>(pixels);
     if (!options_.progress) return;
     const std::lock_guard lock(progressMutex_);
-    if (!options_.progress(static_cast<double>(done) / size_.height)) stopped_ = true;
+    if (!stopped_ && !options_.progress(static_cast<double>(done) / size_.width / size_.height))
+      stopped_ = true;
   }
 
   void exposePixel(int x, int y, RowSums& sums) {
@@ -136,7 +147,7 @@ class Exposure {
   ReferencePicture picture_;
   std::vector<std::uint8_t> certified_;  // threads may write neighbouring bytes, not neighbouring bits
   std::vector<RowSums> rows_;
-  std::atomic<int> rowsDone_ = 0;
+  std::atomic<std::uint64_t> pixelsDone_ = 0;
   std::atomic<bool> stopped_ = false;
   std::mutex progressMutex_;
 };
