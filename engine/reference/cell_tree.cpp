@@ -32,6 +32,12 @@ Enclosure enclose(std::span<const Interval> outputs, std::size_t first) {
   return enclose(outputs[first], outputs[first + 1], outputs[first + 2]);
 }
 
+/// Of a cell whose points are all within `reach` of the middle's: the smaller ball.
+void sharpen(Enclosure& all, const Enclosure& middle, double reach) {
+  const Vec3 radius = (middle.radius + reach) * (1 + 8 * kEpsilon);
+  if (glm::length(radius) < glm::length(all.radius)) all = {middle.center, radius};
+}
+
 Domain extend(const Domain& d) {
   const double u = kMargin * d.u.width(), v = kMargin * d.v.width();
   return {{d.u.lo - u, d.u.hi + u}, {d.v.lo - v, d.v.hi + v}};
@@ -72,6 +78,11 @@ CellBounds BoundedPatch::bound(const Domain& cell) const {
   if (!bounds.smooth) return bounds;
   // The mean value form is the sharper one on small cells.
   const double hu = 0.5 * cell.u.width() * (1 + 4 * kEpsilon), hv = 0.5 * cell.v.width() * (1 + 4 * kEpsilon);
+  if (function_->bounder.second) {
+    const auto [uu, uv, vv] = function_->bounder.second(cell.u, cell.v, values_);
+    sharpen(bounds.du, enclose(middle, 3), uu * hu + uv * hv);
+    sharpen(bounds.dv, enclose(middle, 6), uv * hu + vv * hv);
+  }
   const Vec3 reach = bounds.middle.radius + (glm::abs(bounds.du.center) + bounds.du.radius) * hu +
                      (glm::abs(bounds.dv.center) + bounds.dv.radius) * hv;
   if (!bounds.position.finite() || glm::length(reach) < glm::length(bounds.position.radius))
