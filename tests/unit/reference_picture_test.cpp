@@ -117,6 +117,33 @@ TEST(ReferencePicture, TransparentSurfacesAreSeenThrough) {
   EXPECT_FLOAT_EQ(middle[1], 0.125F);
 }
 
+// Of a ball whose fronts alone are shown the far inside is seen through a hole that the near plane cuts, and
+// is not there; the same ball mirrored is the same ball, outward normals included.
+TEST(ReferencePicture, BackFacesAndMirrorsFollowTheMaterial) {
+  constexpr std::size_t kMiddle = kSize.width * kSize.height / 2 + kSize.width / 2;
+  for (const double mirror : {1.0, -1.0})
+    for (const TwoSided sides : {TwoSided::Auto, TwoSided::Yes, TwoSided::No})
+      for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+        Scene scene;
+        const MaterialId material = scene.add(Material{.twoSided = sides});
+        scene.add(Node{.scale = Vec3(mirror, 1, 1), .surface = sphere(kRadius), .material = material});
+        Camera cut = camera();
+        cut.near = 5.0;  // through the centre
+        cut.projection = projection;
+        scene.add(cut);
+        const ReferencePicture inside = castPicture(takeSnapshot(scene, 0, kSize));
+        EXPECT_EQ(inside.number[kMiddle], sides == TwoSided::No ? 0U : 1U);
+        if (sides != TwoSided::No) {
+          EXPECT_NEAR(inside.depth[kMiddle], 5 + kRadius, 0.01);  // half a pixel off the middle
+          EXPECT_NEAR(inside.normal[kMiddle].z, sides == TwoSided::Yes ? 1 : -1, 0.01);
+        }
+        const ReferencePicture outside = castPicture(takeSnapshot(
+            scene, 0, kSize, Camera{.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .projection = projection}));
+        EXPECT_NEAR(outside.depth[kMiddle], 5 - kRadius, 0.01);
+        EXPECT_NEAR(outside.normal[kMiddle].z, 1, 0.01);
+      }
+}
+
 // A pixel that a straight edge cuts: its mean over many samples is the part that is covered, and the stated
 // error tells how far it is from that.
 TEST(ReferencePicture, SamplesAverageToCoverage) {
