@@ -133,7 +133,7 @@ std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible, cons
 }
 
 shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& node,
-                                const VisibleNode& visible, std::uint32_t shadeOf) {
+                                const VisibleNode& visible, const Mesh& mesh, std::uint32_t shadeOf) {
   const Material& material = snapshot.materials[node.material.index];
   const Domain& domain = node.surface.domain();
   const Mat3 normals = normalMatrix(node.worldFromObject.linear);
@@ -142,7 +142,7 @@ shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& no
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normals[column][row]));
   return {
       .relativeFromObject = Mat3f(node.worldFromObject.linear),
-      .translation = toFloat(node.worldFromObject.translation - snapshot.view.eye),
+      .translation = toFloat(transformPoint(node.worldFromObject, mesh.origin) - snapshot.view.eye),
       .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
       .ambient = toFloat(ambientFollowsPattern(material) ? snapshot.ambient
                                                          : material.ambientOrDiffuse() * snapshot.ambient),
@@ -259,7 +259,7 @@ class DrawLister {
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
-    item.instance = instanceOf(snapshot_, node, v, lights.shadeOf);
+    item.instance = instanceOf(snapshot_, node, v, *batch.mesh, lights.shadeOf);
     if (batch.state.pattern.valid())
       item.instance.firstPatternParameter = patternParametersOf(node.material.index);
     list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));

@@ -21,7 +21,7 @@ std::vector<Vec3f> interleaved(const Mesh& mesh) {
   std::vector<Vec3f> vertices;
   vertices.reserve(2 * mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    vertices.emplace_back(mesh.positions[i]);
+    vertices.emplace_back(mesh.positions[i] - mesh.origin);
     vertices.emplace_back(mesh.normals[i]);
   }
   return vertices;

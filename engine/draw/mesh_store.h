@@ -12,7 +12,7 @@
 
 namespace luxo {
 
-/// One mesh as the shaders read it: float, object space.
+/// One mesh as the shaders read it: float, object space relative to the mesh's origin.
 struct DeviceMesh {
   gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex
   gpu::Buffer parameters;  ///< (u, v): 8 bytes a vertex; empty until a view of geometry needs it

@@ -96,7 +96,8 @@ class SceneConstruction {
   void setCasters();
   void addCamera(const CameraDesc& desc);
   void setRender(const RenderDesc& desc);
-  std::optional<int> count(const Quantity& quantity);
+  /// A whole number from 1 to `most`.
+  std::optional<int> count(const Quantity& quantity, double most = 65536);
   Vec3 colorOnce(const Quantity3& color);
   /// Calls `add`; what it throws is a problem there.
   template <class Add>
@@ -183,19 +184,18 @@ void SceneConstruction::addSurface(const SurfaceDesc& desc) {
   surfaces_.push_back({shapes_.build(desc), segments(desc.segments)});
 }
 
-std::optional<int> SceneConstruction::count(const Quantity& quantity) {
-  constexpr double kMost = 65536;
+std::optional<int> SceneConstruction::count(const Quantity& quantity, double most) {
   const std::optional<double> value = formulas_.once(quantity);
   if (!value) return std::nullopt;
-  if (*value >= 1 && *value <= kMost && *value == std::floor(*value)) return static_cast<int>(*value);
+  if (*value >= 1 && *value <= most && *value == std::floor(*value)) return static_cast<int>(*value);
   problems_.add(quantity.place(),
-                fmt::format("this is {}; it must be a whole number from 1 to {}", *value, kMost));
+                fmt::format("this is {}; it must be a whole number from 1 to {}", *value, most));
   return std::nullopt;
 }
 
 std::optional<Segments> SceneConstruction::segments(const std::optional<QuantityPair>& written) {
   if (!written) return std::nullopt;
-  const std::optional<int> u = count((*written)[0]), v = count((*written)[1]);
+  const std::optional<int> u = count((*written)[0], kMostSegments), v = count((*written)[1], kMostSegments);
   if (!u || !v) return std::nullopt;
   return Segments{static_cast<std::uint32_t>(*u), static_cast<std::uint32_t>(*v)};
 }

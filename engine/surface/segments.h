@@ -5,6 +5,9 @@
 
 namespace luxo {
 
+/// No side of a patch is ever cut into more pieces, except at kinks.
+inline constexpr std::uint32_t kMostSegments = 2048;
+
 /// How many pieces each parameter direction of a surface is cut into.
 struct Segments {
   std::uint32_t u = 1, v = 1;

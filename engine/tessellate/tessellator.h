@@ -32,12 +32,8 @@ namespace luxo {
 
 class CurvatureMap;
 
-/// No side of a patch is ever cut into more pieces, except at kinks. A tolerance that would need more is met
-/// as far as this allows, and the mesh's bound says so.
-inline constexpr std::uint32_t kMostSegments = 2048;
-
-/// About the most triangles of a mesh; where a tolerance would need more, it is raised, and the mesh's bound
-/// says so.
+/// About the most triangles of a mesh. A tolerance that would need more, or more than kMostSegments along a
+/// patch, is met as far as this allows, and the mesh's bound says so.
 inline constexpr double kMostTriangles = 1 << 21;
 
 /// What a mesh should be like. Object units.

@@ -194,5 +194,25 @@ TEST_F(Extremes, AnySizeIsTheSamePicture) {
   }
 }
 
+// A formula may lie far from its node's origin: single precision holds it relative to its own middle.
+TEST_F(Extremes, AFarFormulaIsAsSharpAsANearOne) {
+  constexpr double kFar = 0x1p24;  // single precision counts in metres there; double in 4e-9
+  const auto pictureAt = [&](double offset) {
+    Scene scene;
+    scene.set(RenderSettings{.background = Vec3(0), .ambient = Vec3(0.2)});
+    const Surface saddle =
+        surface([=](auto u, auto v) { return point(offset + u, u * v, v); }, {{-1, 1}, {-1, 1}});
+    scene.add(Node{.surface = saddle,
+                   .material = scene.add(Material{.diffuse = {0.6, 0.4, 0.2}}),
+                   .segments = Segments{24, 24}});
+    addLight(scene, {.position = {offset + 1, 4, 2, 1}});
+    return draw(scene, Camera{.eye = Vec3(offset + 1, 2, 3), .lookAt = Vec3(offset, 0, 0)}, kSize).image;
+  };
+  const Image near = pictureAt(0), far = pictureAt(kFar);
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x)
+      ASSERT_LT(glm::length(colorAt(near, x, y) - colorAt(far, x, y)), 1e-4) << x << ", " << y;
+}
+
 }  // namespace
 }  // namespace luxo::test
