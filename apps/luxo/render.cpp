@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <memory>
 #include <utility>
@@ -180,6 +181,13 @@ class Run {
     printNote(fmt::format("{}  {}x{}  {:.0f} ms  {}  on {}", frame.file.string(), settings_.size.width,
                           settings_.size.height, millisecondsSince(processStart()), qualityOf(frame),
                           report_.device.name));
+    const FrameError& error = frame.statistics.error;
+    if (!frame.reference && error.boundPx > error.tolerancePx && std::isfinite(error.boundPx))
+      printNote(
+          fmt::format("the proven error is more than the {:.3g} px asked for: a surface bends too much for "
+                      "the most triangles "
+                      "it may have, or is kinked or cut off; look at `luxo inspect`",
+                      error.tolerancePx));
   }
 
   [[nodiscard]] static std::string qualityOf(const FrameReport& frame) {
