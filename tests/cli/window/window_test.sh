@@ -259,6 +259,7 @@ case_keys() {
   await "F fills the screen" window_is 1400 900
   keys F11
   await "F11 brings the window back" window_is 640 360
+  settle  # the picture follows the window
   photo back.png
   same back.png frame_51.png "back from full screen"
   quit
