@@ -36,8 +36,10 @@ void main() {
     float depth = dot(inPosition, view.forward);
     float nearness = (view.depthRange.y - depth) / max(view.depthRange.y - view.depthRange.x, 1e-30);
     value = vec3(kAsColor ? 0.02 + 0.98 * clamp(nearness, 0.0, 1.0) : depth);
-  } else {
+  } else if (kQuantity == 4) {
     value = kAsColor ? colorOfId(inFlagsId.y) : vec3(inFlagsId.y);
+  } else {
+    value = vec3(0);  // triangles are drawn where their fragments are
   }
   outValue = vec4(value, 1);
 }

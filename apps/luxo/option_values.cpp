@@ -161,7 +161,7 @@ double parsePixels(std::string_view option, const std::string& text) {
 }
 
 Shading parseShading(const std::string& text) {
-  static const Names kPlanned = {"exact", "residual", "overdraw", "lod"};
+  static const Names kPlanned = {"overdraw", "lod"};
   if (const auto shading = shadingNamed(text)) return *shading;
   const Names known(kShadingNames.begin(), kShadingNames.end());
   if (contains(kPlanned, text))
@@ -170,12 +170,11 @@ Shading parseShading(const std::string& text) {
 }
 
 Output parseAov(const std::string& text) {
-  static const Names kKnown = {"color", "depth", "position", "normal", "uv", "id"};
-  if (text == "residual") refuseUntilSupported("--aov", text, fmt::format("one of {}", listed(kKnown)));
+  static const Names kKnown = {"color", "depth", "position", "normal", "uv", "id", "residual"};
   const auto found = std::find(kKnown.begin(), kKnown.end(), text);
   if (found == kKnown.end()) refuseName("--aov", text, kKnown, "output");
-  static constexpr Output kOutputs[] = {Output::Color,  Output::Depth, Output::Position,
-                                        Output::Normal, Output::Uv,    Output::Id};
+  static constexpr Output kOutputs[] = {Output::Color, Output::Depth, Output::Position, Output::Normal,
+                                        Output::Uv,    Output::Id,    Output::Residual};
   return kOutputs[found - kKnown.begin()];
 }
 

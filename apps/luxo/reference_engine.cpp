@@ -69,6 +69,8 @@ Image imageOf(ReferencePicture picture, Output output) {
       return imageOf(picture, 3, [&](std::size_t i) { return Vec3(picture.parameters[i], 0); });
     case Output::Id:
       return imageOf(picture, 1, [&](std::size_t i) { return Vec3(picture.number[i]); });
+    case Output::Residual:  // below what a float can say
+      return imageOf(picture, 1, [](std::size_t) { return Vec3(0); });
   }
   throw Error(ErrorKind::Internal, "the reference does not know this output");
 }
@@ -107,7 +109,8 @@ class ReferenceEngine : public PictureEngine {
  private:
   static void requireGroundTruth(const RenderSettings& settings) {
     const Shading shading = settings.shading;
-    if (shading != Shading::Flat && shading != Shading::Gouraud && shading != Shading::Phong)
+    if (shading != Shading::Flat && shading != Shading::Gouraud && shading != Shading::Phong &&
+        shading != Shading::Exact)
       throw Error(ErrorKind::Scene, fmt::format("shading '{}' has no ground truth", nameOf(shading)),
                   "give --shading phong; --aov writes depth, position, normal, uv or id");
     if (settings.samples > kMaxSamples)

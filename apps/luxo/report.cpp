@@ -49,8 +49,9 @@ Json frameJson(const FrameReport& frame) {
       {"error",
        {{"tolerance_px", drawn(error.tolerancePx)},
         {"bound_px", finite(error.boundPx)},
-        {"residual_max_px", nullptr},
-        {"unconverged_px", nullptr}}},
+        {"residual_max_px", error.residualMaxPx ? Json(*error.residualMaxPx) : Json()},
+        {"unconverged_px", error.residualMaxPx ? Json(error.unconvergedPx) : Json()},
+        {"uncertified_px", error.residualMaxPx ? Json(error.uncertifiedPx) : Json()}}},
   };
   if (const auto& reference = frame.reference)
     json["reference"] = {{"hits", reference->hits},

@@ -23,7 +23,8 @@ Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
 bool needsLights(const DrawState& state) {
   return state.output == Output::Color &&
          (state.shading == Shading::Flat || state.shading == Shading::Gouraud ||
-          state.shading == Shading::Phong || state.shading == Shading::Toon);
+          state.shading == Shading::Phong || state.shading == Shading::Exact ||
+          state.shading == Shading::Toon);
 }
 
 MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shading shading, const View& view) {

@@ -7,7 +7,7 @@
 namespace luxo {
 
 /// What the pixels hold: the picture, or an auxiliary output (AOV) of the geometry.
-enum class Output { Color, Depth, Position, Normal, Uv, Id };
+enum class Output { Color, Depth, Position, Normal, Uv, Id, Residual };
 
 /// Work that is left out when the picture does not need it. No choice here changes a bit of any image.
 struct Skips {

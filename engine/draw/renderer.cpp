@@ -13,7 +13,9 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-int channelsOf(Output output) { return output == Output::Depth || output == Output::Id ? 1 : 3; }
+int channelsOf(Output output) {
+  return output == Output::Depth || output == Output::Id || output == Output::Residual ? 1 : 3;
+}
 
 }  // namespace
 

@@ -25,7 +25,7 @@ namespace luxo {
 namespace {
 
 // The numbers inspect.frag knows its quantities by.
-enum class Quantity : std::uint32_t { Position, Normal, Parameters, Depth, Id };
+enum class Quantity : std::uint32_t { Position, Normal, Parameters, Depth, Id, Residual };
 
 struct Inspection {
   Quantity quantity;
@@ -45,6 +45,8 @@ std::optional<Inspection> inspectionOf(const DrawState& state) {
       return Inspection{Quantity::Depth, false};
     case Output::Id:
       return Inspection{Quantity::Id, false};
+    case Output::Residual:
+      return Inspection{Quantity::Residual, false};
     case Output::Color:
       break;
   }
@@ -57,6 +59,8 @@ std::optional<Inspection> inspectionOf(const DrawState& state) {
       return Inspection{Quantity::Depth, true};
     case Shading::Id:
       return Inspection{Quantity::Id, true};
+    case Shading::Residual:
+      return Inspection{Quantity::Residual, true};
     default:
       return std::nullopt;
   }

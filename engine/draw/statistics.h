@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace luxo {
 
@@ -30,6 +31,12 @@ struct FrameError {
   /// Proven: no drawn point of a mesh is farther than this on the screen from the surface it stands for.
   /// Infinite where a node passes the eye or its formula has no proven bounds.
   double boundPx = 0;
+  /// Of exact shading, where a node has it: the largest distance on the screen between a pixel's centre and
+  /// the point of the surface that it shows, as the shader measured it. Nothing: no node has it.
+  std::optional<double> residualMaxPx;
+  /// Pixels whose point was not found although no miss was certain, after all refinement; and pixels that
+  /// show a point which is not proven to be the root nearest to where the search began.
+  std::uint64_t unconvergedPx = 0, uncertifiedPx = 0;
 };
 
 struct FrameStatistics {

@@ -26,7 +26,8 @@ constexpr int kRaysBetweenReports = 1024;
 void requireLight(const Snapshot& snapshot) {
   for (const SnapshotNode& node : snapshot.nodes) {
     const auto shading = snapshot.materials[node.material.index].shading;
-    if (!shading || *shading == Shading::Flat || *shading == Shading::Gouraud || *shading == Shading::Phong)
+    if (!shading || *shading == Shading::Flat || *shading == Shading::Gouraud || *shading == Shading::Phong ||
+        *shading == Shading::Exact)
       continue;
     throw Error(ErrorKind::Scene,
                 fmt::format("material '{}' is shaded as {}, which has no ground truth",

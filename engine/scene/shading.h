@@ -12,16 +12,18 @@ enum class Shading {
   Flat,       ///< one normal per triangle
   Gouraud,    ///< light at vertices, interpolated
   Phong,      ///< light in every pixel, from the interpolated normal
+  Exact,      ///< light in every pixel, from the point of the surface itself that the pixel sees
   Toon,       ///< two levels of the diffuse colour, and an outline
   Wireframe,  ///< the edges of the triangles
   Normal,     ///< view of data: world normal
   Uv,         ///< view of data: surface parameters
   Depth,      ///< view of data: distance along the view axis
   Id,         ///< view of data: the node's number
+  Residual,   ///< view of data: how far the point drawn is from the pixel's ray
 };
 
-inline constexpr std::array<std::string_view, 9> kShadingNames = {
-    "flat", "gouraud", "phong", "toon", "wireframe", "normal", "uv", "depth", "id"};
+inline constexpr std::array<std::string_view, 11> kShadingNames = {
+    "flat", "gouraud", "phong", "exact", "toon", "wireframe", "normal", "uv", "depth", "id", "residual"};
 
 [[nodiscard]] constexpr std::string_view nameOf(Shading shading) {
   return kShadingNames[static_cast<std::size_t>(shading)];
@@ -30,7 +32,7 @@ inline constexpr std::array<std::string_view, 9> kShadingNames = {
 /// Whether it shows the geometry instead of light.
 [[nodiscard]] constexpr bool showsData(Shading shading) {
   return shading == Shading::Wireframe || shading == Shading::Normal || shading == Shading::Uv ||
-         shading == Shading::Depth || shading == Shading::Id;
+         shading == Shading::Depth || shading == Shading::Id || shading == Shading::Residual;
 }
 
 /// The shading of that name, or nothing.

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles around a surface instead of on it: where a renderer begins to search for the surface itself.
+//
+// Every patch is wrapped in a slab of its own. The top is the mesh of the patch with its vertices moved
+// outward along their normals, the bottom the same inward, walls join the two along the patch's edges. A
+// vertex moves by the mesh's proven bound over the smallest cosine between its direction and the normals of
+// the triangles around it, so that every triangle's plane lies beyond the part of the surface that the
+// triangle stands for: whatever ray meets the patch enters its slab before. No walls stand along edges that
+// collapse to a point, nor where the patch is joined to itself and its formula goes on: there the top and the
+// bottom go on too.
+//
+// A ray that entered the slab starts its search for the surface at the (u, v) of the place it entered by.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "math/vec.h"
+#include "surface/surface.h"
+#include "tessellate/curvature_map.h"
+
+namespace luxo {
+
+/// What is the same all over a patch.
+struct HullPatch {
+  Domain domain;
+  /// The u (v) edges are one curve and the formula goes on beyond them as it does at the other end: a
+  /// parameter outside the domain stands for one inside.
+  bool wrapsU = false, wrapsV = false;
+  bool collapsedVMin = false, collapsedVMax = false;  ///< that edge is one point
+  double orientation = 1;                             ///< +1: Su x Sv points outward, out of the top
+};
+
+/// Indexed triangle lists in object space, metres, double; counter-clockwise as seen from outside the slab.
+struct Hull {
+  std::vector<Vec3> positions;
+  std::vector<Vec2> parameters;        ///< (u, v) of the point of the surface that the vertex stands for
+  std::vector<Vec2> cells;             ///< extents in u and v of the largest triangle around the vertex
+  std::vector<std::uint32_t> patches;  ///< of each vertex, as in Surface::patches()
+
+  /// The patches that share one function, as consecutive indices: top, then walls, then bottom. Who sees only
+  /// front faces draws the first `frontCount`.
+  struct Part {
+    std::uint32_t patch = 0;  ///< the first of them
+    std::uint32_t firstIndex = 0, frontCount = 0, count = 0;
+  };
+  std::vector<std::uint32_t> indices;
+  std::vector<Part> parts;
+  std::vector<HullPatch> patchData;  ///< of every patch of the surface
+
+  double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound
+  double offset = 0;  ///< how far vertices were moved, at most
+  /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing or turn too
+  /// sharply for any direction to lead out; the hull is then as good as one can be made.
+  bool proven = true;
+  Vec3 origin{0};  ///< what the device's single precision is relative to, as in Mesh
+
+  [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
+};
+
+struct HullDesc {
+  /// Largest deviation of the mesh under the hull, object units. A hull of a few pixels is best: finer ones
+  /// have more triangles, coarser ones start the search too far off.
+  double tolerance = 0;
+  /// Largest angle between the normal of a vertex and those of the triangles around it, radians. What turns
+  /// faster is tessellated more finely, up to a few times.
+  double mostTurn = 0.6;
+};
+
+/// Pure: equal input gives equal bits. Cost: that of the mesh, and a little for each of its vertices.
+[[nodiscard]] Hull makeHull(const Surface& surface, std::span<const double> parameters,
+                            const CurvatureMap& map, const HullDesc& desc);
+
+}  // namespace luxo
