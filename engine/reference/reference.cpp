@@ -62,6 +62,8 @@ class Exposure {
     picture_.parameters.assign(count, Vec2(0));
     picture_.number.assign(count, 0);
     certified_.assign(count, 1);
+    chosen_.assign(count, options.pixels.empty() ? 1 : 0);
+    for (const std::uint32_t pixel : options.pixels) chosen_.at(pixel) = 1;
     rows_.resize(static_cast<std::size_t>(size_.height));
   }
 
@@ -77,7 +79,8 @@ class Exposure {
       squares += row.squares;
       picture_.standardErrorMax = std::max(picture_.standardErrorMax, row.largest);
     }
-    picture_.standardErrorRms = std::sqrt(squares / (3.0 * size_.width * size_.height));
+    const std::uint64_t cast = picture_.hits + picture_.misses + picture_.undecided;
+    picture_.standardErrorRms = cast == 0 ? 0 : std::sqrt(squares / (3.0 * static_cast<double>(cast)));
     picture_.certified.assign(certified_.begin(), certified_.end());
     picture_.complete = !stopped_;
     return std::move(picture_);
@@ -105,6 +108,7 @@ class Exposure {
   void exposePixel(int x, int y, RowSums& sums) {
     const std::size_t i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
+    if (chosen_[i] == 0) return;
     const Ray ray = caster_.rayThrough(x + 0.5, y + 0.5);
     const Caster::Sight sight = caster_.look(ray);
     bool certified = sight.certified;
@@ -146,6 +150,7 @@ class Exposure {
   const ReferenceOptions& options_;
   PixelSize size_;
   ReferencePicture picture_;
+  std::vector<std::uint8_t> chosen_;
   std::vector<std::uint8_t> certified_;  // threads may write neighbouring bytes, not neighbouring bits
   std::vector<RowSums> rows_;
   std::atomic<std::uint64_t> pixelsDone_ = 0;

@@ -20,6 +20,9 @@ struct ReferenceOptions {
   /// that its place decides.
   int samples = 1;
   int threads = 0;  ///< 0: all cores. The picture does not depend on it.
+  /// Row * width + column of the pixels to cast; empty: all. The others stay black, with nothing hit, and do
+  /// not count.
+  std::vector<std::uint32_t> pixels = {};
   /// Called now and then with the finished part, 0..1, from one thread at a time; false stops the work.
   std::function<bool(double)> progress = {};
 };
