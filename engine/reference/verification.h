@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a picture is from the truth: coverage, geometry, light, each as numbers with a unit and with the
+// pixels that are worst.
+//
+//     const ReferencePicture truth = castPicture(snapshot);
+//     const Verification errors = verify(snapshot, truth, {.color = ..., .uv = ..., .id = ...});
+//
+// Geometry is compared where the picture shows the layer of the surface that the truth sees: two points are
+// of one layer when the surface leads from one to the other without leaving their neighbourhood on the
+// screen. Everything else is a mismatch, and what counts is how far the pixel is from where it would be none.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "image/image.h"
+#include "reference/reference.h"
+#include "scene/snapshot.h"
+
+namespace luxo {
+
+/// The outputs of one snapshot as luxo::Renderer draws them, one sample per pixel. `id` and `uv` are needed;
+/// of the others those that are not empty are judged.
+struct MeasuredPicture {
+  Image color, depth, position, normal, uv, id;
+};
+
+struct VerificationOptions {
+  /// Row * width + column of the pixels to judge; empty: all. The truth must hold them and the eight
+  /// neighbours of each (withNeighbours).
+  std::vector<std::uint32_t> pixels = {};
+  double farthestPx = 4;  ///< how far around a mismatched pixel its silhouette is looked for
+  int worst = 5;          ///< pixels listed per metric
+  bool flip = true;       ///< of whole pictures; a second per megapixel
+  int threads = 0;        ///< 0: all cores. The result does not depend on it.
+};
+
+/// A pixel, and what is wrong with it.
+struct Offence {
+  int x = 0, y = 0;
+  double error = 0;                              ///< in the metric's unit
+  std::uint32_t measuredNode = 0, trueNode = 0;  ///< numbers as in the `id` output; 0: nothing
+  Vec2 measuredParameters{0}, trueParameters{0};
+  Vec3 measured{0}, truth{0};  ///< the values compared; scalars in x
+};
+
+/// How one error is spread over the pixels that were compared.
+struct ErrorSpread {
+  std::uint64_t pixels = 0;
+  double rms = 0, p99 = 0, p999 = 0, max = 0;
+  /// The largest error of the truth itself once it is rounded to the float32 of the output: what no picture
+  /// can be expected to be below.
+  double floor = 0;
+  std::vector<Offence> worst;  ///< largest first
+};
+
+enum class Mismatch : std::uint8_t {
+  None,
+  Missing,     ///< nothing is shown where the truth sees a surface
+  Extra,       ///< a surface is shown where the truth sees nothing
+  WrongNode,   ///< another node
+  WrongLayer,  ///< another part of the node: what lies behind a fold, or across a crossing
+};
+
+struct CoverageErrors {
+  std::uint64_t compared = 0;   ///< pixels whose truth is certain
+  std::uint64_t covered = 0;    ///< of these, in the truth
+  std::uint64_t both = 0;       ///< of these, that show the true layer
+  std::uint64_t undecided = 0;  ///< pixels whose truth is not certain: not compared
+  std::uint64_t missing = 0, extra = 0, wrongNode = 0, wrongLayer = 0;
+  /// From the centre of a mismatched pixel to the nearest point of the picture plane where the truth is what
+  /// the pixel shows: within 1e-4 px above the true distance, and options.farthestPx where there is none.
+  double farthestPx = 0;
+  std::uint64_t beyond = 0;    ///< mismatches farther than kSilhouettePx
+  std::vector<Offence> worst;  ///< farthest first; error in px
+
+  [[nodiscard]] std::uint64_t mismatches() const { return missing + extra + wrongNode + wrongLayer; }
+};
+
+/// Closer than this to the silhouette a pixel may be on either side of it.
+inline constexpr double kSilhouettePx = 0.01;
+
+struct ColorErrors {
+  std::uint64_t pixels = 0;  ///< that show the true layer, off the silhouettes: for the PSNRs
+  /// dB for a peak of 1, of scene-linear values and of values clamped and sRGB-coded, neither quantised.
+  /// +infinity when equal.
+  double psnrLinear = 0, psnrSrgb = 0;
+  std::uint64_t differing8 = 0;  ///< of all compared pixels, those with another 8-bit code in some channel
+  double differing8Part = 0;     ///< over the covered ones
+  ErrorSpread difference;        ///< largest channel's, scene-linear, same pixels as the PSNRs
+  /// Of the whole picture (image/flip.h); nothing when only some pixels were judged.
+  std::optional<double> flipMean, flipP999, flipMax;
+};
+
+struct Verification {
+  CoverageErrors coverage;
+  /// On the screen, from the pixel's centre to the surface's point at the (u, v) shown: px. For exact shading
+  /// the error that is certified; for meshes the one that the tolerance bounds.
+  ErrorSpread positionPx;
+  /// In space, from the true point to the surface's point at the (u, v) shown, and to the position shown: in
+  /// pixels at that depth. Where a surface is seen at a grazing angle a little on the screen is much in
+  /// space.
+  ErrorSpread parameterPx, pointPx;
+  /// Of the depth buffer (reversed, float32) at the true depth.
+  ErrorSpread depthUlp;
+  ErrorSpread normalDegrees;
+  ErrorSpread normalDegreesInside;  ///< off the silhouettes: without the last pixel before one
+  ColorErrors color;
+  Image positionMap;  ///< positionPx per pixel, 1 channel; +infinity: a mismatch; -1: nothing to compare
+};
+
+/// Judges a picture. Error(Requirement): id or uv is missing, or an image has another size. Cost: a few
+/// surface evaluations per pixel, a few hundred rays per mismatched pixel.
+[[nodiscard]] Verification verify(const Snapshot& snapshot, const ReferencePicture& truth,
+                                  const MeasuredPicture& measured, const VerificationOptions& options = {});
+
+/// About `count` pixels of a picture, evenly spread and the same every time: the first points of a
+/// low-discrepancy sequence. All pixels, when there are not more. Ascending.
+[[nodiscard]] std::vector<std::uint32_t> spreadPixels(PixelSize size, std::uint64_t count);
+
+/// These pixels and their eight neighbours within the picture, ascending: what to cast (ReferenceOptions) to
+/// judge them.
+[[nodiscard]] std::vector<std::uint32_t> withNeighbours(PixelSize size,
+                                                        const std::vector<std::uint32_t>& pixels);
+
+/// RGB picture of `positionMap`: grey where nothing is compared, a logarithmic ramp from dark violet (1e-6 px
+/// and less) to yellow (1 px and more), mismatches white on red squares of 3 x 3; below it a legend strip.
+[[nodiscard]] Image errorHeat(const Image& positionMap);
+
+}  // namespace luxo
