@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// ST-05 to 07: derivatives and bounds, for every surface of the catalogue.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+
+#include "stability/cases.h"
+#include "stability/device_formula.h"
+#include "stability/dual.h"
+#include "surface/catalogue.h"
+#include "tessellate/parallel.h"
+
+namespace luxo {
+namespace {
+
+/// Points of a patch, with the tangents there: of the truth, in double and as the device has them.
+struct Tangents {
+  std::vector<Vec3> du, dv;
+};
+
+struct Points {
+  std::vector<double> u, v;  // exact in float, too
+  std::vector<Vec2f> single;
+
+  void add(double x, double y) {
+    single.emplace_back(x, y);
+    u.push_back(single.back().x);
+    v.push_back(single.back().y);
+  }
+};
+
+Points randomPoints(const Domain& domain, std::size_t count, std::mt19937& random) {
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double u = anywhere(random), v = anywhere(random);
+    points.add(domain.u.lo + domain.u.width() * u, domain.v.lo + domain.v.width() * v);
+  }
+  return points;
+}
+
+Tangents trueTangents(const Patch& patch, const Points& points) {
+  Graph graph;
+  const DualFormula formula(graph, patch.function->position.expressions(graph));
+  const std::size_t count = points.u.size(), chunk = 1024;
+  Tangents result{std::vector<Vec3>(count), std::vector<Vec3>(count)};
+  forEachIndex((count + chunk - 1) / chunk, true, [&](std::size_t part) {
+    for (std::size_t i = part * chunk; i < std::min(count, (part + 1) * chunk); ++i) {
+      const auto p = formula.at(points.u[i], points.v[i], patch.constants);
+      result.du[i] = Vec3(p[0].du, p[1].du, p[2].du);
+      result.dv[i] = Vec3(p[0].dv, p[1].dv, p[2].dv);
+    }
+  });
+  return result;
+}
+
+/// How a surface's tangents are found: the subject of ST-05, or the naive way of ST-06.
+class Differentiator {
+ public:
+  explicit Differentiator(gpu::Context& context) : context_(&context) {}
+  virtual ~Differentiator() = default;
+
+  [[nodiscard]] virtual Tangents inDouble(const Patch& patch, const Points& points) = 0;
+  [[nodiscard]] virtual Tangents inFloat(const Patch& patch, const Points& points) = 0;
+
+ protected:
+  /// Patches that share a function share what is compiled.
+  DeviceFormula& onDevice(const Patch& patch, const Tape& tape) {
+    auto& formula = formulas_[patch.function];
+    if (!formula) {
+      Graph graph;
+      formula = std::make_unique<DeviceFormula>(*context_, graph, tape.expressions(graph));
+    }
+    return *formula;
+  }
+
+ private:
+  gpu::Context* context_;
+  std::map<std::shared_ptr<const SurfaceFunction>, std::unique_ptr<DeviceFormula>> formulas_;
+};
+
+template <class Number>
+Vec3 vectorOf(const std::vector<std::vector<Number>>& values, std::size_t first, std::size_t i) {
+  return {values[first][i], values[first + 1][i], values[first + 2][i]};
+}
+
+/// What luxo does: the formula's exact derivatives.
+class Exact : public Differentiator {
+ public:
+  using Differentiator::Differentiator;
+
+  Tangents inDouble(const Patch& patch, const Points& points) override {
+    return tangentsOf(patch.function->tangents.evaluate(points.u, points.v, patch.constants));
+  }
+  Tangents inFloat(const Patch& patch, const Points& points) override {
+    return tangentsOf(onDevice(patch, patch.function->tangents).at(points.single, patch.constants));
+  }
+
+ private:
+  template <class Number>
+  static Tangents tangentsOf(const std::vector<std::vector<Number>>& values) {
+    Tangents tangents;
+    for (std::size_t i = 0; i < values[0].size(); ++i) {
+      tangents.du.push_back(vectorOf(values, 3, i));
+      tangents.dv.push_back(vectorOf(values, 6, i));
+    }
+    return tangents;
+  }
+};
+
+/// Central differences of positions, with the steps that suit the precision best.
+class Differences : public Differentiator {
+ public:
+  using Differentiator::Differentiator;
+
+  Tangents inDouble(const Patch& patch, const Points& points) override {
+    return differences(points, 1e-5, [&](const Points& shifted) {
+      return patch.function->position.evaluate(shifted.u, shifted.v, patch.constants);
+    });
+  }
+  Tangents inFloat(const Patch& patch, const Points& points) override {
+    return differences(points, 4e-3, [&](const Points& shifted) {
+      return onDevice(patch, patch.function->position).at(shifted.single, patch.constants);
+    });
+  }
+
+ private:
+  template <class Evaluate>
+  static Tangents differences(const Points& points, double step, const Evaluate& evaluate) {
+    const auto along = [&](double du, double dv) {
+      Points low, high;
+      for (std::size_t i = 0; i < points.u.size(); ++i) {
+        low.add(points.u[i] - du, points.v[i] - dv);
+        high.add(points.u[i] + du, points.v[i] + dv);
+      }
+      const auto before = evaluate(low), after = evaluate(high);
+      std::vector<Vec3> slopes;
+      for (std::size_t i = 0; i < points.u.size(); ++i) {
+        // The step that was really taken, between numbers exact in float.
+        const double width = high.u[i] - low.u[i] + (high.v[i] - low.v[i]);
+        slopes.push_back((vectorOf(after, 0, i) - vectorOf(before, 0, i)) / width);
+      }
+      return slopes;
+    };
+    return {along(step, 0), along(0, step)};
+  }
+};
+
+/// The largest error of a tangent, and the largest true one.
+struct Largest {
+  double error = 0, length = 0;
+
+  void add(const std::vector<Vec3>& got, const std::vector<Vec3>& truth) {
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const double wanted = glm::length(truth[i]), difference = glm::length(got[i] - truth[i]);
+      if (!std::isfinite(wanted)) continue;
+      length = std::max(length, wanted);
+      error = std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::max(error, difference);
+    }
+  }
+  [[nodiscard]] double relative() const { return error / length; }
+  /// In units of the last place, in float, of the largest tangent.
+  [[nodiscard]] double ulps() const { return error / std::ldexp(1.0, std::ilogb(length) - 23); }
+};
+
+/// Of one surface: in double, relative to the largest tangent, and in float, in ulps.
+struct DerivativeErrors {
+  std::string_view surface;
+  double inDouble = 0, inFloat = 0;
+};
+
+std::vector<DerivativeErrors> measure(Differentiator& differentiator, std::size_t count) {
+  std::vector<DerivativeErrors> errors;
+  std::mt19937 random(5);  // NOLINT: the same numbers every time
+  for (const CatalogueEntry& entry : catalogue()) {
+    const Surface surface = makeSurface(entry);
+    std::array<Largest, 2> inDouble, inFloat;
+    for (Patch patch : surface.patches()) {
+      // What is not exact in float is an error of the input, not of the derivative.
+      for (double& constant : patch.constants) constant = static_cast<float>(constant);
+      const Points points =
+          randomPoints(patch.domain, std::max<std::size_t>(count / surface.patchCount(), 64), random);
+      const Tangents truth = trueTangents(patch, points);
+      const Tangents fine = differentiator.inDouble(patch, points);
+      const Tangents coarse = differentiator.inFloat(patch, points);
+      inDouble[0].add(fine.du, truth.du);
+      inDouble[1].add(fine.dv, truth.dv);
+      inFloat[0].add(coarse.du, truth.du);
+      inFloat[1].add(coarse.dv, truth.dv);
+    }
+    errors.push_back({entry.name, std::max(inDouble[0].relative(), inDouble[1].relative()),
+                      std::max(inFloat[0].ulps(), inFloat[1].ulps())});
+  }
+  return errors;
+}
+
+constexpr double kMostInDouble = 1e-13, kMostUlps = 8;
+
+std::size_t pointsOf(const StressContext& context) {
+  return static_cast<std::size_t>(context.of(1'000'000, 10'000));
+}
+
+std::vector<Measurement> exactDerivatives(StressContext& context) {
+  Exact exact(context.device());
+  const std::vector<DerivativeErrors> all = measure(exact, pointsOf(context));
+  const DerivativeErrors& worst = *std::ranges::max_element(all, {}, &DerivativeErrors::inDouble);
+  std::vector<Measurement> measurements = {
+      atMost(fmt::format("error in double over the largest tangent, worst surface ({})", worst.surface),
+             worst.inDouble, kMostInDouble)};
+  for (const DerivativeErrors& one : all)
+    measurements.push_back(
+        atMost(fmt::format("error on the device: {}", one.surface), one.inFloat, kMostUlps, "ulp"));
+  return measurements;
+}
+
+std::vector<Measurement> finiteDifferences(StressContext& context) {
+  Differences differences(context.device());
+  const std::vector<DerivativeErrors> all = measure(differences, pointsOf(context) / 10);
+  const auto missed = [&](double DerivativeErrors::*error, double most) {
+    return static_cast<double>(
+        std::ranges::count_if(all, [&](const DerivativeErrors& one) { return one.*error > most; }));
+  };
+  return {
+      atLeast("surfaces that fail ST-05 in double", missed(&DerivativeErrors::inDouble, kMostInDouble), 1),
+      atLeast("surfaces that fail ST-05 on the device", missed(&DerivativeErrors::inFloat, kMostUlps), 1)};
+}
+
+}  // namespace
+
+std::vector<StressCase> derivativeCases() {
+  return {{"ST-05", "tangents of all surfaces against dual numbers in long double", exactDerivatives},
+          {"ST-06", "finite differences would not pass ST-05", finiteDifferences}};
+}
+
+}  // namespace luxo
