@@ -334,9 +334,19 @@ double joinTwins(const EdgeNet& net, const Classes& points, Mesh& mesh) {
   return moved;
 }
 
+Vec3 originOf(const std::vector<Vec3>& positions) {
+  Box box;
+  for (const Vec3& p : positions)
+    if (finite(p)) box.add(p);
+  if (box.empty()) return Vec3(0);
+  const Vec3 center = 0.5 * (box.min + box.max);
+  return glm::length(center) > glm::length(box.extent()) ? center : Vec3(0);
+}
+
 }  // namespace
 
-Mesh meshOfBlocks(const Surface& surface, std::span<const double> parameters, std::vector<Block> blocks) {
+Mesh meshOfBlocks(const Surface& surface, std::span<const double> parameters, std::vector<Block> blocks,
+                  std::vector<std::size_t>* firstIndices) {
   const EdgeNet net(surface.topology(), blocks);
   std::size_t vertices = net.vertices().size(), triangles = 0;
   std::vector<std::size_t> firstInner;
@@ -359,10 +369,15 @@ Mesh meshOfBlocks(const Surface& surface, std::span<const double> parameters, st
   mesh.bound = mesh.bound * kRoundingSlack + moved;
 
   Triangulator triangulator(surface, parameters, blocks, net, points, mesh);
-  for (std::size_t b = 0; b < blocks.size(); ++b) triangulator.add(b, firstInner[b]);
+  if (firstIndices) firstIndices->assign(1, 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    triangulator.add(b, firstInner[b]);
+    if (firstIndices) firstIndices->push_back(mesh.indices.size());
+  }
   // Derivatives may be known where the formula has no value: log(-1) + u is straight.
   if (mesh.dropped > 0) mesh.bound = std::numeric_limits<double>::infinity();
   compact(mesh);
+  mesh.origin = originOf(mesh.positions);
   return mesh;
 }
 

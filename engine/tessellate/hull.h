@@ -28,8 +28,9 @@ struct HullPatch {
   /// The u (v) edges are one curve and the formula goes on beyond them as it does at the other end: a
   /// parameter outside the domain stands for one inside.
   bool wrapsU = false, wrapsV = false;
-  bool collapsedVMin = false, collapsedVMax = false;  ///< that edge is one point
-  double orientation = 1;                             ///< +1: Su x Sv points outward, out of the top
+  /// That edge is one point.
+  bool collapsedUMin = false, collapsedUMax = false, collapsedVMin = false, collapsedVMax = false;
+  double orientation = 1;  ///< +1: Su x Sv points outward, out of the top
 };
 
 /// Indexed triangle lists in object space, metres, double; counter-clockwise as seen from outside the slab.

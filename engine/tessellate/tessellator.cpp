@@ -11,27 +11,9 @@
 
 namespace luxo {
 
-namespace {
-
-Vec3 originOf(const std::vector<Vec3>& positions) {
-  Box box;
-  for (const Vec3& p : positions)
-    if (std::isfinite(p.x + p.y + p.z)) box.add(p);
-  if (box.empty()) return Vec3(0);
-  const Vec3 center = 0.5 * (box.min + box.max);
-  return glm::length(center) > glm::length(box.extent()) ? center : Vec3(0);
-}
-
-Mesh made(const Surface& surface, std::span<const double> parameters, const std::vector<Block>& blocks) {
-  Mesh mesh = meshOfBlocks(surface, parameters, blocks);
-  mesh.origin = originOf(mesh.positions);
-  return mesh;
-}
-
-}  // namespace
-
 Mesh tessellate(const Surface& surface, std::span<const double> parameters, const MeshDesc& desc) {
-  if (desc.uniform) return made(surface, parameters, uniformBlocks(surface, parameters, *desc.uniform));
+  if (desc.uniform)
+    return meshOfBlocks(surface, parameters, uniformBlocks(surface, parameters, *desc.uniform));
   return tessellate(surface, parameters, CurvatureMap(surface, parameters), desc);
 }
 
@@ -39,7 +21,7 @@ Mesh tessellate(const Surface& surface, std::span<const double> parameters, cons
                 const MeshDesc& desc) {
   LUXO_REQUIRE_COMPARE(desc.tolerance, >, 0.0);
   LUXO_REQUIRE_COMPARE(desc.longestEdge, >, 0.0);
-  return made(surface, parameters, planBlocks(surface, parameters, map, desc));
+  return meshOfBlocks(surface, parameters, planBlocks(surface, parameters, map, desc));
 }
 
 double deviationBound(const Surface& surface, std::span<const double> parameters, Segments segments) {
