@@ -90,7 +90,8 @@ bool coversSample(const View& view, const Bounds& bounds, int samples, double ma
   }
   low -= marginPx + slackPx;
   high += marginPx + slackPx;
-  const auto holds = [&](const Vec2& position) {
+  const auto holds = [&](const Vec2& standard) {
+    const Vec2 position = standard + view.sampleOffsetPx;
     return std::ceil(low.x - position.x) <= std::floor(high.x - position.x) &&
            std::ceil(low.y - position.y) <= std::floor(high.y - position.y);
   };
@@ -226,7 +227,9 @@ void sortByDepth(std::vector<VisibleNode>& nodes, const Snapshot& snapshot, Dept
 
 VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
   const View& view = snapshot.view;
-  const Frustum filled = frustumOf(view, kSnapPx), outlined = frustumOf(view, kSnapPx + kLinePx);
+  const double marginPx =
+      kSnapPx + std::max(std::abs(view.sampleOffsetPx.x), std::abs(view.sampleOffsetPx.y));
+  const Frustum filled = frustumOf(view, marginPx), outlined = frustumOf(view, marginPx + kLinePx);
   VisibleList list;
   CullCounts& counts = list.counts;
   for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i) {

@@ -16,7 +16,7 @@ namespace luxo {
 
 struct CullOptions {
   double tolerancePx = 0.5;  ///< how far a mesh may be from its surface on the screen
-  int samples = 1;           ///< per pixel, 1 or 4, at Vulkan's standard positions
+  int samples = 1;           ///< per pixel, 1 or 4, at Vulkan's standard positions plus View::sampleOffsetPx
   /// Of materials that do not say otherwise. Lines reach a pixel beyond their surface and hide nothing behind
   /// it.
   Shading shading = Shading::Phong;

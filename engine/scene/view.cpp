@@ -117,6 +117,18 @@ View viewAt(const Camera& camera, const Moment& moment, PixelSize size, const Bo
   return view;
 }
 
+View sampledAt(View view, const Vec2& offsetPx) {
+  const Vec2 movedPx = offsetPx - view.sampleOffsetPx;
+  const Vec2 movedClip(2 * movedPx.x / view.size.width, -2 * movedPx.y / view.size.height);
+  // The picture moves the other way; times w, so that it moves as far at every depth.
+  for (int column = 0; column < 4; ++column) {
+    view.clipFromEye[column].x -= movedClip.x * view.clipFromEye[column].w;
+    view.clipFromEye[column].y -= movedClip.y * view.clipFromEye[column].w;
+  }
+  view.sampleOffsetPx = offsetPx;
+  return view;
+}
+
 Transform eyeFromObject(const View& view, const Transform& worldFromObject) {
   return {view.eyeFromWorld * worldFromObject.linear, eyeFromWorldPoint(view, worldFromObject.translation)};
 }

@@ -30,6 +30,10 @@ struct View {
   double pixelsPerUnit = 1;
   Vec2 halfExtent{
       1};  ///< half the picture's width and height in metres: at depth 1, or (orthographic) everywhere
+  /// From the centre of every pixel to where it is sampled: x right, y down. Only clipFromEye has it in: what
+  /// is drawn at gl_FragCoord.xy lies at gl_FragCoord.xy + sampleOffsetPx of the picture, which all else here
+  /// is about.
+  Vec2 sampleOffsetPx{0};
 
   [[nodiscard]] bool perspective() const { return projection == Projection::Perspective; }
   [[nodiscard]] Vec3 right() const { return {eyeFromWorld[0].x, eyeFromWorld[1].x, eyeFromWorld[2].x}; }
@@ -44,6 +48,9 @@ struct View {
 /// 0..180 degrees, near or height not above 0, a size below 1x1, infinite bounds for an orthographic camera.
 [[nodiscard]] View viewAt(const Camera& camera, const Moment& moment, PixelSize size,
                           const Box& sceneBounds = {});
+
+/// The same view sampled that far from the pixels' centres: a pass of a picture with many samples per pixel.
+[[nodiscard]] View sampledAt(View view, const Vec2& offsetPx);
 
 /// Subtracts the eye in double before anything is rounded: the error is relative to the distance from the
 /// eye.

@@ -157,6 +157,22 @@ TEST(Cull, SmallDependsOnWhereTheSamplesAre) {
   EXPECT_TRUE(keeps({50.1, 50.1}, 1, Shading::Wireframe));  // a line is a pixel wide
 }
 
+TEST(Cull, OffCentreSamplesSeeOtherThingsAndBeyondTheBorder) {
+  const auto keeps = [](const Vec2& pixel, const Vec2& offset) {
+    Scene scene;
+    scene.add(Node{.translation = Vec3((pixel.x - 50) / 5, (50 - pixel.y) / 5, -5), .surface = sphere(0.01)});
+    Snapshot snapshot = takeSnapshot(scene, 0, {100, 100}, Camera{.eye = Vec3(0, 0, 5), .fovY = radians(90)});
+    snapshot.view = sampledAt(snapshot.view, offset);
+    return cull(snapshot).counts.drawn == 1;
+  };
+  EXPECT_TRUE(keeps({50.75, 50.25}, {0.25, -0.25}));
+  EXPECT_FALSE(keeps({50.75, 50.25}, {0.25, 0.25}));
+  EXPECT_FALSE(keeps({50.5, 50.5}, {0.25, -0.25}));
+  // The samples of the last column may lie beyond the border.
+  EXPECT_TRUE(keeps({100.25, 50.5}, {0.75, 0}));
+  EXPECT_FALSE(keeps({100.25, 50.5}, {0.5, 0}));
+}
+
 TEST(Cull, LinesReachBeyondTheFrustum) {
   const auto drawn = [](double pixel, Shading shading) {
     Scene scene;

@@ -92,6 +92,32 @@ TEST(View, OrthographicNearPlaneStillCuts) {
   EXPECT_GT(flat.far, flat.near);
 }
 
+/// Where a point of eye space is drawn: x right, y down, as gl_FragCoord.
+Vec2 drawnAt(const View& view, const Vec3& pointEye) {
+  const Vec4 clip = view.clipFromEye * Vec4(pointEye, 1);
+  return {(clip.x / clip.w + 1) * 0.5 * view.size.width, (1 - clip.y / clip.w) * 0.5 * view.size.height};
+}
+
+TEST(View, OffCentreSamplesMoveThePictureAsFarAtEveryDepth) {
+  const Vec2 offset(0.375, -0.25);
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+    Camera camera = squareAngle();
+    camera.projection = projection;
+    const View view = viewAt(camera, 0, {200, 100}, {Vec3(-40), Vec3(40)});
+    const View moved = sampledAt(view, offset);
+    for (const Vec3& point : {Vec3(0.01, 0.02, -0.2), Vec3(3, -2, -5), Vec3(-7, 1, -30)}) {
+      const Vec2 drawn = drawnAt(moved, point), pixel = pixelFromEye(moved, point);
+      EXPECT_NEAR(drawn.x + offset.x, pixel.x, 1e-12);
+      EXPECT_NEAR(drawn.y + offset.y, pixel.y, 1e-12);
+      EXPECT_EQ(pixel, pixelFromEye(view, point));
+      const Vec4 before = view.clipFromEye * Vec4(point, 1), after = moved.clipFromEye * Vec4(point, 1);
+      EXPECT_EQ(before.z, after.z);
+      EXPECT_EQ(before.w, after.w);
+    }
+    EXPECT_EQ(sampledAt(moved, offset), moved) << "the offset is from the centre, not from the last one";
+  }
+}
+
 TEST(View, UpWithoutDirectionHasADefinedAnswer) {
   Camera camera = squareAngle();
   camera.eye = Vec3(0, 10, 0);  // straight down: -Z is up in the picture
