@@ -37,13 +37,21 @@ struct VerificationOptions {
   int threads = 0;        ///< 0: all cores. The result does not depend on it.
 };
 
+enum class Mismatch : std::uint8_t {
+  None,
+  Missing,     ///< nothing is shown where the truth sees a surface
+  Extra,       ///< a surface is shown where the truth sees nothing
+  WrongNode,   ///< another node
+  WrongLayer,  ///< another part of the node: what lies behind a fold, or across a crossing
+};
+
 /// A pixel, and what is wrong with it.
 struct Offence {
   int x = 0, y = 0;
-  double error = 0;                              ///< in the metric's unit
+  double error = 0;  ///< in the metric's unit
+  Mismatch mismatch = Mismatch::None;
   std::uint32_t measuredNode = 0, trueNode = 0;  ///< numbers as in the `id` output; 0: nothing
   Vec2 measuredParameters{0}, trueParameters{0};
-  Vec3 measured{0}, truth{0};  ///< the values compared; scalars in x
 };
 
 /// How one error is spread over the pixels that were compared.
@@ -56,14 +64,6 @@ struct ErrorSpread {
   std::vector<Offence> worst;  ///< largest first
 };
 
-enum class Mismatch : std::uint8_t {
-  None,
-  Missing,     ///< nothing is shown where the truth sees a surface
-  Extra,       ///< a surface is shown where the truth sees nothing
-  WrongNode,   ///< another node
-  WrongLayer,  ///< another part of the node: what lies behind a fold, or across a crossing
-};
-
 struct CoverageErrors {
   std::uint64_t compared = 0;   ///< pixels whose truth is certain
   std::uint64_t covered = 0;    ///< of these, in the truth
@@ -71,7 +71,8 @@ struct CoverageErrors {
   std::uint64_t undecided = 0;  ///< pixels whose truth is not certain: not compared
   std::uint64_t missing = 0, extra = 0, wrongNode = 0, wrongLayer = 0;
   /// From the centre of a mismatched pixel to the nearest point of the picture plane where the truth is what
-  /// the pixel shows: within 1e-4 px above the true distance, and options.farthestPx where there is none.
+  /// the pixel shows: not below the true distance, and within 1e-4 px or 1 % of it; options.farthestPx where
+  /// there is none.
   double farthestPx = 0;
   std::uint64_t beyond = 0;    ///< mismatches farther than kSilhouettePx
   std::vector<Offence> worst;  ///< farthest first; error in px
@@ -108,6 +109,7 @@ struct Verification {
   ErrorSpread normalDegrees;
   ErrorSpread normalDegreesInside;  ///< off the silhouettes: without the last pixel before one
   ColorErrors color;
+  std::uint64_t nanPixels = 0;  ///< of those judged, with a value that is not a number in any output
   Image positionMap;  ///< positionPx per pixel, 1 channel; +infinity: a mismatch; -1: nothing to compare
 };
 
