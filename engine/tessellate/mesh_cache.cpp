@@ -38,6 +38,22 @@ const CurvatureMap& MeshCache::mapOf(const Surface& surface, const Shape& shape)
   return found->second.map;
 }
 
+template <class Make>
+MeshCache::Entry MeshCache::found(const Surface& surface, Key key, const Make& make) {
+  auto entry = entries_.find(key);
+  if (entry == entries_.end()) {
+    Entry made{.surface = surface, .mesh = nullptr, .hull = nullptr};
+    make(key, made);
+    ++tessellated_;
+    vertices_ += made.vertices();
+    entry = entries_.emplace(std::move(key), std::move(made)).first;
+  }
+  entry->second.lastUse = ++uses_;
+  Entry copy = entry->second;
+  evict();
+  return copy;
+}
+
 std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<const double> parameters,
                                            const MeshDesc& desc) {
   Key key{.shape = {surface.identity(), {parameters.begin(), parameters.end()}}};
@@ -47,26 +63,33 @@ std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<con
     key.tolerance = toleranceLevel(desc.tolerance);
     key.longestEdge = toleranceLevel(desc.longestEdge);
   }
-  auto found = entries_.find(key);
-  if (found == entries_.end()) {
-    auto mesh = std::make_shared<const Mesh>(
-        desc.uniform ? tessellate(surface, parameters, desc)
-                     : tessellate(surface, parameters, mapOf(surface, key.shape),
-                                  {.tolerance = key.tolerance, .longestEdge = key.longestEdge}));
-    ++tessellated_;
-    vertices_ += mesh->positions.size();
-    found = entries_.emplace(std::move(key), Entry{surface, std::move(mesh)}).first;
-  }
-  found->second.lastUse = ++uses_;
-  std::shared_ptr<const Mesh> mesh = found->second.mesh;
-  evict();
-  return mesh;
+  return found(surface, std::move(key),
+               [&](const Key& k, Entry& entry) {
+                 entry.mesh = std::make_shared<const Mesh>(
+                     desc.uniform ? tessellate(surface, parameters, desc)
+                                  : tessellate(surface, parameters, mapOf(surface, k.shape),
+                                               {.tolerance = k.tolerance, .longestEdge = k.longestEdge}));
+               })
+      .mesh;
+}
+
+std::shared_ptr<const Hull> MeshCache::hull(const Surface& surface, std::span<const double> parameters,
+                                            double tolerance) {
+  Key key{.shape = {surface.identity(), {parameters.begin(), parameters.end()}},
+          .tolerance = toleranceLevel(tolerance),
+          .isHull = true};
+  return found(surface, std::move(key),
+               [&](const Key& k, Entry& entry) {
+                 entry.hull = std::make_shared<const Hull>(
+                     makeHull(surface, parameters, mapOf(surface, k.shape), {.tolerance = k.tolerance}));
+               })
+      .hull;
 }
 
 void MeshCache::evict() {
   while (vertices_ > mostVertices_ && entries_.size() > 1) {
     const auto oldest = leastRecentlyUsed(entries_);
-    vertices_ -= oldest->second.mesh->positions.size();
+    vertices_ -= oldest->second.vertices();
     entries_.erase(oldest);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes by (surface, parameter values, level of detail): what was tessellated once is not tessellated again.
+// Meshes and hulls by (surface, parameter values, level of detail): what was tessellated once is not
+// tessellated again.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 
 #include "surface/surface.h"
 #include "tessellate/curvature_map.h"
+#include "tessellate/hull.h"
 #include "tessellate/mesh.h"
 #include "tessellate/tessellator.h"
 
@@ -21,8 +23,8 @@ namespace luxo {
 /// What is not positive and finite is its own level.
 [[nodiscard]] double toleranceLevel(double tolerance);
 
-/// Not thread-safe. Keeps the most recently used meshes within a budget of vertices; a mesh in use elsewhere
-/// stays alive through its own shared pointer.
+/// Not thread-safe. Keeps the most recently used meshes and hulls within a budget of vertices; one in use
+/// elsewhere stays alive through its own shared pointer.
 class MeshCache {
  public:
   explicit MeshCache(std::size_t mostVertices = std::size_t{1} << 22) : mostVertices_(mostVertices) {}
@@ -31,7 +33,11 @@ class MeshCache {
   [[nodiscard]] std::shared_ptr<const Mesh> get(const Surface& surface, std::span<const double> parameters,
                                                 const MeshDesc& desc);
 
-  /// Meshes made so far (not found in the cache).
+  /// The hull for the level of the tolerance.
+  [[nodiscard]] std::shared_ptr<const Hull> hull(const Surface& surface, std::span<const double> parameters,
+                                                 double tolerance);
+
+  /// Meshes and hulls made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return tessellated_; }
 
  private:
@@ -46,18 +52,24 @@ class MeshCache {
     Shape shape;
     Segments uniform;  ///< 0 x 0: none
     double tolerance = 0, longestEdge = 0;
+    bool isHull = false;
 
     friend bool operator<(const Key& a, const Key& b) {
       const auto order = [](const Key& k) {
-        return std::tie(k.shape, k.uniform.u, k.uniform.v, k.tolerance, k.longestEdge);
+        return std::tie(k.shape, k.uniform.u, k.uniform.v, k.tolerance, k.longestEdge, k.isHull);
       };
       return order(a) < order(b);
     }
   };
   struct Entry {
-    Surface surface;  ///< keeps the identity in the key alive
-    std::shared_ptr<const Mesh> mesh;
+    Surface surface;                   ///< keeps the identity in the key alive
+    std::shared_ptr<const Mesh> mesh;  ///< or
+    std::shared_ptr<const Hull> hull;
     std::uint64_t lastUse = 0;
+
+    [[nodiscard]] std::size_t vertices() const {
+      return mesh ? mesh->positions.size() : hull->positions.size();
+    }
   };
   struct MapEntry {
     Surface surface;
@@ -66,6 +78,9 @@ class MeshCache {
   };
 
   const CurvatureMap& mapOf(const Surface& surface, const Shape& shape);
+  /// What is there for the key, or what `make` makes: an entry's mesh or its hull.
+  template <class Make>
+  Entry found(const Surface& surface, Key key, const Make& make);
   void evict();
 
   std::map<Key, Entry> entries_;

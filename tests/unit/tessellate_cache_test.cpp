@@ -123,6 +123,32 @@ TEST(MeshCache, KeepsTheMeshJustAskedForWhateverItsSize) {
   EXPECT_EQ(cache.tessellated(), 1u);
 }
 
+TEST(MeshCache, HullsAreEntriesOfTheirOwn) {
+  MeshCache cache;
+  const Surface ball = sphere(1);
+  const auto mesh = cache.get(ball, {}, {.tolerance = 0.01});
+  const auto hull = cache.hull(ball, {}, 0.01);
+  EXPECT_EQ(cache.tessellated(), 2u);
+  EXPECT_EQ(cache.get(ball, {}, {.tolerance = 0.01}), mesh);
+  EXPECT_EQ(cache.hull(ball, {}, toleranceLevel(0.01)), hull);
+  EXPECT_EQ(cache.tessellated(), 2u);
+  EXPECT_NE(cache.hull(ball, {}, 0.02), hull);
+  EXPECT_EQ(cache.tessellated(), 3u);
+  const Hull made = makeHull(ball, {}, CurvatureMap(ball, {}), {.tolerance = toleranceLevel(0.01)});
+  EXPECT_EQ(hull->positions, made.positions);
+  EXPECT_EQ(hull->indices, made.indices);
+}
+
+TEST(MeshCache, HullsCountInItsBudget) {
+  const Surface ball = sphere(1);
+  MeshCache cache(1);  // so that the last one asked for remains
+  const auto hull = cache.hull(ball, {}, 0.01);
+  EXPECT_EQ(cache.hull(ball, {}, 0.01), hull);
+  static_cast<void>(cache.get(ball, {}, {.tolerance = 0.01}));
+  EXPECT_NE(cache.hull(ball, {}, 0.01), hull);
+  EXPECT_EQ(cache.tessellated(), 3u);
+}
+
 TEST(MeshCache, NeverMistakesANewSurfaceForADeadOne) {
   // The cache keeps the surface of a key alive, so that no address is used twice.
   MeshCache cache;
