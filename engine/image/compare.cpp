@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/error.h"
+#include "image/ramp.h"
 #include "image/srgb.h"
 
 namespace luxo {
@@ -55,23 +54,6 @@ void forEachPixel(const Image& a, const Image& b, const Visit& visit) {
     for (int x = 0; x < a.width(); ++x) visit(x, y, a.pixel(x, y), b.pixel(x, y));
 }
 
-// A ramp in OKLCh (Ottosson 2020, "A perceptual color space for image processing"): lightness rises evenly
-// while the hue turns from violet over blue and green to yellow. The constants keep every colour within sRGB.
-std::array<float, 3> rampColour(double t) {
-  const double lightness = 0.30 + 0.62 * t;
-  const double chroma = 0.09 + 0.03 * t;
-  const double hue = (310.0 - 202.0 * t) * std::numbers::pi / 180;
-  const double a = chroma * std::cos(hue);
-  const double b = chroma * std::sin(hue);
-  const auto cube = [](double x) { return x * x * x; };
-  const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b);
-  const double m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b);
-  const double s = cube(lightness - 0.0894841775 * a - 1.2914855480 * b);
-  return {float(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
-          float(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
-          float(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
-}
-
 }  // namespace
 
 Comparison compare(const Image& a, const Image& b, ComparisonSpace space) {
@@ -114,7 +96,7 @@ Image heatMap(const Image& a, const Image& b, ComparisonSpace space, double brig
   forEachPixel(a, b, [&](int x, int y, std::span<const float> p, std::span<const float> q) {
     const double difference = pixelDifference(p, q, space);
     if (difference == 0) return;
-    const auto colour = rampColour(difference < brightest ? difference / brightest : 1.0);
+    const auto colour = rampColor(difference < brightest ? difference / brightest : 1.0);
     std::copy(colour.begin(), colour.end(), map.pixel(x, y).begin());
   });
   return map;
