@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/cell_tree.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
-#include <queue>
 
 #include "surface/bounds.h"
 
@@ -15,6 +19,7 @@ namespace {
 constexpr double kMargin = 1e-6;           // of the domain, on every side
 constexpr double kFineEnough = 1.0 / 512;  // of the surface's size
 constexpr double kEpsilon = 0x1p-52;
+constexpr std::size_t kWorthAThread = 512;  // cells
 
 Enclosure enclose(const Interval& x, const Interval& y, const Interval& z) {
   Enclosure e;
@@ -47,6 +52,21 @@ Domain extend(const Domain& d) {
 double bending(const CellBounds& b, const Domain& d) {
   const double excess = glm::length(b.du.radius) * d.u.width() + glm::length(b.dv.radius) * d.v.width();
   return b.smooth && std::isfinite(excess) ? excess : 2 * glm::length(b.position.radius);
+}
+
+/// Cut across the longer side in space; where that is unknown, the larger part of the whole domain's.
+std::array<Domain, 2> halves(const Cell& cell, const Domain& whole) {
+  const Domain& d = cell.domain;
+  const CellBounds& b = cell.bounds;
+  const double alongU = glm::length(b.du.center) * d.u.width();
+  const double alongV = glm::length(b.dv.center) * d.v.width();
+  const double bendU = glm::length(b.du.radius) * d.u.width();
+  const double bendV = glm::length(b.dv.radius) * d.v.width();
+  const bool splitU = b.smooth && alongU + alongV > 0
+                          ? alongU + bendU >= alongV + bendV
+                          : d.u.width() * whole.v.width() >= d.v.width() * whole.u.width();
+  if (splitU) return {{{{d.u.lo, d.u.mid()}, d.v}, {{d.u.mid(), d.u.hi}, d.v}}};
+  return {{{d.u, {d.v.lo, d.v.mid()}}, {d.u, {d.v.mid(), d.v.hi}}}};
 }
 
 }  // namespace
@@ -103,56 +123,41 @@ CellTree::CellTree(const Surface& surface, std::span<const double> parameters, s
   cut(mostCells);
   std::vector<std::uint32_t> all(cells_.size());
   std::iota(all.begin(), all.end(), 0U);
-  nodes_.reserve(2 * all.size());
-  build(all);
+  nodes_.resize(2 * all.size() - 1);
+  build(all, 0);
 }
 
 void CellTree::cut(std::size_t mostCells) {
-  struct Open {
-    double bending;
-    std::uint32_t patch;
-    Domain domain;
-    CellBounds bounds;
-    bool operator<(const Open& other) const { return bending < other.bending; }
-  };
-  std::priority_queue<Open> open;
-  const auto look = [&](std::uint32_t patch, const Domain& domain) {
-    CellBounds bounds = patches_[patch].bound(domain);
-    const double bends = bending(bounds, domain);
-    open.push({std::isnan(bends) ? std::numeric_limits<double>::infinity() : bends, patch, domain, bounds});
-  };
-  for (std::uint32_t patch = 0; patch < patches_.size(); ++patch) look(patch, patches_[patch].extended());
-
   const double fine = kFineEnough * glm::length(surface_.framing(parameters_).extent());
-  while (open.size() < mostCells && open.top().bending > fine) {
-    const Open worst = open.top();
-    open.pop();
-    const Domain& d = worst.domain;
-    const Domain& whole = patches_[worst.patch].extended();
-    // The longer side in space; where that is unknown, the larger part of the whole domain's.
-    const double alongU = glm::length(worst.bounds.du.center) * d.u.width();
-    const double alongV = glm::length(worst.bounds.dv.center) * d.v.width();
-    const bool known = worst.bounds.smooth && alongU + alongV > 0;
-    const double bendU = glm::length(worst.bounds.du.radius) * d.u.width();
-    const double bendV = glm::length(worst.bounds.dv.radius) * d.v.width();
-    const bool splitU = known ? alongU + bendU >= alongV + bendV
-                              : d.u.width() * whole.v.width() >= d.v.width() * whole.u.width();
-    if (splitU) {
-      look(worst.patch, {{d.u.lo, d.u.mid()}, d.v});
-      look(worst.patch, {{d.u.mid(), d.u.hi}, d.v});
-    } else {
-      look(worst.patch, {d.u, {d.v.lo, d.v.mid()}});
-      look(worst.patch, {d.u, {d.v.mid(), d.v.hi}});
-    }
+  // Of every round: what is cut no further goes to cells_, what was cut in two to the next round.
+  std::vector<Cell> open;
+  for (std::uint32_t patch = 0; patch < patches_.size(); ++patch) {
+    const Domain& whole = patches_[patch].extended();
+    open.push_back({patch, whole, patches_[patch].bound(whole)});
   }
-  cells_.reserve(open.size());
-  for (; !open.empty(); open.pop())
-    cells_.push_back({open.top().patch, open.top().domain, open.top().bounds});
+  while (!open.empty()) {
+    const auto bends = [](const Cell& cell) { return bending(cell.bounds, cell.domain); };
+    const auto rest = std::stable_partition(open.begin(), open.end(),
+                                            [&](const Cell& cell) { return !(bends(cell) <= fine); });
+    cells_.insert(cells_.end(), rest, open.end());
+    open.erase(rest, open.end());
+    const std::size_t room = mostCells - std::min(mostCells, cells_.size() + open.size());
+    if (open.size() > room) {
+      std::ranges::stable_sort(open, std::greater(), bends);
+      cells_.insert(cells_.end(), open.begin() + static_cast<std::ptrdiff_t>(room), open.end());
+      open.resize(room);
+    }
+    std::vector<Cell> next(2 * open.size());
+    tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
+      const auto [a, b] = halves(open[i], patches_[open[i].patch].extended());
+      next[2 * i] = {open[i].patch, a, patches_[open[i].patch].bound(a)};
+      next[2 * i + 1] = {open[i].patch, b, patches_[open[i].patch].bound(b)};
+    });
+    open = std::move(next);
+  }
 }
 
-std::uint32_t CellTree::build(std::span<std::uint32_t> cells) {
-  const auto index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
+void CellTree::build(std::span<std::uint32_t> cells, std::uint32_t index) {
   Vec3 lo(std::numeric_limits<double>::infinity()), hi = -lo, first = lo, last = -lo;
   for (const std::uint32_t c : cells) {
     const Enclosure& e = cells_[c].bounds.position;
@@ -170,7 +175,7 @@ std::uint32_t CellTree::build(std::span<std::uint32_t> cells) {
     }
   if (cells.size() == 1) {
     nodes_[index].cell = cells[0];
-    return index;
+    return;
   }
   const Vec3 spread = last - first;
   const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
@@ -179,10 +184,16 @@ std::uint32_t CellTree::build(std::span<std::uint32_t> cells) {
     const double x = cells_[a].bounds.position.center[axis], y = cells_[b].bounds.position.center[axis];
     return x < y || (x == y && a < b);
   });
-  build(cells.first(cells.size() / 2));
-  const std::uint32_t second = build(cells.subspan(cells.size() / 2));
+  // n cells make 2 n - 1 nodes.
+  const auto lower = cells.first(cells.size() / 2), upper = cells.subspan(cells.size() / 2);
+  const auto second = index + 2 * static_cast<std::uint32_t>(lower.size());
   nodes_[index].second = second;
-  return index;
+  if (cells.size() < kWorthAThread) {
+    build(lower, index + 1);
+    build(upper, second);
+  } else {
+    tbb::parallel_invoke([&] { build(lower, index + 1); }, [&] { build(upper, second); });
+  }
 }
 
 }  // namespace luxo::reference

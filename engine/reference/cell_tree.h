@@ -61,8 +61,9 @@ struct Cell {
 /// Immutable; safe from any thread. Keeps a copy of the surface.
 class CellTree {
  public:
-  /// Cells are split where the formula bends most, until none bends by more than 1/512 of the surface's size
-  /// or there are `mostCells`. Cost: a few interval evaluations per cell.
+  /// Cells are split in rounds, those that bend most first, until none bends by more than 1/512 of the
+  /// surface's size or there are `mostCells`. In parallel; the tree does not depend on the number of threads.
+  /// Cost: a few interval evaluations per cell.
   CellTree(const Surface& surface, std::span<const double> parameters, std::size_t mostCells = 1U << 14);
 
   /// A node of the hierarchy: its two children stand behind it, or it is one cell.
@@ -80,7 +81,7 @@ class CellTree {
 
  private:
   void cut(std::size_t mostCells);
-  std::uint32_t build(std::span<std::uint32_t> cells);
+  void build(std::span<std::uint32_t> cells, std::uint32_t index);
 
   Surface surface_;
   std::vector<double> parameters_;
