@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <memory>
 
 namespace luxo::reference {
 namespace {
@@ -15,13 +15,14 @@ double highlight(double x, double n) { return x > 0 || n == 0 ? std::pow(x, n) :
 
 }  // namespace
 
-Caster::Caster(const Snapshot& snapshot) : snapshot_(snapshot) {
-  std::map<std::tuple<const void*, std::vector<double>>, std::shared_ptr<const CellTree>> trees;
-  for (const SnapshotNode& node : snapshot.nodes) {
-    auto& tree = trees[{node.surface.identity(), node.parameters}];
-    if (!tree) tree = std::make_shared<const CellTree>(node.surface, node.parameters);
+Caster::Caster(const Snapshot& snapshot, ShapeCache& cache) : snapshot_(snapshot) {
+  std::vector<ShapeCache::Request> requests;
+  for (const SnapshotNode& node : snapshot.nodes) requests.emplace_back(node.surface, node.parameters);
+  const auto shapes = cache.shapes(requests);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const SnapshotNode& node = snapshot.nodes[i];
     const Material& material = snapshot.materials[node.material.index];
-    bodies_.push_back({.tree = tree,
+    bodies_.push_back({.shape = PlacedShape(shapes[i], node.worldFromObject),
                        .normalFromObject = normalMatrix(node.worldFromObject.linear),
                        .mirrored = mirrors(node.worldFromObject),
                        .twoSided = material.twoSided == TwoSided::Yes ||
@@ -30,6 +31,8 @@ Caster::Caster(const Snapshot& snapshot) : snapshot_(snapshot) {
                        .opacity = material.opacity});
   }
 }
+
+Caster::Caster(const Snapshot& snapshot) : Caster(snapshot, *std::make_unique<ShapeCache>()) {}
 
 Ray Caster::rayThrough(double x, double y) const {
   const View& view = snapshot_.view;
@@ -43,10 +46,9 @@ Ray Caster::rayThrough(double x, double y) const {
 void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const {
   const SnapshotNode& n = snapshot_.nodes[node];
   const Body& body = bodies_[node];
-  const RayFunctions functions(ray, n.worldFromObject);
   RootQuery query{nearest, farthest, body.facing, body.mirrored};
   for (int layer = 0; layer < kMostLayers; ++layer) {
-    const Roots roots = nearestRoot(*body.tree, functions, query);
+    const Roots roots = body.shape.nearestRoot(ray, query);
     sight.certified &= roots.certified;
     if (!roots.nearest) return;
     const Root& root = *roots.nearest;
@@ -87,8 +89,7 @@ bool Caster::lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight
   const Ray ray{hit.position, toLight / distance};
   for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
     if (snapshot_.nodes[node].id != light.shade->caster) continue;
-    const Roots roots = nearestRoot(*bodies_[node].tree, {ray, snapshot_.nodes[node].worldFromObject},
-                                    {0, distance, Facing::Both, false});
+    const Roots roots = bodies_[node].shape.nearestRoot(ray, {0, distance, Facing::Both, false});
     certified &= roots.certified;
     if (roots.nearest) return false;
   }

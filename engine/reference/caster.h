@@ -3,14 +3,10 @@
 // precision.
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
-#include "reference/cell_tree.h"
 #include "reference/roots.h"
+#include "reference/shape.h"
 #include "scene/snapshot.h"
 
 namespace luxo::reference {
@@ -25,11 +21,13 @@ struct Hit {
   bool certified = true;
 };
 
-/// Reads a snapshot, which must outlive it. Safe from any thread once built. Cost of building: the cell trees
-/// of the distinct surfaces.
+/// Reads a snapshot, which must outlive it. Safe from any thread once built. Cost of building: the cells of
+/// the distinct surfaces that have no closed form.
 class Caster {
  public:
   explicit Caster(const Snapshot& snapshot);
+  /// Only what the cache does not have yet is built. The cache may go.
+  Caster(const Snapshot& snapshot, ShapeCache& cache);
 
   /// The ray of a picture's point: pixel coordinates, x to the right, y down.
   [[nodiscard]] Ray rayThrough(double x, double y) const;
@@ -47,10 +45,14 @@ class Caster {
   [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified) const;
 
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+  /// Of a node (an index into Snapshot::nodes), as its material has it.
+  [[nodiscard]] const PlacedShape& shape(std::uint32_t node) const { return bodies_[node].shape; }
+  [[nodiscard]] Facing facing(std::uint32_t node) const { return bodies_[node].facing; }
+  [[nodiscard]] bool mirrored(std::uint32_t node) const { return bodies_[node].mirrored; }
 
  private:
   struct Body {
-    std::shared_ptr<const CellTree> tree;
+    PlacedShape shape;
     Mat3 normalFromObject;
     bool mirrored = false, twoSided = false;
     Facing facing = Facing::Both;

@@ -52,8 +52,11 @@ struct RowSums {
 
 class Exposure {
  public:
-  Exposure(const Snapshot& snapshot, const ReferenceOptions& options)
-      : caster_(snapshot), options_(options), size_(snapshot.view.size) {
+  Exposure(const Snapshot& snapshot, const ReferenceOptions& options, reference::ShapeCache& cache)
+      : options_(options),
+        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
+        caster_(arena_.execute([&] { return Caster(snapshot, cache); })),
+        size_(snapshot.view.size) {
     const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
     picture_.color = Image(size_.width, size_.height, 3);
     picture_.depth.assign(count, std::numeric_limits<double>::infinity());
@@ -68,9 +71,7 @@ class Exposure {
   }
 
   ReferencePicture expose() {
-    const int threads = options_.threads > 0 ? options_.threads : tbb::task_arena::automatic;
-    tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(0, size_.height, [&](int y) { exposeRow(y); }); });
+    arena_.execute([&] { tbb::parallel_for(0, size_.height, [&](int y) { exposeRow(y); }); });
     double squares = 0;
     for (const RowSums& row : rows_) {
       picture_.hits += row.hits;
@@ -146,8 +147,9 @@ class Exposure {
     picture_.number[i] = snapshot.nodes[hit.node].number;
   }
 
-  Caster caster_;
   const ReferenceOptions& options_;
+  tbb::task_arena arena_;
+  Caster caster_;
   PixelSize size_;
   ReferencePicture picture_;
   std::vector<std::uint8_t> chosen_;
@@ -160,9 +162,16 @@ class Exposure {
 
 }  // namespace
 
-ReferencePicture castPicture(const Snapshot& snapshot, const ReferenceOptions& options) {
+ReferenceCaster::ReferenceCaster() : cache_(std::make_unique<reference::ShapeCache>()) {}
+ReferenceCaster::~ReferenceCaster() = default;
+
+ReferencePicture ReferenceCaster::cast(const Snapshot& snapshot, const ReferenceOptions& options) {
   requireLight(snapshot);
-  return Exposure(snapshot, options).expose();
+  return Exposure(snapshot, options, *cache_).expose();
+}
+
+ReferencePicture castPicture(const Snapshot& snapshot, const ReferenceOptions& options) {
+  return ReferenceCaster().cast(snapshot, options);
 }
 
 }  // namespace luxo

@@ -8,12 +8,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "image/image.h"
 #include "scene/snapshot.h"
 
 namespace luxo {
+
+namespace reference {
+class ShapeCache;
+}
 
 struct ReferenceOptions {
   /// Per pixel. 1: its centre. More: a low-discrepancy set of points, the same in every pixel up to a shift
@@ -43,6 +48,22 @@ struct ReferencePicture {
   /// An upper estimate, since the samples are better spread than random ones. 0 with one sample.
   double standardErrorRms = 0, standardErrorMax = 0;
   bool complete = true;  ///< not stopped by `progress`
+};
+
+/// Casts one picture after the other and keeps the surfaces that stay the same between them. The pictures do
+/// not depend on those before. One thread at a time.
+class ReferenceCaster {
+ public:
+  ReferenceCaster();
+  ~ReferenceCaster();
+  ReferenceCaster(const ReferenceCaster&) = delete;
+  ReferenceCaster& operator=(const ReferenceCaster&) = delete;
+
+  /// As castPicture().
+  [[nodiscard]] ReferencePicture cast(const Snapshot& snapshot, const ReferenceOptions& options = {});
+
+ private:
+  std::unique_ptr<reference::ShapeCache> cache_;
 };
 
 /// Throws Error(Scene) for materials whose shading is not light (toon, wireframe).

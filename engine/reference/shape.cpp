@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/shape.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace luxo::reference {
+namespace {
+
+std::vector<ClosedForm> closedFormsOf(const Surface& surface, std::span<const double> parameters) {
+  std::vector<ClosedForm> forms;
+  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
+    const std::optional<ClosedForm> form = ClosedForm::of(surface, patch, parameters);
+    if (!form) return {};
+    forms.push_back(*form);
+  }
+  return forms;
+}
+
+}  // namespace
+
+Shape::Shape(const Surface& surface, std::span<const double> parameters)
+    : surface_(surface),
+      parameters_(parameters.begin(), parameters.end()),
+      forms_(closedFormsOf(surface, parameters)) {
+  if (forms_.empty()) static_cast<void>(cells());
+}
+
+const CellTree& Shape::cells() const {
+  // Isolated: a thread that waits for its part of this must not begin a ray that waits for this.
+  std::call_once(building_, [this] {
+    tbb::this_task_arena::isolate(
+        [this] { cells_ = std::make_unique<const CellTree>(surface_, parameters_); });
+  });
+  return *cells_;
+}
+
+PlacedShape::PlacedShape(std::shared_ptr<const Shape> shape, const Transform& worldFromObject)
+    : shape_(std::move(shape)), worldFromObject_(worldFromObject) {
+  if (!shape_->hasClosedForm()) return;
+  objectFromWorld_ = ObjectFromWorld::of(worldFromObject);
+  for (const ClosedForm& form : shape_->closedForms()) radius_ = std::max(radius_, form.radius());
+  radius_ *= largestStretch(worldFromObject.linear);
+}
+
+bool PlacedShape::passesBy(const Ray& ray) const {
+  // The slack is far above what rounding makes of the distance.
+  const Vec3 toMiddle = worldFromObject_.translation - ray.origin;
+  const double along = glm::dot(toMiddle, ray.direction), distance = glm::dot(toMiddle, toMiddle);
+  return distance - along * along > radius_ * radius_ * (1 + 1e-9) + 1e-14 * distance;
+}
+
+Roots PlacedShape::nearestRoot(const Ray& ray, const RootQuery& query) const {
+  if (objectFromWorld_) {
+    if (passesBy(ray)) return {};
+    const ObjectRay objectRay = (*objectFromWorld_)(ray);
+    RootQuery before = query;  // what lies beyond a root that was found does not matter
+    Roots roots;
+    for (const ClosedForm& form : shape_->closedForms()) {
+      const ClosedForm::Answer answer = form.nearestRoot(objectRay, before);
+      roots.certified &= answer.decided;
+      if (!answer.decided || !answer.nearest) continue;
+      roots.nearest = answer.nearest;
+      before.farthest = answer.nearest->t;
+    }
+    if (roots.certified) return roots;
+  }
+  return reference::nearestRoot(shape_->cells(), {ray, worldFromObject_}, query);
+}
+
+std::vector<std::shared_ptr<const Shape>> ShapeCache::shapes(std::span<const Request> requests) {
+  std::map<Key, std::shared_ptr<const Shape>> asked;
+  std::vector<const Request*> missing;
+  for (const Request& request : requests) {
+    const Key key{request.first.identity(), request.second};
+    const auto [place, isNew] = asked.try_emplace(key);
+    if (!isNew) continue;
+    if (const auto known = shapes_.find(key); known != shapes_.end())
+      place->second = known->second;
+    else
+      missing.push_back(&request);
+  }
+  std::vector<std::shared_ptr<const Shape>> built(missing.size());
+  tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+    built[i] = std::make_shared<const Shape>(missing[i]->first, missing[i]->second);
+  });
+  for (std::size_t i = 0; i < missing.size(); ++i)
+    asked[{missing[i]->first.identity(), missing[i]->second}] = built[i];
+  shapes_ = std::move(asked);
+
+  std::vector<std::shared_ptr<const Shape>> shapes;
+  for (const Request& request : requests)
+    shapes.push_back(shapes_[{request.first.identity(), request.second}]);
+  return shapes;
+}
+
+}  // namespace luxo::reference

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rays are cast against: a surface at given parameter values, as equations where it has them, else as
+// cells; and the surfaces of a picture, kept for the next one.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "reference/cell_tree.h"
+#include "reference/closed_form.h"
+#include "reference/roots.h"
+#include "surface/surface.h"
+
+namespace luxo::reference {
+
+/// Safe from any thread. Keeps a copy of the surface.
+class Shape {
+ public:
+  /// Cost: the cells of a surface that has no closed form.
+  Shape(const Surface& surface, std::span<const double> parameters);
+
+  /// The cells. Cost, on the first call for a surface with a closed form: building them.
+  [[nodiscard]] const CellTree& cells() const;
+  [[nodiscard]] bool hasClosedForm() const { return !forms_.empty(); }
+  [[nodiscard]] std::span<const ClosedForm> closedForms() const { return forms_; }
+
+ private:
+  Surface surface_;
+  std::vector<double> parameters_;
+  std::vector<ClosedForm> forms_;  ///< of every patch, or none
+  mutable std::once_flag building_;
+  mutable std::unique_ptr<const CellTree> cells_;
+};
+
+/// A shape in the world.
+class PlacedShape {
+ public:
+  PlacedShape(std::shared_ptr<const Shape> shape, const Transform& worldFromObject);
+
+  /// By equations; what these leave open, by cells.
+  [[nodiscard]] Roots nearestRoot(const Ray& ray, const RootQuery& query) const;
+
+  [[nodiscard]] const Shape& shape() const { return *shape_; }
+  [[nodiscard]] const Transform& worldFromObject() const { return worldFromObject_; }
+
+ private:
+  [[nodiscard]] bool passesBy(const Ray& ray) const;
+
+  std::shared_ptr<const Shape> shape_;
+  Transform worldFromObject_;
+  std::optional<ObjectFromWorld> objectFromWorld_;  ///< where it is of use
+  double radius_ = 0;  ///< with closed forms: of a ball around the origin's place
+};
+
+/// Shapes by surface and parameter values. Not safe from several threads.
+class ShapeCache {
+ public:
+  using Request = std::pair<Surface, std::vector<double>>;
+
+  /// The shape of each request, in order; new ones are built in parallel. Shapes that were not asked for are
+  /// forgotten.
+  [[nodiscard]] std::vector<std::shared_ptr<const Shape>> shapes(std::span<const Request> requests);
+
+ private:
+  using Key = std::pair<const void*, std::vector<double>>;  // of the surface: its identity
+  std::map<Key, std::shared_ptr<const Shape>> shapes_;
+};
+
+}  // namespace luxo::reference
