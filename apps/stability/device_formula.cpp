@@ -45,19 +45,26 @@ gpu::Buffer bufferOf(gpu::Context& context, std::span<const std::byte> bytes) {
   return buffer;
 }
 
-}  // namespace
-
-DeviceFormula::DeviceFormula(gpu::Context& context, Graph& graph, const std::vector<Expr>& outputs)
-    : context_(&context), outputs_(outputs.size()), layout_(context, {{}, {}}) {
-  LUXO_REQUIRE(outputs.size() <= 4 * kTargets);
+std::string glslOf(Graph& graph, const std::vector<Expr>& outputs, std::size_t most) {
+  LUXO_REQUIRE(outputs.size() <= most);
   std::vector<Expr> padded = outputs;
-  padded.resize(4 * kTargets);
+  padded.resize(most);
   const std::span all(padded);
   const GlslOutput targets[] = {
       {"first", all.subspan(0, 4)}, {"second", all.subspan(4, 4)}, {"third", all.subspan(8, 4)}};
-  const std::string formula = emitGlsl(graph, "formula", targets);
+  return emitGlsl(graph, "formula", targets);
+}
+
+}  // namespace
+
+DeviceFormula::DeviceFormula(gpu::Context& context, Graph& graph, const std::vector<Expr>& outputs)
+    : DeviceFormula(context, glslOf(graph, outputs, 4 * kTargets), outputs.size()) {}
+
+DeviceFormula::DeviceFormula(gpu::Context& context, const std::string& glsl, std::size_t outputs)
+    : context_(&context), outputs_(outputs), layout_(context, {{}, {}}) {
+  LUXO_REQUIRE(outputs <= 4 * kTargets);
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
-  sources.push_back({"formula", formula});
+  sources.push_back({"formula", glsl});
   const gpu::ShaderCompiler compiler((std::filesystem::path()));
   const auto vertex =
       compiler.compile({.source = {"points.vert", kVertex}, .stage = gpu::ShaderStage::Vertex});

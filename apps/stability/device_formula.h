@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "formula/expression.h"
@@ -17,6 +18,9 @@ class DeviceFormula {
  public:
   /// At most 12 outputs. Compiles: 0.1 s.
   DeviceFormula(gpu::Context& context, Graph& graph, const std::vector<Expr>& outputs);
+  /// `glsl` defines `void formula(float u, float v, out vec4 first, out vec4 second, out vec4 third)`; it may
+  /// include the shader library, and parameterAt(k) is input k.
+  DeviceFormula(gpu::Context& context, const std::string& glsl, std::size_t outputs);
 
   /// Output k at (u, v) = points[i] in result[k][i]; `inputs` are variables 2, 3, ...
   [[nodiscard]] std::vector<std::vector<float>> at(const std::vector<Vec2f>& points,
