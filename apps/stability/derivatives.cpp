@@ -170,6 +170,15 @@ struct Largest {
   [[nodiscard]] double ulps() const { return error / std::ldexp(1.0, std::ilogb(length) - 23); }
 };
 
+struct Worst {
+  double value = 0;
+  std::string_view surface;
+
+  void add(double next, std::string_view name) {
+    if (next > value) *this = {next, name};
+  }
+};
+
 /// Of one surface: in double, relative to the largest tangent, and in float, in ulps.
 struct DerivativeErrors {
   std::string_view surface;
@@ -232,11 +241,79 @@ std::vector<Measurement> finiteDifferences(StressContext& context) {
       atLeast("surfaces that fail ST-05 on the device", missed(&DerivativeErrors::inFloat, kMostUlps), 1)};
 }
 
+/// A random rectangle of a random patch, down to a 256th of its sides.
+struct RandomCell {
+  std::uint32_t patch = 0;
+  Domain domain;
+};
+
+RandomCell randomCell(const Surface& surface, std::mt19937& random) {
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  const auto part = [&](const Interval& range) {
+    const double width = range.width() * std::exp2(-8 * anywhere(random));
+    const double low = range.lo + (range.width() - width) * anywhere(random);
+    return Interval(low, std::min(low + width, range.hi));
+  };
+  RandomCell cell;
+  cell.patch = static_cast<std::uint32_t>(random() % surface.patchCount());
+  const Domain& patch = surface.patchDomain(cell.patch);
+  cell.domain.u = part(patch.u);
+  cell.domain.v = part(patch.v);
+  return cell;
+}
+
+/// The largest distance, of random points, between a cell cut into two triangles and the surface at the same
+/// parameters.
+double deviation(const Surface& surface, const RandomCell& cell, int points, std::mt19937& random) {
+  const auto& [u, v] = cell.domain;
+  const auto corner = [&](double x, double y) { return surface.position(cell.patch, x, y); };
+  const Vec3 low = corner(u.lo, v.lo), high = corner(u.hi, v.hi);
+  const Vec3 right = corner(u.hi, v.lo), left = corner(u.lo, v.hi);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  double most = 0;
+  for (int i = 0; i < points; ++i) {
+    const double x = anywhere(random), y = anywhere(random);
+    const Vec3 onTriangle = x >= y ? low + (x - y) * (right - low) + y * (high - low)
+                                   : low + (y - x) * (left - low) + x * (high - low);
+    const Vec3 onSurface = corner(u.lo + x * (u.hi - u.lo), v.lo + y * (v.hi - v.lo));
+    most = std::max(most, glm::length(onTriangle - onSurface));
+  }
+  return most;
+}
+
+std::vector<Measurement> boundsHold(StressContext& context) {
+  const int points = 100, cells = context.of(10'000, 2'000);
+  std::mt19937 random(7);  // NOLINT: the same numbers every time
+  std::vector<double> tightness;
+  Worst worst;
+  while (static_cast<int>(tightness.size()) < cells)
+    for (const CatalogueEntry& entry : catalogue()) {
+      const Surface surface = makeSurface(entry);
+      for (int i = 0; i < 20; ++i) {
+        const RandomCell cell = randomCell(surface, random);
+        const auto proven = surface.boundCell(cell.patch, cell.domain, {});
+        const double hu = cell.domain.u.width(), hv = cell.domain.v.width();
+        const PartialBounds& second = proven.second;
+        const double bound = (second.uu * hu * hu + 2 * second.uv * hu * hv + second.vv * hv * hv) / 8;
+        // Below a 1e-9 of the surface the rounding of its points, 1e-15, would be what is measured.
+        const double size = glm::length(surface.position(cell.patch, cell.domain.u.lo, cell.domain.v.lo));
+        if (proven.kinked || !std::isfinite(bound) || bound < 1e-9 * std::max(size, 1.0)) continue;
+        tightness.push_back(deviation(surface, cell, points, random) / bound);
+        worst.add(tightness.back(), entry.name);
+      }
+    }
+  const auto middle = tightness.begin() + static_cast<std::ptrdiff_t>(tightness.size() / 2);
+  std::ranges::nth_element(tightness, middle);
+  return {atMost(fmt::format("measured over bound, worst cell ({})", worst.surface), worst.value, 1 + 1e-6),
+          atLeast("measured over bound, median cell", *middle, 0.4)};
+}
+
 }  // namespace
 
 std::vector<StressCase> derivativeCases() {
   return {{"ST-05", "tangents of all surfaces against dual numbers in long double", exactDerivatives},
-          {"ST-06", "finite differences would not pass ST-05", finiteDifferences}};
+          {"ST-06", "finite differences would not pass ST-05", finiteDifferences},
+          {"ST-07", "no cell deviates more than its bound", boundsHold}};
 }
 
 }  // namespace luxo

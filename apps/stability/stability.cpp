@@ -17,7 +17,9 @@ namespace {
 
 using Group = std::vector<StressCase> (*)();
 
-constexpr Group kGroups[] = {derivativeCases};
+constexpr Group kGroups[] = {parameterisationCases, derivativeCases,   accuracyCases,
+                             rasterisationCases,    tessellationCases, depthCases,
+                             transformCases,        invarianceCases,   shadingCases};
 
 std::vector<StressCase> allCases() {
   std::vector<StressCase> cases;
