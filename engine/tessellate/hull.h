@@ -2,12 +2,12 @@
 // Triangles around a surface instead of on it: where a renderer begins to search for the surface itself.
 //
 // Every patch is wrapped in a slab of its own. The top is the mesh of the patch with its vertices moved
-// outward along their normals, the bottom the same inward, walls join the two along the patch's edges. A
-// vertex moves by the mesh's proven bound over the smallest cosine between its direction and the normals of
-// the triangles around it, so that every triangle's plane lies beyond the part of the surface that the
-// triangle stands for: whatever ray meets the patch enters its slab before. No walls stand along edges that
-// collapse to a point, nor where the patch is joined to itself and its formula goes on: there the top and the
-// bottom go on too.
+// outward, the bottom the same inward, walls join the two along the patch's edges, a little outside of them.
+// A vertex moves the shortest way that brings the planes of all triangles around it, and of all walls,
+// farther away than the proven bounds of these triangles: so every triangle's plane lies beyond the part of
+// the surface that the triangle stands for, and whatever ray meets the patch enters its slab before. No walls
+// stand along edges that collapse to a point, nor where the patch is joined to itself and its formula goes
+// on: there the top and the bottom go on too.
 //
 // A ray that entered the slab starts its search for the surface at the (u, v) of the place it entered by.
 #pragma once
@@ -25,8 +25,8 @@ namespace luxo {
 /// What is the same all over a patch.
 struct HullPatch {
   Domain domain;
-  /// The u (v) edges are one curve and the formula goes on beyond them as it does at the other end: a
-  /// parameter outside the domain stands for one inside.
+  /// The u (v) edges are one curve and the formula goes on beyond them, by a fifth of the domain at least, as
+  /// it does at the other end: a parameter outside the domain stands for one inside.
   bool wrapsU = false, wrapsV = false;
   /// That edge is one point.
   bool collapsedUMin = false, collapsedUMax = false, collapsedVMin = false, collapsedVMax = false;
@@ -52,8 +52,9 @@ struct Hull {
 
   double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound
   double offset = 0;  ///< how far vertices were moved, at most
-  /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing or turn too
-  /// sharply for any direction to lead out; the hull is then as good as one can be made.
+  /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing, or turn so
+  /// sharply that no direction leads out (pinch points): the hull is then as good as one can be made. Where a
+  /// surface is thinner than the tolerance, slabs of its parts overlap.
   bool proven = true;
   Vec3 origin{0};  ///< what the device's single precision is relative to, as in Mesh
 
@@ -64,12 +65,13 @@ struct HullDesc {
   /// Largest deviation of the mesh under the hull, object units. A hull of a few pixels is best: finer ones
   /// have more triangles, coarser ones start the search too far off.
   double tolerance = 0;
-  /// Largest angle between the normal of a vertex and those of the triangles around it, radians. What turns
-  /// faster is tessellated more finely, up to a few times.
-  double mostTurn = 0.6;
+  /// Largest angle between the direction in which a vertex moves and the normals of the triangles around it,
+  /// radians. What turns faster is tessellated more finely, as far as that helps and is not much thinner than
+  /// the tolerance.
+  double mostTurn = 0.8;
 };
 
-/// Pure: equal input gives equal bits. Cost: that of the mesh, and a little for each of its vertices.
+/// Pure: equal input gives equal bits. Cost: that of up to seven meshes, the more the coarser they are.
 [[nodiscard]] Hull makeHull(const Surface& surface, std::span<const double> parameters,
                             const CurvatureMap& map, const HullDesc& desc);
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstdio>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -60,23 +61,23 @@ double signedVolume(const std::vector<Triangle>& triangles) {
   return sum;
 }
 
-/// Directed edges, by position, that no reverse one matches.
+/// Directed edges, by the bits of their ends, that no reverse one matches.
 int openEdges(const std::vector<Triangle>& triangles) {
   using Point = std::tuple<double, double, double>;
-  const auto point = [](const Vec3& p) { return Point(p.x + 0.0, p.y + 0.0, p.z + 0.0); };
+  const auto point = [](const Vec3& p) { return Point(p.x, p.y, p.z); };
   std::map<std::pair<Point, Point>, int> balance;
   for (const Triangle& t : triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Point a = point(t[k]), b = point(t[(k + 1) % 3]);
-      if (a == b) continue;
       a < b ? ++balance[{a, b}] : --balance[{b, a}];
     }
   return static_cast<int>(std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; }));
 }
 
-/// Points of the patch that are not within its slab.
-int pointsOutside(const Surface& surface, const Hull& hull, std::uint32_t patch,
-                  std::span<const double> parameters, int count) {
+/// How many of `count` points of the patch are not within its slab. Every other one is on an edge, where a
+/// wall could cut.
+int pointsOutside(const Surface& surface, std::span<const double> parameters, const Hull& hull,
+                  std::uint32_t patch, int count) {
   const std::vector<Triangle> slab = slabOf(hull, patch);
   std::mt19937 random(patch + 1);
   std::uniform_real_distribution<double> part(0, 1);
@@ -84,36 +85,41 @@ int pointsOutside(const Surface& surface, const Hull& hull, std::uint32_t patch,
   int outside = 0;
   for (int k = 0; k < count; ++k) {
     double u = part(random), v = part(random);
-    // Edges and corners are where walls could cut.
     if (k % 4 == 1) u = std::round(u);
-    if (k % 4 == 2) v = std::round(v);
+    if (k % 4 == 3) v = std::round(v);
     const Vec3 p = surface.position(patch, domain.u.lo + u * domain.u.width(),
                                     domain.v.lo + v * domain.v.width(), parameters);
-    if (!std::isfinite(p.x + p.y + p.z)) continue;
-    if (!(windingNumber(slab, p) > 0.5)) {
-      if (++outside < 3) ADD_FAILURE() << surface.name() << " patch " << patch << " part " << u << ", " << v;
-    }
+    if (std::isfinite(p.x + p.y + p.z) && !(windingNumber(slab, p) > 0.5)) ++outside;
   }
   return outside;
+}
+
+/// Pinch points, where no direction leads out, cost a point in a hundred its proof at most.
+void expectAHull(const Surface& surface, std::span<const double> parameters, const Hull& hull) {
+  const std::uint32_t step = std::max(1u, surface.patchCount() / 8);
+  for (std::uint32_t patch = 0; patch < surface.patchCount(); patch += step) {
+    SCOPED_TRACE("patch " + std::to_string(patch));
+    const std::vector<Triangle> slab = slabOf(hull, patch);
+    ASSERT_FALSE(slab.empty());
+    EXPECT_EQ(openEdges(slab), 0);
+    EXPECT_GT(signedVolume(slab), 0);
+    const auto points = static_cast<int>(std::clamp<std::size_t>(2'000'000 / slab.size(), 100, 400));
+    EXPECT_LE(pointsOutside(surface, parameters, hull, patch, points), hull.proven ? 0 : points / 100);
+  }
 }
 
 class CatalogueHull : public testing::TestWithParam<std::string> {};
 
 TEST_P(CatalogueHull, IsClosedAndHoldsTheSurface) {
+  // Those with pinch points; a seashell's first ring is one, as far as a coarse hull can tell.
+  static const std::set<std::string> pinched{"whitney_umbrella", "boy", "steiner_roman", "cross_cap",
+                                             "seashell"};
   const Surface surface = makeSurface(GetParam());
-  const double size = sizeOf(surface);
-  for (const double part : {0.003}) {
+  for (const double part : {0.05, 0.01, 0.003}) {
     SCOPED_TRACE("tolerance " + std::to_string(part) + " of the size");
-    const Hull hull = hullOf(surface, part * size);
-    const std::uint32_t step = std::max(1u, surface.patchCount() / 8);
-    for (std::uint32_t patch = 0; patch < surface.patchCount(); patch += step) {
-      const std::vector<Triangle> slab = slabOf(hull, patch);
-      ASSERT_FALSE(slab.empty());
-      EXPECT_EQ(openEdges(slab), 0) << patch;
-      EXPECT_GT(signedVolume(slab), 0) << patch;
-      const auto points = static_cast<int>(std::clamp<std::size_t>(3'000'000 / slab.size(), 40, 400));
-      EXPECT_EQ(pointsOutside(surface, hull, patch, {}, points), 0) << patch;
-    }
+    const Hull hull = hullOf(surface, part * sizeOf(surface));
+    EXPECT_TRUE(hull.proven || pinched.contains(GetParam()));
+    expectAHull(surface, {}, hull);
   }
 }
 
@@ -125,6 +131,161 @@ std::vector<std::string> names() {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueHull, testing::ValuesIn(names()),
                          [](const auto& test) { return test.param; });
+
+TEST(Hull, HoldsSurfacesThatMove) {
+  for (const SurfaceSample& sample : surfaceSamples()) {
+    SCOPED_TRACE(sample.name);
+    const Hull hull =
+        hullOf(sample.surface, 0.01 * sizeOf(sample.surface, sample.parameters), sample.parameters);
+    EXPECT_TRUE(hull.proven);
+    expectAHull(sample.surface, sample.parameters, hull);
+  }
+}
+
+/// The walls' triangles: as many as the front has more than the back.
+std::size_t wallsOf(const Hull& hull) {
+  std::size_t walls = 0;
+  for (const Hull::Part& part : hull.parts) walls += (2 * part.frontCount - part.count) / 3;
+  return walls;
+}
+
+TEST(Hull, GoesOnWhereTheFormulaDoes) {
+  const auto wraps = [](const Surface& surface) {
+    const HullPatch patch = hullOf(surface, 0.01 * sizeOf(surface)).patchData[0];
+    return std::pair(patch.wrapsU, patch.wrapsV);
+  };
+  EXPECT_EQ(wraps(torus(1, 0.25)), std::pair(true, true));
+  EXPECT_EQ(wraps(lectureTorus(1, 0.5)), std::pair(true, true));
+  EXPECT_EQ(wraps(sphere(1)), std::pair(true, false));
+  EXPECT_EQ(wraps(cylinder(1, 1)), std::pair(true, false));
+  EXPECT_EQ(wraps(rectangle(1, 1)), std::pair(false, false));
+  EXPECT_EQ(wraps(moebius(1, 0.5)), std::pair(false, false)) << "flipped";
+  EXPECT_EQ(wraps(makeSurface("klein_figure8")), std::pair(false, true)) << "flipped along u only";
+  EXPECT_EQ(wallsOf(hullOf(torus(1, 0.25), 0.01)), 0u);
+  EXPECT_EQ(wallsOf(hullOf(sphere(1), 0.01)), 0u);
+}
+
+TEST(Hull, HasWallsWhereOnlyTheEdgesMeet) {
+  // Closed and smooth on the domain; beyond its ends the bulge is steeper than at the other end.
+  const Surface ring = surface(
+      [](auto u, auto v) {
+        const auto bulge = u * u * (1 - u) * (1 - u);
+        return point((1 + bulge) * cos(kTau * u), v, (1 + bulge) * sin(kTau * u));
+      },
+      {});
+  ASSERT_TRUE(ring.topology().seamU());
+  const Hull hull = hullOf(ring, 0.01);
+  EXPECT_FALSE(hull.patchData[0].wrapsU);
+  expectAHull(ring, {}, hull);
+}
+
+TEST(Hull, KnowsCollapsedEdges) {
+  const HullPatch ball = hullOf(sphere(1), 0.01).patchData[0];
+  EXPECT_FALSE(ball.collapsedUMin || ball.collapsedUMax);
+  EXPECT_TRUE(ball.collapsedVMin && ball.collapsedVMax);
+  const HullPatch tip = hullOf(cone(1, 0, 2), 0.01).patchData[0];
+  EXPECT_TRUE(tip.collapsedVMax && !tip.collapsedVMin);
+  EXPECT_EQ(hullOf(disk(1), 0.01).patchData[0].orientation, -1);
+}
+
+TEST(Hull, PatchesOfOneFunctionAreOnePart) {
+  const Hull teapot = hullOf(makeSurface("teapot"), 0.05);
+  ASSERT_EQ(teapot.parts.size(), 1u);
+  EXPECT_EQ(teapot.patchData.size(), 32u);
+  EXPECT_EQ(teapot.parts[0].count, teapot.indices.size());
+  const Surface klein = makeSurface("klein");
+  const Hull two = hullOf(klein, 0.01 * sizeOf(klein));
+  ASSERT_EQ(two.parts.size(), 2u);
+  EXPECT_EQ(two.parts[1].patch, 1u);
+  EXPECT_EQ(two.parts[1].firstIndex, two.parts[0].count);
+  EXPECT_EQ(two.parts[0].count + two.parts[1].count, two.indices.size());
+  for (const Hull::Part& part : two.parts)
+    for (std::size_t i = part.firstIndex; i < part.firstIndex + part.count; ++i)
+      ASSERT_EQ(two.patches[two.indices[i]], part.patch);
+}
+
+TEST(Hull, TopsAreOutsideAndBottomsInside) {
+  const Hull hull = hullOf(sphere(1), 0.02);
+  const Hull::Part part = hull.parts.at(0);
+  EXPECT_EQ(2 * part.frontCount, part.count);
+  double nearest = 2, farthest = 0;
+  for (std::size_t i = 0; i < part.count; ++i) {
+    const double radius = glm::length(hull.positions[hull.indices[i]]);
+    EXPECT_EQ(radius > 1, i < part.frontCount);
+    nearest = std::min(nearest, radius);
+    farthest = std::max(farthest, radius);
+  }
+  EXPECT_LE(std::max(farthest - 1, 1 - nearest), hull.offset * (1 + 1e-12));
+  EXPECT_LT(hull.offset, 2 * 0.02);
+}
+
+TEST(Hull, VerticesCarryTheirCells) {
+  const Hull hull = hullOf(torus(1, 0.25), 0.01);
+  std::vector<Vec2> largest(hull.positions.size(), Vec2(0));
+  for (std::size_t i = 0; i < hull.indices.size(); i += 3) {
+    const auto uv = [&](std::size_t k) { return hull.parameters[hull.indices[i + k]]; };
+    const Vec2 extent = glm::max(glm::max(uv(0), uv(1)), uv(2)) - glm::min(glm::min(uv(0), uv(1)), uv(2));
+    EXPECT_TRUE(extent.x < 0.5 && extent.y < 0.5) << "parameters can be interpolated";
+    for (std::size_t k = 0; k < 3; ++k)
+      largest[hull.indices[i + k]] = glm::max(largest[hull.indices[i + k]], extent);
+  }
+  EXPECT_EQ(hull.cells, largest);
+}
+
+TEST(Hull, FlatSurfacesAreThin) {
+  // Of 1e-4 of the size; its corners move along both walls' normals and the plane's.
+  const Hull hull = hullOf(rectangle(3, 4), 0.1);
+  EXPECT_EQ(hull.bound, 0);
+  EXPECT_NEAR(hull.offset, 5e-4 * std::sqrt(3.0), 1e-9);
+  EXPECT_EQ(hull.triangleCount(), 12u);
+  // A rim deviates sideways, by nearly the bound.
+  const Hull rim = hullOf(disk(1), 0.01);
+  EXPECT_GT(rim.offset, 0.01 * std::sqrt(2.0) * 0.5);
+  expectAHull(disk(1), {}, rim);
+}
+
+TEST(Hull, IsWithinItsDistanceOfTheSurface) {
+  // The planes are 1.1 bounds away, and vertices turn by mostTurn at most: 1.1 / cos 0.8 = 1.58.
+  for (const char* name : {"torus", "sphere", "dupin_cyclide", "torus_knot", "spring"}) {
+    const Surface surface = makeSurface(name);
+    const double tolerance = 0.01 * sizeOf(surface);
+    const Hull hull = hullOf(surface, tolerance);
+    // Ends of a spring have walls: one more direction.
+    EXPECT_LT(hull.offset, 1.9 * tolerance) << name;
+  }
+}
+
+TEST(Hull, TightBendsAreFinerThanTheTolerance) {
+  // A wire of a tenth of the tolerance: the mesh alone would have three sides.
+  const Surface wire = torus(1, 0.005);
+  const Hull hull = hullOf(wire, 0.05);
+  EXPECT_TRUE(hull.proven);
+  EXPECT_LT(hull.offset, 0.02) << "no wider than a few wires";
+  expectAHull(wire, {}, hull);
+}
+
+TEST(Hull, MissingTrianglesAreToldOf) {
+  const Surface holed =
+      surface([](auto u, auto v) { return point(u, sqrt(u * u + v * v - 0.25), v); }, {{-1, 1}, {-1, 1}});
+  EXPECT_FALSE(hullOf(holed, 0.05).proven);
+}
+
+TEST(Hull, EqualInputGivesEqualBits) {
+  const Surface teapot = makeSurface("teapot");
+  const Hull a = hullOf(teapot, 0.05), b = hullOf(teapot, 0.05);
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.indices, b.indices);
+  EXPECT_EQ(a.parameters, b.parameters);
+}
+
+TEST(Hull, TakesFewTriangles) {
+  const Surface teapot = makeSurface("teapot");
+  const Vec3 extent = teapot.bounds({}).extent();
+  const double pixel = std::max(extent.x, extent.z) / 900;
+  const std::size_t count = hullOf(teapot, 8 * pixel).triangleCount();
+  std::printf("hull of the teapot, 900 px wide at 8 px: %zu triangles\n", count);
+  EXPECT_LE(count, 7000u);
+}
 
 }  // namespace
 }  // namespace luxo
