@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// One triangle over the whole window.
 #version 460
-
-void main() { gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1); }
+#extension GL_GOOGLE_include_directive : require
+#include "lib/whole_target.glsl"

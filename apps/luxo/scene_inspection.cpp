@@ -89,11 +89,11 @@ class Inspector {
     const VisibleList visible =
         cull(snapshot_,
              {.tolerancePx = options.tolerancePx, .samples = options.samples, .shading = options.shading});
-    MeshCache meshes;
-    const DrawList list = listDraws(snapshot_, visible, options, meshes);
+    Geometry geometry;
+    const DrawList list = listDraws(snapshot_, visible, options, geometry);
     std::uint64_t triangles = 0;
     for (const auto* batches : {&list.opaque, &list.transparent})
-      for (const DrawBatch& batch : *batches) triangles += batch.mesh->triangleCount() * batch.instanceCount;
+      for (const DrawBatch& batch : *batches) triangles += batch.indexCount() / 3 * batch.instanceCount;
     if (!std::isfinite(list.boundPx)) warnings_.push_back("the error of the picture has no proven bound");
     return {{"tolerance_px", options.tolerancePx},
             {"bound_px", numberJson(list.boundPx)},

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "draw/exact_data.h"
 
 namespace luxo {
 namespace {
@@ -134,7 +135,7 @@ std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible, cons
 }
 
 shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& node,
-                                const VisibleNode& visible, const Mesh& mesh, std::uint32_t shadeOf) {
+                                const VisibleNode& visible, const Vec3& origin, std::uint32_t shadeOf) {
   const Material& material = snapshot.materials[node.material.index];
   const Domain& domain = node.surface.domain();
   const Mat3 normals = normalMatrix(node.worldFromObject.linear);
@@ -143,14 +144,14 @@ shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& no
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normals[column][row]));
   return {
       .relativeFromObject = Mat3f(node.worldFromObject.linear),
-      .translation = toFloat(transformPoint(node.worldFromObject, mesh.origin) - snapshot.view.eye),
+      .translation = toFloat(transformPoint(node.worldFromObject, origin) - snapshot.view.eye),
       .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
       .ambient = toFloat(ambientFollowsPattern(material) ? snapshot.ambient
                                                          : material.ambientOrDiffuse() * snapshot.ambient),
       .diffuse = toFloat(material.diffuse),
       .specular = toFloat(material.specular),
       .shininess = static_cast<float>(material.shininess),
-      .opacity = static_cast<float>(material.opacity),
+      .opacity = material.transparent() ? static_cast<float>(material.opacity) : 0.0f,
       .flags = flagsOf(node, visible, material, shadeOf),
       .id = node.number,
       .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width())};
@@ -181,11 +182,12 @@ FaceCulling cullingOf(const VisibleNode& visible, const DrawOptions& options) {
 class DrawLister {
  public:
   DrawLister(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-             MeshCache& meshes)
+             Geometry& geometry, const HullLevels& levels)
       : snapshot_(snapshot),
         visible_(visible),
         options_(options),
-        meshes_(meshes),
+        geometry_(geometry),
+        levels_(levels),
         lightSets_(snapshot, options.tolerancePx, list_.lightSets) {
     list_.view = viewData(snapshot, visible);
   }
@@ -197,27 +199,38 @@ class DrawLister {
   }
 
  private:
-  /// A draw of one node, and its instance.
-  struct Item {
-    DrawBatch batch;
-    shared::InstanceData instance;
+  struct Instance {
+    shared::InstanceData data;
+    shared::ExactInstance exact;
+    std::uint32_t node;
   };
+
+  /// The draws of one node, and its instance.
+  struct Item {
+    std::vector<DrawBatch> batches;
+    Instance instance;
+  };
+
+  /// What instances must have in common to be drawn at once.
+  static auto kindOf(const DrawBatch& b) {
+    return std::tuple(b.state, b.mesh.get(), b.hull.get(), b.part, b.culling, b.bothSides, b.mirrored, b.lightSet);
+  }
 
   /// Every node joins the first draw of its kind, so that draws stay roughly front to back.
   void listOpaque() {
     struct Group {
       DrawBatch batch;
-      std::vector<shared::InstanceData> instances;
+      std::vector<Instance> instances;
     };
     std::vector<Group> groups;
-    std::map<std::tuple<DrawState, const Mesh*, FaceCulling, bool, std::uint32_t>, std::size_t> groupOf;
+    std::map<decltype(kindOf(std::declval<DrawBatch>())), std::size_t> groupOf;
     for (const VisibleNode& v : visible_.opaque) {
       Item item = itemOf(v, false);
-      const DrawBatch& b = item.batch;
-      const auto [entry, isNew] =
-          groupOf.try_emplace({b.state, b.mesh.get(), b.culling, b.mirrored, b.lightSet}, groups.size());
-      if (isNew) groups.push_back({std::move(item.batch), {}});
-      groups[entry->second].instances.push_back(item.instance);
+      for (DrawBatch& batch : item.batches) {
+        const auto [entry, isNew] = groupOf.try_emplace(kindOf(batch), groups.size());
+        if (isNew) groups.push_back({std::move(batch), {}});
+        groups[entry->second].instances.push_back(item.instance);
+      }
     }
     for (Group& group : groups)
       append(list_.opaque, std::move(group.batch), group.instances, {Half::Near, Half::Far});
@@ -225,17 +238,15 @@ class DrawLister {
 
   /// Order is everything, so only neighbours merge, and a surface shows its far side first.
   void listTransparent() {
-    const auto sameDraw = [](const DrawBatch& a, const DrawBatch& b) {
-      return a.state == b.state && a.mesh == b.mesh && a.culling == b.culling && a.mirrored == b.mirrored &&
-             a.lightSet == b.lightSet;
-    };
     for (const VisibleNode& v : visible_.transparent) {
       Item item = itemOf(v, true);
-      if (!list_.transparent.empty() && sameDraw(list_.transparent.back(), item.batch)) {
-        list_.instances.push_back(item.instance);
-        ++list_.transparent.back().instanceCount;
-      } else {
-        append(list_.transparent, std::move(item.batch), {&item.instance, 1}, {Half::Far, Half::Near});
+      for (DrawBatch& batch : item.batches) {
+        if (!list_.transparent.empty() && kindOf(list_.transparent.back()) == kindOf(batch)) {
+          place(item.instance);
+          ++list_.transparent.back().instanceCount;
+        } else {
+          append(list_.transparent, std::move(batch), {&item.instance, 1}, {Half::Far, Half::Near});
+        }
       }
     }
   }
@@ -244,11 +255,10 @@ class DrawLister {
     const SnapshotNode& node = snapshot_.nodes[v.node];
     const Material& material = snapshot_.materials[node.material.index];
     const Shading shading = material.shadingIn(options_.shading);
-    Item item;
-    DrawBatch& batch = item.batch;
+    DrawBatch batch;
     batch.state = {.shading = shading, .output = options_.output, .blended = blended};
-    batch.mesh = meshes_.get(node.surface, node.parameters, meshDescOf(node, v, shading, snapshot_.view));
     batch.culling = cullingOf(v, options_);
+    batch.bothSides = batch.culling == FaceCulling::None;
     batch.flat = node.surface.flatNormal().has_value();
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
@@ -260,11 +270,60 @@ class DrawLister {
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
-    item.instance = instanceOf(snapshot_, node, v, *batch.mesh, lights.shadeOf);
+    Item item;
+    item.instance.node = v.node;
+    Vec3 origin(0);
+    if (findsSurface(node, shading, blended)) {
+      origin = addHull(item, batch, node, v);
+    } else {
+      batch.mesh =
+          geometry_.meshes.get(node.surface, node.parameters, meshDescOf(node, v, shading, snapshot_.view));
+      list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
+      origin = batch.mesh->origin;
+      item.batches.push_back(batch);
+    }
+    item.instance.data = instanceOf(snapshot_, node, v, origin, lights.shadeOf);
     if (batch.state.pattern.valid())
-      item.instance.firstPatternParameter = patternParametersOf(node.material.index);
-    list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
+      item.instance.data.firstPatternParameter = patternParametersOf(node.material.index);
     return item;
+  }
+
+  /// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer counts, and
+  /// a hull does not keep them apart; what is infinitely large has no hull.
+  [[nodiscard]] bool findsSurface(const SnapshotNode& node, Shading shading, bool blended) const {
+    const bool finite = std::isfinite(glm::dot(node.boundsObject.extent(), Vec3(1)));
+    return (shading == Shading::Exact || shading == Shading::Residual) && !blended && finite;
+  }
+
+  /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns the
+  /// origin of the hull's vertices.
+  Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
+    const double finer = levels_.empty() ? 1 : std::ldexp(1.0, -2 * levels_[v.node]);
+    const double tolerance = v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx * finer;
+    batch.hull = geometry_.meshes.hull(node.surface, node.parameters, tolerance);
+    // From inside the slabs their walls are seen from behind.
+    batch.culling =
+        mayHoldEye(snapshot_.view, node, v, *batch.hull) ? FaceCulling::None : FaceCulling::Back;
+    item.instance.exact = exactInstance(snapshot_.view, node, v);
+    item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
+    item.instance.exact.wrong = batch.bothSides;
+    for (batch.part = 0; batch.part < batch.hull->parts.size(); ++batch.part) {
+      const Patch& patch = node.surface.patches()[batch.hull->parts[batch.part].patch];
+      batch.state.surface =
+          geometry_.codes.get(patch.function, patch.constants.size() + node.parameters.size());
+      item.batches.push_back(batch);
+    }
+    return batch.hull->origin;
+  }
+
+  /// Where the patches of a surface start; nodes with the same surface and parameters share them.
+  std::uint32_t patchesOf(const SnapshotNode& node, const Hull& hull) {
+    const auto [entry, isNew] =
+        firstPatchOf_.try_emplace(std::pair{node.surface.identity(), node.parameters},
+                                  static_cast<std::uint32_t>(list_.exactPatches.size()));
+    if (isNew)
+      appendPatches(node.surface, node.parameters, hull, list_.exactPatches, list_.exactParameters);
+    return entry->second;
   }
 
   /// Where the parameters of a material's pattern start; listed when first asked for.
@@ -282,38 +341,58 @@ class DrawLister {
 
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
   void append(std::vector<DrawBatch>& batches, DrawBatch batch,
-              std::span<const shared::InstanceData> instances, std::array<Half, 2> halves) {
-    if (batch.mesh->indices.empty()) return;  // a formula without a single finite triangle
+              std::span<const Instance> instances, std::array<Half, 2> halves) {
+    if (batch.indexCount() == 0) return;  // a formula without a single finite triangle
     batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
     batch.instanceCount = static_cast<std::uint32_t>(instances.size());
-    list_.instances.insert(list_.instances.end(), instances.begin(), instances.end());
-    const bool bothSides =
-        batch.culling == FaceCulling::None && !batch.flat && batch.state.shading != Shading::Wireframe;
+    for (const Instance& instance : instances) place(instance);
+    const bool bothSides = batch.bothSides && (batch.hull || !batch.flat) && batch.state.shading != Shading::Wireframe;
     if (!bothSides) {
+      if (batch.hull) batch.half = Half::Near;
       batches.push_back(std::move(batch));
       return;
     }
     for (const Half half : halves) {
       batch.half = half;
-      batch.culling = half == Half::Near ? FaceCulling::Back : FaceCulling::Front;
+      if (batch.mesh) batch.culling = half == Half::Near ? FaceCulling::Back : FaceCulling::Front;
       batches.push_back(batch);
     }
+  }
+
+  void place(const Instance& instance) {
+    list_.instances.push_back(instance.data);
+    list_.exactInstances.push_back(instance.exact);
+    list_.instanceNodes.push_back(instance.node);
   }
 
   const Snapshot& snapshot_;
   const VisibleList& visible_;
   const DrawOptions& options_;
-  MeshCache& meshes_;
+  Geometry& geometry_;
+  const HullLevels& levels_;
   DrawList list_;
   LightSets lightSets_;
+  std::map<std::pair<const void*, std::vector<double>>, std::uint32_t> firstPatchOf_;
   std::map<std::uint32_t, std::uint32_t> firstParameterOf_;
 };
 
 }  // namespace
 
+std::uint32_t DrawBatch::firstIndex() const {
+  if (!hull) return 0;
+  const Hull::Part& range = hull->parts[part];
+  return half == Half::Far ? range.firstIndex + range.frontCount : range.firstIndex;
+}
+
+std::uint32_t DrawBatch::indexCount() const {
+  if (!hull) return static_cast<std::uint32_t>(mesh->indices.size());
+  const Hull::Part& range = hull->parts[part];
+  return half == Half::Far ? range.count - range.frontCount : range.frontCount;
+}
+
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                   MeshCache& meshes) {
-  return DrawLister(snapshot, visible, options, meshes).list();
+                   Geometry& geometry, const HullLevels& levels) {
+  return DrawLister(snapshot, visible, options, geometry, levels).list();
 }
 
 }  // namespace luxo

@@ -27,24 +27,40 @@ std::vector<Vec3f> interleaved(const Mesh& mesh) {
   return vertices;
 }
 
+std::vector<HullVertex> verticesOf(const Hull& hull) {
+  std::vector<HullVertex> vertices;
+  vertices.reserve(hull.positions.size());
+  for (std::size_t i = 0; i < hull.positions.size(); ++i)
+    vertices.push_back({.position = Vec3f(hull.positions[i] - hull.origin),
+                        .parameters = Vec2f(hull.parameters[i]),
+                        .cell = Vec3f(hull.cells[i].x, hull.cells[i].y, 16 * hull.bound),
+                        .patch = hull.patches[i]});
+  return vertices;
+}
+
+void uploadIndices(gpu::Context& context, DeviceMesh& mesh, const std::vector<std::uint32_t>& indices,
+                   std::size_t vertices) {
+  mesh.indexCount = static_cast<std::uint32_t>(indices.size());
+  if (vertices <= 0xffff) {
+    const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
+    mesh.indices = upload(context, narrow, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "mesh indices");
+  } else {
+    mesh.indices = upload(context, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "mesh indices");
+    mesh.indexType = VK_INDEX_TYPE_UINT32;
+  }
+}
+
 }  // namespace
 
 const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool withParameters) {
   Entry& entry = entries_[mesh.get()];
   DeviceMesh& device = entry.device;
   // An expired entry of the same address belongs to a mesh that is gone.
-  if (entry.mesh.lock() != mesh) {
-    entry = {.mesh = mesh, .device = {}};
+  if (entry.source.lock() != mesh) {
+    entry = {.source = mesh, .device = {}};
     device.vertices =
         upload(*context_, interleaved(*mesh), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "mesh vertices");
-    device.indexCount = static_cast<std::uint32_t>(mesh->indices.size());
-    if (mesh->positions.size() <= 0xffff) {
-      const std::vector<std::uint16_t> narrow(mesh->indices.begin(), mesh->indices.end());
-      device.indices = upload(*context_, narrow, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "mesh indices");
-    } else {
-      device.indices = upload(*context_, mesh->indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "mesh indices");
-      device.indexType = VK_INDEX_TYPE_UINT32;
-    }
+    uploadIndices(*context_, device, mesh->indices, mesh->positions.size());
   }
   if (withParameters && !device.parameters) {
     const std::vector<Vec2f> parameters(mesh->parameters.begin(), mesh->parameters.end());
@@ -53,8 +69,19 @@ const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool w
   return device;
 }
 
+const DeviceMesh& MeshStore::get(const std::shared_ptr<const Hull>& hull) {
+  Entry& entry = entries_[hull.get()];
+  if (entry.source.lock() != hull) {
+    entry = {.source = hull, .device = {}};
+    entry.device.vertices =
+        upload(*context_, verticesOf(*hull), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "hull vertices");
+    uploadIndices(*context_, entry.device, hull->indices, hull->positions.size());
+  }
+  return entry.device;
+}
+
 void MeshStore::dropUnused() {
-  std::erase_if(entries_, [](const auto& entry) { return entry.second.mesh.expired(); });
+  std::erase_if(entries_, [](const auto& entry) { return entry.second.source.expired(); });
 }
 
 }  // namespace luxo

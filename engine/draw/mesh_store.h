@@ -8,17 +8,26 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "tessellate/hull.h"
 #include "tessellate/mesh.h"
 
 namespace luxo {
 
 /// One mesh as the shaders read it: float, object space relative to the mesh's origin.
 struct DeviceMesh {
-  gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex
+  gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex; or HullVertex
   gpu::Buffer parameters;  ///< (u, v): 8 bytes a vertex; empty until a view of geometry needs it
   gpu::Buffer indices;
   VkIndexType indexType = VK_INDEX_TYPE_UINT16;
   std::uint32_t indexCount = 0;
+};
+
+/// One hull as the shaders read it: float, object space relative to the hull's origin.
+struct HullVertex {
+  Vec3f position;
+  Vec2f parameters;
+  Vec3f cell;  ///< extent in u and v; how far second derivatives bend it, object units
+  std::uint32_t patch = 0;
 };
 
 class MeshStore {
@@ -26,18 +35,19 @@ class MeshStore {
   explicit MeshStore(gpu::Context& context) : context_(&context) {}
 
   [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Mesh>& mesh, bool withParameters);
+  [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Hull>& hull);
 
   /// Drops the meshes that are gone. The device may still be drawing them: destruction is deferred.
   void dropUnused();
 
  private:
   struct Entry {
-    std::weak_ptr<const Mesh> mesh;
+    std::weak_ptr<const void> source;
     DeviceMesh device;
   };
 
   gpu::Context* context_;
-  std::map<const Mesh*, Entry> entries_;
+  std::map<const void*, Entry> entries_;
 };
 
 }  // namespace luxo

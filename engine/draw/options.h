@@ -25,7 +25,12 @@ struct DrawOptions {
   Shading shading = Shading::Phong;  ///< of materials that do not say otherwise
   Output output = Output::Color;
   double tolerancePx = 0.5;   ///< how far a mesh may be from its surface on the screen
-  int samples = 1;            ///< per pixel: 1 or 4; auxiliary outputs always take 1, they are never averaged
+  /// Exact shading: how far the hull in which the search for a surface begins is from it, about. No error of
+  /// the picture: coarser hulls have fewer triangles and start the search farther off.
+  double hullTolerancePx = 4;
+  /// Per pixel, 1 to kMostSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1, in
+  /// the pixel's centre; they are never averaged.
+  int samples = 1;
   bool cullBackFaces = true;  ///< off: both faces of everything are rasterised, for looking at meshes
   Skips skips;
 

@@ -48,7 +48,7 @@ void addCounts(FrameCounts& to, const CullCounts& from) {
 VkClearColorValue backgroundOf(const Snapshot& snapshot, Output output) {
   const float infinity = std::numeric_limits<float>::infinity();
   const Vec3f b(snapshot.background);
-  if (output == Output::Color) return {{b.x, b.y, b.z, 1}};
+  if (output == Output::Color) return {{b.x, b.y, b.z, 0}};
   return {{output == Output::Depth ? infinity : 0.0f, 0, 0, 0}};
 }
 
@@ -93,7 +93,7 @@ void beginPass(VkCommandBuffer commands, const PassTargets& targets, VkAttachmen
 /// meet. Each half moves by its own slope, since either may be the steeper one.
 gpu::DepthBias biasOf(const DrawBatch& batch) {
   constexpr float kUnits = 8, kSlope = 1.0f / 128;
-  if (batch.state.blended || batch.half == Half::Whole) return {};
+  if (batch.hull || batch.state.blended || batch.half == Half::Whole) return {};
   if (batch.half == Half::Far) return {.constant = -kUnits, .slope = -kSlope};
   return batch.twoSided ? gpu::DepthBias{.constant = kUnits, .slope = kSlope} : gpu::DepthBias{};
 }
@@ -115,28 +115,30 @@ ScenePainter::ScenePainter(gpu::Context& context, Precision precision)
 }
 
 void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
-                          const DrawOptions& options, FrameStatistics& statistics) {
+                          const DrawOptions& options, FrameStatistics& statistics,
+                          const HullLevels& levels) {
   const bool auxiliary = options.output != Output::Color;
   const VkSampleCountFlagBits samples =
       auxiliary ? VK_SAMPLE_COUNT_1_BIT
                 : context_->supportedSamples(static_cast<std::uint32_t>(options.samples));
   const gpu::Counters before = context_->counters();
-  const std::uint64_t tessellatedBefore = meshes_.tessellated();
+  const std::uint64_t tessellatedBefore = geometry_.meshes.tessellated();
   Stopwatch watch;
 
   const VisibleList visible = cull(snapshot, cullOptions(options, samples));
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();
 
-  const DrawList list = listDraws(snapshot, visible, options, meshes_);
+  const DrawList list = listDraws(snapshot, visible, options, geometry_, levels);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
-  statistics.count.tessellated += meshes_.tessellated() - tessellatedBefore;
+  statistics.count.tessellated += geometry_.meshes.tessellated() - tessellatedBefore;
   statistics.ms.tessellate += watch.lap();
 
   format_.samples = samples;
   prepareTargets({static_cast<std::uint32_t>(snapshot.view.size.width),
                   static_cast<std::uint32_t>(snapshot.view.size.height)},
                  samples);
+  using enum gpu::Use;
   store_.dropUnused();
   upload(list, !options.skips.unchanged);
   DescriptorSets sets{.scene = frames.descriptors().write(
@@ -144,8 +146,14 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
                           {view_.buffer, instances_.buffer, {lights_.buffer, 0, sizeof(shared::LightSet)}})};
   if (!list.patternParameters.empty())
     sets.pattern = frames.descriptors().write(pipelines_.patternLayout(), {patternParameters_.buffer});
+  clearTally(list);
+  if (list.exact()) {
+    sets.exact = frames.descriptors().write(
+        pipelines_.exactLayout(),
+        {exactInstances_.buffer, exactPatches_.buffer, exactParameters_.buffer, tally_});
+    gpu::use(commands, {{tally_, StorageWrite}});
+  }
 
-  using enum gpu::Use;
   const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
   const auto pass = [&](const char* name, const std::vector<DrawBatch>& batches, VkAttachmentLoadOp load) {
     const gpu::Label label(*context_, commands, name);
@@ -160,6 +168,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   pass("opaque", list.opaque, VK_ATTACHMENT_LOAD_OP_CLEAR);
   if (!list.transparent.empty() || !options.skips.passes)
     pass("transparent", list.transparent, VK_ATTACHMENT_LOAD_OP_LOAD);
+  if (list.exact()) gpu::use(commands, {{tally_, HostRead}});
 
   const gpu::Counters after = context_->counters();
   statistics.count.uploadBytes += after.uploadedBytes - before.uploadedBytes;
@@ -208,6 +217,42 @@ void ScenePainter::upload(const DrawList& list, bool always) {
   if (!list.patternParameters.empty())
     write(patternParameters_, std::as_bytes(std::span(list.patternParameters)),
           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "pattern parameters", always);
+  if (!list.exact()) return;
+  const auto store = [&](Mirror& mirror, const auto& elements, const char* name) {
+    write(mirror, std::as_bytes(std::span(elements)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
+  };
+  store(exactInstances_, list.exactInstances, "exact instances");
+  store(exactPatches_, list.exactPatches, "patches");
+  store(exactParameters_, list.exactParameters, "parameters of formulas");
+}
+
+void ScenePainter::clearTally(const DrawList& list) {
+  tallyNodes_.clear();
+  if (!list.exact()) return;
+  tallyNodes_ = list.instanceNodes;
+  const VkDeviceSize bytes = tallyNodes_.size() * sizeof(std::uint32_t);
+  if (!tally_ || tally_.size() < bytes) {
+    tally_ = gpu::Buffer(*context_, {.size = 2 * bytes,
+                                     .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                     .memory = gpu::MemoryUse::Readback,
+                                     .name = "tally"});
+  } else {
+    context_->timeline().wait(context_->timeline().submitted());
+  }
+  std::ranges::fill(tally_.mapped(), std::byte{0});
+  tally_.flush();
+}
+
+std::vector<std::uint32_t> ScenePainter::lostPixels() {
+  if (tallyNodes_.empty()) return {};
+  std::vector<std::uint32_t> lost(*std::ranges::max_element(tallyNodes_) + 1);
+  const std::span<const std::byte> bytes = tally_.read();
+  for (std::size_t i = 0; i < tallyNodes_.size(); ++i) {
+    std::uint32_t count = 0;
+    std::memcpy(&count, bytes.data() + i * sizeof count, sizeof count);
+    lost[tallyNodes_[i]] += count;
+  }
+  return lost;
 }
 
 void ScenePainter::write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
@@ -231,12 +276,17 @@ void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
   for (const DrawBatch& batch : batches) {
     const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
     const bool withParameters = readsParameters(batch.state);
-    const DeviceMesh& mesh = store_.get(batch.mesh, withParameters);
+    const DeviceMesh& mesh = batch.hull ? store_.get(batch.hull) : store_.get(batch.mesh, withParameters);
     const auto lightOffset = static_cast<std::uint32_t>(batch.lightSet * lightStride_);
 
     pipeline.bind(commands);
     pipeline.bindSet(commands, 0, sets.scene, {&lightOffset, 1});
     if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, sets.pattern);
+    if (batch.hull) {
+      pipeline.bindSet(commands, 2, sets.exact);
+      const float side = batch.half == Half::Far ? -1.0f : 1.0f;
+      pipeline.push(commands, std::as_bytes(std::span(&side, 1)));
+    }
     gpu::setDepthBias(commands, biasOf(batch));
     vkCmdSetCullMode(commands, cullMode(batch.culling));
     vkCmdSetFrontFace(commands, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
@@ -244,12 +294,13 @@ void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
     constexpr VkDeviceSize kOffsets[] = {0, 0};
     vkCmdBindVertexBuffers(commands, 0, withParameters ? 2 : 1, streams, kOffsets);
     vkCmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
-    vkCmdDrawIndexed(commands, mesh.indexCount, batch.instanceCount, 0, 0, batch.firstInstance);
+    vkCmdDrawIndexed(commands, batch.indexCount(), batch.instanceCount, batch.firstIndex(), 0,
+                     batch.firstInstance);
 
     ++statistics.count.drawCalls;
     statistics.count.instances += batch.instanceCount;
-    statistics.count.triangles += batch.mesh->triangleCount() * batch.instanceCount;
-    statistics.count.vertices += batch.mesh->positions.size() * batch.instanceCount;
+    statistics.count.triangles += batch.indexCount() / 3 * batch.instanceCount;
+    statistics.count.vertices += batch.vertexCount() * batch.instanceCount;
   }
 }
 

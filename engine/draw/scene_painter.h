@@ -29,7 +29,14 @@ class ScenePainter {
   /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
   /// is in target() once the recording has been submitted and is complete. Throws Error(Scene).
   void record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
-              const DrawOptions& options, FrameStatistics& statistics);
+              const DrawOptions& options, FrameStatistics& statistics, const HullLevels& levels = {});
+
+  /// Pixels in which the search for the surface of a node was lost, in the last recording, by index into
+  /// Snapshot::nodes; empty where no surface was searched for. A pixel counts once for every layer. Requires that the
+  /// recording is complete.
+  [[nodiscard]] std::vector<std::uint32_t> lostPixels();
+  /// Whether the last recording searches for surfaces.
+  [[nodiscard]] bool searches() const { return !tallyNodes_.empty(); }
 
   /// The last recorded picture: scene-linear RGBA, one sample, row 0 at the top.
   [[nodiscard]] gpu::Texture& target() { return resolved_ ? resolved_ : color_; }
@@ -44,10 +51,12 @@ class ScenePainter {
   struct DescriptorSets {
     VkDescriptorSet scene = VK_NULL_HANDLE;
     VkDescriptorSet pattern = VK_NULL_HANDLE;  ///< where a draw has a pattern
+    VkDescriptorSet exact = VK_NULL_HANDLE;    ///< where a draw has a hull
   };
 
   void prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples);
   void upload(const DrawList& list, bool always);
+  void clearTally(const DrawList& list);
   void write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage, const char* name,
              bool always);
   void paint(VkCommandBuffer commands, const DescriptorSets& sets, const std::vector<DrawBatch>& batches,
@@ -56,9 +65,11 @@ class ScenePainter {
   gpu::Context* context_;
   PassFormat format_;
   ScenePipelines pipelines_;
-  MeshCache meshes_;
+  Geometry geometry_;
   MeshStore store_;
-  Mirror view_, instances_, lights_, patternParameters_;
+  Mirror view_, instances_, lights_, patternParameters_, exactInstances_, exactPatches_, exactParameters_;
+  gpu::Buffer tally_;  ///< of the last recording, by instance
+  std::vector<std::uint32_t> tallyNodes_;
   VkDeviceSize lightStride_ = 0;
   gpu::Texture color_, resolved_, depth_;
 };

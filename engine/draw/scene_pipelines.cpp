@@ -2,11 +2,14 @@
 #include "draw/scene_pipelines.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <span>
 
 #include "base/error.h"
+#include "draw/mesh_store.h"
 #include "gpu/shader_compiler.h"
+#include "luxo/shaders/exact_vert.h"
 #include "luxo/shaders/gouraud_frag.h"
 #include "luxo/shaders/gouraud_pattern_vert.h"
 #include "luxo/shaders/gouraud_vert.h"
@@ -75,6 +78,7 @@ DrawState canonical(DrawState state) {
 }  // namespace
 
 bool readsParameters(const DrawState& state) {
+  if (state.surface) return false;  // a hull has them among its vertices
   return inspectionOf(state).has_value() || state.pattern.valid();
 }
 
@@ -95,6 +99,48 @@ const gpu::DescriptorLayout& ScenePipelines::patternLayout() {
   if (patternLayout_.bindings().empty())
     patternLayout_ = gpu::DescriptorLayout(*context_, {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}});
   return patternLayout_;
+}
+
+const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
+  if (exactLayout_.bindings().empty())
+    exactLayout_ = gpu::DescriptorLayout(*context_, std::vector<gpu::DescriptorBinding>(
+                                                        4, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+  return exactLayout_;
+}
+
+const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode& surface,
+                                                              const Pattern& pattern) {
+  const auto found = exactShaders_.find({&surface, pattern});
+  if (found != exactShaders_.end()) return found->second;
+  std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
+  sources.push_back({"surface", surface.glsl});
+  if (pattern.valid()) sources.push_back({"pattern", pattern.glsl()});
+  const auto source = std::ranges::find(kShaderSources, pattern.valid() ? "exact/pattern.frag" : "exact/surface.frag",
+                                        &gpu::ShaderSource::name);
+  auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources});
+  context_->counted().shadersCompiled += shader.compiled;
+  return exactShaders_.emplace(std::pair{&surface, pattern}, std::move(shader.spirv)).first->second;
+}
+
+void ScenePipelines::describeExact(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  constexpr std::uint32_t kLight = static_cast<std::uint32_t>(Quantity::Residual) + 1;
+  desc.vertexShader = luxo_exact_vert;
+  desc.fragmentShader = exactShader(*state.surface, state.pattern);
+  desc.bindings = {{0, sizeof(HullVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
+  desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(HullVertex, position)},
+                     {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(HullVertex, parameters)},
+                     {2, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(HullVertex, cell)},
+                     {3, 0, VK_FORMAT_R32_UINT, offsetof(HullVertex, patch)}};
+  const auto inspection = inspectionOf(state);
+  desc.specialization = {state.plainLights,
+                         state.shadedLights,
+                         0,
+                         inspection ? static_cast<std::uint32_t>(inspection->quantity) : kLight,
+                         inspection && inspection->asColor,
+                         state.surface->parameters};
+  desc.depthClamp = true;
+  desc.pushConstantBytes = sizeof(float);
+  desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};
 }
 
 const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& pattern,
@@ -121,7 +167,7 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
       .colorFormats = {format.color},
       .depthFormat = format.depth,
       .depthWrite = !state.blended,
-      .blend = state.blended && state.output == Output::Color ? gpu::Blend::Alpha : gpu::Blend::None,
+      .blend = state.blended && state.output == Output::Color ? gpu::Blend::Color : gpu::Blend::None,
       .specialization = {state.plainLights, state.shadedLights},
       .setLayouts = {sceneLayout_},
   };
@@ -130,7 +176,9 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
     desc.attributes.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, 0});
   }
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
-  if (const auto inspection = inspectionOf(state)) {
+  if (state.surface) {
+    describeExact(state, desc);
+  } else if (const auto inspection = inspectionOf(state)) {
     desc.vertexShader = luxo_inspect_vert;
     desc.fragmentShader = luxo_inspect_frag;
     desc.specialization = {static_cast<std::uint32_t>(inspection->quantity), inspection->asColor};

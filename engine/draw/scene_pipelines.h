@@ -36,6 +36,9 @@ class ScenePipelines {
   [[nodiscard]] const gpu::DescriptorLayout& sceneLayout() const { return sceneLayout_; }
   /// Set 1 of pipelines with a pattern: the parameters. Made when first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& patternLayout();
+  /// Set 2 of pipelines that find the surface: exact instances, patches, parameters, tally. Made when first
+  /// asked for.
+  [[nodiscard]] const gpu::DescriptorLayout& exactLayout();
 
  private:
   [[nodiscard]] gpu::GraphicsPipeline make(const DrawState& state, const PassFormat& format);
@@ -43,8 +46,13 @@ class ScenePipelines {
   [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Pattern& pattern,
                                                                 std::string_view name);
 
+  /// The fragment shader that finds a surface, with a pattern or without.
+  [[nodiscard]] const std::vector<std::uint32_t>& exactShader(const SurfaceCode& surface, const Pattern& pattern);
+  void describeExact(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+
   gpu::Context* context_;
-  gpu::DescriptorLayout sceneLayout_, patternLayout_;
+  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;
+  std::map<std::pair<const SurfaceCode*, Pattern>, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, PassFormat>, gpu::GraphicsPipeline> pipelines_;
 };

@@ -36,6 +36,7 @@ Features featuresOf(const Adapter& adapter) {
   return {.fillModeNonSolid = supported.fillModeNonSolid == VK_TRUE,
           .independentBlend = supported.independentBlend == VK_TRUE,
           .fragmentStoresAndAtomics = supported.fragmentStoresAndAtomics == VK_TRUE,
+          .depthClamp = supported.depthClamp == VK_TRUE,
           .timestamps = hasTimestamps(adapter)};
 }
 
@@ -98,6 +99,7 @@ void Context::createDevice(bool presents) {
       .pNext = &features12,
       .features = {.independentBlend = features_.independentBlend,
                    .sampleRateShading = VK_TRUE,
+                   .depthClamp = features_.depthClamp,
                    .fillModeNonSolid = features_.fillModeNonSolid,
                    .fragmentStoresAndAtomics = features_.fragmentStoresAndAtomics}};
   const float priority = 1;

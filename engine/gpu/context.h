@@ -42,6 +42,7 @@ struct Features {
   bool fillModeNonSolid = false;          ///< lines and points from triangles
   bool independentBlend = false;          ///< blending that differs between the attachments of a pipeline
   bool fragmentStoresAndAtomics = false;  ///< storage buffers written by fragment shaders
+  bool depthClamp = false;                ///< triangles are drawn that lie before the near plane
   bool timestamps = false;                ///< FrameRing measures device time
 };
 

@@ -47,8 +47,9 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
   state.blendEnable = VK_TRUE;
   state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
   state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-  state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  state.srcAlphaBlendFactor = blend == Blend::Alpha ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO;
+  state.dstAlphaBlendFactor =
+      blend == Blend::Alpha ? VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
   return state;
 }
 
@@ -115,6 +116,7 @@ VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, Vk
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
   const VkPipelineRasterizationStateCreateInfo raster{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+      .depthClampEnable = desc.depthClamp && context.features().depthClamp,
       .polygonMode = desc.polygonMode,
       .lineWidth = 1};
   const VkPipelineMultisampleStateCreateInfo multisample{

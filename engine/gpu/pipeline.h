@@ -16,6 +16,7 @@ namespace luxo::gpu {
 enum class Blend {
   None,
   Alpha,  ///< source over destination, colours not premultiplied; alpha becomes coverage
+  Color,  ///< as Alpha, but the destination's alpha stays
 };
 
 /// Added to the depth of what is drawn: units of the depth buffer's resolution, and of the depth's largest
@@ -40,6 +41,9 @@ struct GraphicsPipelineDesc {
   std::vector<VkFormat> colorFormats;
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth buffer, and none of the next three
 
+  /// Triangles are not cut where they are nearer than the near plane: their depth is clamped. Where
+  /// features().depthClamp is missing they are cut.
+  bool depthClamp = false;
   bool depthTest = true;
   bool depthWrite = true;
   VkCompareOp depthCompare = VK_COMPARE_OP_GREATER;  ///< reversed depth: nearer is greater, cleared to 0

@@ -7,6 +7,8 @@
 // Each is reduced to a short interval and evaluated there by a polynomial: the best one of its degree in relative error
 // (Remez), rounded to float; its error is below 7e-9, a tenth of a unit. Cody-Waite reduction: constants are split into
 // parts of few bits, so that multiples of the first parts are exact.
+#ifndef LUXO_LIB_FORMULA_GLSL
+#define LUXO_LIB_FORMULA_GLSL
 
 const float kHalfPi = 1.57079633;
 const float kHalfPiRest = -4.37113883e-8;  // pi/2 - kHalfPi
@@ -222,3 +224,4 @@ float formulaPow(float x, float y) {
     result = formulaPowPositive(a, clamp(y, -4e10, 4e10));
   return floatBitsToInt(x) < 0 && odd ? -result : result;
 }
+#endif

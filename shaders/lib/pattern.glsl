@@ -5,19 +5,23 @@
 
 layout(scalar, set = 1, binding = 0) readonly buffer PatternParameters { float patternParameters[]; };
 
-layout(location = 6, component = 1) flat in uint inFirstParameter;
-layout(location = 15) flat in vec4 inParameterBounds;
+// The including shader says where the material's parameters start, and the lowest and highest u and v inside the surface.
+uint firstPatternParameter();
+vec4 patternBounds();
 
-float parameterAt(uint k) { return patternParameters[inFirstParameter + k]; }
+float patternParameterAt(uint k) { return patternParameters[firstPatternParameter() + k]; }
 
+#define parameterAt patternParameterAt
 #include "pattern"
+#undef parameterAt
 
 // A formula without a value is black.
 float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? c : 0.0; }
 
 vec3 patternAt(vec2 parameters) {
   // Rounding must not lead across the end of the domain, where a pattern may jump.
-  parameters = clamp(parameters, inParameterBounds.xy, inParameterBounds.zw);
+  vec4 bounds = patternBounds();
+  parameters = clamp(parameters, bounds.xy, bounds.zw);
   vec3 color;
   patternColor(parameters.x, parameters.y, color);
   return vec3(colorOrBlack(color.r), colorOrBlack(color.g), colorOrBlack(color.b));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene's bindings, and the transform every vertex shader shares.
+#ifndef LUXO_LIB_SCENE_GLSL
+#define LUXO_LIB_SCENE_GLSL
 #include "shared/scene_data.h"
 
 layout(scalar, set = 0, binding = kBindingView) uniform View { ViewData view; };
@@ -32,3 +34,4 @@ bool seenFromFront(vec3 n, vec3 v, bool facetFaces) {
   float cosine = dot(n, v);
   return abs(cosine) > kTurningAway ? cosine > 0.0 : facetFaces;
 }
+#endif

@@ -2,7 +2,7 @@
 // The interpolated light of the side that is seen, on a pattern.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/pattern.glsl"
+#include "lib/pattern_of_mesh.glsl"
 
 layout(location = 0) sample in vec3 inFront;
 layout(location = 1) sample in vec3 inBack;

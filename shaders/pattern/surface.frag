@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/surface_fragment.glsl"
-#include "lib/pattern.glsl"
+#include "lib/pattern_of_mesh.glsl"
 
 layout(location = 14) sample in vec3 inDetail;
 

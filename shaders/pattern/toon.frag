@@ -3,6 +3,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/toon.glsl"
-#include "lib/pattern.glsl"
+#include "lib/pattern_of_mesh.glsl"
 
 void main() { outColor = drawnFragment(patternAt(inDetail.xy)); }

@@ -26,6 +26,12 @@ LUXO_CONSTANT kBindingView = 0;
 LUXO_CONSTANT kBindingInstances = 1;
 LUXO_CONSTANT kBindingLights = 2;  // dynamic offset: the set of lights that reach the draw
 
+// Bindings of descriptor set 2, of draws that find the surface itself in every pixel.
+LUXO_CONSTANT kBindingExactInstances = 0;
+LUXO_CONSTANT kBindingExactPatches = 1;
+LUXO_CONSTANT kBindingExactParameters = 2;
+LUXO_CONSTANT kBindingTally = 3;
+
 LUXO_CONSTANT kMostLights = 32;  // that may reach one object
 
 // Instance flags.
@@ -63,6 +69,32 @@ struct LightData {
   uint inverseSquare;
 };
 
+// What finding the surface in a pixel takes beside InstanceData, at the same index. Rows are linear functions of the
+// object's points (w: the constant term).
+struct ExactInstance {
+  vec4 x, y;       // pixels right of and below the middle of the picture, times what `depth` gives (perspective)
+  vec4 depth;      // metres along the view axis
+  // Of the depth buffer: perspective x / depth, orthographic x + y * depth. Perspective: y / depth is the part of the
+  // tolerance that depends on the depth.
+  vec2 clipDepth;
+  vec2 half_;      // half the picture's size, pixels
+  vec3 translation;  // of relativeFromObject for the formula's points
+  float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
+  float tolerance; // largest residual, pixels; see clipDepth
+  uint firstPatch;
+  uint wrong;      // whether a root on the other side than the one searched for is shown if there is no other
+};
+
+// A patch of a surface.
+struct ExactPatch {
+  vec4 domain;          // lowest u and v, highest u and v
+  vec2 wraps;           // the period of u and v where the formula goes on beyond the domain; 0: it does not
+  vec2 poles;           // v (or u) of the edges that are one point; far outside the domain: none
+  uint polesOfU;        // whether those are edges of u
+  float orientation;    // +1: Su x Sv points outward
+  uint firstParameter;  // of the formula's parameters, in the buffer of them all
+};
+
 // The shade of a light in its focus: what is lit is known in closed form.
 struct ShadeData {
   vec3 axis;  // unit, from the vertex through the focus out of the opening
@@ -78,6 +110,7 @@ struct LightSet {
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
 static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ExactInstance) == 92 && sizeof(ExactPatch) == 44);
 }  // namespace luxo::shared
 #endif
 #endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces as shader code: what the exact fragment shaders are made with.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "surface/surface_function.h"
+
+namespace luxo {
+
+/// A formula's GLSL: `void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)`, for
+/// shaders/lib/exact_root.glsl.
+struct SurfaceCode {
+  std::string glsl;
+  std::uint32_t parameters = 0;  ///< how many it may read
+};
+
+/// The code of a function that reads at most `parameters` variables beyond u and v. Cost: tens of
+/// microseconds for usual formulas. Throws Error(Scene) for one too large for a shader.
+[[nodiscard]] SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters);
+
+/// Every function's code, made once. Equal formulas share one, whoever made them.
+class SurfaceCodes {
+ public:
+  /// Valid as long as this object; equal code has the same address.
+  [[nodiscard]] const SurfaceCode* get(const std::shared_ptr<const SurfaceFunction>& function,
+                                       std::size_t parameters);
+
+ private:
+  struct Known {
+    std::weak_ptr<const SurfaceFunction> function;  ///< another one may get the address of one that is gone
+    const SurfaceCode* code = nullptr;
+  };
+
+  std::map<std::string, SurfaceCode, std::less<>> byText_;
+  std::map<const SurfaceFunction*, Known> byFunction_;
+};
+
+}  // namespace luxo

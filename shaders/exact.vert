@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices of a hull around a surface (engine/tessellate/hull.h): where the search for the surface begins.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define LUXO_VERTEX
+#include "lib/exact_interface.glsl"
+#include "lib/scene.glsl"
+
+layout(constant_id = 5) const uint kParameterCount = 0;
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec2 inParameters;
+layout(location = 2) in vec3 inCell;  // extent in u and v; how far second derivatives bend it, metres of the object
+layout(location = 3) in uint inPatch;
+
+layout(scalar, set = 2, binding = kBindingExactInstances) readonly buffer ExactInstances { ExactInstance exactInstances[]; };
+layout(scalar, set = 2, binding = kBindingExactPatches) readonly buffer ExactPatches { ExactPatch exactPatches[]; };
+layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
+
+// Which side of the surface these triangles lead to: +1 front, -1 back.
+layout(push_constant) uniform Draw { float side; } draw;
+
+invariant gl_Position;
+
+void main() {
+  InstanceData instance = instances[gl_InstanceIndex];
+  ExactInstance exact = exactInstances[gl_InstanceIndex];
+  ExactPatch surfacePatch = exactPatches[exact.firstPatch + inPatch];
+  linkStart = inParameters;
+  linkAmbientShininess = vec4(instance.ambient, instance.shininess);
+  linkDiffuseOpacity = vec4(instance.diffuse, instance.opacity);
+  linkSpecularTolerance = vec4(instance.specular, exact.tolerance);
+  linkFlags = uvec4(instance.flags, instance.id, instance.firstPatternParameter, gl_InstanceIndex);
+  linkViewer = view.viewer;
+  for (uint i = 0; i < kCarriedLights; ++i) {
+    linkLights[2 * i] = lightSet.lights[i].position;
+    linkLights[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
+  }
+  for (uint i = 0; i < kCarriedShades; ++i) {
+    linkShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
+    linkShades[2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
+  }
+  linkX = exact.x;
+  linkY = exact.y;
+  linkDepth = exact.depth;
+  for (int i = 0; i < 3; ++i) linkRelative[i] = vec4(instance.relativeFromObject[i], exact.translation[i]);
+  linkDomain = surfacePatch.domain;
+  linkCellHalf = vec4(inCell.xy, exact.half_);
+  linkPolesWraps = vec4(surfacePatch.poles, surfacePatch.wraps);
+  linkSides = vec4(exact.facing * surfacePatch.orientation * draw.side,
+                   surfacePatch.polesOfU != 0 ? 2.0 * draw.side : draw.side, inCell.z,
+                   uintBitsToFloat(surfacePatch.firstParameter));
+  linkClip = vec4(exact.clipDepth, float(exact.wrong), view.viewer.w);
+  for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)
+    linkParameters[k / 4][k % 4] = exactParameters[surfacePatch.firstParameter + k];
+  gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
+}

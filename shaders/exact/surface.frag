@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface found in every pixel. The file "surface" is made from its formula.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/exact_fragment.glsl"
+
+void main() { show(seenPoint(), linkAmbientShininess.rgb, linkDiffuseOpacity.rgb); }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fragments of a hull: find the surface's point, then show it: lit, or as numbers or colours of its geometry.
+//
+// Alpha tells how good the point is: of what is lit and opaque its residual in pixels, negative where the root is not
+// certified; of what is transparent its opacity; of numbers and colours 1.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/exact_root.glsl"
+#include "lib/illumination.glsl"
+#include "lib/inspection.glsl"
+
+layout(constant_id = 3) const uint kQuantity = kLight;
+layout(constant_id = 4) const bool kAsColor = false;
+
+layout(scalar, set = 2, binding = kBindingTally) buffer Tally { uint lost[]; } tally;
+
+layout(location = 0) out vec4 outColor;
+
+LightData lightAt(uint i) {
+  if (i >= kCarriedLights) return lightSet.lights[i];
+  return LightData(linkLights[2 * i], linkLights[2 * i + 1].xyz, uint(linkLights[2 * i + 1].w));
+}
+
+ShadeData shadeAt(uint i) {
+  if (i >= kCarriedShades) return lightSet.shades[i];
+  return ShadeData(linkShades[2 * i].xyz, linkShades[2 * i].w, linkShades[2 * i + 1].x);
+}
+
+// Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K how
+// fast it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near, and where the search began is not
+// far.
+bool certified(Ray ray, vec2 p, Probe at) {
+  vec2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
+  float det = ju.x * jv.y - ju.y * jv.x;
+  float k = linkSides.z * sqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
+  bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
+  vec2 way = abs(p - linkStart) / linkCellHalf.xy;
+  return proven && max(way.x, way.y) <= kFarCells;
+}
+
+// The parameters as the surface names them.
+vec2 inPeriod(vec2 p) {
+  vec2 period = linkPolesWraps.zw;
+  vec2 turns = floor((p - linkDomain.xy) / max(period, kSmallest));
+  return vec2(period.x > 0.0 ? p.x - turns.x * period.x : p.x, period.y > 0.0 ? p.y - turns.y * period.y : p.y);
+}
+
+vec3 relative(vec3 object) {
+  return linkRelative[0].xyz * object.x + linkRelative[1].xyz * object.y + linkRelative[2].xyz * object.z;
+}
+
+// Unit, of any scale of its factors; 0 where they span nothing.
+vec3 unitNormal(vec3 a, vec3 b) {
+  vec3 n = cross(a * inversesqrt(max(dot(a, a), kSmallest)), b * inversesqrt(max(dot(b, b), kSmallest)));
+  return n * inversesqrt(max(dot(n, n), kSmallest));
+}
+
+// What the picture shows of a point: `diffuse` and `ambient` as the material has them there.
+struct Seen {
+  vec2 parameters;
+  vec3 position;  // relative to the eye
+  vec3 normal;
+  vec3 viewer;    // unit, toward the viewer
+  float depth, residual;
+};
+
+// Ends the fragment where there is nothing to see.
+Seen seenPoint() {
+  Ray ray = rayOfPixel();
+  vec2 p;
+  Probe at;
+  int result = findRoot(ray, p, at);
+  if (result == kLost) atomicAdd(tally.lost[linkFlags.w], 1);
+  if (result != kFound) discard;
+  // Orthographic: linear; perspective: near / depth.
+  float z = linkClip.w != 0.0 ? linkClip.x / at.depth : linkClip.x + linkClip.y * at.depth;
+  if (!(z >= 0.0 && z <= 1.0)) discard;  // before the near plane
+  gl_FragDepth = z;
+
+  Seen seen;
+  seen.parameters = inPeriod(p);
+  seen.position = relative(at.S) + vec3(linkRelative[0].w, linkRelative[1].w, linkRelative[2].w);
+  vec3 toViewer = linkViewer.xyz - seen.position * linkViewer.w;
+  seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
+  vec3 n = unitNormal(relative(at.Su), relative(at.Sv));
+  bool front = side(at) * linkSides.y > 0.0;
+  bool turned = (linkFlags.x & kTwoSided) == 0 && !front;  // an inside that shows its outward normal
+  seen.normal = (dot(n, seen.viewer) < 0.0) != turned ? -n : n;
+  seen.depth = at.depth;
+  seen.residual = certified(ray, p, at) ? at.residual : -max(at.residual, 1e-9);
+  return seen;
+}
+
+void show(Seen seen, vec3 ambient, vec3 diffuse) {
+  if (kQuantity == kLight) {
+    Material material = Material(ambient, diffuse, linkSpecularTolerance.xyz, linkAmbientShininess.w, linkFlags.x);
+    bool opaque = linkDiffuseOpacity.w == 0.0;
+    outColor = vec4(illuminated(material, seen.position, seen.normal, seen.viewer),
+                    opaque ? seen.residual : linkDiffuseOpacity.w);
+  } else {
+    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, linkFlags.y, seen.residual);
+    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, linkDomain), 1);
+  }
+}
