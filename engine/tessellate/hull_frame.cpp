@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "tessellate/block_mesh.h"
 
@@ -154,7 +155,7 @@ HullFrame::HullFrame(const Surface& surface, std::span<const double> parameters,
   size_ = box.empty() ? 0 : glm::length(box.extent());
   numberPoints(blocks, patches);
   findFacets();
-  findWalls();
+  findWalls(patches);
   fileByPoint();
   findBounds(map, blocks, patches);
 }
@@ -194,23 +195,27 @@ void HullFrame::findFacets() {
   }
 }
 
-void HullFrame::findWalls() {
+void HullFrame::findWalls(const std::vector<HullPatch>& patches) {
   const auto key = [&](std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t{points_[a]} << 32) | points_[b];
   };
-  std::unordered_map<std::uint64_t, std::uint32_t> open;  // count of directed edges
-  open.reserve(mesh_.indices.size());
-  const auto forEachEdge = [&](const auto& action) {
-    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
-      for (std::size_t k = 0; k < 3; ++k)
-        action(t, mesh_.indices[3 * t + k], mesh_.indices[3 * t + (k + 1) % 3]);
+  // Where no triangle is missing, walls stand on the patches' edges only.
+  const auto candidate = [&](std::uint32_t v) {
+    return mesh_.dropped > 0 || onEdge(mesh_.parameters[v], patches[patches_[v]].domain);
   };
-  forEachEdge([&](std::size_t, std::uint32_t a, std::uint32_t b) { ++open[key(a, b)]; });
-  forEachEdge([&](std::size_t t, std::uint32_t a, std::uint32_t b) {
-    if (open.contains(key(b, a))) return;
+  const auto forEachCandidate = [&](const auto& action) {
+    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = mesh_.indices[3 * t + k], b = mesh_.indices[3 * t + (k + 1) % 3];
+        if (candidate(a) && candidate(b)) action(t, a, b);
+      }
+  };
+  std::unordered_set<std::uint64_t> directed;
+  forEachCandidate([&](std::size_t, std::uint32_t a, std::uint32_t b) { directed.insert(key(a, b)); });
+  forEachCandidate([&](std::size_t t, std::uint32_t a, std::uint32_t b) {
+    if (directed.contains(key(b, a))) return;
     walls_.push_back({a, b});
-    const Vec3 out = unit(glm::cross(mesh_.positions[b] - mesh_.positions[a], facets_[t]));
-    wallNormals_.push_back(out);
+    wallNormals_.push_back(unit(glm::cross(mesh_.positions[b] - mesh_.positions[a], facets_[t])));
   });
 }
 

@@ -70,7 +70,7 @@ class HullFrame {
  private:
   void numberPoints(const std::vector<Block>& blocks, const std::vector<HullPatch>& patches);
   void findFacets();
-  void findWalls();
+  void findWalls(const std::vector<HullPatch>& patches);
   void fileByPoint();
   void findBounds(const CurvatureMap& map, const std::vector<Block>& blocks,
                   const std::vector<HullPatch>& patches);
