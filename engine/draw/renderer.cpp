@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/renderer.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
+#include <numeric>
 
-#include "gpu/barrier.h"
+#include "base/assert.h"
 
 namespace luxo {
 namespace {
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// A hull whose search lost pixels is made finer this often.
+constexpr int kMostRefinements = 3;
+
+/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one drew.
+void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
+  for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu})
+    last.ms.*time += before.ms.*time;
+  for (const auto count : {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
+                           &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
+    last.count.*count += before.count.*count;
 }
 
 int channelsOf(Output output) {
@@ -44,35 +59,99 @@ Picture Renderer::render(const Scene& scene) {
 }
 
 Picture Renderer::render(const Snapshot& snapshot, const DrawOptions& options) {
+  return *render(snapshot, options, [](double) { return true; });
+}
+
+std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOptions& options,
+                                        const std::function<bool(double)>& goesOn) {
+  LUXO_REQUIRE_COMPARE(options.samples, >=, 1);
+  LUXO_REQUIRE_COMPARE(options.samples, <=, kMostSamples);
   const auto start = std::chrono::steady_clock::now();
   Picture picture;
   FrameStatistics& statistics = picture.statistics;
-
-  const VkCommandBuffer commands = frames_.begin();
-  painter_.record(frames_, commands, snapshot, options, statistics);
-  gpu::Texture& target = painter_.target();
-  const VkExtent2D extent = target.extent();
-  if (extent.width != readbackExtent_.width || extent.height != readbackExtent_.height) {
-    readback_ = gpu::Readback(*context_, extent, target.format());
-    readbackExtent_ = extent;
+  if (inOnePass(options)) {
+    if (!goesOn(0)) return std::nullopt;
+    draw(snapshot, options, statistics,
+         [&](VkCommandBuffer commands) { recordReadback(commands, painter_.target()); });
+  } else {
+    if (!accumulator_) accumulator_.emplace(*context_);
+    const std::vector<Vec2> offsets = samplePattern(options.samples);
+    DrawOptions one = options;
+    one.samples = 1;
+    Snapshot sampled = snapshot;
+    for (int k = 0; k < options.samples; ++k) {
+      if (!goesOn(static_cast<double>(k) / options.samples)) return std::nullopt;
+      sampled.view = sampledAt(snapshot.view, offsets[static_cast<std::size_t>(k)]);
+      FrameStatistics pass;
+      draw(sampled, one, pass, [](VkCommandBuffer) {});
+      accumulate(k, k + 1 == options.samples, pass);
+      addPass(statistics, pass);
+    }
   }
-  readback_.record(commands, target);
-  const auto submitted = std::chrono::steady_clock::now();
-  const std::uint64_t submission = frames_.submit();
-  frames_.wait(submission);
-  statistics.count.submits = 1;
-  statistics.ms.gpu = frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
-
   const auto reading = std::chrono::steady_clock::now();
-  picture.image = readPicture(snapshot, options.output);
+  picture.image = readPicture(snapshot, options.output, statistics.error);
   statistics.ms.readback = millisecondsSince(reading);
   statistics.ms.total = millisecondsSince(start);
   return picture;
 }
 
-Image Renderer::readPicture(const Snapshot& snapshot, Output output) {
+bool Renderer::inOnePass(const DrawOptions& options) const {
+  const bool auxiliary = options.output != Output::Color;
+  const bool native = options.samples == 1 || options.samples == 4;
+  return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
+                                     static_cast<VkSampleCountFlagBits>(options.samples));
+}
+
+void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
+                    const Recording& then) {
+  HullLevels levels;
+  for (int round = 0;; ++round) {
+    FrameStatistics attempt;
+    const VkCommandBuffer commands = frames_.begin();
+    painter_.record(frames_, commands, snapshot, options, attempt, levels);
+    then(commands);
+    const auto submitted = std::chrono::steady_clock::now();
+    const std::uint64_t submission = frames_.submit();
+    frames_.wait(submission);
+    attempt.count.submits = 1;
+    attempt.ms.gpu = frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
+    if (round > 0) addAttempt(attempt, statistics);
+    statistics = attempt;
+
+    const std::vector<std::uint32_t> lost = painter_.lostPixels();
+    statistics.error.unconvergedPx = std::accumulate(lost.begin(), lost.end(), std::uint64_t{0});
+    if (statistics.error.unconvergedPx == 0 || round == kMostRefinements) return;
+    levels.resize(snapshot.nodes.size());
+    for (std::size_t node = 0; node < lost.size(); ++node) levels[node] += lost[node] > 0;
+  }
+}
+
+void Renderer::accumulate(int before, bool complete, FrameStatistics& statistics) {
+  const VkCommandBuffer commands = frames_.begin();
+  accumulator_->add(frames_, commands, painter_.target(), before);
+  if (complete) recordReadback(commands, accumulator_->mean());
+  const auto submitted = std::chrono::steady_clock::now();
+  const std::uint64_t submission = frames_.submit();
+  frames_.wait(submission);
+  ++statistics.count.submits;
+  statistics.ms.gpu += frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
+}
+
+void Renderer::recordReadback(VkCommandBuffer commands, gpu::Texture& picture) {
+  const VkExtent2D extent = picture.extent();
+  if (extent.width != readbackExtent_.width || extent.height != readbackExtent_.height) {
+    readback_ = gpu::Readback(*context_, extent, picture.format());
+    readbackExtent_ = extent;
+  }
+  readback_.record(commands, picture);
+}
+
+Image Renderer::readPicture(const Snapshot& snapshot, Output output, FrameError& error) {
   const int width = snapshot.view.size.width, height = snapshot.view.size.height,
             channels = channelsOf(output);
+  // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
+  const bool certifies = output == Output::Color && painter_.searches();
+  float residual = 0;
   Image image(width, height, channels);
   for (int y = 0; y < height; ++y) {
     const std::byte* texel = readback_.row(static_cast<std::uint32_t>(y)).data();
@@ -80,6 +159,10 @@ Image Renderer::readPicture(const Snapshot& snapshot, Output output) {
     for (int x = 0; x < width; ++x, texel += sizeof(Vec4f), out += channels) {
       Vec4f value;
       std::memcpy(&value, texel, sizeof value);
+      if (certifies && value.w != 0) {
+        residual = std::max(residual, std::abs(value.w));
+        error.uncertifiedPx += value.w < 0;
+      }
       // World positions are completed in double: far from the origin a float cannot hold both the eye and the
       // rest.
       if (output == Output::Position && value.w != 0)
@@ -87,6 +170,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, Output output) {
       std::memcpy(out, &value, channels * sizeof(float));
     }
   }
+  if (certifies) error.residualMaxPx = residual;
   return image;
 }
 

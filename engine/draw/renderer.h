@@ -5,8 +5,11 @@
 //     renderer.render(scene).image.save("picture.png");
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 
+#include "draw/accumulation.h"
 #include "draw/options.h"
 #include "draw/scene_painter.h"
 #include "draw/statistics.h"
@@ -42,16 +45,32 @@ class Renderer {
   /// Throws Error(Scene) for what cannot be drawn, Error(Retry) when the device runs out of memory or is
   /// lost.
   [[nodiscard]] Picture render(const Snapshot& snapshot, const DrawOptions& options = {});
+  /// The same, for those who wait: before every pass it tells how much is done, from 0 to 1, and gives up,
+  /// without a picture, once the answer is no.
+  [[nodiscard]] std::optional<Picture> render(const Snapshot& snapshot, const DrawOptions& options,
+                                              const std::function<bool(double done)>& goesOn);
 
   [[nodiscard]] gpu::Context& context() { return *context_; }
 
  private:
-  [[nodiscard]] Image readPicture(const Snapshot& snapshot, Output output);
+  using Recording = std::function<void(VkCommandBuffer commands)>;
+
+  /// Whether the device takes that many samples in one pass.
+  [[nodiscard]] bool inOnePass(const DrawOptions& options) const;
+  /// Draws into the painter's target, then does what `then` records, and waits for both; again with finer hulls
+  /// where the search for a surface was lost.
+  void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
+            const Recording& then);
+  /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.
+  void accumulate(int before, bool complete, FrameStatistics& statistics);
+  void recordReadback(VkCommandBuffer commands, gpu::Texture& picture);
+  [[nodiscard]] Image readPicture(const Snapshot& snapshot, Output output, FrameError& error);
 
   std::unique_ptr<gpu::Context> owned_;
   gpu::Context* context_;
   gpu::FrameRing frames_;
   ScenePainter painter_;
+  std::optional<Accumulator> accumulator_;  ///< made for the first picture of several passes
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};
 };

@@ -47,6 +47,8 @@ void validate(const RenderSettings& s) {
   color("ambient", s.ambient);
   if (!std::isfinite(s.time)) reject("time", fmt::format("{}", s.time), "finite");
   if (!(s.fps > 0 && std::isfinite(s.fps))) reject("fps", fmt::format("{}", s.fps), "above 0");
+  if (s.samples < 1 || s.samples > kMostSamples)
+    reject("samples", fmt::format("{}", s.samples), fmt::format("from 1 to {}", kMostSamples));
   if (!(s.tolerance > 0 && std::isfinite(s.tolerance)))
     reject("tolerance", fmt::format("{}", s.tolerance), "above 0");
 }

@@ -54,12 +54,15 @@ struct Node {
   std::optional<Segments> segments = std::nullopt;  ///< a uniform grid instead of a tolerance
 };
 
+/// The most samples per pixel that anything takes.
+inline constexpr int kMostSamples = 256;
+
 /// What the picture is when nobody asks otherwise.
 struct RenderSettings {
   PixelSize size = {1280, 720};
   double time = 0;
   double fps = 24;
-  int samples = 1;
+  int samples = 1;         ///< per pixel, 1 to kMostSamples
   double tolerance = 0.5;  ///< pixels
   Shading shading = Shading::Phong;
   Vec3 background{0.02, 0.025, 0.03};

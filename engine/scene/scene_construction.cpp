@@ -278,7 +278,7 @@ Vec3 SceneConstruction::colorOnce(const Quantity3& color) {
 void SceneConstruction::setRender(const RenderDesc& desc) {
   RenderSettings settings{.shading = desc.shading};
   const std::optional<int> width = count(desc.size[0]), height = count(desc.size[1]),
-                           samples = count(desc.samples);
+                           samples = count(desc.samples, kMostSamples);
   if (width && height) settings.size = {*width, *height};
   if (samples) settings.samples = *samples;
   settings.time = formulas_.once(desc.time).value_or(0);

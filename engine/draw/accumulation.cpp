@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/accumulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/assert.h"
+#include "gpu/barrier.h"
+#include "gpu/debug.h"
+#include "luxo/shaders/average_frag.h"
+#include "luxo/shaders/whole_target_vert.h"
+
+namespace luxo {
+namespace {
+
+constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+}  // namespace
+
+std::vector<Vec2> samplePattern(int samples) {
+  LUXO_REQUIRE_COMPARE(samples, >=, 1);
+  constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
+  const auto fraction = [](double a) { return a - std::floor(a); };
+  std::vector<Vec2> points;
+  Vec2 mean(0);
+  for (int k = 0; k < samples; ++k) {
+    const Vec2 point(fraction(0.5 + k / kPlastic) - 0.5, fraction(0.5 + k / (kPlastic * kPlastic)) - 0.5);
+    points.push_back(point);
+    mean += point / static_cast<double>(samples);
+  }
+  for (Vec2& point : points) point -= mean;
+  return points;
+}
+
+void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
+  FrameTimes& ms = picture.ms;
+  ms.tessellate += pass.ms.tessellate;
+  ms.cull += pass.ms.cull;
+  ms.upload += pass.ms.upload;
+  ms.gpu += pass.ms.gpu;
+
+  const bool first = picture.count.passes == 0;
+  FrameCounts sum = first ? pass.count : picture.count;
+  if (!first) {
+    sum.drawCalls += pass.count.drawCalls;
+    sum.instances += pass.count.instances;
+    sum.triangles += pass.count.triangles;
+    sum.vertices += pass.count.vertices;
+    sum.submits += pass.count.submits;
+    sum.uploadBytes += pass.count.uploadBytes;
+    sum.tessellated += pass.count.tessellated;
+    sum.pipelinesCreated += pass.count.pipelinesCreated;
+    sum.shadersCompiled += pass.count.shadersCompiled;
+    sum.passes += pass.count.passes;
+    sum.shadowPasses += pass.count.shadowPasses;
+  }
+  picture.count = sum;
+
+  FrameError& error = picture.error;
+  error.tolerancePx = pass.error.tolerancePx;
+  error.boundPx = std::max(error.boundPx, pass.error.boundPx);
+  error.residualMaxPx = std::max(error.residualMaxPx, pass.error.residualMaxPx);  // nothing is the least
+  error.unconvergedPx = std::max(error.unconvergedPx, pass.error.unconvergedPx);
+  error.uncertifiedPx = std::max(error.uncertifiedPx, pass.error.uncertifiedPx);
+}
+
+Accumulator::Accumulator(gpu::Context& context)
+    : context_(&context),
+      layout_(context, {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}}),
+      sampler_(gpu::createSampler(context, VK_FILTER_NEAREST)),
+      pipeline_(context, {.name = "average",
+                          .vertexShader = luxo_whole_target_vert,
+                          .fragmentShader = luxo_average_frag,
+                          .colorFormats = {kFormat},
+                          .blend = gpu::Blend::Alpha,
+                          .pushConstantBytes = sizeof(float),
+                          .setLayouts = {layout_}}) {}
+
+void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Texture& picture, int before) {
+  const VkExtent2D extent = picture.extent();
+  if (!mean_ || mean_.extent().width != extent.width || mean_.extent().height != extent.height) {
+    LUXO_REQUIRE_COMPARE(before, ==, 0);
+    mean_ = gpu::Texture(*context_, {.extent = extent,
+                                     .format = kFormat,
+                                     .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                              VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                                     .name = "mean"});
+  }
+  const gpu::Label label(*context_, commands, "average");
+  const VkDescriptorSet set = frames.descriptors().write(layout_, {{picture, sampler_}});
+  gpu::use(commands,
+           {{picture, gpu::Use::SampledFragment},
+            {mean_, gpu::Use::ColorAttachment, before == 0 ? gpu::Contents::Discard : gpu::Contents::Keep}});
+  // The first picture replaces all there is, but times 0, which does not undo an infinity or a NaN.
+  const VkRenderingAttachmentInfo color{
+      .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+      .imageView = mean_.view(),
+      .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+      .loadOp = before == 0 ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD,
+      .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                  .renderArea = {{0, 0}, extent},
+                                  .layerCount = 1,
+                                  .colorAttachmentCount = 1,
+                                  .pColorAttachments = &color};
+  vkCmdBeginRendering(commands, &rendering);
+  gpu::setViewport(commands, extent);
+  pipeline_.bind(commands);
+  pipeline_.bindSet(commands, 0, set);
+  const float weight = 1.0f / static_cast<float>(before + 1);
+  pipeline_.push(commands, std::as_bytes(std::span(&weight, 1)));
+  vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+  vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  vkCmdDraw(commands, 3, 1, 0, 0);
+  vkCmdEndRendering(commands);
+}
+
+}  // namespace luxo
