@@ -9,7 +9,7 @@ namespace luxo::reference {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr double kFloatRounding = 0x1p-23;
+constexpr double kSlack = 1e-3;        // of a domain: what interpolation may overshoot an edge by
 constexpr double kSamePointPx = 0.02;  // closer in space: one point, whatever the parameters say
 constexpr double kNeighbourhoodPx = 1e-3;
 constexpr double kMostGrazing = 0.02;  // cosine below which a surface is not taken for its tangent plane
@@ -17,10 +17,15 @@ constexpr int kSteps = 8;              // of a path along the surface
 
 bool holds(const Domain& domain, const Vec2& parameters) {
   const auto within = [](const Interval& range, double x) {
-    const double slack = kFloatRounding * std::max({range.magnitude(), std::abs(x), range.width()});
+    const double slack = kSlack * range.width();
     return range.lo - slack <= x && x <= range.hi + slack;
   };
   return within(domain.u, parameters.x) && within(domain.v, parameters.y);
+}
+
+Vec2 clamped(const Domain& domain, const Vec2& parameters) {
+  return {std::clamp(parameters.x, domain.u.lo, domain.u.hi),
+          std::clamp(parameters.y, domain.v.lo, domain.v.hi)};
 }
 
 }  // namespace
@@ -55,8 +60,11 @@ std::optional<Place> Layers::place(std::uint32_t node, std::uint32_t patch, cons
 std::optional<Place> Layers::at(std::uint32_t node, const Vec2& parameters, const Vec3& near) const {
   std::optional<Place> nearest;
   for (std::uint32_t patch = 0; patch < patches_[node].size(); ++patch) {
-    if (!holds(patches_[node][patch].domain(), parameters)) continue;
-    const std::optional<Place> candidate = place(node, patch, parameters);
+    const Domain& domain = patches_[node][patch].domain();
+    if (!holds(domain, parameters)) continue;
+    std::optional<Place> candidate = place(node, patch, parameters);
+    // A formula need not have values beyond its domain.
+    if (!candidate) candidate = place(node, patch, clamped(domain, parameters));
     if (candidate &&
         (!nearest || glm::distance(candidate->position, near) < glm::distance(nearest->position, near)))
       nearest = candidate;

@@ -29,8 +29,9 @@ class Layers {
   /// The index of the node of that number (SnapshotNode::number); nothing: there is none.
   [[nodiscard]] std::optional<std::uint32_t> nodeOf(double number) const;
 
-  /// The point at (u, v), evaluated in double. Where several patches meet at this (u, v), as float32 tells
-  /// it, the one whose point is nearest to `near`. Nothing when it is not finite or behind the eye.
+  /// The point at (u, v), evaluated in double; a thousandth of a patch beyond its edge is still of the patch.
+  /// Where several patches meet, the one whose point is nearest to `near`. Nothing when (u, v) is far from
+  /// all of them, and when the point is not finite or behind the eye.
   [[nodiscard]] std::optional<Place> at(std::uint32_t node, const Vec2& parameters, const Vec3& near) const;
 
   /// Whether the surface leads from `shown` to `seen`, which lies on the ray of `pixel`, without leaving the

@@ -51,7 +51,7 @@ void write(Image& image, int x, int y, std::string_view text) {
   }
 }
 
-/// From kLowestDecade at the left to 1 at the right, a mark and a label at every decade that has room.
+/// From kLowestDecade at the left to 1 at the right, a mark at every decade and a label where it has room.
 void drawLegend(Image& image, int top) {
   const int width = image.width();
   for (int y = top; y < image.height(); ++y)
@@ -62,9 +62,9 @@ void drawLegend(Image& image, int top) {
     const int x = (decade - kLowestDecade) * (width - 1) / -kLowestDecade;
     for (int y = top; y < top + kBarHeight + 3; ++y) paint(image, x, y, kInk);
     const std::string label = decade == 0 ? "1px" : "1e" + std::to_string(decade);
-    const int length = static_cast<int>(label.size()) * kAdvance;
-    if (length * -kLowestDecade <= width)
-      write(image, std::clamp(x - length / 2, 0, std::max(width - length, 0)), top + kBarHeight + 5, label);
+    const int length = static_cast<int>(label.size()) * kAdvance, pitch = width / -kLowestDecade;
+    if (pitch < length || (pitch < 2 * length && decade % 2 != 0)) continue;
+    write(image, std::clamp(x - length / 2, 0, std::max(width - length, 0)), top + kBarHeight + 5, label);
   }
 }
 
