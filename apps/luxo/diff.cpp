@@ -44,20 +44,26 @@ ComparisonSpace spaceOf(const DiffOptions& options) {
 
 const char* nameOf(ComparisonSpace space) { return space == ComparisonSpace::Srgb8 ? "srgb8" : "linear"; }
 
-std::string textOf(const Comparison& c, const std::optional<Flip>& seen, ComparisonSpace space) {
+/// dB, of the light and of its codes, whatever `space` the rest is in.
+struct Psnr {
+  double linear, srgb;
+};
+
+std::string textOf(const Comparison& c, const Psnr& psnr, const std::optional<Flip>& seen,
+                   ComparisonSpace space) {
   std::string text = fmt::format(
-      "space {}\nmax {} at {},{}\nmean {}\nrmse {}\npsnr {} dB\ndiffering {} of {} pixels (8 bit)\nnan {} "
-      "samples\n",
-      nameOf(space), c.max, c.maxX, c.maxY, c.mean, c.rmse, c.psnr, c.differingPixels8, c.pixels,
-      c.nanSamples);
+      "space {}\nmax {} at {},{}\nmean {}\nrmse {}\npsnr {} dB\npsnr linear {} dB, sRGB {} dB\n"
+      "differing {} of {} pixels (8 bit)\nnan {} samples\n",
+      nameOf(space), c.max, c.maxX, c.maxY, c.mean, c.rmse, c.psnr, psnr.linear, psnr.srgb,
+      c.differingPixels8, c.pixels, c.nanSamples);
   if (seen)
     text += fmt::format("flip mean {:.6g} p99.9 {:.6g} max {:.6g}\n", seen->mean, seen->p999, seen->max);
   return text;
 }
 
 // JSON has no infinity: null, and `equal` and `nan_samples` tell which one it was.
-std::string jsonOf(const Comparison& c, const std::optional<Flip>& seen, ComparisonSpace space,
-                   const DiffOptions& options, const Image& image) {
+std::string jsonOf(const Comparison& c, const Psnr& psnr, const std::optional<Flip>& seen,
+                   ComparisonSpace space, const DiffOptions& options, const Image& image) {
   const auto finite = [](double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
   };
@@ -72,8 +78,11 @@ std::string jsonOf(const Comparison& c, const std::optional<Flip>& seen, Compari
                                  {"mean", finite(c.mean)},
                                  {"rmse", finite(c.rmse)},
                                  {"psnr", finite(c.psnr)},
+                                 {"psnr_linear", finite(psnr.linear)},
+                                 {"psnr_srgb", finite(psnr.srgb)},
                                  {"pixels", c.pixels},
                                  {"differing_pixels", c.differingPixels8},
+                                 {"differing_part", double(c.differingPixels8) / double(c.pixels)},
                                  {"nan_samples", c.nanSamples}};
   if (seen) json["flip"] = {{"mean", seen->mean}, {"p99.9", seen->p999}, {"max", seen->max}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -96,9 +105,10 @@ int diff(const DiffOptions& options) {
   const Image b = loadImage(options.b);
   const Comparison result = compare(a, b, space);
   if (!options.heat.empty()) saveImage(heatMap(a, b, space), options.heat);
+  const Psnr psnr{compare(a, b, ComparisonSpace::Linear).psnr, compare(a, b, ComparisonSpace::Srgb).psnr};
   std::optional<Flip> seen;  // what has one channel is no picture to look at
   if (a.channels() >= 3) seen = flip(a, b);
-  printData(options.json ? jsonOf(result, seen, space, options, a) : textOf(result, seen, space));
+  printData(options.json ? jsonOf(result, psnr, seen, space, options, a) : textOf(result, psnr, seen, space));
   requireWithin("largest", result.max, most);
   requireWithin("mean", result.mean, mostMean);
   return exit_code::kDone;

@@ -30,6 +30,12 @@ int code8(float sample, std::size_t channel) {
   return isAlpha(channel) ? encodeAlpha8(sample) : encodeSrgb8(sample);
 }
 
+/// NaN counts as 0, as in the 8-bit encode.
+double coded(float sample, std::size_t channel) {
+  const double clamped = sample > 0 ? std::min<double>(sample, 1) : 0;
+  return isAlpha(channel) ? clamped : srgbFromLinear(clamped);
+}
+
 double linearDifference(float a, float b) {
   if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
   const double difference = std::abs(double(a) - double(b));
@@ -38,6 +44,7 @@ double linearDifference(float a, float b) {
 
 double sampleDifference(float a, float b, std::size_t channel, ComparisonSpace space) {
   if (space == ComparisonSpace::Linear || std::isnan(a) != std::isnan(b)) return linearDifference(a, b);
+  if (space == ComparisonSpace::Srgb) return std::abs(coded(a, channel) - coded(b, channel));
   return std::abs(code8(a, channel) - code8(b, channel)) / 255.0;
 }
 

@@ -12,6 +12,7 @@ namespace luxo {
 /// In which values samples are compared.
 enum class ComparisonSpace {
   Linear,  ///< the floats as they are
+  Srgb,    ///< clamped to 0..1 and sRGB-coded, not quantised; alpha stays linear
   Srgb8,   ///< after the 8-bit encode, code / 255: what two PNG files differ by
 };
 

@@ -74,6 +74,10 @@ TEST_F(DiffTest, JsonIsTheOnlyThingOnStdout) {
   EXPECT_EQ(json["max_at"], nlohmann::json({1, 0}));
   EXPECT_EQ(json["size"], nlohmann::json({2, 2}));
   EXPECT_EQ(json["differing_pixels"], 1);
+  EXPECT_EQ(json["differing_part"], 0.25);
+  // Only one sample of twelve differs, by 3/255 in code: as psnr, which is of codes here.
+  EXPECT_NEAR(json["psnr_srgb"], json["psnr"], 1e-4);
+  EXPECT_NE(json["psnr_linear"], json["psnr"]);
   EXPECT_GT(json["flip"]["mean"], 0);
   EXPECT_LE(json["flip"]["mean"], json["flip"]["max"]);
   EXPECT_EQ(json["equal"], false);

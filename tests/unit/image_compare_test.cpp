@@ -54,6 +54,16 @@ TEST(Compare, SmallDifferencesMayShareAnEightBitCode) {
   EXPECT_EQ(compare(a, b, ComparisonSpace::Srgb8).max, 0);
 }
 
+// 0.0031308 and below the curve is 12.92 x; 0.5 is coded as 1.055 * 0.5^(1/2.4) - 0.055 = 0.735357.
+TEST(Compare, SrgbCodesAreNotQuantised) {
+  const Image a(1, 1, 4, {0.001f, 0.5f, 1, 0.25f}), b(1, 1, 4, {0.0011f, 0.5f, 7, 0.5f});
+  const Comparison result = compare(a, b, ComparisonSpace::Srgb);
+  EXPECT_EQ(result.max, 0.25) << "alpha, which has no curve";
+  EXPECT_NEAR(result.mean * 4, 12.92e-4 + 0.25, 1e-9) << "above 1 all is white";
+  const Image black(1, 1, 1, {0}), half(1, 1, 1, {0.5f});
+  EXPECT_NEAR(compare(black, half, ComparisonSpace::Srgb).max, 0.735357, 1e-6);
+}
+
 TEST(Compare, SrgbCountsCodes) {
   const Image a(1, 1, 4, {decodeSrgb8(10), decodeSrgb8(20), 0, 100 / 255.0f});
   const Image b(1, 1, 4, {decodeSrgb8(13), decodeSrgb8(20), 0, 101 / 255.0f});
