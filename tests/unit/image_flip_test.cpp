@@ -70,6 +70,33 @@ TEST(Flip, AnEdgeThatIsMissingCounts) {
   EXPECT_GT(atTheEdge, std::pow(0.05, 1 - std::sqrt(1 / std::sqrt(2.0))));
 }
 
+// One white pixel on black, by hand, at that pixel. The eye's achromatic filter leaves its centre's weight of
+// the light (a grey: no chroma). Edges balance out there; of the second derivative of the feature's Gaussian
+// the centre's weight is left along x and along y.
+TEST(Flip, APointHasTheFiltersCentralWeights) {
+  const Image black = uniform(81, 81, 0, 0, 0);
+  Image point = black;
+  for (float& sample : point.pixel(40, 40)) sample = 1;
+  constexpr double kPerDegree = 67.02064327658226, kPi = 3.14159265358979323846;
+  double sensitivity = 0, smooth = 0, negative = 0;
+  const int eyeRadius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * kPi * kPi)) * kPerDegree));
+  for (int k = -eyeRadius; k <= eyeRadius; ++k)
+    sensitivity += std::exp(-kPi * kPi * k * k / (kPerDegree * kPerDegree * 0.0047));
+  const double deviation = 0.5 * 0.082 * kPerDegree;
+  for (int k = -static_cast<int>(std::ceil(3 * deviation)); k <= std::ceil(3 * deviation); ++k) {
+    const double x = k / deviation, g = std::exp(-0.5 * x * x);
+    smooth += g;
+    negative += std::max(1 - x * x, 0.0) * g;
+  }
+  const double light = 1 / (sensitivity * sensitivity), feature = std::sqrt(2.0) / (negative * smooth);
+  const double lightness = light > 216.0 / 24389 ? 116 * std::cbrt(light) - 16 : light * 24389 / 27;
+  const double knee = 0.4 * std::pow(203.30, 0.7);
+  const double color = 0.95 / knee * std::pow(lightness, 0.7);
+  ASSERT_LT(color, 0.95);
+  EXPECT_NEAR(flip(black, point).map.pixel(40, 40)[0],
+              std::pow(color, 1 - std::sqrt(feature / std::sqrt(2.0))), 1e-4);
+}
+
 // The eye averages what is finer than it can resolve: a checkerboard of single pixels at 67 pixels per degree
 // is nearly a grey of the same mean light, but at 5 pixels per degree it is plainly seen.
 TEST(Flip, FineDetailIsSeenFromNearOnly) {
