@@ -19,6 +19,7 @@ void addView(CLI::App& app, Command& chosen);
 void addPlot(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
 void addDiff(CLI::App& app, Command& chosen);
+void addVerify(CLI::App& app, Command& chosen);
 void addDoctor(CLI::App& app, Command& chosen);
 
 }  // namespace luxo

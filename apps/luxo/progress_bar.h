@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far work is that takes a while: one line on a terminal, wiped when it is over.
+#pragma once
+
+#include <chrono>
+
+namespace luxo {
+
+class ProgressBar {
+ public:
+  /// An invisible one writes nothing.
+  explicit ProgressBar(bool visible) : visible_(visible) {}
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar();
+
+  /// From 0 to 1. Shows the time left, too; at most ten times a second, and nothing of work that is over
+  /// before that.
+  void show(double done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool visible_;
+  bool drawn_ = false;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+}  // namespace luxo

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// luxo verify: how far is a picture from the truth?
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "base/error.h"
+#include "console.h"
+#include "exit_code.h"
+#include "image/file.h"
+#include "image/format.h"
+#include "interruption.h"
+#include "measured_picture.h"
+#include "open_scene.h"
+#include "options.h"
+#include "progress_bar.h"
+#include "scene_request.h"
+#include "stability/stability.h"
+#include "validation.h"
+#include "verbs.h"
+#include "verification_report.h"
+
+namespace luxo {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct VerifyOptions {
+  std::unique_ptr<RenderOptions> scene;
+  std::optional<std::string> pixels, requireError, report;
+  std::string heat;
+  bool json = false;
+  CLI::Option* stability = nullptr;  ///< whether it was given
+  std::vector<std::string> cases;
+};
+
+/// What the options say beyond the scene's.
+struct VerifyRequest {
+  RenderRequest scene;
+  std::optional<std::uint64_t> pixels;
+  std::optional<double> mostErrorPx;
+};
+
+std::uint64_t parseCount(const std::string& text) {
+  const double count = parseNumber("--pixels", text);
+  if (count < 1 || count != std::floor(count) || count > 1e15)
+    throw Error(ErrorKind::Usage, fmt::format("--pixels '{}': not a number of pixels", text),
+                "a whole number above 0, as in --pixels 20000");
+  return static_cast<std::uint64_t>(count);
+}
+
+VerifyRequest requestOf(const VerifyOptions& options) {
+  VerifyRequest request{options.scene->request(RenderTarget::Window), std::nullopt, std::nullopt};
+  if (options.pixels) request.pixels = parseCount(*options.pixels);
+  if (options.requireError) request.mostErrorPx = parsePixels("--require-error", *options.requireError);
+  if (!options.heat.empty()) static_cast<void>(requireImageFormat(options.heat));
+  return request;
+}
+
+void requireGroundTruth(Shading shading) {
+  if (showsData(shading) || shading == Shading::Toon)
+    throw Error(ErrorKind::Scene, fmt::format("shading '{}' has no ground truth", nameOf(shading)),
+                "give --shading phong, flat, gouraud or exact");
+}
+
+void requireWithin(const Verification& v, double mostPx) {
+  const auto miss = [&](const std::string& what) {
+    throw Error(ErrorKind::Requirement, fmt::format("{}, more than the {:.3g} px required", what, mostPx));
+  };
+  if (v.nanPixels > 0) miss(fmt::format("{} pixels are not numbers", v.nanPixels));
+  if (v.coverage.farthestPx > mostPx)
+    miss(fmt::format("a pixel is wrong that is {:.3g} px from the silhouette", v.coverage.farthestPx));
+  if (v.positionPx.max > mostPx) miss(fmt::format("the position error is {:.3g} px", v.positionPx.max));
+}
+
+int verifyScene(const VerifyOptions& options) {
+  const VerifyRequest request = requestOf(options);
+  const RenderRequest& render = request.scene;
+  if (render.scene.empty())
+    throw Error(ErrorKind::Usage, "no scene is given",
+                "as in luxo verify teapot; or luxo verify --stability");
+  const Scene scene = openScene(render.scene, render.parameters);
+  const RenderSettings settings = settingsOf(scene, render);
+  requireGroundTruth(settings.shading);
+  const Snapshot snapshot = takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, render));
+
+  VerificationReport report{.scene = render.scene,
+                            .shading = std::string(nameOf(settings.shading)),
+                            .device = {},
+                            .size = settings.size,
+                            .time = settings.time,
+                            .statistics = {},
+                            .verification = {}};
+  MeasuredFrame measured;
+  const auto log = std::make_shared<gpu::ValidationLog>();
+  {
+    gpu::Context context({.device = render.device, .validation = render.validate, .validationLog = log});
+    const gpu::DeviceInfo& info = context.deviceInfo();
+    report.device = {info.name, gpu::deviceTypeName(info.type), info.driver};
+    Renderer renderer(context);
+    DrawOptions draw = drawOptions(settings);
+    draw.skips = render.skips;
+    measured = measure(renderer, snapshot, draw);
+  }
+  requireNoMessage(*log);
+  report.statistics = measured.statistics;
+
+  std::vector<std::uint32_t> pixels;  // none: all
+  if (request.pixels && *request.pixels < measured.picture.id.samples().size())
+    pixels = spreadPixels(settings.size, *request.pixels);
+  const auto start = Clock::now();
+  ReferencePicture truth;
+  {
+    ProgressBar bar(render.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1);
+    truth =
+        castPicture(snapshot, {.pixels = withNeighbours(settings.size, pixels), .progress = [&](double done) {
+                                 bar.show(done);
+                                 return interruptingSignal() == 0;
+                               }});
+  }
+  if (!truth.complete) return exit_code::kSignal + interruptingSignal();
+  report.truthMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  report.verification = verify(snapshot, truth, measured.picture, {.pixels = std::move(pixels)});
+
+  if (!options.heat.empty()) saveImage(errorHeat(report.verification.positionMap), options.heat);
+  const std::string json = verificationJson(report, scene, snapshot);
+  if (options.report) writeFileAtomically(*options.report, std::as_bytes(std::span(json)));
+  printData(options.json ? json : verificationText(report, scene, snapshot));
+  if (request.mostErrorPx) requireWithin(report.verification, *request.mostErrorPx);
+  return exit_code::kDone;
+}
+
+int verifyStability(const VerifyOptions& options) {
+  const RenderRequest request = requestOf(options).scene;
+  if (!request.scene.empty())
+    throw Error(ErrorKind::Usage, "--stability brings its own scenes", "leave the scene out");
+  const auto log = std::make_shared<gpu::ValidationLog>();
+  const bool passed = runStability({.ids = options.cases,
+                                    .json = options.json,
+                                    .options = {.shading = request.shading.value_or(Shading::Exact),
+                                                .device = request.device,
+                                                .validate = request.validate,
+                                                .validationLog = log},
+                                    .print = printData});
+  requireNoMessage(*log);
+  return passed ? exit_code::kDone : exit_code::kRequirement;
+}
+
+int runVerify(const VerifyOptions& options) {
+  rememberInterruptions();
+  return options.stability->count() > 0 ? verifyStability(options) : verifyScene(options);
+}
+
+}  // namespace
+
+void addVerify(CLI::App& app, Command& chosen) {
+  CLI::App* verb = app.add_subcommand("verify", "how far a picture is from the truth, in every pixel");
+  verb->group("Verbs");
+  const auto options = std::make_shared<VerifyOptions>();
+  options->scene = std::make_unique<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
+  // One picture of pixel centres is drawn, by Vulkan.
+  for (const char* meaningless : {"--engine", "--samples", "--fps"})
+    verb->remove_option(verb->get_option(meaningless));
+  verb->add_option("--pixels", options->pixels, "judge this many pixels, evenly spread (all)")
+      ->type_name("N");
+  verb->add_option(
+          "--require-error", options->requireError,
+          "fail (exit code 6) if a position is off by more, or a pixel wrong that is farther from the "
+          "silhouette")
+      ->type_name("PX");
+  verb->add_flag("--json", options->json, "print the numbers as JSON");
+  verb->add_option("--report", options->report, "write the JSON to a file as well")->type_name("FILE");
+  verb->add_option("-o,--output", options->heat, "write a map of the position errors")->type_name("HEAT.png");
+  options->stability =
+      verb->add_option("--stability", options->cases, "run the stability suite, or these cases of it")
+          ->type_name("[ST-nn ...]")
+          ->expected(0, 40);
+  verb->footer(
+      "The truth is cast by rays in double precision (render --engine reference). `float32` is what the "
+      "truth "
+      "itself misses by when its numbers are rounded as the picture's are.");
+  verb->callback([options, &chosen] { chosen = [options] { return runVerify(*options); }; });
+}
+
+}  // namespace luxo

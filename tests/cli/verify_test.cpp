@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// `luxo verify`: what it says of pictures whose error is bounded otherwise, and what it refuses.
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace luxo::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class VerifyTest : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome verify(Arguments arguments) const {
+    arguments.insert(arguments.begin(), "verify");
+    return run(folder, arguments);
+  }
+  /// Of a mesh.
+  [[nodiscard]] Json numbersOf(Arguments arguments) const {
+    arguments.insert(arguments.end(), {"--json", "--shading", "phong"});
+    const Outcome outcome = verify(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(outcome.out, nullptr, false);
+  }
+
+  ScratchFolder folder;
+};
+
+class VerifyPictureTest : public VerifyTest {
+ protected:
+  void SetUp() override { requireDevice(); }
+};
+
+TEST_F(VerifyPictureTest, AMeshIsAsFarOffAsItsBoundAllows) {
+  const Json json = numbersOf({"sphere", "--size", "90x70"});
+  const double bound = json["picture"]["bound_px"];
+  EXPECT_GT(bound, 0.01);
+  EXPECT_LE(json["position_px"]["max"], bound);
+  EXPECT_GT(json["position_px"]["max"], bound / 20) << "bounds are that tight";
+  EXPECT_LE(json["position_px"]["p99"], json["position_px"]["p99.9"]);
+  EXPECT_LE(json["coverage"]["farthest_px"], bound);
+  EXPECT_EQ(json["coverage"]["compared"], 90 * 70);
+  EXPECT_EQ(json["coverage"]["wrong_layer"], 0);
+  EXPECT_EQ(json["nan_pixels"], 0);
+  EXPECT_LT(json["position_px"]["floor"], 1e-4);
+  for (const char* metric :
+       {"parameter_px", "point_px", "depth_ulp", "normal_deg", "normal_inside_deg", "light"})
+    EXPECT_GT(json[metric]["max"], json[metric]["floor"]) << metric;
+  EXPECT_EQ(json["position_px"]["worst"][0]["name"], "sphere");
+  EXPECT_EQ(json["position_px"]["worst"][0]["error"], json["position_px"]["max"]);
+  EXPECT_GT(json["color"]["psnr_linear"], 50);
+  EXPECT_GT(json["color"]["flip"]["mean"], 0);
+}
+
+TEST_F(VerifyPictureTest, ASmallerToleranceIsASmallerError) {
+  const Json coarse = numbersOf({"torus", "--size", "80x60", "--tolerance", "1"}),
+             fine = numbersOf({"torus", "--size", "80x60", "--tolerance", "0.05"});
+  EXPECT_LT(fine["position_px"]["max"], coarse["position_px"]["max"]);
+  EXPECT_LE(fine["coverage"]["farthest_px"], 0.05);
+  EXPECT_GT(fine["color"]["psnr_srgb"], coarse["color"]["psnr_srgb"]);
+}
+
+TEST_F(VerifyPictureTest, ARequirementDecidesTheExitCode) {
+  const Arguments sphere = {"sphere", "--size", "60x60", "--shading", "phong", "--tolerance", "0.5"};
+  Arguments enough = sphere, tooMuch = sphere;
+  enough.insert(enough.end(), {"--require-error", "0.5px"});
+  tooMuch.insert(tooMuch.end(), {"--require-error", "0.0001px"});
+  EXPECT_EQ(verify(enough).code, 0);
+  const Outcome missed = verify(tooMuch);
+  EXPECT_EQ(missed.code, 6);
+  EXPECT_TRUE(contains(missed.err, "more than the 0.0001 px required")) << missed.err;
+  EXPECT_TRUE(contains(missed.out, "position on screen")) << "the numbers are printed all the same";
+}
+
+TEST_F(VerifyPictureTest, SomePixelsAreJudgedAlone) {
+  const Json json = numbersOf({"flag", "--size", "200x150", "--pixels", "300"});
+  EXPECT_LE(json["coverage"]["compared"], 300);
+  EXPECT_GT(json["coverage"]["compared"], 280);
+  EXPECT_TRUE(json["color"]["flip"].is_null());
+  EXPECT_EQ(numbersOf({"flag", "--size", "40x30", "--pixels", "1e9"})["coverage"]["compared"], 40 * 30);
+}
+
+TEST_F(VerifyPictureTest, WritesTheHeatMapAndTheReport) {
+  const Outcome outcome =
+      verify({"thin-torus", "--size", "120x80", "-o", "heat.png", "--report", "r.json", "-q"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(contains(outcome.out, "coverage")) << outcome.out;
+  EXPECT_EQ(folder.entries(), 2U);
+  EXPECT_TRUE(std::filesystem::exists(folder / "heat.png"));
+  const Json json = Json::parse(textOf(folder / "r.json"));
+  EXPECT_EQ(json["scene"], "thin-torus");
+  EXPECT_EQ(json["size"], Json({120, 80}));
+}
+
+TEST_F(VerifyPictureTest, TheStabilitySuiteRunsByName) {
+  EXPECT_EQ(verify({"--stability", "ST-99"}).code, 2);
+}
+
+TEST_F(VerifyTest, Refusals) {
+  const auto refused = [&](const Arguments& arguments, int code, const std::string& said) {
+    expectFailure(verify(arguments), code, said);
+    EXPECT_EQ(folder.entries(), 0U);
+  };
+  refused({}, 2, "no scene is given");
+  refused({"sphere", "--pixels", "0"}, 2, "--pixels '0'");
+  refused({"sphere", "--pixels", "2.5"}, 2, "--pixels '2.5'");
+  refused({"sphere", "--require-error", "0"}, 2, "--require-error '0'");
+  refused({"sphere", "--samples", "4"}, 2, "unknown option '--samples'");
+  refused({"sphere", "--engine", "reference"}, 2, "unknown option '--engine'");
+  refused({"sphere", "-o", "heat.jpg"}, 2, "'.jpg'");
+  refused({"nosuch"}, 3, "nosuch");
+  refused({"sphere", "--shading", "toon"}, 3, "shading 'toon' has no ground truth");
+  refused({"sphere", "--shading", "normal"}, 3, "shading 'normal' has no ground truth");
+  refused({"sphere", "--stability"}, 2, "--stability brings its own scenes");
+}
+
+}  // namespace
+}  // namespace luxo::test
