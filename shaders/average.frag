@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture joins a mean: blending takes this part of it and the rest of what is there.
+// A picture joins a mean (gpu::Blend::Mean). Its alpha tells how good a point is, negative where nothing is certain; the
+// largest stays, and what is uncertain is always larger.
 #version 460
 
-layout(push_constant) uniform Weight { float weight; };
+layout(constant_id = 0) const float kUncertain = 0;
+
 layout(set = 0, binding = 0) uniform sampler2D picture;
 
 layout(location = 0) out vec4 outColor;
 
-void main() { outColor = vec4(texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb, weight); }
+void main() {
+  vec4 color = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
+  outColor = vec4(color.rgb, color.a < 0.0 ? kUncertain - color.a : color.a);
+}

@@ -311,6 +311,7 @@ class DrawLister {
       const Patch& patch = node.surface.patches()[batch.hull->parts[batch.part].patch];
       batch.state.surface =
           geometry_.codes.get(patch.function, patch.constants.size() + node.parameters.size());
+      batch.state.poles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
       item.batches.push_back(batch);
     }
     return batch.hull->origin;

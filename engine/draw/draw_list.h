@@ -26,6 +26,7 @@ struct DrawState {
   bool blended = false;
   Pattern pattern = {};  ///< where light falls on it; none for views of geometry
   const SurfaceCode* surface = nullptr;  ///< the formula to find in every pixel; null: triangles are drawn
+  bool poles = false;                    ///< with it: an edge of a patch is one point
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };

@@ -137,7 +137,8 @@ void ScenePipelines::describeExact(const DrawState& state, gpu::GraphicsPipeline
                          0,
                          inspection ? static_cast<std::uint32_t>(inspection->quantity) : kLight,
                          inspection && inspection->asColor,
-                         state.surface->parameters};
+                         state.surface->parameters,
+                         state.poles};
   desc.depthClamp = true;
   desc.pushConstantBytes = sizeof(float);
   desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};

@@ -30,6 +30,10 @@ struct HullPatch {
   bool wrapsU = false, wrapsV = false;
   /// That edge is one point.
   bool collapsedUMin = false, collapsedUMax = false, collapsedVMin = false, collapsedVMax = false;
+  [[nodiscard]] bool hasPole() const {
+    return collapsedUMin || collapsedUMax || collapsedVMin || collapsedVMax;
+  }
+
   double orientation = 1;  ///< +1: Su x Sv points outward, out of the top
 };
 

@@ -2,10 +2,9 @@
 // The point of a surface that a pixel sees: Newton's method on the pixel's ray, from where it enters the hull.
 //
 // With the ray's pixel (qx, qy) the offset f(u, v) = (X - qx w, Y - qy w)(S(u, v)) vanishes where S is on the ray;
-// |f| / w is how far S is from the pixel's centre on the screen. Two plain steps find nearly every pixel. Where they do
-// not, the ray grazes the surface: the offset folds there, two roots lie close to each other or have just vanished, and
-// Newton's step, which knows only the slope, misses them. There the search goes on with steps that solve a quadratic
-// along the direction in which the fold lies, and that know which of its two roots is on the side that is seen.
+// |f| / w is how far S is from the pixel's centre on the screen. Newton's method finds nearly every pixel in two steps.
+// Where the ray grazes the surface the offset folds: two roots lie close to each other or have just vanished, and
+// Newton's step, which knows only the slope, misses them. Steps after the first know the fold, too.
 #include "lib/exact_interface.glsl"
 
 // The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).
@@ -19,8 +18,12 @@ float surfaceParameterAt(uint k) {
 #include "surface"
 #undef parameterAt
 
-const int kMostSteps = 10;
-const float kMostCells = 4.0;      // a step is no longer
+// A search that has not ended after so many steps begins anew, from four other places and with cautious steps.
+const int kBoldSteps = 9, kCautiousSteps = 12;
+const int kMostSteps = kBoldSteps + 4 * kCautiousSteps;
+const float kSettled = 0.05;       // cells: where the ray is nearest is known once steps are shorter
+const float kNear = 0.5;           // pixels: a search that never came so near has missed
+const float kBoldCells = 4.0, kCautiousCells = 0.4;  // how many cells a step may lead
 const float kFarCells = 2.0;       // a root farther from the start is not certain to be the nearest
 const float kSmallest = 1e-37;
 
@@ -64,10 +67,15 @@ float side(Probe at) { return (at.fu.x * at.fv.y - at.fu.y * at.fv.x) * linkSide
 
 bool polesOfU() { return abs(linkSides.y) > 1.5; }
 
-// p moved by delta, at most a few cells. Beside an edge (of v, say) that is one point u is an angle around it: there the step is
+layout(constant_id = 6) const bool kPoles = true;  // whether an edge of a patch is one point
+
+// p moved by delta, at most that many cells. Beside an edge (of v, say) that is one point u is an angle around it: there the step is
 // straight in the tangent plane, or it would run around the point.
-vec2 moved(vec2 p, vec2 delta, Probe at) {
+vec2 moved(vec2 p, vec2 delta, Probe at, float most) {
   vec2 cell = linkCellHalf.xy;
+  float size = max(abs(delta.x) / cell.x, abs(delta.y) / cell.y);
+  vec2 straight = p + delta * min(1.0, most / max(size, kSmallest));
+  if (!kPoles) return straight;
   bool ofU = polesOfU();
   float at_ = ofU ? p.x : p.y, size_ = ofU ? cell.x : cell.y;
   float low = at_ - linkPolesWraps.x, high = linkPolesWraps.y - at_;
@@ -79,7 +87,7 @@ vec2 moved(vec2 p, vec2 delta, Probe at) {
     float ratio = sqrt(dot(around, around) / max(dot(outward, outward), kSmallest));
     float rise = ofU ? delta.x : delta.y;
     vec2 step_ = vec2(up ? rise : -rise, ratio * (ofU ? delta.y : delta.x));
-    step_ *= min(1.0, kMostCells * size_ / max(length(step_), kSmallest));
+    step_ *= min(1.0, most * size_ / max(length(step_), kSmallest));
     vec2 q = vec2(height + step_.x, step_.y);
     float newHeight = length(q);
     float anglePer = ratio / max(height, 1e-6 * size_);
@@ -87,8 +95,7 @@ vec2 moved(vec2 p, vec2 delta, Probe at) {
     float moved_ = up ? linkPolesWraps.x + newHeight : linkPolesWraps.y - newHeight;
     return ofU ? vec2(moved_, p.y + turned) : vec2(p.x + turned, moved_);
   }
-  float size = max(abs(delta.x) / cell.x, abs(delta.y) / cell.y);
-  return p + delta * min(1.0, kMostCells / max(size, kSmallest));
+  return straight;
 }
 
 vec2 newtonStep(vec2 p, Probe at) {
@@ -96,7 +103,7 @@ vec2 newtonStep(vec2 p, Probe at) {
   vec2 delta = vec2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
   // A vanishing area gives no direction.
   if (!(abs(delta.x) + abs(delta.y) < 1e30)) delta = vec2(0);
-  return moved(p, delta, at);
+  return moved(p, delta, at, kBoldCells);
 }
 
 // A cell beyond the domain and no farther: formulas need not exist there.
@@ -120,10 +127,12 @@ bool converged(Probe at) {
 
 const int kFound = 0, kMissed = 1, kLost = 2;
 
-// A step that knows the fold: see above. `missed`: the ray passes by, as far as the quadratic knows.
-vec2 foldStep(Ray ray, vec2 p, Probe at, float reach, out bool missed) {
+// A Newton step from p that knows the fold: along the direction in which the offset changes least it solves a quadratic,
+// whose curvature `bend` it has from the change of the Jacobian since `before`, at `last`, and takes the root on the side
+// searched for. `missed`: there is none, the ray passes by; the step then leads to where it is nearest.
+vec2 foldStep(vec2 last, Probe before, vec2 p, Probe at, float most, inout vec2 bend, out bool missed) {
   // Lengths on the surface instead of parameters, so that no scale of theirs looks like a fold.
-  vec2 perLength = vec2(inversesqrt(max(dot(at.Su, at.Su), kSmallest)), inversesqrt(max(dot(at.Sv, at.Sv), kSmallest)));
+  vec2 lengths = sqrt(max(vec2(dot(at.Su, at.Su), dot(at.Sv, at.Sv)), kSmallest)), perLength = 1.0 / lengths;
   vec2 ju = at.fu * perLength.x, jv = at.fv * perLength.y;
   // Right singular vectors: `steep`, along which the offset changes most, and `fold`, along which it changes least.
   float half_ = 0.5 * (dot(ju, ju) - dot(jv, jv)), mixed = dot(ju, jv);
@@ -132,55 +141,62 @@ vec2 foldStep(Ray ray, vec2 p, Probe at, float reach, out bool missed) {
   steep *= inversesqrt(max(dot(steep, steep), kSmallest));
   vec2 fold = vec2(-steep.y, steep.x);
   vec2 image = ju * steep.x + jv * steep.y;
-  float size = max(length(image), kSmallest);
-  vec2 along = image / size, across = vec2(-along.y, along.x);
-  vec2 foldImage = ju * fold.x + jv * fold.y;
-  float slope = dot(across, foldImage), value = dot(across, at.f);
-  // The second derivative along the fold, by a look at a point on it.
-  vec2 look = fold * perLength;
-  float far = reach / max(max(abs(look.x) / linkCellHalf.x, abs(look.y) / linkCellHalf.y), kSmallest);
-  vec2 there = nearDomain(p + far * look, 0.0);
-  far = dot(there - p, look) / dot(look, look);
-  if (abs(far) < 1e-3 * reach) {  // at the end of the domain: the other way
-    there = nearDomain(p - reach * look, 0.0);
-    far = dot(there - p, look) / dot(look, look);
-  }
-  vec2 h = 2.0 * (probeAt(ray, there).f - at.f - far * foldImage) / (far * far);
-  float bend = dot(across, h);
-  float square = slope * slope - 2.0 * bend * value;
+  float steepness = inversesqrt(max(dot(image, image), kSmallest));  // its reciprocal
+  vec2 along = image * steepness, across = vec2(-along.y, along.x);
+  float slope = dot(across, ju * fold.x + jv * fold.y), value = dot(across, at.f);
+
+  // How the image of the fold changes per length along it, if the last step went along it and was not too short to tell;
+  // else as it was.
+  vec2 look = fold * perLength, way = (p - last) * lengths;
+  float far = dot(way, fold);
+  vec2 change = (at.fu - before.fu) * look.x + (at.fv - before.fv) * look.y;
+  float cell = 1.0 / max(max(abs(look.x) / linkCellHalf.x, abs(look.y) / linkCellHalf.y), kSmallest);
+  bool known = abs(far) > 1e-3 * cell && far * far > 0.05 * dot(way, way);
+  bend = known ? change / far : bend;
+  float bendAcross = dot(across, bend);
+  float square = slope * slope - 2.0 * bendAcross * value;
   missed = square < 0.0;
   float wanted = sign(linkSides.x) * sqrt(max(square, 0.0));  // the slope at the root on the side searched for
-  float s = slope * wanted > 0.0 ? -2.0 * value / (slope + wanted) : (wanted - slope) / bend;
-  float most = 2.0 * far / reach;
-  s = abs(s) < 1e30 ? clamp(s, -abs(most), abs(most)) : 0.0;
-  float t = -dot(along, at.f + 0.5 * s * s * h) / size;
-  return nearDomain(moved(p, (s * fold + t * steep) * perLength, at), 1.0);
+  bool rightSide = slope * wanted > 0.0;
+  // On the wrong side without an idea where the other one is: a look along the fold.
+  float s = rightSide ? -2.0 * value / (slope + wanted) : bendAcross != 0.0 ? (wanted - slope) / bendAcross : 0.25 * cell;
+  s = abs(s) < 1e30 ? clamp(s, -0.5 * most * cell, 0.5 * most * cell) : 0.0;
+  float t = -dot(along, at.f + 0.5 * s * s * bend) * steepness;
+  return moved(p, (s * fold + t * steep) * perLength, at, most);
 }
 
 // Finds the point; p and at are its own when found.
 int findRoot(Ray ray, out vec2 p, out Probe at) {
-  p = linkStart;
+  vec2 last = linkStart;
+  Probe before = probeAt(ray, last);
+  p = nearDomain(newtonStep(last, before), 1.0);
   at = probeAt(ray, p);
-  p = nearDomain(newtonStep(p, at), 1.0);
-  at = probeAt(ray, p);
-  p = nearDomain(newtonStep(p, at), 1.0);
-  at = probeAt(ray, p);
-  if (converged(at) && side(at) > 0.0) return inDomain(p) ? kFound : kMissed;
-
-  p = nearDomain(linkStart, 0.0);
-  at = probeAt(ray, p);
+  vec2 bend = vec2(0);
   int misses = 0, outside = 0;
-  float reach = 0.25;
+  float nearest = at.residual;
+  int result = kLost;
+  // A CPU device runs every loop at least once and skips no branch, so that the second step is the loop's first.
   for (int i = 0; i < kMostSteps; ++i) {
     bool missed;
-    p = foldStep(ray, p, at, reach, missed);
+    int turn = i - kBoldSteps;
+    bool anew = turn >= 0 && turn % kCautiousSteps == 0;
+    vec2 corner = vec2(turn < 2 * kCautiousSteps ? 0.4 : -0.4, turn / kCautiousSteps % 2 == 0 ? 0.4 : -0.4);
+    vec2 next = nearDomain(foldStep(last, before, p, at, turn >= 0 ? kCautiousCells : kBoldCells, bend, missed), 1.0);
+    last = p;
+    before = at;
+    p = anew ? nearDomain(linkStart + corner * linkCellHalf.xy, 0.0) : next;
+    bend = anew ? vec2(0) : bend;
     at = probeAt(ray, p);
-    if (converged(at) && side(at) > 0.0) return inDomain(p) ? kFound : kMissed;
-    misses = missed ? misses + 1 : 0;
-    outside = inDomain(p) ? 0 : outside + 1;
-    if (misses == 3 || outside == 3) return kMissed;
-    reach = max(0.5 * reach, 0.02);
+    bool inside = inDomain(p), close = converged(at);
+    nearest = min(nearest, at.residual);
+    vec2 way = abs(p - last) / linkCellHalf.xy;
+    misses = missed && !anew && max(way.x, way.y) < kSettled ? misses + 1 : 0;
+    outside = inside ? 0 : outside + 1;
+    if (close && side(at) > 0.0) result = inside ? kFound : kMissed;
+    else if (misses == 2 || outside == 4) result = kMissed;
+    else if (i + 1 == kMostSteps && close) result = inside && linkClip.z != 0.0 ? kFound : kMissed;
+    else if (i + 1 == kMostSteps && nearest > kNear) result = kMissed;
+    if (result != kLost) break;
   }
-  if (converged(at)) return inDomain(p) && linkClip.z != 0.0 ? kFound : kMissed;
-  return kLost;
+  return result;
 }
