@@ -2,8 +2,9 @@
 #include "draw/accumulation.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <span>
+#include <cstdint>
 
 #include "base/assert.h"
 #include "gpu/barrier.h"
@@ -73,8 +74,8 @@ Accumulator::Accumulator(gpu::Context& context)
                           .vertexShader = luxo_whole_target_vert,
                           .fragmentShader = luxo_average_frag,
                           .colorFormats = {kFormat},
-                          .blend = gpu::Blend::Alpha,
-                          .pushConstantBytes = sizeof(float),
+                          .blend = gpu::Blend::Mean,
+                          .specialization = {std::bit_cast<std::uint32_t>(kUncertain)},
                           .setLayouts = {layout_}}) {}
 
 void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Texture& picture, int before) {
@@ -108,8 +109,9 @@ void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Tex
   gpu::setViewport(commands, extent);
   pipeline_.bind(commands);
   pipeline_.bindSet(commands, 0, set);
-  const float weight = 1.0f / static_cast<float>(before + 1);
-  pipeline_.push(commands, std::as_bytes(std::span(&weight, 1)));
+  const float part = 1.0f / static_cast<float>(before + 1);
+  const float constants[] = {part, part, part, part};
+  vkCmdSetBlendConstants(commands, constants);
   vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   vkCmdDraw(commands, 3, 1, 0, 0);

@@ -34,10 +34,18 @@ class Accumulator {
   /// the size of the picture. Rounding moves the mean by less than 1e-7 of it per picture.
   void add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Texture& picture, int before);
 
-  /// Scene-linear RGB, row 0 at the top; may be sampled and read back.
+  /// Scene-linear RGB, row 0 at the top; may be sampled and read back. alphaOf() tells the fourth value.
   [[nodiscard]] gpu::Texture& mean() { return mean_; }
 
+  /// From the fourth value of the mean: that of the picture whose alpha was largest, or, where some were
+  /// negative, the least; below 16 in magnitude (required), negative ones to 1e-6.
+  [[nodiscard]] static float alphaOf(float meanAlpha) {
+    return meanAlpha >= kUncertain ? kUncertain - meanAlpha : meanAlpha;
+  }
+
  private:
+  static constexpr float kUncertain = 16;
+
   gpu::Context* context_;
   gpu::DescriptorLayout layout_;
   gpu::Handle<VkSampler> sampler_;

@@ -19,12 +19,14 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 /// A hull whose search lost pixels is made finer this often.
 constexpr int kMostRefinements = 3;
 
-/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one drew.
+/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
+/// drew.
 void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
   for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu})
     last.ms.*time += before.ms.*time;
-  for (const auto count : {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
-                           &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
+  for (const auto count :
+       {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
+        &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
     last.count.*count += before.count.*count;
 }
 
@@ -89,7 +91,7 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
     }
   }
   const auto reading = std::chrono::steady_clock::now();
-  picture.image = readPicture(snapshot, options.output, statistics.error);
+  picture.image = readPicture(snapshot, options, statistics.error);
   statistics.ms.readback = millisecondsSince(reading);
   statistics.ms.total = millisecondsSince(start);
   return picture;
@@ -146,7 +148,9 @@ void Renderer::recordReadback(VkCommandBuffer commands, gpu::Texture& picture) {
   readback_.record(commands, picture);
 }
 
-Image Renderer::readPicture(const Snapshot& snapshot, Output output, FrameError& error) {
+Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options, FrameError& error) {
+  const Output output = options.output;
+  const bool averaged = !inOnePass(options);
   const int width = snapshot.view.size.width, height = snapshot.view.size.height,
             channels = channelsOf(output);
   // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
@@ -160,8 +164,9 @@ Image Renderer::readPicture(const Snapshot& snapshot, Output output, FrameError&
       Vec4f value;
       std::memcpy(&value, texel, sizeof value);
       if (certifies && value.w != 0) {
-        residual = std::max(residual, std::abs(value.w));
-        error.uncertifiedPx += value.w < 0;
+        const float certificate = averaged ? Accumulator::alphaOf(value.w) : value.w;
+        residual = std::max(residual, std::abs(certificate));
+        error.uncertifiedPx += certificate < 0;
       }
       // World positions are completed in double: far from the origin a float cannot hold both the eye and the
       // rest.

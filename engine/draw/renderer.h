@@ -57,14 +57,14 @@ class Renderer {
 
   /// Whether the device takes that many samples in one pass.
   [[nodiscard]] bool inOnePass(const DrawOptions& options) const;
-  /// Draws into the painter's target, then does what `then` records, and waits for both; again with finer hulls
-  /// where the search for a surface was lost.
+  /// Draws into the painter's target, then does what `then` records, and waits for both; again with finer
+  /// hulls where the search for a surface was lost.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
             const Recording& then);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.
   void accumulate(int before, bool complete, FrameStatistics& statistics);
   void recordReadback(VkCommandBuffer commands, gpu::Texture& picture);
-  [[nodiscard]] Image readPicture(const Snapshot& snapshot, Output output, FrameError& error);
+  [[nodiscard]] Image readPicture(const Snapshot& snapshot, const DrawOptions& options, FrameError& error);
 
   std::unique_ptr<gpu::Context> owned_;
   gpu::Context* context_;

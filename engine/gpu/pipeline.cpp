@@ -45,6 +45,12 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
                                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
   if (blend == Blend::None) return state;
   state.blendEnable = VK_TRUE;
+  if (blend == Blend::Mean) {
+    state.srcColorBlendFactor = VK_BLEND_FACTOR_CONSTANT_COLOR;
+    state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR;
+    state.alphaBlendOp = VK_BLEND_OP_MAX;
+    return state;
+  }
   state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
   state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
   state.srcAlphaBlendFactor = blend == Blend::Alpha ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO;
@@ -133,13 +139,14 @@ VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, Vk
       .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
       .attachmentCount = count(attachments),
       .pAttachments = attachments.data()};
-  static constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT,   VK_DYNAMIC_STATE_SCISSOR,
-                                       VK_DYNAMIC_STATE_CULL_MODE,  VK_DYNAMIC_STATE_FRONT_FACE,
-                                       VK_DYNAMIC_STATE_DEPTH_BIAS, VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE};
+  std::vector states{VK_DYNAMIC_STATE_VIEWPORT,   VK_DYNAMIC_STATE_SCISSOR,
+                     VK_DYNAMIC_STATE_CULL_MODE,  VK_DYNAMIC_STATE_FRONT_FACE,
+                     VK_DYNAMIC_STATE_DEPTH_BIAS, VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE};
+  if (desc.blend == Blend::Mean) states.push_back(VK_DYNAMIC_STATE_BLEND_CONSTANTS);
   const VkPipelineDynamicStateCreateInfo dynamic{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-      .dynamicStateCount = kDynamic.size(),
-      .pDynamicStates = kDynamic.data()};
+      .dynamicStateCount = count(states),
+      .pDynamicStates = states.data()};
   const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
                                                 .colorAttachmentCount = count(desc.colorFormats),
                                                 .pColorAttachmentFormats = desc.colorFormats.data(),

@@ -17,6 +17,8 @@ enum class Blend {
   None,
   Alpha,  ///< source over destination, colours not premultiplied; alpha becomes coverage
   Color,  ///< as Alpha, but the destination's alpha stays
+  Mean,   ///< the part of the source that vkCmdSetBlendConstants() says, the rest of the destination; the
+          ///< larger alpha
 };
 
 /// Added to the depth of what is drawn: units of the depth buffer's resolution, and of the depth's largest
@@ -26,7 +28,7 @@ struct DepthBias {
 };
 
 /// For dynamic rendering. Viewport, scissor, cull mode, front face and depth bias are
-/// always dynamic (see below).
+/// always dynamic (see below); so are the blend constants of Blend::Mean.
 struct GraphicsPipelineDesc {
   std::string_view name;
   std::span<const std::uint32_t> vertexShader;    ///< SPIR-V, entry `main`
