@@ -22,6 +22,8 @@ struct Header {
 };
 static_assert(sizeof(Header) == 56, "no padding: the file is the memory");
 
+}  // namespace
+
 CacheIdentity identityOf(const VkPhysicalDeviceProperties& properties) {
   CacheIdentity identity{.vendor = properties.vendorID,
                          .device = properties.deviceID,
@@ -29,8 +31,6 @@ CacheIdentity identityOf(const VkPhysicalDeviceProperties& properties) {
   std::memcpy(identity.uuid.data(), properties.pipelineCacheUUID, VK_UUID_SIZE);
   return identity;
 }
-
-}  // namespace
 
 std::vector<std::byte> packCache(const CacheIdentity& identity, std::span<const std::byte> data) {
   const Header header{.identity = identity, .size = data.size(), .checksum = hashOf(data)};

@@ -25,6 +25,8 @@ struct CacheIdentity {
   friend bool operator==(const CacheIdentity&, const CacheIdentity&) = default;
 };
 
+[[nodiscard]] CacheIdentity identityOf(const VkPhysicalDeviceProperties& properties);
+
 /// The file's bytes: magic, identity, size and checksum, then the data.
 [[nodiscard]] std::vector<std::byte> packCache(const CacheIdentity& identity,
                                                std::span<const std::byte> data);
