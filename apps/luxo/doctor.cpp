@@ -11,9 +11,11 @@
 
 #include "base/error.h"
 #include "console.h"
+#include "draw/device_precision.h"
 #include "draw/renderer.h"
 #include "exit_code.h"
 #include "gpu/device.h"
+#include "report.h"
 #include "surface/library.h"
 #include "verbs.h"
 
@@ -26,22 +28,28 @@ constexpr const char* kVariables[] = {
 
 struct Check {
   gpu::DeviceInfo info;
-  std::string verdict;  ///< empty: the test picture is right
+  std::string verdict;                     ///< empty: the test picture and the arithmetic are right
+  std::optional<SinCosError> sinCos = {};  ///< none: it could not be measured
   double ms = 0;
 };
 
 /// A white unit square under ambient light 0.5 fills the picture: every pixel must be exactly 0.5.
-std::string testPicture(std::size_t device) {
+std::string testPicture(gpu::Context& context) {
   Scene scene;
   scene.set(RenderSettings{.size = {64, 64}, .ambient = Vec3(0.5)});
   const MaterialId white = scene.add(Material{.diffuse = Vec3(1)});
   scene.add(Node{.surface = rectangle(2, 2), .material = white});
   scene.add(Camera{.eye = Vec3(0, 1, 0), .lookAt = Vec3(0), .fovY = radians(60)});
-  gpu::Context context({.device = std::to_string(device)});
   const Picture picture = Renderer(context).render(scene);
   for (const float sample : picture.image.samples())
     if (sample != 0.5f) return fmt::format("drew {} where 0.5 is right", sample);
   return {};
+}
+
+std::string testArithmetic(const SinCosError& sinCos) {
+  if (sinCos.ofFormulas <= kSinCosTolerance) return {};
+  return fmt::format("finds sin and cos wrong by {:.2g}, more than {:.2g}", sinCos.ofFormulas,
+                     kSinCosTolerance);
 }
 
 std::vector<Check> checkDevices() {
@@ -52,7 +60,10 @@ std::vector<Check> checkDevices() {
     if (devices[i].usable()) {
       const auto start = std::chrono::steady_clock::now();
       try {
-        check.verdict = testPicture(i);
+        gpu::Context context({.device = std::to_string(i)});
+        check.verdict = testPicture(context);
+        check.sinCos = sinCosError(context, {});
+        if (check.verdict.empty()) check.verdict = testArithmetic(*check.sinCos);
       } catch (const Error& error) {
         check.verdict = error.what();
       }
@@ -71,7 +82,8 @@ nlohmann::ordered_json toJson(const std::vector<Check>& checks, bool ready) {
                        {"driver", c.info.driver},
                        {"api", c.info.apiVersion},
                        {"usable", c.verdict.empty()},
-                       {"problem", c.verdict}});
+                       {"problem", c.verdict},
+                       {"sin_cos", sinCosJson(c.sinCos)}});
   return {{"luxo", LUXO_VERSION}, {"ready", ready}, {"devices", std::move(devices)}};
 }
 
@@ -92,8 +104,11 @@ int doctor(bool json) {
       const Check& c = checks[i];
       printData(fmt::format("device {}: {} ({}, {}, Vulkan {})\n", i, c.info.name,
                             gpu::deviceTypeName(c.info.type), c.info.driver, c.info.apiVersion));
-      printData(c.verdict.empty() ? fmt::format("  the test picture is right ({:.0f} ms)\n", c.ms)
-                                  : fmt::format("  not usable: {}\n", c.verdict));
+      printData(c.verdict.empty()
+                    ? fmt::format("  the test picture is right ({:.0f} ms)\n"
+                                  "  sin and cos are within {:.2g}, the driver's own within {:.2g}\n",
+                                  c.ms, c.sinCos->ofFormulas, c.sinCos->ofDriver)
+                    : fmt::format("  not usable: {}\n", c.verdict));
     }
     if (ready) printData("ready\n");
   }

@@ -146,9 +146,9 @@ double parseFps(const std::string& text) {
 
 int parseSamples(const std::string& text) {
   const auto samples = wholeNumber<int>(text);
-  if (!samples || *samples < 1 || *samples > kMaxSamples)
+  if (!samples || *samples < 1 || *samples > kMostSamples)
     refuse("--samples", text, "not a number of samples",
-           fmt::format("give a number from 1 to {}", kMaxSamples));
+           fmt::format("give a number from 1 to {}", kMostSamples));
   return *samples;
 }
 

@@ -11,6 +11,7 @@
 
 #include "draw/options.h"
 #include "scene/camera.h"
+#include "scene/scene.h"
 #include "scene/shading.h"
 
 namespace luxo {
@@ -37,10 +38,7 @@ inline constexpr int kMaxFrames = 1'000'000;
 /// Frames per second, above 0.
 [[nodiscard]] double parseFps(const std::string& text);
 
-/// The most samples per pixel that any engine takes.
-inline constexpr int kMaxSamples = 256;
-
-/// 1..kMaxSamples.
+/// 1..kMostSamples.
 [[nodiscard]] int parseSamples(const std::string& text);
 
 /// A length in pixels above 0, `0.25` or `0.25px`.

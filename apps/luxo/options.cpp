@@ -40,7 +40,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   add("--time", t.time, "moment to draw, in seconds (the scene's own)", "S");
   if (files) add("--frames", t.frames, "frames to draw: 1-250:2,300; frame n is at (n-1)/fps", "LIST");
   add("--fps", t.fps, "frames per second (24)", "N");
-  add("--samples", t.samples, "samples per pixel: 1 or 4; 1 to 256 by rays (1)", "N");
+  add("--samples", t.samples, "samples per pixel, 1 to 256 (1)", "N");
   add("--tolerance", t.tolerance, "how far meshes may be from their surfaces, in pixels (0.5)", "PX");
   add("--shading", t.shading, "flat gouraud phong toon wireframe, or a view: normal uv depth id", "NAME");
   add("--engine", t.engine,
@@ -98,17 +98,9 @@ void requireDistinct(const std::vector<ParameterValue>& parameters, const std::o
   }
 }
 
-/// What the chosen engine can do, and what contradicts its choice.
 void requireForEngine(const RenderRequest& request) {
-  if (request.engine == Engine::Reference) {
-    if (request.device != "auto" && request.device != "cpu")
-      refuse("--device and --engine reference contradict each other", "rays need no Vulkan device");
-    return;
-  }
-  const int samples = request.samples.value_or(1);
-  if (samples != 1 && samples != 4)
-    throw Error(ErrorKind::Scene, fmt::format("--samples '{}' is not supported yet", samples),
-                "give 1 or 4, or use --engine reference");
+  if (request.engine == Engine::Reference && request.device != "auto" && request.device != "cpu")
+    refuse("--device and --engine reference contradict each other", "rays need no Vulkan device");
 }
 
 }  // namespace

@@ -34,14 +34,15 @@ class PictureEngine {
   [[nodiscard]] virtual std::optional<MadePicture> make(const Snapshot& snapshot) = 0;
 };
 
-/// Draws on the device that the request names. Error(Device): there is none. With request.validate the log
+/// Draws on the device that the request names, and shows on a terminal how far a picture of many passes is.
+/// Error(Device): there is none. With request.validate the log
 /// takes what Vulkan's validation says, until the engine is gone.
 [[nodiscard]] std::unique_ptr<PictureEngine> vulkanEngine(const RenderRequest& request,
                                                           const RenderSettings& settings,
                                                           std::shared_ptr<gpu::ValidationLog> validation);
 
 /// Casts rays on all cores and needs no device. Shows on a terminal how far it is and how long it still
-/// takes. Error(Scene): the settings ask for what has no ground truth: lines, toon, a view, too many samples.
+/// takes. Error(Scene): the settings ask for what has no ground truth: lines, toon, a view.
 [[nodiscard]] std::unique_ptr<PictureEngine> referenceEngine(const RenderRequest& request,
                                                              const RenderSettings& settings);
 

@@ -10,41 +10,13 @@
 #include "base/error.h"
 #include "interruption.h"
 #include "picture_engine.h"
+#include "progress_bar.h"
 #include "reference/reference.h"
 
 namespace luxo {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// One line on a terminal that is rewritten as the work goes on and wiped when it is over.
-class ProgressBar {
- public:
-  explicit ProgressBar(bool visible) : visible_(visible) {}
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
-  ~ProgressBar() {
-    if (drawn_) fmt::print(stderr, "\r\x1b[K");
-  }
-
-  void show(double done) {
-    constexpr std::chrono::milliseconds kPause(100);
-    constexpr int kWidth = 40;
-    const Clock::time_point now = Clock::now();
-    if (!visible_ || now - last_ < kPause) return;
-    last_ = now;
-    drawn_ = true;
-    const double passed = std::chrono::duration<double>(now - start_).count();
-    const int filled = static_cast<int>(done * kWidth);
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %, {:.0f} s left \x1b[K", std::string(filled, '#'),
-               std::string(kWidth - filled, '.'), 100 * done, passed * (1 / done - 1));
-  }
-
- private:
-  bool visible_;
-  bool drawn_ = false;
-  Clock::time_point start_ = Clock::now(), last_ = start_;
-};
 
 Image imageOf(const ReferencePicture& picture, int channels, const auto& valueOf) {
   Image image(picture.color.width(), picture.color.height(), channels);
@@ -85,7 +57,9 @@ class ReferenceEngine : public PictureEngine {
     requireGroundTruth(settings);
   }
 
-  [[nodiscard]] DeviceReport device() const override { return {"reference", "cpu", std::nullopt}; }
+  [[nodiscard]] DeviceReport device() const override {
+    return {"reference", "cpu", std::nullopt, std::nullopt};
+  }
 
   [[nodiscard]] std::optional<MadePicture> make(const Snapshot& snapshot) override {
     const auto start = Clock::now();
@@ -113,11 +87,6 @@ class ReferenceEngine : public PictureEngine {
         shading != Shading::Exact)
       throw Error(ErrorKind::Scene, fmt::format("shading '{}' has no ground truth", nameOf(shading)),
                   "give --shading phong; --aov writes depth, position, normal, uv or id");
-    if (settings.samples > kMaxSamples)
-      throw Error(
-          ErrorKind::Scene,
-          fmt::format("the scene asks for {} samples per pixel, more than {}", settings.samples, kMaxSamples),
-          "give --samples");
   }
 
   Output output_;

@@ -11,6 +11,13 @@ using Json = nlohmann::ordered_json;
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
+Json deviceJson(const DeviceReport& device) {
+  return {{"name", device.name},
+          {"type", device.type},
+          {"driver", device.driver ? Json(*device.driver) : Json()},
+          {"sin_cos", sinCosJson(device.sinCos)}};
+}
+
 Json frameJson(const FrameReport& frame) {
   const auto& [ms, count, error] = frame.statistics;
   // What only a drawn frame has.
@@ -72,16 +79,20 @@ Json frameJson(const FrameReport& frame) {
 
 }  // namespace
 
+Json sinCosJson(const std::optional<SinCosError>& error) {
+  if (!error) return nullptr;
+  return {{"used", "own"},
+          {"max_error", finite(error->ofFormulas)},
+          {"driver_max_error", finite(error->ofDriver)}};
+}
+
 std::string reportJson(const RunReport& report) {
   Json frames = Json::array();
   for (const FrameReport& frame : report.frames) frames.push_back(frameJson(frame));
   const Json json = {
       {"luxo", LUXO_VERSION},
       {"report", 1},
-      {"device",
-       {{"name", report.device.name},
-        {"type", report.device.type},
-        {"driver", report.device.driver ? Json(*report.device.driver) : Json()}}},
+      {"device", deviceJson(report.device)},
       {"scene", report.scene},
       {"size", {report.size.width, report.size.height}},
       {"startup_ms", report.startupMs},

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "draw/device_precision.h"
 #include "draw/statistics.h"
 #include "scene/camera.h"
 
@@ -34,6 +36,7 @@ struct FrameReport {
 struct DeviceReport {
   std::string name, type;
   std::optional<std::string> driver;
+  std::optional<SinCosError> sinCos;  ///< of a Vulkan device
 };
 
 struct RunReport {
@@ -43,6 +46,9 @@ struct RunReport {
   double startupMs = 0;  ///< from the start of the program to the first frame
   std::vector<FrameReport> frames;
 };
+
+/// Which sin and cos formulas are drawn with, and how wrong those and the driver's are; null for none.
+[[nodiscard]] nlohmann::ordered_json sinCosJson(const std::optional<SinCosError>& error);
 
 /// Values that do not apply are null, and so are infinite ones, which JSON does not have.
 [[nodiscard]] std::string reportJson(const RunReport& report);

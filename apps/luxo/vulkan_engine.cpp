@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <utility>
 
+#include "draw/device_precision.h"
 #include "draw/renderer.h"
+#include "interruption.h"
 #include "picture_engine.h"
+#include "progress_bar.h"
 
 namespace luxo {
 namespace {
@@ -15,25 +20,34 @@ class VulkanEngine : public PictureEngine {
                   .validation = request.validate,
                   .validationLog = std::move(validation)}),
         renderer_(context_),
-        options_(drawOptions(settings)) {
+        options_(drawOptions(settings)),
+        showsProgress_(request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1) {
     options_.output = request.aov;
     options_.skips = request.skips;
+    if (request.report) sinCos_ = sinCosError(context_);
   }
 
   [[nodiscard]] DeviceReport device() const override {
     const gpu::DeviceInfo& info = context_.deviceInfo();
-    return {info.name, gpu::deviceTypeName(info.type), info.driver};
+    return {info.name, gpu::deviceTypeName(info.type), info.driver, sinCos_};
   }
 
   [[nodiscard]] std::optional<MadePicture> make(const Snapshot& snapshot) override {
-    Picture picture = renderer_.render(snapshot, options_);
-    return MadePicture{std::move(picture.image), picture.statistics};
+    ProgressBar bar(showsProgress_);
+    std::optional<Picture> picture = renderer_.render(snapshot, options_, [&](double done) {
+      bar.show(done);
+      return interruptingSignal() == 0;
+    });
+    if (!picture) return std::nullopt;
+    return MadePicture{std::move(picture->image), picture->statistics};
   }
 
  private:
   gpu::Context context_;
   Renderer renderer_;
   DrawOptions options_;
+  bool showsProgress_;
+  std::optional<SinCosError> sinCos_;
 };
 
 }  // namespace

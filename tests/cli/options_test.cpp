@@ -157,7 +157,7 @@ TEST(RenderOptions, SuggestsTheOptionMeant) {
 
 TEST(RenderOptions, WhatComesLaterIsAnErrorOfTheScene) {
   for (const auto& arguments : std::vector<std::vector<const char*>>{
-           {"--aov", "residual"}, {"--samples", "16"}, {"--shading", "exact"}}) {
+           {"--aov", "residual"}, {"--shading", "exact"}}) {
     auto all = arguments;
     all.insert(all.end(), {"lamp", "-o", "a.png"});
     const Error error = failureOf(all);

@@ -44,7 +44,8 @@ TEST_F(ReferenceEngine, ReportsWhatIsProven) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out + outcome.err, "");
   const Json json = report();
-  EXPECT_EQ(json["device"], Json({{"name", "reference"}, {"type", "cpu"}, {"driver", nullptr}}));
+  EXPECT_EQ(json["device"],
+            Json({{"name", "reference"}, {"type", "cpu"}, {"driver", nullptr}, {"sin_cos", nullptr}}));
   const Json& frame = json["frames"][0];
   const Json& reference = frame["reference"];
   EXPECT_EQ(reference["hits"].get<int>() + reference["misses"].get<int>() + reference["undecided"].get<int>(),

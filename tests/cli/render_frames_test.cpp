@@ -90,13 +90,17 @@ TEST_F(RenderFrames, ReportHasEveryDocumentedName) {
   ASSERT_NE(fileOf({"--report", "report.json"}, "a.png"), "");
   const Json json = report();
   expectKeys(json, {"luxo", "report", "device", "scene", "size", "startup_ms", "frames"});
-  expectKeys(json["device"], {"name", "type", "driver"});
+  expectKeys(json["device"], {"name", "type", "driver", "sin_cos"});
+  expectKeys(json["device"]["sin_cos"], {"used", "max_error", "driver_max_error"});
+  EXPECT_EQ(json["device"]["sin_cos"]["used"], "own");
+  EXPECT_LE(json["device"]["sin_cos"]["max_error"], 0x1p-20);
   EXPECT_EQ(run(folder, {"--version"}).out, fmt::format("luxo {}\n", json["luxo"].get<std::string>()));
   EXPECT_EQ(json["report"], 1);
   EXPECT_EQ(json["scene"], "luxo-grandpa");
   EXPECT_EQ(json["size"], Json({kWidth, kHeight}));
   EXPECT_GT(json["startup_ms"], 0);
-  for (const auto& [key, value] : json["device"].items()) EXPECT_NE(value.get<std::string>(), "") << key;
+  for (const char* key : {"name", "type", "driver"})
+    EXPECT_NE(json["device"][key].get<std::string>(), "") << key;
   ASSERT_EQ(json["frames"].size(), 1u);
   const Json& frame = json["frames"][0];
   expectKeys(frame, {"frame", "time", "file", "ms", "count", "error"});

@@ -61,8 +61,6 @@ TEST_F(RenderRefusals, Scenes) {
 }
 
 TEST_F(RenderRefusals, WhatComesLater) {
-  expectRefused({"--samples", "3"}, 3, "--samples '3' is not supported yet",
-                "give 1 or 4, or use --engine reference");
   expectRefused({"--aov", "residual"}, 3, "--aov 'residual' is not supported yet", "one of color");
   expectRefused({"--shading", "exact"}, 3, "--shading 'exact' is not supported yet", "phong");
 }
