@@ -41,8 +41,8 @@ double positionError(StressContext& context, const Snapshot& snapshot, DrawOptio
   return positionErrorPx(snapshot, output(Output::Id), output(Output::Uv));
 }
 
-/// The largest difference between what the shader says of a pixel's point and the distance of the point it
-/// shows, worked out again in double.
+/// The largest difference between what the shader says of a pixel's point and how far, across or down, the
+/// point it shows is from the pixel's centre, worked out again in double.
 double residualError(const Snapshot& snapshot, const Image& id, const Image& uv, const Image& residual) {
   const SnapshotNode& node = snapshot.nodes.front();
   double worst = 0;
@@ -51,8 +51,8 @@ double residualError(const Snapshot& snapshot, const Image& id, const Image& uv,
       if (id.pixel(x, y)[0] == 0) continue;
       const auto at = uv.pixel(x, y);
       const Vec3 point = node.surface.position(at[0], at[1], node.parameters);
-      const double again = glm::length(pixelOf(snapshot.view, point) - centerOf(x, y));
-      worst = std::max(worst, std::abs(again - double(residual.pixel(x, y)[0])));
+      const Vec2 off = glm::abs(pixelOf(snapshot.view, point) - centerOf(x, y));
+      worst = std::max(worst, std::abs(std::max(off.x, off.y) - double(residual.pixel(x, y)[0])));
     }
   return worst;
 }

@@ -11,6 +11,7 @@
 #include <random>
 #include <string>
 
+#include "math/float32.h"
 #include "stability/cases.h"
 #include "stability/device_formula.h"
 #include "stability/dual.h"
@@ -30,9 +31,9 @@ struct Points {
   std::vector<Vec2f> single;
 
   void add(double x, double y) {
-    single.emplace_back(x, y);
-    u.push_back(single.back().x);
-    v.push_back(single.back().y);
+    u.push_back(roundedToFloat(x));
+    v.push_back(roundedToFloat(y));
+    single.emplace_back(u.back(), v.back());
   }
 };
 
@@ -193,7 +194,7 @@ std::vector<DerivativeErrors> measure(Differentiator& differentiator, std::size_
     std::array<Largest, 2> inDouble, inFloat;
     for (Patch patch : surface.patches()) {
       // What is not exact in float is an error of the input, not of the derivative.
-      for (double& constant : patch.constants) constant = static_cast<float>(constant);
+      for (double& constant : patch.constants) constant = roundedToFloat(constant);
       const Points points =
           randomPoints(patch.domain, std::max<std::size_t>(count / surface.patchCount(), 64), random);
       const Tangents truth = trueTangents(patch, points);

@@ -23,6 +23,7 @@ double nanCount(const Image& image) {
 double emptyCount(const Image& id) { return static_cast<double>(std::ranges::count(id.samples(), 0.0f)); }
 
 double degreesBetween(const Vec3& a, const Vec3& b) {
+  if (a == Vec3(0) || b == Vec3(0)) return 180;
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * (180 / kPi);
 }
 

@@ -50,7 +50,8 @@ template <class Inside>
 [[nodiscard]] double nanCount(const Image& image);
 /// Pixels that show nothing in an image of ids.
 [[nodiscard]] double emptyCount(const Image& id);
-/// Between two directions of any length; right down to the last bit, where an arc cosine is not.
+/// Between two directions of any length, right down to the last bit, where an arc cosine is not; 180 where
+/// one has no direction.
 [[nodiscard]] double degreesBetween(const Vec3& a, const Vec3& b);
 
 /// Vulkan rounds vertices to a grid of at least 1/256 pixel in each direction; with the rounding of single
