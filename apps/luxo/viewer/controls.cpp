@@ -29,6 +29,7 @@ constexpr KeyHelp kKeys[] = {
     {"W", "wireframe"},
     {"C", "back-face culling"},
     {"M", "4 samples per pixel, or 1"},
+    {"A", "smooth edges while nothing moves"},
     {"P", "save a picture here"},
     {"I", "numbers"},
     {"S", "sliders"},
@@ -53,6 +54,7 @@ Controls::Controls(const ViewedScene& viewed, const ViewerOptions& options, bool
       solidShading_(draw_.shading == Shading::Wireframe ? Shading::Phong : draw_.shading),
       playback_(viewed.settings.time, options.playing && moving_, now) {
   draw_.skips = options.skips;
+  draw_.samples = samplesOfPass(draw_.samples);
 }
 
 void Controls::adopt(const ViewedScene& before, const ViewedScene& next, Time now) {
@@ -61,8 +63,7 @@ void Controls::adopt(const ViewedScene& before, const ViewedScene& next, Time no
   moving_ = moves;
   fps_ = next.settings.fps;
   draw_.tolerancePx = next.settings.tolerance;
-  if (next.settings.samples != before.settings.samples && (canMultisample_ || next.settings.samples == 1))
-    draw_.samples = next.settings.samples;
+  if (next.settings.samples != before.settings.samples) draw_.samples = samplesOfPass(next.settings.samples);
   if (next.settings.shading != before.settings.shading) shade(next.settings.shading);
 }
 
@@ -115,6 +116,9 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
     case 'M':
       if (!canMultisample_) return Request::NoMultisampling;
       draw_.samples = draw_.samples == 1 ? 4 : 1;
+      break;
+    case 'A':
+      refines_ = !refines_;
       break;
     case 'H':
       showsKeys_ = !showsKeys_;

@@ -44,6 +44,8 @@ class Controls {
 
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
   [[nodiscard]] const window::Playback& playback() const { return playback_; }
+  /// Whether edges become smooth while nothing moves.
+  [[nodiscard]] bool refines() const { return refines_; }
   [[nodiscard]] bool showsKeys() const { return showsKeys_; }
   [[nodiscard]] bool showsNumbers() const { return showsNumbers_; }
   [[nodiscard]] bool showsSliders() const { return showsSliders_; }
@@ -59,6 +61,8 @@ class Controls {
 
   void takeCamera(const Camera& seen, const Moment& moment);
   void shade(Shading shading);
+  /// Scenes may ask for more samples than a pass takes; these come while nothing moves.
+  [[nodiscard]] int samplesOfPass(int wanted) const { return wanted > 1 && canMultisample_ ? 4 : 1; }
   void step(const window::KeyPress& press, int direction, Time now);
 
   bool moving_, startsPlaying_;  // the scene moves; a moving scene plays
@@ -68,6 +72,7 @@ class Controls {
   Shading solidShading_;  // what to go back to from wireframe
   window::Playback playback_;
   std::optional<OwnCamera> own_;
+  bool refines_ = true;
   bool showsKeys_ = false, showsNumbers_ = true, showsSliders_ = true;
 };
 

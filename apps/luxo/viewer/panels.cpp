@@ -20,7 +20,7 @@ std::string counted(std::uint64_t count, const char* thing) {
 
 std::string pictureText(const Status& status, const DrawOptions& draw) {
   return fmt::format("{} × {}, {}, {}{}", status.size.width, status.size.height, nameOf(draw.shading),
-                     counted(static_cast<std::uint64_t>(draw.samples), "sample"),
+                     counted(static_cast<std::uint64_t>(status.samples), "sample"),
                      draw.cullBackFaces ? "" : ", no culling");
 }
 

@@ -22,6 +22,7 @@ struct Message {
 struct Status {
   std::string title, device;
   PixelSize size;
+  int samples = 1;  ///< per pixel, of the picture that is shown
   double seconds = 0;
   FrameStatistics statistics;  ///< of the picture that is shown
   FrameMeter::Reading reading;

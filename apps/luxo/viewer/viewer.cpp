@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/log.h"
+#include "draw/accumulation.h"
 #include "draw/scene_painter.h"
 #include "exit_code.h"
 #include "gpu/context.h"
@@ -138,7 +139,7 @@ class Viewer {
         quit_ = true;
         break;
       case Controls::Request::Photo:
-        if (pictures_ > 0) photographer_.take(snapshotOrLast(), controls_.drawOptions());
+        if (pictures_ > 0) photographer_.take(snapshotOrLast(), photoOptions());
         break;
       case Controls::Request::Fullscreen:
         window_.toggleFullscreen();
@@ -150,6 +151,13 @@ class Viewer {
         sliders_.reset(viewed_.scene);
         break;
     }
+  }
+
+  // A picture that has become smooth is saved as smooth.
+  [[nodiscard]] DrawOptions photoOptions() const {
+    DrawOptions options = controls_.drawOptions();
+    options.samples = std::max(options.samples, refined_);
+    return options;
   }
 
   void tell(const Photographer::Outcome& outcome) {
@@ -219,11 +227,16 @@ class Viewer {
 
     Snapshot snapshot = snapshotOrLast();
     const DrawOptions& draw = controls_.drawOptions();
-    const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_;
-    if (!repaint && !damaged_ && swapchain_.generation() == shownGeneration_ && panels() == panels_) return;
+    const bool coarser = refined_ > 0 && !controls_.refines();
+    const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
+    const bool refines = !repaint && controls_.refines() && refined_ < kMostSamples;
+    if (!repaint && !refines && !damaged_ && swapchain_.generation() == shownGeneration_ &&
+        panels() == panels_)
+      return;
     const double evaluated = millisecondsSince(start);
 
     if (repaint) finishLastPicture();
+    if (refines) catchUp();
     const VkCommandBuffer commands = frames_.begin();
     const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
     if (acquired != SwapchainStatus::Ready) {
@@ -237,8 +250,12 @@ class Viewer {
       pipelines_ += status_.statistics.count.pipelinesCreated;
       shown_ = std::move(snapshot);
       drawn_ = draw;
+      refined_ = 0;
       ++pictures_;
+    } else if (refines) {
+      refine(commands);
     }
+    status_.samples = refined_ > 0 ? refined_ : draw.samples;
     status_.size = size();
     panels_ = panels();
     showPanels(commands);
@@ -252,6 +269,30 @@ class Viewer {
       meter_.addFrame(evaluated + recorded, start);
       unmeasured_ = submission;
       dirty_ = true;  // how long it took will be known, and shown
+    }
+    if (!refines) return;
+    dirty_ |= refined_ < kMostSamples;
+    if (refined_ == kMostSamples) log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
+  }
+
+  // One more sample per pixel joins the mean.
+  void refine(VkCommandBuffer commands) {
+    if (!accumulator_) accumulator_.emplace(context_);
+    Snapshot sampled = shown_;
+    sampled.view = sampledAt(shown_.view, pattern_[static_cast<std::size_t>(refined_)]);
+    DrawOptions one = *drawn_;
+    one.samples = 1;
+    FrameStatistics ignored;
+    painter_.record(frames_, commands, sampled, one, ignored);
+    accumulator_->add(frames_, commands, painter_.target(), refined_);
+    ++refined_;
+  }
+
+  // The mean is worth showing once it has as many samples as the picture before it.
+  void catchUp() {
+    while (refined_ + 1 < drawn_->samples) {
+      refine(frames_.begin());
+      frames_.submit();
     }
   }
 
@@ -269,8 +310,9 @@ class Viewer {
   }
 
   void showPanels(VkCommandBuffer commands) {
+    gpu::Texture& picture = refined_ > 0 ? accumulator_->mean() : painter_.target();
     std::vector<window::GrabArea> areas =
-        presenter_.record(frames_, commands, painter_.target(), swapchain_, window_.contentScale(), panels_);
+        presenter_.record(frames_, commands, picture, swapchain_, window_.contentScale(), panels_);
     if (areas == areas_) return;
     for (const window::GrabArea& area : areas)
       log(LogLevel::Debug, fmt::format("grab {} from {},{} to {},{}", area.key, area.minPx.x, area.minPx.y,
@@ -327,6 +369,7 @@ class Viewer {
   window::Swapchain swapchain_;
   gpu::FrameRing frames_;
   ScenePainter painter_;
+  std::optional<Accumulator> accumulator_;  // made when first needed
   window::Presenter presenter_;
   Photographer photographer_;
 
@@ -348,7 +391,9 @@ class Viewer {
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
 
-  // What is seen.
+  // What is seen: the painter's picture, or, while nothing moves, the mean of so many with one sample each.
+  int refined_ = 0;
+  std::vector<Vec2> pattern_ = samplePattern(kMostSamples);
   Snapshot shown_;
   std::optional<DrawOptions> drawn_;
   std::vector<window::Panel> panels_;

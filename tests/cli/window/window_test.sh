@@ -126,6 +126,7 @@ launch() {
   await "there is a window" find_window
   xdotool windowfocus --sync "$window"
   await "it draws" first_picture
+  keys a  # pictures with the samples they were asked for, and no more
 }
 start() { start_in "$folder" "$@"; }
 find_window() {
@@ -263,6 +264,40 @@ case_keys() {
   photo back.png
   same back.png frame_51.png "back from full screen"
   quit
+}
+
+case_smooths() {
+  open_screen
+  start --size 240x150 --time 3
+  keys i
+  window_png coarse.png
+  keys a
+  await "it becomes smooth" logged 'smooth after' 1
+  window_png shown.png
+  (unset DISPLAY && "$bin/luxo_grandpa" -q --size 240x150 --time 3 --samples 256 -o "$folder/file.png") ||
+    fail "cannot render headless"
+  shown_as file.png
+  photo photo.png
+  same photo.png file.png "P saves what is shown"
+
+  # A change shows at once and becomes smooth anew; without smoothing all is as it was.
+  keys 1
+  await "it becomes smooth again" logged 'smooth after' 2
+  keys m
+  await "four samples become smooth, too" logged 'smooth after' 3
+  keys m 3 a
+  window_png shown.png
+  cp "$folder/coarse.png" "$folder/file.png"
+  shown_as file.png
+
+  # Smooth is done: nothing is drawn any more.
+  keys a
+  await "it becomes smooth at last" logged 'smooth after' 4
+  sleep 1
+  local smooth
+  smooth=$(submits 'smooth after')
+  quit
+  [[ $(submits 'quit after') -eq $smooth ]] || fail "$(($(submits 'quit after') - smooth)) submits after it was smooth"
 }
 
 case_camera() {
