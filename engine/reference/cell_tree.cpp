@@ -54,8 +54,12 @@ double bending(const CellBounds& b, const Domain& d) {
   return b.smooth && std::isfinite(excess) ? excess : 2 * glm::length(b.position.radius);
 }
 
-/// Cut across the longer side in space; where that is unknown, the larger part of the whole domain's.
-std::array<Domain, 2> halves(const Cell& cell, const Domain& whole) {
+}  // namespace
+
+Halves halvesInU(const Domain& d) { return {{{{d.u.lo, d.u.mid()}, d.v}, {{d.u.mid(), d.u.hi}, d.v}}}; }
+Halves halvesInV(const Domain& d) { return {{{d.u, {d.v.lo, d.v.mid()}}, {d.u, {d.v.mid(), d.v.hi}}}}; }
+
+Halves halves(const Cell& cell, const Domain& whole) {
   const Domain& d = cell.domain;
   const CellBounds& b = cell.bounds;
   const double alongU = glm::length(b.du.center) * d.u.width();
@@ -65,11 +69,8 @@ std::array<Domain, 2> halves(const Cell& cell, const Domain& whole) {
   const bool splitU = b.smooth && alongU + alongV > 0
                           ? alongU + bendU >= alongV + bendV
                           : d.u.width() * whole.v.width() >= d.v.width() * whole.u.width();
-  if (splitU) return {{{{d.u.lo, d.u.mid()}, d.v}, {{d.u.mid(), d.u.hi}, d.v}}};
-  return {{{d.u, {d.v.lo, d.v.mid()}}, {d.u, {d.v.mid(), d.v.hi}}}};
+  return splitU ? halvesInU(d) : halvesInV(d);
 }
-
-}  // namespace
 
 bool Enclosure::finite() const {
   for (int i = 0; i < 3; ++i)

@@ -58,6 +58,12 @@ struct Cell {
   CellBounds bounds;
 };
 
+using Halves = std::array<Domain, 2>;
+[[nodiscard]] Halves halvesInU(const Domain& d);
+[[nodiscard]] Halves halvesInV(const Domain& d);
+/// Cut across the longer side in space; where that is unknown, across the larger part of the whole domain's.
+[[nodiscard]] Halves halves(const Cell& cell, const Domain& whole);
+
 /// Immutable; safe from any thread. Keeps a copy of the surface.
 class CellTree {
  public:

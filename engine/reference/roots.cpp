@@ -7,37 +7,17 @@
 #include <limits>
 #include <vector>
 
+#include "reference/krawczyk.h"
+
 namespace luxo::reference {
 namespace {
 
-constexpr double kEpsilon = 0x1p-52;
 constexpr double kSmallest = 1e-13;   // of the domain
 constexpr double kOnTheEdge = 1e-12;  // of the domain: how far outside a root may be found
 constexpr double kSamePoint = 1e-9;   // of the distance
 constexpr int kMostCells = 20'000;    // per ray
 constexpr int kNewtonSteps = 6;       // from inside a proven cell: quadratic from the first
 constexpr double kNarrower = 0.75;    // a narrowing worth repeating
-
-/// A number and how far it may be from the true one.
-struct Ball {
-  double center = 0, radius = 0;
-
-  [[nodiscard]] double lo() const { return center - radius; }
-  [[nodiscard]] double hi() const { return center + radius; }
-  [[nodiscard]] bool excludesZero() const { return std::abs(center) > radius; }
-};
-
-/// a . p + offset over everything p may be, rounding included.
-Ball value(const Vec3& a, const Enclosure& p, double offset) {
-  const Vec3 size = glm::abs(a) * glm::abs(p.center);
-  return {glm::dot(a, p.center) + offset, glm::dot(glm::abs(a), p.radius) * (1 + 8 * kEpsilon) +
-                                              4 * kEpsilon * (size.x + size.y + size.z + std::abs(offset))};
-}
-
-/// Two numbers that change linearly, in balls.
-struct Matrix {
-  Ball uu, uv, vu, vv;  // row 1: f1 by u, v; row 2: f2 by u, v
-};
 
 class Search {
  public:
@@ -116,16 +96,16 @@ class Search {
     double cutU = glm::length(b.du.center + b.du.radius) * hu,
            cutV = glm::length(b.dv.center + b.dv.radius) * hv;
     if (b.smooth) {
-      const Matrix j{value(ray_.across1, b.du, 0), value(ray_.across1, b.dv, 0), value(ray_.across2, b.du, 0),
+      const Slopes j{value(ray_.across1, b.du, 0), value(ray_.across1, b.dv, 0), value(ray_.across2, b.du, 0),
                      value(ray_.across2, b.dv, 0)};
       const Ball f1 = value(ray_.across1, b.middle, ray_.offset1);
       const Ball f2 = value(ray_.across2, b.middle, ray_.offset2);
       // Mean value form along the ray's own directions: sharper than the box.
-      if (std::abs(f1.center) > f1.radius + reach(j.uu) * hu + reach(j.uv) * hv ||
-          std::abs(f2.center) > f2.radius + reach(j.vu) * hu + reach(j.vv) * hv)
+      if (std::abs(f1.center) > f1.radius + j.uu.magnitude() * hu + j.uv.magnitude() * hv ||
+          std::abs(f2.center) > f2.radius + j.vu.magnitude() * hu + j.vv.magnitude() * hv)
         return;
       if (frontless(b)) return;
-      if (krawczyk(d, hu, hv, j, f1, f2)) return;
+      if (settle(d, hu, hv, krawczyk(j, f1, f2, hu, hv))) return;
     }
     const bool smallInSpace = b.smooth && cutU + cutV < kSmallest * size_;
     if (smallInSpace || (hu < kSmallest * whole.u.width() && hv < kSmallest * whole.v.width())) {
@@ -143,16 +123,8 @@ class Search {
     // Neither side may become so much smaller than the other that only the other is ever cut.
     if (hu < kSmallest * whole.u.width()) cutU = -1;
     if (hv < kSmallest * whole.v.width()) cutV = -1;
-    if (cutU >= cutV) {
-      parts_.push_back({{d.u.lo, d.u.mid()}, d.v});
-      parts_.push_back({{d.u.mid(), d.u.hi}, d.v});
-    } else {
-      parts_.push_back({d.u, {d.v.lo, d.v.mid()}});
-      parts_.push_back({d.u, {d.v.mid(), d.v.hi}});
-    }
+    for (const Domain& half : cutU >= cutV ? halvesInU(d) : halvesInV(d)) parts_.push_back(half);
   }
-
-  static double reach(const Ball& b) { return std::abs(b.center) + b.radius; }
 
   /// Every point of the cell turns its back to the ray, and backs do not count.
   [[nodiscard]] bool frontless(const CellBounds& b) const {
@@ -173,29 +145,11 @@ class Search {
   }
 
   /// Whether nothing is left to do: no root, or the only one found. May narrow the cell instead and push it.
-  bool krawczyk(const Domain& d, double hu, double hv, const Matrix& j, const Ball& f1, const Ball& f2) {
-    const double det = j.uu.center * j.vv.center - j.uv.center * j.vu.center;
-    if (!(std::abs(det) > 0) || !std::isfinite(1 / det)) return false;
-    const double yuu = j.vv.center / det, yuv = -j.uv.center / det;
-    const double yvu = -j.vu.center / det, yvv = j.uu.center / det;
-    // K = middle - Y f(middle) + (I - Y J)(cell - middle), in balls. I - Y J: what rounding left, and radii.
-    const auto product = [](double a, double b, const Ball& x, const Ball& y, double one) {
-      const double center = one - (a * x.center + b * y.center);
-      return std::abs(center) + std::abs(a) * x.radius + std::abs(b) * y.radius +
-             8 * kEpsilon * (one + std::abs(a * x.center) + std::abs(b * y.center));
-    };
-    const double muu = product(yuu, yuv, j.uu, j.vu, 1), muv = product(yuu, yuv, j.uv, j.vv, 0);
-    const double mvu = product(yvu, yvv, j.uu, j.vu, 0), mvv = product(yvu, yvv, j.uv, j.vv, 1);
-    const double stepU = -(yuu * f1.center + yuv * f2.center), stepV = -(yvu * f1.center + yvv * f2.center);
-    const double noiseU =
-        std::abs(yuu) * f1.radius + std::abs(yuv) * f2.radius + 8 * kEpsilon * std::abs(stepU);
-    const double noiseV =
-        std::abs(yvu) * f1.radius + std::abs(yvv) * f2.radius + 8 * kEpsilon * std::abs(stepV);
-    const double radiusU = (muu * hu + muv * hv + noiseU) * (1 + 8 * kEpsilon);
-    const double radiusV = (mvu * hu + mvv * hv + noiseV) * (1 + 8 * kEpsilon);
-    if (!(std::isfinite(radiusU) && std::isfinite(radiusV))) return false;
-    if (std::abs(stepU) - radiusU > hu || std::abs(stepV) - radiusV > hv) return true;  // no root
-    if (std::abs(stepU) + radiusU < hu && std::abs(stepV) + radiusV < hv) {             // exactly one
+  bool settle(const Domain& d, double hu, double hv, const std::optional<Solutions>& solutions) {
+    if (!solutions) return false;
+    const auto [stepU, stepV, radiusU, radiusV] = *solutions;
+    if (solutions->outside(hu, hv)) return true;
+    if (solutions->inside(hu, hv)) {
       accept(d.u.mid() + stepU, d.v.mid() + stepV, d);
       return true;
     }
