@@ -10,7 +10,7 @@
 #endif
 
 // Parameters of the formula beyond these are read from their buffer, which takes a CPU device longer.
-const uint kCarriedParameters = 36;
+const uint kCarriedParameters = 28;
 
 layout(location = 0) sample LUXO_LINK vec2 linkStart;             // u, v
 layout(location = 1) flat LUXO_LINK vec4 linkAmbientShininess;
