@@ -4,6 +4,8 @@
 
 find_program(LUXO_GLSLANG glslangValidator REQUIRED)
 find_program(LUXO_SPIRV_VAL spirv-val REQUIRED)
+find_package(SPIRV-Tools REQUIRED)
+find_package(SPIRV-Tools-opt REQUIRED)
 
 function(luxo_shaders target)
   set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders)
@@ -46,4 +48,20 @@ function(luxo_shader_sources target)
     COMMENT "Embedding shader sources" VERBATIM)
   add_custom_target(${target}_sources DEPENDS ${out})
   add_dependencies(${target} ${target}_sources)
+endfunction()
+
+# The exact shaders of the named surfaces: <luxo/shaders/exact_surfaces.h> with `luxo::kExactSurfaces`, for targets that
+# link `target`. The program that writes it compiles the texts of luxo_shader_sources(target).
+function(luxo_exact_surfaces target source)
+  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders/exact_surfaces.h)
+  add_executable(luxo_exact_shaders ${source})
+  target_include_directories(luxo_exact_shaders PRIVATE ${CMAKE_BINARY_DIR}/generated)
+  target_link_libraries(luxo_exact_shaders PRIVATE luxo_surface luxo_gpu SPIRV-Tools-opt)
+  luxo_warnings(luxo_exact_shaders)
+  add_dependencies(luxo_exact_shaders ${target}_sources)
+  add_custom_command(
+    OUTPUT ${out} COMMAND luxo_exact_shaders ${out} DEPENDS luxo_exact_shaders
+    COMMENT "Compiling the exact shaders of surfaces" VERBATIM)
+  add_custom_target(${target}_exact DEPENDS ${out})
+  add_dependencies(${target} ${target}_exact)
 endfunction()

@@ -10,9 +10,9 @@
 #include "cull/cull.h"
 #include "draw/options.h"
 #include "draw/statistics.h"
-#include "draw/surface_code.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
+#include "surface/surface_code.h"
 #include "tessellate/mesh_cache.h"
 
 namespace luxo {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "draw/exact_surfaces.h"
 #include "draw/mesh_store.h"
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/exact_vert.h"
@@ -112,6 +113,9 @@ const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode&
                                                               const Pattern& pattern) {
   const auto found = exactShaders_.find({&surface, pattern});
   if (found != exactShaders_.end()) return found->second;
+  if (const auto builtIn = builtInExactShader(surface); !builtIn.empty() && !pattern.valid())
+    return exactShaders_.emplace(std::pair{&surface, pattern}, std::vector(builtIn.begin(), builtIn.end()))
+        .first->second;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"surface", surface.glsl});
   if (pattern.valid()) sources.push_back({"pattern", pattern.glsl()});

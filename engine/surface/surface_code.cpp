@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "draw/surface_code.h"
+#include "surface/surface_code.h"
 
 #include "formula/glsl.h"
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What exact pictures compile before anything is kept on disk: nothing for named surfaces.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "scenes/embedded_scenes.h"
+#include "support/picture.h"
+
+namespace luxo::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ExactStart : public PictureTest {
+ protected:
+  ~ExactStart() override { fs::remove_all(directory_); }
+
+  [[nodiscard]] std::uint64_t compiledBy(const Scene& scene) {
+    return draw(scene, {64, 36}, {.shading = Shading::Exact}).statistics.count.shadersCompiled;
+  }
+
+ private:
+  const fs::path directory_ = fs::path(testing::TempDir()) / ("luxo-exact-start-" + std::to_string(getpid()));
+  const ScopedVariable cache_{"LUXO_CACHE_DIR", directory_.c_str()};
+};
+
+Scene catalogueScene() {
+  for (const EmbeddedScene& scene : embeddedScenes())
+    if (scene.name == "catalogue") return buildScene(parseScene(std::string(scene.text), "catalogue"));
+  throw std::runtime_error("no such scene");
+}
+
+Scene sceneOf(Surface surface) {
+  Scene scene;
+  scene.add(Node{.surface = std::move(surface)});
+  scene.add(Camera{.eye = Vec3(0, 1, 6)});
+  return scene;
+}
+
+TEST_F(ExactStart, TheWholeCatalogueCompilesNothing) { EXPECT_EQ(compiledBy(catalogueScene()), 0u); }
+
+TEST_F(ExactStart, AFormulaIsCompiledOnce) {
+  const Surface wave = surface([](auto u, auto v) { return point(u, 0.1 * sin(7 * u), v); }, {});
+  EXPECT_EQ(compiledBy(sceneOf(wave)), 1u);
+  EXPECT_EQ(compiledBy(sceneOf(wave)), 0u);
+}
+
+}  // namespace
+}  // namespace luxo::test
