@@ -16,8 +16,8 @@ namespace luxo {
 [[nodiscard]] std::vector<StressCase> depthCases();             ///< ST-25 to 27
 [[nodiscard]] std::vector<StressCase> transformCases();         ///< ST-11 to 15
 [[nodiscard]] std::vector<StressCase> invarianceCases();        ///< ST-16 to 18
-[[nodiscard]] std::vector<StressCase> shadingCases();           ///< ST-28 to 31
-[[nodiscard]] std::vector<StressCase> hazardCases();            ///< ST-32, 33
+[[nodiscard]] std::vector<StressCase> shadingCases();           ///< ST-28 to 31, 33
+[[nodiscard]] std::vector<StressCase> hazardCases();            ///< ST-32
 [[nodiscard]] std::vector<StressCase> lampCases();              ///< ST-34
 [[nodiscard]] std::vector<StressCase> systemCases();            ///< ST-39, 40
 

@@ -50,4 +50,20 @@ Image flippedLeftRight(const Image& image) {
   return flipped;
 }
 
+bool nearEdge(const reference::Caster& caster, int x, int y, double radius) {
+  constexpr int kAround = 32;
+  const auto colorOf = [&](double px, double py) {
+    const reference::Ray ray = caster.rayThrough(px, py);
+    bool certified = true;
+    return caster.color(ray, caster.look(ray), certified);
+  };
+  const Vec3 center = colorOf(x + 0.5, y + 0.5);
+  for (int k = 0; k < kAround; ++k) {
+    const double angle = kTau * k / kAround;
+    const Vec3 color = colorOf(x + 0.5 + radius * std::cos(angle), y + 0.5 + radius * std::sin(angle));
+    if (codeDifference(color, center) > 1) return true;
+  }
+  return false;
+}
+
 }  // namespace luxo

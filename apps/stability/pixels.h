@@ -6,6 +6,7 @@
 
 #include "image/image.h"
 #include "math/vec.h"
+#include "reference/caster.h"
 
 namespace luxo {
 
@@ -22,5 +23,9 @@ namespace luxo {
 
 [[nodiscard]] Vec3 colorAt(const Image& image, int x, int y);
 [[nodiscard]] Image flippedLeftRight(const Image& image);
+
+/// Whether the true picture changes by more than one code within `radius` pixels of a pixel's centre: a
+/// silhouette, a contour, or the border of a highlight that the horizon cuts off.
+[[nodiscard]] bool nearEdge(const reference::Caster& caster, int x, int y, double radius);
 
 }  // namespace luxo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ST-28 to 31: the numbers behind a shaded pixel, as the device computes them with the shaders' own
+// ST-28 to 31, 33: the numbers behind a shaded pixel, as the device computes them with the shaders' own
 // functions.
 #include <fmt/format.h>
 
@@ -12,8 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "draw/device_precision.h"
 #include "stability/cases.h"
 #include "stability/device_formula.h"
+#include "stability/pictures.h"
+#include "surface/library.h"
 
 namespace luxo {
 namespace {
@@ -39,6 +42,16 @@ std::vector<std::vector<float>> run(StressContext& context, std::string_view lib
 }
 
 void append(std::vector<double>& inputs, const Vec3f& v) { inputs.insert(inputs.end(), {v.x, v.y, v.z}); }
+
+// ST-28 -----------------------------------------------------------------------------------------------------
+
+/// The device's self-test, measured anew; what formulas draw with must hold whatever the driver does.
+std::vector<Measurement> selfTest(StressContext& context) {
+  const SinCosError error = sinCosError(context.device(), {});
+  return {
+      atMost("error of sin and cos as formulas draw with them", error.ofFormulas, 0x1p-20),
+      atLeast("what Vulkan promises of the driver's: 2^-11 over their error", 0x1p-11 / error.ofDriver, 1)};
+}
 
 // ST-29 -----------------------------------------------------------------------------------------------------
 
@@ -203,13 +216,84 @@ std::vector<Measurement> normaliseBare(StressContext& context) {
   return normalised(context, "", "normalize(x)");
 }
 
+// ST-33 -----------------------------------------------------------------------------------------------------
+
+/// A ball and a floor under one light of inverse square attenuation, which is `at`.
+Scene litFrom(const Vec3& at, double intensity) {
+  Scene scene;
+  scene.set(RenderSettings{.background = Vec3(0), .ambient = Vec3(0.05)});
+  scene.add(Node{.surface = sphere(1)});
+  scene.add(Node{.translation = Vec3(0, -1, 0), .surface = rectangle(8, 8)});
+  scene.add(Node{.translation = at,
+                 .light = Light{.intensity = intensity, .attenuation = Light::Attenuation::InverseSquare}});
+  scene.add(Camera{.eye = Vec3(0, 0.5, 4), .lookAt = Vec3(0, 0, 0)});
+  return scene;
+}
+
+/// A point that faces a light of that intensity, from distances down to the smallest float and 0.
+std::int64_t notFiniteNearLight(StressContext& context) {
+  std::vector<double> inputs;
+  for (int power = -149; power <= 0; ++power) inputs.push_back(std::ldexp(1.0, power));
+  inputs.push_back(0);
+  const auto values = run(context, kNoLights, R"(
+  vec3 toLight = vec3(0, parameterAt(uint(u)), 0);
+  first.xyz = reflected(Material(vec3(0), vec3(1), vec3(1), 10.0, 0u), LightData(vec4(0), vec3(1e6), 1u), toLight,
+                        vec3(0, 1, 0), vec3(0.6, 0.8, 0));
+)",
+                          inputs.size(), inputs);
+  return std::ranges::count_if(values[0], [](float value) { return !std::isfinite(value); });
+}
+
+std::vector<Measurement> hazardousLights(StressContext& context) {
+  constexpr double kIntensity = 1e6;
+  struct Place {
+    std::string_view name;
+    Vec3 at;
+  };
+  // What the pixel in the middle shows, in single precision as the device has it.
+  const Scene unlit = litFrom({0, 100, 0}, 0);
+  const Snapshot snapshot = takeSnapshot(unlit, 0, context.size());
+  const int middle = context.size().width / 2;
+  const Vec3 seen = colorAt(context.draw(snapshot, {.output = Output::Position}).image, middle, middle);
+  const Place places[] = {{"the origin, inside the ball", Vec3(0)},
+                          {"the ball's wall", unit(Vec3(0.1, 0.3, 1))},
+                          {"the point that a pixel shows", seen},
+                          {"the ball's pole", {0, 1, 0}},
+                          {"the floor", {0.5, -1, 1.5}},
+                          {"the eye", {0, 0.5, 4}}};
+  std::vector<Measurement> result;
+  for (const Place& place : places) {
+    const Image image = context.draw(takeSnapshot(litFrom(place.at, kIntensity), 0, context.size())).image;
+    result.push_back(none(fmt::format("light at {}: samples that are not finite", place.name),
+                          samplesNotFinite(image), "samples"));
+  }
+  result.push_back(
+      none("values that are not finite at distances from 0 to 1 m", notFiniteNearLight(context), "values"));
+  // Inside the ball nothing outside of it is lit but the floor: the ball turns its back to the light.
+  const Image inside = context.draw(takeSnapshot(litFrom(Vec3(0), kIntensity), 0, context.size())).image;
+  const Image ids = context.draw(snapshot, {.output = Output::Id}).image;
+  const Image dark = context.draw(snapshot).image;
+  std::int64_t litBall = 0, ball = 0;
+  for (int y = 0; y < ids.height(); ++y)
+    for (int x = 0; x < ids.width(); ++x) {
+      if (ids.pixel(x, y)[0] != 1) continue;
+      ++ball;
+      litBall += colorAt(inside, x, y) != colorAt(dark, x, y);
+    }
+  result.push_back(none("pixels of the ball lit from inside through its wall", litBall, "pixels"));
+  result.push_back(atLeast("pixels of the ball", ball, context.of(60000, 4000), "pixels"));
+  return result;
+}
+
 }  // namespace
 
 std::vector<StressCase> shadingCases() {
   return {
+      {.id = "ST-28", .title = "sin and cos of the device", .run = selfTest},
       {.id = "ST-29", .title = "Blinn's highlight", .run = blinn, .canary = blinnByPow},
       {.id = "ST-30", .title = "no half vector, or a grazing one", .run = degenerateHalf},
-      {.id = "ST-31", .title = "unit vectors from 1e-38 to 1e38", .run = normalise, .canary = normaliseBare}};
+      {.id = "ST-31", .title = "unit vectors from 1e-38 to 1e38", .run = normalise, .canary = normaliseBare},
+      {.id = "ST-33", .title = "lights inside, on and before surfaces", .run = hazardousLights}};
 }
 
 }  // namespace luxo

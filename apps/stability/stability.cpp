@@ -17,9 +17,9 @@ namespace {
 
 using Group = std::vector<StressCase> (*)();
 
-constexpr Group kGroups[] = {parameterisationCases, derivativeCases,   accuracyCases,
-                             rasterisationCases,    tessellationCases, depthCases,
-                             transformCases,        invarianceCases,   shadingCases};
+constexpr Group kGroups[] = {parameterisationCases, derivativeCases, accuracyCases,  rasterisationCases,
+                             tessellationCases,     depthCases,      transformCases, invarianceCases,
+                             shadingCases,          hazardCases,     lampCases,      systemCases};
 
 std::vector<StressCase> allCases() {
   std::vector<StressCase> cases;

@@ -41,6 +41,7 @@ struct StressOptions {
   Shading shading = Shading::Exact;  ///< the one under test
   std::string device = "auto";       ///< as in gpu::ContextDesc
   bool validate = false;             ///< with the validation layer
+  std::string program = "/proc/self/exe";  ///< luxo: draws what other processes have to draw
   /// Where its messages go; null: nowhere.
   std::shared_ptr<gpu::ValidationLog> validationLog = nullptr;
 };

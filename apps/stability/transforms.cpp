@@ -10,7 +10,7 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "stability/cases.h"
-#include "stability/pixels.h"
+#include "stability/pictures.h"
 #include "surface/library.h"
 
 namespace luxo {
@@ -84,6 +84,7 @@ Surface flattenedPlate(const Vec3& normal) {
 struct NormalErrors {
   double largest = 0;
   std::int64_t pixels = 0, notFinite = 0;
+  double farthest = 0;  ///< of the points shown, from the pixels that show them, px
 };
 
 template <class TrueNormal>
@@ -93,6 +94,7 @@ NormalErrors normalsOf(StressContext& context, const Surface& surface, const Tru
   const Camera camera{.eye = Vec3(2.2, 2.6, 2.9), .fovY = radians(40)};
   const Image normals = context.draw(scene, camera, Output::Normal);
   const Image parameters = context.draw(scene, camera, Output::Uv);
+  const View view = viewAt(camera, 0, context.size());
   NormalErrors errors{.notFinite = samplesNotFinite(normals) + samplesNotFinite(parameters)};
   for (int y = 0; y < normals.height(); ++y)
     for (int x = 0; x < normals.width(); ++x) {
@@ -102,6 +104,8 @@ NormalErrors normalsOf(StressContext& context, const Surface& surface, const Tru
       Vec3 truth = trueNormal(uv[0], uv[1]);
       if (glm::dot(truth, n) < 0 && !surface.closed()) truth = -truth;
       errors.largest = std::max(errors.largest, angleBetween(n, truth));
+      const Vec2 shown = pixelOf(view, kUneven * surface.position(uv[0], uv[1]));
+      errors.farthest = std::max(errors.farthest, glm::distance(shown, centerOf(x, y)));
       ++errors.pixels;
     }
   return errors;
@@ -115,6 +119,7 @@ std::vector<Measurement> unevenScale(StressContext& context) {
       atMost("normals by the matrix in float", largestNormalError<float>(count), kMost, "rad")};
   const auto add = [&](const std::string& what, const NormalErrors& errors) {
     result.push_back(atMost("normals of " + what, errors.largest, kMost, "rad"));
+    result.push_back(atMost("points of " + what + " from their pixels", errors.farthest, 0.01, "px"));
     result.push_back(none("samples of " + what + " that are not finite", errors.notFinite, "samples"));
     result.push_back(atLeast("pixels of " + what, errors.pixels, context.of(20000, 1000), "pixels"));
   };
@@ -157,26 +162,7 @@ Scene mixedScene(double mirror) {
   return scene;
 }
 
-/// Whether the true picture changes by more than one code within `radius` pixels of a pixel's centre: a
-/// silhouette, a contour, or the border of a highlight that the horizon cuts off.
-bool nearEdge(const reference::Caster& caster, int x, int y, double radius) {
-  constexpr int kAround = 32;
-  const auto colorOf = [&](double px, double py) {
-    const reference::Ray ray = caster.rayThrough(px, py);
-    bool certified = true;
-    return caster.color(ray, caster.look(ray), certified);
-  };
-  const Vec3 center = colorOf(x + 0.5, y + 0.5);
-  for (int k = 0; k < kAround; ++k) {
-    const double angle = kTau * k / kAround;
-    const Vec3 color = colorOf(x + 0.5 + radius * std::cos(angle), y + 0.5 + radius * std::sin(angle));
-    if (codeDifference(color, center) > 1) return true;
-  }
-  return false;
-}
-
 std::vector<Measurement> mirror(StressContext& context) {
-  constexpr double kSnapPx = 1.0 / 128;
   const Snapshot original = takeSnapshot(mixedScene(1), 0, context.size());
   const Snapshot mirrored = takeSnapshot(mixedScene(-1), 0, context.size());
   const Image expected = flippedLeftRight(context.draw(original).image);

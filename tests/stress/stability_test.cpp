@@ -51,7 +51,7 @@ class Stress : public ::testing::TestWithParam<StressCase> {
  private:
   std::shared_ptr<gpu::ValidationLog> log_ = std::make_shared<gpu::ValidationLog>();
   std::optional<StressContext> context_{
-      StressContext({.quick = true, .validate = true, .validationLog = log_})};
+      StressContext({.quick = true, .validate = true, .program = LUXO_PROGRAM, .validationLog = log_})};
 };
 
 TEST_P(Stress, Passes) {
