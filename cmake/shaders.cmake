@@ -50,18 +50,18 @@ function(luxo_shader_sources target)
   add_dependencies(${target} ${target}_sources)
 endfunction()
 
-# The exact shaders of the named surfaces: <luxo/shaders/exact_surfaces.h> with `luxo::kExactSurfaces`, for targets that
-# link `target`. The program that writes it compiles the texts of luxo_shader_sources(target).
-function(luxo_exact_surfaces target source)
-  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders/exact_surfaces.h)
+# The exact shaders of what is built in: <luxo/shaders/exact_shaders.h> with `luxo::kExactShaders`, for targets that link
+# `target`. The program that writes it compiles the texts of luxo_shader_sources(target).
+function(luxo_exact_shaders target source)
+  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders/exact_shaders.h)
   add_executable(luxo_exact_shaders ${source})
   target_include_directories(luxo_exact_shaders PRIVATE ${CMAKE_BINARY_DIR}/generated)
-  target_link_libraries(luxo_exact_shaders PRIVATE luxo_surface luxo_gpu SPIRV-Tools-opt)
+  target_link_libraries(luxo_exact_shaders PRIVATE luxo_lamp luxo_scenes luxo_gpu SPIRV-Tools-opt)
   luxo_warnings(luxo_exact_shaders)
   add_dependencies(luxo_exact_shaders ${target}_sources)
   add_custom_command(
     OUTPUT ${out} COMMAND luxo_exact_shaders ${out} DEPENDS luxo_exact_shaders
-    COMMENT "Compiling the exact shaders of surfaces" VERBATIM)
+    COMMENT "Compiling the exact shaders" VERBATIM)
   add_custom_target(${target}_exact DEPENDS ${out})
   add_dependencies(${target} ${target}_exact)
 endfunction()

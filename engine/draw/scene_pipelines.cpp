@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/error.h"
-#include "draw/exact_surfaces.h"
+#include "draw/exact_shaders.h"
 #include "draw/mesh_store.h"
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/exact_vert.h"
@@ -113,7 +113,7 @@ const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode&
                                                               const Pattern& pattern) {
   const auto found = exactShaders_.find({&surface, pattern});
   if (found != exactShaders_.end()) return found->second;
-  if (const auto builtIn = builtInExactShader(surface); !builtIn.empty() && !pattern.valid())
+  if (const auto builtIn = builtInExactShader(surface, pattern); !builtIn.empty())
     return exactShaders_.emplace(std::pair{&surface, pattern}, std::vector(builtIn.begin(), builtIn.end()))
         .first->second;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));

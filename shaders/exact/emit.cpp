@@ -15,11 +15,18 @@
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/sources.h"
+#include "luxo_grandpa/lamp.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "scene/snapshot.h"
+#include "scenes/embedded_scenes.h"
+#include "scenes/gallery.h"
 #include "surface/catalogue.h"
 #include "surface/surface_code.h"
 
@@ -28,15 +35,33 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-/// The GLSL of every function that a named surface is made of.
-std::set<std::string> formulas() {
-  std::set<std::string> texts;
-  for (const CatalogueEntry& entry : catalogue()) {
-    const Surface surface = makeSurface(entry);
-    for (const Patch& patch : surface.patches())
-      texts.insert(surfaceCode(*patch.function, patch.constants.size()).glsl);
+/// GLSL of a surface, and of its pattern if it has one.
+using Formulas = std::pair<std::string, std::string>;
+
+void addSurface(std::set<Formulas>& all, const Surface& surface, const std::string& pattern) {
+  for (const Patch& patch : surface.patches())
+    all.emplace(surfaceCode(*patch.function, patch.constants.size() + surface.parameters().size()).glsl,
+                pattern);
+}
+
+void addScene(std::set<Formulas>& all, const Scene& scene) {
+  const Snapshot snapshot = takeSnapshot(scene, 0, {64, 64});
+  for (const SnapshotNode& node : snapshot.nodes) {
+    addSurface(all, node.surface, {});
+    const Pattern& pattern = snapshot.materials[node.material.index].diffusePattern;
+    if (pattern.valid()) addSurface(all, node.surface, pattern.glsl());
   }
-  return texts;
+}
+
+/// Of the named surfaces as they are without arguments, and of the built-in scenes.
+std::set<Formulas> builtInFormulas() {
+  std::set<Formulas> all;
+  for (const CatalogueEntry& entry : catalogue()) addSurface(all, makeSurface(entry), {});
+  addScene(all, luxoGrandpa());
+  addScene(all, gallery());
+  for (const EmbeddedScene& scene : embeddedScenes())
+    addScene(all, buildScene(parseScene(std::string(scene.text), std::string(scene.name))));
+  return all;
 }
 
 /// Without names and without functions that nobody calls; what it computes stays as it is.
@@ -65,10 +90,14 @@ void validate(const Words& words) {
     throw Error(ErrorKind::Internal, fmt::format("a shader is not valid:{}", messages));
 }
 
-Words compile(std::string_view formula) {
+Words compile(const Formulas& formulas) {
+  const auto& [surface, pattern] = formulas;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
-  sources.push_back({"surface", formula});
-  const auto source = std::ranges::find(kShaderSources, "exact/surface.frag", &gpu::ShaderSource::name);
+  sources.push_back({"surface", surface});
+  sources.push_back({"pattern", pattern});
+  const auto source =
+      std::ranges::find(kShaderSources, pattern.empty() ? "exact/surface.frag" : "exact/pattern.frag",
+                        &gpu::ShaderSource::name);
   const gpu::ShaderCompiler compiler{std::filesystem::path()};
   Words words = slimmed(compiler.compile({.source = *source, .includes = sources}).spirv);
   validate(words);
@@ -78,20 +107,21 @@ Words compile(std::string_view formula) {
 std::string table() {
   std::string arrays, entries;
   int index = 0;
-  for (const std::string& formula : formulas()) {
-    arrays += fmt::format("inline constexpr std::uint32_t kExactSurface{}[] = {{\n", index);
-    const Words words = compile(formula);
+  for (const Formulas& formulas : builtInFormulas()) {
+    arrays += fmt::format("inline constexpr std::uint32_t kExactShader{}[] = {{\n", index);
+    const Words words = compile(formulas);
     for (std::size_t i = 0; i < words.size(); ++i)
       arrays += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
     arrays += "};\n";
-    entries += fmt::format("    {{R\"luxo({})luxo\", kExactSurface{}}},\n", formula, index);
+    entries += fmt::format("    {{R\"luxo({})luxo\", R\"luxo({})luxo\", kExactShader{}}},\n", formulas.first,
+                           formulas.second, index);
     ++index;
   }
   return fmt::format(
       "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"
-      "struct ExactSurfaceShader {{\n  std::string_view formula;\n  std::span<const std::uint32_t> "
+      "struct ExactShader {{\n  std::string_view surface, pattern;\n  std::span<const std::uint32_t> "
       "spirv;\n}};\n\n"
-      "/// By formula.\ninline constexpr ExactSurfaceShader kExactSurfaces[] = {{\n{}}};\n\n}}  // namespace "
+      "/// By formulas.\ninline constexpr ExactShader kExactShaders[] = {{\n{}}};\n\n}}  // namespace "
       "luxo\n",
       arrays, entries);
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/exact_shaders.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "luxo/shaders/exact_shaders.h"
+
+namespace luxo {
+
+std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, const Pattern& pattern) {
+  const auto formulasOf = [](const ExactShader& shader) { return std::pair(shader.surface, shader.pattern); };
+  const std::pair wanted(std::string_view(surface.glsl),
+                         pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view());
+  const auto found = std::ranges::lower_bound(kExactShaders, wanted, {}, formulasOf);
+  const bool known = found != std::end(kExactShaders) && formulasOf(*found) == wanted;
+  return known ? found->spirv : std::span<const std::uint32_t>();
+}
+
+}  // namespace luxo

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The exact shaders that were compiled when luxo was built: of the named surfaces without arguments and of
+// the built-in scenes (shaders/exact/emit.cpp).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "scene/pattern.h"
+#include "surface/surface_code.h"
+
+namespace luxo {
+
+/// The fragment shader that finds this surface and shows the pattern, if there is one; empty for what is not
+/// built in. Looked up by the formulas themselves: one that has changed never meets an older shader. Cost:
+/// microseconds.
+[[nodiscard]] std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface,
+                                                                const Pattern& pattern = {});
+
+}  // namespace luxo
