@@ -53,6 +53,16 @@ PixelSize sizeOf(VkExtent2D extent) {
   return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
 }
 
+// The same view for a window of another size: as high as it was, and wider or narrower.
+View resized(View view, PixelSize size) {
+  view.size = size;
+  view.pixelsPerUnit = size.height / (2 * view.halfExtent.y);
+  const double halfWidth = size.width / (2 * view.pixelsPerUnit);
+  view.clipFromEye[0].x *= view.halfExtent.x / halfWidth;
+  view.halfExtent.x = halfWidth;
+  return view;
+}
+
 gpu::ContextDesc contextDesc(const window::Window& window, const ViewerOptions& options,
                              std::shared_ptr<gpu::ValidationLog> log) {
   return {.device = options.device,
@@ -305,7 +315,9 @@ class Viewer {
     } catch (const Error& error) {
       if (pictures_ == 0 || error.kind() != ErrorKind::Scene) throw;
       impossible_ = error.what();
-      return shown_;
+      Snapshot last = shown_;
+      if (last.view.size != size()) last.view = resized(last.view, size());
+      return last;
     }
   }
 

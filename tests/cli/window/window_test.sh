@@ -430,6 +430,28 @@ case_sliders() {
   [[ $turned == "$(pipelines)" ]] || fail "turning a parameter made pipelines"
 }
 
+# With the slider at 0 the eye is where it looks: there is no picture, and the last one stays, in windows of any size.
+case_impossible() {
+  open_screen
+  cat >"$folder/ball.luxo.json" <<END
+{ "luxo": 1,
+  "params": { "k": { "value": 3, "range": [0, 6] } },
+  "surfaces": { "ball": { "type": "sphere" } }, "nodes": [ { "surface": "ball" } ],
+  "camera": { "eye": [0, 0, "k"] } }
+END
+  view ball.luxo.json --size 640x360
+  photo given.png
+  drag_slider 0 0
+  await "the slider turns the parameter" logged 'a parameter is turned' 2
+  xdotool windowsize --sync "$window" 500 300
+  settle
+  xdotool windowsize --sync "$window" 640 360
+  settle
+  photo again.png
+  same again.png given.png "the last picture stays"
+  quit
+}
+
 case_reloads() {
   open_screen
   write_wave wave.luxo.json 'h*sin(k*u)'
