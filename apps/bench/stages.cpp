@@ -31,9 +31,9 @@ void cullLamp(benchmark::State& state, const Scene& lamp) {
 void listLamp(benchmark::State& state, const Scene& lamp) {
   const Snapshot snapshot = takeSnapshot(lamp, kTime, kSize);
   const VisibleList visible = cull(snapshot);
-  MeshCache meshes;
-  benchmark::DoNotOptimize(listDraws(snapshot, visible, {}, meshes));
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(listDraws(snapshot, visible, {}, meshes));
+  Geometry geometry;
+  benchmark::DoNotOptimize(listDraws(snapshot, visible, {}, geometry));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(listDraws(snapshot, visible, {}, geometry));
 }
 
 /// A smooth picture with some detail, since both encoders depend on what they see.
