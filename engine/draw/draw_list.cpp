@@ -19,6 +19,9 @@ namespace {
 // outline is as wide as the slope of what is interpolated says, which long facets of a cone get wrong.
 constexpr double kVertexSpacingPx = 12;
 
+// No hull is nearer to its surface than this part of its size, unless a search was lost.
+constexpr double kFinestHull = 2e-4;
+
 Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
 
 bool needsLights(const DrawState& state) {
@@ -110,7 +113,7 @@ class LightSets {
   /// outside and must not be lit from inside: the difference of the two distances grows by at most two per
   /// metre from the wall.
   [[nodiscard]] shared::ShadeData shadeData(const ShadeRule& rule) const {
-    const double inside = 2 * rule.focalLength * rule.scale;
+    const double inside = 2 * rule.focalLength;
     return {.axis = toFloat(rule.axis),
             .cosRim = static_cast<float>(rule.cosRim),
             .reach = static_cast<float>(inside - 2 * wallError(snapshot_, rule.caster, tolerancePx_))};
@@ -213,7 +216,8 @@ class DrawLister {
 
   /// What instances must have in common to be drawn at once.
   static auto kindOf(const DrawBatch& b) {
-    return std::tuple(b.state, b.mesh.get(), b.hull.get(), b.part, b.culling, b.bothSides, b.mirrored, b.lightSet);
+    return std::tuple(b.state, b.mesh.get(), b.hull.get(), b.part, b.culling, b.bothSides, b.mirrored,
+                      b.lightSet);
   }
 
   /// Every node joins the first draw of its kind, so that draws stay roughly front to back.
@@ -288,22 +292,25 @@ class DrawLister {
     return item;
   }
 
-  /// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer counts, and
-  /// a hull does not keep them apart; what is infinitely large has no hull.
+  /// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer
+  /// counts, and a hull does not keep them apart; what is infinitely large has no hull.
   [[nodiscard]] bool findsSurface(const SnapshotNode& node, Shading shading, bool blended) const {
     const bool finite = std::isfinite(glm::dot(node.boundsObject.extent(), Vec3(1)));
     return (shading == Shading::Exact || shading == Shading::Residual) && !blended && finite;
   }
 
-  /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns the
-  /// origin of the hull's vertices.
+  /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
+  /// the origin of the hull's vertices.
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
     const double finer = levels_.empty() ? 1 : std::ldexp(1.0, -2 * levels_[v.node]);
-    const double tolerance = v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx * finer;
+    // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
+    // must be small enough for a search that begins in them.
+    const double coarsest = kFinestHull * glm::length(node.boundsObject.extent());
+    const double tolerance =
+        std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest) * finer;
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, tolerance);
     // From inside the slabs their walls are seen from behind.
-    batch.culling =
-        mayHoldEye(snapshot_.view, node, v, *batch.hull) ? FaceCulling::None : FaceCulling::Back;
+    batch.culling = mayHoldEye(snapshot_.view, node, v, *batch.hull) ? FaceCulling::None : FaceCulling::Back;
     item.instance.exact = exactInstance(snapshot_.view, node, v);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
     item.instance.exact.wrong = batch.bothSides;
@@ -322,8 +329,7 @@ class DrawLister {
     const auto [entry, isNew] =
         firstPatchOf_.try_emplace(std::pair{node.surface.identity(), node.parameters},
                                   static_cast<std::uint32_t>(list_.exactPatches.size()));
-    if (isNew)
-      appendPatches(node.surface, node.parameters, hull, list_.exactPatches, list_.exactParameters);
+    if (isNew) appendPatches(node.surface, node.parameters, hull, list_.exactPatches, list_.exactParameters);
     return entry->second;
   }
 
@@ -341,13 +347,14 @@ class DrawLister {
   }
 
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
-  void append(std::vector<DrawBatch>& batches, DrawBatch batch,
-              std::span<const Instance> instances, std::array<Half, 2> halves) {
+  void append(std::vector<DrawBatch>& batches, DrawBatch batch, std::span<const Instance> instances,
+              std::array<Half, 2> halves) {
     if (batch.indexCount() == 0) return;  // a formula without a single finite triangle
     batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
     batch.instanceCount = static_cast<std::uint32_t>(instances.size());
     for (const Instance& instance : instances) place(instance);
-    const bool bothSides = batch.bothSides && (batch.hull || !batch.flat) && batch.state.shading != Shading::Wireframe;
+    const bool bothSides =
+        batch.bothSides && (batch.hull || !batch.flat) && batch.state.shading != Shading::Wireframe;
     if (!bothSides) {
       if (batch.hull) batch.half = Half::Near;
       batches.push_back(std::move(batch));

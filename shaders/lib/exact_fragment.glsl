@@ -48,12 +48,6 @@ vec3 relative(vec3 object) {
   return linkRelative[0].xyz * object.x + linkRelative[1].xyz * object.y + linkRelative[2].xyz * object.z;
 }
 
-// Unit, of any scale of its factors; 0 where they span nothing.
-vec3 unitNormal(vec3 a, vec3 b) {
-  vec3 n = cross(a * inversesqrt(max(dot(a, a), kSmallest)), b * inversesqrt(max(dot(b, b), kSmallest)));
-  return n * inversesqrt(max(dot(n, n), kSmallest));
-}
-
 // What the picture shows of a point: `diffuse` and `ambient` as the material has them there.
 struct Seen {
   vec2 parameters;
@@ -81,8 +75,8 @@ Seen seenPoint() {
   seen.position = relative(at.S) + vec3(linkRelative[0].w, linkRelative[1].w, linkRelative[2].w);
   vec3 toViewer = linkViewer.xyz - seen.position * linkViewer.w;
   seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
-  vec3 n = unitNormal(relative(at.Su), relative(at.Sv));
-  bool front = side(at) * linkSides.y > 0.0;
+  vec3 n = unitOrZero(cross(relative(at.Su), relative(at.Sv)));
+  bool front = area(at) * linkSides.x * linkSides.y > 0.0;
   bool turned = (linkFlags.x & kTwoSided) == 0 && !front;  // an inside that shows its outward normal
   seen.normal = (dot(n, seen.viewer) < 0.0) != turned ? -n : n;
   seen.depth = at.depth;

@@ -4,7 +4,7 @@
 // With the ray's pixel (qx, qy) the offset f(u, v) = (X - qx w, Y - qy w)(S(u, v)) vanishes where S is on the ray;
 // |f| / w is how far S is from the pixel's centre on the screen. Newton's method finds nearly every pixel in two steps.
 // Where the ray grazes the surface the offset folds: two roots lie close to each other or have just vanished, and
-// Newton's step, which knows only the slope, misses them. Steps after the first know the fold, too.
+// Newton's step, which knows only the slope, misses them. Steps after the first know the fold, too (foldStep).
 #include "lib/exact_interface.glsl"
 
 // The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).
@@ -26,6 +26,7 @@ const float kNear = 0.5;           // pixels: a search that never came so near h
 const float kBoldCells = 4.0, kCautiousCells = 0.4;  // how many cells a step may lead
 const float kFarCells = 2.0;       // a root farther from the start is not certain to be the nearest
 const float kSmallest = 1e-37;
+const float kPi = 3.14159265;
 
 // The pixel's ray: f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
 struct Ray {
@@ -62,12 +63,25 @@ Probe probeAt(Ray ray, vec2 p) {
   return at;
 }
 
-// Twice the area that a unit of u and v takes on the screen, signed: positive on the side that is searched for.
-float side(Probe at) { return (at.fu.x * at.fv.y - at.fu.y * at.fv.x) * linkSides.x; }
+// The area that a unit of u and v takes on the screen, signed.
+float area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
+
+// The sign of that area on the side of the surface searched for: the one that the hull is seen from.
+float wantedSide() { return gl_FrontFacing ? linkSides.x : -linkSides.x; }
 
 bool polesOfU() { return abs(linkSides.y) > 1.5; }
 
 layout(constant_id = 6) const bool kPoles = true;  // whether an edge of a patch is one point
+
+// The angle of a direction, to half a hundredth: small ones far better.
+float angleOf(vec2 q) {
+  vec2 a = abs(q);
+  float z = min(a.x, a.y) / max(max(a.x, a.y), kSmallest);
+  float angle = z / (1.0 + 0.28 * z * z);
+  angle = a.y > a.x ? 0.5 * kPi - angle : angle;
+  angle = q.x < 0.0 ? kPi - angle : angle;
+  return q.y < 0.0 ? -angle : angle;
+}
 
 // p moved by delta, at most that many cells. Beside an edge (of v, say) that is one point u is an angle around it: there the step is
 // straight in the tangent plane, or it would run around the point.
@@ -91,19 +105,11 @@ vec2 moved(vec2 p, vec2 delta, Probe at, float most) {
     vec2 q = vec2(height + step_.x, step_.y);
     float newHeight = length(q);
     float anglePer = ratio / max(height, 1e-6 * size_);
-    float turned = anglePer > 0.0 ? atan(q.y, q.x) / anglePer : 0.0;
+    float turned = anglePer > 0.0 ? angleOf(q) / anglePer : 0.0;
     float moved_ = up ? linkPolesWraps.x + newHeight : linkPolesWraps.y - newHeight;
     return ofU ? vec2(moved_, p.y + turned) : vec2(p.x + turned, moved_);
   }
   return straight;
-}
-
-vec2 newtonStep(vec2 p, Probe at) {
-  float det = at.fu.x * at.fv.y - at.fu.y * at.fv.x;
-  vec2 delta = vec2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
-  // A vanishing area gives no direction.
-  if (!(abs(delta.x) + abs(delta.y) < 1e30)) delta = vec2(0);
-  return moved(p, delta, at, kBoldCells);
 }
 
 // A cell beyond the domain and no farther: formulas need not exist there.
@@ -127,73 +133,58 @@ bool converged(Probe at) {
 
 const int kFound = 0, kMissed = 1, kLost = 2;
 
-// A Newton step from p that knows the fold: along the direction in which the offset changes least it solves a quadratic,
-// whose curvature `bend` it has from the change of the Jacobian since `before`, at `last`, and takes the root on the side
-// searched for. `missed`: there is none, the ray passes by; the step then leads to where it is nearest.
-vec2 foldStep(vec2 last, Probe before, vec2 p, Probe at, float most, inout vec2 bend, out bool missed) {
-  // Lengths on the surface instead of parameters, so that no scale of theirs looks like a fold.
-  vec2 lengths = sqrt(max(vec2(dot(at.Su, at.Su), dot(at.Sv, at.Sv)), kSmallest)), perLength = 1.0 / lengths;
-  vec2 ju = at.fu * perLength.x, jv = at.fv * perLength.y;
-  // Right singular vectors: `steep`, along which the offset changes most, and `fold`, along which it changes least.
-  float half_ = 0.5 * (dot(ju, ju) - dot(jv, jv)), mixed = dot(ju, jv);
-  float root = sqrt(half_ * half_ + mixed * mixed);
-  vec2 steep = half_ > 0.0 ? vec2(half_ + root, mixed) : vec2(mixed, root - half_);
-  steep *= inversesqrt(max(dot(steep, steep), kSmallest));
-  vec2 fold = vec2(-steep.y, steep.x);
-  vec2 image = ju * steep.x + jv * steep.y;
-  float steepness = inversesqrt(max(dot(image, image), kSmallest));  // its reciprocal
-  vec2 along = image * steepness, across = vec2(-along.y, along.x);
-  float slope = dot(across, ju * fold.x + jv * fold.y), value = dot(across, at.f);
-
-  // How the image of the fold changes per length along it, if the last step went along it and was not too short to tell;
-  // else as it was.
-  vec2 look = fold * perLength, way = (p - last) * lengths;
-  float far = dot(way, fold);
-  vec2 change = (at.fu - before.fu) * look.x + (at.fv - before.fv) * look.y;
-  float cell = 1.0 / max(max(abs(look.x) / linkCellHalf.x, abs(look.y) / linkCellHalf.y), kSmallest);
-  bool known = abs(far) > 1e-3 * cell && far * far > 0.05 * dot(way, way);
-  bend = known ? change / far : bend;
-  float bendAcross = dot(across, bend);
-  float square = slope * slope - 2.0 * bendAcross * value;
+// A Newton step from p that knows the fold. Near one the step leads along it, and what changes on the way is the area
+// `det` that a unit of u and v takes in the picture, which vanishes at the fold: linearly, at the rate seen from `last`,
+// so that the offset along the step is a quadratic. The root taken is the one on the side searched for, where det has
+// its sign. `missed`: there is none, the ray passes by; the step then leads to where it is nearest.
+vec2 foldStep(vec2 p, Probe at, float det, float most, vec2 gradient, out bool missed) {
+  vec2 delta = vec2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
+  float k = dot(gradient, delta) / det;  // det at the end of the step is (1 + k) det
+  float square = 1.0 + 2.0 * k;
   missed = square < 0.0;
-  float wanted = sign(linkSides.x) * sqrt(max(square, 0.0));  // the slope at the root on the side searched for
-  bool rightSide = slope * wanted > 0.0;
-  // On the wrong side without an idea where the other one is: a look along the fold.
-  float s = rightSide ? -2.0 * value / (slope + wanted) : bendAcross != 0.0 ? (wanted - slope) / bendAcross : 0.25 * cell;
-  s = abs(s) < 1e30 ? clamp(s, -0.5 * most * cell, 0.5 * most * cell) : 0.0;
-  float t = -dot(along, at.f + 0.5 * s * s * bend) * steepness;
-  return moved(p, (s * fold + t * steep) * perLength, at, most);
+  float root = sqrt(max(square, 0.0));
+  bool rightSide = det * wantedSide() > 0.0;
+  float part = missed ? -1.0 / k : rightSide ? 2.0 / (1.0 + root) : k != 0.0 ? (-1.0 - root) / k : -0.5;
+  delta *= part;
+  // A vanishing area gives no direction.
+  if (!(abs(delta.x) + abs(delta.y) < 1e30)) delta = 0.25 * linkCellHalf.xy;
+  return moved(p, delta, at, most);
 }
 
 // Finds the point; p and at are its own when found.
 int findRoot(Ray ray, out vec2 p, out Probe at) {
-  vec2 last = linkStart;
-  Probe before = probeAt(ray, last);
-  p = nearDomain(newtonStep(last, before), 1.0);
+  p = linkStart;
   at = probeAt(ray, p);
-  vec2 bend = vec2(0);
-  int misses = 0, outside = 0;
-  float nearest = at.residual;
+  float det = area(at);
+  vec2 gradient = vec2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
+  int start = 0, steps = 0, misses = 0, outside = 0, verdicts = 0;
+  float nearest = 1e30;
   int result = kLost;
-  // A CPU device runs every loop at least once and skips no branch, so that the second step is the loop's first.
+  // A CPU device runs the whole body of a loop for all pixels at least once and skips no branch: so the step for folds
+  // is one for all.
   for (int i = 0; i < kMostSteps; ++i) {
     bool missed;
-    int turn = i - kBoldSteps;
-    bool anew = turn >= 0 && turn % kCautiousSteps == 0;
-    vec2 corner = vec2(turn < 2 * kCautiousSteps ? 0.4 : -0.4, turn / kCautiousSteps % 2 == 0 ? 0.4 : -0.4);
-    vec2 next = nearDomain(foldStep(last, before, p, at, turn >= 0 ? kCautiousCells : kBoldCells, bend, missed), 1.0);
-    last = p;
-    before = at;
-    p = anew ? nearDomain(linkStart + corner * linkCellHalf.xy, 0.0) : next;
-    bend = anew ? vec2(0) : bend;
+    vec2 last = p;
+    p = nearDomain(foldStep(p, at, det, start > 0 ? kCautiousCells : kBoldCells, gradient, missed), 1.0);
+    // A verdict that the ray passes by counts when two searches agree: where folds meet in a cusp one may err.
+    bool anew = misses == 2 || steps == (start > 0 ? kCautiousSteps : kBoldSteps);
+    start += anew ? 1 : 0;
+    steps = anew ? 0 : steps + 1;
+    vec2 corner = vec2((start & 2) == 0 ? 0.4 : -0.4, (start & 1) == (start >> 1 & 1) ? 0.4 : -0.4);
+    p = anew ? nearDomain(linkStart + corner * linkCellHalf.xy, 0.0) : p;
     at = probeAt(ray, p);
+    float before = det;
+    det = area(at);
+    vec2 way = (p - last) / linkCellHalf.xy;
+    float length2 = dot(way, way);
+    gradient = anew ? vec2(0) : length2 > 1e-6 ? (det - before) / length2 * way / linkCellHalf.xy : gradient;
     bool inside = inDomain(p), close = converged(at);
     nearest = min(nearest, at.residual);
-    vec2 way = abs(p - last) / linkCellHalf.xy;
-    misses = missed && !anew && max(way.x, way.y) < kSettled ? misses + 1 : 0;
+    misses = missed && !anew && length2 < kSettled * kSettled ? misses + 1 : 0;
+    verdicts += misses == 2 ? 1 : 0;
     outside = inside ? 0 : outside + 1;
-    if (close && side(at) > 0.0) result = inside ? kFound : kMissed;
-    else if (misses == 2 || outside == 4) result = kMissed;
+    if (i > 0 && close && det * wantedSide() > 0.0) result = inside ? kFound : kMissed;
+    else if (verdicts == 2 || outside == 4) result = kMissed;
     else if (i + 1 == kMostSteps && close) result = inside && linkClip.z != 0.0 ? kFound : kMissed;
     else if (i + 1 == kMostSteps && nearest > kNear) result = kMissed;
     if (result != kLost) break;

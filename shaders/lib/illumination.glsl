@@ -25,6 +25,9 @@ struct Material {
 // Stands for 0 under a root or a division: small enough to change no other number.
 const float kTiny = 1e-37;
 
+// An inverse-square light as near as 1e-15 metres gets no brighter: its product with any radiance is still a number.
+const float kMostAttenuation = 1e30;
+
 // x^n for 0 <= x <= 1, given x^2, with 0^0 = 1, which pow leaves undefined.
 float highlight(float xSquared, float n) {
   return xSquared > 0.0 || n == 0.0 ? exp2(0.5 * n * log2(max(xSquared, kTiny))) : 0.0;
@@ -42,7 +45,7 @@ vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v)
   bool shines = cosine > 0.0 || ((material.flags & kLectureSpecular) != 0 && squared > 0.0);
   vec3 reflectance = material.diffuse * max(cosine, 0.0) +
                      (shines ? material.specular * highlight(cosineHalfSquared, material.shininess) : vec3(0));
-  return reflectance * light.radiance * (light.inverseSquare != 0 ? inverseDistance * inverseDistance : 1.0);
+  return reflectance * light.radiance * (light.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMostAttenuation) : 1.0);
 }
 
 // What a light in the focus of a paraboloid shade lights: all inside the paraboloid, whose points are nearer to the

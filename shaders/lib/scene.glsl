@@ -14,7 +14,12 @@ vec3 towardViewer(vec4 viewer, vec3 position) {
 }
 
 // Unit vector along v; 0 where a flattened surface has no normal, which is where it has no area.
-vec3 unitOrZero(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-37)); }
+vec3 unitOrZero(vec3 v) {
+  // Scaled first: squares of floats beyond 1e19 and below 1e-19 are no floats.
+  float longest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  vec3 scaled = v / max(longest, 1.17549435e-38);
+  return scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+}
 
 // The lowest and highest u and v inside a surface, a millionth of the domain from its ends.
 vec4 parameterBounds(InstanceData instance) {
