@@ -20,6 +20,7 @@ void addPlot(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
 void addDiff(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
+void addBench(CLI::App& app, Command& chosen);
 void addDoctor(CLI::App& app, Command& chosen);
 
 }  // namespace luxo

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// luxo bench: what does it cost to be how wrong?
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "base/error.h"
+#include "bench_page.h"
+#include "bench_plot.h"
+#include "bench_report.h"
+#include "console.h"
+#include "exit_code.h"
+#include "image/file.h"
+#include "interruption.h"
+#include "open_scene.h"
+#include "options.h"
+#include "progress_bar.h"
+#include "scene_request.h"
+#include "validation.h"
+#include "verbs.h"
+
+namespace luxo {
+namespace {
+
+constexpr const char* kStandard = "standard";
+constexpr std::array<const char*, 8> kStandardScenes = {"sphere", "torus", "flag",       "luxo-grandpa",
+                                                        "teapot", "klein", "thin-torus", "catalogue"};
+constexpr PixelSize kStandardSize = {1024, 1024};
+
+struct BenchOptions {
+  std::unique_ptr<RenderOptions> scene;
+  std::string folder;
+  std::optional<std::string> runs;
+  bool quick = false;
+};
+
+int parseRuns(const std::string& text) {
+  const double runs = parseNumber("--runs", text);
+  if (runs < 1 || runs > 10'000 || runs != std::floor(runs))
+    throw Error(ErrorKind::Usage, fmt::format("--runs '{}': not a number of runs", text),
+                "a whole number from 1 to 10000, as in --runs 15");
+  return static_cast<int>(runs);
+}
+
+/// Before minutes of work: the folder is there.
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (!std::filesystem::is_directory(folder))
+    throw Error(ErrorKind::Write,
+                fmt::format("cannot make the folder '{}': {}", folder.string(), failure.message()),
+                "name a folder that can be made, as in -o results");
+}
+
+/// Where the work stands, over all scenes.
+class Progress {
+ public:
+  Progress(bool visible, std::size_t scenes) : bar_(visible), scenes_(static_cast<double>(scenes)) {}
+
+  /// Of the scene with that index; whether the work goes on.
+  bool operator()(std::size_t scene, double part) {
+    bar_.show((static_cast<double>(scene) + part) / scenes_);
+    return interruptingSignal() == 0;
+  }
+
+ private:
+  ProgressBar bar_;
+  double scenes_;
+};
+
+/// A scene and what the request makes of it.
+struct Subject {
+  std::string name;
+  Snapshot snapshot;
+};
+
+std::vector<Subject> subjectsOf(RenderRequest request) {
+  std::vector<std::string> names = {request.scene};
+  if (request.scene == kStandard) names = {kStandardScenes.begin(), kStandardScenes.end()};
+  if (!request.size) request.size = kStandardSize;
+  std::vector<Subject> subjects;
+  for (const std::string& name : names) {
+    const Scene scene = openScene(name, request.parameters);
+    const RenderSettings settings = settingsOf(scene, request);
+    subjects.push_back({name, takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, request))});
+  }
+  return subjects;
+}
+
+/// Nothing when interrupted.
+std::optional<BenchResult> measureAll(gpu::Context& context, const std::vector<Subject>& subjects,
+                                      const BenchPlan& plan, bool showsProgress) {
+  BenchResult result{.machine = fingerprintOf(context.deviceInfo()),
+                     .size = subjects.front().snapshot.view.size,
+                     .runs = plan.runs,
+                     .scenes = {}};
+  Progress progress(showsProgress, subjects.size());
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    std::optional<BenchScene> measured = measureScene(context, subjects[i].name, subjects[i].snapshot, plan,
+                                                      [&](double part) { return progress(i, part); });
+    if (!measured) return std::nullopt;
+    result.scenes.push_back(std::move(*measured));
+  }
+  return result;
+}
+
+std::string titleOf(const BenchResult& result) {
+  std::string device = "?";
+  for (const auto& [name, value] : result.machine)
+    if (name == "device") device = value;
+  return fmt::format("luxo: time against error, {} x {}, {}", result.size.width, result.size.height, device);
+}
+
+/// Of all scenes together, then of each. Empty without gnuplot.
+std::vector<std::string> plotsOf(const BenchResult& result) {
+  const std::span<const BenchScene> scenes = result.scenes;
+  std::vector<std::string> plots;
+  const auto add = [&](std::span<const BenchScene> some, const std::string& title) {
+    if (auto svg = runGnuplot(paretoScript(some, title))) plots.push_back(std::move(*svg));
+  };
+  add(scenes, titleOf(result));
+  if (!plots.empty() && scenes.size() > 1)
+    for (std::size_t i = 0; i < scenes.size(); ++i) add(scenes.subspan(i, 1), scenes[i].name);
+  return plots;
+}
+
+/// The exit code: worth retrying where a plot is missing.
+int writeFiles(const BenchResult& result, const std::filesystem::path& folder) {
+  const auto write = [&](const char* name, const std::string& text) {
+    writeFileAtomically(folder / name, std::as_bytes(std::span(text)));
+  };
+  write("results.csv", benchCsv(result));
+  write("results.json", benchJson(result));
+  const std::vector<std::string> plots = plotsOf(result);
+  write("index.html", benchPage(result, plots));
+  if (!plots.empty()) {
+    write("pareto.svg", plots[0]);
+    return exit_code::kDone;
+  }
+  printError(Error(ErrorKind::Retry, "there is no gnuplot: pareto.svg is missing, everything else is written",
+                   "install it (Debian: gnuplot-nox) and run this again"));
+  return exit_code::kRetry;
+}
+
+int runBench(const BenchOptions& options) {
+  rememberInterruptions();
+  const RenderRequest request = options.scene->request(RenderTarget::Window);
+  if (request.scene.empty())
+    throw Error(ErrorKind::Usage, "no scene is given",
+                "as in luxo bench teapot -o results; or luxo bench standard -o results");
+  BenchPlan plan = options.quick ? quickPlan() : fullPlan();
+  if (options.runs) plan.runs = parseRuns(*options.runs);
+  const std::vector<Subject> subjects = subjectsOf(request);
+  if (!options.folder.empty()) makeFolder(options.folder);
+
+  const auto log = std::make_shared<gpu::ValidationLog>();
+  std::optional<BenchResult> result;
+  {
+    gpu::Context context({.device = request.device, .validation = request.validate, .validationLog = log});
+    result = measureAll(context, subjects, plan,
+                        request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1);
+  }
+  if (!result) return exit_code::kSignal + interruptingSignal();
+  requireNoMessage(*log);
+  const int code = options.folder.empty() ? exit_code::kDone : writeFiles(*result, options.folder);
+  printData(benchText(*result));
+  return code;
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Command& chosen) {
+  CLI::App* verb = app.add_subcommand("bench", "time against error, in many ways to draw a scene");
+  verb->group("Verbs");
+  const auto options = std::make_shared<BenchOptions>();
+  options->scene = std::make_unique<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
+  // These are what is swept, or what there is no choice of.
+  for (const char* swept : {"--engine", "--samples", "--fps", "--tolerance", "--shading", "--skip"})
+    verb->remove_option(verb->get_option(swept));
+  verb->get_option("SCENE")->description("scene file, built-in name, or `standard`: the standard set");
+  verb->get_option("--size")->description("size in pixels (1024x1024)");
+  verb->add_option("-o,--output", options->folder,
+                   "folder for results.csv, results.json, pareto.svg (needs gnuplot) and index.html")
+      ->type_name("DIR");
+  verb->add_option("--runs", options->runs, "how often each way is timed, in turns (15)")->type_name("N");
+  verb->add_flag("--quick", options->quick, "a few ways, five runs");
+  verb->footer(
+      "Every way to draw - shading, tolerance, samples - is timed in turns with the others and held against "
+      "the ground truth.");
+  verb->callback([options, &chosen] { chosen = [options] { return runBench(*options); }; });
+}
+
+}  // namespace luxo

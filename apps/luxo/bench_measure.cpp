@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench_measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <list>
+#include <span>
+
+#include "image/srgb.h"
+#include "measured_picture.h"
+
+namespace luxo {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUsualTolerancePx = 0.5, kUsualHullPx = 4;
+
+/// How the work is shared out in time, roughly: where each part ends.
+constexpr double kTruthEnd = 0.3, kFirstEnd = 0.4, kTimedEnd = 0.7;
+
+DrawOptions optionsOf(const BenchWay& way) {
+  DrawOptions options{.shading = way.shading, .samples = way.samples};
+  (way.shading == Shading::Exact ? options.hullTolerancePx : options.tolerancePx) = way.tolerancePx;
+  return options;
+}
+
+/// A way with a renderer of its own, so that what others draw in between changes nothing in it.
+struct Contestant {
+  Contestant(gpu::Context& context, const BenchWay& way) : row{.way = way}, renderer(context) {}
+
+  BenchRow row;
+  Renderer renderer;
+  std::vector<double> frameMs = {}, deviceMs = {}, readbackMs = {};
+};
+
+class SceneBench {
+ public:
+  SceneBench(gpu::Context& context, const Snapshot& snapshot, const BenchPlan& plan,
+             const std::function<bool(double)>& goesOn)
+      : context_(context), snapshot_(snapshot), plan_(plan), goesOn_(goesOn) {}
+
+  std::optional<BenchScene> measure(const std::string& name) {
+    result_.name = name;
+    if (!castTruth() || !drawFirst() || !timeInTurns() || !judgeAll()) return std::nullopt;
+    return std::move(result_);
+  }
+
+ private:
+  bool castTruth() {
+    const auto start = Clock::now();
+    ReferenceOptions options;
+    options.progress = [&](double done) { return goesOn_(0.9 * kTruthEnd * done); };
+    truth_ = castPicture(snapshot_, options);
+    if (!truth_.complete) return false;
+    result_.truthMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    result_.truth = truth_.color;
+    result_.covered = truth_.hits;
+    result_.undecided = truth_.undecided;
+    areaPixels_ = spreadPixels(snapshot_.view.size, plan_.areaPixels);
+    options = {.samples = plan_.areaSamples, .pixels = areaPixels_};
+    options.progress = [&](double done) { return goesOn_(kTruthEnd * (0.9 + 0.1 * done)); };
+    area_ = castPicture(snapshot_, options);
+    return area_.complete;
+  }
+
+  bool drawFirst() {
+    for (std::size_t i = 0; i < plan_.ways.size(); ++i) {
+      const BenchWay& way = plan_.ways[i];
+      if (!goesOn_(std::lerp(kTruthEnd, kFirstEnd, partOf(i)))) return false;
+      if (expectedTriangles(way) > static_cast<double>(plan_.mostTriangles)) continue;
+      Contestant& contestant = contestants_.emplace_back(context_, way);
+      const FrameStatistics first = contestant.renderer.render(snapshot_, optionsOf(way)).statistics;
+      contestant.row.cost.coldMs = first.ms.total;
+      contestant.row.cost.triangles = first.count.triangles;
+    }
+    return true;
+  }
+
+  /// From the next coarser way: the finest mesh costs as many triangles as its tolerance is small.
+  [[nodiscard]] double expectedTriangles(const BenchWay& way) const {
+    for (auto other = contestants_.rbegin(); other != contestants_.rend(); ++other)
+      if (const BenchWay& coarser = other->row.way;
+          coarser.shading == way.shading && coarser.samples == way.samples)
+        return static_cast<double>(other->row.cost.triangles) * coarser.tolerancePx / way.tolerancePx;
+    return 0;
+  }
+
+  bool timeInTurns() {
+    for (int run = 0; run < plan_.runs; ++run)
+      for (Contestant& contestant : contestants_) {
+        if (!goesOn_(std::lerp(kFirstEnd, kTimedEnd, static_cast<double>(run) / plan_.runs))) return false;
+        const FrameTimes ms =
+            contestant.renderer.render(snapshot_, optionsOf(contestant.row.way)).statistics.ms;
+        contestant.frameMs.push_back(ms.total - ms.readback);
+        contestant.deviceMs.push_back(ms.gpu);
+        contestant.readbackMs.push_back(ms.readback);
+      }
+    return true;
+  }
+
+  bool judgeAll() {
+    std::size_t done = 0;
+    for (Contestant& contestant : contestants_) {
+      if (!goesOn_(std::lerp(kTimedEnd, 1., partOf(done++)))) return false;
+      BenchRow& row = contestant.row;
+      row.cost.frameMs = typicalOf(contestant.frameMs);
+      row.cost.deviceMs = typicalOf(contestant.deviceMs);
+      row.cost.readbackMs = percentile(contestant.readbackMs, 0.5);
+      if (row.way.samples == 1)
+        judgeCentres(contestant);
+      else
+        judgeAreas(contestant);
+      result_.rows.push_back(row);
+    }
+    return true;
+  }
+
+  void judgeCentres(Contestant& contestant) {
+    BenchRow& row = contestant.row;
+    const MeasuredFrame measured = luxo::measure(contestant.renderer, snapshot_, optionsOf(row.way));
+    VerificationOptions options{.worst = 1, .flip = false};
+    const bool wholly = isPictured(row.way) || row.way.shading == Shading::Exact;
+    if (!wholly) options.pixels = spreadPixels(snapshot_.view.size, plan_.meshPixels);
+    const Verification v = verify(snapshot_, truth_, measured.picture, options);
+    row.error = errorOf(v, measured.statistics.error);
+    if (isPictured(row.way))
+      result_.pictures.push_back({row.way, measured.picture.color, errorHeat(v.positionMap)});
+  }
+
+  static BenchError errorOf(const Verification& v, const FrameError& said) {
+    const bool exact = said.residualMaxPx.has_value();
+    const auto compared = [](const ErrorSpread& spread, double value) {
+      return spread.pixels > 0 ? value : kNone;
+    };
+    return {.judged = v.coverage.compared,
+            .covered = v.coverage.covered,
+            .boundPx = said.boundPx,
+            .residualPx = said.residualMaxPx.value_or(kNone),
+            .unconvergedPx = exact ? static_cast<double>(said.unconvergedPx) : kNone,
+            .uncertifiedPx = exact ? static_cast<double>(said.uncertifiedPx) : kNone,
+            .positionMaxPx = compared(v.positionPx, v.positionPx.max),
+            .positionP999Px = compared(v.positionPx, v.positionPx.p999),
+            .normalMaxDeg = compared(v.normalDegrees, v.normalDegrees.max),
+            .normalP999Deg = compared(v.normalDegrees, v.normalDegrees.p999),
+            .silhouettePx = v.coverage.farthestPx,
+            .mismatches = v.coverage.mismatches(),
+            .beyond = v.coverage.beyond,
+            .differing8Part = v.color.differing8Part,
+            .psnr = v.color.psnrLinear};
+  }
+
+  void judgeAreas(Contestant& contestant) {
+    const BenchWay& way = contestant.row.way;
+    BenchError& error = contestant.row.error;
+    for (const BenchRow& other : result_.rows)
+      if (other.way.shading == way.shading && other.way.tolerancePx == way.tolerancePx) error = other.error;
+    const Image picture = contestant.renderer.render(snapshot_, optionsOf(way)).image;
+    const auto width = static_cast<std::uint32_t>(picture.width());
+    double covered = 0, differing = 0, squares = 0;
+    for (const std::uint32_t pixel : areaPixels_) {
+      const int x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);
+      const std::span<const float> shown = picture.pixel(x, y), meant = area_.color.pixel(x, y);
+      bool differs = false;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double difference = static_cast<double>(shown[c]) - static_cast<double>(meant[c]);
+        squares += difference * difference;
+        differs |= encodeSrgb8(shown[c]) != encodeSrgb8(meant[c]);
+      }
+      differing += differs ? 1 : 0;
+      covered += truth_.number[pixel] != 0 ? 1 : 0;
+    }
+    error.differing8Part = covered == 0 ? kNone : differing / covered;
+    error.psnr = -10 * std::log10(squares / (3 * static_cast<double>(areaPixels_.size())));
+  }
+
+  [[nodiscard]] double partOf(std::size_t way) const {
+    return static_cast<double>(way) / static_cast<double>(plan_.ways.size());
+  }
+
+  gpu::Context& context_;
+  const Snapshot& snapshot_;
+  const BenchPlan& plan_;
+  const std::function<bool(double)>& goesOn_;
+  BenchScene result_;
+  ReferencePicture truth_, area_;
+  std::vector<std::uint32_t> areaPixels_;
+  std::list<Contestant> contestants_;
+};
+
+BenchPlan planOf(const std::vector<std::pair<Shading, std::vector<double>>>& tolerances) {
+  BenchPlan plan;
+  for (const int samples : {1, 4})
+    for (const auto& [shading, list] : tolerances)
+      for (const double tolerance : list) plan.ways.push_back({shading, tolerance, samples});
+  return plan;
+}
+
+}  // namespace
+
+BenchPlan fullPlan() {
+  return planOf({{Shading::Flat, {0.5, 0.05}},
+                 {Shading::Gouraud, {0.5, 0.05}},
+                 {Shading::Phong, {2, 1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01}},
+                 {Shading::Exact, {8, 4, 2}}});
+}
+
+BenchPlan quickPlan() {
+  BenchPlan plan = planOf({{Shading::Phong, {1, 0.5, 0.1}}, {Shading::Exact, {4}}});
+  plan.runs = 5;
+  plan.meshPixels = 50'000;
+  plan.areaPixels = 3'000;
+  return plan;
+}
+
+bool isPictured(const BenchWay& way) {
+  return way.samples == 1 && ((way.shading == Shading::Exact && way.tolerancePx == kUsualHullPx) ||
+                              (way.shading == Shading::Phong && way.tolerancePx == kUsualTolerancePx));
+}
+
+std::optional<BenchScene> measureScene(gpu::Context& context, const std::string& name,
+                                       const Snapshot& snapshot, const BenchPlan& plan,
+                                       const std::function<bool(double)>& goesOn) {
+  return SceneBench(context, snapshot, plan, goesOn).measure(name);
+}
+
+}  // namespace luxo

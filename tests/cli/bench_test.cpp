@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// `luxo bench`: the files it leaves, and what it refuses.
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+
+#include "bench_report.h"
+#include "cli/program.h"
+
+namespace luxo::test {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+class BenchTest : public testing::Test {
+ protected:
+  ScratchFolder folder;
+};
+
+class BenchFilesTest : public BenchTest {
+ protected:
+  void SetUp() override { requireDevice(); }
+};
+
+Words split(const std::string& text, char separator) {
+  Words words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
+  return words;
+}
+
+/// The names of the elements that are open where `markup` ends, or where a wrong one ends first.
+Words unclosedIn(const std::string& markup) {
+  Words open;
+  for (std::size_t at = 0; (at = markup.find('<', at)) != std::string::npos;) {
+    const std::size_t end = markup.find(markup.compare(at, 4, "<!--") == 0 ? "-->" : ">", at);
+    if (end == std::string::npos) return {"<"};
+    const std::string tag = markup.substr(at + 1, end - at - 1);
+    at = end;
+    if (tag.starts_with('!') || tag.starts_with('?') || tag.ends_with('/')) continue;
+    if (!tag.starts_with('/'))
+      open.push_back(tag.substr(0, tag.find_first_of(" \n\t")));
+    else if (open.empty() || open.back() != tag.substr(1))
+      return {tag};
+    else
+      open.pop_back();
+  }
+  return open;
+}
+
+void expectCompleteTable(const std::string& csv, const Json& json) {
+  const Words lines = split(csv, '\n');
+  const Words names = split(lines.at(0), ',');
+  const auto columns = benchColumns();
+  ASSERT_EQ(names, Words(columns.begin(), columns.end()));
+  const Json& rows = json["scenes"][0]["rows"];
+  ASSERT_EQ(lines.size(), 1 + rows.size());
+  // Phong at three tolerances and an exact hull, each with 1 and 4 samples.
+  EXPECT_EQ(rows.size(), 8U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Words cells = split(lines[i + 1] + ",", ',');
+    ASSERT_EQ(cells.size(), names.size()) << lines[i + 1];
+    EXPECT_EQ(cells[0], "sphere");
+    EXPECT_EQ(cells[1], rows[i]["shading"]);
+    for (std::size_t c = 2; c < names.size(); ++c) {
+      const Json& value = rows[i][names[c]];
+      ASSERT_EQ(value.is_null(), cells[c].empty()) << names[c];
+      // Six digits in the CSV.
+      if (!value.is_null()) {
+        EXPECT_NEAR(std::stod(cells[c]), value.get<double>(), 1e-5 * std::abs(value.get<double>()))
+            << names[c];
+      }
+    }
+    EXPECT_LE(rows[i]["frame_ms_p10"], rows[i]["frame_ms"]);
+    EXPECT_LE(rows[i]["frame_ms"], rows[i]["frame_ms_p90"]);
+    EXPECT_GT(rows[i]["frame_ms_p10"], 0);
+    EXPECT_GT(rows[i]["cold_ms"], 0);
+    if (rows[i]["shading"] == "phong") {
+      EXPECT_LE(rows[i]["error_max_px"], rows[i]["bound_px"]);
+      EXPECT_LE(rows[i]["bound_px"], rows[i]["tolerance_px"]);
+    }
+  }
+}
+
+TEST_F(BenchFilesTest, EveryFileIsCompleteAndWellFormed) {
+  const Outcome outcome =
+      run(folder, {"bench", "sphere", "--size", "64x48", "--quick", "--runs", "2", "-o", "new/results"});
+  const bool plotted = outcome.code == 0;
+  ASSERT_TRUE(plotted || outcome.code == 75) << outcome.err;
+  if (plotted) {
+    EXPECT_EQ(outcome.err, "");
+  }
+  EXPECT_TRUE(contains(outcome.out, "sphere         exact")) << outcome.out;
+
+  const Json json = Json::parse(textOf(folder / "new/results/results.json"));
+  EXPECT_EQ(json["size"], Json({64, 48}));
+  EXPECT_EQ(json["runs"], 2);
+  for (const char* name : {"luxo", "device", "driver", "processor", "cores"})
+    EXPECT_FALSE(json["machine"][name].get<std::string>().empty()) << name;
+  expectCompleteTable(textOf(folder / "new/results/results.csv"), json);
+
+  const std::string page = textOf(folder / "new/results/index.html");
+  EXPECT_EQ(unclosedIn(page), Words{});
+  std::size_t images = 0;
+  for (std::size_t at = 0; (at = page.find("<img", at)) != std::string::npos; ++at, ++images)
+    EXPECT_EQ(page.find("src=\"data:image/", at), page.find("src=", at)) << "a page needs no other file";
+  // The truth, two pictures with their maps, and a plot.
+  EXPECT_EQ(images, plotted ? 6U : 5U);
+  if (!plotted) return;
+  const std::string svg = textOf(folder / "new/results/pareto.svg");
+  EXPECT_TRUE(contains(svg, "<svg"));
+  EXPECT_EQ(unclosedIn(svg), Words{});
+}
+
+TEST_F(BenchFilesTest, ErrorsAreTheSameEveryTime) {
+  const auto errors = [&](const std::string& name) {
+    EXPECT_NE(run(folder, {"bench", "torus", "--size", "40x30", "--quick", "--runs", "1", "-o", name}).code,
+              1);
+    Json rows = Json::parse(textOf(folder / name / "results.json"))["scenes"][0]["rows"];
+    for (Json& row : rows)
+      for (const char* time :
+           {"frame_ms", "frame_ms_p10", "frame_ms_p90", "device_ms", "readback_ms", "cold_ms"})
+        row.erase(time);
+    return rows;
+  };
+  EXPECT_EQ(errors("a"), errors("b"));
+}
+
+TEST_F(BenchFilesTest, WithoutGnuplotOnlyThePlotIsMissing) {
+  const Outcome outcome = run({.arguments = {"PATH=/nonexistent", LUXO_PROGRAM, "bench", "sphere", "--size",
+                                             "32x24", "--quick", "--runs", "1", "-o", "r"},
+                               .folder = folder.path(),
+                               .program = "/usr/bin/env"});
+  EXPECT_EQ(outcome.code, 75) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "there is no gnuplot")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "help: install it")) << outcome.err;
+  for (const char* file : {"results.csv", "results.json", "index.html"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "r" / file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(folder / "r/pareto.svg"));
+}
+
+TEST_F(BenchTest, Refusals) {
+  const auto refused = [&](Arguments arguments, int code, const std::string& said) {
+    arguments.insert(arguments.begin(), "bench");
+    const std::size_t before = folder.entries();
+    expectFailure(run(folder, arguments), code, said);
+    EXPECT_EQ(folder.entries(), before);
+  };
+  refused({}, 2, "no scene is given");
+  refused({"sphere", "--runs", "0"}, 2, "--runs '0'");
+  refused({"sphere", "--runs", "1.5"}, 2, "--runs '1.5'");
+  refused({"sphere", "--tolerance", "1"}, 2, "unknown option '--tolerance'");
+  refused({"nosuch", "-o", "results"}, 3, "nosuch");
+  writeText(folder / "file", "in the way");
+  refused({"sphere", "-o", "file/results"}, 5, "cannot make the folder");
+}
+
+}  // namespace
+}  // namespace luxo::test
