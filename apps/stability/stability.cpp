@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "stability/cases.h"
+#include "stability/known_misses.h"
 
 namespace luxo {
 namespace {
@@ -79,9 +80,12 @@ std::string limitOf(const Measurement& one) {
 
 std::string textOf(const StressCase& one, const Outcome& outcome, bool canary) {
   std::string text = fmt::format("{}{} {}\n", one.id, canary ? " canary, has to fail:" : "", one.title);
-  for (const Measurement& m : outcome.measurements)
+  for (const Measurement& m : outcome.measurements) {
     text += fmt::format("  {:<4} {:<60} {:>12.5g}  {}\n", m.passed() ? "pass" : "FAIL", m.what, m.measured,
                         limitOf(m));
+    if (const auto reason = reasonForMiss(one.id, m.what); reason && !m.passed() && !canary)
+      text += fmt::format("       known: {}\n", *reason);
+  }
   if (!outcome.error.empty()) text += fmt::format("  FAIL {}\n", outcome.error);
   return text;
 }
@@ -93,12 +97,15 @@ nlohmann::ordered_json finite(double value) {
 
 nlohmann::ordered_json jsonOf(const StressCase& one, const Outcome& outcome, bool canary) {
   nlohmann::ordered_json measurements = nlohmann::ordered_json::array();
-  for (const Measurement& m : outcome.measurements)
+  for (const Measurement& m : outcome.measurements) {
     measurements.push_back({{"what", m.what},
                             {"measured", finite(m.measured)},
                             {m.bound == Measurement::Bound::AtMost ? "at_most" : "at_least", m.threshold},
                             {"unit", m.unit},
                             {"passed", m.passed()}});
+    if (const auto reason = reasonForMiss(one.id, m.what); reason && !m.passed())
+      measurements.back()["known"] = *reason;
+  }
   nlohmann::ordered_json json = {
       {"id", one.id}, {"title", one.title}, {"canary", canary}, {"passed", outcome.passed()}};
   if (!outcome.error.empty()) json["error"] = outcome.error;

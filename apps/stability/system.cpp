@@ -137,13 +137,15 @@ std::vector<Measurement> culling(StressContext& context) {
           none("pixels that differ with back faces drawn", withBackFaces, "pixels")};
 }
 
-/// The same pictures from hulls of 2, 4 and 8 pixels.
+/// The same pictures from hulls of 2, 4 and 8 pixels. Within 1e-3 px of an edge a pixel may show either side.
 std::vector<Measurement> hulls(StressContext& context) {
+  constexpr double kMostPx = 1e-3;
   double farthest = 0;
   int codes = 0;
-  std::int64_t coverage = 0, compared = 0;
+  std::int64_t moved = 0, compared = 0;
   for (const auto& [scene, time] : {std::pair(luxoGrandpa(), 21.0), std::pair(gallery(), 0.3)}) {
     const Snapshot snapshot = takeSnapshot(scene, time, context.size());
+    const reference::Caster caster(snapshot);
     struct Drawn {
       Image color, position, id;
     };
@@ -159,9 +161,12 @@ std::vector<Measurement> hulls(StressContext& context) {
       for (int y = 0; y < expected.id.height(); ++y)
         for (int x = 0; x < expected.id.width(); ++x) {
           const float id = expected.id.pixel(x, y)[0];
-          coverage += other.id.pixel(x, y)[0] != id;
-          codes = std::max(codes, codeDifference(expected.color, other.color, x, y));
-          if (id == 0 || other.id.pixel(x, y)[0] != id) continue;
+          const bool sameNode = other.id.pixel(x, y)[0] == id;
+          const int difference = codeDifference(expected.color, other.color, x, y);
+          if ((!sameNode || difference > 1) && nearEdge(caster, x, y, kMostPx)) continue;
+          moved += !sameNode;
+          codes = std::max(codes, difference);
+          if (id == 0 || !sameNode) continue;
           ++compared;
           farthest =
               std::max(farthest, glm::distance(pixelOf(snapshot.view, colorAt(expected.position, x, y)),
@@ -169,9 +174,9 @@ std::vector<Measurement> hulls(StressContext& context) {
         }
     }
   }
-  return {atMost("distance between points from different hulls", farthest, 1e-3, "px"),
+  return {atMost("distance between points from different hulls", farthest, kMostPx, "px"),
           atMost("difference of colours from different hulls", codes, 1, "of 255"),
-          none("pixels that show another node", coverage, "pixels"),
+          none("pixels that show another node, farther than 1e-3 px from an edge", moved, "pixels"),
           atLeast("pixels compared", compared, context.of(2000000, 100000), "pixels")};
 }
 
