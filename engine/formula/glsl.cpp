@@ -18,7 +18,7 @@ namespace luxo {
 namespace {
 
 /// A float of nine digits reads back exactly; one beyond the largest is an infinity, which has no literal.
-std::string literal(double value) {
+std::string floatLiteral(double value) {
   const auto rounded = static_cast<float>(value);
   if (!std::isfinite(rounded))
     return fmt::format("uintBitsToFloat({:#x}u)",
@@ -28,6 +28,29 @@ std::string literal(double value) {
   return std::signbit(rounded) ? fmt::format("({})", text) : text;
 }
 
+/// A double takes 17 digits.
+std::string doubleLiteral(double value) {
+  if (!std::isfinite(value))
+    return fmt::format("packDouble2x32(uvec2(0u, {:#x}u))", std::isnan(value) ? 0x7ff80000u
+                                                            : value > 0       ? 0x7ff00000u
+                                                                              : 0xfff00000u);
+  std::string text = fmt::format("{:.17g}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  text += "lf";
+  return std::signbit(value) ? fmt::format("({})", text) : text;
+}
+
+std::string literal(GlslNumber number, double value) {
+  return number == GlslNumber::Float ? floatLiteral(value) : doubleLiteral(value);
+}
+
+/// A number, or a vector of so many.
+std::string typeOf(GlslNumber number, std::size_t size = 1) {
+  LUXO_REQUIRE(size >= 1 && size <= 4);
+  const bool single = number == GlslNumber::Float;
+  return size == 1 ? (single ? "float" : "double") : fmt::format("{}vec{}", single ? "" : "d", size);
+}
+
 std::string variable(std::uint32_t index) {
   return index == 0 ? "u" : index == 1 ? "v" : fmt::format("parameterAt({}u)", index - 2);
 }
@@ -35,7 +58,8 @@ std::string variable(std::uint32_t index) {
 /// The statements of one function body.
 class Body {
  public:
-  explicit Body(const std::vector<ExprNode>& nodes) : nodes_(nodes), names_(nodes.size()) {}
+  Body(const std::vector<ExprNode>& nodes, GlslNumber number)
+      : nodes_(nodes), number_(number), type_(typeOf(number)), names_(nodes.size()) {}
 
   void compute(const std::vector<std::uint32_t>& order) {
     for (const std::uint32_t node : order) names_[node] = valueOf(nodes_[node]);
@@ -55,7 +79,7 @@ class Body {
     };
     switch (node.op) {
       case Op::Constant:
-        return literal(node.value);
+        return literal(number_, node.value);
       case Op::Variable:
         return node.a < 2 ? variable(node.a) : define(variable(node.a));
       case Op::Negate:
@@ -109,13 +133,13 @@ class Body {
       case Op::Raise:
         return call("formulaPow");
       case Op::Less:
-        return define(fmt::format("float({} < {})", x(), y()));
+        return define(fmt::format("{}({} < {})", type_, x(), y()));
       case Op::LessEqual:
-        return define(fmt::format("float({} <= {})", x(), y()));
+        return define(fmt::format("{}({} <= {})", type_, x(), y()));
       case Op::Equal:
-        return define(fmt::format("float({} == {})", x(), y()));
+        return define(fmt::format("{}({} == {})", type_, x(), y()));
       case Op::Select:
-        return define(fmt::format("{} != 0.0 ? {} : {}", x(), y(), names_[node.c]));
+        return define(fmt::format("{} != {} ? {} : {}", x(), literal(number_, 0), y(), names_[node.c]));
     }
     LUXO_REQUIRE(false && "an operation");
     return {};
@@ -123,7 +147,7 @@ class Body {
 
   std::string define(std::string_view expression) {
     std::string name = fmt::format("t{}", count_++);
-    fmt::format_to(std::back_inserter(text_), "  float {} = {};\n", name, expression);
+    fmt::format_to(std::back_inserter(text_), "  {} {} = {};\n", type_, name, expression);
     return name;
   }
 
@@ -134,25 +158,23 @@ class Body {
       if (n & 1) result = result.empty() ? square : define(fmt::format("{} * {}", result, square));
       if (n > 1) square = define(fmt::format("{0} * {0}", square));
     }
-    if (result.empty()) return "1.0";
-    return exponent < 0 ? define(fmt::format("1.0 / {}", result)) : result;
+    const std::string one = literal(number_, 1);
+    if (result.empty()) return one;
+    return exponent < 0 ? define(fmt::format("{} / {}", one, result)) : result;
   }
 
   const std::vector<ExprNode>& nodes_;
+  GlslNumber number_;
+  std::string type_;
   std::vector<std::string> names_;
   std::string text_;
   std::size_t count_ = 0;
 };
 
-std::string typeOf(const GlslOutput& output) {
-  const std::size_t size = output.components.size();
-  LUXO_REQUIRE(size >= 1 && size <= 4);
-  return size == 1 ? "float" : fmt::format("vec{}", size);
-}
-
 }  // namespace
 
-std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs) {
+std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs,
+                     GlslNumber number) {
   std::vector<std::uint32_t> roots;
   for (const GlslOutput& output : outputs)
     for (const Expr& component : output.components) roots.push_back(graph.nodeOf(component));
@@ -162,35 +184,37 @@ std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOu
                 fmt::format("cannot make a shader of a formula with {} operations; {} are the most",
                             order.size(), kMostGlslOperations),
                 "simplify the formula");
-  Body body(graph.nodes());
+  Body body(graph.nodes(), number);
   body.compute(order);
 
-  std::string text = fmt::format("void {}(float u, float v", name);
+  std::string text = fmt::format("void {0}({1} u, {1} v", name, typeOf(number));
   for (const GlslOutput& output : outputs)
-    fmt::format_to(std::back_inserter(text), ", out {} {}", typeOf(output), output.name);
+    fmt::format_to(std::back_inserter(text), ", out {} {}", typeOf(number, output.components.size()),
+                   output.name);
   text += ") {\n" + body.text();
   auto root = roots.begin();
   for (const GlslOutput& output : outputs) {
     std::string components;
     for (std::size_t k = 0; k < output.components.size(); ++k)
       components += (k > 0 ? ", " : "") + body.name(*root++);
-    fmt::format_to(std::back_inserter(text), "  {} = {}({});\n", output.name, typeOf(output), components);
+    fmt::format_to(std::back_inserter(text), "  {} = {}({});\n", output.name,
+                   typeOf(number, output.components.size()), components);
   }
   return text + "}\n";
 }
 
 std::string emitSurfaceGlsl(Graph& graph, std::string_view name, const ExprPoint& position,
-                            bool secondDerivatives) {
+                            bool secondDerivatives, GlslNumber number) {
   const auto derivative = [&](const ExprPoint& p, std::uint32_t variable) {
     return ExprPoint{graph.derivative(p[0], variable), graph.derivative(p[1], variable),
                      graph.derivative(p[2], variable)};
   };
   const ExprPoint du = derivative(position, 0), dv = derivative(position, 1);
   std::vector<GlslOutput> outputs{{"S", position}, {"Su", du}, {"Sv", dv}};
-  if (!secondDerivatives) return emitGlsl(graph, name, outputs);
+  if (!secondDerivatives) return emitGlsl(graph, name, outputs, number);
   const ExprPoint duu = derivative(du, 0), duv = derivative(du, 1), dvv = derivative(dv, 1);
   outputs.insert(outputs.end(), {{"Suu", duu}, {"Suv", duv}, {"Svv", dvv}});
-  return emitGlsl(graph, name, outputs);
+  return emitGlsl(graph, name, outputs, number);
 }
 
 }  // namespace luxo

@@ -37,6 +37,7 @@ Features featuresOf(const Adapter& adapter) {
           .independentBlend = supported.independentBlend == VK_TRUE,
           .fragmentStoresAndAtomics = supported.fragmentStoresAndAtomics == VK_TRUE,
           .depthClamp = supported.depthClamp == VK_TRUE,
+          .float64 = supported.shaderFloat64 == VK_TRUE,
           .timestamps = hasTimestamps(adapter)};
 }
 
@@ -101,7 +102,8 @@ void Context::createDevice(bool presents) {
                    .sampleRateShading = VK_TRUE,
                    .depthClamp = features_.depthClamp,
                    .fillModeNonSolid = features_.fillModeNonSolid,
-                   .fragmentStoresAndAtomics = features_.fragmentStoresAndAtomics}};
+                   .fragmentStoresAndAtomics = features_.fragmentStoresAndAtomics,
+                   .shaderFloat64 = features_.float64}};
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                       .queueFamilyIndex = adapter_.queueFamily,

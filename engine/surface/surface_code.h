@@ -6,28 +6,32 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "formula/glsl.h"
 #include "surface/surface_function.h"
 
 namespace luxo {
 
-/// A formula's GLSL: `void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)`, for
-/// shaders/lib/exact_root.glsl.
+/// A formula's GLSL: `void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)`, or of doubles,
+/// for shaders/lib/exact_root.glsl.
 struct SurfaceCode {
   std::string glsl;
   std::uint32_t parameters = 0;  ///< how many it may read
+  GlslNumber number = GlslNumber::Float;
 };
 
 /// The code of a function that reads at most `parameters` variables beyond u and v. Cost: tens of
 /// microseconds for usual formulas. Throws Error(Scene) for one too large for a shader.
-[[nodiscard]] SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters);
+[[nodiscard]] SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters,
+                                      GlslNumber number = GlslNumber::Float);
 
 /// Every function's code, made once. Equal formulas share one, whoever made them.
 class SurfaceCodes {
  public:
   /// Valid as long as this object; equal code has the same address.
   [[nodiscard]] const SurfaceCode* get(const std::shared_ptr<const SurfaceFunction>& function,
-                                       std::size_t parameters);
+                                       std::size_t parameters, GlslNumber number = GlslNumber::Float);
 
  private:
   struct Known {
@@ -36,7 +40,7 @@ class SurfaceCodes {
   };
 
   std::map<std::string, SurfaceCode, std::less<>> byText_;
-  std::map<const SurfaceFunction*, Known> byFunction_;
+  std::map<std::pair<const SurfaceFunction*, GlslNumber>, Known> byFunction_;
 };
 
 }  // namespace luxo

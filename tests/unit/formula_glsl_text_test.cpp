@@ -16,9 +16,9 @@
 namespace luxo {
 namespace {
 
-std::string textOf(Graph& graph, const std::vector<Expr>& outputs) {
+std::string textOf(Graph& graph, const std::vector<Expr>& outputs, GlslNumber number = GlslNumber::Float) {
   const GlslOutput output{"result", outputs};
-  return emitGlsl(graph, "f", {&output, 1});
+  return emitGlsl(graph, "f", {&output, 1}, number);
 }
 
 std::size_t countOf(std::string_view part, std::string_view text) {
@@ -41,6 +41,20 @@ TEST(GlslText, IsAFunctionWithOneStatementAnOperation) {
   EXPECT_EQ(textOf(graph, {u, Expr(-2.5), v, Expr(1)}),
             "void f(float u, float v, out vec4 result) {\n"
             "  result = vec4(u, (-2.5), v, 1.0);\n"
+            "}\n");
+}
+
+TEST(GlslText, OfDoublesHasNoFloat) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1), speed = graph.variable(3);
+  const Expr inverse = pow(v, -1);
+  EXPECT_EQ(textOf(graph, {select(less(u, speed), inverse, 0.1), Expr(2)}, GlslNumber::Double),
+            "void f(double u, double v, out dvec2 result) {\n"
+            "  double t0 = parameterAt(1u);\n"
+            "  double t1 = 1.0lf / v;\n"
+            "  double t2 = double(u < t0);\n"
+            "  double t3 = t2 != 0.0lf ? t1 : 0.10000000000000001lf;\n"
+            "  result = dvec2(t3, 2.0lf);\n"
             "}\n");
 }
 
@@ -73,6 +87,11 @@ TEST(GlslText, HasNoLiteralThatGlslLacks) {
     const std::string text = textOf(graph, {select(u, c, 1)});
     EXPECT_EQ(countOf("inf", text) + countOf("nan", text), 0u) << text;
     EXPECT_EQ(countOf("uintBitsToFloat(0x", text), 1u) << text;
+  }
+  for (const double c : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    const std::string text = textOf(graph, {select(u, c, 1)}, GlslNumber::Double);
+    EXPECT_EQ(countOf("inf", text) + countOf("nan", text), 0u) << text;
+    EXPECT_EQ(countOf("packDouble2x32(uvec2(0u, 0x7ff", text), 1u) << text;
   }
 }
 
