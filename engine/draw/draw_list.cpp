@@ -389,13 +389,13 @@ class DrawLister {
 std::uint32_t DrawBatch::firstIndex() const {
   if (!hull) return 0;
   const Hull::Part& range = hull->parts[part];
-  return half == Half::Far ? range.firstIndex + range.frontCount : range.firstIndex;
+  return half == Half::Far ? range.firstIndex + range.count - range.frontCount : range.firstIndex;
 }
 
 std::uint32_t DrawBatch::indexCount() const {
   if (!hull) return static_cast<std::uint32_t>(mesh->indices.size());
-  const Hull::Part& range = hull->parts[part];
-  return half == Half::Far ? range.count - range.frontCount : range.frontCount;
+  // Through a wall either side may be met.
+  return hull->parts[part].frontCount;
 }
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,

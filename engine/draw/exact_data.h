@@ -14,7 +14,7 @@ namespace luxo {
 
 /// Largest residual of a point that is drawn, pixels, where single precision allows: what it rounds away of the
 /// picture's distances and of the object's size may be more.
-inline constexpr double kExactTolerancePx = 5e-4;
+inline constexpr double kExactTolerancePx = 1e-4;
 
 /// All of the instance but firstPatch and wrong.
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,

@@ -7,24 +7,36 @@
 // Newton's step, which knows only the slope, misses them. Steps after the first know the fold, too (foldStep).
 #include "lib/exact_interface.glsl"
 
+layout(constant_id = 5) const uint kParameterCount = 0;
+
 // The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).
 #include "lib/formula.glsl"
 layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
+// A CPU device reads a buffer slowly: parameters that are not carried are read once, not whenever the formula is.
+const uint kHeldParameters = 32;
+float heldParameters[kHeldParameters];
+void holdParameters() {
+  for (uint k = 0; k < kHeldParameters; ++k)
+    if (kCarriedParameters + k < kParameterCount)
+      heldParameters[k] = exactParameters[floatBitsToUint(linkSides.w) + kCarriedParameters + k];
+}
 float surfaceParameterAt(uint k) {
+  uint held = k - kCarriedParameters;
   return k < kCarriedParameters ? linkParameters[k / 4][k % 4]
-                                : exactParameters[floatBitsToUint(linkSides.w) + k];
+         : held < kHeldParameters ? heldParameters[held]
+                                  : exactParameters[floatBitsToUint(linkSides.w) + k];
 }
 #define parameterAt surfaceParameterAt
 #include "surface"
 #undef parameterAt
 
-// A search that has not ended after so many steps begins anew, from four other places and with cautious steps.
-const int kBoldSteps = 9, kCautiousSteps = 12;
-const int kMostSteps = kBoldSteps + 4 * kCautiousSteps;
-const float kSettled = 0.05;       // cells: where the ray is nearest is known once steps are shorter
-const float kNear = 0.5;           // pixels: a search that never came so near has missed
-const float kBoldCells = 4.0, kCautiousCells = 0.4;  // how many cells a step may lead
-const float kFarCells = 2.0;       // a root farther from the start is not certain to be the nearest
+const int kNearSteps = 9;
+const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
+const float kBoldCells = 4.0;   // how many cells a step may lead
+const float kFarCells = 2.0;    // a root farther from the start is not certain to be the nearest
+const float kScanStep = 0.4;    // cells
+const int kBackward = 2, kForward = 10;  // steps against the ray and along it
+const int kPolishSteps = 8;
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
 
@@ -62,6 +74,12 @@ Probe probeAt(Ray ray, vec2 p) {
   if (!(at.residual < 1e30)) at.residual = 1e30;
   return at;
 }
+
+// What a pixel is wide at the depth of a point, in units of f.
+float widthAt(Probe at) { return linkClip.w != 0.0 ? at.depth : 1.0; }
+
+// Pixels: what single precision leaves of a residual is part of it.
+float toleranceAt(Probe at) { return linkSpecularTolerance.w + (linkClip.w != 0.0 ? linkClip.y / at.depth : 0.0); }
 
 // The area that a unit of u and v takes on the screen, signed.
 float area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
@@ -120,16 +138,20 @@ vec2 nearDomain(vec2 p, float cells) {
               linkPolesWraps.w > 0.0 ? p.y : clamp(p.y, low.y, high.y));
 }
 
-bool inDomain(vec2 p) {
-  vec2 margin = 1e-6 * (linkDomain.zw - linkDomain.xy);
-  bool insideU = linkPolesWraps.z > 0.0 || (p.x >= linkDomain.x - margin.x && p.x <= linkDomain.z + margin.x);
-  bool insideV = linkPolesWraps.w > 0.0 || (p.y >= linkDomain.y - margin.y && p.y <= linkDomain.w + margin.y);
-  return insideU && insideV;
+bool nearlyInDomain(vec2 p) {
+  vec2 beyond = max(linkDomain.xy - p, p - linkDomain.zw) / linkCellHalf.xy;
+  return (linkPolesWraps.z > 0.0 || beyond.x < 0.02) && (linkPolesWraps.w > 0.0 || beyond.y < 0.02);
 }
 
-bool converged(Probe at) {
-  return at.residual <= linkSpecularTolerance.w + (linkClip.w != 0.0 ? linkClip.y / at.depth : 0.0);
+// Whether the point is the patch's. What is beyond an edge by less on the screen than the search's tolerance is on it.
+bool inDomain(vec2 p, Probe at) {
+  vec2 beyond = max(max(linkDomain.xy - p, p - linkDomain.zw), vec2(0));
+  beyond = vec2(linkPolesWraps.z > 0.0 ? 0.0 : beyond.x, linkPolesWraps.w > 0.0 ? 0.0 : beyond.y);
+  vec2 onScreen = beyond.x * at.fu + beyond.y * at.fv;
+  return max(abs(onScreen.x), abs(onScreen.y)) <= toleranceAt(at) * widthAt(at);
 }
+
+bool converged(Probe at) { return at.residual <= toleranceAt(at); }
 
 const int kFound = 0, kMissed = 1, kLost = 2;
 
@@ -151,43 +173,135 @@ vec2 foldStep(vec2 p, Probe at, float det, float most, vec2 gradient, out bool m
   return moved(p, delta, at, most);
 }
 
+// A place on the curve along which a scan looks for roots: where the offset along the fold vanishes.
+struct Sample {
+  vec2 p;
+  float g, slope;  // the offset across the fold, and how it grows along the curve, per cell; both times the wanted side
+  float depth;
+  vec2 way;        // unit, along the curve, cells
+};
+
+// The sample next to p, a Newton step away; `along` is the direction on the screen in which steps lead farthest, `sense`
+// tells which way along the curve leads away from the viewer.
+Sample sampleAt(vec2 p, Probe at, vec2 along, float sense) {
+  vec2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
+  vec2 rate = vec2(dot(along, a), dot(along, b));
+  float length2 = max(dot(rate, rate), kSmallest);
+  vec2 correction = rate * (-dot(along, at.f) / length2);
+  correction *= min(1.0, 0.5 / max(length(correction), kSmallest));
+  vec2 across = vec2(-along.y, along.x) * (wantedSide() * sense);
+  Sample s;
+  s.way = vec2(-rate.y, rate.x) * (inversesqrt(length2) * sense);
+  s.p = p + correction * linkCellHalf.xy;
+  s.g = dot(across, at.f + a * correction.x + b * correction.y);
+  s.slope = dot(across, a * s.way.x + b * s.way.y);
+  s.depth = at.depth;
+  return s;
+}
+
+// The direction on the screen in which a step in u or v leads farthest.
+vec2 longestAxis(Probe at) {
+  vec2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
+  float largest = max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y)));
+  a /= max(largest, kSmallest);
+  b /= max(largest, kSmallest);
+  float d = a.x * a.x + b.x * b.x - a.y * a.y - b.y * b.y;
+  float e = 2.0 * (a.x * a.y + b.x * b.y);
+  float h = sqrt(d * d + e * e);
+  vec2 axis = d > 0.0 ? vec2(h + d, e) : vec2(e, h - d);
+  return dot(axis, axis) > 0.0 ? normalize(axis) : vec2(1, 0);
+}
+
+// Where between two samples, `low` before `high`, g rises through 0: 0 to 1, or -1. A dip below 0 or a bump above it
+// between them counts, too.
+float rise(Sample low, Sample high) {
+  if (low.g <= 0.0 && high.g > 0.0) return low.g / (low.g - high.g);
+  float turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
+  float extreme = low.g + 0.5 * kScanStep * turn * low.slope;
+  float extreme2 = high.g - 0.5 * kScanStep * (1.0 - turn) * high.slope;
+  bool dip = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0 && min(extreme, extreme2) <= 0.0;
+  bool bump = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0 && max(extreme, extreme2) >= 0.0;
+  return dip ? 1.0 : bump ? 0.0 : -1.0;
+}
+
 // Finds the point; p and at are its own when found.
+//
+// Newton's method from where the ray enters the hull finds most. Where folds lie close to each other or to an edge, it
+// may find the wrong root or none. There a scan begins: along a fold the surface is flat on the screen, so one direction
+// is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
+// The scan walks along that curve, takes the nearest of the roots on the side searched for, and ends with Newton's
+// method from there.
 int findRoot(Ray ray, out vec2 p, out Probe at) {
+  const int kNear = 0, kScan = 1, kPolish = 2;
+  int mode = kNear, steps = 0, misses = 0, outside = 0;
+  holdParameters();
   p = linkStart;
   at = probeAt(ray, p);
   float det = area(at);
   vec2 gradient = vec2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
-  int start = 0, steps = 0, misses = 0, outside = 0, verdicts = 0;
-  float nearest = 1e30;
+  vec2 along = vec2(0);
+  float sense = 1.0, nearest = 1e30;
+  vec2 best = p;
+  Sample first, last;
   int result = kLost;
-  // A CPU device runs the whole body of a loop for all pixels at least once and skips no branch: so the step for folds
-  // is one for all.
-  for (int i = 0; i < kMostSteps; ++i) {
+  // A CPU device runs the whole body of a loop for all pixels at least once and skips no branch: so what takes long, the
+  // formula, stands in it once.
+  for (int i = 0; i < kNearSteps + 2 + kBackward + kForward + kPolishSteps; ++i) {
     bool missed;
-    vec2 last = p;
-    p = nearDomain(foldStep(p, at, det, start > 0 ? kCautiousCells : kBoldCells, gradient, missed), 1.0);
-    // A verdict that the ray passes by counts when two searches agree: where folds meet in a cusp one may err.
-    bool anew = misses == 2 || steps == (start > 0 ? kCautiousSteps : kBoldSteps);
-    start += anew ? 1 : 0;
-    steps = anew ? 0 : steps + 1;
-    vec2 corner = vec2((start & 2) == 0 ? 0.4 : -0.4, (start & 1) == (start >> 1 & 1) ? 0.4 : -0.4);
-    p = anew ? nearDomain(linkStart + corner * linkCellHalf.xy, 0.0) : p;
+    vec2 next = nearDomain(foldStep(p, at, det, mode == kNear ? kBoldCells : kScanStep, gradient, missed), 1.0);
+    bool stepped = mode != kScan;
+    if (mode == kScan) {
+      if (steps == 0) along = longestAxis(at);
+      Sample now = sampleAt(p, at, along, sense);
+      if (steps == 0) {
+        vec2 way = now.way * linkCellHalf.xy;
+        sense = dot(linkDepth.xyz, at.Su * way.x + at.Sv * way.y) < 0.0 ? -1.0 : 1.0;
+        now.way *= sense;
+        now.g *= sense;
+        first = now;
+      } else {
+        bool back = steps <= kBackward;
+        float where = back ? rise(now, last) : rise(last, now);
+        float part = back ? 1.0 - where : where;
+        vec2 candidate = mix(last.p, now.p, part);
+        float depth = mix(last.depth, now.depth, part);
+        if (where >= 0.0 && nearlyInDomain(candidate) && depth < nearest) {
+          nearest = depth;
+          best = candidate;
+        }
+      }
+      last = steps == kBackward ? first : now;
+      next = last.p + (steps < kBackward ? -kScanStep : kScanStep) * last.way * linkCellHalf.xy;
+      next = steps < 0 ? linkStart : next;
+      if (steps >= kBackward && nearest < 1e30) {
+        mode = kPolish;
+        steps = misses = 0;
+        next = best;
+      } else if (steps == kBackward + kForward) {
+        result = kMissed;
+        break;
+      }
+    }
+    ++steps;
+    vec2 way = (next - p) / linkCellHalf.xy;
+    p = next;
     at = probeAt(ray, p);
     float before = det;
     det = area(at);
-    vec2 way = (p - last) / linkCellHalf.xy;
     float length2 = dot(way, way);
-    gradient = anew ? vec2(0) : length2 > 1e-6 ? (det - before) / length2 * way / linkCellHalf.xy : gradient;
-    bool inside = inDomain(p), close = converged(at);
-    nearest = min(nearest, at.residual);
-    misses = missed && !anew && length2 < kSettled * kSettled ? misses + 1 : 0;
-    verdicts += misses == 2 ? 1 : 0;
-    outside = inside ? 0 : outside + 1;
-    if (i > 0 && close && det * wantedSide() > 0.0) result = inside ? kFound : kMissed;
-    else if (verdicts == 2 || outside == 4) result = kMissed;
-    else if (i + 1 == kMostSteps && close) result = inside && linkClip.z != 0.0 ? kFound : kMissed;
-    else if (i + 1 == kMostSteps && nearest > kNear) result = kMissed;
-    if (result != kLost) break;
+    gradient = !stepped ? vec2(0) : length2 > 1e-6 ? (det - before) / length2 * way / linkCellHalf.xy : gradient;
+    if (mode != kScan) {
+      bool inside = inDomain(p, at), root = converged(at) && det * wantedSide() > 0.0;
+      misses = missed && stepped && length2 < kSettled * kSettled ? misses + 1 : 0;
+      outside = inside ? 0 : outside + 1;
+      if (root && inside) result = kFound;
+      else if (mode == kPolish && (root || misses == 2)) result = kMissed;
+      if (result != kLost || mode == kPolish && steps == kPolishSteps) break;
+      if (mode == kNear && (misses == 2 || outside == 3 || steps == kNearSteps)) {
+        mode = kScan;
+        steps = -1;
+      }
+    }
   }
   return result;
 }
