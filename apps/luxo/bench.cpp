@@ -138,6 +138,7 @@ int writeFiles(const BenchResult& result, const std::filesystem::path& folder) {
   };
   write("results.csv", benchCsv(result));
   write("results.json", benchJson(result));
+  write("summary.md", benchMarkdown(result));
   const std::vector<std::string> plots = plotsOf(result);
   write("index.html", benchPage(result, plots));
   if (!plots.empty()) {
@@ -156,7 +157,7 @@ int runBench(const BenchOptions& options) {
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo bench teapot -o results; or luxo bench standard -o results");
   BenchPlan plan = options.quick ? quickPlan() : fullPlan();
-  if (options.runs) plan.runs = parseRuns(*options.runs);
+  if (options.runs) plan.runs = plan.leastRuns = parseRuns(*options.runs);
   const std::vector<Subject> subjects = subjectsOf(request);
   if (!options.folder.empty()) makeFolder(options.folder);
 
@@ -186,11 +187,13 @@ void addBench(CLI::App& app, Command& chosen) {
     verb->remove_option(verb->get_option(swept));
   verb->get_option("SCENE")->description("scene file, built-in name, or `standard`: the standard set");
   verb->get_option("--size")->description("size in pixels (1024x1024)");
-  verb->add_option("-o,--output", options->folder,
-                   "folder for results.csv, results.json, pareto.svg (needs gnuplot) and index.html")
+  verb->add_option(
+          "-o,--output", options->folder,
+          "folder for results.csv, results.json, summary.md, pareto.svg (needs gnuplot) and index.html")
       ->type_name("DIR");
-  verb->add_option("--runs", options->runs, "how often each way is timed, in turns (15)")->type_name("N");
-  verb->add_flag("--quick", options->quick, "a few ways, five runs");
+  verb->add_option("--runs", options->runs, "how often each way is timed, in turns (15; slow ways 3 times)")
+      ->type_name("N");
+  verb->add_flag("--quick", options->quick, "a few ways, at most five runs");
   verb->footer(
       "Every way to draw - shading, tolerance, samples - is timed in turns with the others and held against "
       "the ground truth.");

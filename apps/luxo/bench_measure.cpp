@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <list>
+#include <numeric>
 #include <span>
 
 #include "image/srgb.h"
@@ -17,13 +18,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kUsualTolerancePx = 0.5, kUsualHullPx = 4;
+constexpr double kUsualTolerancePx = DrawOptions{}.tolerancePx, kUsualHullPx = DrawOptions{}.hullTolerancePx;
 
 /// How the work is shared out in time, roughly: where each part ends.
 constexpr double kTruthEnd = 0.3, kFirstEnd = 0.4, kTimedEnd = 0.7;
 
+/// Frames that are drawn whenever they are asked for, though they show what they showed before.
 DrawOptions optionsOf(const BenchWay& way) {
-  DrawOptions options{.shading = way.shading, .samples = way.samples};
+  DrawOptions options{.shading = way.shading, .samples = way.samples, .skips = {.unchanged = false}};
   (way.shading == Shading::Exact ? options.hullTolerancePx : options.tolerancePx) = way.tolerancePx;
   return options;
 }
@@ -35,6 +37,23 @@ struct Contestant {
   BenchRow row;
   Renderer renderer;
   std::vector<double> frameMs = {}, deviceMs = {}, readbackMs = {};
+  Image picture = {};  ///< the last one
+
+  void drawTimed(const Snapshot& snapshot) {
+    Picture drawn = renderer.render(snapshot, optionsOf(row.way));
+    const FrameTimes& ms = drawn.statistics.ms;
+    frameMs.push_back(ms.total - ms.readback);
+    deviceMs.push_back(ms.gpu);
+    readbackMs.push_back(ms.readback);
+    picture = std::move(drawn.image);
+  }
+
+  /// How much of its part in the race is run, 0..1.
+  [[nodiscard]] double timedPart(const BenchPlan& plan) const {
+    const double spentMs = std::accumulate(frameMs.begin(), frameMs.end(), 0.);
+    const double runs = static_cast<double>(frameMs.size());
+    return std::max(runs / plan.runs, std::min(runs / plan.leastRuns, spentMs / plan.enoughMs));
+  }
 };
 
 class SceneBench {
@@ -92,14 +111,20 @@ class SceneBench {
   bool timeInTurns() {
     for (int run = 0; run < plan_.runs; ++run)
       for (Contestant& contestant : contestants_) {
-        if (!goesOn_(std::lerp(kFirstEnd, kTimedEnd, static_cast<double>(run) / plan_.runs))) return false;
-        const FrameTimes ms =
-            contestant.renderer.render(snapshot_, optionsOf(contestant.row.way)).statistics.ms;
-        contestant.frameMs.push_back(ms.total - ms.readback);
-        contestant.deviceMs.push_back(ms.gpu);
-        contestant.readbackMs.push_back(ms.readback);
+        if (!goesOn_(std::lerp(kFirstEnd, kTimedEnd, timedPart()))) return false;
+        if (contestant.timedPart(plan_) < 1) contestant.drawTimed(snapshot_);
       }
     return true;
+  }
+
+  /// Weighted by what a frame took the first time.
+  [[nodiscard]] double timedPart() const {
+    double all = 0, done = 0;
+    for (const Contestant& contestant : contestants_) {
+      all += contestant.row.cost.coldMs;
+      done += contestant.row.cost.coldMs * std::min(1., contestant.timedPart(plan_));
+    }
+    return done / all;
   }
 
   bool judgeAll() {
@@ -107,6 +132,7 @@ class SceneBench {
     for (Contestant& contestant : contestants_) {
       if (!goesOn_(std::lerp(kTimedEnd, 1., partOf(done++)))) return false;
       BenchRow& row = contestant.row;
+      row.cost.runs = static_cast<int>(contestant.frameMs.size());
       row.cost.frameMs = typicalOf(contestant.frameMs);
       row.cost.deviceMs = typicalOf(contestant.deviceMs);
       row.cost.readbackMs = percentile(contestant.readbackMs, 0.5);
@@ -158,7 +184,7 @@ class SceneBench {
     BenchError& error = contestant.row.error;
     for (const BenchRow& other : result_.rows)
       if (other.way.shading == way.shading && other.way.tolerancePx == way.tolerancePx) error = other.error;
-    const Image picture = contestant.renderer.render(snapshot_, optionsOf(way)).image;
+    const Image& picture = contestant.picture;
     const auto width = static_cast<std::uint32_t>(picture.width());
     double covered = 0, differing = 0, squares = 0;
     for (const std::uint32_t pixel : areaPixels_) {
@@ -191,11 +217,16 @@ class SceneBench {
   std::list<Contestant> contestants_;
 };
 
-BenchPlan planOf(const std::vector<std::pair<Shading, std::vector<double>>>& tolerances) {
+using Tolerances = std::vector<std::pair<Shading, std::vector<double>>>;
+
+BenchPlan planOf(const Tolerances& ofOneSample, const Tolerances& ofFour) {
   BenchPlan plan;
-  for (const int samples : {1, 4})
+  const auto add = [&](const Tolerances& tolerances, int samples) {
     for (const auto& [shading, list] : tolerances)
       for (const double tolerance : list) plan.ways.push_back({shading, tolerance, samples});
+  };
+  add(ofOneSample, 1);
+  add(ofFour, 4);
   return plan;
 }
 
@@ -205,12 +236,18 @@ BenchPlan fullPlan() {
   return planOf({{Shading::Flat, {0.5, 0.05}},
                  {Shading::Gouraud, {0.5, 0.05}},
                  {Shading::Phong, {2, 1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01}},
-                 {Shading::Exact, {8, 4, 2}}});
+                 {Shading::Exact, {2 * kUsualHullPx, kUsualHullPx, 0.5 * kUsualHullPx}}},
+                {{Shading::Flat, {0.5}},
+                 {Shading::Gouraud, {0.5}},
+                 {Shading::Phong, {2, 0.5, 0.1}},
+                 {Shading::Exact, {kUsualHullPx}}});
 }
 
 BenchPlan quickPlan() {
-  BenchPlan plan = planOf({{Shading::Phong, {1, 0.5, 0.1}}, {Shading::Exact, {4}}});
+  const Tolerances few = {{Shading::Phong, {1, 0.5, 0.1}}, {Shading::Exact, {kUsualHullPx}}};
+  BenchPlan plan = planOf(few, few);
   plan.runs = 5;
+  plan.enoughMs = 400;
   plan.meshPixels = 50'000;
   plan.areaPixels = 3'000;
   return plan;

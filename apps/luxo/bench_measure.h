@@ -25,6 +25,7 @@ struct BenchWay {
 
 struct BenchCost {
   std::uint64_t triangles = 0;
+  int runs = 0;  ///< timed frames
   /// Milliseconds of a frame whose meshes are there, up to the picture on the device; and of the device in
   /// it.
   Typical frameMs, deviceMs;
@@ -72,8 +73,10 @@ struct BenchScene {
 };
 
 struct BenchPlan {
-  std::vector<BenchWay> ways;               ///< coarse to fine within each shading
-  int runs = 15;                            ///< of each way, in turns
+  std::vector<BenchWay> ways;  ///< coarse to fine within each shading
+  /// Of each way, in turns. A way of which this much time has been seen is done with fewer.
+  int runs = 15, leastRuns = 3;
+  double enoughMs = 800;
   std::uint64_t mostTriangles = 1'500'000;  ///< ways that would need more are left out
   /// Pixels in which the ways that are not pictured are judged. Fewer find a smaller largest error, never a
   /// larger one.
@@ -82,8 +85,8 @@ struct BenchPlan {
   int areaSamples = 16;               ///< rays in each of these
 };
 
-/// Everything: flat, Gouraud and Phong meshes from 2 px to 0.01 px, exact hulls from 2 to 8 px, 1 and 4
-/// samples.
+/// Phong meshes from 2 px to 0.01 px, flat and Gouraud ones, exact hulls from 2 to 8 px; with 4 samples those
+/// whose colours are not yet as good as 4 samples can be.
 [[nodiscard]] BenchPlan fullPlan();
 /// A few of these, for a first look.
 [[nodiscard]] BenchPlan quickPlan();

@@ -46,18 +46,15 @@ std::string rowOf(const Cells& cells, const char* tag) {
   return html + "</tr>\n";
 }
 
-std::string tableOf(const Cells& head, const std::vector<Cells>& rows) {
-  std::string html = "<table>\n" + rowOf(head, "th");
-  for (const Cells& row : rows) html += rowOf(row, "td");
+std::string tableOf(const TextTable& table) {
+  std::string html = "<table>\n" + rowOf(table.head, "th");
+  for (const Cells& row : table.rows) html += rowOf(row, "td");
   return html + "</table>\n";
 }
 
 /// A dash for what does not apply.
 std::string number(double value, const char* format = "{:.3g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "\u2013";
-}
-std::string number(const std::optional<double>& value, const char* format) {
-  return number(value.value_or(std::nan("")), format);
 }
 
 std::string imageOf(const char* type, std::span<const std::byte> bytes, const std::string& text,
@@ -77,34 +74,11 @@ std::string plotOf(const std::string& svg, const std::string& text) {
 }
 
 std::string machineTable(const BenchResult& result) {
-  std::vector<Cells> rows;
-  for (const auto& [name, value] : result.machine) rows.push_back({name, value});
-  rows.push_back({"picture", fmt::format("{} x {}", result.size.width, result.size.height)});
-  rows.push_back(
-      {"runs", fmt::format("{} of each, in turns; times are medians with p10 to p90", result.runs)});
-  return tableOf({"measured on", ""}, rows);
-}
-
-std::string summaryTable(const BenchResult& result) {
-  Cells head = {"scene", "shading"};
-  for (const double error : kTargetErrorsPx) head.push_back(fmt::format("ms for {} px", error));
-  for (const char* name :
-       {"least error, px", "error ~ triangles ^", "error ~ ms ^", "exact over 0.5 px mesh, time"})
-    head.emplace_back(name);
-  std::vector<Cells> rows;
-  for (const BenchScene& scene : result.scenes) {
-    const BenchSummary summary = summaryOf(scene);
-    for (const BenchShading& s : summary.shadings) {
-      Cells cells = {scene.name, std::string(nameOf(s.shading))};
-      for (const auto& ms : s.msOfError) cells.push_back(number(ms, "{:.1f}"));
-      cells.push_back(number(s.leastErrorPx));
-      cells.push_back(number(s.errorPerTriangles, "{:.2f}"));
-      cells.push_back(number(s.errorPerMs, "{:.2f}"));
-      cells.push_back(s.shading == Shading::Exact ? number(summary.exactOverMesh, "{:.2f}") : "");
-      rows.push_back(std::move(cells));
-    }
-  }
-  return tableOf(head, rows);
+  TextTable table{.head = {"measured on", ""}, .rows = {}};
+  for (const auto& [name, value] : result.machine) table.rows.push_back({name, value});
+  table.rows.push_back({"picture", fmt::format("{} x {}", result.size.width, result.size.height)});
+  table.rows.push_back({"runs", fmt::format("at most {} of each way, in turns", result.runs)});
+  return tableOf(table);
 }
 
 std::string nameOf(const BenchWay& way) {
@@ -113,21 +87,21 @@ std::string nameOf(const BenchWay& way) {
 }
 
 std::string rowsTable(const BenchScene& scene) {
-  std::vector<Cells> rows;
+  TextTable table{.head = {"way", "samples", "triangles", "ms", "p10 \u2013 p90", "runs", "cold ms",
+                           "position max, px", "p99.9", "silhouette, px", "wrong beyond 0.01 px",
+                           "normal p99.9, deg", "8-bit differing", "PSNR, dB"},
+                  .rows = {}};
   for (const BenchRow& row : scene.rows) {
     const BenchError& e = row.error;
     const Typical& ms = row.cost.frameMs;
-    rows.push_back({nameOf(row.way), fmt::format("{}", row.way.samples),
-                    fmt::format("{}", row.cost.triangles), number(ms.median, "{:.2f}"),
-                    number(ms.p10, "{:.2f}") + " \u2013 " + number(ms.p90, "{:.2f}"),
-                    number(row.cost.coldMs, "{:.0f}"), number(e.positionMaxPx), number(e.positionP999Px),
-                    number(e.silhouettePx), fmt::format("{}", e.beyond), number(e.normalP999Deg),
-                    number(e.differing8Part), number(e.psnr, "{:.1f}")});
+    table.rows.push_back(
+        {nameOf(row.way), fmt::format("{}", row.way.samples), fmt::format("{}", row.cost.triangles),
+         number(ms.median, "{:.2f}"), number(ms.p10, "{:.2f}") + " \u2013 " + number(ms.p90, "{:.2f}"),
+         fmt::format("{}", row.cost.runs), number(row.cost.coldMs, "{:.0f}"), number(e.positionMaxPx),
+         number(e.positionP999Px), number(e.silhouettePx), fmt::format("{}", e.beyond),
+         number(e.normalP999Deg), number(e.differing8Part), number(e.psnr, "{:.1f}")});
   }
-  return tableOf(
-      {"way", "samples", "triangles", "ms", "p10 \u2013 p90", "cold ms", "position max, px", "p99.9",
-       "silhouette, px", "wrong beyond 0.01 px", "normal p99.9, deg", "8-bit differing", "PSNR, dB"},
-      rows);
+  return tableOf(table);
 }
 
 std::string sectionOf(const BenchScene& scene, const std::string& plot) {
@@ -143,17 +117,26 @@ std::string sectionOf(const BenchScene& scene, const std::string& plot) {
 }
 
 constexpr const char* kExplanation =
-    "<p>Times are of a frame whose meshes are there, up to the picture on the device; <i>cold</i> is the "
-    "first "
-    "frame, with everything that is made for it. Errors are distances to the truth, which is cast by rays in "
-    "double "
-    "precision. Meshes other than the pictured ones are judged in a part of the pixels only, which can but "
-    "favour "
-    "them. With one sample, colours are compared to the truth in the pixels' centres; with more, to its mean "
-    "over "
-    "their areas. Maps of errors: dark violet 1e-6 px and less, yellow 1 px and more; white on red is a "
-    "pixel that "
-    "shows another surface.</p>\n";
+    R"(<p>Times are medians with p10 to p90, of frames whose meshes are there, up
+to the picture on the device; <i>cold</i> is the first frame, with everything that is made for it. Errors are
+distances to the truth, which is cast by rays in double precision and proven: <i>position</i> is how far on the
+screen the point that a pixel shows is from where it belongs, <i>silhouette</i> how far a pixel that shows another
+surface is from where it would be right. Meshes other than those with pictures are judged in a part of the pixels
+only, which can but favour them. With one sample, colours are compared to the truth in the pixels' centres; with
+more, to its mean over their areas, and the geometry is that of one sample.</p>
+<p>Maps of errors: dark violet 1e-6 px and less, yellow 1 px and more; white on red is a pixel that shows another
+surface.</p>
+)";
+
+constexpr const char* kUsualExplanation = R"(<h2>The exact picture against the half-pixel mesh</h2>
+<p>One sample; <i>error</i> is the largest of all pixels, silhouettes included, <i>8 bit</i> the part of the covered
+pixels with another 8-bit colour, <i>time ratio</i> the exact picture's time over the mesh's.</p>
+)";
+
+constexpr const char* kTimeToErrorExplanation = R"(<h2>What an error costs</h2>
+<p>The fastest picture of each shading whose largest error is at most that; a dash where none is. Slopes are of
+least-squares fits, in logarithms, of the error that 99.9 % of the pixels do not exceed.</p>
+)";
 
 }  // namespace
 
@@ -180,7 +163,9 @@ std::string benchPage(const BenchResult& result, const std::vector<std::string>&
       kStyle);
   html += kExplanation;
   if (!plots.empty()) html += plotOf(plots[0], "time against error of all scenes");
-  html += summaryTable(result) + machineTable(result);
+  html += kUsualExplanation + tableOf(usualTable(result));
+  html += kTimeToErrorExplanation + tableOf(timeToErrorTable(result));
+  html += machineTable(result);
   for (std::size_t i = 0; i < result.scenes.size(); ++i)
     html += sectionOf(result.scenes[i], i + 1 < plots.size() ? plots[i + 1] : "");
   return html + "</body>\n</html>\n";

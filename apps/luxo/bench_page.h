@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench_report.h"
+#include "bench_summary.h"
 
 namespace luxo {
 

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace luxo {
@@ -24,6 +22,7 @@ double real(std::uint64_t count) { return static_cast<double>(count); }
 constexpr Column kColumns[] = {
     {"tolerance_px", [](const BenchRow& r) { return r.way.tolerancePx; }},
     {"samples", [](const BenchRow& r) { return static_cast<double>(r.way.samples); }},
+    {"runs", [](const BenchRow& r) { return static_cast<double>(r.cost.runs); }},
     {"triangles", [](const BenchRow& r) { return real(r.cost.triangles); }},
     {"frame_ms", [](const BenchRow& r) { return r.cost.frameMs.median; }},
     {"frame_ms_p10", [](const BenchRow& r) { return r.cost.frameMs.p10; }},
@@ -78,75 +77,15 @@ Json jsonOf(const BenchSummary& summary) {
     shadings.push_back({{"shading", nameOf(s.shading)},
                         {"ms_of_error_px", std::move(times)},
                         {"least_error_px", jsonOf(s.leastErrorPx)},
-                        {"slope_error_triangles", jsonOf(s.errorPerTriangles)},
-                        {"slope_error_ms", jsonOf(s.errorPerMs)}});
+                        {"slope_p99.9_triangles", jsonOf(s.errorPerTriangles)},
+                        {"slope_p99.9_ms", jsonOf(s.errorPerMs)}});
   }
-  return {{"shadings", std::move(shadings)}, {"exact_over_mesh_time", jsonOf(summary.exactOverMesh)}};
-}
-
-BenchShading summaryOf(const BenchScene& scene, Shading shading) {
-  std::vector<CostAndError> times, triangles;
-  BenchShading summary{.shading = shading,
-                       .msOfError = {},
-                       .leastErrorPx = std::numeric_limits<double>::infinity(),
-                       .errorPerTriangles = {},
-                       .errorPerMs = {}};
-  for (const BenchRow& row : scene.rows) {
-    if (row.way.shading != shading || row.way.samples != 1) continue;
-    const double error = row.error.largestPx();
-    times.push_back({row.cost.frameMs.median, error});
-    triangles.push_back({real(row.cost.triangles), error});
-    summary.leastErrorPx = std::min(summary.leastErrorPx, error);
-  }
-  for (std::size_t i = 0; i < kTargetErrorsPx.size(); ++i)
-    summary.msOfError[i] = costOfError(times, kTargetErrorsPx[i]);
-  // A hull's size is not what its picture's error comes from.
-  if (shading != Shading::Exact) {
-    summary.errorPerTriangles = powerOf(triangles);
-    summary.errorPerMs = powerOf(times);
-  }
-  return summary;
+  Json json = {{"shadings", std::move(shadings)}, {"exact_over_mesh_time", nullptr}};
+  if (summary.usual) json["exact_over_mesh_time"] = jsonOf(summary.usual->timeRatio());
+  return json;
 }
 
 }  // namespace
-
-BenchSummary summaryOf(const BenchScene& scene) {
-  BenchSummary summary;
-  std::optional<double> exactMs, meshMs;
-  for (const BenchRow& row : scene.rows) {
-    const auto known = [&](const BenchShading& s) { return s.shading == row.way.shading; };
-    if (std::none_of(summary.shadings.begin(), summary.shadings.end(), known))
-      summary.shadings.push_back(summaryOf(scene, row.way.shading));
-    if (isPictured(row.way)) (row.way.shading == Shading::Exact ? exactMs : meshMs) = row.cost.frameMs.median;
-  }
-  if (exactMs && meshMs) summary.exactOverMesh = *exactMs / *meshMs;
-  return summary;
-}
-
-std::string benchText(const BenchResult& result) {
-  std::string text = fmt::format("{:<14} {:<8}", "time for error", "shading");
-  for (const double error : kTargetErrorsPx) text += fmt::format("{:>12}", fmt::format("{} px", error));
-  text += fmt::format("{:>14}{:>14}{:>12}\n", "least error", "per triangles", "per ms");
-  const auto ms = [](const std::optional<double>& value) {
-    return value ? fmt::format("{:.1f} ms", *value) : std::string("-");
-  };
-  const auto power = [](const std::optional<double>& value) {
-    return value ? fmt::format("^{:.2f}", *value) : std::string("-");
-  };
-  for (const BenchScene& scene : result.scenes) {
-    const BenchSummary summary = summaryOf(scene);
-    for (const BenchShading& s : summary.shadings) {
-      text += fmt::format("{:<14} {:<8}", scene.name, nameOf(s.shading));
-      for (const auto& time : s.msOfError) text += fmt::format("{:>12}", ms(time));
-      text += fmt::format("{:>14}{:>14}{:>12}\n", fmt::format("{:.2g} px", s.leastErrorPx),
-                          power(s.errorPerTriangles), power(s.errorPerMs));
-    }
-    if (summary.exactOverMesh)
-      text += fmt::format("{:<14} the exact picture takes {:.2f} times as long as the half-pixel mesh\n",
-                          scene.name, *summary.exactOverMesh);
-  }
-  return text;
-}
 
 std::vector<std::string_view> benchColumns() {
   std::vector<std::string_view> names = {"scene", "shading"};

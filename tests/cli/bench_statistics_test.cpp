@@ -63,6 +63,7 @@ BenchRow rowOf(BenchWay way, std::uint64_t triangles, double ms, double errorPx)
   row.cost.triangles = triangles;
   row.cost.frameMs = {ms, ms, ms};
   row.error.positionMaxPx = errorPx;
+  row.error.positionP999Px = 0.1 * errorPx;
   return row;
 }
 
@@ -73,7 +74,7 @@ BenchScene exampleScene() {
       .undecided = 0,
       .truthMs = 1,
       .truth = Image(2, 3, 3),
-      .rows = {rowOf({Shading::Phong, 0.5, 1}, 100, 4, 0.4), rowOf({Shading::Phong, 0.05, 1}, 1000, 8, 0.04),
+      .rows = {rowOf({Shading::Phong, 0.5, 1}, 100, 4, 0.4), rowOf({Shading::Phong, 0.05, 1}, 1'000, 8, 0.04),
                rowOf({Shading::Exact, 4, 1}, 50, 6, 0.0005), rowOf({Shading::Exact, 4, 4}, 50, 1, 0.0005)},
       .pictures = {}};
 }
@@ -89,7 +90,40 @@ TEST(BenchReport, SummariesAreOfOneSample) {
   EXPECT_NEAR(mesh.errorPerMs.value(), -std::log(10) / std::log(2), 1e-14);
   EXPECT_EQ(exact.msOfError[2], 6) << "the row of 4 samples is faster and does not count";
   EXPECT_EQ(exact.errorPerTriangles, std::nullopt);
-  EXPECT_EQ(summary.exactOverMesh, 1.5);
+  ASSERT_TRUE(summary.usual);
+  EXPECT_EQ(summary.usual->exact.cost.triangles, 50U);
+  EXPECT_EQ(summary.usual->mesh.cost.triangles, 100U);
+  EXPECT_EQ(summary.usual->timeRatio(), 1.5);
+}
+
+TEST(BenchReport, OnePixelDoesNotTurnASlope) {
+  BenchScene scene = exampleScene();
+  scene.rows[1].error.positionMaxPx = 7;
+  const BenchSummary summary = summaryOf(scene);
+  EXPECT_NEAR(summary.shadings[0].errorPerTriangles.value(), -1, 1e-14);
+  EXPECT_EQ(summary.shadings[0].leastErrorPx, 0.4);
+}
+
+TEST(BenchReport, TablesSayWhatIsKnown) {
+  BenchResult result{.machine = {{"cores", "2"}}, .size = {2, 3}, .runs = 1, .scenes = {exampleScene()}};
+  BenchScene& scene = result.scenes[0];
+  scene.name = "a|b";
+  scene.rows[0].cost.triangles = 1234567;
+  scene.rows[0].error.differing8Part = std::nan("");
+  const std::string markdown = benchMarkdown(result);
+  EXPECT_NE(markdown.find("| a\\|b | 1,234,567 | 4.0 | 0.4 | - | 50 | 6.0 | 0.0005 | 0 | 1.50 |\n"),
+            std::string::npos)
+      << markdown;
+  EXPECT_NE(markdown.find("| a\\|b | exact | 6.0 | 6.0 | 6.0 | 0.0005 | - | - |\n"), std::string::npos)
+      << markdown;
+  EXPECT_NE(markdown.find("2 x 3, cores 2."), std::string::npos) << markdown;
+  // Every row of a table has as many cells as its head.
+  for (const TextTable& table : {usualTable(result), timeToErrorTable(result)}) {
+    EXPECT_FALSE(table.rows.empty());
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.head.size());
+  }
+  scene.rows.erase(scene.rows.begin() + 2);
+  EXPECT_TRUE(usualTable(result).rows.empty()) << "without the exact picture there is nothing to compare";
 }
 
 TEST(BenchReport, ASilhouetteIsAnError) {
@@ -106,7 +140,7 @@ TEST(BenchReport, CsvQuotesNamesAndLeavesOutWhatIsNotFinite) {
   result.scenes[0].rows.resize(1);
   result.scenes[0].rows[0].error.boundPx = std::numeric_limits<double>::infinity();
   const std::string csv = benchCsv(result);
-  EXPECT_NE(csv.find("\"a \"\"<b>\"\", it's & c\",phong,0.5,1,100,4,4,4,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\"a \"\"<b>\"\", it's & c\",phong,0.5,1,0,100,4,4,4,"), std::string::npos) << csv;
   EXPECT_EQ(csv.find("inf"), std::string::npos);
   EXPECT_EQ(benchJson(result).find("inf"), std::string::npos);
 }

@@ -73,6 +73,7 @@ void expectCompleteTable(const std::string& csv, const Json& json) {
             << names[c];
       }
     }
+    EXPECT_EQ(rows[i]["runs"], 2);
     EXPECT_LE(rows[i]["frame_ms_p10"], rows[i]["frame_ms"]);
     EXPECT_LE(rows[i]["frame_ms"], rows[i]["frame_ms_p90"]);
     EXPECT_GT(rows[i]["frame_ms_p10"], 0);
@@ -92,7 +93,9 @@ TEST_F(BenchFilesTest, EveryFileIsCompleteAndWellFormed) {
   if (plotted) {
     EXPECT_EQ(outcome.err, "");
   }
-  EXPECT_TRUE(contains(outcome.out, "sphere         exact")) << outcome.out;
+  for (const char* said : {"exact triangles", "time ratio", "ms for 0.001 px", "\nsphere "})
+    EXPECT_TRUE(contains(outcome.out, said)) << outcome.out;
+  EXPECT_TRUE(contains(textOf(folder / "new/results/summary.md"), "\n| sphere | exact | "));
 
   const Json json = Json::parse(textOf(folder / "new/results/results.json"));
   EXPECT_EQ(json["size"], Json({64, 48}));
@@ -136,7 +139,7 @@ TEST_F(BenchFilesTest, WithoutGnuplotOnlyThePlotIsMissing) {
   EXPECT_EQ(outcome.code, 75) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "there is no gnuplot")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "help: install it")) << outcome.err;
-  for (const char* file : {"results.csv", "results.json", "index.html"})
+  for (const char* file : {"results.csv", "results.json", "summary.md", "index.html"})
     EXPECT_TRUE(std::filesystem::exists(folder / "r" / file)) << file;
   EXPECT_FALSE(std::filesystem::exists(folder / "r/pareto.svg"));
 }
