@@ -42,6 +42,8 @@ class Renderer {
 
   /// The scene as its own settings describe it: size, time, shading, first camera.
   [[nodiscard]] Picture render(const Scene& scene);
+  /// Asked for the same picture again it submits nothing and reads that once more; with skips.unchanged off
+  /// it draws.
   /// Throws Error(Scene) for what cannot be drawn, Error(Retry) when the device runs out of memory or is
   /// lost.
   [[nodiscard]] Picture render(const Snapshot& snapshot, const DrawOptions& options = {});
@@ -54,6 +56,13 @@ class Renderer {
 
  private:
   using Recording = std::function<void(VkCommandBuffer commands)>;
+
+  /// What the readback holds, and how good it is.
+  struct Shown {
+    Snapshot snapshot;
+    DrawOptions options;
+    FrameStatistics statistics;
+  };
 
   /// Whether the device takes that many samples in one pass.
   [[nodiscard]] bool inOnePass(const DrawOptions& options) const;
@@ -73,6 +82,7 @@ class Renderer {
   std::optional<Accumulator> accumulator_;  ///< made for the first picture of several passes
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};
+  std::optional<Shown> shown_;
 };
 
 }  // namespace luxo

@@ -174,14 +174,15 @@ TEST_F(Accumulation, AuxiliaryOutputsAreOfThePixelsCentre) {
     const Picture many =
         draw(busyScene(), Camera{.eye = Vec3(0, 0, 4)}, {64, 48}, {.output = output, .samples = 16});
     EXPECT_TRUE(sameBytes(one.image, many.image));
-    EXPECT_EQ(many.statistics.count.submits, 1u);
+    EXPECT_EQ(many.statistics.count.submits, one.statistics.count.submits);
   }
 }
 
 TEST_F(Accumulation, CostsAPassPerSample) {
   const Camera camera{.eye = Vec3(0, 0, 4)};
-  const Picture one = draw(busyScene(), camera, {64, 48});
-  const Picture seven = draw(busyScene(), camera, {64, 48}, {.samples = 7});
+  // Meshes are drawn once; hulls may be made finer and drawn again.
+  const Picture one = draw(busyScene(), camera, {64, 48}, {.shading = Shading::Phong});
+  const Picture seven = draw(busyScene(), camera, {64, 48}, {.shading = Shading::Phong, .samples = 7});
   const FrameCounts &a = one.statistics.count, &b = seven.statistics.count;
   EXPECT_EQ(b.submits, 14u) << "each is drawn, then added";
   EXPECT_EQ(b.passes, 7 * a.passes);
@@ -193,14 +194,15 @@ TEST_F(Accumulation, CostsAPassPerSample) {
 
 TEST_F(Accumulation, CanBeGivenUp) {
   const Snapshot snapshot = takeSnapshot(busyScene(), 0, {64, 48}, Camera{.eye = Vec3(0, 0, 4)});
-  const Image whole = renderer().render(snapshot, {.samples = 8}).image;
+  const DrawOptions options{.samples = 8, .skips = {.unchanged = false}};
+  const Image whole = renderer().render(snapshot, options).image;
   std::vector<double> told;
-  EXPECT_FALSE(renderer().render(snapshot, {.samples = 8}, [&](double done) {
+  EXPECT_FALSE(renderer().render(snapshot, options, [&](double done) {
     told.push_back(done);
     return told.size() < 4;
   }));
   EXPECT_EQ(told, (std::vector<double>{0, 0.125, 0.25, 0.375}));
-  EXPECT_TRUE(sameBytes(renderer().render(snapshot, {.samples = 8}).image, whole));
+  EXPECT_TRUE(sameBytes(renderer().render(snapshot, options).image, whole));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST_F(Invariance, MirroredSceneIsTheMirroredPicture) {
   const Image normals = flippedLeftRight(draw(original, kSize, {.output = Output::Normal}).image);
   const std::vector<bool> contour = contours(ids, normals);
   const auto contourPixels = std::count(contour.begin(), contour.end(), true);
-  for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud}) {
+  for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud}) {
     const Image expected = flippedLeftRight(draw(original, kSize, {.shading = shading}).image);
     const Image image = draw(mirrored, kSize, {.shading = shading}).image;
     int wrong = 0, moved = 0;
@@ -89,7 +89,12 @@ TEST_F(Invariance, MirroredSceneIsTheMirroredPicture) {
   }
 }
 
-TEST_F(Invariance, NoSkipChangesABit) {
+class InvarianceOf : public PictureTest, public testing::WithParamInterface<Shading> {};
+
+INSTANTIATE_TEST_SUITE_P(Shadings, InvarianceOf, testing::Values(Shading::Exact, Shading::Phong),
+                         [](const auto& shading) { return std::string(nameOf(shading.param)); });
+
+TEST_P(InvarianceOf, NoSkipChangesABit) {
   struct Subject {
     const char* name;
     Scene scene;
@@ -99,7 +104,7 @@ TEST_F(Invariance, NoSkipChangesABit) {
                                  Subject{"gallery", gallery(), 0.3}, Subject{"mixed", mixedScene(1), 0},
                                  Subject{"mirrored", mixedScene(-1), 0}})
     for (const int samples : {1, 4}) {
-      const DrawOptions all{.samples = samples};
+      const DrawOptions all{.shading = GetParam(), .samples = samples};
       const Image expected = draw(subject.scene, kSize, all, subject.time).image;
       const auto check = [&](const char* what, const DrawOptions& options) {
         EXPECT_TRUE(sameBytes(draw(subject.scene, kSize, options, subject.time).image, expected))
@@ -210,7 +215,8 @@ TEST_F(Invariance, AWholePeriodLaterItIsTheSame) {
 TEST_F(Invariance, EveryRunIsTheSame) {
   const Snapshot snapshot = takeSnapshot(luxoGrandpa(), 9.5, kSize);
   const Image expected = renderer().render(snapshot).image;
-  EXPECT_TRUE(sameBytes(renderer().render(snapshot).image, expected));
+  EXPECT_TRUE(sameBytes(renderer().render(snapshot).image, expected)) << "read again";
+  EXPECT_TRUE(sameBytes(renderer().render(snapshot, {.skips = {.unchanged = false}}).image, expected));
   Renderer fresh(context());
   EXPECT_TRUE(sameBytes(fresh.render(snapshot).image, expected));
   Renderer elsewhere;
