@@ -22,6 +22,7 @@
 #include "picture_engine.h"
 #include "process_tuning.h"
 #include "report.h"
+#include "required_error.h"
 #include "scene_request.h"
 #include "validation.h"
 #include "verbs.h"
@@ -188,6 +189,9 @@ class Run {
                       "the most triangles "
                       "it may have, or is kinked or cut off; look at `luxo inspect`",
                       error.tolerancePx));
+    if (error.unconvergedPx > 0)
+      printNote(
+          fmt::format("{} pixels are lost: their point of the surface was not found", error.unconvergedPx));
   }
 
   [[nodiscard]] static std::string qualityOf(const FrameReport& frame) {
@@ -195,8 +199,11 @@ class Run {
       return fmt::format("{} of {} pixels undecided, standard error {:.2g}", reference->undecided,
                          reference->hits + reference->misses + reference->undecided,
                          reference->standardErrorRms);
-    return fmt::format("{} triangles  bound {:.2g} px", frame.statistics.count.triangles,
-                       frame.statistics.error.boundPx);
+    const FrameError& error = frame.statistics.error;
+    std::string quality = fmt::format("{} triangles", frame.statistics.count.triangles);
+    if (error.residualMaxPx) quality += fmt::format("  residual {:.2g} px", *error.residualMaxPx);
+    if (!error.residualMaxPx || error.boundPx > 0) quality += fmt::format("  bound {:.2g} px", error.boundPx);
+    return quality;
   }
 
   void showProgress(std::size_t total) const {
@@ -224,16 +231,9 @@ class Run {
   void requireError() const {
     if (!request_.requireErrorPx) return;
     for (const FrameReport& frame : report_.frames) {
-      if (frame.error || frame.statistics.error.boundPx <= *request_.requireErrorPx) continue;
-      if (frame.reference)
-        throw Error(ErrorKind::Requirement,
-                    fmt::format("frame {}: {} pixels are undecided, so nothing is proven of them",
-                                frame.frame, frame.reference->undecided),
-                    "move the camera a little");
-      throw Error(ErrorKind::Requirement,
-                  fmt::format("frame {}: the proven error is {:.3g} px, more than the {:.3g} px required",
-                              frame.frame, frame.statistics.error.boundPx, *request_.requireErrorPx),
-                  "ask for a smaller --tolerance");
+      if (frame.error) continue;
+      if (const auto miss = requirementMiss(frame, *request_.requireErrorPx))
+        throw Error(ErrorKind::Requirement, fmt::format("frame {}: {}", frame.frame, miss->what), miss->hint);
     }
   }
 

@@ -21,7 +21,8 @@ class VulkanEngine : public PictureEngine {
                   .validationLog = std::move(validation)}),
         renderer_(context_),
         options_(drawOptions(settings)),
-        showsProgress_(request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1) {
+        showsProgress_(request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1),
+        judged_(request.requireErrorPx.has_value()) {
     options_.output = request.aov;
     options_.skips = request.skips;
     if (request.report) sinCos_ = sinCosError(context_);
@@ -39,14 +40,24 @@ class VulkanEngine : public PictureEngine {
       return interruptingSignal() == 0;
     });
     if (!picture) return std::nullopt;
+    if (judged_ && options_.output != Output::Color) picture->statistics.error = errorOf(snapshot);
     return MadePicture{std::move(picture->image), picture->statistics};
   }
 
  private:
+  /// Of the same surfaces in the same pixels: only colours bring the residuals along.
+  [[nodiscard]] FrameError errorOf(const Snapshot& snapshot) {
+    DrawOptions color = options_;
+    color.output = Output::Color;
+    color.samples = 1;
+    return renderer_.render(snapshot, color).statistics.error;
+  }
+
   gpu::Context context_;
   Renderer renderer_;
   DrawOptions options_;
   bool showsProgress_;
+  bool judged_;  ///< the run's exit code depends on the error
   std::optional<SinCosError> sinCos_;
 };
 
