@@ -31,7 +31,7 @@ std::vector<double> overThePeriod() {
 
 struct FrameDesc {
   PixelSize size;
-  DrawOptions options;
+  DrawOptions options{.shading = Shading::Phong};
   Precision precision = Precision::Full;
   std::vector<double> times{kStill};
 };

@@ -41,8 +41,12 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   if (files) add("--frames", t.frames, "frames to draw: 1-250:2,300; frame n is at (n-1)/fps", "LIST");
   add("--fps", t.fps, "frames per second (24)", "N");
   add("--samples", t.samples, "samples per pixel, 1 to 256 (1)", "N");
-  add("--tolerance", t.tolerance, "how far meshes may be from their surfaces, in pixels (0.5)", "PX");
-  add("--shading", t.shading, "flat gouraud phong toon wireframe, or a view: normal uv depth id", "NAME");
+  add("--tolerance", t.tolerance,
+      "how far meshes may be from their surfaces, in pixels (0.5); exact shading draws meshes only where "
+      "one sees through them",
+      "PX");
+  add("--shading", t.shading,
+      "exact flat gouraud phong toon wireframe, or a view: normal uv depth id residual (exact)", "NAME");
   add("--engine", t.engine,
       files ? "vulkan, or reference: the ground truth by rays, needs no device (vulkan)" : "vulkan", "NAME");
   add("--camera", t.camera, "camera of the scene", "NAME");
@@ -51,13 +55,15 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   if (files) {
     add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
         "NAME=FROM:TO:STEP");
-    add("--aov", t.aov, "what to write: color depth position normal uv id (color)", "NAME");
+    add("--aov", t.aov, "what to write: color depth position normal uv id residual (color)", "NAME");
     add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
   }
   add("--skip", t.skip,
       "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes (all)", "LIST");
   if (files)
-    add("--require-error", t.requireError, "fail (exit code 6) unless the proven error is at most this",
+    add("--require-error", t.requireError,
+        "fail (exit code 6) unless every mesh and every pixel of exact shading is at most this far from its "
+        "surface, and no pixel is lost",
         "PX");
   add("--device", t.device, "auto, cpu, gpu, a number or a part of the name", "DEVICE");
   command.add_flag("--validate", t.validate, "run Vulkan's validation; any message fails the run");

@@ -19,7 +19,7 @@ struct CullOptions {
   int samples = 1;           ///< per pixel, 1 or 4, at Vulkan's standard positions plus View::sampleOffsetPx
   /// Of materials that do not say otherwise. Lines reach a pixel beyond their surface and hide nothing behind
   /// it.
-  Shading shading = Shading::Phong;
+  Shading shading = Shading::Exact;
   bool frustum = true;   ///< skip nodes outside the picture
   bool small = true;     ///< skip nodes that cover no sample
   bool backface = true;  ///< skip what only turns its back to the viewer

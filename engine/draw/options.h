@@ -15,14 +15,14 @@ struct Skips {
   bool small = true;      ///< nodes that cover no sample
   bool backface = true;   ///< faces and nodes that turn their back
   bool lights = true;     ///< lights that cannot reach a node
-  bool unchanged = true;  ///< uploads of what the device already has
+  bool unchanged = true;  ///< pictures that are still there, uploads of what the device already has
   bool passes = true;     ///< passes with nothing to draw
 
   friend bool operator==(const Skips&, const Skips&) = default;
 };
 
 struct DrawOptions {
-  Shading shading = Shading::Phong;  ///< of materials that do not say otherwise
+  Shading shading = Shading::Exact;  ///< of materials that do not say otherwise
   Output output = Output::Color;
   double tolerancePx = 0.5;   ///< how far a mesh may be from its surface on the screen
   /// Exact shading: how far the hull in which the search for a surface begins is from it, about. No error of

@@ -64,7 +64,7 @@ struct RenderSettings {
   double fps = 24;
   int samples = 1;         ///< per pixel, 1 to kMostSamples
   double tolerance = 0.5;  ///< pixels
-  Shading shading = Shading::Phong;
+  Shading shading = Shading::Exact;
   Vec3 background{0.02, 0.025, 0.03};
   Vec3 ambient{0.1};
 

@@ -97,7 +97,9 @@ TEST(OptionValues, Names) {
   EXPECT_EQ(parseShading("gouraud"), Shading::Gouraud);
   EXPECT_EQ(parseShading("id"), Shading::Id);
   expectRefused(ErrorKind::Usage, parseShading, {"", "phon", "Phong ", "5"});
-  expectRefused(ErrorKind::Scene, parseShading, {"exact", "residual", "overdraw", "lod"});
+  EXPECT_EQ(parseShading("exact"), Shading::Exact);
+  EXPECT_EQ(parseShading("residual"), Shading::Residual);
+  expectRefused(ErrorKind::Scene, parseShading, {"overdraw", "lod"});
   EXPECT_EQ(hintOf([] { static_cast<void>(parseShading("gourad")); }), "did you mean 'gouraud'?");
 
   EXPECT_EQ(parseAov("color"), Output::Color);
@@ -106,8 +108,8 @@ TEST(OptionValues, Names) {
   EXPECT_EQ(parseAov("normal"), Output::Normal);
   EXPECT_EQ(parseAov("uv"), Output::Uv);
   EXPECT_EQ(parseAov("id"), Output::Id);
+  EXPECT_EQ(parseAov("residual"), Output::Residual);
   expectRefused(ErrorKind::Usage, parseAov, {"", "colour2", "z"});
-  expectRefused(ErrorKind::Scene, parseAov, {"residual"});
   EXPECT_EQ(hintOf([] { static_cast<void>(parseAov("colour")); }), "did you mean 'color'?");
 
   EXPECT_EQ(parseEngine("vulkan"), Engine::Vulkan);

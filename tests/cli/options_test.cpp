@@ -156,14 +156,19 @@ TEST(RenderOptions, SuggestsTheOptionMeant) {
 }
 
 TEST(RenderOptions, WhatComesLaterIsAnErrorOfTheScene) {
-  for (const auto& arguments : std::vector<std::vector<const char*>>{
-           {"--aov", "residual"}, {"--shading", "exact"}}) {
-    auto all = arguments;
-    all.insert(all.end(), {"lamp", "-o", "a.png"});
-    const Error error = failureOf(all);
+  for (const char* later : {"overdraw", "lod"}) {
+    const Error error = failureOf({"--shading", later, "lamp", "-o", "a.png"});
     EXPECT_EQ(error.kind(), ErrorKind::Scene);
     EXPECT_NE(std::string(error.what()).find("not supported yet"), std::string::npos) << error.what();
   }
+}
+
+TEST(RenderOptions, ExactnessIsAnOptionLikeOthers) {
+  const RenderRequest request =
+      parse({"lamp", "-o", "a.png", "--shading", "exact", "--aov", "residual", "--samples", "256"});
+  EXPECT_EQ(request.shading, Shading::Exact);
+  EXPECT_EQ(request.aov, Output::Residual);
+  EXPECT_EQ(request.samples, 256);
 }
 
 TEST(CommandLine, OptionsBeforeTheVerbAndUnknownVerbs) {

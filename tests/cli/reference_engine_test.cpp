@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `luxo render --engine reference`: pictures without any Vulkan driver, what is said of them, and refusals.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -101,6 +102,13 @@ TEST_F(ReferenceEngine, Outputs) {
   }
 }
 
+TEST_F(ReferenceEngine, HasNoResidual) {
+  EXPECT_EQ(cast({"-o", "residual.pfm", "--aov", "residual", "-q"}).code, 0);
+  const std::vector<float> residual =
+      numbersOf(textOf(folder / "residual.pfm"), std::size_t(kWidth * kHeight));
+  EXPECT_EQ(std::count(residual.begin(), residual.end(), 0.0f), kWidth * kHeight);
+}
+
 TEST_F(ReferenceEngine, Refusals) {
   const auto refused = [&](Arguments arguments, int code, const std::string& said, const std::string& help) {
     arguments.insert(arguments.end(), {"-o", "a.png"});
@@ -110,7 +118,7 @@ TEST_F(ReferenceEngine, Refusals) {
   refused({"--shading", "toon"}, 3, "shading 'toon' has no ground truth", "--shading phong");
   refused({"--shading", "wireframe"}, 3, "shading 'wireframe' has no ground truth", "--shading phong");
   refused({"--shading", "normal"}, 3, "shading 'normal' has no ground truth", "--aov");
-  refused({"--aov", "residual"}, 3, "--aov 'residual' is not supported yet", "");
+  refused({"--shading", "residual"}, 3, "shading 'residual' has no ground truth", "--aov");
   refused({"--device", "gpu"}, 2, "--device and --engine reference contradict", "");
   refused({"--samples", "257"}, 2, "--samples '257'", "1 to 256");
   expectFailure(run(folder, {"view", "gallery", "--engine", "reference"}), 2, "means nothing in a window",

@@ -193,16 +193,19 @@ TEST_F(RenderFiles, SkipsLeaveEveryBitAsItIs) {
 TEST_F(RenderFiles, EveryOptionOfThePictureHasItsEffect) {
   const std::string plain = fileOf({}, "a.pfm");
   EXPECT_EQ(fileOf({"--time", "21"}, "b.pfm"), plain) << "the lamp's own moment is 21 s";
-  EXPECT_EQ(fileOf({"--samples", "1", "--shading", "phong", "--tolerance", "0.5", "--camera", "orbit",
+  EXPECT_EQ(fileOf({"--samples", "1", "--shading", "exact", "--tolerance", "0.5", "--camera", "orbit",
                     "--device", "auto", "--engine", "vulkan"},
                    "b.pfm"),
             plain);
   for (const Arguments& other : {Arguments{"--time", "3"},
                                  {"--samples", "4"},
                                  {"--shading", "flat"},
-                                 {"--shading", "normal"},
-                                 {"--tolerance", "8"}})
+                                 {"--shading", "phong"},
+                                 {"--shading", "normal"}})
     EXPECT_NE(fileOf(other, "b.pfm"), plain) << other[1];
+  EXPECT_EQ(fileOf({"--tolerance", "8"}, "b.pfm"), plain) << "no mesh is drawn";
+  EXPECT_NE(fileOf({"--shading", "phong", "--tolerance", "8"}, "b.pfm"),
+            fileOf({"--shading", "phong"}, "c.pfm"));
 }
 
 TEST_F(RenderFiles, TheOrderOfOptionsNeverMatters) {
@@ -223,9 +226,11 @@ TEST_F(RenderFiles, WhatIsSaid) {
   for (const Arguments& arguments : {Arguments{"-o", "a.png"}, {"-o", "a.png", "-v"}}) {
     const Outcome outcome = render(arguments);
     EXPECT_EQ(outcome.out, "");
-    for (const char* said : {"a.png", "67x45", " ms", " triangles", "bound 0.", " px"})
+    for (const char* said : {"a.png", "67x45", " ms", " triangles", "residual ", " px"})
       EXPECT_TRUE(contains(outcome.err, said)) << said << " is not in " << outcome.err;
+    EXPECT_FALSE(contains(outcome.err, "bound")) << "no mesh is drawn";
   }
+  EXPECT_TRUE(contains(render({"-o", "a.png", "--shading", "phong"}).err, "bound 0."));
   EXPECT_TRUE(contains(render({"-o", "a.png", "--aov", "position"}).err, "clamp")) << "numbers in 8 bits";
   EXPECT_FALSE(contains(render({"-o", "a.exr", "--aov", "position"}).err, "clamp"));
 }

@@ -135,27 +135,55 @@ TEST_F(RenderFrames, ReportCountsAddUp) {
     EXPECT_EQ(of("shadow_passes"), 0u) << "the lamp's shadow is in closed form";
     EXPECT_EQ(of("submits"), 1u);
     const Json& error = frame["error"];
-    expectKeys(error, {"tolerance_px", "bound_px", "residual_max_px", "unconverged_px"});
+    expectKeys(error, {"tolerance_px", "bound_px", "residual_max_px", "unconverged_px", "uncertified_px"});
     EXPECT_EQ(error["tolerance_px"], 0.5);
-    EXPECT_GT(error["bound_px"], 0);
-    EXPECT_LE(error["bound_px"], 0.5);
-    EXPECT_TRUE(error["residual_max_px"].is_null()) << "there is none before the exact mode";
-    EXPECT_TRUE(error["unconverged_px"].is_null());
+    EXPECT_EQ(error["bound_px"], 0) << "no mesh is drawn";
+    EXPECT_GT(error["residual_max_px"], 0);
+    EXPECT_LE(error["residual_max_px"], 1e-3) << "what exact shading promises";
+    EXPECT_EQ(error["unconverged_px"], 0);
+    // Proofs fail at most where the surface turns away from the viewer: beside outlines.
+    EXPECT_LT(error["uncertified_px"], kWidth);
   }
   EXPECT_GT(frames[0]["count"]["pipelines_created"], 0);
   EXPECT_EQ(frames[1]["count"]["pipelines_created"], 0) << "they are kept";
 }
 
-TEST_F(RenderFrames, RequiredErrorDecidesTheExitCode) {
-  EXPECT_EQ(render({"-o", "a.png", "--require-error", "0.5"}).code, 0);
+TEST_F(RenderFrames, ReportOfMeshesHasTheirBound) {
+  ASSERT_EQ(render({"-o", "a.png", "--shading", "phong", "--report", "report.json"}).code, 0);
+  const Json error = report()["frames"][0]["error"];
+  EXPECT_GT(error["bound_px"], 0);
+  EXPECT_LE(error["bound_px"], 0.5);
+  for (const char* key : {"residual_max_px", "unconverged_px", "uncertified_px"})
+    EXPECT_TRUE(error[key].is_null()) << key << ": no surface was searched for";
+}
+
+TEST_F(RenderFrames, RequiredErrorOfExactPictures) {
+  EXPECT_EQ(render({"-o", "a.png", "--require-error", "0.01px"}).code, 0);
   const std::string whole = textOf(folder / "a.png");
   const Outcome missed =
-      render({"-o", "b.png", "--require-error", "0.001px", "--report", "report.json", "-q"});
+      render({"-o", "b.png", "--require-error", "1e-9px", "--report", "report.json", "-q"});
+  expectFailure(missed, 6, "frame 1: the largest residual is", "--engine reference");
+  EXPECT_TRUE(contains(missed.err, "more than the 1e-09 px required")) << missed.err;
+  EXPECT_EQ(textOf(folder / "b.png"), whole) << "the picture is written all the same";
+  EXPECT_GT(report()["frames"][0]["error"]["residual_max_px"], 1e-9);
+  // Of geometry it is that of the surfaces in its pixels, too.
+  EXPECT_EQ(render({"-o", "a.exr", "--aov", "depth", "--require-error", "0.01px"}).code, 0);
+  expectFailure(render({"-o", "a.exr", "--aov", "depth", "--require-error", "1e-9px", "-q"}), 6,
+                "frame 1: the largest residual is", "--engine reference");
+}
+
+TEST_F(RenderFrames, RequiredErrorDecidesTheExitCode) {
+  EXPECT_EQ(render({"-o", "a.png", "--shading", "phong", "--require-error", "0.5"}).code, 0);
+  const std::string whole = textOf(folder / "a.png");
+  const Outcome missed = render(
+      {"-o", "b.png", "--shading", "phong", "--require-error", "0.001px", "--report", "report.json", "-q"});
   expectFailure(missed, 6, "frame 1: the proven error is", "a smaller --tolerance");
   EXPECT_TRUE(contains(missed.err, "more than the 0.001 px required")) << missed.err;
   EXPECT_EQ(textOf(folder / "b.png"), whole) << "the picture is written all the same";
   EXPECT_GT(report()["frames"][0]["error"]["bound_px"], 0.001);
-  EXPECT_EQ(render({"-o", "a.png", "--require-error", "0.02", "--tolerance", "0.02"}).code, 0);
+  EXPECT_EQ(
+      render({"-o", "a.png", "--shading", "phong", "--require-error", "0.02", "--tolerance", "0.02"}).code,
+      0);
 }
 
 TEST_F(RenderFrames, AFrameThatCannotBeWrittenSpoilsOnlyItself) {

@@ -46,6 +46,11 @@ TEST_F(RenderRefusals, OptionsAndNames) {
   expectRefused({"--aov", "normals"}, 2, "--aov 'normals'", "did you mean 'normal'?");
   expectRefused({"--skip", "frustrum"}, 2, "--skip 'frustrum'", "did you mean 'frustum'?");
   expectRefused({"--tolerance", "0"}, 2, "--tolerance '0'", "");
+  expectRefused({"--require-error", "0"}, 2, "--require-error '0'", "");
+  expectRefused({"--require-error", "nan"}, 2, "--require-error 'nan'", "");
+  for (const char* samples : {"0", "-4", "257", "1000000000", "10000000000000000000000", "4.5"})
+    expectRefused({"--samples", samples}, 2, fmt::format("--samples '{}': not a number of samples", samples),
+                  "from 1 to 256");
   expectRefused({"-q", "-v"}, 2, "-q and -v", "keep one");
 }
 
@@ -61,8 +66,8 @@ TEST_F(RenderRefusals, Scenes) {
 }
 
 TEST_F(RenderRefusals, WhatComesLater) {
-  expectRefused({"--aov", "residual"}, 3, "--aov 'residual' is not supported yet", "one of color");
-  expectRefused({"--shading", "exact"}, 3, "--shading 'exact' is not supported yet", "phong");
+  expectRefused({"--shading", "overdraw"}, 3, "--shading 'overdraw' is not supported yet", "one of flat");
+  expectRefused({"--shading", "lod"}, 3, "--shading 'lod' is not supported yet", "exact");
 }
 
 TEST_F(RenderRefusals, NoDriver) {

@@ -35,7 +35,8 @@ TEST_F(Coverage, SilhouetteIsWithinTheTolerance) {
       scene.set(plainSettings());
       scene.add(
           Node{.translation = c.center, .surface = sphere(c.radius), .material = scene.add(glowing(kWhite))});
-      const Picture picture = draw(scene, camera, kSize, {.tolerancePx = tolerance});
+      const Picture picture =
+          draw(scene, camera, kSize, {.shading = Shading::Phong, .tolerancePx = tolerance});
       EXPECT_LE(picture.statistics.error.boundPx, tolerance);
       EXPECT_GT(picture.statistics.error.boundPx, 0);
       EXPECT_EQ(picture.statistics.error.tolerancePx, tolerance);

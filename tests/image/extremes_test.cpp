@@ -14,7 +14,7 @@ namespace {
 using Extremes = PictureTest;
 
 constexpr PixelSize kSize{128, 96};
-constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
+constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Exact};
 
 TEST_F(Extremes, LightInsideABallDoesNotLeakOut) {
   Scene scene;
@@ -194,7 +194,7 @@ TEST_F(Extremes, AnySizeIsTheSamePicture) {
   }
 }
 
-// A formula may lie far from its node's origin: single precision holds it relative to its own middle.
+// A formula may lie far from its node's origin: single precision holds its mesh relative to its own middle.
 TEST_F(Extremes, AFarFormulaIsAsSharpAsANearOne) {
   constexpr double kFar = 0x1p24;  // single precision counts in metres there; double in 4e-9
   const auto pictureAt = [&](double offset) {
@@ -206,7 +206,8 @@ TEST_F(Extremes, AFarFormulaIsAsSharpAsANearOne) {
                    .material = scene.add(Material{.diffuse = {0.6, 0.4, 0.2}}),
                    .segments = Segments{24, 24}});
     addLight(scene, {.position = {offset + 1, 4, 2, 1}});
-    return draw(scene, Camera{.eye = Vec3(offset + 1, 2, 3), .lookAt = Vec3(offset, 0, 0)}, kSize).image;
+    const Camera camera{.eye = Vec3(offset + 1, 2, 3), .lookAt = Vec3(offset, 0, 0)};
+    return draw(scene, camera, kSize, {.shading = Shading::Phong}).image;
   };
   const Image near = pictureAt(0), far = pictureAt(kFar);
   for (int y = 0; y < kSize.height; ++y)

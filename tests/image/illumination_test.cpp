@@ -68,7 +68,7 @@ TEST_F(Illumination, KnownAnswersOfTheLecture) {
                          Case{{s, s, 0}, {-s, s, 0}, {0.744264, 0.602843, 0.461421}},
                          Case{{s, s, 0}, {s, s, 0}, {0.444273, 0.302852, 0.161431}}};
   for (const Case& c : cases)
-    for (const Shading shading : {Shading::Phong, Shading::Flat})
+    for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat})
       for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
         for (const Vec4& position : {Vec4(c.l, 0), Vec4(7.0 * c.l, 1)}) {
           const Scene scene = floorScene(d16(), Vec3(0.2), std::array{Shine{.position = position}});
@@ -88,7 +88,7 @@ TEST_F(Illumination, EveryPixelIsTheFormula) {
                           Shine{.position = {1, 2, -1, 0}, .radiance = {0.1, 0.3, 0.2}}};
   for (const Vec3& v : {Vec3(0.1, 0.9, 0.2), Vec3(0.9, 0.5, -0.3)})
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
-      for (const Shading shading : {Shading::Phong, Shading::Flat}) {
+      for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat}) {
         const Camera camera = lookingAlong(glm::normalize(v), projection);
         const Picture picture =
             draw(floorScene(d16(), Vec3(0.2), lights), camera, kSmall, {.shading = shading});
@@ -128,7 +128,7 @@ TEST_F(Illumination, NothingComesFromBelowTheHorizon) {
 
 TEST_F(Illumination, LightOnTheSurfaceIsFinite) {
   for (const bool inverseSquare : {false, true})
-    for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud}) {
+    for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud}) {
       const std::array lights{Shine{.position = {0, 0, 0, 1}, .inverseSquare = inverseSquare}};
       Scene scene = floorScene(d16(), Vec3(0.2), lights);
       const Picture picture =
@@ -165,7 +165,7 @@ constexpr PixelSize kBall{96, 96};
 
 TEST_F(Illumination, DirectionalLightIsAPointFarAway) {
   const Vec3 toward = glm::normalize(Vec3(1.1, 2.3, 2.9));
-  for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud}) {
+  for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud}) {
     const Image ideal =
         draw(ball(d16(), std::array{Shine{.position = Vec4(toward, 0)}}), kBall, {.shading = shading}).image;
     // From 1e7 m the directions differ by 1e-7 over the ball; the highlight multiplies that by up to 30.
@@ -181,7 +181,7 @@ TEST_F(Illumination, WithoutLightOnlyAmbient) {
   const Material material{.ambient = Vec3(0.3, 0.6, 0.9)};
   const float ambient[] = {static_cast<float>(0.3 * 0.2), static_cast<float>(0.6 * 0.2),
                            static_cast<float>(0.9 * 0.2)};
-  for (const Shading shading : {Shading::Phong, Shading::Flat}) {
+  for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat}) {
     const Image image = draw(ball(material, {}), kBall, {.shading = shading}).image;
     int covered = 0;
     for (int y = 0; y < image.height(); ++y)

@@ -80,7 +80,7 @@ Evidence observe(Renderer& renderer, const Scene& lamp, const Camera& camera, Pi
   Evidence evidence;
   evidence.with = renderer.render(snapshot, {.shading = shading}).image;
   evidence.without = renderer.render(takeSnapshot(dark, t, size, camera), {.shading = shading}).image;
-  evidence.ids = renderer.render(snapshot, {.output = Output::Id}).image;
+  evidence.ids = renderer.render(snapshot, {.shading = shading, .output = Output::Id}).image;
   evidence.floor = numberOf(snapshot, nodeWith(lamp, [](const Node& n) {
                               return n.surface.valid() && n.surface.name() == "rectangle";
                             }));

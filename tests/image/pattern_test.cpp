@@ -16,7 +16,8 @@ namespace luxo::test {
 namespace {
 
 constexpr PixelSize kSize{96, 64};
-constexpr std::array kLitShadings{Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Toon};
+constexpr std::array kLitShadings{Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Exact,
+                                  Shading::Toon};
 
 /// Shaders are compiled into a folder of the test's own.
 class PatternTest : public PictureTest {
@@ -144,14 +145,15 @@ TEST_F(PatternTest, ParametersChangeAndNothingIsMadeAgain) {
     scene.add(Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 6.4});
     return scene;
   };
-  const Picture before = draw(sceneWith({0.5, 2}, {1, 3}), kSize);
+  const DrawOptions meshes{.shading = Shading::Phong};
+  const Picture before = draw(sceneWith({0.5, 2}, {1, 3}), kSize, meshes);
   EXPECT_EQ(before.statistics.count.shadersCompiled, 1u);
   EXPECT_EQ(before.statistics.count.drawCalls, 1u) << "values do not keep draws apart";
   // Ten pixels a metre; the plates' centres, where u = v = 1/2, lie on the corner of four pixels.
   const double half = 0.5 / 30;
   EXPECT_TRUE(near(colorAt(before.image, 28, 31), {1 + half, 2.5 + half, 1}, 1e-5));
   EXPECT_TRUE(near(colorAt(before.image, 68, 31), {1.5 + half, 3.5 + half, 3}, 1e-5));
-  const Picture after = draw(sceneWith({0.25, 4}, {1, 3}), kSize);
+  const Picture after = draw(sceneWith({0.25, 4}, {1, 3}), kSize, meshes);
   EXPECT_TRUE(near(colorAt(after.image, 28, 31), {0.75 + half, 4.5 + half, 1}, 1e-5));
   EXPECT_EQ(after.statistics.count.shadersCompiled, 0u);
   EXPECT_EQ(after.statistics.count.pipelinesCreated, 0u);
@@ -163,12 +165,17 @@ TEST_F(PatternTest, TheNextRunCompilesNothing) {
     Renderer fresh(context());
     return fresh.render(takeSnapshot(s, 0, kSize), options).statistics.count.shadersCompiled;
   };
+  const DrawOptions meshes{.shading = Shading::Phong};
   EXPECT_EQ(compiledBy(scene, {}), 1u);
   EXPECT_EQ(compiledBy(scene, {}), 0u);
-  EXPECT_EQ(compiledBy(plateScene({.diffusePattern = checker()}, {1, 1}), {.samples = 4}), 0u)
+  EXPECT_EQ(compiledBy(scene, meshes), 1u);
+  EXPECT_EQ(compiledBy(scene, meshes), 0u);
+  EXPECT_EQ(compiledBy(plateScene({.diffusePattern = checker()}, {1, 1}),
+                       {.shading = Shading::Phong, .samples = 4}),
+            0u)
       << "equal formulas are one shader";
   EXPECT_EQ(compiledBy(scene, {.shading = Shading::Gouraud}), 1u);
-  EXPECT_EQ(compiledBy(plateScene({}, {8, 6}), {}), 0u) << "no pattern";
+  EXPECT_EQ(compiledBy(plateScene({}, {8, 6}), meshes), 0u) << "no pattern";
   for (const Shading view : {Shading::Normal, Shading::Uv, Shading::Wireframe})
     EXPECT_EQ(compiledBy(scene, {.shading = view}), 0u) << "views of geometry show no pattern";
 }

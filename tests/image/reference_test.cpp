@@ -88,24 +88,29 @@ class Truth {
 
 class AgainstReference : public PictureTest {
  protected:
-  [[nodiscard]] Image drawn(const Snapshot& snapshot, Output output) {
-    return renderer().render(snapshot, {.output = output, .tolerancePx = kTolerancePx}).image;
+  [[nodiscard]] Image drawn(const Snapshot& snapshot, Shading shading, Output output) {
+    return renderer()
+        .render(snapshot, {.shading = shading, .output = output, .tolerancePx = kTolerancePx})
+        .image;
   }
 
   /// `smallestRadiusPx`: of curvature, of what the curved part of the picture mostly shows.
-  void compare(const Scene& scene, double time, double smallestRadiusPx) {
+  void compare(const Scene& scene, Shading shading, double time, double smallestRadiusPx) {
     const Snapshot snapshot = takeSnapshot(scene, time, kSize);
     const Truth truth(snapshot);
     EXPECT_EQ(truth->undecided, 0U);
 
-    const Image color = drawn(snapshot, Output::Color), depth = drawn(snapshot, Output::Depth),
-                normal = drawn(snapshot, Output::Normal), number = drawn(snapshot, Output::Id);
+    const Image color = drawn(snapshot, shading, Output::Color),
+                depth = drawn(snapshot, shading, Output::Depth),
+                normal = drawn(snapshot, shading, Output::Normal),
+                number = drawn(snapshot, shading, Output::Id);
     std::vector<double> angles, depthErrors;
     double squares = 0;
     for (int y = 0; y < kSize.height; ++y)
       for (int x = 0; x < kSize.width; ++x) {
         const std::size_t i = Truth::indexOf(x, y);
-        // A mesh within 0.1 px shows another node only where the truth changes within a pixel.
+        // A mesh within 0.1 px shows another node only where the truth changes within a pixel; so does what
+        // is exact.
         if (number.pixel(x, y)[0] != static_cast<float>(truth->number[i])) {
           EXPECT_FALSE(truth.sameNodeAround(x, y))
               << x << ',' << y << " shows node " << number.pixel(x, y)[0] << " for " << truth->number[i];
@@ -132,13 +137,19 @@ class AgainstReference : public PictureTest {
   }
 };
 
-TEST_F(AgainstReference, LuxoGrandpa) { compare(luxoGrandpa(), 21, 2); }
+TEST_F(AgainstReference, LuxoGrandpa) {
+  compare(luxoGrandpa(), Shading::Exact, 21, 2);
+  compare(luxoGrandpa(), Shading::Phong, 21, 2);
+}
 
-TEST_F(AgainstReference, Gallery) { compare(gallery(), 0, 2); }
+TEST_F(AgainstReference, Gallery) { compare(gallery(), Shading::Phong, 0, 2); }
 
-TEST_F(AgainstReference, Teapot) { compare(embedded("teapot"), 0, 5); }
+TEST_F(AgainstReference, Teapot) {
+  compare(embedded("teapot"), Shading::Exact, 0, 5);
+  compare(embedded("teapot"), Shading::Phong, 0, 5);
+}
 
-TEST_F(AgainstReference, Showcase) { compare(embedded("showcase"), 0, 4); }
+TEST_F(AgainstReference, Showcase) { compare(embedded("showcase"), Shading::Phong, 0, 4); }
 
 }  // namespace
 }  // namespace luxo::test

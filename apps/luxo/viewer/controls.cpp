@@ -24,7 +24,7 @@ constexpr KeyHelp kKeys[] = {
     {"Wheel", "zoom to the cursor"},
     {"Middle drag", "move the camera; or Shift and drag"},
     {"R", "back to the scene's camera"},
-    {"1  2  3  4", "flat, gouraud, phong, normals"},
+    {"1  2  3  4  5", "flat, gouraud, phong, normals, exact"},
     {"T", "toon: a drawing with outlines"},
     {"W", "wireframe"},
     {"C", "back-face culling"},
@@ -51,7 +51,7 @@ Controls::Controls(const ViewedScene& viewed, const ViewerOptions& options, bool
       fps_(viewed.settings.fps),
       canMultisample_(canMultisample),
       draw_(luxo::drawOptions(viewed.settings)),
-      solidShading_(draw_.shading == Shading::Wireframe ? Shading::Phong : draw_.shading),
+      solidShading_(draw_.shading == Shading::Wireframe ? Shading::Exact : draw_.shading),
       playback_(viewed.settings.time, options.playing && moving_, now) {
   draw_.skips = options.skips;
   draw_.samples = samplesOfPass(draw_.samples);
@@ -103,6 +103,9 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
       break;
     case '4':
       shade(Shading::Normal);
+      break;
+    case '5':
+      shade(Shading::Exact);
       break;
     case 'T':
       shade(Shading::Toon);

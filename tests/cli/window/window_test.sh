@@ -230,7 +230,7 @@ case_keys() {
   await "I shows them again" screen_is plain
 
   local key shading
-  for key in 1:flat 2:gouraud 4:normal w:wireframe w:normal 3:phong; do
+  for key in 1:flat 2:gouraud 3:phong 4:normal w:wireframe w:normal 5:exact; do
     shading=${key#*:}
     keys "${key%:*}"
     photo key.png
@@ -239,7 +239,7 @@ case_keys() {
   done
   keys c
   photo unculled.png
-  same unculled.png phong.png "culling never changes a picture"
+  same unculled.png exact.png "culling never changes a picture"
   keys c m
   photo samples.png
   render --time 3 --samples 4 -o "$folder/samples_4.png"

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact shading where a search has a hard time: the eye on a surface and inside its hull, surfaces seen from
+// inside, holes in formulas, poles at the silhouette. Pictures are finite, and right wherever the answer is
+// known.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "support/picture.h"
+#include "surface/catalogue.h"
+
+namespace luxo::test {
+namespace {
+
+using ExactExtremes = PictureTest;
+
+constexpr PixelSize kSize{128, 96};
+const Vec3 kGreen(0, 1, 0);
+
+Scene glowingScene(Surface surface) {
+  Scene scene;
+  scene.set(plainSettings());
+  scene.add(Node{.surface = std::move(surface), .material = scene.add(glowing(kGreen))});
+  return scene;
+}
+
+/// Whether the pixel shows the surface; anything but the surface's colour and the background's is a failure.
+bool shows(const Image& color, int x, int y) {
+  const Vec3 c = colorAt(color, x, y);
+  const bool green = near(c, kGreen, 1e-6);
+  EXPECT_TRUE(green || c == Vec3(0)) << x << ", " << y;
+  return green;
+}
+
+/// Depth of every pixel against that of the first hit beyond the near plane; none: nothing may be shown.
+/// `relative` bounds what single precision makes of it.
+template <class DepthAt>
+void expectDepths(const Image& depth, double relative, const DepthAt& depthAt) {
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const std::optional<double> known = depthAt(centerOf(x, y));
+      const double shown = depth.pixel(x, y)[0];
+      const double wanted = known.value_or(std::numeric_limits<double>::infinity());
+      ASSERT_TRUE(shown == wanted || std::abs(shown - wanted) <= relative * wanted)
+          << x << ", " << y << " shows " << shown << " for " << wanted;
+    }
+}
+
+TEST_F(ExactExtremes, EyeOnABall) {
+  const Camera inward{.eye = Vec3(0, 0, 1), .lookAt = Vec3(0), .fovY = radians(60)};
+  const Camera outward{.eye = Vec3(0, 0, 1), .lookAt = Vec3(0, 0, 2), .fovY = radians(60)};
+  const Scene scene = glowingScene(sphere(1));
+  // A chord from the pole is 2 cos(angle) long, and the angle is at most 36 degrees.
+  expectDepths(draw(scene, inward, kSize, {.output = Output::Depth}).image, 1e-5, [&](const Vec2& pixel) {
+    const Vec3 d = CameraModel(inward, kSize).through(pixel).direction;
+    return std::optional(2 / glm::dot(d, d));
+  });
+  const Image color = draw(scene, inward, kSize).image;
+  const Image nothing = draw(scene, outward, kSize).image;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      ASSERT_TRUE(shows(color, x, y)) << x << ", " << y;
+      ASSERT_FALSE(shows(nothing, x, y)) << x << ", " << y;
+    }
+}
+
+TEST_F(ExactExtremes, EyeInsideTheHull) {
+  const Scene scene = glowingScene(sphere(1));
+  for (const double height : {0.05, 1e-3, -1e-3, -0.05}) {
+    SCOPED_TRACE(height);
+    const Camera camera{.eye = Vec3(0, 0, 1 + height), .lookAt = Vec3(0), .fovY = radians(60), .near = 1e-5};
+    const CameraModel model(camera, kSize);
+    const Picture depth = draw(scene, camera, kSize, {.output = Output::Depth});
+    // Points are sums of floats up to 1, each rounded by 2^-24; seen from `height` above them that counts.
+    const double relative = 1e-5 + 8 * 0x1p-24 / std::abs(height);
+    expectDepths(depth.image, relative, [&](const Vec2& pixel) {
+      const auto [first, second] = *hitSphere(model.through(pixel), Vec3(0), 1);
+      return std::optional(first > 0 ? first : second);
+    });
+    EXPECT_TRUE(allFinite(draw(scene, camera, kSize).image));
+  }
+}
+
+TEST_F(ExactExtremes, TubeSeenFromInside) {
+  const Scene scene = glowingScene(torus(1, 0.4));
+  for (const Vec3& lookAt : {Vec3(1, 0, -1), Vec3(2, 0, 0), Vec3(1, 1, 0.1), Vec3(0, 0, 0)}) {
+    const Camera camera{
+        .eye = Vec3(1, 0, 0), .lookAt = lookAt, .up = Vec3(0.1, 0.9, 0.2), .fovY = radians(70)};
+    const Picture picture = draw(scene, camera, kSize);
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) ASSERT_TRUE(shows(picture.image, x, y)) << x << ", " << y;
+    EXPECT_EQ(picture.statistics.error.unconvergedPx, 0u);
+  }
+}
+
+TEST_F(ExactExtremes, PolesAtTheSilhouette) {
+  const Scene scene = glowingScene(sphere(1));
+  // Along the equator, with the poles at the outline's top and bottom, on a pixel's centre and off it.
+  for (const double shift : {0.0, 0.003, 0.4}) {
+    const Camera camera{.eye = Vec3(shift, 0, 5),
+                        .lookAt = Vec3(shift, 0, 0),
+                        .projection = Projection::Orthographic,
+                        .height = 96 / 40.0};
+    const CameraModel model(camera, kSize);
+    const auto inside = [&](const Vec2& p) { return hitSphere(model.through(p), Vec3(0), 1).has_value(); };
+    const Picture picture = draw(scene, camera, kSize);
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x)
+        if (const auto known = settled(inside, centerOf(x, y), 0.01)) {
+          ASSERT_EQ(shows(picture.image, x, y), *known) << x << ", " << y << ", shift " << shift;
+        }
+    // A ray that touches the outline in a pole meets a point with neither a slope nor a direction of u.
+    EXPECT_LE(picture.statistics.error.unconvergedPx, 2u) << "there are two poles";
+  }
+}
+
+TEST_F(ExactExtremes, FormulasWithHoles) {
+  // A hemisphere as a graph: no value outside the unit circle, and no slope on it.
+  const Surface dome =
+      surface([](auto u, auto v) { return point(u, sqrt(1 - u * u - v * v), v); }, {{-1, 1}, {-1, 1}});
+  // Infinite in the middle, and nothing to the left of it.
+  const Surface pole = surface([](auto u, auto v) { return point(u, 0.1 / u, v); }, {{-1, 1}, {-1, 1}});
+  const Surface half = surface([](auto u, auto v) { return point(u, 0.1 * log(u), v); }, {{-1, 1}, {-1, 1}});
+  const Camera above{.eye = Vec3(0, 5, 0),
+                     .lookAt = Vec3(0),
+                     .up = Vec3(0, 0, -1),
+                     .projection = Projection::Orthographic,
+                     .height = 2.4};
+  const CameraModel model(above, kSize);
+  for (const Surface& surface : {dome, pole, half})
+    for (const Camera& camera : {above, Camera{.eye = Vec3(1.5, 2, 3)}, Camera{.eye = Vec3(0, 0, 0.2)}})
+      EXPECT_TRUE(allFinite(draw(glowingScene(surface), camera, kSize).image));
+
+  const auto nowhere = [](auto u, auto v) { return point(u, sqrt(-1 - u * u), v); };
+  EXPECT_THROW(draw(glowingScene(surface(nowhere, {{-1, 1}, {-1, 1}})), above, kSize), Error);
+
+  const Image image = draw(glowingScene(dome), above, kSize).image;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const Vec3 p = model.through(centerOf(x, y)).origin;
+      const double radius = std::hypot(p.x, p.z);
+      const bool shown = shows(image, x, y);
+      ASSERT_TRUE(radius < 0.9 ? shown : radius < 1.001 || !shown) << x << ", " << y;
+    }
+}
+
+/// At a point of every named surface, looking along it, at it and away from it.
+TEST_F(ExactExtremes, EyeOnNamedSurfaces) {
+  constexpr PixelSize kSmall{48, 36};
+  for (const CatalogueEntry& entry : catalogue()) {
+    Scene scene;
+    scene.add(Node{.surface = makeSurface(entry.name)});
+    addLight(scene, {.position = {3, 4, 5, 1}});
+    const Surface& surface = scene.nodes()[0].node.surface;
+    const Domain& domain = surface.domain();
+    const Vec2 middle(domain.u.lo + 0.3 * domain.u.width(), domain.v.lo + 0.6 * domain.v.width());
+    const Vec3 eye = surface.position(middle.x, middle.y);
+    for (const Vec3& along : {Vec3(1, 0.1, 0.2), Vec3(-0.1, -1, 0.3), Vec3(0.2, 0.3, -1)}) {
+      const Picture picture = draw(scene, Camera{.eye = eye, .lookAt = eye + along, .near = 1e-4}, kSmall);
+      EXPECT_TRUE(allFinite(picture.image)) << entry.name;
+      EXPECT_LT(picture.statistics.error.residualMaxPx.value_or(0), 1) << entry.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace luxo::test
