@@ -14,8 +14,18 @@ std::string text(const Vec3& v) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}
   throw Error(ErrorKind::Scene, fmt::format("cannot say {} in POV-Ray's analytic primitives", what));
 }
 
-/// The primitive, with its sizes read off the surface's own points.
-std::string shape(const SnapshotNode& node) {
+/// With the parameters that the surface has itself; the box is as tight as can be.
+std::string parametricTorus(double major, double minor) {
+  const double reach = major + minor;
+  return fmt::format(
+      "parametric {{ function {{ ({0:.17g} + {1:.17g} * cos(v)) * cos(u) }} function {{ {1:.17g} * sin(v) }} "
+      "function {{ -({0:.17g} + {1:.17g} * cos(v)) * sin(u) }} <0,0>, <2*pi,2*pi> "
+      "contained_by {{ box {{ <-{2:.17g},-{1:.17g},-{2:.17g}>, <{2:.17g},{1:.17g},{2:.17g}> }} }}",
+      major, minor, reach);
+}
+
+/// With its sizes read off the surface's own points.
+std::string shape(const SnapshotNode& node, TorusAs torusAs) {
   const auto at = [&](double u, double v) { return node.surface.position(u, v, node.parameters); };
   const std::string& name = node.surface.name();
   if (name == "sphere") return fmt::format("sphere {{ <0,0,0>, {:.17g}", at(0, 1).y);
@@ -33,7 +43,9 @@ std::string shape(const SnapshotNode& node) {
   }
   if (name == "torus") {
     const double outer = at(0, 0).x, inner = at(0, 0.5).x;
-    return fmt::format("torus {{ {:.17g}, {:.17g} sturm", 0.5 * (outer + inner), 0.5 * (outer - inner));
+    const double major = 0.5 * (outer + inner), minor = 0.5 * (outer - inner);
+    return torusAs == TorusAs::Parametric ? parametricTorus(major, minor)
+                                          : fmt::format("torus {{ {:.17g}, {:.17g} sturm", major, minor);
   }
   refuse(fmt::format("the surface '{}'", name));
 }
@@ -66,7 +78,7 @@ std::string light(const SnapshotLight& light, double far) {
 
 }  // namespace
 
-std::string sceneText(const Snapshot& snapshot) {
+std::string sceneText(const Snapshot& snapshot, TorusAs torusAs) {
   constexpr double kFarAway = 1e4;  // of a parallel light, whose direction alone counts
   const View& view = snapshot.view;
   if (!view.perspective()) refuse("orthographic cameras");
@@ -78,10 +90,20 @@ std::string sceneText(const Snapshot& snapshot) {
       text(2 * view.halfExtent.x * view.right()), text(2 * view.halfExtent.y * view.up()));
   for (const SnapshotLight& l : snapshot.lights) scene += light(l, kFarAway);
   for (const SnapshotNode& node : snapshot.nodes)
-    scene += fmt::format("{} {} {} no_shadow }}\n", shape(node),
+    scene += fmt::format("{} {} {} no_shadow }}\n", shape(node, torusAs),
                          finish(snapshot.materials[node.material.index], snapshot.ambient),
                          placement(node.worldFromObject));
   return scene;
+}
+
+Snapshot comparable(Snapshot snapshot, double radiance) {
+  for (Material& m : snapshot.materials) m.twoSided = TwoSided::Yes;
+  for (SnapshotLight& light : snapshot.lights) {
+    light.attenuation = Light::Attenuation::None;
+    light.shade.reset();
+    light.radiance = Vec3(radiance);
+  }
+  return snapshot;
 }
 
 }  // namespace luxo::povray

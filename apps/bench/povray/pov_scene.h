@@ -13,8 +13,18 @@
 
 namespace luxo::povray {
 
+/// How a torus is said.
+enum class TorusAs {
+  Primitive,  ///< POV-Ray's own torus: a polynomial of degree 4
+  Parametric  ///< its `parametric` object, everything at its defaults
+};
+
 /// Rectangles, disks, cylinders, spheres, paraboloids and tori; opaque materials of grey highlights, with
 /// faces on both sides; lights without distance. Throws Error(Scene) naming what it cannot say.
-[[nodiscard]] std::string sceneText(const Snapshot& snapshot);
+[[nodiscard]] std::string sceneText(const Snapshot& snapshot, TorusAs torusAs = TorusAs::Primitive);
+
+/// The snapshot as POV-Ray can say it: faces on both sides, no shadows, no distance, and lights of that
+/// radiance, so that nothing gets brighter than its white.
+[[nodiscard]] Snapshot comparable(Snapshot snapshot, double radiance);
 
 }  // namespace luxo::povray

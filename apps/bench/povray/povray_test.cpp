@@ -3,17 +3,15 @@
 // `povray`, unless LUXO_REQUIRE_POVRAY=1.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "luxo_grandpa/lamp.h"
+#include "povray/pov_picture.h"
 #include "povray/pov_scene.h"
 #include "reference/caster.h"
 #include "reference/reference.h"
@@ -26,46 +24,6 @@ constexpr PixelSize kSize{320, 240};
 constexpr double kFull = 65535;
 constexpr double kNearSilhouette = 0.01;  // pixels
 constexpr double kTolerance = 2;          // of 65535
-
-/// Centre samples, linear, 16 bits: rows of red, green, blue.
-std::vector<double> rendered(const Snapshot& snapshot) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / fmt::format("luxo-povray-{}", getpid());
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "scene.pov") << sceneText(snapshot);
-  const std::string command = fmt::format(
-      "cd '{}' && povray +Iscene.pov +Oscene.ppm +W{} +H{} +FP16 -A -D -GA File_Gamma=1.0 > log 2>&1",
-      folder.string(), kSize.width, kSize.height);
-  const int status = std::system(command.c_str());
-  std::ifstream file(folder / "scene.ppm", std::ios::binary);
-  const auto word = [&] {  // of the header, past comments
-    std::string next;
-    while (file >> next && next.front() == '#') std::getline(file, next);
-    return next;
-  };
-  const std::string header[] = {word(), word(), word(), word()};
-  file.get();
-  std::vector<unsigned char> bytes(static_cast<std::size_t>(kSize.width * kSize.height * 6));
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  EXPECT_EQ(status, 0) << std::ifstream(folder / "log").rdbuf();
-  EXPECT_TRUE(file && header[0] == "P6" && header[1] == std::to_string(kSize.width) &&
-              header[2] == std::to_string(kSize.height) && header[3] == "65535");
-  std::filesystem::remove_all(folder);
-  std::vector<double> samples;
-  for (std::size_t i = 0; i < bytes.size(); i += 2) samples.push_back(256.0 * bytes[i] + bytes[i + 1]);
-  return samples;
-}
-
-/// What POV-Ray can say: both sides shown, no shadows, no distance.
-Snapshot comparable(Snapshot snapshot, double radiance) {
-  for (Material& m : snapshot.materials) m.twoSided = TwoSided::Yes;
-  for (SnapshotLight& light : snapshot.lights) {
-    light.attenuation = Light::Attenuation::None;
-    light.shade.reset();
-    light.radiance = Vec3(radiance);  // nothing gets brighter than white
-  }
-  return snapshot;
-}
 
 /// Whether another surface, or none, is seen 0.01 pixels from the pixel's centre.
 bool atSilhouette(const reference::Caster& caster, int x, int y) {
@@ -83,7 +41,7 @@ bool atSilhouette(const reference::Caster& caster, int x, int y) {
 class PovRay : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("command -v povray > /dev/null 2>&1") == 0) return;
+    if (isInstalled()) return;
     const char* required = std::getenv("LUXO_REQUIRE_POVRAY");
     if (required != nullptr && std::string(required) == "1") FAIL() << "povray is not installed";
     GTEST_SKIP() << "povray is not installed";
@@ -91,8 +49,7 @@ class PovRay : public testing::Test {
 
   static void expectSame(const Snapshot& snapshot) {
     const ReferencePicture truth = castPicture(snapshot);
-    const std::vector<double> referee = rendered(snapshot);
-    if (testing::Test::HasFailure()) return;
+    const std::vector<double> referee = render(sceneText(snapshot), kSize).samples;
     const reference::Caster caster(snapshot);
     int covered = 0, silhouette = 0;
     double largest = 0;
@@ -103,7 +60,7 @@ class PovRay : public testing::Test {
         for (std::size_t c = 0; c < 3; ++c) {
           const double value = static_cast<double>(truth.color.samples()[3 * i + c]);
           ASSERT_LT(value, 1) << "too bright to compare at " << x << ',' << y;
-          off = std::max(off, std::abs(value * kFull - referee[3 * i + c]));
+          off = std::max(off, kFull * std::abs(value - referee[3 * i + c]));
         }
         covered += truth.number[i] != 0;
         if (off > kTolerance && atSilhouette(caster, x, y)) {
