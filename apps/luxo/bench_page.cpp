@@ -121,7 +121,7 @@ constexpr const char* kExplanation =
 to the picture on the device; <i>cold</i> is the first frame, with everything that is made for it. Errors are
 distances to the truth, which is cast by rays in double precision and proven: <i>position</i> is how far on the
 screen the point that a pixel shows is from where it belongs, <i>silhouette</i> how far a pixel that shows another
-surface is from where it would be right. Meshes other than those with pictures are judged in a part of the pixels
+surface is from where it would be right. Meshes are judged in a part of the pixels
 only, which can but favour them. With one sample, colours are compared to the truth in the pixels' centres; with
 more, to its mean over their areas, and the geometry is that of one sample.</p>
 <p>Maps of errors: dark violet 1e-6 px and less, yellow 1 px and more; white on red is a pixel that shows another

@@ -273,7 +273,7 @@ class Judge {
     std::vector<std::size_t> wrong;
     for (std::size_t k = 0; k < pixels_.size(); ++k)
       if (pixels_[k].mismatch != Mismatch::None) wrong.push_back(k);
-    if (wrong.empty()) return;
+    if (wrong.empty() || !options_.silhouettes) return;
     const reference::Caster caster(snapshot_);
     tbb::parallel_for(std::size_t(0), wrong.size(), [&](std::size_t w) {
       pixels_[wrong[w]].silhouettePx =

@@ -31,10 +31,11 @@ struct VerificationOptions {
   /// Row * width + column of the pixels to judge; empty: all. The truth must hold them and the eight
   /// neighbours of each (withNeighbours).
   std::vector<std::uint32_t> pixels = {};
-  double farthestPx = 4;  ///< how far around a mismatched pixel its silhouette is looked for
-  int worst = 5;          ///< pixels listed per metric
-  bool flip = true;       ///< of whole pictures; a second per megapixel
-  int threads = 0;        ///< 0: all cores. The result does not depend on it.
+  double farthestPx = 4;    ///< how far around a mismatched pixel its silhouette is looked for
+  bool silhouettes = true;  ///< off: mismatches are counted, but how far they are from right stays 0
+  int worst = 5;            ///< pixels listed per metric
+  bool flip = true;         ///< of whole pictures; a second per megapixel
+  int threads = 0;          ///< 0: all cores. The result does not depend on it.
 };
 
 enum class Mismatch : std::uint8_t {

@@ -190,6 +190,10 @@ TEST_F(VerifySphere, ADroppedPixelIsMissingAsFarAsTheSilhouetteIs) {
   measured.id.samples()[indexOf(40, 30)] = 0;  // in the middle: no silhouette near
   EXPECT_EQ(judged().coverage.farthestPx, 4);
   EXPECT_EQ(judged({.farthestPx = 2.5}).coverage.farthestPx, 2.5);
+  const Verification counted = judged({.silhouettes = false});
+  EXPECT_EQ(counted.coverage.missing, 2U);
+  EXPECT_EQ(counted.coverage.farthestPx, 0);
+  EXPECT_EQ(counted.coverage.beyond, 0U);
 }
 
 TEST_F(VerifySphere, ASpeckOutsideIsExtra) {
