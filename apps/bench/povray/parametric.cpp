@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The exact picture of the torus against POV-Ray's `parametric` object at its default accuracy, same size and
 // same machine: time per pixel, and error of the light against the ground truth. Ends with 0 when luxo is at
-// least 5,000 times as fast at an error at most 1e-4 times as large.
+// least 5,000 times as fast at an error at most 1e-4 times as large, with 6 when it is not.
 //
 // POV-Ray renders bands of rows, evenly spread over the picture; all of it would take minutes. What is in
 // doubt counts for POV-Ray: its start and its parsing are not timed, and pixels where it shows another
@@ -29,6 +29,7 @@ namespace luxo::povray {
 namespace {
 
 constexpr double kFaster = 5'000, kCloser = 1e4;
+constexpr int kMissed = 6;  // as of luxo: a requirement is missed
 constexpr int kFrames = 15;
 constexpr int kBandRows = 16;
 constexpr double kRadiance = 0.4;  // highlights stay below white
@@ -148,7 +149,7 @@ int compare(PixelSize size, int bandCount) {
   const bool reached = faster >= kFaster && closer >= kCloser;
   fmt::print("luxo is {:.0f} times as fast and {:.0f} times as close: the goal of {:.0f} and {:.0f} is {}\n",
              faster, closer, kFaster, kCloser, reached ? "reached" : "missed");
-  return reached ? EXIT_SUCCESS : EXIT_FAILURE;
+  return reached ? EXIT_SUCCESS : kMissed;
 }
 
 }  // namespace

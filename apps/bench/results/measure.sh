@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Measures this folder anew, in minutes on a machine that does nothing else: measure.sh [BUILD]. Replaces results.csv,
+# results.json, summary.md, pareto.svg, povray.txt and, in the project's README, the table between the benchmark's marks.
+# The page with all pictures, tens of megabytes, is BUILD/bench/index.html. Needs gnuplot and povray.
+set -euo pipefail
+here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+root=$(realpath "$here/../../..")
+build=$(realpath "${1:-$root/build/release}")
+readme=$root/README.md
+
+cmake --build "$build" --target luxo_program luxo_povray_parametric
+"$build/bin/luxo" bench standard -o "$build/bench"
+cp "$build/bench/"{results.csv,results.json,summary.md,pareto.svg} "$here"
+# A missed goal (exit code 6) is a result, too.
+"$build/bin/luxo_povray_parametric" | tee "$here/povray.txt" || [[ ${PIPESTATUS[0]} -eq 6 ]]
+
+# The README shows the first table of the summary: the exact picture against the mesh.
+updated=$(mktemp)
+trap 'rm -f "$updated"' EXIT
+awk -v summary="$here/summary.md" '
+  /^<!-- bench: end -->$/ { inside = 0; ends = 1 }
+  !inside { print }
+  /^<!-- bench: begin -->$/ {
+    inside = 1
+    while ((getline line < summary) > 0 && line != "") print line
+  }
+  END { exit !ends || inside }' "$readme" >"$updated"
+cat "$updated" >"$readme"
