@@ -93,7 +93,7 @@ class Inspector {
     const DrawList list = listDraws(snapshot_, visible, options, geometry);
     std::uint64_t triangles = 0;
     for (const auto* batches : {&list.opaque, &list.transparent})
-      for (const DrawBatch& batch : *batches) triangles += batch.indexCount() / 3 * batch.instanceCount;
+      for (const DrawBatch& batch : *batches) triangles += batch.indexCount / 3 * batch.instanceCount;
     if (!std::isfinite(list.boundPx)) warnings_.push_back("the error of the picture has no proven bound");
     return {{"tolerance_px", options.tolerancePx},
             {"bound_px", numberJson(list.boundPx)},

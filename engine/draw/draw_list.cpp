@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "draw/exact_data.h"
+#include "draw/hull_view.h"
 
 namespace luxo {
 namespace {
@@ -216,7 +217,7 @@ class DrawLister {
 
   /// What instances must have in common to be drawn at once.
   static auto kindOf(const DrawBatch& b) {
-    return std::tuple(b.state, b.mesh.get(), b.hull.get(), b.part, b.culling, b.bothSides, b.mirrored,
+    return std::tuple(b.state, b.mesh.get(), b.hull.get(), b.firstIndex, b.culling, b.bothSides, b.mirrored,
                       b.lightSet);
   }
 
@@ -283,6 +284,7 @@ class DrawLister {
       batch.mesh =
           geometry_.meshes.get(node.surface, node.parameters, meshDescOf(node, v, shading, snapshot_.view));
       list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
+      batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
       origin = batch.mesh->origin;
       item.batches.push_back(batch);
     }
@@ -302,7 +304,8 @@ class DrawLister {
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
   /// the origin of the hull's vertices.
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
-    const double finer = levels_.empty() ? 1 : std::ldexp(1.0, -2 * levels_[v.node]);
+    const int level = levels_.empty() ? 0 : levels_[v.node];
+    const double finer = std::ldexp(1.0, -2 * std::max(level - 1, 0));
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
     const double coarsest = kFinestHull * glm::length(node.boundsObject.extent());
@@ -310,18 +313,35 @@ class DrawLister {
         std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest) * finer;
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, tolerance);
     // From inside the slabs their walls are seen from behind.
-    batch.culling = mayHoldEye(snapshot_.view, node, v, *batch.hull) ? FaceCulling::None : FaceCulling::Back;
+    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
+    batch.culling = inside ? FaceCulling::None : FaceCulling::Back;
+    batch.state.poles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
     item.instance.exact = exactInstance(snapshot_.view, node, v);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
     item.instance.exact.wrong = batch.bothSides;
-    for (batch.part = 0; batch.part < batch.hull->parts.size(); ++batch.part) {
-      const Patch& patch = node.surface.patches()[batch.hull->parts[batch.part].patch];
+    const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
+    for (const Hull::Part& part : batch.hull->parts) {
+      const Patch& patch = node.surface.patches()[part.patch];
       batch.state.surface =
           geometry_.codes.get(patch.function, patch.constants.size() + node.parameters.size());
-      batch.state.poles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
-      item.batches.push_back(batch);
+      addHullDraws(item, batch, view, part.firstIndex, part.frontCount, Half::Near);
+      if (batch.bothSides) addHullDraws(item, batch, view, part.wallIndex(), part.frontCount, Half::Far);
     }
     return batch.hull->origin;
+  }
+
+  /// Adds the draws of some of a hull's triangles: of those seen flat, and of those that a ray may graze.
+  void addHullDraws(Item& item, DrawBatch batch, const HullView& view, std::uint32_t firstIndex,
+                    std::uint32_t count, Half half) {
+    batch.half = half;
+    for (const bool steep : {false, true}) {
+      batch.state.steep = steep;
+      batch.firstIndex = static_cast<std::uint32_t>(list_.hullIndices.size());
+      view.append(*batch.hull, firstIndex, count, half == Half::Far ? -1 : 1,
+                  steep ? Seen::Steep : Seen::Flat, list_.hullIndices);
+      batch.indexCount = static_cast<std::uint32_t>(list_.hullIndices.size()) - batch.firstIndex;
+      if (batch.indexCount > 0) item.batches.push_back(batch);
+    }
   }
 
   /// Where the patches of a surface start; nodes with the same surface and parameters share them.
@@ -349,20 +369,19 @@ class DrawLister {
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
   void append(std::vector<DrawBatch>& batches, DrawBatch batch, std::span<const Instance> instances,
               std::array<Half, 2> halves) {
-    if (batch.indexCount() == 0) return;  // a formula without a single finite triangle
+    if (batch.indexCount == 0) return;  // a formula without a single finite triangle
     batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
     batch.instanceCount = static_cast<std::uint32_t>(instances.size());
     for (const Instance& instance : instances) place(instance);
     const bool bothSides =
-        batch.bothSides && (batch.hull || !batch.flat) && batch.state.shading != Shading::Wireframe;
+        !batch.hull && batch.bothSides && !batch.flat && batch.state.shading != Shading::Wireframe;
     if (!bothSides) {
-      if (batch.hull) batch.half = Half::Near;
       batches.push_back(std::move(batch));
       return;
     }
     for (const Half half : halves) {
       batch.half = half;
-      if (batch.mesh) batch.culling = half == Half::Near ? FaceCulling::Back : FaceCulling::Front;
+      batch.culling = half == Half::Near ? FaceCulling::Back : FaceCulling::Front;
       batches.push_back(batch);
     }
   }
@@ -385,18 +404,6 @@ class DrawLister {
 };
 
 }  // namespace
-
-std::uint32_t DrawBatch::firstIndex() const {
-  if (!hull) return 0;
-  const Hull::Part& range = hull->parts[part];
-  return half == Half::Far ? range.firstIndex + range.count - range.frontCount : range.firstIndex;
-}
-
-std::uint32_t DrawBatch::indexCount() const {
-  if (!hull) return static_cast<std::uint32_t>(mesh->indices.size());
-  // Through a wall either side may be met.
-  return hull->parts[part].frontCount;
-}
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                    Geometry& geometry, const HullLevels& levels) {

@@ -24,9 +24,10 @@ struct DrawState {
   Output output = Output::Color;
   std::uint32_t plainLights = 0, shadedLights = 0;
   bool blended = false;
-  Pattern pattern = {};  ///< where light falls on it; none for views of geometry
+  Pattern pattern = {};                  ///< where light falls on it; none for views of geometry
   const SurfaceCode* surface = nullptr;  ///< the formula to find in every pixel; null: triangles are drawn
   bool poles = false;                    ///< with it: an edge of a patch is one point
+  bool steep = false;                    ///< with it: a ray may graze the surface, and meet it more than once
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -39,44 +40,44 @@ enum class FaceCulling { None, Back, Front };
 /// alike.
 enum class Half { Whole, Near, Far };
 
-/// One indexed draw: consecutive instances of one mesh, or of a part of one hull, in one state.
+/// One indexed draw: consecutive instances of one mesh, or triangles of one hull, in one state.
 struct DrawBatch {
   DrawState state;
-  std::shared_ptr<const Mesh> mesh;  ///< null where the surface is found in every pixel
-  std::shared_ptr<const Hull> hull;  ///< then not null
-  std::uint32_t part = 0;            ///< of the hull
+  std::shared_ptr<const Mesh> mesh;              ///< null where the surface is found in every pixel
+  std::shared_ptr<const Hull> hull;              ///< then not null
+  std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of DrawList::hullIndices
   FaceCulling culling = FaceCulling::None;
   Half half = Half::Whole;
-  bool flat = false;      ///< lies in one plane: its sides never meet
-  bool twoSided = false;  ///< each side is lit by itself
-  bool bothSides = false; ///< back faces are seen, too
-  bool mirrored = false;  ///< the transforms turn counter-clockwise into clockwise
+  bool flat = false;       ///< lies in one plane: its sides never meet
+  bool twoSided = false;   ///< each side is lit by itself
+  bool bothSides = false;  ///< back faces are seen, too
+  bool mirrored = false;   ///< the transforms turn counter-clockwise into clockwise
   std::uint32_t lightSet = 0;
   std::uint32_t firstInstance = 0, instanceCount = 0;
 
-  [[nodiscard]] std::uint32_t firstIndex() const;
-  [[nodiscard]] std::uint32_t indexCount() const;
   [[nodiscard]] std::size_t vertexCount() const {
     return hull ? hull->positions.size() : mesh->positions.size();
   }
 };
 
-/// How much finer than usual the hull of each node is, by index into Snapshot::nodes: 0 as usual, 1 a quarter of
-/// its deviation, and so on. Empty: all as usual.
+/// How much more care than usual the search for each node takes, by index into Snapshot::nodes: 0 as usual, 1
+/// as if every ray might graze it, 2 with a quarter of the hull's deviation, and so on. Empty: all as usual.
 using HullLevels = std::vector<std::uint8_t>;
 
 struct DrawList {
   shared::ViewData view;
   std::vector<shared::InstanceData> instances;
-  std::vector<shared::ExactInstance> exactInstances;  ///< as instances; of those without a hull nothing is read
-  std::vector<std::uint32_t> instanceNodes;           ///< as instances: indices into Snapshot::nodes
-  std::vector<shared::ExactPatch> exactPatches;       ///< not empty when a draw has a hull
-  std::vector<float> exactParameters;                 ///< not empty when a draw has a hull
-  std::vector<shared::LightSet> lightSets;  ///< never empty
-  std::vector<float> patternParameters;     ///< not empty when a draw has a pattern
-  std::vector<DrawBatch> opaque;            ///< grouped, roughly front to back
-  std::vector<DrawBatch> transparent;       ///< strictly back to front
-  double boundPx = 0;                       ///< largest proven error of a drawn mesh on the screen
+  std::vector<shared::ExactInstance>
+      exactInstances;                            ///< as instances; of those without a hull nothing is read
+  std::vector<std::uint32_t> instanceNodes;      ///< as instances: indices into Snapshot::nodes
+  std::vector<std::uint32_t> hullIndices;        ///< not empty when a draw has a hull
+  std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a hull
+  std::vector<float> exactParameters;            ///< not empty when a draw has a hull
+  std::vector<shared::LightSet> lightSets;       ///< never empty
+  std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
+  std::vector<DrawBatch> opaque;                 ///< grouped, roughly front to back
+  std::vector<DrawBatch> transparent;            ///< strictly back to front
+  double boundPx = 0;                            ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
 };
@@ -89,6 +90,7 @@ struct Geometry {
 
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMostLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,
-                                 const DrawOptions& options, Geometry& geometry, const HullLevels& levels = {});
+                                 const DrawOptions& options, Geometry& geometry,
+                                 const HullLevels& levels = {});
 
 }  // namespace luxo

@@ -75,7 +75,6 @@ const DeviceMesh& MeshStore::get(const std::shared_ptr<const Hull>& hull) {
     entry = {.source = hull, .device = {}};
     entry.device.vertices =
         upload(*context_, verticesOf(*hull), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "hull vertices");
-    uploadIndices(*context_, entry.device, hull->indices, hull->positions.size());
   }
   return entry.device;
 }

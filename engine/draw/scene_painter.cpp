@@ -221,6 +221,8 @@ void ScenePainter::upload(const DrawList& list, bool always) {
   const auto store = [&](Mirror& mirror, const auto& elements, const char* name) {
     write(mirror, std::as_bytes(std::span(elements)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
   };
+  write(hullIndices_, std::as_bytes(std::span(list.hullIndices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "hull indices",
+        always);
   store(exactInstances_, list.exactInstances, "exact instances");
   store(exactPatches_, list.exactPatches, "patches");
   store(exactParameters_, list.exactParameters, "parameters of formulas");
@@ -293,13 +295,15 @@ void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
     const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};
     constexpr VkDeviceSize kOffsets[] = {0, 0};
     vkCmdBindVertexBuffers(commands, 0, withParameters ? 2 : 1, streams, kOffsets);
-    vkCmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
-    vkCmdDrawIndexed(commands, batch.indexCount(), batch.instanceCount, batch.firstIndex(), 0,
-                     batch.firstInstance);
+    if (batch.hull)
+      vkCmdBindIndexBuffer(commands, hullIndices_.buffer, 0, VK_INDEX_TYPE_UINT32);
+    else
+      vkCmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
+    vkCmdDrawIndexed(commands, batch.indexCount, batch.instanceCount, batch.firstIndex, 0, batch.firstInstance);
 
     ++statistics.count.drawCalls;
     statistics.count.instances += batch.instanceCount;
-    statistics.count.triangles += batch.indexCount() / 3 * batch.instanceCount;
+    statistics.count.triangles += batch.indexCount / 3 * batch.instanceCount;
     statistics.count.vertices += batch.vertexCount() * batch.instanceCount;
   }
 }

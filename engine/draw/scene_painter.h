@@ -67,7 +67,7 @@ class ScenePainter {
   ScenePipelines pipelines_;
   Geometry geometry_;
   MeshStore store_;
-  Mirror view_, instances_, lights_, patternParameters_, exactInstances_, exactPatches_, exactParameters_;
+  Mirror view_, instances_, lights_, patternParameters_, exactInstances_, exactPatches_, exactParameters_, hullIndices_;
   gpu::Buffer tally_;  ///< of the last recording, by instance
   std::vector<std::uint32_t> tallyNodes_;
   VkDeviceSize lightStride_ = 0;

@@ -142,7 +142,8 @@ void ScenePipelines::describeExact(const DrawState& state, gpu::GraphicsPipeline
                          inspection ? static_cast<std::uint32_t>(inspection->quantity) : kLight,
                          inspection && inspection->asColor,
                          state.surface->parameters,
-                         state.poles};
+                         state.poles,
+                         state.steep};
   desc.depthClamp = true;
   desc.pushConstantBytes = sizeof(float);
   desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};

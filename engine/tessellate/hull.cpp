@@ -2,8 +2,11 @@
 #include "tessellate/hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "base/assert.h"
@@ -25,18 +28,29 @@ constexpr int kMostRefinements = 6;
 constexpr std::size_t kMostRefinedTriangles = 200'000;
 constexpr std::size_t kPointsForAllCores = 8192;
 
+/// The surface near a triangle turns less than the triangles around it do, times this; at an edge of the
+/// patch some of them are missing.
+constexpr double kReach = 1.25, kReachAtEdge = 2;
+/// A ray runs inside the slab as far as it is thick, twice the distance of its vertices, and farther where
+/// that grows.
+constexpr double kRun = 3;
+
+/// Triangles so many times as far from an edge that is a point as they are long do not notice it.
+constexpr double kNearPole = 2;
+
 /// Turns a frame into a hull.
 class Builder {
  public:
   Builder(const Surface& surface, const HullFrame& frame, const HullDesc& desc)
       : surface_(surface), frame_(frame), desc_(desc), mesh_(frame.mesh()) {}
 
-  void build(Hull& hull) const {
+  void build(Hull& hull) {
     hull.bound = mesh_.bound;
     hull.origin = mesh_.origin;
     hull.proven = std::isfinite(mesh_.bound) && mesh_.dropped == 0;
     moveVertices(hull);
     setCells(hull);
+    findCones(hull);
     addParts(hull);
   }
 
@@ -102,6 +116,67 @@ class Builder {
     }
   }
 
+  /// The directions are those of the triangles around these vertices with room to spare, and of all rays that
+  /// run farther inside the slab than the triangles are high.
+  [[nodiscard]] FacingCone coneOf(const Hull& hull, const Vec3& axis, std::span<const std::uint32_t> vertices,
+                                  double height) const {
+    double least = 1, thickness = 0;
+    bool atEdge = false;
+    for (const std::uint32_t v : vertices) {
+      if (nearPole(hull, v)) return {};
+      const std::size_t point = frame_.pointOf(v);
+      for (const Vec3& facet : frame_.facetsAround(point)) least = std::min(least, glm::dot(axis, facet));
+      thickness = std::max(thickness, kRun * glm::distance(hull.positions[v], mesh_.positions[v]));
+      atEdge = atEdge || !frame_.wallsAround(point).empty();
+    }
+    const double angle = (atEdge ? kReachAtEdge : kReach) * std::acos(std::clamp(least, -1.0, 1.0));
+    if (axis == Vec3(0) || angle >= 0.5 * std::numbers::pi) return {};
+    return {.axis = Vec3f(axis),
+            .sine = static_cast<float>(std::max(std::sin(angle), thickness / std::hypot(thickness, height)))};
+  }
+
+  /// Of the triangles of the mesh.
+  [[nodiscard]] std::vector<double> heights() const {
+    std::vector<double> heights(mesh_.triangleCount());
+    for (std::size_t t = 0; t < heights.size(); ++t) {
+      const auto at = [&](std::size_t k) { return mesh_.positions[frame_.corners(t)[k]]; };
+      const Vec3 a = at(1) - at(0), b = at(2) - at(1), c = at(0) - at(2);
+      const double longest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
+      heights[t] = longest > 0 ? glm::length(glm::cross(a, b)) / longest : 0;
+    }
+    return heights;
+  }
+
+  void findCones(const Hull& hull) {
+    const std::vector<double> height = heights();
+    std::vector<double> lowest(frame_.pointCount(), std::numeric_limits<double>::infinity());
+    for (std::size_t t = 0; t < height.size(); ++t) {
+      const auto corners = frame_.corners(t);
+      cones_.push_back(coneOf(hull, frame_.facet(t), corners, height[t]));
+      for (const std::uint32_t v : corners)
+        lowest[frame_.pointOf(v)] = std::min(lowest[frame_.pointOf(v)], height[t]);
+    }
+    for (const HullFrame::WallEdge& wall : frame_.walls()) {
+      const std::array ends{wall.from, wall.to};
+      Vec3 sum(0);
+      for (const std::uint32_t v : ends)
+        for (const Vec3& facet : frame_.facetsAround(frame_.pointOf(v))) sum += facet;
+      const double length = glm::length(sum);
+      wallCones_.push_back(
+          coneOf(hull, length > 0 ? sum / length : Vec3(0), ends,
+                 std::min(lowest[frame_.pointOf(wall.from)], lowest[frame_.pointOf(wall.to)])));
+    }
+  }
+
+  [[nodiscard]] bool nearPole(const Hull& hull, std::uint32_t vertex) const {
+    const HullPatch& patch = hull.patchData[frame_.patchOf(vertex)];
+    const Vec2 at = mesh_.parameters[vertex], near = kNearPole * hull.cells[vertex];
+    return (patch.collapsedUMin && at.x - patch.domain.u.lo < near.x) ||
+           (patch.collapsedUMax && patch.domain.u.hi - at.x < near.x) ||
+           (patch.collapsedVMin && at.y - patch.domain.v.lo < near.y) ||
+           (patch.collapsedVMax && patch.domain.v.hi - at.y < near.y);
+  }
+
   void addParts(Hull& hull) const {
     std::vector<bool> done(surface_.patchCount());
     for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch) {
@@ -119,22 +194,25 @@ class Builder {
     std::vector<std::uint32_t>& indices = hull.indices;
     const auto size = [&] { return static_cast<std::uint32_t>(indices.size()); };
     const auto forEachTriangle = [&](const auto& action) {
-      for (std::size_t i = 0; i < mesh_.indices.size(); i += 3)
-        if (inPart[frame_.patchOf(mesh_.indices[i])])
-          action(mesh_.indices[i], mesh_.indices[i + 1], mesh_.indices[i + 2]);
+      for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
+        if (const auto corners = frame_.corners(t); inPart[frame_.patchOf(corners[0])]) action(t, corners);
     };
     Hull::Part part{.patch = patch, .firstIndex = size()};
-    forEachTriangle([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      indices.insert(indices.end(), {a, b, c});
+    forEachTriangle([&](std::size_t t, const auto& c) {
+      indices.insert(indices.end(), {c[0], c[1], c[2]});
+      hull.cones.push_back(cones_[t]);
     });
-    for (const HullFrame::WallEdge& wall : frame_.walls()) {
+    for (std::size_t w = 0; w < frame_.walls().size(); ++w) {
+      const HullFrame::WallEdge& wall = frame_.walls()[w];
       if (!inPart[frame_.patchOf(wall.from)]) continue;
       const std::uint32_t a = wall.from, b = wall.to;
       indices.insert(indices.end(), {b, a, count + a, b, count + a, count + b});
+      hull.cones.insert(hull.cones.end(), 2, wallCones_[w]);
     }
     part.frontCount = size() - part.firstIndex;
-    forEachTriangle([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      indices.insert(indices.end(), {count + a, count + c, count + b});
+    forEachTriangle([&](std::size_t t, const auto& c) {
+      indices.insert(indices.end(), {count + c[0], count + c[2], count + c[1]});
+      hull.cones.push_back(cones_[t]);
     });
     part.count = size() - part.firstIndex;
     if (part.count > 0) hull.parts.push_back(part);
@@ -144,6 +222,7 @@ class Builder {
   const HullFrame& frame_;
   const HullDesc& desc_;
   const Mesh& mesh_;
+  std::vector<FacingCone> cones_, wallCones_;
 };
 
 }  // namespace

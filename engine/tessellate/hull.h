@@ -37,6 +37,12 @@ struct HullPatch {
   double orientation = 1;  ///< +1: Su x Sv points outward, out of the top
 };
 
+/// The directions in which the surface's outer side faces near a triangle of a hull.
+struct FacingCone {
+  Vec3f axis{0};   ///< unit, object space, outward
+  float sine = 2;  ///< of the angle around it; above 1: any direction
+};
+
 /// Indexed triangle lists in object space, metres, double; counter-clockwise as seen from outside the slab.
 struct Hull {
   std::vector<Vec3> positions;
@@ -44,14 +50,18 @@ struct Hull {
   std::vector<Vec2> cells;             ///< extents in u and v of the largest triangle around the vertex
   std::vector<std::uint32_t> patches;  ///< of each vertex, as in Surface::patches()
 
-  /// The patches that share one function, as consecutive indices: top, then walls, then bottom. Who sees only
-  /// front faces draws the first `frontCount`.
+  /// The patches that share one function, as consecutive indices: top, then walls, then bottom, which has as
+  /// many as the top. Through top and walls a ray meets the front of the surface, through bottom and walls
+  /// its back.
   struct Part {
     std::uint32_t patch = 0;  ///< the first of them
     std::uint32_t firstIndex = 0, frontCount = 0, count = 0;
+    [[nodiscard]] std::uint32_t wallIndex() const { return firstIndex + count - frontCount; }
   };
   std::vector<std::uint32_t> indices;
   std::vector<Part> parts;
+  /// Of each triangle, those of the bottom as those of the top. Any direction near edges that are points.
+  std::vector<FacingCone> cones;
   std::vector<HullPatch> patchData;  ///< of every patch of the surface
 
   double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound

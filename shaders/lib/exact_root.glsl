@@ -30,12 +30,12 @@ float surfaceParameterAt(uint k) {
 #include "surface"
 #undef parameterAt
 
-const int kNearSteps = 9;
+const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
 const float kBoldCells = 4.0;   // how many cells a step may lead
 const float kFarCells = 2.0;    // a root farther from the start is not certain to be the nearest
-const float kScanStep = 0.4;    // cells
-const int kBackward = 2, kForward = 10;  // steps against the ray and along it
+const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a scan, and how much longer each next is
+const int kBackward = 2, kForward = 12;            // steps against the ray and along it
 const int kPolishSteps = 8;
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
@@ -155,12 +155,19 @@ bool converged(Probe at) { return at.residual <= toleranceAt(at); }
 
 const int kFound = 0, kMissed = 1, kLost = 2;
 
+layout(constant_id = 7) const bool kSteep = true;  // whether rays may graze the surface
+
+// To where the offset would vanish if it were linear; `det` is area(at).
+vec2 newtonStep(Probe at, float det) {
+  return vec2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
+}
+
 // A Newton step from p that knows the fold. Near one the step leads along it, and what changes on the way is the area
 // `det` that a unit of u and v takes in the picture, which vanishes at the fold: linearly, at the rate seen from `last`,
 // so that the offset along the step is a quadratic. The root taken is the one on the side searched for, where det has
 // its sign. `missed`: there is none, the ray passes by; the step then leads to where it is nearest.
 vec2 foldStep(vec2 p, Probe at, float det, float most, vec2 gradient, out bool missed) {
-  vec2 delta = vec2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
+  vec2 delta = newtonStep(at, det);
   float k = dot(gradient, delta) / det;  // det at the end of the step is (1 + k) det
   float square = 1.0 + 2.0 * k;
   missed = square < 0.0;
@@ -171,6 +178,29 @@ vec2 foldStep(vec2 p, Probe at, float det, float most, vec2 gradient, out bool m
   // A vanishing area gives no direction.
   if (!(abs(delta.x) + abs(delta.y) < 1e30)) delta = 0.25 * linkCellHalf.xy;
   return moved(p, delta, at, most);
+}
+
+// The point where no ray grazes the surface, so that only one is near. Steps after the first know how the area changed
+// along the one before.
+int findPlainRoot(Ray ray, out vec2 p, out Probe at) {
+  p = linkStart;
+  at = probeAt(ray, p);
+  float det = area(at);
+  vec2 gradient = vec2(0);
+  for (int i = 0; i < kPlainSteps; ++i) {
+    vec2 delta = newtonStep(at, det);
+    float k = dot(gradient, delta) / det;
+    delta *= 2.0 / (1.0 + sqrt(max(1.0 + 2.0 * k, 0.0)));
+    p += delta;
+    at = probeAt(ray, p);
+    float before = det;
+    det = area(at);
+    gradient = delta * ((det - before) / max(dot(delta, delta), kSmallest));
+    if (converged(at)) break;
+  }
+  vec2 way = abs(p - linkStart) / linkCellHalf.xy;
+  bool root = max(way.x, way.y) <= kFarCells && converged(at) && det * wantedSide() > 0.0;
+  return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
 
 // A place on the curve along which a scan looks for roots: where the offset along the fold vanishes.
@@ -214,33 +244,32 @@ vec2 longestAxis(Probe at) {
 
 // Where between two samples, `low` before `high`, g rises through 0: 0 to 1, or -1. A dip below 0 or a bump above it
 // between them counts, too.
-float rise(Sample low, Sample high) {
+float rise(Sample low, Sample high, float way) {
   if (low.g <= 0.0 && high.g > 0.0) return low.g / (low.g - high.g);
   float turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
-  float extreme = low.g + 0.5 * kScanStep * turn * low.slope;
-  float extreme2 = high.g - 0.5 * kScanStep * (1.0 - turn) * high.slope;
+  float extreme = low.g + 0.5 * way * turn * low.slope;
+  float extreme2 = high.g - 0.5 * way * (1.0 - turn) * high.slope;
   bool dip = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0 && min(extreme, extreme2) <= 0.0;
   bool bump = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0 && max(extreme, extreme2) >= 0.0;
   return dip ? 1.0 : bump ? 0.0 : -1.0;
 }
 
-// Finds the point; p and at are its own when found.
+// The point where rays may graze the surface.
 //
 // Newton's method from where the ray enters the hull finds most. Where folds lie close to each other or to an edge, it
 // may find the wrong root or none. There a scan begins: along a fold the surface is flat on the screen, so one direction
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
 // The scan walks along that curve, takes the nearest of the roots on the side searched for, and ends with Newton's
 // method from there.
-int findRoot(Ray ray, out vec2 p, out Probe at) {
+int findGrazedRoot(Ray ray, out vec2 p, out Probe at) {
   const int kNear = 0, kScan = 1, kPolish = 2;
   int mode = kNear, steps = 0, misses = 0, outside = 0;
-  holdParameters();
   p = linkStart;
   at = probeAt(ray, p);
   float det = area(at);
   vec2 gradient = vec2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
   vec2 along = vec2(0);
-  float sense = 1.0, nearest = 1e30;
+  float sense = 1.0, nearest = 1e30, length_ = kScanStep;
   vec2 best = p;
   Sample first, last;
   int result = kLost;
@@ -261,7 +290,7 @@ int findRoot(Ray ray, out vec2 p, out Probe at) {
         first = now;
       } else {
         bool back = steps <= kBackward;
-        float where = back ? rise(now, last) : rise(last, now);
+        float where = back ? rise(now, last, length_) : rise(last, now, length_);
         float part = back ? 1.0 - where : where;
         vec2 candidate = mix(last.p, now.p, part);
         float depth = mix(last.depth, now.depth, part);
@@ -271,7 +300,9 @@ int findRoot(Ray ray, out vec2 p, out Probe at) {
         }
       }
       last = steps == kBackward ? first : now;
-      next = last.p + (steps < kBackward ? -kScanStep : kScanStep) * last.way * linkCellHalf.xy;
+      bool backward = steps < kBackward;
+      length_ = kScanStep + kScanGrowth * float(backward ? 0 : steps - kBackward);
+      next = last.p + (backward ? -length_ : length_) * last.way * linkCellHalf.xy;
       next = steps < 0 ? linkStart : next;
       if (steps >= kBackward && nearest < 1e30) {
         mode = kPolish;
@@ -304,4 +335,10 @@ int findRoot(Ray ray, out vec2 p, out Probe at) {
     }
   }
   return result;
+}
+
+// Finds the point; p and at are its own when found.
+int findRoot(Ray ray, out vec2 p, out Probe at) {
+  holdParameters();
+  return kSteep ? findGrazedRoot(ray, p, at) : findPlainRoot(ray, p, at);
 }
