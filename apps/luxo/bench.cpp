@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -157,7 +158,10 @@ int runBench(const BenchOptions& options) {
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo bench teapot -o results; or luxo bench standard -o results");
   BenchPlan plan = options.quick ? quickPlan() : fullPlan();
-  if (options.runs) plan.runs = plan.leastRuns = parseRuns(*options.runs);
+  if (options.runs) {
+    plan.runs = plan.leastRuns = parseRuns(*options.runs);
+    plan.muchMs = std::numeric_limits<double>::infinity();
+  }
   const std::vector<Subject> subjects = subjectsOf(request);
   if (!options.folder.empty()) makeFolder(options.folder);
 
@@ -191,7 +195,8 @@ void addBench(CLI::App& app, Command& chosen) {
           "-o,--output", options->folder,
           "folder for results.csv, results.json, summary.md, pareto.svg (needs gnuplot) and index.html")
       ->type_name("DIR");
-  verb->add_option("--runs", options->runs, "how often each way is timed, in turns (15; slow ways 3 times)")
+  verb->add_option("--runs", options->runs,
+                   "how often each way is timed, in turns (15; slow ways less often)")
       ->type_name("N");
   verb->add_flag("--quick", options->quick, "a few ways, at most five runs");
   verb->footer(

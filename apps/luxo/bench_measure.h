@@ -74,9 +74,9 @@ struct BenchScene {
 
 struct BenchPlan {
   std::vector<BenchWay> ways;  ///< coarse to fine within each shading
-  /// Of each way, in turns. A way of which this much time has been seen is done with fewer.
+  /// Of each way, in turns. A way of which enough has been seen is done with fewer; of which much, with any.
   int runs = 15, leastRuns = 3;
-  double enoughMs = 800;
+  double enoughMs = 800, muchMs = 4000;
   std::uint64_t mostTriangles = 1'500'000;  ///< ways that would need more are left out
   /// Pixels in which meshes are judged: each that shows the wrong surface costs hundreds of rays. Fewer find
   /// a smaller largest error, never a larger one. Exact pictures are judged wholly.
@@ -85,7 +85,7 @@ struct BenchPlan {
   int areaSamples = 16;               ///< rays in each of these
 };
 
-/// Phong meshes from 2 px to 0.01 px, flat and Gouraud ones, exact hulls from 2 to 8 px; with 4 samples those
+/// Phong meshes from 2 px to 0.01 px, flat and Gouraud ones, exact hulls of 4 and 2 px; with 4 samples those
 /// whose colours are not yet as good as 4 samples can be.
 [[nodiscard]] BenchPlan fullPlan();
 /// A few of these, for a first look.
