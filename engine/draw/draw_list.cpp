@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "base/error.h"
@@ -206,6 +207,7 @@ class DrawLister {
   struct Instance {
     shared::InstanceData data;
     shared::ExactInstance exact;
+    std::optional<shared::PreciseInstance> precise;
     std::uint32_t node;
   };
 
@@ -316,14 +318,17 @@ class DrawLister {
     const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     batch.culling = inside ? FaceCulling::None : FaceCulling::Back;
     batch.state.poles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
-    item.instance.exact = exactInstance(snapshot_.view, node, v);
+    const GlslNumber number =
+        options_.doubles && needsDouble(snapshot_.view, node, v) ? GlslNumber::Double : GlslNumber::Float;
+    item.instance.exact = exactInstance(snapshot_.view, node, v, number);
+    if (number == GlslNumber::Double) item.instance.precise = preciseInstance(snapshot_.view, node);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
     item.instance.exact.wrong = batch.bothSides;
     const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
     for (const Hull::Part& part : batch.hull->parts) {
       const Patch& patch = node.surface.patches()[part.patch];
       batch.state.surface =
-          geometry_.codes.get(patch.function, patch.constants.size() + node.parameters.size());
+          geometry_.codes.get(patch.function, patch.constants.size() + node.parameters.size(), number);
       addHullDraws(item, batch, view, part.firstIndex, part.frontCount, Half::Near);
       if (batch.bothSides) addHullDraws(item, batch, view, part.wallIndex(), part.frontCount, Half::Far);
     }
@@ -387,6 +392,10 @@ class DrawLister {
   }
 
   void place(const Instance& instance) {
+    if (instance.precise) {
+      list_.preciseInstances.resize(list_.instances.size());
+      list_.preciseInstances.push_back(*instance.precise);
+    }
     list_.instances.push_back(instance.data);
     list_.exactInstances.push_back(instance.exact);
     list_.instanceNodes.push_back(instance.node);

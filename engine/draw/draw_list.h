@@ -72,7 +72,9 @@ struct DrawList {
   std::vector<std::uint32_t> instanceNodes;      ///< as instances: indices into Snapshot::nodes
   std::vector<std::uint32_t> hullIndices;        ///< not empty when a draw has a hull
   std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a hull
-  std::vector<float> exactParameters;            ///< not empty when a draw has a hull
+  std::vector<double> exactParameters;           ///< not empty when a draw has a hull
+  /// As instances, as far as the last one that is searched for in double.
+  std::vector<shared::PreciseInstance> preciseInstances;
   std::vector<shared::LightSet> lightSets;       ///< never empty
   std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
   std::vector<DrawBatch> opaque;                 ///< grouped, roughly front to back

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <utility>
 
 namespace luxo {
 namespace {
@@ -10,13 +13,37 @@ namespace {
 // Far outside of every domain, and harmless in single precision.
 constexpr float kNoPole = 1e30f;
 
-/// What single precision rounds away of a number, a few times over.
-constexpr double kRounding = 3 * 0x1p-24;
+/// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
+/// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3.
+constexpr double kMostRoundingPx = 6e-4;
+
+/// What is rounded away of a number, a few times over.
+constexpr double roundingOf(GlslNumber number) {
+  return number == GlslNumber::Float ? 3 * 0x1p-24 : 3 * 0x1p-53;
+}
 
 /// How far the node's points are from its origin, in metres of the world.
 double reach(const SnapshotNode& node, const VisibleNode& visible) {
   return std::max(glm::length(node.boundsObject.min), glm::length(node.boundsObject.max)) * visible.stretch;
 }
+
+/// Pixels that rounding moves a point by: `everywhere`, and `near` over its depth.
+struct Rounding {
+  double everywhere, near;
+};
+
+/// Of what has the size of the distance, and of the object.
+Rounding roundingPx(const View& view, const SnapshotNode& node, const VisibleNode& visible,
+                    GlslNumber number) {
+  const double rounding = roundingOf(number) * view.pixelsPerUnit;
+  if (view.perspective()) return {rounding, rounding * reach(node, visible)};
+  return {rounding * (glm::length(view.halfExtent) + reach(node, visible)), 0};
+}
+
+/// Of clipFromEye, and of depth, as linear functions of the object's points.
+struct Rows {
+  Vec4 x, y, depth;
+};
 
 /// Row `row` of clipFromEye as a linear function of the object's points.
 Vec4 clipRow(const View& view, const Transform& eyeFromObject, int row) {
@@ -26,31 +53,95 @@ Vec4 clipRow(const View& view, const Transform& eyeFromObject, int row) {
           glm::dot(inEye, eyeFromObject.translation) + view.clipFromEye[3][row]};
 }
 
+Rows rowsOf(const View& view, const SnapshotNode& node) {
+  const Transform eye = eyeFromObject(view, node.worldFromObject);
+  return {.x = 0.5 * view.size.width * clipRow(view, eye, 0),
+          .y = -0.5 * view.size.height * clipRow(view, eye, 1),
+          .depth = Vec4(-(glm::transpose(eye.linear) * Vec3(0, 0, 1)), -eye.translation.z)};
+}
+
+/// The part of a polygon where dot(side, p) >= 0.
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& side) {
+  std::vector<Vec3> part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double ofA = glm::dot(side, a), ofB = glm::dot(side, b);
+    if (ofA >= 0) part.push_back(a);
+    if ((ofA >= 0) != (ofB >= 0)) part.push_back(a + ofA / (ofA - ofB) * (b - a));
+  }
+  return part;
+}
+
+/// The least depth of what the picture shows of the node's bounds: they may reach past the eye outside of it.
+/// Of a solid cut by a pyramid the nearest point is on a face of the solid, unless the eye is inside.
+double nearestSeen(const View& view, const SnapshotNode& node) {
+  const Rows rows = rowsOf(view, node);
+  const Box& box = node.boundsObject;
+  const double right = 0.5 * view.size.width, top = 0.5 * view.size.height;
+  double nearest = std::numeric_limits<double>::infinity();
+  bool holdsEye = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    holdsEye = holdsEye && view.eye[axis] >= node.boundsWorld.min[axis] &&
+               view.eye[axis] <= node.boundsWorld.max[axis];
+    for (const double end : {box.min[axis], box.max[axis]}) {
+      std::vector<Vec3> face;  // right, down and depth
+      for (const auto& [s, t] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+        Vec4 corner(1);
+        corner[axis] = end;
+        corner[(axis + 1) % 3] = (s ? box.max : box.min)[(axis + 1) % 3];
+        corner[(axis + 2) % 3] = (t ? box.max : box.min)[(axis + 2) % 3];
+        face.emplace_back(glm::dot(rows.x, corner), glm::dot(rows.y, corner), glm::dot(rows.depth, corner));
+      }
+      for (const Vec3& side : {Vec3(1, 0, right), Vec3(-1, 0, right), Vec3(0, 1, top), Vec3(0, -1, top)})
+        face = clipped(face, side);
+      for (const Vec3& p : face) nearest = std::min(nearest, p.z);
+    }
+  }
+  return std::max(holdsEye ? 0 : nearest, view.near);
+}
+
 }  // namespace
 
-shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible) {
-  const Transform eye = eyeFromObject(view, node.worldFromObject);
-  const Vec2 half(0.5 * view.size.width, 0.5 * view.size.height);
-  const Vec4 depth(-(glm::transpose(eye.linear) * Vec3(0, 0, 1)), -eye.translation.z);
+bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible) {
+  const Rounding rounding = roundingPx(view, node, visible, GlslNumber::Float);
+  const auto tooMuch = [&](double depth) {
+    return rounding.everywhere + rounding.near / depth > kMostRoundingPx;
+  };
+  return tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)));
+}
+
+shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
+                                    GlslNumber number) {
+  const Rows rows = rowsOf(view, node);
+  const Rounding rounding = roundingPx(view, node, visible, number);
   const double range = view.far - view.near;
-  const double rounding = kRounding * view.pixelsPerUnit;
-  // Of what has the size of the distance, and of the object.
-  const double everywhere = rounding * (view.perspective() ? 1 : glm::length(view.halfExtent) + reach(node, visible));
-  return {.x = Vec4f(half.x * clipRow(view, eye, 0)),
-          .y = Vec4f(-half.y * clipRow(view, eye, 1)),
-          .depth = Vec4f(depth),
-          .clipDepth = view.perspective() ? Vec2f(view.near, rounding * reach(node, visible))
-                                           : Vec2f(view.far / range, -1 / range),
-          .half_ = Vec2f(half),
-          .translation = Vec3f(node.worldFromObject.translation - view.eye),
-          .facing = visible.mirrored ? 1.0f : -1.0f,
-          .tolerance = static_cast<float>(std::max(kExactTolerancePx, everywhere)),
-          .firstPatch = 0,
-          .wrong = 0};
+  return {
+      .x = Vec4f(rows.x),
+      .y = Vec4f(rows.y),
+      .depth = Vec4f(rows.depth),
+      .clipDepth = view.perspective() ? Vec2f(view.near, rounding.near) : Vec2f(view.far / range, -1 / range),
+      .half_ = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
+      .translation = Vec3f(node.worldFromObject.translation - view.eye),
+      .facing = visible.mirrored ? 1.0f : -1.0f,
+      .tolerance = static_cast<float>(std::max(kExactTolerancePx, rounding.everywhere)),
+      .firstPatch = 0,
+      .wrong = 0};
+}
+
+shared::PreciseInstance preciseInstance(const View& view, const SnapshotNode& node) {
+  const Rows rows = rowsOf(view, node);
+  const Mat3 rowsOfWorld = glm::transpose(node.worldFromObject.linear);
+  const Vec3 translation = node.worldFromObject.translation - view.eye;
+  return {.x = rows.x,
+          .y = rows.y,
+          .depth = rows.depth,
+          .relativeX = Vec4(rowsOfWorld[0], translation.x),
+          .relativeY = Vec4(rowsOfWorld[1], translation.y),
+          .relativeZ = Vec4(rowsOfWorld[2], translation.z)};
 }
 
 void appendPatches(const Surface& surface, std::span<const double> parameters, const Hull& hull,
-                   std::vector<shared::ExactPatch>& patches, std::vector<float>& values) {
+                   std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers) {
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i) {
     const HullPatch& patch = hull.patchData[i];
     const Domain& domain = patch.domain;
@@ -58,18 +149,19 @@ void appendPatches(const Surface& surface, std::span<const double> parameters, c
     const Interval& across = ofU ? domain.u : domain.v;
     const bool low = ofU ? patch.collapsedUMin : patch.collapsedVMin;
     const bool high = ofU ? patch.collapsedUMax : patch.collapsedVMax;
-    patches.push_back({.domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi),
-                       .wraps = Vec2f(patch.wrapsU ? domain.u.width() : 0, patch.wrapsV ? domain.v.width() : 0),
-                       .poles = Vec2f(low ? static_cast<float>(across.lo) : -kNoPole,
-                                      high ? static_cast<float>(across.hi) : kNoPole),
-                       .polesOfU = ofU,
-                       .orientation = static_cast<float>(patch.orientation),
-                       .firstParameter = static_cast<std::uint32_t>(values.size())});
+    numbers.insert(numbers.end(), {domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi});
+    patches.push_back(
+        {.domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi),
+         .wraps = Vec2f(patch.wrapsU ? domain.u.width() : 0, patch.wrapsV ? domain.v.width() : 0),
+         .poles = Vec2f(low ? static_cast<float>(across.lo) : -kNoPole,
+                        high ? static_cast<float>(across.hi) : kNoPole),
+         .polesOfU = ofU,
+         .orientation = static_cast<float>(patch.orientation),
+         .firstParameter = static_cast<std::uint32_t>(numbers.size())});
     const PatchInputs inputs(surface.patches()[i], parameters);
     const std::span<const double> all = inputs;
-    values.insert(values.end(), all.begin(), all.end());
+    numbers.insert(numbers.end(), all.begin(), all.end());
   }
-  if (values.empty()) values.push_back(0);  // something to bind
 }
 
 bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cull/cull.h"
+#include "formula/glsl.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
 #include "tessellate/hull.h"
@@ -16,13 +17,19 @@ namespace luxo {
 /// picture's distances and of the object's size may be more.
 inline constexpr double kExactTolerancePx = 1e-4;
 
-/// All of the instance but firstPatch and wrong.
-[[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
-                                                  const VisibleNode& visible);
+/// Whether float would round away more of a point's place on the screen than a picture may lack.
+[[nodiscard]] bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible);
 
-/// Appends the patches of a hull, and the values of their formulas' parameters.
+/// All of the instance but firstPatch and wrong, for a search in those numbers.
+[[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
+                                                  const VisibleNode& visible, GlslNumber number);
+
+/// What of it a search in double takes.
+[[nodiscard]] shared::PreciseInstance preciseInstance(const View& view, const SnapshotNode& node);
+
+/// Appends the patches of a hull, and the numbers of their domains and of their formulas' parameters.
 void appendPatches(const Surface& surface, std::span<const double> parameters, const Hull& hull,
-                   std::vector<shared::ExactPatch>& patches, std::vector<float>& values);
+                   std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers);
 
 /// Whether the eye may be inside the hull, or so near that the near plane may be.
 [[nodiscard]] bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible,

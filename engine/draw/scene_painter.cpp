@@ -129,7 +129,9 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();
 
-  const DrawList list = listDraws(snapshot, visible, options, geometry_, levels);
+  DrawOptions able = options;
+  able.doubles = options.doubles && context_->features().float64;
+  const DrawList list = listDraws(snapshot, visible, able, geometry_, levels);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.tessellated += geometry_.meshes.tessellated() - tessellatedBefore;
   statistics.ms.tessellate += watch.lap();
@@ -152,6 +154,10 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
         pipelines_.exactLayout(),
         {exactInstances_.buffer, exactPatches_.buffer, exactParameters_.buffer, tally_});
     gpu::use(commands, {{tally_, StorageWrite}});
+  }
+  if (!list.preciseInstances.empty()) {
+    sets.precise = frames.descriptors().write(pipelines_.preciseLayout(),
+                                              {preciseInstances_.buffer, preciseParameters_.buffer});
   }
 
   const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
@@ -225,7 +231,11 @@ void ScenePainter::upload(const DrawList& list, bool always) {
         always);
   store(exactInstances_, list.exactInstances, "exact instances");
   store(exactPatches_, list.exactPatches, "patches");
-  store(exactParameters_, list.exactParameters, "parameters of formulas");
+  const std::vector<float> parameters(list.exactParameters.begin(), list.exactParameters.end());
+  store(exactParameters_, parameters, "parameters of formulas");
+  if (list.preciseInstances.empty()) return;
+  store(preciseInstances_, list.preciseInstances, "exact instances in double");
+  store(preciseParameters_, list.exactParameters, "parameters in double");
 }
 
 void ScenePainter::clearTally(const DrawList& list) {
@@ -286,6 +296,7 @@ void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
     if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, sets.pattern);
     if (batch.hull) {
       pipeline.bindSet(commands, 2, sets.exact);
+      if (batch.state.surface->number == GlslNumber::Double) pipeline.bindSet(commands, 3, sets.precise);
       const float side = batch.half == Half::Far ? -1.0f : 1.0f;
       pipeline.push(commands, std::as_bytes(std::span(&side, 1)));
     }

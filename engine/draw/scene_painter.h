@@ -52,6 +52,7 @@ class ScenePainter {
     VkDescriptorSet scene = VK_NULL_HANDLE;
     VkDescriptorSet pattern = VK_NULL_HANDLE;  ///< where a draw has a pattern
     VkDescriptorSet exact = VK_NULL_HANDLE;    ///< where a draw has a hull
+    VkDescriptorSet precise = VK_NULL_HANDLE;  ///< where one computes in double
   };
 
   void prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples);
@@ -67,7 +68,8 @@ class ScenePainter {
   ScenePipelines pipelines_;
   Geometry geometry_;
   MeshStore store_;
-  Mirror view_, instances_, lights_, patternParameters_, exactInstances_, exactPatches_, exactParameters_, hullIndices_;
+  Mirror view_, instances_, lights_, patternParameters_, exactInstances_, exactPatches_, exactParameters_,
+      hullIndices_, preciseInstances_, preciseParameters_;
   gpu::Buffer tally_;  ///< of the last recording, by instance
   std::vector<std::uint32_t> tallyNodes_;
   VkDeviceSize lightStride_ = 0;

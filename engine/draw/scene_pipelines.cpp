@@ -109,6 +109,13 @@ const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   return exactLayout_;
 }
 
+const gpu::DescriptorLayout& ScenePipelines::preciseLayout() {
+  if (preciseLayout_.bindings().empty())
+    preciseLayout_ = gpu::DescriptorLayout(*context_, std::vector<gpu::DescriptorBinding>(
+                                                          2, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+  return preciseLayout_;
+}
+
 const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode& surface,
                                                               const Pattern& pattern) {
   const auto found = exactShaders_.find({&surface, pattern});
@@ -119,8 +126,10 @@ const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode&
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"surface", surface.glsl});
   if (pattern.valid()) sources.push_back({"pattern", pattern.glsl()});
-  const auto source = std::ranges::find(kShaderSources, pattern.valid() ? "exact/pattern.frag" : "exact/surface.frag",
-                                        &gpu::ShaderSource::name);
+  const bool inDouble = surface.number == GlslNumber::Double;
+  const std::string_view name = pattern.valid() ? (inDouble ? "exact/pattern_double.frag" : "exact/pattern.frag")
+                                                : (inDouble ? "exact/surface_double.frag" : "exact/surface.frag");
+  const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
   auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources});
   context_->counted().shadersCompiled += shader.compiled;
   return exactShaders_.emplace(std::pair{&surface, pattern}, std::move(shader.spirv)).first->second;
@@ -147,6 +156,7 @@ void ScenePipelines::describeExact(const DrawState& state, gpu::GraphicsPipeline
   desc.depthClamp = true;
   desc.pushConstantBytes = sizeof(float);
   desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};
+  if (state.surface->number == GlslNumber::Double) desc.setLayouts.push_back(preciseLayout());
 }
 
 const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& pattern,

@@ -28,20 +28,21 @@ ShadeData shadeAt(uint i) {
 // Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K how
 // fast it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near, and where the search began is not
 // far.
-bool certified(Ray ray, vec2 p, Probe at) {
-  vec2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
-  float det = ju.x * jv.y - ju.y * jv.x;
-  float k = linkSides.z * sqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
+bool certified(Ray ray, real2 p, Probe at) {
+  real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
+  real det = ju.x * jv.y - ju.y * jv.x;
+  real k = linkSides.z * sqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
   bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
-  vec2 way = abs(p - linkStart) / linkCellHalf.xy;
+  real2 way = abs(p - linkStart) / linkCellHalf.xy;
   return proven && max(way.x, way.y) <= kFarCells;
 }
 
 // The parameters as the surface names them.
-vec2 inPeriod(vec2 p) {
-  vec2 period = linkPolesWraps.zw;
-  vec2 turns = floor((p - linkDomain.xy) / max(period, kSmallest));
-  return vec2(period.x > 0.0 ? p.x - turns.x * period.x : p.x, period.y > 0.0 ? p.y - turns.y * period.y : p.y);
+vec2 inPeriod(real2 p) {
+  real2 period = patchDomain.zw - patchDomain.xy;
+  real2 turns = floor((p - patchDomain.xy) / period);
+  return vec2(linkPolesWraps.z > 0.0 ? p.x - turns.x * period.x : p.x,
+              linkPolesWraps.w > 0.0 ? p.y - turns.y * period.y : p.y);
 }
 
 vec3 relative(vec3 object) {
@@ -59,28 +60,30 @@ struct Seen {
 
 // Ends the fragment where there is nothing to see.
 Seen seenPoint() {
+  readSurface();
   Ray ray = rayOfPixel();
-  vec2 p;
+  real2 p;
   Probe at;
   int result = findRoot(ray, p, at);
   if (result == kLost) atomicAdd(tally.lost[linkFlags.w], 1);
   if (result != kFound) discard;
   // Orthographic: linear; perspective: near / depth.
-  float z = linkClip.w != 0.0 ? linkClip.x / at.depth : linkClip.x + linkClip.y * at.depth;
+  float depth = float(at.depth), residual = float(at.residual);
+  float z = linkClip.w != 0.0 ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
   if (!(z >= 0.0 && z <= 1.0)) discard;  // before the near plane
   gl_FragDepth = z;
 
   Seen seen;
   seen.parameters = inPeriod(p);
-  seen.position = relative(at.S) + vec3(linkRelative[0].w, linkRelative[1].w, linkRelative[2].w);
+  seen.position = relativePosition(at.S);
   vec3 toViewer = linkViewer.xyz - seen.position * linkViewer.w;
   seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
-  vec3 n = unitOrZero(cross(relative(at.Su), relative(at.Sv)));
+  vec3 n = unitOrZero(cross(relative(vec3(at.Su)), relative(vec3(at.Sv))));
   bool front = area(at) * linkSides.x * linkSides.y > 0.0;
   bool turned = (linkFlags.x & kTwoSided) == 0 && !front;  // an inside that shows its outward normal
   seen.normal = (dot(n, seen.viewer) < 0.0) != turned ? -n : n;
-  seen.depth = at.depth;
-  seen.residual = certified(ray, p, at) ? at.residual : -max(at.residual, 1e-9);
+  seen.depth = depth;
+  seen.residual = certified(ray, p, at) ? residual : -max(residual, 1e-9);
   return seen;
 }
 

@@ -5,30 +5,10 @@
 // |f| / w is how far S is from the pixel's centre on the screen. Newton's method finds nearly every pixel in two steps.
 // Where the ray grazes the surface the offset folds: two roots lie close to each other or have just vanished, and
 // Newton's step, which knows only the slope, misses them. Steps after the first know the fold, too (foldStep).
+//
+// Numbers are `real`: float, or double where LUXO_DOUBLE is defined.
 #include "lib/exact_interface.glsl"
-
-layout(constant_id = 5) const uint kParameterCount = 0;
-
-// The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).
-#include "lib/formula.glsl"
-layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
-// A CPU device reads a buffer slowly: parameters that are not carried are read once, not whenever the formula is.
-const uint kHeldParameters = 32;
-float heldParameters[kHeldParameters];
-void holdParameters() {
-  for (uint k = 0; k < kHeldParameters; ++k)
-    if (kCarriedParameters + k < kParameterCount)
-      heldParameters[k] = exactParameters[floatBitsToUint(linkSides.w) + kCarriedParameters + k];
-}
-float surfaceParameterAt(uint k) {
-  uint held = k - kCarriedParameters;
-  return k < kCarriedParameters ? linkParameters[k / 4][k % 4]
-         : held < kHeldParameters ? heldParameters[held]
-                                  : exactParameters[floatBitsToUint(linkSides.w) + k];
-}
-#define parameterAt surfaceParameterAt
-#include "surface"
-#undef parameterAt
+#include "lib/exact_surface.glsl"
 
 const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
@@ -42,33 +22,33 @@ const float kPi = 3.14159265;
 
 // The pixel's ray: f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
 struct Ray {
-  vec3 across1, across2;
-  float offset1, offset2;
+  real3 across1, across2;
+  real offset1, offset2;
 };
 
 Ray rayOfPixel() {
-  vec2 q = gl_FragCoord.xy - linkCellHalf.zw;
-  vec4 w = linkClip.w != 0.0 ? linkDepth : vec4(0, 0, 0, 1);
-  vec4 a = linkX - q.x * w, b = linkY - q.y * w;
+  real2 q = gl_FragCoord.xy - linkCellHalf.zw;
+  real4 w = linkClip.w != 0.0 ? rowDepth : real4(0, 0, 0, 1);
+  real4 a = rowX - q.x * w, b = rowY - q.y * w;
   return Ray(a.xyz, b.xyz, a.w, b.w);
 }
 
 // The surface at some (u, v), and where that is from the ray.
 struct Probe {
-  vec3 S, Su, Sv;
-  vec2 f, fu, fv;
-  float depth;
-  float residual;  // pixels
+  real3 S, Su, Sv;
+  real2 f, fu, fv;
+  real depth;
+  real residual;  // pixels
 };
 
-Probe probeAt(Ray ray, vec2 p) {
+Probe probeAt(Ray ray, real2 p) {
   Probe at;
   surfaceAt(p.x, p.y, at.S, at.Su, at.Sv);
-  at.f = vec2(dot(ray.across1, at.S) + ray.offset1, dot(ray.across2, at.S) + ray.offset2);
-  at.fu = vec2(dot(ray.across1, at.Su), dot(ray.across2, at.Su));
-  at.fv = vec2(dot(ray.across1, at.Sv), dot(ray.across2, at.Sv));
-  at.depth = dot(linkDepth.xyz, at.S) + linkDepth.w;
-  float w = linkClip.w != 0.0 ? at.depth : 1.0;
+  at.f = real2(dot(ray.across1, at.S) + ray.offset1, dot(ray.across2, at.S) + ray.offset2);
+  at.fu = real2(dot(ray.across1, at.Su), dot(ray.across2, at.Su));
+  at.fv = real2(dot(ray.across1, at.Sv), dot(ray.across2, at.Sv));
+  at.depth = dot(rowDepth.xyz, at.S) + rowDepth.w;
+  real w = linkClip.w != 0.0 ? at.depth : 1.0;
   // Behind the eye there is no screen. A formula without a value has an infinite residual, too.
   at.residual = w > 0.0 ? max(abs(at.f.x), abs(at.f.y)) / w : 1e30;
   if (!(at.residual < 1e30)) at.residual = 1e30;
@@ -76,26 +56,26 @@ Probe probeAt(Ray ray, vec2 p) {
 }
 
 // What a pixel is wide at the depth of a point, in units of f.
-float widthAt(Probe at) { return linkClip.w != 0.0 ? at.depth : 1.0; }
+real widthAt(Probe at) { return linkClip.w != 0.0 ? at.depth : 1.0; }
 
 // Pixels: what single precision leaves of a residual is part of it.
-float toleranceAt(Probe at) { return linkSpecularTolerance.w + (linkClip.w != 0.0 ? linkClip.y / at.depth : 0.0); }
+real toleranceAt(Probe at) { return linkSpecularTolerance.w + (linkClip.w != 0.0 ? linkClip.y / at.depth : 0.0); }
 
 // The area that a unit of u and v takes on the screen, signed.
-float area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
+real area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
 
 // The sign of that area on the side of the surface searched for: the one that the hull is seen from.
-float wantedSide() { return gl_FrontFacing ? linkSides.x : -linkSides.x; }
+real wantedSide() { return gl_FrontFacing ? linkSides.x : -linkSides.x; }
 
 bool polesOfU() { return abs(linkSides.y) > 1.5; }
 
 layout(constant_id = 6) const bool kPoles = true;  // whether an edge of a patch is one point
 
 // The angle of a direction, to half a hundredth: small ones far better.
-float angleOf(vec2 q) {
-  vec2 a = abs(q);
-  float z = min(a.x, a.y) / max(max(a.x, a.y), kSmallest);
-  float angle = z / (1.0 + 0.28 * z * z);
+real angleOf(real2 q) {
+  real2 a = abs(q);
+  real z = min(a.x, a.y) / max(max(a.x, a.y), kSmallest);
+  real angle = z / (1.0 + 0.28 * z * z);
   angle = a.y > a.x ? 0.5 * kPi - angle : angle;
   angle = q.x < 0.0 ? kPi - angle : angle;
   return q.y < 0.0 ? -angle : angle;
@@ -103,51 +83,51 @@ float angleOf(vec2 q) {
 
 // p moved by delta, at most that many cells. Beside an edge (of v, say) that is one point u is an angle around it: there the step is
 // straight in the tangent plane, or it would run around the point.
-vec2 moved(vec2 p, vec2 delta, Probe at, float most) {
-  vec2 cell = linkCellHalf.xy;
-  float size = max(abs(delta.x) / cell.x, abs(delta.y) / cell.y);
-  vec2 straight = p + delta * min(1.0, most / max(size, kSmallest));
+real2 moved(real2 p, real2 delta, Probe at, real most) {
+  real2 cell = linkCellHalf.xy;
+  real size = max(abs(delta.x) / cell.x, abs(delta.y) / cell.y);
+  real2 straight = p + delta * min(1.0, most / max(size, kSmallest));
   if (!kPoles) return straight;
   bool ofU = polesOfU();
-  float at_ = ofU ? p.x : p.y, size_ = ofU ? cell.x : cell.y;
-  float low = at_ - linkPolesWraps.x, high = linkPolesWraps.y - at_;
-  float height = max(min(low, high), 0.0);
+  real at_ = ofU ? p.x : p.y, size_ = ofU ? cell.x : cell.y;
+  real low = at_ - linkPolesWraps.x, high = linkPolesWraps.y - at_;
+  real height = max(min(low, high), 0.0);
   if (height < 3.0 * size_) {
     bool up = low < high;
     // |Su| / |Sv| = height * angle per unit of u.
-    vec3 around = ofU ? at.Sv : at.Su, outward = ofU ? at.Su : at.Sv;
-    float ratio = sqrt(dot(around, around) / max(dot(outward, outward), kSmallest));
-    float rise = ofU ? delta.x : delta.y;
-    vec2 step_ = vec2(up ? rise : -rise, ratio * (ofU ? delta.y : delta.x));
+    real3 around = ofU ? at.Sv : at.Su, outward = ofU ? at.Su : at.Sv;
+    real ratio = sqrt(dot(around, around) / max(dot(outward, outward), kSmallest));
+    real rise = ofU ? delta.x : delta.y;
+    real2 step_ = real2(up ? rise : -rise, ratio * (ofU ? delta.y : delta.x));
     step_ *= min(1.0, most * size_ / max(length(step_), kSmallest));
-    vec2 q = vec2(height + step_.x, step_.y);
-    float newHeight = length(q);
-    float anglePer = ratio / max(height, 1e-6 * size_);
-    float turned = anglePer > 0.0 ? angleOf(q) / anglePer : 0.0;
-    float moved_ = up ? linkPolesWraps.x + newHeight : linkPolesWraps.y - newHeight;
-    return ofU ? vec2(moved_, p.y + turned) : vec2(p.x + turned, moved_);
+    real2 q = real2(height + step_.x, step_.y);
+    real newHeight = length(q);
+    real anglePer = ratio / max(height, 1e-6 * size_);
+    real turned = anglePer > 0.0 ? angleOf(q) / anglePer : 0.0;
+    real moved_ = up ? linkPolesWraps.x + newHeight : linkPolesWraps.y - newHeight;
+    return ofU ? real2(moved_, p.y + turned) : real2(p.x + turned, moved_);
   }
   return straight;
 }
 
 // A cell beyond the domain and no farther: formulas need not exist there.
-vec2 nearDomain(vec2 p, float cells) {
-  vec2 margin = linkCellHalf.xy * cells;
-  vec2 low = linkDomain.xy - margin, high = linkDomain.zw + margin;
-  return vec2(linkPolesWraps.z > 0.0 ? p.x : clamp(p.x, low.x, high.x),
+real2 nearDomain(real2 p, real cells) {
+  real2 margin = linkCellHalf.xy * cells;
+  real2 low = patchDomain.xy - margin, high = patchDomain.zw + margin;
+  return real2(linkPolesWraps.z > 0.0 ? p.x : clamp(p.x, low.x, high.x),
               linkPolesWraps.w > 0.0 ? p.y : clamp(p.y, low.y, high.y));
 }
 
-bool nearlyInDomain(vec2 p) {
-  vec2 beyond = max(linkDomain.xy - p, p - linkDomain.zw) / linkCellHalf.xy;
+bool nearlyInDomain(real2 p) {
+  real2 beyond = max(patchDomain.xy - p, p - patchDomain.zw) / linkCellHalf.xy;
   return (linkPolesWraps.z > 0.0 || beyond.x < 0.02) && (linkPolesWraps.w > 0.0 || beyond.y < 0.02);
 }
 
 // Whether the point is the patch's. What is beyond an edge by less on the screen than the search's tolerance is on it.
-bool inDomain(vec2 p, Probe at) {
-  vec2 beyond = max(max(linkDomain.xy - p, p - linkDomain.zw), vec2(0));
-  beyond = vec2(linkPolesWraps.z > 0.0 ? 0.0 : beyond.x, linkPolesWraps.w > 0.0 ? 0.0 : beyond.y);
-  vec2 onScreen = beyond.x * at.fu + beyond.y * at.fv;
+bool inDomain(real2 p, Probe at) {
+  real2 beyond = max(max(patchDomain.xy - p, p - patchDomain.zw), real2(0));
+  beyond = real2(linkPolesWraps.z > 0.0 ? 0.0 : beyond.x, linkPolesWraps.w > 0.0 ? 0.0 : beyond.y);
+  real2 onScreen = beyond.x * at.fu + beyond.y * at.fv;
   return max(abs(onScreen.x), abs(onScreen.y)) <= toleranceAt(at) * widthAt(at);
 }
 
@@ -158,22 +138,22 @@ const int kFound = 0, kMissed = 1, kLost = 2;
 layout(constant_id = 7) const bool kSteep = true;  // whether rays may graze the surface
 
 // To where the offset would vanish if it were linear; `det` is area(at).
-vec2 newtonStep(Probe at, float det) {
-  return vec2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
+real2 newtonStep(Probe at, real det) {
+  return real2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
 }
 
 // A Newton step from p that knows the fold. Near one the step leads along it, and what changes on the way is the area
 // `det` that a unit of u and v takes in the picture, which vanishes at the fold: linearly, at the rate seen from `last`,
 // so that the offset along the step is a quadratic. The root taken is the one on the side searched for, where det has
 // its sign. `missed`: there is none, the ray passes by; the step then leads to where it is nearest.
-vec2 foldStep(vec2 p, Probe at, float det, float most, vec2 gradient, out bool missed) {
-  vec2 delta = newtonStep(at, det);
-  float k = dot(gradient, delta) / det;  // det at the end of the step is (1 + k) det
-  float square = 1.0 + 2.0 * k;
+real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool missed) {
+  real2 delta = newtonStep(at, det);
+  real k = dot(gradient, delta) / det;  // det at the end of the step is (1 + k) det
+  real square = 1.0 + 2.0 * k;
   missed = square < 0.0;
-  float root = sqrt(max(square, 0.0));
+  real root = sqrt(max(square, 0.0));
   bool rightSide = det * wantedSide() > 0.0;
-  float part = missed ? -1.0 / k : rightSide ? 2.0 / (1.0 + root) : k != 0.0 ? (-1.0 - root) / k : -0.5;
+  real part = missed ? -1.0 / k : rightSide ? 2.0 / (1.0 + root) : k != 0.0 ? (-1.0 - root) / k : -0.5;
   delta *= part;
   // A vanishing area gives no direction.
   if (!(abs(delta.x) + abs(delta.y) < 1e30)) delta = 0.25 * linkCellHalf.xy;
@@ -182,46 +162,46 @@ vec2 foldStep(vec2 p, Probe at, float det, float most, vec2 gradient, out bool m
 
 // The point where no ray grazes the surface, so that only one is near. Steps after the first know how the area changed
 // along the one before.
-int findPlainRoot(Ray ray, out vec2 p, out Probe at) {
+int findPlainRoot(Ray ray, out real2 p, out Probe at) {
   p = linkStart;
   at = probeAt(ray, p);
-  float det = area(at);
-  vec2 gradient = vec2(0);
+  real det = area(at);
+  real2 gradient = real2(0);
   for (int i = 0; i < kPlainSteps; ++i) {
-    vec2 delta = newtonStep(at, det);
-    float k = dot(gradient, delta) / det;
+    real2 delta = newtonStep(at, det);
+    real k = dot(gradient, delta) / det;
     delta *= 2.0 / (1.0 + sqrt(max(1.0 + 2.0 * k, 0.0)));
     p += delta;
     at = probeAt(ray, p);
-    float before = det;
+    real before = det;
     det = area(at);
     gradient = delta * ((det - before) / max(dot(delta, delta), kSmallest));
     if (converged(at)) break;
   }
-  vec2 way = abs(p - linkStart) / linkCellHalf.xy;
+  real2 way = abs(p - linkStart) / linkCellHalf.xy;
   bool root = max(way.x, way.y) <= kFarCells && converged(at) && det * wantedSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
 
 // A place on the curve along which a scan looks for roots: where the offset along the fold vanishes.
 struct Sample {
-  vec2 p;
-  float g, slope;  // the offset across the fold, and how it grows along the curve, per cell; both times the wanted side
-  float depth;
-  vec2 way;        // unit, along the curve, cells
+  real2 p;
+  real g, slope;  // the offset across the fold, and how it grows along the curve, per cell; both times the wanted side
+  real depth;
+  real2 way;        // unit, along the curve, cells
 };
 
 // The sample next to p, a Newton step away; `along` is the direction on the screen in which steps lead farthest, `sense`
 // tells which way along the curve leads away from the viewer.
-Sample sampleAt(vec2 p, Probe at, vec2 along, float sense) {
-  vec2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
-  vec2 rate = vec2(dot(along, a), dot(along, b));
-  float length2 = max(dot(rate, rate), kSmallest);
-  vec2 correction = rate * (-dot(along, at.f) / length2);
+Sample sampleAt(real2 p, Probe at, real2 along, real sense) {
+  real2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
+  real2 rate = real2(dot(along, a), dot(along, b));
+  real length2 = max(dot(rate, rate), kSmallest);
+  real2 correction = rate * (-dot(along, at.f) / length2);
   correction *= min(1.0, 0.5 / max(length(correction), kSmallest));
-  vec2 across = vec2(-along.y, along.x) * (wantedSide() * sense);
+  real2 across = real2(-along.y, along.x) * (wantedSide() * sense);
   Sample s;
-  s.way = vec2(-rate.y, rate.x) * (inversesqrt(length2) * sense);
+  s.way = real2(-rate.y, rate.x) * (inversesqrt(length2) * sense);
   s.p = p + correction * linkCellHalf.xy;
   s.g = dot(across, at.f + a * correction.x + b * correction.y);
   s.slope = dot(across, a * s.way.x + b * s.way.y);
@@ -230,25 +210,25 @@ Sample sampleAt(vec2 p, Probe at, vec2 along, float sense) {
 }
 
 // The direction on the screen in which a step in u or v leads farthest.
-vec2 longestAxis(Probe at) {
-  vec2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
-  float largest = max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y)));
+real2 longestAxis(Probe at) {
+  real2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
+  real largest = max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y)));
   a /= max(largest, kSmallest);
   b /= max(largest, kSmallest);
-  float d = a.x * a.x + b.x * b.x - a.y * a.y - b.y * b.y;
-  float e = 2.0 * (a.x * a.y + b.x * b.y);
-  float h = sqrt(d * d + e * e);
-  vec2 axis = d > 0.0 ? vec2(h + d, e) : vec2(e, h - d);
-  return dot(axis, axis) > 0.0 ? normalize(axis) : vec2(1, 0);
+  real d = a.x * a.x + b.x * b.x - a.y * a.y - b.y * b.y;
+  real e = 2.0 * (a.x * a.y + b.x * b.y);
+  real h = sqrt(d * d + e * e);
+  real2 axis = d > 0.0 ? real2(h + d, e) : real2(e, h - d);
+  return dot(axis, axis) > 0.0 ? normalize(axis) : real2(1, 0);
 }
 
 // Where between two samples, `low` before `high`, g rises through 0: 0 to 1, or -1. A dip below 0 or a bump above it
 // between them counts, too.
-float rise(Sample low, Sample high, float way) {
+real rise(Sample low, Sample high, real way) {
   if (low.g <= 0.0 && high.g > 0.0) return low.g / (low.g - high.g);
-  float turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
-  float extreme = low.g + 0.5 * way * turn * low.slope;
-  float extreme2 = high.g - 0.5 * way * (1.0 - turn) * high.slope;
+  real turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
+  real extreme = low.g + 0.5 * way * turn * low.slope;
+  real extreme2 = high.g - 0.5 * way * (1.0 - turn) * high.slope;
   bool dip = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0 && min(extreme, extreme2) <= 0.0;
   bool bump = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0 && max(extreme, extreme2) >= 0.0;
   return dip ? 1.0 : bump ? 0.0 : -1.0;
@@ -261,39 +241,39 @@ float rise(Sample low, Sample high, float way) {
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
 // The scan walks along that curve, takes the nearest of the roots on the side searched for, and ends with Newton's
 // method from there.
-int findGrazedRoot(Ray ray, out vec2 p, out Probe at) {
+int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   const int kNear = 0, kScan = 1, kPolish = 2;
   int mode = kNear, steps = 0, misses = 0, outside = 0;
   p = linkStart;
   at = probeAt(ray, p);
-  float det = area(at);
-  vec2 gradient = vec2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
-  vec2 along = vec2(0);
-  float sense = 1.0, nearest = 1e30, length_ = kScanStep;
-  vec2 best = p;
+  real det = area(at);
+  real2 gradient = real2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
+  real2 along = real2(0);
+  real sense = 1.0, nearest = 1e30, length_ = kScanStep;
+  real2 best = p;
   Sample first, last;
   int result = kLost;
   // A CPU device runs the whole body of a loop for all pixels at least once and skips no branch: so what takes long, the
   // formula, stands in it once.
   for (int i = 0; i < kNearSteps + 2 + kBackward + kForward + kPolishSteps; ++i) {
     bool missed;
-    vec2 next = nearDomain(foldStep(p, at, det, mode == kNear ? kBoldCells : kScanStep, gradient, missed), 1.0);
+    real2 next = nearDomain(foldStep(p, at, det, mode == kNear ? kBoldCells : kScanStep, gradient, missed), 1.0);
     bool stepped = mode != kScan;
     if (mode == kScan) {
       if (steps == 0) along = longestAxis(at);
       Sample now = sampleAt(p, at, along, sense);
       if (steps == 0) {
-        vec2 way = now.way * linkCellHalf.xy;
-        sense = dot(linkDepth.xyz, at.Su * way.x + at.Sv * way.y) < 0.0 ? -1.0 : 1.0;
+        real2 way = now.way * linkCellHalf.xy;
+        sense = dot(rowDepth.xyz, at.Su * way.x + at.Sv * way.y) < 0.0 ? -1.0 : 1.0;
         now.way *= sense;
         now.g *= sense;
         first = now;
       } else {
         bool back = steps <= kBackward;
-        float where = back ? rise(now, last, length_) : rise(last, now, length_);
-        float part = back ? 1.0 - where : where;
-        vec2 candidate = mix(last.p, now.p, part);
-        float depth = mix(last.depth, now.depth, part);
+        real where = back ? rise(now, last, length_) : rise(last, now, length_);
+        real part = back ? 1.0 - where : where;
+        real2 candidate = mix(last.p, now.p, part);
+        real depth = mix(last.depth, now.depth, part);
         if (where >= 0.0 && nearlyInDomain(candidate) && depth < nearest) {
           nearest = depth;
           best = candidate;
@@ -314,13 +294,13 @@ int findGrazedRoot(Ray ray, out vec2 p, out Probe at) {
       }
     }
     ++steps;
-    vec2 way = (next - p) / linkCellHalf.xy;
+    real2 way = (next - p) / linkCellHalf.xy;
     p = next;
     at = probeAt(ray, p);
-    float before = det;
+    real before = det;
     det = area(at);
-    float length2 = dot(way, way);
-    gradient = !stepped ? vec2(0) : length2 > 1e-6 ? (det - before) / length2 * way / linkCellHalf.xy : gradient;
+    real length2 = dot(way, way);
+    gradient = !stepped ? real2(0) : length2 > 1e-6 ? (det - before) / length2 * way / linkCellHalf.xy : gradient;
     if (mode != kScan) {
       bool inside = inDomain(p, at), root = converged(at) && det * wantedSide() > 0.0;
       misses = missed && stepped && length2 < kSettled * kSettled ? misses + 1 : 0;
@@ -338,7 +318,6 @@ int findGrazedRoot(Ray ray, out vec2 p, out Probe at) {
 }
 
 // Finds the point; p and at are its own when found.
-int findRoot(Ray ray, out vec2 p, out Probe at) {
-  holdParameters();
+int findRoot(Ray ray, out real2 p, out Probe at) {
   return kSteep ? findGrazedRoot(ray, p, at) : findPlainRoot(ray, p, at);
 }

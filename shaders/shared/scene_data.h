@@ -12,6 +12,7 @@ namespace luxo::shared {
 using vec2 = Vec2f;
 using vec3 = Vec3f;
 using vec4 = Vec4f;
+using dvec4 = Vec4;
 using mat3 = Mat3f;
 using mat4 = Mat4f;
 using uint = std::uint32_t;
@@ -31,6 +32,13 @@ LUXO_CONSTANT kBindingExactInstances = 0;
 LUXO_CONSTANT kBindingExactPatches = 1;
 LUXO_CONSTANT kBindingExactParameters = 2;
 LUXO_CONSTANT kBindingTally = 3;
+
+// Bindings of descriptor set 3, of those that find it in double.
+LUXO_CONSTANT kBindingPreciseInstances = 0;
+LUXO_CONSTANT kBindingPreciseParameters = 1;
+
+// The parameters of a patch's formula follow so many numbers of its domain: lowest u and v, highest u and v.
+LUXO_CONSTANT kDomainNumbers = 4;
 
 LUXO_CONSTANT kMostLights = 32;  // that may reach one object
 
@@ -85,6 +93,13 @@ struct ExactInstance {
   uint wrong;      // whether a root on the other side than the one searched for is shown if there is no other
 };
 
+// What a search in double knows of an instance: rows as in ExactInstance, and as many that give the place of the object's
+// points relative to the eye, along the world's axes.
+struct PreciseInstance {
+  dvec4 x, y, depth;
+  dvec4 relativeX, relativeY, relativeZ;
+};
+
 // A patch of a surface.
 struct ExactPatch {
   vec4 domain;          // lowest u and v, highest u and v
@@ -110,7 +125,7 @@ struct LightSet {
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
 static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
-static_assert(sizeof(ExactInstance) == 92 && sizeof(ExactPatch) == 44);
+static_assert(sizeof(ExactInstance) == 92 && sizeof(PreciseInstance) == 192 && sizeof(ExactPatch) == 44);
 }  // namespace luxo::shared
 #endif
 #endif

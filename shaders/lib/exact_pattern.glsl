@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface with a pattern found in every pixel. The files "surface" and "pattern" are made from formulas.
+#include "lib/exact_fragment.glsl"
+#include "lib/pattern.glsl"
+
+uint firstPatternParameter() { return linkFlags.z; }
+vec4 patternBounds() {
+  vec2 margin = 1e-6 * (linkDomain.zw - linkDomain.xy);
+  return vec4(linkDomain.xy + margin, linkDomain.zw - margin);
+}
+
+void main() {
+  Seen seen = seenPoint();
+  vec3 color = patternAt(seen.parameters);
+  show(seen, (linkFlags.x & kPatternAmbient) != 0 ? color * linkAmbientShininess.rgb : linkAmbientShininess.rgb, color);
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact shading where a view magnifies what float rounds away: shaders that compute in double.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/picture.h"
+
+namespace luxo::test {
+namespace {
+
+constexpr PixelSize kSize{64, 64};
+constexpr double kRadius = 0.7;  // no float
+
+class ExactDouble : public PictureTest {
+ protected:
+  void SetUp() override {
+    PictureTest::SetUp();
+    if (!IsSkipped() && !HasFatalFailure() && !context().features().float64)
+      GTEST_SKIP() << "no doubles in shaders";
+  }
+};
+
+/// A ball that is not where floats are, seen as through a telescope: the picture's height is `height` metres
+/// at the target.
+const Vec3 kCenter(0.1, -0.2, 0.3);
+const Vec3 kEye(0, 0, 4);
+
+Camera telescope(const Vec3& target, double height) {
+  return {.eye = kEye, .lookAt = target, .fovY = 2 * std::atan(0.5 * height / glm::length(target - kEye))};
+}
+
+Scene ball(Material material) {
+  Scene scene;
+  scene.set(plainSettings());
+  scene.add(
+      Node{.translation = kCenter, .surface = sphere(kRadius), .material = scene.add(std::move(material))});
+  return scene;
+}
+
+/// A point of the ball's outline.
+Vec3 onOutline() {
+  const Vec3 toEye = kEye - kCenter;
+  const double distance = glm::length(toEye), cosine = kRadius / distance;
+  const Vec3 axis = toEye / distance, across = unit(glm::cross(axis, Vec3(1, 2, 3)));
+  return kCenter + kRadius * (cosine * axis + std::sqrt(1 - cosine * cosine) * across);
+}
+
+TEST_F(ExactDouble, OutlinesAreSharpHoweverNear) {
+  const Scene scene = ball(glowing(Vec3(0, 1, 0)));
+  for (const double height : {1e-3, 1e-5}) {
+    SCOPED_TRACE(height);
+    const Camera camera = telescope(onOutline(), height);
+    const CameraModel model(camera, kSize);
+    const auto inside = [&](const Vec2& pixel) {
+      return hitSphere(model.through(pixel), kCenter, kRadius).has_value();
+    };
+    const Picture picture = draw(scene, camera, kSize);
+    int covered = 0;
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) {
+        const bool shown = colorAt(picture.image, x, y).y > 0;
+        covered += shown;
+        if (const auto truth = settled(inside, centerOf(x, y), 0.01)) {
+          ASSERT_EQ(shown, *truth) << x << ", " << y;
+        }
+      }
+    // The outline passes through the middle.
+    EXPECT_GT(covered, kSize.width * kSize.height / 4);
+    EXPECT_LT(covered, kSize.width * kSize.height * 3 / 4);
+    EXPECT_LE(picture.statistics.error.residualMaxPx.value_or(1), 1e-3);
+    EXPECT_EQ(picture.statistics.error.unconvergedPx, 0u);
+  }
+}
+
+// What is read back is float: two roundings of 2^-24.
+TEST_F(ExactDouble, DepthsAreRight) {
+  const Vec3 target = kCenter + kRadius * unit(Vec3(0.3, 0.2, 1));
+  const Camera camera = telescope(target, 1e-4);
+  const CameraModel model(camera, kSize);
+  const Image depth = draw(ball(glowing(Vec3(1))), camera, kSize, {.output = Output::Depth}).image;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const double truth = hitSphere(model.through(centerOf(x, y)), kCenter, kRadius)->first;
+      ASSERT_NEAR(depth.pixel(x, y)[0], truth, 2 * 0x1p-24 * truth) << x << ", " << y;
+    }
+}
+
+TEST_F(ExactDouble, PatternsAreShown) {
+  const Pattern shown = pattern([](auto u, auto v) { return point(0.1 * u, 0.3 * v + 0.5, 0.5); });
+  const Scene scene = ball({.specular = Vec3(0), .diffusePattern = shown});
+  const Camera camera = telescope(kCenter + kRadius * unit(Vec3(0.3, 0.2, 1)), 1e-4);
+  const Image color = draw(scene, camera, kSize).image;
+  const Image uv = draw(scene, camera, kSize, {.output = Output::Uv}).image;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const auto p = uv.pixel(x, y);
+      // A few roundings of numbers up to 1.
+      ASSERT_TRUE(near(colorAt(color, x, y), Vec3(0.1 * p[0], 0.3 * p[1] + 0.5, 0.5), 1e-6))
+          << x << ", " << y;
+    }
+}
+
+TEST_F(ExactDouble, WithoutItTheReportTellsOfALargerError) {
+  const Scene scene = ball(glowing(Vec3(1)));
+  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-4);
+  const FrameError with = draw(scene, camera, kSize).statistics.error;
+  const FrameError without = draw(scene, camera, kSize, {.doubles = false}).statistics.error;
+  EXPECT_LE(with.residualMaxPx.value_or(1), 1e-4);
+  // A pixel is 1.6e-6 m, of which 2^-24 of the ball's size is 0.03.
+  EXPECT_GT(without.residualMaxPx.value_or(0), 3e-3);
+}
+
+}  // namespace
+}  // namespace luxo::test
