@@ -17,6 +17,8 @@ const float kFarCells = 2.0;    // a root farther from the start is not certain 
 const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a scan, and how much longer each next is
 const int kBackward = 2, kForward = 12;            // steps against the ray and along it
 const int kPolishSteps = 8;
+const float kNearPixels = 0.5;
+const float kTurned = 0.8;
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
 
@@ -248,7 +250,7 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   at = probeAt(ray, p);
   real det = area(at);
   real2 gradient = real2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
-  real2 along = real2(0);
+  real2 along = real2(0), firstAlong = along;
   real sense = 1.0, nearest = 1e30, length_ = kScanStep;
   real2 best = p;
   Sample first, last;
@@ -260,7 +262,12 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
     real2 next = nearDomain(foldStep(p, at, det, mode == kNear ? kBoldCells : kScanStep, gradient, missed), 1.0);
     bool stepped = mode != kScan;
     if (mode == kScan) {
-      if (steps == 0) along = longestAxis(at);
+      // Turns with the surface.
+      real2 axis = longestAxis(at);
+      axis = dot(along, axis) < 0.0 ? -axis : axis;
+      if (steps == 0 || dot(along, axis) < kTurned) along = normalize(along + axis);
+      if (steps == kBackward + 1) along = firstAlong;
+      if (steps == 0) firstAlong = along;
       Sample now = sampleAt(p, at, along, sense);
       if (steps == 0) {
         real2 way = now.way * linkCellHalf.xy;
@@ -307,6 +314,8 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
       outside = inside ? 0 : outside + 1;
       if (root && inside) result = kFound;
       else if (mode == kPolish && (root || misses == 2)) result = kMissed;
+      // What had seemed to be a root and is not even near the ray is none.
+      if (mode == kPolish && steps == kPolishSteps) result = result == kLost && at.residual > kNearPixels ? kMissed : result;
       if (result != kLost || mode == kPolish && steps == kPolishSteps) break;
       if (mode == kNear && (misses == 2 || outside == 3 || steps == kNearSteps)) {
         mode = kScan;
