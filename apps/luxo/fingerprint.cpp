@@ -32,6 +32,12 @@ std::string memorySize() {
   return fmt::format("{:.0f} GiB", bytes / (1 << 30));
 }
 
+/// Of the last minute: what else the machine did, in cores.
+std::string load() {
+  double average = 0;
+  return getloadavg(&average, 1) == 1 ? fmt::format("{:.2f}", average) : "unknown";
+}
+
 std::string compilerName() {
 #ifdef __clang__
   return "clang " __clang_version__;
@@ -49,6 +55,7 @@ Fingerprint fingerprintOf(const gpu::DeviceInfo& device) {
       {"driver", device.driver},      {"vulkan", device.apiVersion},
       {"processor", processorName()}, {"cores", std::to_string(std::thread::hardware_concurrency())},
       {"memory", memorySize()},       {"system", systemName()},
+      {"load_before", load()},
   };
   if (const char* threads = std::getenv("LP_NUM_THREADS"))
     fingerprint.emplace_back("LP_NUM_THREADS", threads);

@@ -100,7 +100,7 @@ TEST_F(BenchFilesTest, EveryFileIsCompleteAndWellFormed) {
   const Json json = Json::parse(textOf(folder / "new/results/results.json"));
   EXPECT_EQ(json["size"], Json({64, 48}));
   EXPECT_EQ(json["runs"], 2);
-  for (const char* name : {"luxo", "device", "driver", "processor", "cores"})
+  for (const char* name : {"luxo", "device", "driver", "processor", "cores", "load_before"})
     EXPECT_FALSE(json["machine"][name].get<std::string>().empty()) << name;
   expectCompleteTable(textOf(folder / "new/results/results.csv"), json);
 
