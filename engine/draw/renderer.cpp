@@ -16,7 +16,7 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A hull whose search lost pixels is made finer this often.
+/// The search for a surface that lost pixels is repeated with more care this often.
 constexpr int kMostRefinements = 3;
 
 /// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
@@ -131,6 +131,7 @@ bool Renderer::inOnePass(const DrawOptions& options) const {
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
                     const Recording& then) {
   HullLevels levels;
+  std::vector<std::uint32_t> lostBefore;
   for (int round = 0;; ++round) {
     FrameStatistics attempt;
     const VkCommandBuffer commands = frames_.begin();
@@ -146,9 +147,17 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
 
     const std::vector<std::uint32_t> lost = painter_.lostPixels();
     statistics.error.unconvergedPx = std::accumulate(lost.begin(), lost.end(), std::uint64_t{0});
-    if (statistics.error.unconvergedPx == 0 || round == kMostRefinements) return;
     levels.resize(snapshot.nodes.size());
-    for (std::size_t node = 0; node < lost.size(); ++node) levels[node] += lost[node] > 0;
+    lostBefore.resize(lost.size());
+    bool finer = false;
+    for (std::size_t node = 0; node < lost.size(); ++node) {
+      // What more care did not help is a singular point: it is counted, and left.
+      if (lost[node] == 0 || (levels[node] > 0 && lost[node] >= lostBefore[node])) continue;
+      ++levels[node];
+      finer = true;
+    }
+    lostBefore = lost;
+    if (!finer || round == kMostRefinements) return;
   }
 }
 

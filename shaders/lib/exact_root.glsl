@@ -19,6 +19,7 @@ const int kBackward = 2, kForward = 12;            // steps against the ray and 
 const int kPolishSteps = 8;
 const float kNearPixels = 0.5;
 const float kTurned = 0.8;
+const float kGrazing = 0.1;
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
 
@@ -314,8 +315,12 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
       outside = inside ? 0 : outside + 1;
       if (root && inside) result = kFound;
       else if (mode == kPolish && (root || misses == 2)) result = kMissed;
-      // What had seemed to be a root and is not even near the ray is none.
-      if (mode == kPolish && steps == kPolishSteps) result = result == kLost && at.residual > kNearPixels ? kMissed : result;
+      // What had seemed to be a root and is not even near the ray is none. Nor is a place where the area vanishes: there
+      // the ray passes by, nearest to the surface.
+      real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
+      bool passes = abs(ju.x * jv.y - ju.y * jv.x) < kGrazing * (dot(ju, ju) + dot(jv, jv));
+      if (mode == kPolish && steps == kPolishSteps && result == kLost && (at.residual > kNearPixels || passes))
+        result = kMissed;
       if (result != kLost || mode == kPolish && steps == kPolishSteps) break;
       if (mode == kNear && (misses == 2 || outside == 3 || steps == kNearSteps)) {
         mode = kScan;

@@ -75,7 +75,7 @@ BenchScene exampleScene() {
       .truthMs = 1,
       .truth = Image(2, 3, 3),
       .rows = {rowOf({Shading::Phong, 0.5, 1}, 100, 4, 0.4), rowOf({Shading::Phong, 0.05, 1}, 1'000, 8, 0.04),
-               rowOf({Shading::Exact, 4, 1}, 50, 6, 0.0005), rowOf({Shading::Exact, 4, 4}, 50, 1, 0.0005)},
+               rowOf({Shading::Exact, 2, 1}, 50, 6, 0.0005), rowOf({Shading::Exact, 2, 4}, 50, 1, 0.0005)},
       .pictures = {}};
 }
 

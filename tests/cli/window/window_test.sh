@@ -285,7 +285,7 @@ case_smooths() {
   await "it becomes smooth again" logged 'smooth after' 2
   keys m
   await "four samples become smooth, too" logged 'smooth after' 3
-  keys m 3 a
+  keys m 5 a
   window_png shown.png
   cp "$folder/coarse.png" "$folder/file.png"
   shown_as file.png
