@@ -104,7 +104,7 @@ real2 moved(real2 p, real2 delta, Probe at, real most) {
     real2 step_ = real2(up ? rise : -rise, ratio * (ofU ? delta.y : delta.x));
     step_ *= min(1.0, most * size_ / max(length(step_), kSmallest));
     real2 q = real2(height + step_.x, step_.y);
-    real newHeight = length(q);
+    real newHeight = max(length(q), 1e-6 * size_);  // at the point itself there is no normal
     real anglePer = ratio / max(height, 1e-6 * size_);
     real turned = anglePer > 0.0 ? angleOf(q) / anglePer : 0.0;
     real moved_ = up ? linkPolesWraps.x + newHeight : linkPolesWraps.y - newHeight;
