@@ -45,9 +45,9 @@ constexpr KnownMiss kMisses[] = {
     {"ST-39", "difference of colours from different hulls", kRims},
     {"ST-39", "pixels that show another node", kRims},
     {"ST-27", "longest gap",
-     "samples are at random places of a pixel, and a tube of 1/12 pixel lies between 256 of them once in a "
-     "while: "
-     "samples placed for low discrepancy leave smaller gaps"},
+     "the 256 samples lie closer than the tube is wide, so it is searches that miss: a tube far thinner than "
+     "the "
+     "hull of two pixels is a few cells around, each turning too far for a scan"},
     {"ST-21", "flat, slanted, vertices to 2^20 px",
      "a float vertex a million pixels away is rounded to 1/16 pixel: clipping in double would not be"},
 };
