@@ -149,7 +149,10 @@ TEST_F(AgainstReference, Teapot) {
   compare(embedded("teapot"), Shading::Phong, 0, 5);
 }
 
-TEST_F(AgainstReference, Showcase) { compare(embedded("showcase"), Shading::Phong, 0, 4); }
+TEST_F(AgainstReference, Showcase) {
+  compare(embedded("showcase"), Shading::Exact, 0, 4);
+  compare(embedded("showcase"), Shading::Phong, 0, 4);
+}
 
 }  // namespace
 }  // namespace luxo::test
