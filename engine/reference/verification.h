@@ -99,7 +99,7 @@ struct ColorErrors {
 struct Verification {
   CoverageErrors coverage;
   /// On the screen, from the pixel's centre to the surface's point at the (u, v) shown: px. For exact shading
-  /// the error that is certified; for meshes the one that the tolerance bounds.
+  /// the error that is certified; of meshes (u, v) are interpolated, and may be farther off than the mesh.
   ErrorSpread positionPx;
   /// In space, from the true point to the surface's point at the (u, v) shown, and to the position shown: in
   /// pixels at that depth. Where a surface is seen at a grazing angle a little on the screen is much in
