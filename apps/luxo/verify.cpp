@@ -9,6 +9,8 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "console.h"
@@ -141,7 +143,9 @@ int verifyStability(const VerifyOptions& options) {
   if (!request.scene.empty())
     throw Error(ErrorKind::Usage, "--stability brings its own scenes", "leave the scene out");
   const auto log = std::make_shared<gpu::ValidationLog>();
-  const bool passed = runStability({.ids = options.cases,
+  std::vector<std::string> cases = options.cases;
+  std::erase(cases, "");  // CLI11's way to say that an option came without a value
+  const bool passed = runStability({.ids = cases,
                                     .json = options.json,
                                     .options = {.shading = request.shading.value_or(Shading::Exact),
                                                 .device = request.device,

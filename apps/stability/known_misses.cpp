@@ -18,8 +18,8 @@ constexpr std::string_view kPolynomials =
     "small";
 constexpr std::string_view kRims =
     "just inside the outline of an open cylinder, at its rim, a ray enters the hull by the outer side, "
-    "passes beyond the "
-    "rim and meets the inner side, for which no search began there";
+    "passes beyond the rim "
+    "and meets the inner side, for which no search began there";
 
 constexpr KnownMiss kMisses[] = {
     {"ST-05", "error on the device: teapot", kPolynomials},

@@ -97,6 +97,10 @@ TEST_F(VerifyPictureTest, TheStabilitySuiteRunsByName) {
   EXPECT_EQ(verify({"--stability", "ST-99"}).code, 2);
 }
 
+TEST_F(VerifyTest, WithoutNamesTheWholeStabilitySuiteRuns) {
+  expectFailure(verify({"--stability", "--device", "nosuch"}), 4, "nosuch");  // its first case wants a device
+}
+
 TEST_F(VerifyTest, Refusals) {
   const auto refused = [&](const Arguments& arguments, int code, const std::string& said) {
     expectFailure(verify(arguments), code, said);
