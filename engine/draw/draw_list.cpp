@@ -323,7 +323,8 @@ class DrawLister {
     item.instance.exact = exactInstance(snapshot_.view, node, v, number);
     if (number == GlslNumber::Double) item.instance.precise = preciseInstance(snapshot_.view, node);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
-    item.instance.exact.wrong = batch.bothSides;
+    item.instance.exact.thickness =
+        static_cast<float>(3 * batch.hull->offset * v.stretch * snapshot_.view.pixelsPerUnit);
     const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
     for (const Hull::Part& part : batch.hull->parts) {
       const Patch& patch = node.surface.patches()[part.patch];

@@ -125,7 +125,7 @@ shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, 
       .facing = visible.mirrored ? 1.0f : -1.0f,
       .tolerance = static_cast<float>(std::max(kExactTolerancePx, rounding.everywhere)),
       .firstPatch = 0,
-      .wrong = 0};
+      .thickness = 0};
 }
 
 shared::PreciseInstance preciseInstance(const View& view, const SnapshotNode& node) {

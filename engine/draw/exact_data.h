@@ -20,7 +20,7 @@ inline constexpr double kExactTolerancePx = 1e-4;
 /// Whether float would round away more of a point's place on the screen than a picture may lack.
 [[nodiscard]] bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible);
 
-/// All of the instance but firstPatch and wrong, for a search in those numbers.
+/// All of the instance but firstPatch and thickness, for a search in those numbers.
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
                                                   const VisibleNode& visible, GlslNumber number);
 

@@ -2,6 +2,7 @@
 #include "draw/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -32,6 +33,52 @@ void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
 
 int channelsOf(Output output) {
   return output == Output::Depth || output == Output::Id || output == Output::Residual ? 1 : 3;
+}
+
+template <int kChannels>
+void readChannels(const std::byte* texels, int width, float* out) {
+  for (int x = 0; x < width; ++x)
+    std::memcpy(out + kChannels * x, texels + sizeof(Vec4f) * x, kChannels * sizeof(float));
+}
+
+/// World positions are completed in double: far from the origin a float cannot hold both the eye and the
+/// rest.
+void readPositions(const std::byte* texels, int width, const Vec3& eye, float* out) {
+  for (int x = 0; x < width; ++x, out += 3) {
+    Vec4f value;
+    std::memcpy(&value, texels + sizeof value * x, sizeof value);
+    const Vec3f position = value.w != 0 ? Vec3f(Vec3(value) + eye) : Vec3f(value);
+    std::memcpy(out, &position, sizeof position);
+  }
+}
+
+/// What the alphas of pixels tell of searches: the largest residual, as the bits of a float, whose order is
+/// that of the floats, so that a compiler may take many at once; and how many are not certified.
+struct Certificate {
+  std::int32_t residual = 0;
+  std::uint32_t uncertified = 0;
+
+  void add(float alpha) {
+    const auto bits = std::bit_cast<std::uint32_t>(alpha);
+    residual = std::max(residual, static_cast<std::int32_t>(bits & 0x7fffffffU));
+    uncertified += bits >> 31U;
+  }
+};
+
+float alphaAt(const std::byte* texels, int x) {
+  float alpha;
+  std::memcpy(&alpha, texels + sizeof(Vec4f) * x + 3 * sizeof alpha, sizeof alpha);
+  return alpha;
+}
+
+void addAlphas(const std::byte* texels, int width, Certificate& certificate) {
+  Certificate row = certificate;
+  for (int x = 0; x < width; ++x) row.add(alphaAt(texels, x));
+  certificate = row;
+}
+
+void addMeanAlphas(const std::byte* texels, int width, Certificate& certificate) {
+  for (int x = 0; x < width; ++x) certificate.add(Accumulator::alphaOf(alphaAt(texels, x)));
 }
 
 /// Of a frame that shows what the one before it showed: everything that was done for that one is not done.
@@ -188,27 +235,25 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
             channels = channelsOf(output);
   // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
   const bool certifies = output == Output::Color && painter_.searches();
-  float residual = 0;
+  Certificate certificate;
   Image image(width, height, channels);
   for (int y = 0; y < height; ++y) {
-    const std::byte* texel = readback_.row(static_cast<std::uint32_t>(y)).data();
-    float* out = image.row(y).data();
-    for (int x = 0; x < width; ++x, texel += sizeof(Vec4f), out += channels) {
-      Vec4f value;
-      std::memcpy(&value, texel, sizeof value);
-      if (certifies && value.w != 0) {
-        const float certificate = averaged ? Accumulator::alphaOf(value.w) : value.w;
-        residual = std::max(residual, std::abs(certificate));
-        error.uncertifiedPx += certificate < 0;
-      }
-      // World positions are completed in double: far from the origin a float cannot hold both the eye and the
-      // rest.
-      if (output == Output::Position && value.w != 0)
-        value = Vec4f(Vec3f(Vec3(value) + snapshot.view.eye), 1);
-      std::memcpy(out, &value, channels * sizeof(float));
-    }
+    const std::byte* texels = readback_.row(static_cast<std::uint32_t>(y)).data();
+    if (certifies && averaged)
+      addMeanAlphas(texels, width, certificate);
+    else if (certifies)
+      addAlphas(texels, width, certificate);
+    if (output == Output::Position)
+      readPositions(texels, width, snapshot.view.eye, image.row(y).data());
+    else if (channels == 3)
+      readChannels<3>(texels, width, image.row(y).data());
+    else
+      readChannels<1>(texels, width, image.row(y).data());
   }
-  if (certifies) error.residualMaxPx = residual;
+  if (certifies) {
+    error.residualMaxPx = std::bit_cast<float>(certificate.residual);
+    error.uncertifiedPx += certificate.uncertified;
+  }
   return image;
 }
 

@@ -68,7 +68,7 @@ Seen seenPoint() {
   if (result == kLost) atomicAdd(tally.lost[linkFlags.w], 1);
   if (result != kFound) discard;
   // Orthographic: linear; perspective: near / depth.
-  float depth = float(at.depth), residual = float(at.residual);
+  float depth = float(at.depth), residual = float(offset(at) / widthAt(at));
   float z = linkClip.w != 0.0 ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
   if (!(z >= 0.0 && z <= 1.0)) discard;  // before the near plane
   gl_FragDepth = z;

@@ -28,5 +28,5 @@ layout(location = 18) flat LUXO_LINK vec4 linkDomain;
 layout(location = 19) flat LUXO_LINK vec4 linkCellHalf;           // extent of the cells in u and v; half the picture
 layout(location = 20) flat LUXO_LINK vec4 linkPolesWraps;
 layout(location = 21) flat LUXO_LINK vec4 linkSides;              // see wantedSide(); above 0: the front, twice that: poles are edges of u; second derivatives; firstParameter
-layout(location = 22) flat LUXO_LINK vec4 linkClip;               // clipDepth; whether the other side will do; 1: perspective
+layout(location = 22) flat LUXO_LINK vec4 linkClip;               // clipDepth; thickness; 1: perspective
 layout(location = 23) flat LUXO_LINK vec4 linkParameters[kCarriedParameters / 4];

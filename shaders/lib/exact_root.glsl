@@ -16,6 +16,8 @@ const float kBoldCells = 4.0;   // how many cells a step may lead
 const float kFarCells = 2.0;    // a root farther from the start is not certain to be the nearest
 const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a scan, and how much longer each next is
 const int kBackward = 2, kForward = 12;            // steps against the ray and along it
+const float kAlike = 0.5;    // of two areas: between places that differ by no more there is no fold
+const float kBeyond = 1.0;  // cells beyond the domain that a scan looks at
 const int kPolishSteps = 8;
 const float kNearPixels = 0.5;
 const float kTurned = 0.8;
@@ -41,7 +43,6 @@ struct Probe {
   real3 S, Su, Sv;
   real2 f, fu, fv;
   real depth;
-  real residual;  // pixels
 };
 
 Probe probeAt(Ray ray, real2 p) {
@@ -51,18 +52,20 @@ Probe probeAt(Ray ray, real2 p) {
   at.fu = real2(dot(ray.across1, at.Su), dot(ray.across2, at.Su));
   at.fv = real2(dot(ray.across1, at.Sv), dot(ray.across2, at.Sv));
   at.depth = dot(rowDepth.xyz, at.S) + rowDepth.w;
-  real w = linkClip.w != 0.0 ? at.depth : 1.0;
-  // Behind the eye there is no screen. A formula without a value has an infinite residual, too.
-  at.residual = w > 0.0 ? max(abs(at.f.x), abs(at.f.y)) / w : 1e30;
-  if (!(at.residual < 1e30)) at.residual = 1e30;
   return at;
 }
 
-// What a pixel is wide at the depth of a point, in units of f.
+// What a pixel is wide at the depth of a point, in units of f. Behind the eye there is no screen, and it is negative.
 real widthAt(Probe at) { return linkClip.w != 0.0 ? at.depth : 1.0; }
 
-// Pixels: what single precision leaves of a residual is part of it.
-real toleranceAt(Probe at) { return linkSpecularTolerance.w + (linkClip.w != 0.0 ? linkClip.y / at.depth : 0.0); }
+// In units of f, as all that follows: a division by the width is what a search would wait for most of its time.
+real offset(Probe at) { return max(abs(at.f.x), abs(at.f.y)); }
+
+// What single precision leaves of an offset is part of it.
+real tolerance(Probe at) { return linkSpecularTolerance.w * widthAt(at) + (linkClip.w != 0.0 ? linkClip.y : 0.0); }
+
+// Never, where the formula has no value.
+bool converged(Probe at) { return widthAt(at) > 0.0 && offset(at) <= tolerance(at); }
 
 // The area that a unit of u and v takes on the screen, signed.
 real area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
@@ -121,9 +124,10 @@ real2 nearDomain(real2 p, real cells) {
               linkPolesWraps.w > 0.0 ? p.y : clamp(p.y, low.y, high.y));
 }
 
-bool nearlyInDomain(real2 p) {
+// How many cells p is beyond the domain; below 0 inside.
+real cellsBeyond(real2 p) {
   real2 beyond = max(patchDomain.xy - p, p - patchDomain.zw) / linkCellHalf.xy;
-  return (linkPolesWraps.z > 0.0 || beyond.x < 0.02) && (linkPolesWraps.w > 0.0 || beyond.y < 0.02);
+  return max(linkPolesWraps.z > 0.0 ? -1.0 : beyond.x, linkPolesWraps.w > 0.0 ? -1.0 : beyond.y);
 }
 
 // Whether the point is the patch's. What is beyond an edge by less on the screen than the search's tolerance is on it.
@@ -131,10 +135,8 @@ bool inDomain(real2 p, Probe at) {
   real2 beyond = max(max(patchDomain.xy - p, p - patchDomain.zw), real2(0));
   beyond = real2(linkPolesWraps.z > 0.0 ? 0.0 : beyond.x, linkPolesWraps.w > 0.0 ? 0.0 : beyond.y);
   real2 onScreen = beyond.x * at.fu + beyond.y * at.fv;
-  return max(abs(onScreen.x), abs(onScreen.y)) <= toleranceAt(at) * widthAt(at);
+  return max(abs(onScreen.x), abs(onScreen.y)) <= tolerance(at);
 }
-
-bool converged(Probe at) { return at.residual <= toleranceAt(at); }
 
 const int kFound = 0, kMissed = 1, kLost = 2;
 
@@ -142,7 +144,7 @@ layout(constant_id = 7) const bool kSteep = true;  // whether rays may graze the
 
 // To where the offset would vanish if it were linear; `det` is area(at).
 real2 newtonStep(Probe at, real det) {
-  return real2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) / det;
+  return real2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) * (1.0 / det);
 }
 
 // A Newton step from p that knows the fold. Near one the step leads along it, and what changes on the way is the area
@@ -163,26 +165,17 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
   return moved(p, delta, at, most);
 }
 
-// The point where no ray grazes the surface, so that only one is near. Steps after the first know how the area changed
-// along the one before.
+// The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
   p = linkStart;
   at = probeAt(ray, p);
-  real det = area(at);
-  real2 gradient = real2(0);
   for (int i = 0; i < kPlainSteps; ++i) {
-    real2 delta = newtonStep(at, det);
-    real k = dot(gradient, delta) / det;
-    delta *= 2.0 / (1.0 + sqrt(max(1.0 + 2.0 * k, 0.0)));
-    p += delta;
+    p += newtonStep(at, area(at));
     at = probeAt(ray, p);
-    real before = det;
-    det = area(at);
-    gradient = delta * ((det - before) / max(dot(delta, delta), kSmallest));
     if (converged(at)) break;
   }
   real2 way = abs(p - linkStart) / linkCellHalf.xy;
-  bool root = max(way.x, way.y) <= kFarCells && converged(at) && det * wantedSide() > 0.0;
+  bool root = max(way.x, way.y) <= kFarCells && converged(at) && area(at) * wantedSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
 
@@ -237,95 +230,100 @@ real rise(Sample low, Sample high, real way) {
   return dip ? 1.0 : bump ? 0.0 : -1.0;
 }
 
+// Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a root
+// that a scan has found is `polished`: it stays near, and what it does not find is not there.
+int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
+  real2 way = real2(0), gradient = real2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
+  real det = 0.0, first = 0.0;
+  bool missed = false;
+  int misses = 0, outside = 0, result = kLost;
+  for (int i = 0;; ++i) {
+    at = probeAt(ray, p);
+    real before = det, length2 = dot(way, way);
+    det = area(at);
+    if (i == 0) first = det;
+    if (length2 > 1e-6) gradient = (det - before) / length2 * way / linkCellHalf.xy;
+    bool inside = inDomain(p, at), root = converged(at) && det * wantedSide() > 0.0;
+    misses = missed && length2 < kSettled * kSettled ? misses + 1 : 0;
+    outside = inside || i == 0 ? 0 : outside + 1;
+    if (root && inside) result = kFound;
+    else if (polished && (root || misses == 2)) result = kMissed;
+    else if (root && det / first > kAlike && first / det > kAlike) result = kMissed;
+    bool last = i == (polished ? kPolishSteps : kNearSteps);
+    // What had seemed to be a root and is not even near the ray is none. Nor is a place where the area vanishes: there
+    // the ray passes by, nearest to the surface.
+    real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
+    bool passes = abs(ju.x * jv.y - ju.y * jv.x) < kGrazing * (dot(ju, ju) + dot(jv, jv));
+    if (polished && last && result == kLost && (!(offset(at) <= kNearPixels * widthAt(at)) || passes)) result = kMissed;
+    if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
+    real2 next = nearDomain(foldStep(p, at, det, polished ? kScanStep : kBoldCells, gradient, missed), 1.0);
+    way = (next - p) / linkCellHalf.xy;
+    p = next;
+  }
+  return result;
+}
+
+// Walks along the curve through the start on which the offset along the fold vanishes, first against the ray, then along
+// it, and ends at the nearest place where the offset across the fold vanishes, too, on the side searched for: `best`.
+bool scan(Ray ray, out real2 best) {
+  real2 p = linkStart, along = real2(0), firstAlong = along;
+  real sense = 1.0, nearest = 1e30, length_ = kScanStep;
+  Sample first, last;
+  best = p;
+  for (int steps = 0; steps <= kBackward + kForward; ++steps) {
+    Probe at = probeAt(ray, p);
+    // Turns with the surface.
+    real2 axis = longestAxis(at);
+    axis = dot(along, axis) < 0.0 ? -axis : axis;
+    if (steps == 0 || dot(along, axis) < kTurned) along = normalize(along + axis);
+    if (steps == kBackward + 1) along = firstAlong;
+    if (steps == 0) firstAlong = along;
+    Sample now = sampleAt(p, at, along, sense);
+    if (steps == 0) {
+      real2 way = now.way * linkCellHalf.xy;
+      sense = dot(rowDepth.xyz, at.Su * way.x + at.Sv * way.y) < 0.0 ? -1.0 : 1.0;
+      now.way *= sense;
+      now.g *= sense;
+      first = now;
+    } else {
+      bool back = steps <= kBackward;
+      real where = back ? rise(now, last, length_) : rise(last, now, length_);
+      real part = back ? 1.0 - where : where;
+      real2 candidate = mix(last.p, now.p, part);
+      real depth = mix(last.depth, now.depth, part);
+      if (where >= 0.0 && cellsBeyond(candidate) < 0.02 && depth < nearest) {
+        nearest = depth;
+        best = candidate;
+      }
+    }
+    // Beyond the hull and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
+    bool leaves = steps > kBackward && (now.g < last.g && now.g < -linkClip.z || cellsBeyond(now.p) > kBeyond);
+    if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
+    last = steps == kBackward ? first : now;
+    bool backward = steps < kBackward;
+    length_ = kScanStep + kScanGrowth * float(backward ? 0 : steps - kBackward);
+    p = last.p + (backward ? -length_ : length_) * last.way * linkCellHalf.xy;
+  }
+  return nearest < 1e30;
+}
+
 // The point where rays may graze the surface.
 //
 // Newton's method from where the ray enters the hull finds most. Where folds lie close to each other or to an edge, it
 // may find the wrong root or none. There a scan begins: along a fold the surface is flat on the screen, so one direction
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
-// The scan walks along that curve, takes the nearest of the roots on the side searched for, and ends with Newton's
-// method from there.
+// The scan takes the nearest of its roots, and Newton's method goes on from there.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
-  const int kNear = 0, kScan = 1, kPolish = 2;
-  int mode = kNear, steps = 0, misses = 0, outside = 0;
   p = linkStart;
-  at = probeAt(ray, p);
-  real det = area(at);
-  real2 gradient = real2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
-  real2 along = real2(0), firstAlong = along;
-  real sense = 1.0, nearest = 1e30, length_ = kScanStep;
-  real2 best = p;
-  Sample first, last;
   int result = kLost;
-  // A CPU device runs the whole body of a loop for all pixels at least once and skips no branch: so what takes long, the
-  // formula, stands in it once.
-  for (int i = 0; i < kNearSteps + 2 + kBackward + kForward + kPolishSteps; ++i) {
-    bool missed;
-    real2 next = nearDomain(foldStep(p, at, det, mode == kNear ? kBoldCells : kScanStep, gradient, missed), 1.0);
-    bool stepped = mode != kScan;
-    if (mode == kScan) {
-      // Turns with the surface.
-      real2 axis = longestAxis(at);
-      axis = dot(along, axis) < 0.0 ? -axis : axis;
-      if (steps == 0 || dot(along, axis) < kTurned) along = normalize(along + axis);
-      if (steps == kBackward + 1) along = firstAlong;
-      if (steps == 0) firstAlong = along;
-      Sample now = sampleAt(p, at, along, sense);
-      if (steps == 0) {
-        real2 way = now.way * linkCellHalf.xy;
-        sense = dot(rowDepth.xyz, at.Su * way.x + at.Sv * way.y) < 0.0 ? -1.0 : 1.0;
-        now.way *= sense;
-        now.g *= sense;
-        first = now;
-      } else {
-        bool back = steps <= kBackward;
-        real where = back ? rise(now, last, length_) : rise(last, now, length_);
-        real part = back ? 1.0 - where : where;
-        real2 candidate = mix(last.p, now.p, part);
-        real depth = mix(last.depth, now.depth, part);
-        if (where >= 0.0 && nearlyInDomain(candidate) && depth < nearest) {
-          nearest = depth;
-          best = candidate;
-        }
-      }
-      last = steps == kBackward ? first : now;
-      bool backward = steps < kBackward;
-      length_ = kScanStep + kScanGrowth * float(backward ? 0 : steps - kBackward);
-      next = last.p + (backward ? -length_ : length_) * last.way * linkCellHalf.xy;
-      next = steps < 0 ? linkStart : next;
-      if (steps >= kBackward && nearest < 1e30) {
-        mode = kPolish;
-        steps = misses = 0;
-        next = best;
-      } else if (steps == kBackward + kForward) {
-        result = kMissed;
-        break;
-      }
-    }
-    ++steps;
-    real2 way = (next - p) / linkCellHalf.xy;
-    p = next;
-    at = probeAt(ray, p);
-    real before = det;
-    det = area(at);
-    real length2 = dot(way, way);
-    gradient = !stepped ? real2(0) : length2 > 1e-6 ? (det - before) / length2 * way / linkCellHalf.xy : gradient;
-    if (mode != kScan) {
-      bool inside = inDomain(p, at), root = converged(at) && det * wantedSide() > 0.0;
-      misses = missed && stepped && length2 < kSettled * kSettled ? misses + 1 : 0;
-      outside = inside ? 0 : outside + 1;
-      if (root && inside) result = kFound;
-      else if (mode == kPolish && (root || misses == 2)) result = kMissed;
-      // What had seemed to be a root and is not even near the ray is none. Nor is a place where the area vanishes: there
-      // the ray passes by, nearest to the surface.
-      real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
-      bool passes = abs(ju.x * jv.y - ju.y * jv.x) < kGrazing * (dot(ju, ju) + dot(jv, jv));
-      if (mode == kPolish && steps == kPolishSteps && result == kLost && (at.residual > kNearPixels || passes))
-        result = kMissed;
-      if (result != kLost || mode == kPolish && steps == kPolishSteps) break;
-      if (mode == kNear && (misses == 2 || outside == 3 || steps == kNearSteps)) {
-        mode = kScan;
-        steps = -1;
-      }
+  // A CPU device skips no branch, but leaves a loop when no pixel is left in it; and it runs the body of each at least
+  // once. So each formula stands once in a loop of its own, and a scan costs those that need none a single step.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    result = approach(ray, attempt > 0, p, at);
+    if (result != kLost || attempt > 0) break;
+    if (!scan(ray, p)) {
+      result = kMissed;
+      break;
     }
   }
   return result;

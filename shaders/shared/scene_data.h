@@ -90,7 +90,7 @@ struct ExactInstance {
   float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
   float tolerance; // largest residual, pixels; see clipDepth
   uint firstPatch;
-  uint wrong;      // whether a root on the other side than the one searched for is shown if there is no other
+  float thickness; // farther from the surface than this there is no hull, pixels (perspective: times depth)
 };
 
 // What a search in double knows of an instance: rows as in ExactInstance, and as many that give the place of the object's
