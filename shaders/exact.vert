@@ -50,7 +50,8 @@ void main() {
   linkSides = vec4(exact.facing * surfacePatch.orientation * draw.side,
                    surfacePatch.polesOfU != 0 ? 2.0 * draw.side : draw.side, inCell.z,
                    uintBitsToFloat(surfacePatch.firstParameter));
-  linkClip = vec4(exact.clipDepth, exact.thickness, view.viewer.w);
+  linkClip = vec4(exact.clipDepth, exact.thickness,
+                  uintBitsToFloat((exact.firstSlot + gl_VertexIndex) % kTallySlots));
   for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)
     linkParameters[k / 4][k % 4] = exactParameters[surfacePatch.firstParameter + k];
   gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);

@@ -187,12 +187,12 @@ FaceCulling cullingOf(const VisibleNode& visible, const DrawOptions& options) {
 class DrawLister {
  public:
   DrawLister(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-             Geometry& geometry, const HullLevels& levels)
+             Geometry& geometry, const SearchCare& care)
       : snapshot_(snapshot),
         visible_(visible),
         options_(options),
         geometry_(geometry),
-        levels_(levels),
+        care_(care),
         lightSets_(snapshot, options.tolerancePx, list_.lightSets) {
     list_.view = viewData(snapshot, visible);
   }
@@ -288,7 +288,7 @@ class DrawLister {
       list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
       batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
       origin = batch.mesh->origin;
-      item.batches.push_back(batch);
+      if (!care_.completes) item.batches.push_back(batch);
     }
     item.instance.data = instanceOf(snapshot_, node, v, origin, lights.shadeOf);
     if (batch.state.pattern.valid())
@@ -306,8 +306,8 @@ class DrawLister {
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
   /// the origin of the hull's vertices.
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
-    const int level = levels_.empty() ? 0 : levels_[v.node];
-    const double finer = std::ldexp(1.0, -2 * std::max(level - 1, 0));
+    const int level = v.node < care_.levels.size() ? care_.levels[v.node] : 0;
+    const double finer = std::ldexp(1.0, -2 * level);
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
     const double coarsest = kFinestHull * glm::length(node.boundsObject.extent());
@@ -330,24 +330,43 @@ class DrawLister {
       const Patch& patch = node.surface.patches()[part.patch];
       batch.state.surface =
           geometry_.codes.get(patch.function, patch.constants.size() + node.parameters.size(), number);
-      addHullDraws(item, batch, view, part.firstIndex, part.frontCount, Half::Near);
-      if (batch.bothSides) addHullDraws(item, batch, view, part.wallIndex(), part.frontCount, Half::Far);
+      batch.half = Half::Near;
+      addHullDraws(item, batch, view, part.firstIndex, part.frontCount);
+      batch.half = Half::Far;
+      if (batch.bothSides) addHullDraws(item, batch, view, part.wallIndex(), part.frontCount);
     }
     return batch.hull->origin;
   }
 
   /// Adds the draws of some of a hull's triangles: of those seen flat, and of those that a ray may graze.
   void addHullDraws(Item& item, DrawBatch batch, const HullView& view, std::uint32_t firstIndex,
-                    std::uint32_t count, Half half) {
-    batch.half = half;
-    for (const bool steep : {false, true}) {
-      batch.state.steep = steep;
-      batch.firstIndex = static_cast<std::uint32_t>(list_.hullIndices.size());
-      view.append(*batch.hull, firstIndex, count, half == Half::Far ? -1 : 1,
-                  steep ? Seen::Steep : Seen::Flat, list_.hullIndices);
-      batch.indexCount = static_cast<std::uint32_t>(list_.hullIndices.size()) - batch.firstIndex;
-      if (batch.indexCount > 0) item.batches.push_back(batch);
+                    std::uint32_t count) {
+    const Hull& hull = *batch.hull;
+    std::vector<std::uint32_t>& all = list_.hullIndices;
+    std::vector<std::uint32_t> steep;
+    const std::size_t first = all.size();
+    for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
+      const Seen seen = view.seen(hull, i, batch.half == Half::Far ? -1 : 1);
+      const bool lost = seen == Seen::Flat && lostIn(item.instance.node, hull.indices[i]);
+      if (seen == Seen::Away || (care_.completes && !lost)) continue;
+      std::vector<std::uint32_t>& indices = seen == Seen::Flat && !lost ? all : steep;
+      indices.insert(indices.end(), hull.indices.begin() + i, hull.indices.begin() + i + 3);
     }
+    const std::size_t firstSteep = all.size();
+    all.insert(all.end(), steep.begin(), steep.end());
+    const auto add = [&](bool isSteep, std::size_t from, std::size_t to) {
+      if (from == to) return;
+      batch.state.steep = isSteep;
+      batch.firstIndex = static_cast<std::uint32_t>(from);
+      batch.indexCount = static_cast<std::uint32_t>(to - from);
+      item.batches.push_back(batch);
+    };
+    add(false, first, firstSteep);
+    add(true, firstSteep, all.size());
+  }
+
+  [[nodiscard]] bool lostIn(std::uint32_t node, std::uint32_t firstVertex) const {
+    return !care_.lostInFlat.empty() && care_.lostInFlat[tallySlot(node, firstVertex)] > 0;
   }
 
   /// Where the patches of a surface start; nodes with the same surface and parameters share them.
@@ -406,7 +425,7 @@ class DrawLister {
   const VisibleList& visible_;
   const DrawOptions& options_;
   Geometry& geometry_;
-  const HullLevels& levels_;
+  const SearchCare& care_;
   DrawList list_;
   LightSets lightSets_;
   std::map<std::pair<const void*, std::vector<double>>, std::uint32_t> firstPatchOf_;
@@ -416,8 +435,8 @@ class DrawLister {
 }  // namespace
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                   Geometry& geometry, const HullLevels& levels) {
-  return DrawLister(snapshot, visible, options, geometry, levels).list();
+                   Geometry& geometry, const SearchCare& care) {
+  return DrawLister(snapshot, visible, options, geometry, care).list();
 }
 
 }  // namespace luxo

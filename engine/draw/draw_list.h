@@ -60,9 +60,16 @@ struct DrawBatch {
   }
 };
 
-/// How much more care than usual the search for each node takes, by index into Snapshot::nodes: 0 as usual, 1
-/// as if every ray might graze it, 2 with a quarter of the hull's deviation, and so on. Empty: all as usual.
-using HullLevels = std::vector<std::uint8_t>;
+/// How much more care than usual the searches for surfaces take, from what earlier attempts at a picture lost.
+struct SearchCare {
+  /// By index into Snapshot::nodes: how often the hull's deviation is quartered; where it is, every ray counts as
+  /// grazing. Those missing: never.
+  std::vector<std::uint8_t> levels;
+  /// By tallySlot(): in flat triangles whose slot is not 0 every ray counts as grazing. Empty: in none.
+  std::vector<std::uint32_t> lostInFlat;
+  /// Lists only these triangles: they complete what an attempt has drawn.
+  bool completes = false;
+};
 
 struct DrawList {
   shared::ViewData view;
@@ -93,6 +100,6 @@ struct Geometry {
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMostLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,
                                  const DrawOptions& options, Geometry& geometry,
-                                 const HullLevels& levels = {});
+                                 const SearchCare& care = {});
 
 }  // namespace luxo

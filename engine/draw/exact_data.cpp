@@ -102,6 +102,10 @@ double nearestSeen(const View& view, const SnapshotNode& node) {
 
 }  // namespace
 
+std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
+  return (node * 0x9e3779b1U + vertex) % shared::kTallySlots;
+}
+
 bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible) {
   const Rounding rounding = roundingPx(view, node, visible, GlslNumber::Float);
   const auto tooMuch = [&](double depth) {
@@ -125,6 +129,7 @@ shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, 
       .facing = visible.mirrored ? 1.0f : -1.0f,
       .tolerance = static_cast<float>(std::max(kExactTolerancePx, rounding.everywhere)),
       .firstPatch = 0,
+      .firstSlot = tallySlot(visible.node, 0),
       .thickness = 0};
 }
 

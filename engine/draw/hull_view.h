@@ -4,24 +4,22 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "scene/view.h"
 #include "tessellate/hull.h"
 
 namespace luxo {
 
-enum class Seen { Flat, Steep };
+enum class Seen { Away, Flat, Steep };
 
 class HullView {
  public:
   /// Unless `tellApart` is set everything counts as steep.
   HullView(const View& view, const Transform& worldFromObject, bool tellApart);
 
-  /// Appends the indices of those of the triangles near which the outer (+1) or inner (-1) side of the
-  /// surface is seen that way. Where that side faces away it is not seen. Cost: nanoseconds a triangle.
-  void append(const Hull& hull, std::uint32_t firstIndex, std::uint32_t count, double side, Seen seen,
-              std::vector<std::uint32_t>& indices) const;
+  /// How the outer (+1) or inner (-1) side of the surface is seen near the triangle that begins at that index.
+  /// Cost: nanoseconds.
+  [[nodiscard]] Seen seen(const Hull& hull, std::uint32_t firstIndex, double side) const;
 
  private:
   Vec4 eye_{0};  ///< homogeneous, object space: a direction for parallel rays

@@ -18,17 +18,48 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 /// The search for a surface that lost pixels is repeated with more care this often.
-constexpr int kMostRefinements = 3;
+constexpr int kMostRefinements = 4;
 
 /// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
-/// drew.
-void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
+/// drew, or completed.
+void addAttempt(FrameStatistics& last, const FrameStatistics& before, bool completes) {
   for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu})
     last.ms.*time += before.ms.*time;
   for (const auto count :
        {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
         &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
     last.count.*count += before.count.*count;
+  if (completes)
+    for (const auto count :
+         {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles, &FrameCounts::vertices})
+      last.count.*count += before.count.*count;
+}
+
+std::uint64_t sum(const std::vector<std::uint32_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+/// Raises the levels of nodes that lost pixels, unless that did not help before: what more care did not help
+/// is a singular point, which is counted, and left. Whether any was raised.
+bool refine(const std::vector<std::uint32_t>& lost, std::vector<std::uint32_t>& lostBefore,
+            std::vector<std::uint8_t>& levels) {
+  levels.resize(std::max(levels.size(), lost.size()));
+  lostBefore.resize(levels.size());
+  bool finer = false;
+  for (std::size_t node = 0; node < lost.size(); ++node) {
+    if (lost[node] == 0 || (levels[node] > 0 && lost[node] >= lostBefore[node])) continue;
+    ++levels[node];
+    finer = true;
+  }
+  return finer;
+}
+
+/// Whether there was anything to add.
+bool addTo(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more) {
+  if (sum(more) == 0) return false;
+  all.resize(more.size());
+  for (std::size_t slot = 0; slot < more.size(); ++slot) all[slot] += more[slot];
+  return true;
 }
 
 int channelsOf(Output output) {
@@ -177,34 +208,29 @@ bool Renderer::inOnePass(const DrawOptions& options) const {
 
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
                     const Recording& then) {
-  HullLevels levels;
+  SearchCare care;
   std::vector<std::uint32_t> lostBefore;
   for (int round = 0;; ++round) {
     FrameStatistics attempt;
     const VkCommandBuffer commands = frames_.begin();
-    painter_.record(frames_, commands, snapshot, options, attempt, levels);
+    painter_.record(frames_, commands, snapshot, options, attempt, care);
     then(commands);
     const auto submitted = std::chrono::steady_clock::now();
     const std::uint64_t submission = frames_.submit();
     frames_.wait(submission);
     attempt.count.submits = 1;
     attempt.ms.gpu = frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
-    if (round > 0) addAttempt(attempt, statistics);
+    if (round > 0) addAttempt(attempt, statistics, care.completes);
     statistics = attempt;
 
-    const std::vector<std::uint32_t> lost = painter_.lostPixels();
-    statistics.error.unconvergedPx = std::accumulate(lost.begin(), lost.end(), std::uint64_t{0});
-    levels.resize(snapshot.nodes.size());
-    lostBefore.resize(lost.size());
-    bool finer = false;
-    for (std::size_t node = 0; node < lost.size(); ++node) {
-      // What more care did not help is a singular point: it is counted, and left.
-      if (lost[node] == 0 || (levels[node] > 0 && lost[node] >= lostBefore[node])) continue;
-      ++levels[node];
-      finer = true;
-    }
-    lostBefore = lost;
-    if (!finer || round == kMostRefinements) return;
+    const LostPixels lost = painter_.lostPixels();
+    statistics.error.unconvergedPx = sum(lost.inFlat) + sum(lost.inSteep);
+    if (round == kMostRefinements || statistics.error.unconvergedPx == 0) return;
+    const bool finer = refine(lost.inSteep, lostBefore, care.levels);
+    const bool grazed = addTo(care.lostInFlat, lost.inFlat);
+    if (!finer && !grazed) return;
+    care.completes = !finer && painter_.completable();
+    lostBefore = lost.inSteep;
   }
 }
 

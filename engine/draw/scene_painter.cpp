@@ -116,7 +116,7 @@ ScenePainter::ScenePainter(gpu::Context& context, Precision precision)
 
 void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
                           const DrawOptions& options, FrameStatistics& statistics,
-                          const HullLevels& levels) {
+                          const SearchCare& care) {
   const bool auxiliary = options.output != Output::Color;
   const VkSampleCountFlagBits samples =
       auxiliary ? VK_SAMPLE_COUNT_1_BIT
@@ -131,7 +131,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
 
   DrawOptions able = options;
   able.doubles = options.doubles && context_->features().float64;
-  const DrawList list = listDraws(snapshot, visible, able, geometry_, levels);
+  const DrawList list = listDraws(snapshot, visible, able, geometry_, care);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.tessellated += geometry_.meshes.tessellated() - tessellatedBefore;
   statistics.ms.tessellate += watch.lap();
@@ -171,10 +171,11 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
     vkCmdEndRendering(commands);
     ++statistics.count.passes;
   };
-  pass("opaque", list.opaque, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  pass("opaque", list.opaque, care.completes ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR);
   if (!list.transparent.empty() || !options.skips.passes)
     pass("transparent", list.transparent, VK_ATTACHMENT_LOAD_OP_LOAD);
   if (list.exact()) gpu::use(commands, {{tally_, HostRead}});
+  completable_ = list.transparent.empty();
 
   const gpu::Counters after = context_->counters();
   statistics.count.uploadBytes += after.uploadedBytes - before.uploadedBytes;
@@ -227,8 +228,9 @@ void ScenePainter::upload(const DrawList& list, bool always) {
   const auto store = [&](Mirror& mirror, const auto& elements, const char* name) {
     write(mirror, std::as_bytes(std::span(elements)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
   };
-  write(hullIndices_, std::as_bytes(std::span(list.hullIndices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "hull indices",
-        always);
+  if (!list.hullIndices.empty())
+    write(hullIndices_, std::as_bytes(std::span(list.hullIndices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "hull indices",
+          always);
   store(exactInstances_, list.exactInstances, "exact instances");
   store(exactPatches_, list.exactPatches, "patches");
   const std::vector<float> parameters(list.exactParameters.begin(), list.exactParameters.end());
@@ -242,7 +244,7 @@ void ScenePainter::clearTally(const DrawList& list) {
   tallyNodes_.clear();
   if (!list.exact()) return;
   tallyNodes_ = list.instanceNodes;
-  const VkDeviceSize bytes = tallyNodes_.size() * sizeof(std::uint32_t);
+  const VkDeviceSize bytes = (shared::kTallySlots + tallyNodes_.size()) * sizeof(std::uint32_t);
   if (!tally_ || tally_.size() < bytes) {
     tally_ = gpu::Buffer(*context_, {.size = 2 * bytes,
                                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
@@ -255,15 +257,15 @@ void ScenePainter::clearTally(const DrawList& list) {
   tally_.flush();
 }
 
-std::vector<std::uint32_t> ScenePainter::lostPixels() {
+LostPixels ScenePainter::lostPixels() {
   if (tallyNodes_.empty()) return {};
-  std::vector<std::uint32_t> lost(*std::ranges::max_element(tallyNodes_) + 1);
-  const std::span<const std::byte> bytes = tally_.read();
-  for (std::size_t i = 0; i < tallyNodes_.size(); ++i) {
-    std::uint32_t count = 0;
-    std::memcpy(&count, bytes.data() + i * sizeof count, sizeof count);
-    lost[tallyNodes_[i]] += count;
-  }
+  std::vector<std::uint32_t> counts(shared::kTallySlots + tallyNodes_.size());
+  std::memcpy(counts.data(), tally_.read().data(), counts.size() * sizeof(std::uint32_t));
+  const auto firstInstance = counts.begin() + shared::kTallySlots;
+  LostPixels lost{.inFlat = {counts.begin(), firstInstance},
+                  .inSteep = std::vector<std::uint32_t>(*std::ranges::max_element(tallyNodes_) + 1)};
+  for (std::size_t i = 0; i < tallyNodes_.size(); ++i)
+    lost.inSteep[tallyNodes_[i]] += firstInstance[static_cast<std::ptrdiff_t>(i)];
   return lost;
 }
 

@@ -22,6 +22,13 @@ namespace luxo {
 /// Half.
 enum class Precision { Full, Half };
 
+/// Pixels in which the search for a surface was lost. A pixel counts once for every layer. Empty where no surface was
+/// searched for.
+struct LostPixels {
+  std::vector<std::uint32_t> inFlat;   ///< triangles seen flat, by tallySlot()
+  std::vector<std::uint32_t> inSteep;  ///< other triangles, by index into Snapshot::nodes
+};
+
 class ScenePainter {
  public:
   ScenePainter(gpu::Context& context, Precision precision);
@@ -29,12 +36,12 @@ class ScenePainter {
   /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
   /// is in target() once the recording has been submitted and is complete. Throws Error(Scene).
   void record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
-              const DrawOptions& options, FrameStatistics& statistics, const HullLevels& levels = {});
+              const DrawOptions& options, FrameStatistics& statistics, const SearchCare& care = {});
 
-  /// Pixels in which the search for the surface of a node was lost, in the last recording, by index into
-  /// Snapshot::nodes; empty where no surface was searched for. A pixel counts once for every layer. Requires that the
-  /// recording is complete.
-  [[nodiscard]] std::vector<std::uint32_t> lostPixels();
+  /// Of the last recording, which has to be complete.
+  [[nodiscard]] LostPixels lostPixels();
+  /// Whether a recording that draws only what the last one lost completes the picture: nothing is seen through.
+  [[nodiscard]] bool completable() const { return completable_; }
   /// Whether the last recording searches for surfaces.
   [[nodiscard]] bool searches() const { return !tallyNodes_.empty(); }
 
@@ -70,8 +77,9 @@ class ScenePainter {
   MeshStore store_;
   Mirror view_, instances_, lights_, patternParameters_, exactInstances_, exactPatches_, exactParameters_,
       hullIndices_, preciseInstances_, preciseParameters_;
-  gpu::Buffer tally_;  ///< of the last recording, by instance
+  gpu::Buffer tally_;  ///< of the last recording: by slot, then by instance
   std::vector<std::uint32_t> tallyNodes_;
+  bool completable_ = false;
   VkDeviceSize lightStride_ = 0;
   gpu::Texture color_, resolved_, depth_;
 };

@@ -13,14 +13,19 @@
 namespace luxo {
 namespace {
 
-// Variables beyond u and v: the control points' coordinates, point by point, then the lower end of u.
+// Variables beyond u and v: the control points' coordinates, weighted, point by point, then the lower end of u.
 constexpr std::uint32_t kFirstCoordinate = 2, kLowerU = kFirstCoordinate + 48;
 
-/// The cubic Bernstein polynomials.
+/// Bernstein's factors: control points are multiplied by them once instead of at every point of the surface.
+constexpr std::array<double, 4> kWeights{1, 3, 3, 1};
+
+/// The cubic Bernstein polynomials, over their weights.
 std::array<Expr, 4> bernstein(Expr t) {
   const Expr s = 1 - t;
-  return {pow(s, 3), 3 * (t * pow(s, 2)), 3 * (pow(t, 2) * s), pow(t, 3)};
+  return {pow(s, 3), t * pow(s, 2), pow(t, 2) * s, pow(t, 3)};
 }
+
+double weightOf(std::size_t point) { return kWeights[point / 4] * kWeights[point % 4]; }
 
 /// The row sums depend on one parameter only, so that a grid takes them once per row.
 ExprPoint bezierPosition(Graph& graph) {
@@ -89,7 +94,8 @@ double lengthBound(const Net<M, N>& net, const Interval& u, const Interval& v, d
 
 Net<4, 4> netOf(std::span<const double> inputs) {
   Net<4, 4> net;
-  for (int k = 0; k < 16; ++k) net[k / 4][k % 4] = {inputs[3 * k], inputs[3 * k + 1], inputs[3 * k + 2]};
+  for (std::size_t k = 0; k < 16; ++k)
+    net[k / 4][k % 4] = Vec3(inputs[3 * k], inputs[3 * k + 1], inputs[3 * k + 2]) / weightOf(k);
   return net;
 }
 
@@ -149,7 +155,8 @@ Surface bezier(const std::vector<BezierPatch>& patches, SurfaceTraits traits) {
                     fmt::format("surface '{}': control point {} of patch {} is ({}, {}, {})", traits.name,
                                 k + 1, all.size() + 1, p.x, p.y, p.z),
                     "give finite coordinates");
-      patch.constants.insert(patch.constants.end(), {p.x, p.y, p.z});
+      const Vec3 weighted = weightOf(k) * p;
+      patch.constants.insert(patch.constants.end(), {weighted.x, weighted.y, weighted.z});
     }
     patch.constants.push_back(lower);
     all.push_back(std::move(patch));

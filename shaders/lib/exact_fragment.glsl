@@ -65,11 +65,11 @@ Seen seenPoint() {
   real2 p;
   Probe at;
   int result = findRoot(ray, p, at);
-  if (result == kLost) atomicAdd(tally.lost[linkFlags.w], 1);
+  if (result == kLost) atomicAdd(tally.lost[kSteep ? kTallySlots + linkFlags.w : floatBitsToUint(linkClip.w)], 1);
   if (result != kFound) discard;
   // Orthographic: linear; perspective: near / depth.
   float depth = float(at.depth), residual = float(offset(at) / widthAt(at));
-  float z = linkClip.w != 0.0 ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
+  float z = linkViewer.w != 0.0 ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
   if (!(z >= 0.0 && z <= 1.0)) discard;  // before the near plane
   gl_FragDepth = z;
 

@@ -33,7 +33,7 @@ struct Ray {
 
 Ray rayOfPixel() {
   real2 q = gl_FragCoord.xy - linkCellHalf.zw;
-  real4 w = linkClip.w != 0.0 ? rowDepth : real4(0, 0, 0, 1);
+  real4 w = linkViewer.w != 0.0 ? rowDepth : real4(0, 0, 0, 1);
   real4 a = rowX - q.x * w, b = rowY - q.y * w;
   return Ray(a.xyz, b.xyz, a.w, b.w);
 }
@@ -56,13 +56,13 @@ Probe probeAt(Ray ray, real2 p) {
 }
 
 // What a pixel is wide at the depth of a point, in units of f. Behind the eye there is no screen, and it is negative.
-real widthAt(Probe at) { return linkClip.w != 0.0 ? at.depth : 1.0; }
+real widthAt(Probe at) { return linkViewer.w != 0.0 ? at.depth : 1.0; }
 
 // In units of f, as all that follows: a division by the width is what a search would wait for most of its time.
 real offset(Probe at) { return max(abs(at.f.x), abs(at.f.y)); }
 
 // What single precision leaves of an offset is part of it.
-real tolerance(Probe at) { return linkSpecularTolerance.w * widthAt(at) + (linkClip.w != 0.0 ? linkClip.y : 0.0); }
+real tolerance(Probe at) { return linkSpecularTolerance.w * widthAt(at) + (linkViewer.w != 0.0 ? linkClip.y : 0.0); }
 
 // Never, where the formula has no value.
 bool converged(Probe at) { return widthAt(at) > 0.0 && offset(at) <= tolerance(at); }

@@ -40,6 +40,10 @@ LUXO_CONSTANT kBindingPreciseParameters = 1;
 // The parameters of a patch's formula follow so many numbers of its domain: lowest u and v, highest u and v.
 LUXO_CONSTANT kDomainNumbers = 4;
 
+// Searches that lose a surface are counted: those in triangles seen flat by slots that vertices of hulls share, of all
+// instances, the others after these by instance.
+LUXO_CONSTANT kTallySlots = 16384;
+
 LUXO_CONSTANT kMostLights = 32;  // that may reach one object
 
 // Instance flags.
@@ -90,6 +94,7 @@ struct ExactInstance {
   float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
   float tolerance; // largest residual, pixels; see clipDepth
   uint firstPatch;
+  uint firstSlot;  // of its first vertex; kTallySlots in all, after the last follows the first
   float thickness; // farther from the surface than this there is no hull, pixels (perspective: times depth)
 };
 
@@ -125,7 +130,7 @@ struct LightSet {
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
 static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
-static_assert(sizeof(ExactInstance) == 92 && sizeof(PreciseInstance) == 192 && sizeof(ExactPatch) == 44);
+static_assert(sizeof(ExactInstance) == 96 && sizeof(PreciseInstance) == 192 && sizeof(ExactPatch) == 44);
 }  // namespace luxo::shared
 #endif
 #endif
