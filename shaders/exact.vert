@@ -32,13 +32,13 @@ void main() {
   linkSpecularTolerance = vec4(instance.specular, exact.tolerance);
   linkFlags = uvec4(instance.flags, instance.id, instance.firstPatternParameter, gl_InstanceIndex);
   linkViewer = view.viewer;
-  for (uint i = 0; i < kCarriedLights; ++i) {
-    linkLights[2 * i] = lightSet.lights[i].position;
-    linkLights[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
+  for (uint i = 0; i < kLinkedLights; ++i) {
+    linkPacked[2 * i] = lightSet.lights[i].position;
+    linkPacked[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
   }
-  for (uint i = 0; i < kCarriedShades; ++i) {
-    linkShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
-    linkShades[2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
+  for (uint i = 0; i < kLinkedShades; ++i) {
+    linkPacked[kFirstShade + 2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
+    linkPacked[kFirstShade + 2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
   }
   linkX = exact.x;
   linkY = exact.y;
@@ -53,6 +53,6 @@ void main() {
   linkClip = vec4(exact.clipDepth, exact.thickness,
                   uintBitsToFloat((exact.firstSlot + gl_VertexIndex) % kTallySlots));
   for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)
-    linkParameters[k / 4][k % 4] = exactParameters[surfacePatch.firstParameter + k];
+    linkPacked[kFirstParameter + k / 4][k % 4] = exactParameters[surfacePatch.firstParameter + k];
   gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
 }

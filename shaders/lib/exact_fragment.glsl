@@ -16,13 +16,14 @@ layout(scalar, set = 2, binding = kBindingTally) buffer Tally { uint lost[]; } t
 layout(location = 0) out vec4 outColor;
 
 LightData lightAt(uint i) {
-  if (i >= kCarriedLights) return lightSet.lights[i];
-  return LightData(linkLights[2 * i], linkLights[2 * i + 1].xyz, uint(linkLights[2 * i + 1].w));
+  if (i >= kLinkedLights) return lightSet.lights[i];
+  return LightData(linkPacked[2 * i], linkPacked[2 * i + 1].xyz, uint(linkPacked[2 * i + 1].w));
 }
 
 ShadeData shadeAt(uint i) {
-  if (i >= kCarriedShades) return lightSet.shades[i];
-  return ShadeData(linkShades[2 * i].xyz, linkShades[2 * i].w, linkShades[2 * i + 1].x);
+  if (i >= kLinkedShades) return lightSet.shades[i];
+  uint first = kFirstShade + 2 * i;
+  return ShadeData(linkPacked[first].xyz, linkPacked[first].w, linkPacked[first + 1].x);
 }
 
 // Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K how

@@ -71,7 +71,7 @@ void readSurface() {
 
 float surfaceParameterAt(uint k) {
   uint held = k - kCarriedParameters;
-  return k < kCarriedParameters ? linkParameters[k / 4][k % 4]
+  return k < kCarriedParameters ? linkPacked[kFirstParameter + k / 4][k % 4]
          : held < kHeldParameters ? heldParameters[held]
                                   : exactParameters[floatBitsToUint(linkSides.w) + k];
 }

@@ -3,12 +3,8 @@
 // H = (L + V) / |L + V|. A light at or below the horizon (N.L <= 0) adds nothing, its highlight included, unless the
 // material asks for the lecture's ungated highlight. Positions relative to the eye, axes of the world.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/light_counts.glsl"
 #include "shared/scene_data.h"
-
-// How many lights reach this draw: known when the pipeline is made, so that the loop unrolls and an unneeded light
-// costs nothing.
-layout(constant_id = 0) const uint kPlainLights = 0;
-layout(constant_id = 1) const uint kShadedLights = 0;
 
 // Which lights they are, the shaded ones last: the including shader says where it has them from.
 LightData lightAt(uint i);
