@@ -30,8 +30,11 @@ void main() {
   linkAmbientShininess = vec4(instance.ambient, instance.shininess);
   linkDiffuseOpacity = vec4(instance.diffuse, instance.opacity);
   linkSpecularTolerance = vec4(instance.specular, exact.tolerance);
-  linkFlags = uvec4(instance.flags, instance.id, instance.firstPatternParameter, gl_InstanceIndex);
-  linkViewer = view.viewer;
+  bool negative = ((surfacePatch.flags & kInward) != 0) != (exact.facing * draw.side < 0.0);
+  linkFlags = uvec4(instance.flags | surfacePatch.flags | (draw.side < 0.0 ? kBackSide : 0) | (negative ? kNegative : 0) |
+                        (view.viewer.w != 0.0 ? kPerspective : 0),
+                    surfacePatch.firstParameter, instance.firstPatternParameter, gl_InstanceIndex);
+  linkViewerSecond = vec4(view.viewer.xyz, inCell.z);
   for (uint i = 0; i < kLinkedLights; ++i) {
     linkPacked[2 * i] = lightSet.lights[i].position;
     linkPacked[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
@@ -46,10 +49,6 @@ void main() {
   for (int i = 0; i < 3; ++i) linkRelative[i] = vec4(instance.relativeFromObject[i], exact.translation[i]);
   linkDomain = surfacePatch.domain;
   linkCellHalf = vec4(inCell.xy, exact.half_);
-  linkPolesWraps = vec4(surfacePatch.poles, surfacePatch.wraps);
-  linkSides = vec4(exact.facing * surfacePatch.orientation * draw.side,
-                   surfacePatch.polesOfU != 0 ? 2.0 * draw.side : draw.side, inCell.z,
-                   uintBitsToFloat(surfacePatch.firstParameter));
   linkClip = vec4(exact.clipDepth, exact.thickness,
                   uintBitsToFloat((exact.firstSlot + gl_VertexIndex) % kTallySlots));
   for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)

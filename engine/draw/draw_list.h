@@ -9,6 +9,7 @@
 
 #include "cull/cull.h"
 #include "draw/options.h"
+#include "draw/search_care.h"
 #include "draw/statistics.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
@@ -58,17 +59,6 @@ struct DrawBatch {
   [[nodiscard]] std::size_t vertexCount() const {
     return hull ? hull->positions.size() : mesh->positions.size();
   }
-};
-
-/// How much more care than usual the searches for surfaces take, from what earlier attempts at a picture lost.
-struct SearchCare {
-  /// By index into Snapshot::nodes: how often the hull's deviation is quartered; where it is, every ray counts as
-  /// grazing. Those missing: never.
-  std::vector<std::uint8_t> levels;
-  /// By tallySlot(): in flat triangles whose slot is not 0 every ray counts as grazing. Empty: in none.
-  std::vector<std::uint32_t> lostInFlat;
-  /// Lists only these triangles: they complete what an attempt has drawn.
-  bool completes = false;
 };
 
 struct DrawList {

@@ -10,9 +10,6 @@
 namespace luxo {
 namespace {
 
-// Far outside of every domain, and harmless in single precision.
-constexpr float kNoPole = 1e30f;
-
 /// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
 /// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3.
 constexpr double kMostRoundingPx = 6e-4;
@@ -100,6 +97,16 @@ double nearestSeen(const View& view, const SnapshotNode& node) {
   return std::max(holdsEye ? 0 : nearest, view.near);
 }
 
+/// Edges that are points are edges of u or of v, never of both.
+std::uint32_t flagsOf(const HullPatch& patch) {
+  const bool ofU = patch.collapsedUMin || patch.collapsedUMax;
+  return (patch.orientation < 0 ? shared::kInward : 0) | (patch.wrapsU ? shared::kWrapsU : 0) |
+         (patch.wrapsV ? shared::kWrapsV : 0) |
+         (patch.collapsedUMin || (!ofU && patch.collapsedVMin) ? shared::kPoleLow : 0) |
+         (patch.collapsedUMax || (!ofU && patch.collapsedVMax) ? shared::kPoleHigh : 0) |
+         (ofU ? shared::kPolesOfU : 0);
+}
+
 }  // namespace
 
 std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
@@ -150,19 +157,10 @@ void appendPatches(const Surface& surface, std::span<const double> parameters, c
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i) {
     const HullPatch& patch = hull.patchData[i];
     const Domain& domain = patch.domain;
-    const bool ofU = patch.collapsedUMin || patch.collapsedUMax;
-    const Interval& across = ofU ? domain.u : domain.v;
-    const bool low = ofU ? patch.collapsedUMin : patch.collapsedVMin;
-    const bool high = ofU ? patch.collapsedUMax : patch.collapsedVMax;
     numbers.insert(numbers.end(), {domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi});
-    patches.push_back(
-        {.domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi),
-         .wraps = Vec2f(patch.wrapsU ? domain.u.width() : 0, patch.wrapsV ? domain.v.width() : 0),
-         .poles = Vec2f(low ? static_cast<float>(across.lo) : -kNoPole,
-                        high ? static_cast<float>(across.hi) : kNoPole),
-         .polesOfU = ofU,
-         .orientation = static_cast<float>(patch.orientation),
-         .firstParameter = static_cast<std::uint32_t>(numbers.size())});
+    patches.push_back({.domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi),
+                       .flags = flagsOf(patch),
+                       .firstParameter = static_cast<std::uint32_t>(numbers.size())});
     const PatchInputs inputs(surface.patches()[i], parameters);
     const std::span<const double> all = inputs;
     numbers.insert(numbers.end(), all.begin(), all.end());

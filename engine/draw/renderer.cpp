@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 #include "base/assert.h"
 
@@ -33,33 +32,6 @@ void addAttempt(FrameStatistics& last, const FrameStatistics& before, bool compl
     for (const auto count :
          {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles, &FrameCounts::vertices})
       last.count.*count += before.count.*count;
-}
-
-std::uint64_t sum(const std::vector<std::uint32_t>& counts) {
-  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-}
-
-/// Raises the levels of nodes that lost pixels, unless that did not help before: what more care did not help
-/// is a singular point, which is counted, and left. Whether any was raised.
-bool refine(const std::vector<std::uint32_t>& lost, std::vector<std::uint32_t>& lostBefore,
-            std::vector<std::uint8_t>& levels) {
-  levels.resize(std::max(levels.size(), lost.size()));
-  lostBefore.resize(levels.size());
-  bool finer = false;
-  for (std::size_t node = 0; node < lost.size(); ++node) {
-    if (lost[node] == 0 || (levels[node] > 0 && lost[node] >= lostBefore[node])) continue;
-    ++levels[node];
-    finer = true;
-  }
-  return finer;
-}
-
-/// Whether there was anything to add.
-bool addTo(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more) {
-  if (sum(more) == 0) return false;
-  all.resize(more.size());
-  for (std::size_t slot = 0; slot < more.size(); ++slot) all[slot] += more[slot];
-  return true;
 }
 
 int channelsOf(Output output) {
@@ -209,7 +181,6 @@ bool Renderer::inOnePass(const DrawOptions& options) const {
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
                     const Recording& then) {
   SearchCare care;
-  std::vector<std::uint32_t> lostBefore;
   for (int round = 0;; ++round) {
     FrameStatistics attempt;
     const VkCommandBuffer commands = frames_.begin();
@@ -224,13 +195,11 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     statistics = attempt;
 
     const LostPixels lost = painter_.lostPixels();
-    statistics.error.unconvergedPx = sum(lost.inFlat) + sum(lost.inSteep);
-    if (round == kMostRefinements || statistics.error.unconvergedPx == 0) return;
-    const bool finer = refine(lost.inSteep, lostBefore, care.levels);
-    const bool grazed = addTo(care.lostInFlat, lost.inFlat);
-    if (!finer && !grazed) return;
-    care.completes = !finer && painter_.completable();
-    lostBefore = lost.inSteep;
+    statistics.error.unconvergedPx = lost.count();
+    if (round == kMostRefinements) return;
+    const bool raised = care.raiseLevels(lost), added = care.addFlat(lost);
+    if (!raised && !added) return;
+    care.completes = !raised && painter_.completable();
   }
 }
 

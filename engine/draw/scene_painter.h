@@ -22,13 +22,6 @@ namespace luxo {
 /// Half.
 enum class Precision { Full, Half };
 
-/// Pixels in which the search for a surface was lost. A pixel counts once for every layer. Empty where no surface was
-/// searched for.
-struct LostPixels {
-  std::vector<std::uint32_t> inFlat;   ///< triangles seen flat, by tallySlot()
-  std::vector<std::uint32_t> inSteep;  ///< other triangles, by index into Snapshot::nodes
-};
-
 class ScenePainter {
  public:
   ScenePainter(gpu::Context& context, Precision precision);

@@ -32,7 +32,7 @@ ShadeData shadeAt(uint i) {
 bool certified(Ray ray, real2 p, Probe at) {
   real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
   real det = ju.x * jv.y - ju.y * jv.x;
-  real k = linkSides.z * sqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
+  real k = linkViewerSecond.w * sqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
   bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
   real2 way = abs(p - linkStart) / linkCellHalf.xy;
   return proven && max(way.x, way.y) <= kFarCells;
@@ -42,8 +42,8 @@ bool certified(Ray ray, real2 p, Probe at) {
 vec2 inPeriod(real2 p) {
   real2 period = patchDomain.zw - patchDomain.xy;
   real2 turns = floor((p - patchDomain.xy) / period);
-  return vec2(linkPolesWraps.z > 0.0 ? p.x - turns.x * period.x : p.x,
-              linkPolesWraps.w > 0.0 ? p.y - turns.y * period.y : p.y);
+  return vec2(has(kWrapsU) ? p.x - turns.x * period.x : p.x,
+              has(kWrapsV) ? p.y - turns.y * period.y : p.y);
 }
 
 vec3 relative(vec3 object) {
@@ -70,18 +70,18 @@ Seen seenPoint() {
   if (result != kFound) discard;
   // Orthographic: linear; perspective: near / depth.
   float depth = float(at.depth), residual = float(offset(at) / widthAt(at));
-  float z = linkViewer.w != 0.0 ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
+  float z = has(kPerspective) ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
   if (!(z >= 0.0 && z <= 1.0)) discard;  // before the near plane
   gl_FragDepth = z;
 
   Seen seen;
   seen.parameters = inPeriod(p);
   seen.position = relativePosition(at.S);
-  vec3 toViewer = linkViewer.xyz - seen.position * linkViewer.w;
+  vec3 toViewer = linkViewerSecond.xyz - (has(kPerspective) ? seen.position : vec3(0));
   seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
   vec3 n = unitOrZero(cross(relative(vec3(at.Su)), relative(vec3(at.Sv))));
-  bool front = area(at) * linkSides.x * linkSides.y > 0.0;
-  bool turned = (linkFlags.x & kTwoSided) == 0 && !front;  // an inside that shows its outward normal
+  bool front = (area(at) < 0.0) == (has(kNegative) != has(kBackSide));
+  bool turned = !has(kTwoSided) && !front;  // an inside that shows its outward normal
   seen.normal = (dot(n, seen.viewer) < 0.0) != turned ? -n : n;
   seen.depth = depth;
   seen.residual = certified(ray, p, at) ? residual : -max(residual, 1e-9);
@@ -95,7 +95,7 @@ void show(Seen seen, vec3 ambient, vec3 diffuse) {
     outColor = vec4(illuminated(material, seen.position, seen.normal, seen.viewer),
                     opaque ? seen.residual : linkDiffuseOpacity.w);
   } else {
-    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, linkFlags.y, seen.residual);
+    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[linkFlags.w].id, seen.residual);
     outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, linkDomain), 1);
   }
 }

@@ -10,26 +10,33 @@
 #define LUXO_LINK in
 #endif
 
-layout(location = 0) sample LUXO_LINK vec2 linkStart;             // u, v
+layout(location = 0) sample LUXO_LINK vec2 linkStart;  // u, v
 layout(location = 1) flat LUXO_LINK vec4 linkAmbientShininess;
 layout(location = 2) flat LUXO_LINK vec4 linkDiffuseOpacity;
 layout(location = 3) flat LUXO_LINK vec4 linkSpecularTolerance;
-layout(location = 4) flat LUXO_LINK uvec4 linkFlags;              // InstanceData: flags, id, firstPatternParameter; its index
-layout(location = 5) flat LUXO_LINK vec4 linkViewer;             // w = 1: perspective
+// Of the instance and the patch, and kBackSide ...; firstParameter; firstPatternParameter; the instance's index.
+layout(location = 4) flat LUXO_LINK uvec4 linkFlags;
+layout(location = 5) flat LUXO_LINK vec4 linkViewerSecond;  // viewer; how far second derivatives bend a cell, metres
 layout(location = 6) flat LUXO_LINK vec4 linkX;
 layout(location = 7) flat LUXO_LINK vec4 linkY;
 layout(location = 8) flat LUXO_LINK vec4 linkDepth;
-layout(location = 9) flat LUXO_LINK vec4 linkRelative[3];        // columns of relativeFromObject and the translation
+layout(location = 9) flat LUXO_LINK vec4 linkRelative[3];   // columns of relativeFromObject and the translation
 layout(location = 12) flat LUXO_LINK vec4 linkDomain;
-layout(location = 13) flat LUXO_LINK vec4 linkCellHalf;           // extent of the cells in u and v; half the picture
-layout(location = 14) flat LUXO_LINK vec4 linkPolesWraps;
-layout(location = 15) flat LUXO_LINK vec4 linkSides;              // see wantedSide(); above 0: the front, twice that: poles are edges of u; second derivatives; firstParameter
-layout(location = 16) flat LUXO_LINK vec4 linkClip;               // clipDepth; thickness; slot of the tally
+layout(location = 13) flat LUXO_LINK vec4 linkCellHalf;     // extent of the cells in u and v; half the picture
+layout(location = 14) flat LUXO_LINK vec4 linkClip;         // clipDepth; thickness; slot of the tally
+
+// Flags of a draw.
+const uint kBackSide = 1 << 22;     // these triangles lead to the back of the surface
+const uint kNegative = 1 << 23;     // where they are seen from the front, areas of the parameters on it are negative
+const uint kPerspective = 1 << 24;
+
+bool has(uint flag) { return (linkFlags.x & flag) != 0; }
 
 // What differs in length shares one array: lights and shades as far as they are carried, then as many parameters of the
-// formula as there is room for. What does not fit is read from buffers, which takes a CPU device longer.
+// formula as there is room for: with these, vertices have all the outputs that devices commonly allow. What does not
+// fit is read from buffers, which takes a CPU device longer.
 const uint kRoom = 15;
-layout(location = 17) flat LUXO_LINK vec4 linkPacked[kRoom];
+layout(location = 15) flat LUXO_LINK vec4 linkPacked[kRoom];
 const uint kLights = kPlainLights + kShadedLights;
 const uint kLinkedLights = kLights < kCarriedLights ? kLights : kCarriedLights;
 const uint kLinkedShades = kShadedLights < kCarriedShades ? kShadedLights : kCarriedShades;

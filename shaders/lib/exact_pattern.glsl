@@ -12,5 +12,5 @@ vec4 patternBounds() {
 void main() {
   Seen seen = seenPoint();
   vec3 color = patternAt(seen.parameters);
-  show(seen, (linkFlags.x & kPatternAmbient) != 0 ? color * linkAmbientShininess.rgb : linkAmbientShininess.rgb, color);
+  show(seen, has(kPatternAmbient) ? color * linkAmbientShininess.rgb : linkAmbientShininess.rgb, color);
 }

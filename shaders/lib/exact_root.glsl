@@ -33,7 +33,7 @@ struct Ray {
 
 Ray rayOfPixel() {
   real2 q = gl_FragCoord.xy - linkCellHalf.zw;
-  real4 w = linkViewer.w != 0.0 ? rowDepth : real4(0, 0, 0, 1);
+  real4 w = has(kPerspective) ? rowDepth : real4(0, 0, 0, 1);
   real4 a = rowX - q.x * w, b = rowY - q.y * w;
   return Ray(a.xyz, b.xyz, a.w, b.w);
 }
@@ -56,13 +56,13 @@ Probe probeAt(Ray ray, real2 p) {
 }
 
 // What a pixel is wide at the depth of a point, in units of f. Behind the eye there is no screen, and it is negative.
-real widthAt(Probe at) { return linkViewer.w != 0.0 ? at.depth : 1.0; }
+real widthAt(Probe at) { return has(kPerspective) ? at.depth : 1.0; }
 
 // In units of f, as all that follows: a division by the width is what a search would wait for most of its time.
 real offset(Probe at) { return max(abs(at.f.x), abs(at.f.y)); }
 
 // What single precision leaves of an offset is part of it.
-real tolerance(Probe at) { return linkSpecularTolerance.w * widthAt(at) + (linkViewer.w != 0.0 ? linkClip.y : 0.0); }
+real tolerance(Probe at) { return linkSpecularTolerance.w * widthAt(at) + (has(kPerspective) ? linkClip.y : 0.0); }
 
 // Never, where the formula has no value.
 bool converged(Probe at) { return widthAt(at) > 0.0 && offset(at) <= tolerance(at); }
@@ -71,9 +71,7 @@ bool converged(Probe at) { return widthAt(at) > 0.0 && offset(at) <= tolerance(a
 real area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
 
 // The sign of that area on the side of the surface searched for: the one that the hull is seen from.
-real wantedSide() { return gl_FrontFacing ? linkSides.x : -linkSides.x; }
-
-bool polesOfU() { return abs(linkSides.y) > 1.5; }
+real wantedSide() { return gl_FrontFacing != has(kNegative) ? 1.0 : -1.0; }
 
 layout(constant_id = 6) const bool kPoles = true;  // whether an edge of a patch is one point
 
@@ -94,9 +92,10 @@ real2 moved(real2 p, real2 delta, Probe at, real most) {
   real size = max(abs(delta.x) / cell.x, abs(delta.y) / cell.y);
   real2 straight = p + delta * min(1.0, most / max(size, kSmallest));
   if (!kPoles) return straight;
-  bool ofU = polesOfU();
+  bool ofU = has(kPolesOfU);
   real at_ = ofU ? p.x : p.y, size_ = ofU ? cell.x : cell.y;
-  real low = at_ - linkPolesWraps.x, high = linkPolesWraps.y - at_;
+  real lowest = ofU ? patchDomain.x : patchDomain.y, highest = ofU ? patchDomain.z : patchDomain.w;
+  real low = has(kPoleLow) ? at_ - lowest : 1e30, high = has(kPoleHigh) ? highest - at_ : 1e30;
   real height = max(min(low, high), 0.0);
   if (height < 3.0 * size_) {
     bool up = low < high;
@@ -110,7 +109,7 @@ real2 moved(real2 p, real2 delta, Probe at, real most) {
     real newHeight = max(length(q), 1e-6 * size_);  // at the point itself there is no normal
     real anglePer = ratio / max(height, 1e-6 * size_);
     real turned = anglePer > 0.0 ? angleOf(q) / anglePer : 0.0;
-    real moved_ = up ? linkPolesWraps.x + newHeight : linkPolesWraps.y - newHeight;
+    real moved_ = up ? lowest + newHeight : highest - newHeight;
     return ofU ? real2(moved_, p.y + turned) : real2(p.x + turned, moved_);
   }
   return straight;
@@ -120,20 +119,20 @@ real2 moved(real2 p, real2 delta, Probe at, real most) {
 real2 nearDomain(real2 p, real cells) {
   real2 margin = linkCellHalf.xy * cells;
   real2 low = patchDomain.xy - margin, high = patchDomain.zw + margin;
-  return real2(linkPolesWraps.z > 0.0 ? p.x : clamp(p.x, low.x, high.x),
-              linkPolesWraps.w > 0.0 ? p.y : clamp(p.y, low.y, high.y));
+  return real2(has(kWrapsU) ? p.x : clamp(p.x, low.x, high.x),
+              has(kWrapsV) ? p.y : clamp(p.y, low.y, high.y));
 }
 
 // How many cells p is beyond the domain; below 0 inside.
 real cellsBeyond(real2 p) {
   real2 beyond = max(patchDomain.xy - p, p - patchDomain.zw) / linkCellHalf.xy;
-  return max(linkPolesWraps.z > 0.0 ? -1.0 : beyond.x, linkPolesWraps.w > 0.0 ? -1.0 : beyond.y);
+  return max(has(kWrapsU) ? -1.0 : beyond.x, has(kWrapsV) ? -1.0 : beyond.y);
 }
 
 // Whether the point is the patch's. What is beyond an edge by less on the screen than the search's tolerance is on it.
 bool inDomain(real2 p, Probe at) {
   real2 beyond = max(max(patchDomain.xy - p, p - patchDomain.zw), real2(0));
-  beyond = real2(linkPolesWraps.z > 0.0 ? 0.0 : beyond.x, linkPolesWraps.w > 0.0 ? 0.0 : beyond.y);
+  beyond = real2(has(kWrapsU) ? 0.0 : beyond.x, has(kWrapsV) ? 0.0 : beyond.y);
   real2 onScreen = beyond.x * at.fu + beyond.y * at.fv;
   return max(abs(onScreen.x), abs(onScreen.y)) <= tolerance(at);
 }

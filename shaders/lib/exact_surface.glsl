@@ -34,14 +34,14 @@ void readSurface() {
   rowX = preciseInstances[linkFlags.w].x;
   rowY = preciseInstances[linkFlags.w].y;
   rowDepth = preciseInstances[linkFlags.w].depth;
-  uint first = floatBitsToUint(linkSides.w);
+  uint first = linkFlags.y;
   for (uint k = 0; k < kDomainNumbers; ++k) patchDomain[k] = preciseParameters[first - kDomainNumbers + k];
   for (uint k = 0; k < kHeldParameters; ++k)
     if (k < kParameterCount) heldParameters[k] = preciseParameters[first + k];
 }
 
 double surfaceParameterAt(uint k) {
-  return k < kHeldParameters ? heldParameters[k] : preciseParameters[floatBitsToUint(linkSides.w) + k];
+  return k < kHeldParameters ? heldParameters[k] : preciseParameters[linkFlags.y + k];
 }
 
 // Relative to the eye.
@@ -66,14 +66,14 @@ float heldParameters[kHeldParameters];
 void readSurface() {
   for (uint k = 0; k < kHeldParameters; ++k)
     if (kCarriedParameters + k < kParameterCount)
-      heldParameters[k] = exactParameters[floatBitsToUint(linkSides.w) + kCarriedParameters + k];
+      heldParameters[k] = exactParameters[linkFlags.y + kCarriedParameters + k];
 }
 
 float surfaceParameterAt(uint k) {
   uint held = k - kCarriedParameters;
   return k < kCarriedParameters ? linkPacked[kFirstParameter + k / 4][k % 4]
          : held < kHeldParameters ? heldParameters[held]
-                                  : exactParameters[floatBitsToUint(linkSides.w) + k];
+                                  : exactParameters[linkFlags.y + k];
 }
 
 // Relative to the eye.

@@ -61,7 +61,7 @@ vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
     bool lit = true;
     if (i >= kPlainLights) {
       uint shade = i - kPlainLights;
-      bool isTheShade = (material.flags >> kShadeShift) == shade + 1;
+      bool isTheShade = ((material.flags >> kShadeShift) & 255) == shade + 1;
       lit = isTheShade || litThroughShade(shadeAt(shade), -toLight);
     }
     sum += lit ? reflection : vec3(0);

@@ -51,7 +51,15 @@ LUXO_CONSTANT kTwoSided = 1;         // the normal turns toward the viewer
 LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
 LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times InstanceData::ambient
 LUXO_CONSTANT kPlane = 8;            // all in one plane
-LUXO_CONSTANT kShadeShift = 8;  // bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
+LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
+
+// Flags of patches, which join those of instances.
+LUXO_CONSTANT kInward = 1 << 16;    // Su x Sv points inward
+LUXO_CONSTANT kWrapsU = 1 << 17;    // the formula goes on beyond the ends of u, which are the same curve
+LUXO_CONSTANT kWrapsV = 1 << 18;
+LUXO_CONSTANT kPoleLow = 1 << 19;   // the edge of lowest v (with kPolesOfU: of u) is one point
+LUXO_CONSTANT kPoleHigh = 1 << 20;  // that of highest
+LUXO_CONSTANT kPolesOfU = 1 << 21;
 
 struct ViewData {
   mat4 clipFromRelative;
@@ -108,10 +116,7 @@ struct PreciseInstance {
 // A patch of a surface.
 struct ExactPatch {
   vec4 domain;          // lowest u and v, highest u and v
-  vec2 wraps;           // the period of u and v where the formula goes on beyond the domain; 0: it does not
-  vec2 poles;           // v (or u) of the edges that are one point; far outside the domain: none
-  uint polesOfU;        // whether those are edges of u
-  float orientation;    // +1: Su x Sv points outward
+  uint flags;
   uint firstParameter;  // of the formula's parameters, in the buffer of them all
 };
 
@@ -130,7 +135,7 @@ struct LightSet {
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
 static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
-static_assert(sizeof(ExactInstance) == 96 && sizeof(PreciseInstance) == 192 && sizeof(ExactPatch) == 44);
+static_assert(sizeof(ExactInstance) == 96 && sizeof(PreciseInstance) == 192 && sizeof(ExactPatch) == 24);
 }  // namespace luxo::shared
 #endif
 #endif

@@ -238,9 +238,13 @@ class Viewer {
     Snapshot snapshot = snapshotOrLast();
     const DrawOptions& draw = controls_.drawOptions();
     const bool coarser = refined_ > 0 && !controls_.refines();
-    const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
-    const bool refines = !repaint && controls_.refines() && refined_ < kMostSamples;
-    if (!repaint && !refines && !damaged_ && swapchain_.generation() == shownGeneration_ &&
+    const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser ||
+                         (incomplete_ && !painter_.completable());
+    const bool completes = !repaint && incomplete_;
+    // What is not complete, or may turn out not to be, is not worth a mean.
+    const bool refines =
+        !repaint && !completes && unmeasured_ == 0 && controls_.refines() && refined_ < kMostSamples;
+    if (!repaint && !completes && !refines && !damaged_ && swapchain_.generation() == shownGeneration_ &&
         panels() == panels_)
       return;
     const double evaluated = millisecondsSince(start);
@@ -256,12 +260,19 @@ class Viewer {
     const auto recording = Clock::now();
     if (repaint) {
       status_.statistics = {};
-      painter_.record(frames_, commands, snapshot, draw, status_.statistics);
+      care_.completes = false;
+      painter_.record(frames_, commands, snapshot, draw, status_.statistics, care_);
+      incomplete_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
       shown_ = std::move(snapshot);
       drawn_ = draw;
       refined_ = 0;
       ++pictures_;
+    } else if (completes) {
+      FrameStatistics ignored;
+      care_.completes = true;
+      painter_.record(frames_, commands, shown_, *drawn_, ignored, care_);
+      incomplete_ = false;
     } else if (refines) {
       refine(commands);
     }
@@ -293,7 +304,8 @@ class Viewer {
     DrawOptions one = *drawn_;
     one.samples = 1;
     FrameStatistics ignored;
-    painter_.record(frames_, commands, sampled, one, ignored);
+    care_.completes = false;
+    painter_.record(frames_, commands, sampled, one, ignored, care_);
     accumulator_->add(frames_, commands, painter_.target(), refined_);
     ++refined_;
   }
@@ -353,6 +365,15 @@ class Viewer {
     }
     if (const auto milliseconds = frames_.milliseconds(unmeasured_)) meter_.addDevice(*milliseconds);
     unmeasured_ = 0;
+    completeLater();
+  }
+
+  // What the last picture lost will be drawn next, and in the pictures to come, where it is likely to be lost again.
+  void completeLater() {
+    const std::vector<std::uint32_t>& known = care_.lostInFlat;
+    if (std::ranges::count(known, 0U) < std::ssize(known) / 2) care_ = {};  // of views long gone
+    incomplete_ = care_.addFlat(painter_.lostPixels());
+    dirty_ |= incomplete_;
   }
 
   [[nodiscard]] std::vector<window::Panel> panels() {
@@ -402,6 +423,8 @@ class Viewer {
   Clock::time_point nextFrame_;
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
+  SearchCare care_;
+  bool incomplete_ = false;  // the last picture lacks what was lost in it
 
   // What is seen: the painter's picture, or, while nothing moves, the mean of so many with one sample each.
   int refined_ = 0;
