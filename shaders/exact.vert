@@ -22,6 +22,8 @@ layout(push_constant) uniform Draw { float side; } draw;
 
 invariant gl_Position;
 
+void pack(uint k, float number) { linkPacked[k / 4][k % 4] = number; }
+
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   ExactInstance exact = exactInstances[gl_InstanceIndex];
@@ -36,12 +38,19 @@ void main() {
                     surfacePatch.firstParameter, instance.firstPatternParameter, gl_InstanceIndex);
   linkViewerSecond = vec4(view.viewer.xyz, inCell.z);
   for (uint i = 0; i < kLinkedLights; ++i) {
-    linkPacked[2 * i] = lightSet.lights[i].position;
-    linkPacked[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
+    LightData light = lightSet.lights[i];
+    linkFlags.x |= (light.position.w != 0.0 ? kPointLight << 2 * i : 0) | (light.inverseSquare != 0 ? kInverseSquare << 2 * i : 0);
+    for (uint k = 0; k < 3; ++k) {
+      pack(kLightNumbers * i + k, light.position[k]);
+      pack(kLightNumbers * i + 3 + k, light.radiance[k]);
+    }
   }
   for (uint i = 0; i < kLinkedShades; ++i) {
-    linkPacked[kFirstShade + 2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
-    linkPacked[kFirstShade + 2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
+    ShadeData shade = lightSet.shades[i];
+    uint first = kFirstShade + kShadeNumbers * i;
+    for (uint k = 0; k < 3; ++k) pack(first + k, shade.axis[k]);
+    pack(first + 3, shade.cosRim);
+    pack(first + 4, shade.reach);
   }
   linkX = exact.x;
   linkY = exact.y;
@@ -52,6 +61,6 @@ void main() {
   linkClip = vec4(exact.clipDepth, exact.thickness,
                   uintBitsToFloat((exact.firstSlot + gl_VertexIndex) % kTallySlots));
   for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)
-    linkPacked[kFirstParameter + k / 4][k % 4] = exactParameters[surfacePatch.firstParameter + k];
+    pack(kFirstParameter + k, exactParameters[surfacePatch.firstParameter + k]);
   gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
 }

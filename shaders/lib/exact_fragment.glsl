@@ -17,13 +17,14 @@ layout(location = 0) out vec4 outColor;
 
 LightData lightAt(uint i) {
   if (i >= kLinkedLights) return lightSet.lights[i];
-  return LightData(linkPacked[2 * i], linkPacked[2 * i + 1].xyz, uint(linkPacked[2 * i + 1].w));
+  uint first = kLightNumbers * i;
+  return LightData(vec4(packed3(first), has(kPointLight << 2 * i)), packed3(first + 3), has(kInverseSquare << 2 * i) ? 1 : 0);
 }
 
 ShadeData shadeAt(uint i) {
   if (i >= kLinkedShades) return lightSet.shades[i];
-  uint first = kFirstShade + 2 * i;
-  return ShadeData(linkPacked[first].xyz, linkPacked[first].w, linkPacked[first + 1].x);
+  uint first = kFirstShade + kShadeNumbers * i;
+  return ShadeData(packed3(first), packed(first + 3), packed(first + 4));
 }
 
 // Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K how

@@ -29,6 +29,8 @@ layout(location = 14) flat LUXO_LINK vec4 linkClip;         // clipDepth; thickn
 const uint kBackSide = 1 << 22;     // these triangles lead to the back of the surface
 const uint kNegative = 1 << 23;     // where they are seen from the front, areas of the parameters on it are negative
 const uint kPerspective = 1 << 24;
+const uint kPointLight = 1 << 25;   // of the first light; two bits on, of the next
+const uint kInverseSquare = 1 << 26;
 
 bool has(uint flag) { return (linkFlags.x & flag) != 0; }
 
@@ -37,9 +39,15 @@ bool has(uint flag) { return (linkFlags.x & flag) != 0; }
 // fit is read from buffers, which takes a CPU device longer.
 const uint kRoom = 15;
 layout(location = 15) flat LUXO_LINK vec4 linkPacked[kRoom];
+const uint kLightNumbers = 6, kShadeNumbers = 5;
 const uint kLights = kPlainLights + kShadedLights;
 const uint kLinkedLights = kLights < kCarriedLights ? kLights : kCarriedLights;
 const uint kLinkedShades = kShadedLights < kCarriedShades ? kShadedLights : kCarriedShades;
-const uint kFirstShade = 2 * kLinkedLights;
-const uint kFirstParameter = kFirstShade + 2 * kLinkedShades;
-const uint kCarriedParameters = 4 * (kRoom - kFirstParameter);
+const uint kFirstShade = kLightNumbers * kLinkedLights;
+const uint kFirstParameter = kFirstShade + kShadeNumbers * kLinkedShades;
+const uint kCarriedParameters = 4 * kRoom - kFirstParameter;
+
+#ifndef LUXO_VERTEX
+float packed(uint k) { return linkPacked[k / 4][k % 4]; }
+vec3 packed3(uint k) { return vec3(packed(k), packed(k + 1), packed(k + 2)); }
+#endif

@@ -9,6 +9,7 @@
 // Numbers are `real`: float, or double where LUXO_DOUBLE is defined.
 #include "lib/exact_interface.glsl"
 #include "lib/exact_surface.glsl"
+#include "lib/scene.glsl"
 
 const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
@@ -329,6 +330,11 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
 }
 
 // Finds the point; p and at are its own when found.
+//
+// A device shades pixels together, and goes on with those that the triangle does not cover until all are done. They find
+// their point like the others, unless what a CPU device reads from buffers for them is 0: then they are left out, by what
+// they read of their instance, whose id is never 0.
 int findRoot(Ray ray, out real2 p, out Probe at) {
+  if (kReadsSurface && instances[linkFlags.w].id == 0) return kMissed;
   return kSteep ? findGrazedRoot(ray, p, at) : findPlainRoot(ray, p, at);
 }

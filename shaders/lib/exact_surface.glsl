@@ -28,6 +28,7 @@ real4 rowX, rowY, rowDepth;  // as in ExactInstance
 real4 patchDomain;                // lowest u and v, highest u and v
 // A CPU device reads a buffer slowly: once, not whenever the formula is.
 const uint kHeldParameters = 64;
+const bool kReadsSurface = true;
 double heldParameters[kHeldParameters];
 
 void readSurface() {
@@ -61,17 +62,18 @@ vec3 relativePosition(real3 S) {
 layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
 // A CPU device reads a buffer slowly: parameters that are not carried are read once, not whenever the formula is.
 const uint kHeldParameters = 32;
+const uint kNotCarried = kParameterCount > kCarriedParameters ? kParameterCount - kCarriedParameters : 0;
+const uint kHeld = kNotCarried < kHeldParameters ? kNotCarried : kHeldParameters;
+const bool kReadsSurface = kHeld > 0;
 float heldParameters[kHeldParameters];
 
 void readSurface() {
-  for (uint k = 0; k < kHeldParameters; ++k)
-    if (kCarriedParameters + k < kParameterCount)
-      heldParameters[k] = exactParameters[linkFlags.y + kCarriedParameters + k];
+  for (uint k = 0; k < kHeld; ++k) heldParameters[k] = exactParameters[linkFlags.y + kCarriedParameters + k];
 }
 
 float surfaceParameterAt(uint k) {
   uint held = k - kCarriedParameters;
-  return k < kCarriedParameters ? linkPacked[kFirstParameter + k / 4][k % 4]
+  return k < kCarriedParameters ? packed(kFirstParameter + k)
          : held < kHeldParameters ? heldParameters[held]
                                   : exactParameters[linkFlags.y + k];
 }
