@@ -306,7 +306,7 @@ class DrawLister {
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
   /// the origin of the hull's vertices.
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
-    const int level = v.node < care_.levels.size() ? care_.levels[v.node] : 0;
+    const int level = care_.level(v.node);
     const double finer = std::ldexp(1.0, -2 * level);
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
@@ -344,11 +344,12 @@ class DrawLister {
     const Hull& hull = *batch.hull;
     std::vector<std::uint32_t>& all = list_.hullIndices;
     std::vector<std::uint32_t> steep;
+    const std::uint32_t node = item.instance.node;
     const std::size_t first = all.size();
     for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
       const Seen seen = view.seen(hull, i, batch.half == Half::Far ? -1 : 1);
-      const bool lost = seen == Seen::Flat && lostIn(item.instance.node, hull.indices[i]);
-      if (seen == Seen::Away || (care_.completes && !lost)) continue;
+      const bool lost = seen == Seen::Flat && care_.lostInFlat(tallySlot(node, hull.indices[i]));
+      if (seen == Seen::Away || (care_.completes && !lost && !care_.refined(node))) continue;
       std::vector<std::uint32_t>& indices = seen == Seen::Flat && !lost ? all : steep;
       indices.insert(indices.end(), hull.indices.begin() + i, hull.indices.begin() + i + 3);
     }
@@ -363,10 +364,6 @@ class DrawLister {
     };
     add(false, first, firstSteep);
     add(true, firstSteep, all.size());
-  }
-
-  [[nodiscard]] bool lostIn(std::uint32_t node, std::uint32_t firstVertex) const {
-    return !care_.lostInFlat.empty() && care_.lostInFlat[tallySlot(node, firstVertex)] > 0;
   }
 
   /// Where the patches of a surface start; nodes with the same surface and parameters share them.

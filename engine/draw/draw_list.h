@@ -72,11 +72,11 @@ struct DrawList {
   std::vector<double> exactParameters;           ///< not empty when a draw has a hull
   /// As instances, as far as the last one that is searched for in double.
   std::vector<shared::PreciseInstance> preciseInstances;
-  std::vector<shared::LightSet> lightSets;       ///< never empty
-  std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
-  std::vector<DrawBatch> opaque;                 ///< grouped, roughly front to back
-  std::vector<DrawBatch> transparent;            ///< strictly back to front
-  double boundPx = 0;                            ///< largest proven error of a drawn mesh on the screen
+  std::vector<shared::LightSet> lightSets;  ///< never empty
+  std::vector<float> patternParameters;     ///< not empty when a draw has a pattern
+  std::vector<DrawBatch> opaque;            ///< grouped, roughly front to back
+  std::vector<DrawBatch> transparent;       ///< strictly back to front
+  double boundPx = 0;                       ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
 };
@@ -89,7 +89,6 @@ struct Geometry {
 
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMostLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,
-                                 const DrawOptions& options, Geometry& geometry,
-                                 const SearchCare& care = {});
+                                 const DrawOptions& options, Geometry& geometry, const SearchCare& care = {});
 
 }  // namespace luxo

@@ -13,12 +13,12 @@
 
 namespace luxo {
 
-/// Largest residual of a point that is drawn, pixels, where single precision allows: what it rounds away of the
-/// picture's distances and of the object's size may be more.
+/// Largest residual of a point that is drawn, pixels, where single precision allows: what it rounds away of
+/// the picture's distances and of the object's size may be more.
 inline constexpr double kExactTolerancePx = 1e-4;
 
-/// Where searches are counted that are lost in triangles of a node, index into Snapshot::nodes, whose first vertex is
-/// that one of the hull.
+/// Where searches are counted that are lost in triangles of a node, index into Snapshot::nodes, whose first
+/// vertex is that one of the hull.
 [[nodiscard]] std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex);
 
 /// Whether float would round away more of a point's place on the screen than a picture may lack.

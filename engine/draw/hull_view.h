@@ -17,8 +17,8 @@ class HullView {
   /// Unless `tellApart` is set everything counts as steep.
   HullView(const View& view, const Transform& worldFromObject, bool tellApart);
 
-  /// How the outer (+1) or inner (-1) side of the surface is seen near the triangle that begins at that index.
-  /// Cost: nanoseconds.
+  /// How the outer (+1) or inner (-1) side of the surface is seen near the triangle that begins at that
+  /// index. Cost: nanoseconds.
   [[nodiscard]] Seen seen(const Hull& hull, std::uint32_t firstIndex, double side) const;
 
  private:

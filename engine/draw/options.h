@@ -24,14 +24,15 @@ struct Skips {
 struct DrawOptions {
   Shading shading = Shading::Exact;  ///< of materials that do not say otherwise
   Output output = Output::Color;
-  double tolerancePx = 0.5;   ///< how far a mesh may be from its surface on the screen
+  double tolerancePx = 0.5;  ///< how far a mesh may be from its surface on the screen
   /// Exact shading: how far the hull in which the search for a surface begins is from it, about. No error of
   /// the picture: coarser hulls have fewer triangles and start the search farther off.
   double hullTolerancePx = 2;
-  /// Exact shading: where a view magnifies what float rounds away, shaders compute in double, if the device can.
+  /// Exact shading: where a view magnifies what float rounds away, shaders compute in double, if the device
+  /// can.
   bool doubles = true;
-  /// Per pixel, 1 to kMostSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1, in
-  /// the pixel's centre; they are never averaged.
+  /// Per pixel, 1 to kMostSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1,
+  /// in the pixel's centre; they are never averaged.
   int samples = 1;
   bool cullBackFaces = true;  ///< off: both faces of everything are rasterised, for looking at meshes
   Skips skips;

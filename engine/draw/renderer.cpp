@@ -17,7 +17,7 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 /// The search for a surface that lost pixels is repeated with more care this often.
-constexpr int kMostRefinements = 4;
+constexpr int kMostRefinements = 3;
 
 /// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
 /// drew, or completed.
@@ -194,12 +194,10 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     if (round > 0) addAttempt(attempt, statistics, care.completes);
     statistics = attempt;
 
-    const LostPixels lost = painter_.lostPixels();
-    statistics.error.unconvergedPx = lost.count();
-    if (round == kMostRefinements) return;
-    const bool raised = care.raiseLevels(lost), added = care.addFlat(lost);
-    if (!raised && !added) return;
-    care.completes = !raised && painter_.completable();
+    const bool mayFindMore = care.learn(painter_.lostPixels());
+    statistics.error.unconvergedPx = care.lost();
+    if (!mayFindMore || round == kMostRefinements) return;
+    care.completes = painter_.completable();
   }
 }
 

@@ -115,8 +115,7 @@ ScenePainter::ScenePainter(gpu::Context& context, Precision precision)
 }
 
 void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
-                          const DrawOptions& options, FrameStatistics& statistics,
-                          const SearchCare& care) {
+                          const DrawOptions& options, FrameStatistics& statistics, const SearchCare& care) {
   const bool auxiliary = options.output != Output::Color;
   const VkSampleCountFlagBits samples =
       auxiliary ? VK_SAMPLE_COUNT_1_BIT
@@ -142,22 +141,26 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
                  samples);
   using enum gpu::Use;
   store_.dropUnused();
-  upload(list, !options.skips.unchanged);
-  DescriptorSets sets{.scene = frames.descriptors().write(
-                          pipelines_.sceneLayout(),
-                          {view_.buffer, instances_.buffer, {lights_.buffer, 0, sizeof(shared::LightSet)}})};
+  Uploads& uploads = care.completes ? completion_ : uploads_;
+  upload(list, !options.skips.unchanged, uploads);
+  Bindings bindings{.scene = frames.descriptors().write(
+                        pipelines_.sceneLayout(), {uploads.view.buffer,
+                                                   uploads.instances.buffer,
+                                                   {uploads.lights.buffer, 0, sizeof(shared::LightSet)}})};
   if (!list.patternParameters.empty())
-    sets.pattern = frames.descriptors().write(pipelines_.patternLayout(), {patternParameters_.buffer});
+    bindings.pattern =
+        frames.descriptors().write(pipelines_.patternLayout(), {uploads.patternParameters.buffer});
   clearTally(list);
   if (list.exact()) {
-    sets.exact = frames.descriptors().write(
+    bindings.exact = frames.descriptors().write(
         pipelines_.exactLayout(),
-        {exactInstances_.buffer, exactPatches_.buffer, exactParameters_.buffer, tally_});
+        {uploads.exactInstances.buffer, uploads.exactPatches.buffer, uploads.exactParameters.buffer, tally_});
+    bindings.hullIndices = uploads.hullIndices.buffer;
     gpu::use(commands, {{tally_, StorageWrite}});
   }
   if (!list.preciseInstances.empty()) {
-    sets.precise = frames.descriptors().write(pipelines_.preciseLayout(),
-                                              {preciseInstances_.buffer, preciseParameters_.buffer});
+    bindings.precise = frames.descriptors().write(
+        pipelines_.preciseLayout(), {uploads.preciseInstances.buffer, uploads.preciseParameters.buffer});
   }
 
   const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
@@ -167,7 +170,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
     gpu::use(commands, {{color_, ColorAttachment, contents}, {depth_, DepthAttachment, contents}});
     if (resolved_) gpu::use(commands, {{resolved_, ResolveTarget, gpu::Contents::Discard}});
     beginPass(commands, targets, load, backgroundOf(snapshot, options.output));
-    paint(commands, sets, batches, statistics);
+    paint(commands, bindings, batches, statistics);
     vkCmdEndRendering(commands);
     ++statistics.count.passes;
   };
@@ -210,34 +213,35 @@ void ScenePainter::prepareTargets(VkExtent2D extent, VkSampleCountFlagBits sampl
                                     .name = "depth"});
 }
 
-void ScenePainter::upload(const DrawList& list, bool always) {
-  write(view_, std::as_bytes(std::span(&list.view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "view", always);
+void ScenePainter::upload(const DrawList& list, bool always, Uploads& uploads) {
+  write(uploads.view, std::as_bytes(std::span(&list.view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "view",
+        always);
   // A buffer has at least one element, so that there is something to bind.
   static const std::vector<shared::InstanceData> kNoInstance(1);
   const auto& instances = list.instances.empty() ? kNoInstance : list.instances;
-  write(instances_, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "instances",
-        always);
+  write(uploads.instances, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        "instances", always);
   std::vector<std::byte> lights(lightStride_ * list.lightSets.size());
   for (std::size_t i = 0; i < list.lightSets.size(); ++i)
     std::memcpy(lights.data() + i * lightStride_, &list.lightSets[i], sizeof(shared::LightSet));
-  write(lights_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
+  write(uploads.lights, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
   if (!list.patternParameters.empty())
-    write(patternParameters_, std::as_bytes(std::span(list.patternParameters)),
+    write(uploads.patternParameters, std::as_bytes(std::span(list.patternParameters)),
           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "pattern parameters", always);
   if (!list.exact()) return;
   const auto store = [&](Mirror& mirror, const auto& elements, const char* name) {
     write(mirror, std::as_bytes(std::span(elements)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
   };
   if (!list.hullIndices.empty())
-    write(hullIndices_, std::as_bytes(std::span(list.hullIndices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "hull indices",
-          always);
-  store(exactInstances_, list.exactInstances, "exact instances");
-  store(exactPatches_, list.exactPatches, "patches");
+    write(uploads.hullIndices, std::as_bytes(std::span(list.hullIndices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+          "hull indices", always);
+  store(uploads.exactInstances, list.exactInstances, "exact instances");
+  store(uploads.exactPatches, list.exactPatches, "patches");
   const std::vector<float> parameters(list.exactParameters.begin(), list.exactParameters.end());
-  store(exactParameters_, parameters, "parameters of formulas");
+  store(uploads.exactParameters, parameters, "parameters of formulas");
   if (list.preciseInstances.empty()) return;
-  store(preciseInstances_, list.preciseInstances, "exact instances in double");
-  store(preciseParameters_, list.exactParameters, "parameters in double");
+  store(uploads.preciseInstances, list.preciseInstances, "exact instances in double");
+  store(uploads.preciseParameters, list.exactParameters, "parameters in double");
 }
 
 void ScenePainter::clearTally(const DrawList& list) {
@@ -262,8 +266,7 @@ LostPixels ScenePainter::lostPixels() {
   std::vector<std::uint32_t> counts(shared::kTallySlots + tallyNodes_.size());
   std::memcpy(counts.data(), tally_.read().data(), counts.size() * sizeof(std::uint32_t));
   const auto firstInstance = counts.begin() + shared::kTallySlots;
-  LostPixels lost{.inFlat = {counts.begin(), firstInstance},
-                  .inSteep = std::vector<std::uint32_t>(*std::ranges::max_element(tallyNodes_) + 1)};
+  LostPixels lost{.inFlat = {counts.begin(), firstInstance}, .inSteep = {}};
   for (std::size_t i = 0; i < tallyNodes_.size(); ++i)
     lost.inSteep[tallyNodes_[i]] += firstInstance[static_cast<std::ptrdiff_t>(i)];
   return lost;
@@ -285,7 +288,7 @@ void ScenePainter::write(Mirror& mirror, std::span<const std::byte> bytes, VkBuf
   mirror.bytes.assign(bytes.begin(), bytes.end());
 }
 
-void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
+void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings,
                          const std::vector<DrawBatch>& batches, FrameStatistics& statistics) {
   for (const DrawBatch& batch : batches) {
     const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
@@ -294,11 +297,11 @@ void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
     const auto lightOffset = static_cast<std::uint32_t>(batch.lightSet * lightStride_);
 
     pipeline.bind(commands);
-    pipeline.bindSet(commands, 0, sets.scene, {&lightOffset, 1});
-    if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, sets.pattern);
+    pipeline.bindSet(commands, 0, bindings.scene, {&lightOffset, 1});
+    if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, bindings.pattern);
     if (batch.hull) {
-      pipeline.bindSet(commands, 2, sets.exact);
-      if (batch.state.surface->number == GlslNumber::Double) pipeline.bindSet(commands, 3, sets.precise);
+      pipeline.bindSet(commands, 2, bindings.exact);
+      if (batch.state.surface->number == GlslNumber::Double) pipeline.bindSet(commands, 3, bindings.precise);
       const float side = batch.half == Half::Far ? -1.0f : 1.0f;
       pipeline.push(commands, std::as_bytes(std::span(&side, 1)));
     }
@@ -309,10 +312,11 @@ void ScenePainter::paint(VkCommandBuffer commands, const DescriptorSets& sets,
     constexpr VkDeviceSize kOffsets[] = {0, 0};
     vkCmdBindVertexBuffers(commands, 0, withParameters ? 2 : 1, streams, kOffsets);
     if (batch.hull)
-      vkCmdBindIndexBuffer(commands, hullIndices_.buffer, 0, VK_INDEX_TYPE_UINT32);
+      vkCmdBindIndexBuffer(commands, bindings.hullIndices, 0, VK_INDEX_TYPE_UINT32);
     else
       vkCmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
-    vkCmdDrawIndexed(commands, batch.indexCount, batch.instanceCount, batch.firstIndex, 0, batch.firstInstance);
+    vkCmdDrawIndexed(commands, batch.indexCount, batch.instanceCount, batch.firstIndex, 0,
+                     batch.firstInstance);
 
     ++statistics.count.drawCalls;
     statistics.count.instances += batch.instanceCount;

@@ -33,7 +33,8 @@ class ScenePainter {
 
   /// Of the last recording, which has to be complete.
   [[nodiscard]] LostPixels lostPixels();
-  /// Whether a recording that draws only what the last one lost completes the picture: nothing is seen through.
+  /// Whether a recording that draws only what the last one lost completes the picture: nothing is seen
+  /// through.
   [[nodiscard]] bool completable() const { return completable_; }
   /// Whether the last recording searches for surfaces.
   [[nodiscard]] bool searches() const { return !tallyNodes_.empty(); }
@@ -48,19 +49,26 @@ class ScenePainter {
     std::vector<std::byte> bytes;
   };
 
-  struct DescriptorSets {
+  /// A draw list on the device.
+  struct Uploads {
+    Mirror view, instances, lights, patternParameters, exactInstances, exactPatches, exactParameters,
+        hullIndices, preciseInstances, preciseParameters;
+  };
+
+  struct Bindings {
     VkDescriptorSet scene = VK_NULL_HANDLE;
     VkDescriptorSet pattern = VK_NULL_HANDLE;  ///< where a draw has a pattern
     VkDescriptorSet exact = VK_NULL_HANDLE;    ///< where a draw has a hull
     VkDescriptorSet precise = VK_NULL_HANDLE;  ///< where one computes in double
+    VkBuffer hullIndices = VK_NULL_HANDLE;     ///< where a draw has a hull
   };
 
   void prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples);
-  void upload(const DrawList& list, bool always);
+  void upload(const DrawList& list, bool always, Uploads& uploads);
   void clearTally(const DrawList& list);
   void write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage, const char* name,
              bool always);
-  void paint(VkCommandBuffer commands, const DescriptorSets& sets, const std::vector<DrawBatch>& batches,
+  void paint(VkCommandBuffer commands, const Bindings& bindings, const std::vector<DrawBatch>& batches,
              FrameStatistics& statistics);
 
   gpu::Context* context_;
@@ -68,9 +76,8 @@ class ScenePainter {
   ScenePipelines pipelines_;
   Geometry geometry_;
   MeshStore store_;
-  Mirror view_, instances_, lights_, patternParameters_, exactInstances_, exactPatches_, exactParameters_,
-      hullIndices_, preciseInstances_, preciseParameters_;
-  gpu::Buffer tally_;  ///< of the last recording: by slot, then by instance
+  Uploads uploads_, completion_;  ///< what completes a picture does not overwrite what the next begins with
+  gpu::Buffer tally_;             ///< of the last recording: by slot, then by instance
   std::vector<std::uint32_t> tallyNodes_;
   bool completable_ = false;
   VkDeviceSize lightStride_ = 0;

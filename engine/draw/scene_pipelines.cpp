@@ -104,15 +104,15 @@ const gpu::DescriptorLayout& ScenePipelines::patternLayout() {
 
 const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   if (exactLayout_.bindings().empty())
-    exactLayout_ = gpu::DescriptorLayout(*context_, std::vector<gpu::DescriptorBinding>(
-                                                        4, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+    exactLayout_ = gpu::DescriptorLayout(
+        *context_, std::vector<gpu::DescriptorBinding>(4, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
   return exactLayout_;
 }
 
 const gpu::DescriptorLayout& ScenePipelines::preciseLayout() {
   if (preciseLayout_.bindings().empty())
-    preciseLayout_ = gpu::DescriptorLayout(*context_, std::vector<gpu::DescriptorBinding>(
-                                                          2, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+    preciseLayout_ = gpu::DescriptorLayout(
+        *context_, std::vector<gpu::DescriptorBinding>(2, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
   return preciseLayout_;
 }
 
@@ -127,8 +127,9 @@ const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode&
   sources.push_back({"surface", surface.glsl});
   if (pattern.valid()) sources.push_back({"pattern", pattern.glsl()});
   const bool inDouble = surface.number == GlslNumber::Double;
-  const std::string_view name = pattern.valid() ? (inDouble ? "exact/pattern_double.frag" : "exact/pattern.frag")
-                                                : (inDouble ? "exact/surface_double.frag" : "exact/surface.frag");
+  const std::string_view name = pattern.valid()
+                                    ? (inDouble ? "exact/pattern_double.frag" : "exact/pattern.frag")
+                                    : (inDouble ? "exact/surface_double.frag" : "exact/surface.frag");
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
   auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources});
   context_->counted().shadersCompiled += shader.compiled;

@@ -49,7 +49,8 @@ class ScenePipelines {
                                                                 std::string_view name);
 
   /// The fragment shader that finds a surface, with a pattern or without.
-  [[nodiscard]] const std::vector<std::uint32_t>& exactShader(const SurfaceCode& surface, const Pattern& pattern);
+  [[nodiscard]] const std::vector<std::uint32_t>& exactShader(const SurfaceCode& surface,
+                                                              const Pattern& pattern);
   void describeExact(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;

@@ -3,38 +3,41 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 namespace luxo {
-namespace {
 
-std::uint64_t sum(const std::vector<std::uint32_t>& counts) {
-  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+bool SearchCare::learn(const LostPixels& lost) {
+  for (Node& node : nodes_) node.refined = false;
+  bool finer = false;
+  for (const auto& [index, count] : lost.inSteep) {
+    if (index >= nodes_.size()) nodes_.resize(index + 1);
+    Node& node = nodes_[index];
+    const std::uint32_t before = std::exchange(node.lost, count);
+    node.refined = count > 0 && (node.level == 0 || count < before);
+    node.level += node.refined;
+    finer = finer || node.refined;
+  }
+  return learnFlat(lost) || finer;
 }
 
-}  // namespace
-
-std::uint64_t LostPixels::count() const { return sum(inFlat) + sum(inSteep); }
-
-bool SearchCare::addFlat(const LostPixels& lost) {
-  if (sum(lost.inFlat) == 0) return false;
-  lostInFlat.resize(lost.inFlat.size());
-  for (std::size_t slot = 0; slot < lostInFlat.size(); ++slot) lostInFlat[slot] += lost.inFlat[slot];
+bool SearchCare::learnFlat(const LostPixels& lost) {
+  lostNow_ = std::accumulate(lost.inFlat.begin(), lost.inFlat.end(), std::uint64_t{0});
+  if (lostNow_ == 0) return false;
+  // Most would be of views long gone.
+  if (std::ranges::count(lostInFlat_, true) > std::ssize(lostInFlat_) / 4) lostInFlat_.clear();
+  lostInFlat_.resize(lost.inFlat.size());
+  for (std::size_t slot = 0; slot < lostInFlat_.size(); ++slot)
+    if (lost.inFlat[slot] > 0) lostInFlat_[slot] = true;
   return true;
 }
 
-bool SearchCare::raiseLevels(const LostPixels& lost) {
-  levels.resize(std::max(levels.size(), lost.inSteep.size()));
-  lostInSteep.resize(levels.size());
-  bool raised = false;
-  for (std::size_t node = 0; node < lost.inSteep.size(); ++node) {
-    const std::uint32_t before = std::exchange(lostInSteep[node], lost.inSteep[node]);
-    if (lost.inSteep[node] == 0 || (levels[node] > 0 && lost.inSteep[node] >= before)) continue;
-    ++levels[node];
-    raised = true;
-  }
-  return raised;
+std::uint64_t SearchCare::lost() const {
+  std::uint64_t all = lostNow_;
+  for (const Node& node : nodes_) all += node.lost;
+  return all;
 }
 
 }  // namespace luxo

@@ -1,39 +1,59 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an attempt at a picture lost, and how the next one finds it.
+// What attempts at a picture lost, and how the next one finds it.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace luxo {
 
-/// Pixels in which the search for a surface was lost. A pixel counts once for every layer. Empty where no surface was
-/// searched for.
+/// Pixels in which an attempt lost the search for a surface. A pixel counts once for every layer.
 struct LostPixels {
-  std::vector<std::uint32_t> inFlat;   ///< triangles seen flat, by tallySlot()
-  std::vector<std::uint32_t> inSteep;  ///< other triangles, by index into Snapshot::nodes
-
-  [[nodiscard]] std::uint64_t count() const;
+  std::vector<std::uint32_t> inFlat;  ///< triangles seen flat, by tallySlot(); empty: none were drawn
+  std::map<std::uint32_t, std::uint32_t> inSteep;  ///< others, by the nodes that were drawn (Snapshot::nodes)
 };
 
 /// How much more care than usual the searches for surfaces take.
-struct SearchCare {
-  /// By index into Snapshot::nodes: how often the hull's deviation is quartered; where it is, every ray counts as
-  /// grazing. Those missing: never.
-  std::vector<std::uint8_t> levels;
-  /// By tallySlot(): in flat triangles whose slot is not 0 every ray counts as grazing. Empty: in none.
-  std::vector<std::uint32_t> lostInFlat;
-  /// By index into Snapshot::nodes: what was lost in other triangles when levels were last raised.
-  std::vector<std::uint32_t> lostInSteep;
-  /// Only the triangles of lostInFlat are drawn: they complete what an attempt has drawn.
+class SearchCare {
+ public:
+  /// After an attempt with this care. Whether more care may find what it lost: flat triangles in which pixels
+  /// were lost count as steep from now on, and nodes that lost pixels in steep ones get a finer hull, unless
+  /// that did not help before: what is lost then is a singular point, which is counted, and left.
+  bool learn(const LostPixels& lost);
+
+  /// Only flat triangles; for pictures that are followed by others.
+  bool learnFlat(const LostPixels& lost);
+
+  /// How often the deviation of the node's hull is quartered; where it is, every ray counts as grazing.
+  [[nodiscard]] int level(std::uint32_t node) const { return node < nodes_.size() ? nodes_[node].level : 0; }
+
+  /// Whether pixels were lost in flat triangles of that tallySlot().
+  [[nodiscard]] bool lostInFlat(std::uint32_t slot) const {
+    return slot < lostInFlat_.size() && lostInFlat_[slot];
+  }
+
+  /// Whether the node's hull became finer with the last lesson.
+  [[nodiscard]] bool refined(std::uint32_t node) const {
+    return node < nodes_.size() && nodes_[node].refined;
+  }
+
+  /// Pixels that the attempts so far have lost, and not found again.
+  [[nodiscard]] std::uint64_t lost() const;
+
+  /// Only the flat triangles in which pixels were lost, and the nodes refined, are drawn: they complete what
+  /// an attempt has drawn.
   bool completes = false;
 
-  /// Adds to lostInFlat. Whether there was anything to add.
-  bool addFlat(const LostPixels& lost);
-
-  /// Raises the levels of nodes that lost pixels in other triangles, unless that did not help before: what more care
-  /// did not help is a singular point, which is counted, and left. Whether any was raised.
-  bool raiseLevels(const LostPixels& lost);
+ private:
+  struct Node {
+    std::uint8_t level = 0;
+    bool refined = false;
+    std::uint32_t lost = 0;
+  };
+  std::vector<Node> nodes_;
+  std::vector<bool> lostInFlat_;
+  std::uint64_t lostNow_ = 0;  ///< in flat triangles, by the last attempt
 };
 
 }  // namespace luxo

@@ -13,7 +13,8 @@
 namespace luxo {
 namespace {
 
-// Variables beyond u and v: the control points' coordinates, weighted, point by point, then the lower end of u.
+// Variables beyond u and v: the control points' coordinates, weighted, point by point, then the lower end of
+// u.
 constexpr std::uint32_t kFirstCoordinate = 2, kLowerU = kFirstCoordinate + 48;
 
 /// Bernstein's factors: control points are multiplied by them once instead of at every point of the surface.

@@ -81,9 +81,10 @@ Seen seenPoint() {
   vec3 toViewer = linkViewerSecond.xyz - (has(kPerspective) ? seen.position : vec3(0));
   seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
   vec3 n = unitOrZero(cross(relative(vec3(at.Su)), relative(vec3(at.Sv))));
-  bool front = (area(at) < 0.0) == (has(kNegative) != has(kBackSide));
-  bool turned = !has(kTwoSided) && !front;  // an inside that shows its outward normal
-  seen.normal = (dot(n, seen.viewer) < 0.0) != turned ? -n : n;
+  // The sign of the area tells the side exactly; at outlines n.V is what rounding makes of 0.
+  bool flipped = has(kNegative) != has(kBackSide), front = (area(at) < 0.0) == flipped;
+  vec3 outward = flipped ? n : -n;
+  seen.normal = front || !has(kTwoSided) ? outward : -outward;
   seen.depth = depth;
   seen.residual = certified(ray, p, at) ? residual : -max(residual, 1e-9);
   return seen;

@@ -368,11 +368,10 @@ class Viewer {
     completeLater();
   }
 
-  // What the last picture lost will be drawn next, and in the pictures to come, where it is likely to be lost again.
+  // What the last picture lost will be drawn next, and in the pictures to come, where it is likely to be lost
+  // again.
   void completeLater() {
-    const std::vector<std::uint32_t>& known = care_.lostInFlat;
-    if (std::ranges::count(known, 0U) < std::ssize(known) / 2) care_ = {};  // of views long gone
-    incomplete_ = care_.addFlat(painter_.lostPixels());
+    incomplete_ = care_.learnFlat(painter_.lostPixels());
     dirty_ |= incomplete_;
   }
 
