@@ -4,8 +4,11 @@
 
 #include <array>
 
+#include "cull/cull.h"
+#include "draw/draw_list.h"
 #include "luxo_grandpa/lamp.h"
 #include "support/picture.h"
+#include "surface/catalogue.h"
 
 namespace luxo::test {
 namespace {
@@ -94,6 +97,27 @@ TEST_F(DrawCounts, DrawnAgainNothingIsMadeAgain) {
   EXPECT_EQ(again.pipelinesCreated, 0u);
   EXPECT_EQ(again.triangles, first.triangles);
   EXPECT_EQ(again.drawCalls, first.drawCalls);
+}
+
+TEST_F(DrawCounts, OnlyWhatLostPixelsIsDrawnAgain) {
+  // A hull this coarse has triangles that are seen flat although the surface beneath turns away.
+  Scene scene;
+  scene.add(Node{.surface = makeSurface("teapot")});
+  scene.add(Node{.translation = Vec3(3, 6, 4), .light = Light{}});
+  scene.add(Camera{.eye = Vec3(2, 3, 7), .lookAt = Vec3(0, 0.8, 0)});
+  const DrawOptions coarse{.hullTolerancePx = 8};
+  const Snapshot snapshot = takeSnapshot(scene, 0, {640, 480});
+  Geometry geometry;
+  std::uint64_t once = 0;
+  for (const DrawBatch& batch : listDraws(snapshot, cull(snapshot, {}), coarse, geometry).opaque)
+    once += batch.indexCount / 3 * batch.instanceCount;
+
+  const FrameStatistics picture = draw(scene, {640, 480}, coarse).statistics;
+  EXPECT_EQ(picture.count.submits, 2u);
+  EXPECT_EQ(picture.count.passes, 2u);
+  EXPECT_GT(picture.count.triangles, once);
+  EXPECT_LT(picture.count.triangles, once + once / 10);
+  EXPECT_EQ(picture.error.unconvergedPx, 0u);
 }
 
 TEST_F(DrawCounts, MotionUploadsTransformsOnly) {
