@@ -16,9 +16,6 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The search for a surface that lost pixels is repeated with more care this often.
-constexpr int kMostRefinements = 3;
-
 /// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
 /// drew, or completed.
 void addAttempt(FrameStatistics& last, const FrameStatistics& before, bool completes) {
@@ -196,7 +193,7 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
 
     const bool mayFindMore = care.learn(painter_.lostPixels());
     statistics.error.unconvergedPx = care.lost();
-    if (!mayFindMore || round == kMostRefinements) return;
+    if (!mayFindMore || round == kMostCompletions) return;
     care.completes = painter_.completable();
   }
 }

@@ -20,17 +20,23 @@ bool SearchCare::learn(const LostPixels& lost) {
     node.level += node.refined;
     finer = finer || node.refined;
   }
-  return learnFlat(lost) || finer;
+  return learnFlat(lost.inFlat) || finer;
 }
 
-bool SearchCare::learnFlat(const LostPixels& lost) {
-  lostNow_ = std::accumulate(lost.inFlat.begin(), lost.inFlat.end(), std::uint64_t{0});
+void SearchCare::beginPicture() {
+  // Finer hulls would cost every picture what few need.
+  nodes_.clear();
+  completes = false;
+}
+
+bool SearchCare::learnFlat(const std::vector<std::uint32_t>& lost) {
+  lostNow_ = std::accumulate(lost.begin(), lost.end(), std::uint64_t{0});
   if (lostNow_ == 0) return false;
   // Most would be of views long gone.
   if (std::ranges::count(lostInFlat_, true) > std::ssize(lostInFlat_) / 4) lostInFlat_.clear();
-  lostInFlat_.resize(lost.inFlat.size());
+  lostInFlat_.resize(lost.size());
   for (std::size_t slot = 0; slot < lostInFlat_.size(); ++slot)
-    if (lost.inFlat[slot] > 0) lostInFlat_[slot] = true;
+    if (lost[slot] > 0) lostInFlat_[slot] = true;
   return true;
 }
 

@@ -14,6 +14,9 @@ struct LostPixels {
   std::map<std::uint32_t, std::uint32_t> inSteep;  ///< others, by the nodes that were drawn (Snapshot::nodes)
 };
 
+/// A picture that lost pixels is drawn so many times more: mostly nothing but what lost them.
+inline constexpr int kMostCompletions = 3;
+
 /// How much more care than usual the searches for surfaces take.
 class SearchCare {
  public:
@@ -22,8 +25,8 @@ class SearchCare {
   /// that did not help before: what is lost then is a singular point, which is counted, and left.
   bool learn(const LostPixels& lost);
 
-  /// Only flat triangles; for pictures that are followed by others.
-  bool learnFlat(const LostPixels& lost);
+  /// Keeps what helps other pictures of nearly the same view: a new picture begins.
+  void beginPicture();
 
   /// How often the deviation of the node's hull is quartered; where it is, every ray counts as grazing.
   [[nodiscard]] int level(std::uint32_t node) const { return node < nodes_.size() ? nodes_[node].level : 0; }
@@ -46,6 +49,8 @@ class SearchCare {
   bool completes = false;
 
  private:
+  bool learnFlat(const std::vector<std::uint32_t>& lost);
+
   struct Node {
     std::uint8_t level = 0;
     bool refined = false;

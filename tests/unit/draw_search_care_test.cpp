@@ -50,11 +50,21 @@ TEST(SearchCare, WhatIsNotDrawnAgainKeepsItsLosses) {
   EXPECT_EQ(care.lost(), 2U) << "those of node 0, which was not drawn again";
 }
 
+TEST(SearchCare, TheNextPictureKeepsWhatIsSeenFlat) {
+  SearchCare care;
+  EXPECT_TRUE(care.learn({.inFlat = {0, 0, 0, 0, 1}, .inSteep = {{0, 2}}}));
+  care.completes = true;
+  care.beginPicture();
+  EXPECT_TRUE(care.lostInFlat(4));
+  EXPECT_EQ(care.level(0), 0);
+  EXPECT_FALSE(care.completes);
+}
+
 TEST(SearchCare, ForgetsViewsLongGone) {
   SearchCare care;
   const std::vector<std::uint32_t> mostly{1, 1, 0, 0}, few{0, 0, 0, 1};
-  EXPECT_TRUE(care.learnFlat({.inFlat = mostly, .inSteep = {}}));
-  EXPECT_TRUE(care.learnFlat({.inFlat = few, .inSteep = {}}));
+  EXPECT_TRUE(care.learn({.inFlat = mostly, .inSteep = {}}));
+  EXPECT_TRUE(care.learn({.inFlat = few, .inSteep = {}}));
   EXPECT_FALSE(care.lostInFlat(0));
   EXPECT_TRUE(care.lostInFlat(3));
 }

@@ -238,9 +238,9 @@ class Viewer {
     Snapshot snapshot = snapshotOrLast();
     const DrawOptions& draw = controls_.drawOptions();
     const bool coarser = refined_ > 0 && !controls_.refines();
-    const bool repaint = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser ||
-                         (incomplete_ && !painter_.completable());
-    const bool completes = !repaint && incomplete_;
+    const bool changed = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
+    const bool completes = !changed && incomplete_ && painter_.completable();
+    const bool repaint = changed || (incomplete_ && !completes);
     // What is not complete, or may turn out not to be, is not worth a mean.
     const bool refines =
         !repaint && !completes && unmeasured_ == 0 && controls_.refines() && refined_ < kMostSamples;
@@ -260,7 +260,10 @@ class Viewer {
     const auto recording = Clock::now();
     if (repaint) {
       status_.statistics = {};
-      care_.completes = false;
+      if (changed) {
+        care_.beginPicture();
+        completions_ = 0;
+      }
       painter_.record(frames_, commands, snapshot, draw, status_.statistics, care_);
       incomplete_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
@@ -288,9 +291,9 @@ class Viewer {
     damaged_ = false;
     if (repaint) {
       meter_.addFrame(evaluated + recorded, start);
-      unmeasured_ = submission;
       dirty_ = true;  // how long it took will be known, and shown
     }
+    if (repaint || completes) unmeasured_ = submission;
     if (!refines) return;
     dirty_ |= refined_ < kMostSamples;
     if (refined_ == kMostSamples) log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
@@ -363,15 +366,16 @@ class Viewer {
       dirty_ = true;
       return;
     }
-    if (const auto milliseconds = frames_.milliseconds(unmeasured_)) meter_.addDevice(*milliseconds);
+    const auto milliseconds = frames_.milliseconds(unmeasured_);
+    if (milliseconds && !care_.completes) meter_.addDevice(*milliseconds);
     unmeasured_ = 0;
     completeLater();
   }
 
-  // What the last picture lost will be drawn next, and in the pictures to come, where it is likely to be lost
-  // again.
+  // What the last picture lost will be drawn next; some of it in the pictures to come, too, where it is
+  // likely to be lost again.
   void completeLater() {
-    incomplete_ = care_.learnFlat(painter_.lostPixels());
+    incomplete_ = care_.learn(painter_.lostPixels()) && completions_++ < kMostCompletions;
     dirty_ |= incomplete_;
   }
 
@@ -424,6 +428,7 @@ class Viewer {
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
   SearchCare care_;
   bool incomplete_ = false;  // the last picture lacks what was lost in it
+  int completions_ = 0;      // of the picture that is seen
 
   // What is seen: the painter's picture, or, while nothing moves, the mean of so many with one sample each.
   int refined_ = 0;

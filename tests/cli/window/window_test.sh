@@ -177,19 +177,21 @@ case_shows() {
   wait "$program" || fail "closing it gave exit code $?"
 }
 
-# Searches lose some pixels of a teapot in a hull's first drawing: they are drawn next, as in a file.
+# Searches lose pixels of this teapot when its hull is first drawn, in triangles seen flat and in others: they are drawn
+# next, as in a file.
 case_completes() {
   open_screen
   cat >"$folder/teapot.luxo.json" <<END
 { "luxo": 1, "surfaces": { "teapot": { "type": "teapot" } },
-  "nodes": [ { "surface": "teapot" }, { "translate": [3, 6, 4], "light": { "type": "point" } } ] }
+  "nodes": [ { "surface": "teapot" }, { "translate": [3, 6, 4], "light": { "type": "point" } } ],
+  "camera": { "eye": [-5.66, 3.85, -0.81], "look_at": [0, 0.5, 0] } }
 END
   view teapot.luxo.json --size 1280x720
   keys i
   window_png shown.png
   (unset DISPLAY && "$bin/luxo" render "$folder/teapot.luxo.json" -q --size 1280x720 -o "$folder/file.png" \
     --report "$folder/report.json") || fail "cannot render"
-  grep -q '"submits": 2' "$folder/report.json" || fail "no pixel was lost: this tests nothing"
+  grep -q '"submits": 1,' "$folder/report.json" && fail "no pixel was lost: this tests nothing"
   shown_as file.png
 }
 
