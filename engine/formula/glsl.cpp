@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
+#include <map>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include "base/assert.h"
@@ -61,14 +64,80 @@ class Body {
   Body(const std::vector<ExprNode>& nodes, GlslNumber number)
       : nodes_(nodes), number_(number), type_(typeOf(number)), names_(nodes.size()) {}
 
-  void compute(const std::vector<std::uint32_t>& order) {
-    for (const std::uint32_t node : order) names_[node] = valueOf(nodes_[node]);
+  /// What the roots need of the nodes, operands first.
+  void compute(const std::vector<std::uint32_t>& order, const std::vector<std::uint32_t>& roots) {
+    std::vector<bool> needed(nodes_.size());
+    for (const std::uint32_t root : roots) needed[root] = true;
+    for (auto node = order.rbegin(); node != order.rend(); ++node) {
+      if (!needed[*node]) continue;
+      const ExprNode& n = nodes_[*node];
+      if (n.op == Op::Constant || n.op == Op::Variable) continue;
+      if (isTurning(n)) {
+        forEachTerm(n.a, [&](const ExprNode& term) {
+          if (term.op == Op::Multiply) needed[term.b] = true;
+        });
+        continue;
+      }
+      needed[n.a] = true;
+      if (operandCount(n.op) > 1) needed[n.b] = true;
+      if (operandCount(n.op) > 2) needed[n.c] = true;
+    }
+    for (const std::uint32_t node : order)
+      if (needed[node]) names_[node] = valueOf(nodes_[node]);
   }
 
   [[nodiscard]] const std::string& name(std::uint32_t node) const { return names_[node]; }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  /// How many turns the constant is as an angle, if so many 16ths that a shader multiplies by them without
+  /// rounding.
+  [[nodiscard]] static std::optional<double> turnsOf(double angle) {
+    constexpr double kParts = 16, kMostParts = 4096;
+    const double turns = std::round(kParts * angle / (2 * std::numbers::pi)) / kParts;
+    const bool exact = std::abs(turns * 2 * std::numbers::pi - angle) <= 1e-15 * std::abs(angle);
+    return exact && std::abs(turns) * kParts < kMostParts ? std::optional(turns) : std::nullopt;
+  }
+
+  /// Of a sum, its terms; whether each of them is a constant number of turns, or something times such a
+  /// number.
+  template <class Action>
+  bool forEachTerm(std::uint32_t node, const Action& action) const {
+    const ExprNode& n = nodes_[node];
+    if (n.op == Op::Add || n.op == Op::Subtract) return forEachTerm(n.a, action) && forEachTerm(n.b, action);
+    const bool isProduct = n.op == Op::Multiply && nodes_[n.a].op == Op::Constant;
+    const ExprNode& constant = isProduct ? nodes_[n.a] : n;
+    if (constant.op != Op::Constant || !turnsOf(constant.value)) return false;
+    action(n);
+    return true;
+  }
+
+  /// Whether the node is the sine or the cosine of an angle that is known in turns: computed so, nothing of
+  /// whole turns is rounded away. A double has digits to spare.
+  [[nodiscard]] bool isTurning(const ExprNode& node) const {
+    return number_ == GlslNumber::Float && (node.op == Op::Sin || node.op == Op::Cos) &&
+           forEachTerm(node.a, [](const ExprNode&) {});
+  }
+
+  /// An angle for which isTurning() holds, in turns.
+  std::string turns(std::uint32_t node) {
+    std::string& known = turns_[node];
+    if (!known.empty()) return known;
+    const ExprNode& n = nodes_[node];
+    if (n.op == Op::Constant) return known = literal(number_, *turnsOf(n.value));
+    if (n.op == Op::Multiply) {
+      const double times = *turnsOf(nodes_[n.a].value);
+      int power = 0;
+      const bool exact = std::abs(std::frexp(times, &power)) == 0.5;  // a power of two
+      if (times == 1) return known = names_[n.b];
+      return known =
+                 define(exact ? fmt::format("{} * {}", literal(number_, times), names_[n.b])
+                              : fmt::format("formulaTurns({}, {})", names_[n.b], literal(number_, times)));
+    }
+    const std::string x = turns(n.a), y = turns(n.b);
+    return turns_[node] = define(fmt::format("{} {} {}", x, n.op == Op::Add ? '+' : '-', y));
+  }
+
   /// The name or literal that stands for the node from now on.
   std::string valueOf(const ExprNode& node) {
     const auto x = [&] { return std::string_view(names_[node.a]); };
@@ -101,9 +170,11 @@ class Body {
       case Op::Log:
         return call("formulaLog");
       case Op::Sin:
-        return call("formulaSin");
+        return isTurning(node) ? define(fmt::format("formulaSinTurns({})", turns(node.a)))
+                               : call("formulaSin");
       case Op::Cos:
-        return call("formulaCos");
+        return isTurning(node) ? define(fmt::format("formulaCosTurns({})", turns(node.a)))
+                               : call("formulaCos");
       case Op::Tan:
         return call("formulaTan");
       case Op::Sinh:
@@ -167,6 +238,7 @@ class Body {
   GlslNumber number_;
   std::string type_;
   std::vector<std::string> names_;
+  std::map<std::uint32_t, std::string> turns_;
   std::string text_;
   std::size_t count_ = 0;
 };
@@ -185,7 +257,7 @@ std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOu
                             order.size(), kMostGlslOperations),
                 "simplify the formula");
   Body body(graph.nodes(), number);
-  body.compute(order);
+  body.compute(order, roots);
 
   std::string text = fmt::format("void {0}({1} u, {1} v", name, typeOf(number));
   for (const GlslOutput& output : outputs)

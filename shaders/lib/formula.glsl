@@ -81,18 +81,53 @@ float formulaCosNearZero(float r) {
   return 1.0 - (0.5 * z - z * z * (0.0416666456 + z * (-0.00138872839 + z * 2.44294388e-5)));
 }
 
+float formulaSinIn(int quadrant, float r) {
+  float y = (quadrant & 1) == 0 ? formulaSinNearZero(r) : formulaCosNearZero(r);
+  return (quadrant & 2) == 0 ? y : -y;
+}
+
+float formulaCosIn(int quadrant, float r) {
+  float y = (quadrant & 1) == 0 ? formulaCosNearZero(r) : formulaSinNearZero(r);
+  return ((quadrant + 1) & 2) == 0 ? y : -y;
+}
+
 float formulaSin(float x) {
   float r;
   int quadrant = formulaQuadrant(x, r);
-  float y = (quadrant & 1) == 0 ? formulaSinNearZero(r) : formulaCosNearZero(r);
-  return (quadrant & 2) == 0 ? y : -y;
+  return formulaSinIn(quadrant, r);
 }
 
 float formulaCos(float x) {
   float r;
   int quadrant = formulaQuadrant(x, r);
-  float y = (quadrant & 1) == 0 ? formulaCosNearZero(r) : formulaSinNearZero(r);
-  return ((quadrant + 1) & 2) == 0 ? y : -y;
+  return formulaCosIn(quadrant, r);
+}
+
+// times * x without its whole part. `times` has 12 bits at most, and so have both parts of x: products are exact.
+float formulaTurns(float x, float times) {
+  float high = uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
+  float turns = high * times;
+  return turns - round(turns) + (x - high) * times;
+}
+
+// Of angles in turns, of which a float has as many as of radians, and whole ones to take away without rounding.
+int formulaQuadrantOfTurns(float turns, out float r) {
+  float quarters = 4.0 * (turns - round(turns));
+  float whole = round(quarters), part = quarters - whole;
+  r = part * kHalfPi + part * kHalfPiRest;
+  return int(whole);
+}
+
+float formulaSinTurns(float turns) {
+  float r;
+  int quadrant = formulaQuadrantOfTurns(turns, r);
+  return formulaSinIn(quadrant, r);
+}
+
+float formulaCosTurns(float turns) {
+  float r;
+  int quadrant = formulaQuadrantOfTurns(turns, r);
+  return formulaCosIn(quadrant, r);
 }
 
 float formulaTan(float x) {

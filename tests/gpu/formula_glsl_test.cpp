@@ -28,6 +28,7 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kWidth = 256;
 
-// Of whole surfaces, relative to their size: some ten roundings of 6e-8 where nothing cancels, and what the
-// rounding of an angle does, which is 1e-6 at the end of five turns (springs, knots, shells).
-constexpr double kMostSurfaceError = 3e-6;
-constexpr double kMostTangentError = 5e-6;
+// Of whole surfaces, relative to their size: some ten roundings of 6e-8.
+constexpr double kMostSurfaceError = 1e-6;
+constexpr double kMostTangentError = 2e-6;
 
 constexpr std::string_view kFragment = R"(#version 460
 #extension GL_GOOGLE_include_directive : require
@@ -333,6 +333,49 @@ TEST_F(FormulaGlslTest, FunctionsHaveTheSpecialValuesOfC) {
     const auto got = evaluate(graph, {f}, {{static_cast<float>(inf), 0}, {static_cast<float>(kNan), 0}})[0];
     EXPECT_TRUE(std::isnan(got[0]) && std::isnan(got[1]));
   }
+}
+
+/// Sine and cosine of an angle given in turns, by `turns` in real numbers.
+double worstOf(std::span<const float> sines, std::span<const float> cosines, std::span<const Vec2f> points,
+               const std::function<long double(long double, long double)>& turns) {
+  double worst = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const long double all = turns(points[i].x, points[i].y);
+    const long double angle = 2 * std::numbers::pi_v<long double> * (all - std::round(all));
+    worst = std::max({worst, std::abs(sines[i] - static_cast<double>(std::sin(angle))),
+                      std::abs(cosines[i] - static_cast<double>(std::cos(angle)))});
+  }
+  return worst;
+}
+
+TEST_F(FormulaGlslTest, TurnsAreNotRoundedAway) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1);
+  const double turn = 2 * std::numbers::pi;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> number(-100, 100);
+  std::vector<Vec2f> points;
+  for (int i = 0; i < 4096; ++i) points.emplace_back(number(random), number(random));
+  const auto check = [&](const Expr& angle, const std::function<long double(long double, long double)>& turns,
+                         double most) {
+    const Results got = evaluate(graph, {sin(angle), cos(angle)}, points);
+    EXPECT_LE(worstOf(got[0], got[1], points, turns), most);
+  };
+  // A float's half unit at 1 is 6e-8, and a sine's polynomial and angle add as much each. Of 100 turns in
+  // radians a float rounds away 3e-5.
+  check(
+      turn * u, [](long double x, long double) { return x; }, 2e-7);
+  check(
+      7 * turn * u, [](long double x, long double) { return 7 * x; }, 2e-7);
+  check(
+      1.5 * turn * u, [](long double x, long double) { return 1.5L * x; }, 2e-7);
+  check(
+      -0.25 * turn * u, [](long double x, long double) { return -0.25L * x; }, 2e-7);
+  // Half a unit of a sum of less than two turns is another 4e-7.
+  check(
+      3 * turn * u - 5 * turn * v, [](long double x, long double y) { return 3 * x - 5 * y; }, 6e-7);
+  check(
+      3 * turn * u + turn / 4, [](long double x, long double) { return 3 * x + 0.25L; }, 6e-7);
 }
 
 // ---------------------------------------------------------------------------------------------------------

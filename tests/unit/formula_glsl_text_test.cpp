@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,26 @@ TEST(GlslText, IsAFunctionWithOneStatementAnOperation) {
             "void f(float u, float v, out vec4 result) {\n"
             "  result = vec4(u, (-2.5), v, 1.0);\n"
             "}\n");
+}
+
+TEST(GlslText, AnglesInTurnsAreNeverRadians) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1);
+  const double turn = 2 * std::numbers::pi;
+  EXPECT_EQ(textOf(graph, {sin(turn * u), cos(3 * turn * v), sin(turn * u - 0.5 * turn * v + turn / 4)}),
+            "void f(float u, float v, out vec3 result) {\n"
+            "  float t0 = formulaSinTurns(u);\n"
+            "  float t1 = formulaTurns(v, 3.0);\n"
+            "  float t2 = formulaCosTurns(t1);\n"
+            "  float t3 = 0.5 * v;\n"
+            "  float t4 = u - t3;\n"
+            "  float t5 = 0.25 + t4;\n"
+            "  float t6 = formulaSinTurns(t5);\n"
+            "  result = vec3(t0, t2, t6);\n"
+            "}\n");
+  for (const Expr& other : {sin(6.28 * u), sin(turn * u + v), sin(turn / 3 * u)})
+    EXPECT_EQ(countOf("Turns(", textOf(graph, {other})), 0u);
+  EXPECT_EQ(countOf("Turns(", textOf(graph, {sin(turn * u)}, GlslNumber::Double)), 0u);
 }
 
 TEST(GlslText, OfDoublesHasNoFloat) {
