@@ -39,7 +39,8 @@ void main() {
   linkViewerSecond = vec4(view.viewer.xyz, inCell.z);
   for (uint i = 0; i < kLinkedLights; ++i) {
     LightData light = lightSet.lights[i];
-    linkFlags.x |= (light.position.w != 0.0 ? kPointLight << 2 * i : 0) | (light.inverseSquare != 0 ? kInverseSquare << 2 * i : 0);
+    linkFlags.x |= (light.position.w != 0.0 ? kPointLight << 2 * i : 0) |
+                   (light.inverseSquare != 0 ? kInverseSquare << 2 * i : 0);
     for (uint k = 0; k < 3; ++k) {
       pack(kLightNumbers * i + k, light.position[k]);
       pack(kLightNumbers * i + 3 + k, light.radiance[k]);

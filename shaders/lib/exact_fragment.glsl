@@ -18,7 +18,8 @@ layout(location = 0) out vec4 outColor;
 LightData lightAt(uint i) {
   if (i >= kLinkedLights) return lightSet.lights[i];
   uint first = kLightNumbers * i;
-  return LightData(vec4(packed3(first), has(kPointLight << 2 * i)), packed3(first + 3), has(kInverseSquare << 2 * i) ? 1 : 0);
+  return LightData(vec4(packed3(first), has(kPointLight << 2 * i)), packed3(first + 3),
+                   has(kInverseSquare << 2 * i) ? 1 : 0);
 }
 
 ShadeData shadeAt(uint i) {
@@ -97,7 +98,8 @@ void show(Seen seen, vec3 ambient, vec3 diffuse) {
     outColor = vec4(illuminated(material, seen.position, seen.normal, seen.viewer),
                     opaque ? seen.residual : linkDiffuseOpacity.w);
   } else {
-    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[linkFlags.w].id, seen.residual);
+    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[linkFlags.w].id,
+                                    seen.residual);
     outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, linkDomain), 1);
   }
 }

@@ -17,12 +17,12 @@ const float kBoldCells = 4.0;   // how many cells a step may lead
 const float kFarCells = 2.0;    // a root farther from the start is not certain to be the nearest
 const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a scan, and how much longer each next is
 const int kBackward = 2, kForward = 12;            // steps against the ray and along it
-const float kAlike = 0.5;    // of two areas: between places that differ by no more there is no fold
-const float kBeyond = 1.0;  // cells beyond the domain that a scan looks at
+const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
+const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
+const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
 const int kPolishSteps = 8;
-const float kNearPixels = 0.5;
-const float kTurned = 0.8;
-const float kGrazing = 0.1;
+const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
+const float kGrazing = 0.1;     // of the area to the squares of its sides: nearly none
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
 
@@ -86,8 +86,8 @@ real angleOf(real2 q) {
   return q.y < 0.0 ? -angle : angle;
 }
 
-// p moved by delta, at most that many cells. Beside an edge (of v, say) that is one point u is an angle around it: there the step is
-// straight in the tangent plane, or it would run around the point.
+// p moved by delta, at most that many cells. Beside an edge (of v, say) that is one point u is an angle around it: there
+// the step is straight in the tangent plane, or it would run around the point.
 real2 moved(real2 p, real2 delta, Probe at, real most) {
   real2 cell = linkCellHalf.xy;
   real size = max(abs(delta.x) / cell.x, abs(delta.y) / cell.y);
@@ -230,10 +230,11 @@ real rise(Sample low, Sample high, real way) {
   return dip ? 1.0 : bump ? 0.0 : -1.0;
 }
 
-// Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a root
-// that a scan has found is `polished`: it stays near, and what it does not find is not there.
+// Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a
+// root that a scan has found is `polished`: it stays near, and what it does not find is not there.
 int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
-  real2 way = real2(0), gradient = real2(0);  // of det, per unit of u and v, along the last step that was long enough to tell
+  // The gradient is that of det, per unit of u and v, along the last step that was long enough to tell.
+  real2 way = real2(0), gradient = real2(0);
   real det = 0.0, first = 0.0;
   bool missed = false;
   int misses = 0, outside = 0, result = kLost;
@@ -263,8 +264,9 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
   return result;
 }
 
-// Walks along the curve through the start on which the offset along the fold vanishes, first against the ray, then along
-// it, and ends at the nearest place where the offset across the fold vanishes, too, on the side searched for: `best`.
+// Walks along the curve through the start on which the offset along the fold vanishes, first against the ray, then
+// along it, and ends at the nearest place where the offset across the fold vanishes, too, on the side searched for:
+// `best`.
 bool scan(Ray ray, out real2 best) {
   real2 p = linkStart, along = real2(0), firstAlong = along;
   real sense = 1.0, nearest = 1e30, length_ = kScanStep;
