@@ -59,8 +59,7 @@ void main() {
   for (int i = 0; i < 3; ++i) linkRelative[i] = vec4(instance.relativeFromObject[i], exact.translation[i]);
   linkDomain = surfacePatch.domain;
   linkCellHalf = vec4(inCell.xy, exact.half_);
-  linkClip = vec4(exact.clipDepth, exact.thickness,
-                  uintBitsToFloat((exact.firstSlot + gl_VertexIndex) % kTallySlots));
+  linkClip = vec4(exact.clipDepth, exact.thickness, float((exact.firstSlot + gl_VertexIndex) % kTallySlots));
   for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)
     pack(kFirstParameter + k, exactParameters[surfacePatch.firstParameter + k]);
   gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);

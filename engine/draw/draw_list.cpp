@@ -323,8 +323,7 @@ class DrawLister {
     item.instance.exact = exactInstance(snapshot_.view, node, v, number);
     if (number == GlslNumber::Double) item.instance.precise = preciseInstance(snapshot_.view, node);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
-    item.instance.exact.thickness =
-        static_cast<float>(3 * batch.hull->offset * v.stretch * snapshot_.view.pixelsPerUnit);
+    item.instance.exact.thickness = static_cast<float>(3 * batch.hull->offset * v.stretch * v.pixelsPerUnit);
     const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
     for (const Hull::Part& part : batch.hull->parts) {
       const Patch& patch = node.surface.patches()[part.patch];
@@ -348,8 +347,10 @@ class DrawLister {
     const std::size_t first = all.size();
     for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
       const Seen seen = view.seen(hull, i, batch.half == Half::Far ? -1 : 1);
-      const bool lost = seen == Seen::Flat && care_.lostInFlat(tallySlot(node, hull.indices[i]));
-      if (seen == Seen::Away || (care_.completes && !lost && !care_.refined(node))) continue;
+      const std::uint32_t slot = tallySlot(node, hull.indices[i]);
+      const bool lost = seen == Seen::Flat && care_.lostInFlat(slot);
+      const bool again = care_.refined(node) || (lost && care_.lostJustNow(slot));
+      if (seen == Seen::Away || (care_.completes && !again)) continue;
       std::vector<std::uint32_t>& indices = seen == Seen::Flat && !lost ? all : steep;
       indices.insert(indices.end(), hull.indices.begin() + i, hull.indices.begin() + i + 3);
     }

@@ -178,7 +178,7 @@ bool Renderer::inOnePass(const DrawOptions& options) const {
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
                     const Recording& then) {
   SearchCare care;
-  for (int round = 0;; ++round) {
+  for (bool again = false;; again = true) {
     FrameStatistics attempt;
     const VkCommandBuffer commands = frames_.begin();
     painter_.record(frames_, commands, snapshot, options, attempt, care);
@@ -188,12 +188,12 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     frames_.wait(submission);
     attempt.count.submits = 1;
     attempt.ms.gpu = frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
-    if (round > 0) addAttempt(attempt, statistics, care.completes);
+    if (again) addAttempt(attempt, statistics, care.completes);
     statistics = attempt;
 
     const bool mayFindMore = care.learn(painter_.lostPixels());
     statistics.error.unconvergedPx = care.lost();
-    if (!mayFindMore || round == kMostCompletions) return;
+    if (!mayFindMore) return;
     care.completes = painter_.completable();
   }
 }

@@ -66,8 +66,8 @@ class Renderer {
 
   /// Whether the device takes that many samples in one pass.
   [[nodiscard]] bool inOnePass(const DrawOptions& options) const;
-  /// Draws into the painter's target, then does what `then` records, and waits for both; again with finer
-  /// hulls where the search for a surface was lost.
+  /// Draws into the painter's target, then does what `then` records, and waits for both; again with more care
+  /// where the search for a surface was lost.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
             const Recording& then);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.

@@ -15,14 +15,15 @@ struct LostPixels {
 };
 
 /// A picture that lost pixels is drawn so many times more: mostly nothing but what lost them.
-inline constexpr int kMostCompletions = 3;
+inline constexpr int kMostLessons = 3;
 
 /// How much more care than usual the searches for surfaces take.
 class SearchCare {
  public:
   /// After an attempt with this care. Whether more care may find what it lost: flat triangles in which pixels
   /// were lost count as steep from now on, and nodes that lost pixels in steep ones get a finer hull, unless
-  /// that did not help before: what is lost then is a singular point, which is counted, and left.
+  /// that did not help before: what is lost then is a singular point, which is counted, and left. So is what
+  /// kMostLessons have not found.
   bool learn(const LostPixels& lost);
 
   /// Keeps what helps other pictures of nearly the same view: a new picture begins.
@@ -31,9 +32,12 @@ class SearchCare {
   /// How often the deviation of the node's hull is quartered; where it is, every ray counts as grazing.
   [[nodiscard]] int level(std::uint32_t node) const { return node < nodes_.size() ? nodes_[node].level : 0; }
 
-  /// Whether pixels were lost in flat triangles of that tallySlot().
+  /// Whether pixels were lost in flat triangles of that tallySlot(), ever or by the last attempt.
   [[nodiscard]] bool lostInFlat(std::uint32_t slot) const {
     return slot < lostInFlat_.size() && lostInFlat_[slot];
+  }
+  [[nodiscard]] bool lostJustNow(std::uint32_t slot) const {
+    return slot < lostNow_.size() && lostNow_[slot] > 0;
   }
 
   /// Whether the node's hull became finer with the last lesson.
@@ -44,12 +48,13 @@ class SearchCare {
   /// Pixels that the attempts so far have lost, and not found again.
   [[nodiscard]] std::uint64_t lost() const;
 
-  /// Only the flat triangles in which pixels were lost, and the nodes refined, are drawn: they complete what
-  /// an attempt has drawn.
+  /// Only the flat triangles in which the last attempt lost pixels, and the nodes refined, are drawn: they
+  /// complete what the attempts have drawn.
   bool completes = false;
 
  private:
-  bool learnFlat(const std::vector<std::uint32_t>& lost);
+  bool refineNodes(const LostPixels& lost, bool mayHelp);
+  void rememberFlat();
 
   struct Node {
     std::uint8_t level = 0;
@@ -58,7 +63,8 @@ class SearchCare {
   };
   std::vector<Node> nodes_;
   std::vector<bool> lostInFlat_;
-  std::uint64_t lostNow_ = 0;  ///< in flat triangles, by the last attempt
+  std::vector<std::uint32_t> lostNow_;  ///< in flat triangles, by the last attempt
+  int lessons_ = 0;                     ///< for this picture
 };
 
 }  // namespace luxo

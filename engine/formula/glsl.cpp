@@ -12,6 +12,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/assert.h"
@@ -73,9 +74,10 @@ class Body {
       const ExprNode& n = nodes_[*node];
       if (n.op == Op::Constant || n.op == Op::Variable) continue;
       if (isTurning(n)) {
-        forEachTerm(n.a, [&](const ExprNode& term) {
-          if (term.op == Op::Multiply) needed[term.b] = true;
-        });
+        std::vector<std::uint32_t> terms;
+        collectTerms(n.a, terms);
+        for (const std::uint32_t term : terms)
+          if (nodes_[term].op == Op::Multiply) needed[nodes_[term].b] = true;
         continue;
       }
       needed[n.a] = true;
@@ -99,43 +101,49 @@ class Body {
     return exact && std::abs(turns) * kParts < kMostParts ? std::optional(turns) : std::nullopt;
   }
 
-  /// Of a sum, its terms; whether each of them is a constant number of turns, or something times such a
-  /// number.
-  template <class Action>
-  bool forEachTerm(std::uint32_t node, const Action& action) const {
+  /// The terms of a sum of a few; whether each of them is a constant number of turns, or something times such
+  /// a number.
+  bool collectTerms(std::uint32_t node, std::vector<std::uint32_t>& terms) const {
+    constexpr std::size_t kMostTerms = 8;
     const ExprNode& n = nodes_[node];
-    if (n.op == Op::Add || n.op == Op::Subtract) return forEachTerm(n.a, action) && forEachTerm(n.b, action);
+    if (n.op == Op::Add || n.op == Op::Subtract) return collectTerms(n.a, terms) && collectTerms(n.b, terms);
     const bool isProduct = n.op == Op::Multiply && nodes_[n.a].op == Op::Constant;
     const ExprNode& constant = isProduct ? nodes_[n.a] : n;
-    if (constant.op != Op::Constant || !turnsOf(constant.value)) return false;
-    action(n);
+    if (constant.op != Op::Constant || !turnsOf(constant.value) || terms.size() == kMostTerms) return false;
+    terms.push_back(node);
     return true;
   }
 
   /// Whether the node is the sine or the cosine of an angle that is known in turns: computed so, nothing of
   /// whole turns is rounded away. A double has digits to spare.
   [[nodiscard]] bool isTurning(const ExprNode& node) const {
+    std::vector<std::uint32_t> terms;
     return number_ == GlslNumber::Float && (node.op == Op::Sin || node.op == Op::Cos) &&
-           forEachTerm(node.a, [](const ExprNode&) {});
+           collectTerms(node.a, terms);
   }
 
-  /// An angle for which isTurning() holds, in turns.
-  std::string turns(std::uint32_t node) {
-    std::string& known = turns_[node];
-    if (!known.empty()) return known;
-    const ExprNode& n = nodes_[node];
-    if (n.op == Op::Constant) return known = literal(number_, *turnsOf(n.value));
-    if (n.op == Op::Multiply) {
-      const double times = *turnsOf(nodes_[n.a].value);
-      int power = 0;
-      const bool exact = std::abs(std::frexp(times, &power)) == 0.5;  // a power of two
-      if (times == 1) return known = names_[n.b];
-      return known =
-                 define(exact ? fmt::format("{} * {}", literal(number_, times), names_[n.b])
-                              : fmt::format("formulaTurns({}, {})", names_[n.b], literal(number_, times)));
+  /// An angle for which isTurning() holds, in turns; in a sum without whole ones, which would be rounded.
+  std::string turns(std::uint32_t node, bool inSum = false) {
+    const auto [known, isNew] = turns_.try_emplace({node, inSum});
+    if (isNew) known->second = turnsAnew(nodes_[node], inSum);
+    return known->second;
+  }
+
+  std::string turnsAnew(const ExprNode& n, bool inSum) {
+    if (n.op == Op::Constant) {
+      const double all = *turnsOf(n.value);
+      return literal(number_, all - std::round(all));
     }
-    const std::string x = turns(n.a), y = turns(n.b);
-    return turns_[node] = define(fmt::format("{} {} {}", x, n.op == Op::Add ? '+' : '-', y));
+    if (n.op != Op::Multiply) {
+      const std::string x = turns(n.a, true), y = turns(n.b, true);
+      return define(fmt::format("{} {} {}", x, n.op == Op::Add ? '+' : '-', y));
+    }
+    const double times = *turnsOf(nodes_[n.a].value);
+    const std::string &x = names_[n.b], factor = literal(number_, times);
+    int power = 0;
+    const bool exact = std::abs(std::frexp(times, &power)) == 0.5;  // a power of two
+    if (inSum || !exact) return define(fmt::format("formulaTurns({}, {})", x, factor));
+    return times == 1 ? x : define(fmt::format("{} * {}", factor, x));
   }
 
   /// The name or literal that stands for the node from now on.
@@ -238,7 +246,7 @@ class Body {
   GlslNumber number_;
   std::string type_;
   std::vector<std::string> names_;
-  std::map<std::uint32_t, std::string> turns_;
+  std::map<std::pair<std::uint32_t, bool>, std::string> turns_;
   std::string text_;
   std::size_t count_ = 0;
 };

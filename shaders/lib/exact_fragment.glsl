@@ -68,7 +68,7 @@ Seen seenPoint() {
   real2 p;
   Probe at;
   int result = findRoot(ray, p, at);
-  if (result == kLost) atomicAdd(tally.lost[kSteep ? kTallySlots + linkFlags.w : floatBitsToUint(linkClip.w)], 1);
+  if (result == kLost) atomicAdd(tally.lost[kSteep ? kTallySlots + linkFlags.w : uint(linkClip.w)], 1);
   if (result != kFound) discard;
   // Orthographic: linear; perspective: near / depth.
   float depth = float(at.depth), residual = float(offset(at) / widthAt(at));

@@ -10,6 +10,9 @@
 LightData lightAt(uint i);
 ShadeData shadeAt(uint i);
 
+// 1 + which of the shaded lights the instance is the shade of; 0: none.
+uint shadeOf(uint flags) { return (flags >> kShadeShift) & 255; }
+
 struct Material {
   vec3 ambient;
   vec3 diffuse;
@@ -61,7 +64,7 @@ vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
     bool lit = true;
     if (i >= kPlainLights) {
       uint shade = i - kPlainLights;
-      bool isTheShade = ((material.flags >> kShadeShift) & 255) == shade + 1;
+      bool isTheShade = shadeOf(material.flags) == shade + 1;
       lit = isTheShade || litThroughShade(shadeAt(shade), -toLight);
     }
     sum += lit ? reflection : vec3(0);

@@ -24,7 +24,7 @@ float brightness(vec3 n) {
     bool shines = any(greaterThan(light.radiance, vec3(0)));
     if (i >= kPlainLights) {
       uint shade = i - kPlainLights;
-      shines = shines && ((inFlags >> kShadeShift) == shade + 1 || litThroughShade(shadeAt(shade), -toLight));
+      shines = shines && (shadeOf(inFlags) == shade + 1 || litThroughShade(shadeAt(shade), -toLight));
     }
     bright = max(bright, shines ? covered : 0.0);
   }

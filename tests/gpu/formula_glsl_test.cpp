@@ -375,6 +375,8 @@ TEST_F(FormulaGlslTest, TurnsAreNotRoundedAway) {
   check(
       3 * turn * u - 5 * turn * v, [](long double x, long double y) { return 3 * x - 5 * y; }, 6e-7);
   check(
+      turn * u + turn / 4, [](long double x, long double) { return x + 0.25L; }, 6e-7);
+  check(
       3 * turn * u + turn / 4, [](long double x, long double) { return 3 * x + 0.25L; }, 6e-7);
 }
 

@@ -54,15 +54,20 @@ TEST(GlslText, AnglesInTurnsAreNeverRadians) {
             "  float t0 = formulaSinTurns(u);\n"
             "  float t1 = formulaTurns(v, 3.0);\n"
             "  float t2 = formulaCosTurns(t1);\n"
-            "  float t3 = 0.5 * v;\n"
-            "  float t4 = u - t3;\n"
-            "  float t5 = 0.25 + t4;\n"
-            "  float t6 = formulaSinTurns(t5);\n"
-            "  result = vec3(t0, t2, t6);\n"
+            "  float t3 = formulaTurns(u, 1.0);\n"
+            "  float t4 = formulaTurns(v, 0.5);\n"
+            "  float t5 = t3 - t4;\n"
+            "  float t6 = 0.25 + t5;\n"
+            "  float t7 = formulaSinTurns(t6);\n"
+            "  result = vec3(t0, t2, t7);\n"
             "}\n");
   for (const Expr& other : {sin(6.28 * u), sin(turn * u + v), sin(turn / 3 * u)})
     EXPECT_EQ(countOf("Turns(", textOf(graph, {other})), 0u);
   EXPECT_EQ(countOf("Turns(", textOf(graph, {sin(turn * u)}, GlslNumber::Double)), 0u);
+  // A sum that shares its parts has as many terms as a tree of them.
+  Expr sum = turn * u;
+  for (int i = 0; i < 200; ++i) sum = sum + (sum - turn * v);
+  EXPECT_EQ(countOf("SinTurns(", textOf(graph, {sin(sum)})), 0u);
 }
 
 TEST(GlslText, OfDoublesHasNoFloat) {

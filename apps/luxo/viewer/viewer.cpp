@@ -260,10 +260,8 @@ class Viewer {
     const auto recording = Clock::now();
     if (repaint) {
       status_.statistics = {};
-      if (changed) {
-        care_.beginPicture();
-        completions_ = 0;
-      }
+      if (changed) care_.beginPicture();
+      care_.completes = false;
       painter_.record(frames_, commands, snapshot, draw, status_.statistics, care_);
       incomplete_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
@@ -272,9 +270,10 @@ class Viewer {
       refined_ = 0;
       ++pictures_;
     } else if (completes) {
-      FrameStatistics ignored;
+      FrameStatistics more;
       care_.completes = true;
-      painter_.record(frames_, commands, shown_, *drawn_, ignored, care_);
+      painter_.record(frames_, commands, shown_, *drawn_, more, care_);
+      pipelines_ += more.count.pipelinesCreated;
       incomplete_ = false;
     } else if (refines) {
       refine(commands);
@@ -291,9 +290,11 @@ class Viewer {
     damaged_ = false;
     if (repaint) {
       meter_.addFrame(evaluated + recorded, start);
-      dirty_ = true;  // how long it took will be known, and shown
     }
-    if (repaint || completes) unmeasured_ = submission;
+    if (repaint || completes) {
+      unmeasured_ = submission;
+      dirty_ = true;  // how long it took will be known, and shown, and what it lost
+    }
     if (!refines) return;
     dirty_ |= refined_ < kMostSamples;
     if (refined_ == kMostSamples) log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
@@ -375,7 +376,7 @@ class Viewer {
   // What the last picture lost will be drawn next; some of it in the pictures to come, too, where it is
   // likely to be lost again.
   void completeLater() {
-    incomplete_ = care_.learn(painter_.lostPixels()) && completions_++ < kMostCompletions;
+    incomplete_ = care_.learn(painter_.lostPixels());
     dirty_ |= incomplete_;
   }
 
@@ -428,7 +429,6 @@ class Viewer {
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
   SearchCare care_;
   bool incomplete_ = false;  // the last picture lacks what was lost in it
-  int completions_ = 0;      // of the picture that is seen
 
   // What is seen: the painter's picture, or, while nothing moves, the mean of so many with one sample each.
   int refined_ = 0;
