@@ -19,6 +19,7 @@ const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a
 const int kBackward = 2, kForward = 12;            // steps against the ray and along it
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
 const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
+const float kFine = 0.3;        // of the tolerance
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
 const int kPolishSteps = 8;
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
@@ -165,14 +166,23 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
   return moved(p, delta, at, most);
 }
 
+// Whether a search ends here: at a root that is good even among roots, or one step after any. That step costs little and
+// halves what is left of the error: the tolerance has room for the worst that rounding does, and most places are better.
+bool ends(Probe at, bool good, inout bool wasGood) {
+  bool isEnd = good && (wasGood || offset(at) <= kFine * tolerance(at));
+  wasGood = good;
+  return isEnd;
+}
+
 // The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
   p = linkStart;
   at = probeAt(ray, p);
+  bool wasGood = false;
   for (int i = 0; i < kPlainSteps; ++i) {
     p += newtonStep(at, area(at));
     at = probeAt(ray, p);
-    if (converged(at)) break;
+    if (ends(at, converged(at), wasGood)) break;
   }
   real2 way = abs(p - linkStart) / linkCellHalf.xy;
   bool root = max(way.x, way.y) <= kFarCells && converged(at) && area(at) * wantedSide() > 0.0;
@@ -236,7 +246,7 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
   // The gradient is that of det, per unit of u and v, along the last step that was long enough to tell.
   real2 way = real2(0), gradient = real2(0);
   real det = 0.0, first = 0.0;
-  bool missed = false;
+  bool missed = false, wasGood = false;
   int misses = 0, outside = 0, result = kLost;
   for (int i = 0;; ++i) {
     at = probeAt(ray, p);
@@ -247,10 +257,10 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
     bool inside = inDomain(p, at), root = converged(at) && det * wantedSide() > 0.0;
     misses = missed && length2 < kSettled * kSettled ? misses + 1 : 0;
     outside = inside || i == 0 ? 0 : outside + 1;
-    if (root && inside) result = kFound;
-    else if (polished && (root || misses == 2)) result = kMissed;
-    else if (root && det / first > kAlike && first / det > kAlike) result = kMissed;
-    bool last = i == (polished ? kPolishSteps : kNearSteps);
+    bool last = i == (polished ? kPolishSteps : kNearSteps), good = root && inside;
+    if (ends(at, good, wasGood) || (good && last)) result = kFound;
+    else if (polished && !good && (root || misses == 2)) result = kMissed;
+    else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
     // What had seemed to be a root and is not even near the ray is none. Nor is a place where the area vanishes: there
     // the ray passes by, nearest to the surface.
     real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
