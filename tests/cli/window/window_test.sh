@@ -151,6 +151,11 @@ photo() {
   mv "$folder/luxo-0001.png" "$folder/$1"
 }
 
+photo_is() {
+  photo now.png
+  cmp -s "$folder/now.png" "$folder/$1"
+}
+
 quit() {
   keys Escape
   wait "$program"
@@ -469,8 +474,7 @@ END
   settle
   xdotool windowsize --sync "$window" 640 360
   settle
-  photo again.png
-  same again.png given.png "the last picture stays"
+  await "the last picture is back" photo_is given.png
   quit
 }
 
