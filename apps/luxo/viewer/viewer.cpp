@@ -163,10 +163,10 @@ class Viewer {
     }
   }
 
-  // A picture that has become smooth is saved as smooth.
+  // A picture that has become smooth is saved as smooth, unless it is no longer to be.
   [[nodiscard]] DrawOptions photoOptions() const {
     DrawOptions options = controls_.drawOptions();
-    options.samples = std::max(options.samples, refined_);
+    if (controls_.refines()) options.samples = std::max(options.samples, refined_);
     return options;
   }
 
