@@ -18,27 +18,23 @@ constexpr std::string_view kPolynomials =
     "small";
 constexpr std::string_view kRims =
     "just inside the outline of an open cylinder, at its rim, a ray enters the hull by the outer side, "
-    "passes beyond the rim "
-    "and meets the inner side, for which no search began there";
+    "passes beyond the rim and meets the inner side, for which no search began there";
 
 constexpr KnownMiss kMisses[] = {
     {"ST-05", "error on the device: teapot", kPolynomials},
     {"ST-05", "error on the device: scherk",
-     "the tangent grows without limit toward its poles, where the "
-     "rounding of an angle counts most"},
+     "the tangent grows without limit toward its poles, where the rounding of an angle counts most"},
     {"ST-05", "error on the device: boy", kProducts},  // both of that name
     {"ST-05", "error on the device: cross_cap", kProducts},
     {"ST-05", "error on the device: twisted_torus", kProducts},
     {"ST-11", "points of a torus",
      "an object of a million metres that is scaled back to one is rounded to float before, and doubles are "
-     "used "
-     "by its size after: rows from the object's size would not be"},
+     "used by its size after: rows from the object's size would not be"},
     {"ST-39", "difference of colours from different hulls", kRims},
     {"ST-39", "pixels that show another node", kRims},
     {"ST-27", "longest gap",
      "the 256 samples lie closer than the tube is wide, so it is searches that miss: a tube far thinner than "
-     "the "
-     "hull of two pixels is a few cells around, each turning too far for a scan"},
+     "the hull of two pixels is a few cells around, each turning too far for a scan"},
     {"ST-21", "flat, slanted, vertices to 2^20 px",
      "a float vertex a million pixels away is rounded to 1/16 pixel: clipping in double would not be"},
 };
