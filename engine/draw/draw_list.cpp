@@ -319,7 +319,8 @@ class DrawLister {
     batch.culling = inside ? FaceCulling::None : FaceCulling::Back;
     batch.state.poles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
     const GlslNumber number =
-        options_.doubles && needsDouble(snapshot_.view, node, v) ? GlslNumber::Double : GlslNumber::Float;
+        options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull) ? GlslNumber::Double
+                                                                             : GlslNumber::Float;
     item.instance.exact = exactInstance(snapshot_.view, node, v, number);
     if (number == GlslNumber::Double) item.instance.precise = preciseInstance(snapshot_.view, node);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);

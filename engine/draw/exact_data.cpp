@@ -13,6 +13,9 @@ namespace {
 /// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
 /// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3.
 constexpr double kMostRoundingPx = 6e-4;
+/// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right to
+/// a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
+constexpr double kMostTurn = 4e-5, kSmallPx = 100;
 
 /// What is rounded away of a number, a few times over.
 constexpr double roundingOf(GlslNumber number) {
@@ -113,18 +116,22 @@ std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
   return (node * 0x9e3779b1U + vertex) % shared::kTallySlots;
 }
 
-bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible) {
+bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
   const Rounding rounding = roundingPx(view, node, visible, GlslNumber::Float);
-  const auto tooMuch = [&](double depth) {
-    return rounding.everywhere + rounding.near / depth > kMostRoundingPx;
-  };
-  return tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)));
+  const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
+  const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMostRoundingPx; };
+  if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
+  const double depth = std::max(visible.centerDepth, view.near);
+  const double scale = visible.stretch * visible.pixelsPerUnit / (view.perspective() ? depth : 1);
+  return glm::length(node.boundsObject.extent()) * scale > kSmallPx &&
+         roundingAt(depth) > kMostTurn * hull.medianRadius * scale;
 }
 
 shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                                     GlslNumber number) {
   const Rows rows = rowsOf(view, node);
   const Rounding rounding = roundingPx(view, node, visible, number);
+  const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
   return {
       .x = Vec4f(rows.x),
@@ -134,7 +141,7 @@ shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, 
       .half_ = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
       .translation = Vec3f(node.worldFromObject.translation - view.eye),
       .facing = visible.mirrored ? 1.0f : -1.0f,
-      .tolerance = static_cast<float>(std::max(kExactTolerancePx, rounding.everywhere)),
+      .tolerance = static_cast<float>(std::max(finest, rounding.everywhere)),
       .firstPatch = 0,
       .firstSlot = tallySlot(visible.node, 0),
       .thickness = 0};

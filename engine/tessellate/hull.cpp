@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -50,6 +51,7 @@ class Builder {
     hull.proven = std::isfinite(mesh_.bound) && mesh_.dropped == 0;
     moveVertices(hull);
     setCells(hull);
+    hull.medianRadius = medianRadius();
     findCones(hull);
     addParts(hull);
   }
@@ -100,6 +102,30 @@ class Builder {
       hull.offset = std::max({hull.offset, glm::length(m.out), glm::length(m.in)});
       hull.proven = hull.proven && m.leadOut;
     }
+  }
+
+  /// The normal turns along an edge by the edge's length over the radius.
+  [[nodiscard]] double medianRadius() const {
+    std::vector<std::pair<double, double>> bends;  // curvature, area
+    double whole = 0;
+    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
+      const auto corners = frame_.corners(t);
+      const auto at = [&](std::size_t k) { return mesh_.positions[corners[k % 3]]; };
+      double curvature = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double length = glm::distance(at(k), at(k + 1));
+        const double turn = glm::distance(mesh_.normals[corners[k]], mesh_.normals[corners[(k + 1) % 3]]);
+        if (length > 0) curvature = std::max(curvature, turn / length);
+      }
+      const double area = 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+      bends.emplace_back(curvature, area);
+      whole += area;
+    }
+    std::ranges::sort(bends, std::greater());
+    double sharper = 0;
+    for (const auto& [curvature, area] : bends)
+      if ((sharper += area) >= 0.5 * whole) return 1 / curvature;
+    return std::numeric_limits<double>::infinity();
   }
 
   void setCells(Hull& hull) const {

@@ -66,6 +66,9 @@ struct Hull {
 
   double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound
   double offset = 0;  ///< how far vertices were moved, at most
+  /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the mesh
+  /// tells; infinite of what is mostly flat. Object units.
+  double medianRadius = 0;
   /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing, or turn so
   /// sharply that no direction leads out (pinch points): the hull is then as good as one can be made. Where a
   /// surface is thinner than the tolerance, slabs of its parts overlap.

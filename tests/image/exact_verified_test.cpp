@@ -27,6 +27,19 @@ class ExactVerified : public PictureTest, public testing::WithParamInterface<con
 INSTANTIATE_TEST_SUITE_P(Scenes, ExactVerified, testing::Values("sphere", "torus", "flag", "klein", "teapot"),
                          [](const auto& name) { return std::string(name.param); });
 
+// A tube of two pixels: what float rounds away of a place on it turns its normal by 1e-4.
+TEST_F(PictureTest, SharpBendsKeepTheirColour) {
+  const Snapshot snapshot = takeSnapshot(embedded("thin-torus"), 0, {512, 512});
+  const auto show = [&](Output output) {
+    return renderer().render(snapshot, {.shading = Shading::Exact, .output = output}).image;
+  };
+  const Verification found =
+      verify(snapshot, castPicture(snapshot),
+             {.color = show(Output::Color), .uv = show(Output::Uv), .id = show(Output::Id)});
+  EXPECT_GT(found.coverage.both, 3000U);
+  EXPECT_GE(found.color.psnrLinear, 110);
+}
+
 TEST_P(ExactVerified, EveryPixelIsWithinAThousandth) {
   const Snapshot snapshot = takeSnapshot(embedded(GetParam()), 0, {256, 256});
   const auto show = [&](Output output) {

@@ -132,6 +132,12 @@ std::vector<std::string> names() {
 INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueHull, testing::ValuesIn(names()),
                          [](const auto& test) { return test.param; });
 
+TEST(TessellateHull, KnowsTheRadiusOfItsBends) {
+  EXPECT_NEAR(hullOf(sphere(2), 0.01).medianRadius, 2, 1e-9);
+  EXPECT_NEAR(hullOf(torus(5, 0.25), 0.01).medianRadius, 0.25, 1e-9);
+  EXPECT_TRUE(std::isinf(hullOf(disk(3), 0.01).medianRadius));
+}
+
 TEST(Hull, HoldsSurfacesThatMove) {
   for (const SurfaceSample& sample : surfaceSamples()) {
     SCOPED_TRACE(sample.name);
