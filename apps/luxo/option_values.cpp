@@ -186,18 +186,15 @@ Engine parseEngine(const std::string& text) {
 
 Skips parseSkips(const std::string& text) {
   static const Names kKnown = {"all",      "none",   "frustum",   "small",
-                               "backface", "lights", "unchanged", "passes"};
+                               "backface", "lights", "unchanged", "passes",
+                               "hidden"};
   if (text == "all") return {};
-  Skips skips{.frustum = false,
-              .small = false,
-              .backface = false,
-              .lights = false,
-              .unchanged = false,
-              .passes = false};
+  Skips skips = Skips::none();
   if (text == "none") return skips;
   const std::pair<const char*, bool*> switches[] = {
       {"frustum", &skips.frustum}, {"small", &skips.small},         {"backface", &skips.backface},
-      {"lights", &skips.lights},   {"unchanged", &skips.unchanged}, {"passes", &skips.passes}};
+      {"lights", &skips.lights},   {"unchanged", &skips.unchanged}, {"passes", &skips.passes},
+      {"hidden", &skips.hidden}};
   for (const std::string& name : split(text, ',')) {
     const auto* found = std::find_if(std::begin(switches), std::end(switches),
                                      [&](const auto& s) { return name == s.first; });

@@ -53,7 +53,7 @@ enum class Engine { Vulkan, Reference };
 /// `vulkan` or `reference`.
 [[nodiscard]] Engine parseEngine(const std::string& text);
 
-/// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes: only those are on.
+/// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes, hidden: only those are on.
 [[nodiscard]] Skips parseSkips(const std::string& text);
 
 struct ParameterValue {

@@ -59,7 +59,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
     add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
   }
   add("--skip", t.skip,
-      "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes (all)", "LIST");
+      "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes,hidden (all)", "LIST");
   if (files)
     add("--require-error", t.requireError,
         "fail (exit code 6) unless every mesh and every pixel of exact shading is at most this far from its "

@@ -42,6 +42,7 @@ Json frameJson(const FrameReport& frame) {
         {"culled_small", drawn(count.culledSmall)},
         {"culled_backface", drawn(count.culledBackface)},
         {"culled_lights", drawn(count.culledLights)},
+        {"culled_hidden", drawn(count.culledHidden)},
         {"draw_calls", drawn(count.drawCalls)},
         {"instances", drawn(count.instances)},
         {"triangles", drawn(count.triangles)},

@@ -130,7 +130,7 @@ std::vector<Measurement> culling(StressContext& context) {
     const Snapshot snapshot = takeSnapshot(scene, time, context.size());
     const Image expected = context.draw(snapshot).image;
     withoutSkips += differingPixels(
-        context.draw(snapshot, {.skips = {false, false, false, false, false, false}}).image, expected);
+        context.draw(snapshot, {.skips = Skips::none()}).image, expected);
     withBackFaces += differingPixels(context.draw(snapshot, {.cullBackFaces = false}).image, expected);
   }
   return {none("pixels that differ without any skip", withoutSkips, "pixels"),

@@ -200,6 +200,8 @@ class DrawLister {
   DrawList list() && {
     listOpaque();
     listTransparent();
+    if (options_.skips.hidden)
+      list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
     return std::move(list_);
   }
 

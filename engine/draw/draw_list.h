@@ -9,6 +9,7 @@
 
 #include "cull/cull.h"
 #include "draw/options.h"
+#include "draw/hidden_triangles.h"
 #include "draw/search_care.h"
 #include "draw/statistics.h"
 #include "scene/snapshot.h"
@@ -76,6 +77,7 @@ struct DrawList {
   std::vector<float> patternParameters;     ///< not empty when a draw has a pattern
   std::vector<DrawBatch> opaque;            ///< grouped, roughly front to back
   std::vector<DrawBatch> transparent;       ///< strictly back to front
+  std::uint64_t culledHidden = 0;           ///< triangles of hulls that are behind others
   double boundPx = 0;                       ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
@@ -85,6 +87,7 @@ struct DrawList {
 struct Geometry {
   MeshCache meshes;
   SurfaceCodes codes;
+  HiddenTriangles hidden;
 };
 
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMostLights).

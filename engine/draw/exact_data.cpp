@@ -127,6 +127,19 @@ bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& 
          roundingAt(depth) > kMostTurn * hull.medianRadius * scale;
 }
 
+std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::span<const Vec3> points) {
+  const Rows rows = rowsOf(view, node);
+  const Vec2 middle(0.5 * view.size.width, 0.5 * view.size.height);
+  std::vector<Vec3> seen;
+  seen.reserve(points.size());
+  for (const Vec3& point : points) {
+    const double depth = glm::dot(rows.depth, Vec4(point, 1)), width = view.perspective() ? depth : 1;
+    seen.emplace_back(middle.x + glm::dot(rows.x, Vec4(point, 1)) / width,
+                      middle.y + glm::dot(rows.y, Vec4(point, 1)) / width, depth);
+  }
+  return seen;
+}
+
 shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                                     GlslNumber number) {
   const Rows rows = rowsOf(view, node);

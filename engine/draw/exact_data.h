@@ -28,6 +28,9 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 [[nodiscard]] bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                                const Hull& hull);
 
+/// Where points of the node's object are in the picture, as PixelTriangle has them.
+[[nodiscard]] std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::span<const Vec3> points);
+
 /// All of the instance but firstPatch and thickness, for a search in those numbers.
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
                                                   const VisibleNode& visible, GlslNumber number);

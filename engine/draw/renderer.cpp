@@ -27,7 +27,8 @@ void addAttempt(FrameStatistics& last, const FrameStatistics& before, bool compl
     last.count.*count += before.count.*count;
   if (completes)
     for (const auto count :
-         {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles, &FrameCounts::vertices})
+         {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles, &FrameCounts::vertices,
+          &FrameCounts::culledHidden})
       last.count.*count += before.count.*count;
 }
 
@@ -90,7 +91,8 @@ FrameStatistics again(const FrameStatistics& before) {
                .culledFrustum = c.culledFrustum,
                .culledSmall = c.culledSmall,
                .culledBackface = c.culledBackface,
-               .culledLights = c.culledLights};
+               .culledLights = c.culledLights,
+               .culledHidden = c.culledHidden};
   return now;
 }
 

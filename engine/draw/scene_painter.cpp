@@ -130,8 +130,11 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
 
   DrawOptions able = options;
   able.doubles = options.doubles && context_->features().float64;
+  able.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
+  able.samples = samples;
   const DrawList list = listDraws(snapshot, visible, able, geometry_, care);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
+  statistics.count.culledHidden = list.culledHidden;
   statistics.count.tessellated += geometry_.meshes.tessellated() - tessellatedBefore;
   statistics.ms.tessellate += watch.lap();
 

@@ -194,6 +194,13 @@ class Builder {
     }
   }
 
+  /// Whether the vertices of a triangle moved so far that their places came in another order.
+  [[nodiscard]] bool turned(const Hull& hull, std::size_t triangle, std::uint32_t first) const {
+    const auto c = frame_.corners(triangle);
+    const auto at = [&](std::size_t k) { return hull.positions[first + c[k]]; };
+    return !(glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), frame_.facet(triangle)) > 0);
+  }
+
   [[nodiscard]] bool nearPole(const Hull& hull, std::uint32_t vertex) const {
     const HullPatch& patch = hull.patchData[frame_.patchOf(vertex)];
     const Vec2 at = mesh_.parameters[vertex], near = kNearPole * hull.cells[vertex];
@@ -227,6 +234,7 @@ class Builder {
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {c[0], c[1], c[2]});
       hull.cones.push_back(cones_[t]);
+      hull.turned.push_back(turned(hull, t, 0));
     });
     for (std::size_t w = 0; w < frame_.walls().size(); ++w) {
       const HullFrame::WallEdge& wall = frame_.walls()[w];
@@ -234,11 +242,13 @@ class Builder {
       const std::uint32_t a = wall.from, b = wall.to;
       indices.insert(indices.end(), {b, a, count + a, b, count + a, count + b});
       hull.cones.insert(hull.cones.end(), 2, wallCones_[w]);
+      hull.turned.insert(hull.turned.end(), 2, false);
     }
     part.frontCount = size() - part.firstIndex;
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {count + c[0], count + c[2], count + c[1]});
       hull.cones.push_back(cones_[t]);
+      hull.turned.push_back(turned(hull, t, count));
     });
     part.count = size() - part.firstIndex;
     if (part.count > 0) hull.parts.push_back(part);

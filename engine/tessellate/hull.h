@@ -56,12 +56,18 @@ struct Hull {
   struct Part {
     std::uint32_t patch = 0;  ///< the first of them
     std::uint32_t firstIndex = 0, frontCount = 0, count = 0;
-    [[nodiscard]] std::uint32_t wallIndex() const { return firstIndex + count - frontCount; }
+    [[nodiscard]] std::uint32_t faceCount() const { return count - frontCount; }  ///< of the top, or the bottom
+    [[nodiscard]] std::uint32_t wallCount() const { return count - 2 * faceCount(); }
+    [[nodiscard]] std::uint32_t wallIndex() const { return firstIndex + faceCount(); }
+    [[nodiscard]] std::uint32_t bottomIndex() const { return wallIndex() + wallCount(); }
   };
   std::vector<std::uint32_t> indices;
   std::vector<Part> parts;
   /// Of each triangle, those of the bottom as those of the top. Any direction near edges that are points.
   std::vector<FacingCone> cones;
+  /// Of each triangle: where the surface bends more sharply than the slab is thick, a face may turn over. Where it
+  /// does not, a ray that comes in by one face and leaves by the other has met the surface.
+  std::vector<bool> turned;
   std::vector<HullPatch> patchData;  ///< of every patch of the surface
 
   double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound

@@ -120,12 +120,12 @@ TEST(OptionValues, Names) {
 TEST(OptionValues, SkipsNamedAreOnAndTheOthersOff) {
   EXPECT_EQ(parseSkips("all"), Skips{});
   Skips none = parseSkips("none");
-  for (const bool on : {none.frustum, none.small, none.backface, none.lights, none.unchanged, none.passes})
+  for (const bool on : {none.frustum, none.small, none.backface, none.lights, none.unchanged, none.passes, none.hidden})
     EXPECT_FALSE(on);
   Skips expected = none;
   expected.small = expected.passes = true;
   EXPECT_EQ(parseSkips("passes,small"), expected);
-  EXPECT_EQ(parseSkips("frustum,small,backface,lights,unchanged,passes"), Skips{});
+  EXPECT_EQ(parseSkips("frustum,small,backface,lights,unchanged,passes,hidden"), Skips{});
   expectRefused(ErrorKind::Usage, parseSkips, {"", "frustrum", "all,none", "small,all"});
   EXPECT_EQ(hintOf([] { static_cast<void>(parseSkips("frustrum")); }), "did you mean 'frustum'?");
 }

@@ -105,7 +105,7 @@ TEST_F(DrawCounts, OnlyWhatLostPixelsIsDrawnAgain) {
   scene.add(Node{.surface = makeSurface("teapot")});
   scene.add(Node{.translation = Vec3(3, 6, 4), .light = Light{}});
   scene.add(Camera{.eye = Vec3(2, 3, 7), .lookAt = Vec3(0, 0.8, 0)});
-  const DrawOptions coarse{.hullTolerancePx = 8};
+  const DrawOptions coarse{.hullTolerancePx = 8, .skips = {.hidden = false}};
   const Snapshot snapshot = takeSnapshot(scene, 0, {640, 480});
   Geometry geometry;
   std::uint64_t once = 0;
@@ -118,6 +118,31 @@ TEST_F(DrawCounts, OnlyWhatLostPixelsIsDrawnAgain) {
   EXPECT_GT(picture.count.triangles, once);
   EXPECT_LT(picture.count.triangles, once + once / 10);
   EXPECT_EQ(picture.error.unconvergedPx, 0u);
+}
+
+TEST_F(DrawCounts, WhatIsHiddenIsNotDrawn) {
+  Scene front;
+  front.add(Node{.surface = sphere(1)});
+  front.add(Camera{.eye = Vec3(0, 0, 6)});
+  const auto behind = [&](const Vec3& place) {
+    Scene both = front;
+    both.add(Node{.translation = place, .surface = sphere(0.9)});
+    return both;
+  };
+  const auto countsOf = [&](const Scene& scene, bool hidden) {
+    return draw(scene, {256, 256}, {.skips = {.hidden = hidden}}).statistics.count;
+  };
+  const std::uint64_t alone = countsOf(front, true).triangles;
+  if (context().deviceInfo().type != gpu::DeviceType::Cpu) {
+    EXPECT_EQ(countsOf(behind(Vec3(0, 0, -2)), true).culledHidden, 0U) << "a GPU does this itself";
+    return;
+  }
+  const FrameCounts hidden = countsOf(behind(Vec3(0, 0, -2)), true), drawn = countsOf(behind(Vec3(0, 0, -2)), false);
+  EXPECT_EQ(hidden.triangles, alone);
+  EXPECT_EQ(hidden.triangles + hidden.culledHidden, drawn.triangles);
+  EXPECT_EQ(drawn.culledHidden, 0U);
+  EXPECT_GT(countsOf(behind(Vec3(1, 0, -2)), true).triangles, alone) << "half of it is seen";
+  EXPECT_GT(countsOf(behind(Vec3(0, 0, 3)), true).triangles, alone) << "it is in front";
 }
 
 TEST_F(DrawCounts, MotionUploadsTransformsOnly) {

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/hidden_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "draw/draw_list.h"
+#include "draw/exact_data.h"
+#include "math/transform.h"
+#include "tessellate/hull.h"
+
+namespace luxo {
+namespace {
+
+/// Pixels. Devices move corners to a grid of 1/256.
+constexpr double kNarrowest = 1.0 / 64;
+/// Where on the average fewer layers face the viewer, finding the hidden ones costs more than drawing them.
+constexpr double kFewestLayers = 1.25;
+constexpr int kCoarse = 16;  // pixels between the samples that tell
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+/// Where a pixel's samples are (standardSampleLocations).
+std::vector<Vec2> sampleLocations(int samples) {
+  if (samples == 4) return {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  return {{0.5, 0.5}};
+}
+
+std::span<const std::uint32_t> indicesAt(const std::vector<std::uint32_t>& indices, std::size_t first) {
+  return std::span(indices).subspan(first, 3);
+}
+
+template <typename Action>
+void forEachHullBatch(const DrawList& list, const Action& action) {
+  for (const DrawBatch& batch : list.opaque)
+    if (batch.hull) action(batch);
+}
+
+}  // namespace
+
+PixelTriangle HiddenTriangles::Body::triangle(std::span<const std::uint32_t> indices) const {
+  return {points[indices[0]], points[indices[1]], points[indices[2]]};
+}
+
+/// +1: the triangle is seen from outside the slab; -1: from inside; 0: it is so narrow that a device may see it either
+/// way.
+int HiddenTriangles::Body::facing(const PixelTriangle& t) const {
+  const Vec3 a = t[1] - t[0], b = t[2] - t[0];
+  const double area = a.y * b.x - a.x * b.y;
+  const double narrow = kNarrowest * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+  return std::abs(area) <= narrow ? 0 : (area > 0) != mirrored ? 1 : -1;
+}
+
+std::uint64_t HiddenTriangles::drop(DrawList& list, const Snapshot& snapshot, int samples) {
+  addBodies(list, snapshot);
+  const bool hiding = layered(list, snapshot.view.size);
+  if (hiding) {
+    const std::vector<Vec2> locations = sampleLocations(samples);
+    buffers_.resize(locations.size());
+    for (std::size_t i = 0; i < locations.size(); ++i) buffers_[i].clear(snapshot.view.size, locations[i]);
+    for (const Body& body : bodies_) cover(body);
+  }
+  std::vector<std::uint32_t> kept;
+  kept.reserve(list.hullIndices.size());
+  for (DrawBatch& batch : list.opaque) {
+    if (!batch.hull) continue;
+    const Body& body = bodies_[bodyOf_[list.instanceNodes[batch.firstInstance]]];
+    const std::size_t first = kept.size();
+    for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
+      const auto indices = indicesAt(list.hullIndices, i);
+      const PixelTriangle triangle = body.triangle(indices);
+      const bool unseen = body.inFront && ((batch.culling == FaceCulling::Back && body.facing(triangle) < 0) ||
+                                           (hiding && hides(body, triangle)));
+      if (!unseen) kept.insert(kept.end(), indices.begin(), indices.end());
+    }
+    batch.firstIndex = static_cast<std::uint32_t>(first);
+    batch.indexCount = static_cast<std::uint32_t>(kept.size() - first);
+  }
+  std::erase_if(list.opaque, [](const DrawBatch& batch) { return batch.hull && batch.indexCount == 0; });
+  const std::size_t dropped = list.hullIndices.size() - kept.size();
+  // Something is bound even if nothing of it is drawn.
+  if (!kept.empty()) list.hullIndices = std::move(kept);
+  return dropped / 3;
+}
+
+void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) {
+  bodies_.clear();
+  bodyOf_.assign(snapshot.nodes.size(), kNone);
+  forEachHullBatch(list, [&](const DrawBatch& batch) {
+    const std::uint32_t number = list.instanceNodes[batch.firstInstance];
+    if (bodyOf_[number] != kNone) return;
+    bodyOf_[number] = bodies_.size();
+    const SnapshotNode& node = snapshot.nodes[number];
+    std::vector<Vec3> points = inPicture(snapshot.view, node, batch.hull->positions);
+    const bool inFront = std::ranges::all_of(points, [&](const Vec3& p) { return p.z > snapshot.view.near; });
+    bodies_.push_back({.hull = batch.hull.get(),
+                       .points = std::move(points),
+                       .thickness = 3 * batch.hull->offset * largestStretch(node.worldFromObject.linear),
+                       .mirrored = batch.mirrored,
+                       .bothSides = batch.bothSides,
+                       .inFront = inFront});
+  });
+}
+
+/// Whether there is more to draw than to see.
+bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
+  coarse_.clear({size.width / kCoarse + 1, size.height / kCoarse + 1}, Vec2(0.5));
+  std::size_t drawn = 0;
+  forEachHullBatch(list, [&](const DrawBatch& batch) {
+    const Body& body = bodies_[bodyOf_[list.instanceNodes[batch.firstInstance]]];
+    if (!body.inFront) return;
+    for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
+      PixelTriangle triangle = body.triangle(indicesAt(list.hullIndices, i));
+      if (body.facing(triangle) < 0) continue;
+      for (Vec3& corner : triangle) corner /= kCoarse;
+      drawn += coarse_.samplesIn(triangle);
+      coarse_.cover(triangle);
+    }
+  });
+  return static_cast<double>(drawn) > kFewestLayers * static_cast<double>(coarse_.covered());
+}
+
+/// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing is seen
+/// behind a face that the ray leaves by, if before it has come in neither by the same face nor by a wall.
+void HiddenTriangles::cover(const Body& body) {
+  if (!body.hull->proven || !body.inFront) return;
+  coverBehind(body, false);
+  if (body.bothSides) coverBehind(body, true);
+}
+
+/// Where rays leave by tops, or by bottoms.
+void HiddenTriangles::coverBehind(const Body& body, bool tops) {
+  const Hull& hull = *body.hull;
+  for (OcclusionBuffer& buffer : buffers_) buffer.beginBody();
+  const auto forEach = [&](std::uint32_t first, std::uint32_t count, const auto& action) {
+    for (std::size_t i = first; i < first + count; i += 3) {
+      const PixelTriangle triangle = body.triangle(indicesAt(hull.indices, i));
+      action(triangle, body.facing(triangle), hull.turned[i / 3]);
+    }
+  };
+  const auto enter = [&](const PixelTriangle& triangle) {
+    for (OcclusionBuffer& buffer : buffers_) buffer.enter(triangle);
+  };
+  const auto enterFacing = [&](const PixelTriangle& triangle, int facing, bool turned) {
+    if (facing >= 0 || turned) enter(triangle);
+  };
+  for (const Hull::Part& part : hull.parts) {
+    forEach(tops ? part.firstIndex : part.bottomIndex(), part.faceCount(), enterFacing);
+    forEach(part.wallIndex(), part.wallCount(), enterFacing);
+    forEach(tops ? part.bottomIndex() : part.firstIndex, part.faceCount(),
+            [&](const PixelTriangle& triangle, int, bool turned) {
+              if (turned) enter(triangle);
+            });
+  }
+  for (const Hull::Part& part : hull.parts)
+    forEach(tops ? part.firstIndex : part.bottomIndex(), part.faceCount(),
+            [&](const PixelTriangle& triangle, int facing, bool turned) {
+              if (facing < 0 && !turned)
+                for (OcclusionBuffer& buffer : buffers_) buffer.cover(triangle);
+            });
+}
+
+/// A search that begins in the triangle may find a point before it: by as much as the slab is thick, and the triangle
+/// deep.
+bool HiddenTriangles::hides(const Body& body, const PixelTriangle& triangle) const {
+  const auto [nearest, farthest] = std::minmax({triangle[0].z, triangle[1].z, triangle[2].z});
+  PixelTriangle nearer = triangle;
+  for (Vec3& corner : nearer) corner.z -= body.thickness + (farthest - nearest);
+  return std::ranges::all_of(buffers_, [&](const OcclusionBuffer& buffer) { return buffer.hides(nearer); });
+}
+
+}  // namespace luxo

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is behind triangles is hidden in exactly the samples that they hold.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "cull/occlusion_buffer.h"
+
+namespace luxo {
+namespace {
+
+OcclusionBuffer bufferOf(const PixelSize& size, const Vec2& sample = Vec2(0.5)) {
+  OcclusionBuffer buffer;
+  buffer.clear(size, sample);
+  buffer.beginBody();
+  return buffer;
+}
+
+/// Holds the picture's upper left half of `size`, at a depth.
+PixelTriangle upperLeft(double size, double depth) { return {Vec3(0, 0, depth), Vec3(size, 0, depth), Vec3(0, size, depth)}; }
+PixelTriangle lowerRight(double size, double depth) {
+  return {Vec3(size, size, depth), Vec3(0, size, depth), Vec3(size, 0, depth)};
+}
+PixelTriangle moved(PixelTriangle triangle, const Vec3& by) {
+  for (Vec3& corner : triangle) corner += by;
+  return triangle;
+}
+
+TEST(OcclusionBuffer, HidesWhatIsBehindAndNothingElse) {
+  OcclusionBuffer buffer = bufferOf({32, 32});
+  EXPECT_FALSE(buffer.hides(upperLeft(10, 5)));
+  buffer.cover(upperLeft(32, 2));
+  EXPECT_TRUE(buffer.hides(upperLeft(10, 5)));
+  EXPECT_FALSE(buffer.hides(upperLeft(10, 1)));
+  EXPECT_FALSE(buffer.hides(upperLeft(10, 2))) << "as far as the cover";
+  EXPECT_FALSE(buffer.hides(lowerRight(31, 5)));
+}
+
+TEST(OcclusionBuffer, AKnownNumberOfSamples) {
+  // On or left of the diagonal x + y = 4: 4 + 3 + 2 + 1 centres, whichever way the corners go round.
+  OcclusionBuffer buffer = bufferOf({8, 8});
+  const PixelTriangle triangle = upperLeft(4, 1);
+  EXPECT_EQ(buffer.samplesIn(triangle), 10U);
+  EXPECT_EQ(buffer.samplesIn({triangle[0], triangle[2], triangle[1]}), 10U);
+  EXPECT_EQ(buffer.samplesIn(moved(triangle, Vec3(-1, 0, 0))), 3U + 2U + 1U) << "half outside of the picture";
+  EXPECT_EQ(buffer.samplesIn(moved(triangle, Vec3(20, 0, 0))), 0U);
+  EXPECT_EQ(buffer.covered(), 0U);
+  buffer.cover(triangle);
+  EXPECT_EQ(buffer.covered(), 10U);
+  // Other samples of the same pixels: those at (1/8, 5/8) are inside where column + row <= 3.25.
+  EXPECT_EQ(bufferOf({8, 8}, Vec2(0.125, 0.625)).samplesIn(triangle), 10U);
+  EXPECT_EQ(bufferOf({8, 8}, Vec2(0.875, 0.875)).samplesIn(triangle), 6U);
+}
+
+TEST(OcclusionBuffer, NeighboursLeaveNoGap) {
+  OcclusionBuffer buffer = bufferOf({64, 64});
+  buffer.cover(upperLeft(64, 2));
+  EXPECT_FALSE(buffer.hides(moved(upperLeft(20, 5), Vec3(25, 25, 0))));
+  buffer.cover(lowerRight(64, 3));
+  EXPECT_TRUE(buffer.hides(moved(upperLeft(20, 5), Vec3(25, 25, 0))));
+  EXPECT_FALSE(buffer.hides(moved(upperLeft(20, 2.5), Vec3(25, 25, 0))));
+}
+
+TEST(OcclusionBuffer, ASlopingCoverHidesBehindItsFarthestCorner) {
+  OcclusionBuffer buffer = bufferOf({32, 32});
+  buffer.cover({Vec3(0, 0, 1), Vec3(32, 0, 1), Vec3(0, 32, 4)});
+  EXPECT_FALSE(buffer.hides(upperLeft(10, 3)));
+  EXPECT_TRUE(buffer.hides(upperLeft(10, 4.5)));
+  EXPECT_FALSE(buffer.hides({Vec3(0, 0, 9), Vec3(9, 0, 9), Vec3(0, 9, 3)})) << "its nearest corner is before";
+}
+
+TEST(OcclusionBuffer, WhatHoldsNoSampleIsHidden) {
+  const OcclusionBuffer buffer = bufferOf({32, 32});
+  EXPECT_TRUE(buffer.hides({Vec3(3.6, 3.6, 1), Vec3(4.4, 3.6, 1), Vec3(4, 4.4, 1)}));
+  EXPECT_TRUE(buffer.hides(moved(upperLeft(5, 1), Vec3(-9, 0, 0))));
+  // A little around counts: devices move corners.
+  EXPECT_FALSE(buffer.hides({Vec3(3.51, 3.51, 1), Vec3(4.4, 3.6, 1), Vec3(4, 4.4, 1)}));
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(buffer.hides({Vec3(kNan, 0, 1), Vec3(4, 0, 1), Vec3(0, 4, 1)})) << "nobody knows";
+}
+
+TEST(OcclusionBuffer, ABodyCoversNothingBehindWhereItWasEntered) {
+  OcclusionBuffer buffer = bufferOf({32, 32});
+  buffer.enter(moved(upperLeft(6, 1), Vec3(2, 2, 0)));
+  buffer.cover(upperLeft(32, 2));
+  EXPECT_FALSE(buffer.hides(upperLeft(10, 5)));
+  EXPECT_TRUE(buffer.hides(moved(upperLeft(6, 5), Vec3(12, 2, 0)))) << "beside the entrance";
+  // Another body has entrances of its own; one behind a cover is none.
+  buffer.beginBody();
+  buffer.enter(upperLeft(32, 3));
+  buffer.cover(upperLeft(32, 2));
+  EXPECT_TRUE(buffer.hides(upperLeft(10, 5)));
+}
+
+}  // namespace
+}  // namespace luxo
