@@ -185,9 +185,8 @@ Engine parseEngine(const std::string& text) {
 }
 
 Skips parseSkips(const std::string& text) {
-  static const Names kKnown = {"all",      "none",   "frustum",   "small",
-                               "backface", "lights", "unchanged", "passes",
-                               "hidden"};
+  static const Names kKnown = {"all",    "none",      "frustum", "small", "backface",
+                               "lights", "unchanged", "passes",  "hidden"};
   if (text == "all") return {};
   Skips skips = Skips::none();
   if (text == "none") return skips;

@@ -21,8 +21,8 @@ int roundedUp(double x) {
   return down + (down < x);
 }
 
-/// Calls action(row, first, end) for the samples of each row inside the triangle, `room` beyond its edges counting
-/// as inside, until it gives false; gives whether it never did.
+/// Calls action(row, first, end) for the samples of each row inside the triangle, `room` beyond its edges
+/// counting as inside, until it gives false; gives whether it never did.
 template <typename Action>
 bool forEachRow(const PixelTriangle& t, const Vec2& sample, int width, int height, double room,
                 const Action& action) {

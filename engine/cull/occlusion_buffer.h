@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is hidden: how deep a picture can be seen into, sample by sample, past triangles that nothing is seen through.
-// A depth buffer on the host, for devices that find out too late (after Newton's method) that a fragment is behind
-// another.
+// What is hidden: how deep a picture can be seen into, sample by sample, past triangles that nothing is seen
+// through. A depth buffer on the host, for devices that find out too late (after Newton's method) that a
+// fragment is behind another.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace luxo {
 
-/// x and y: pixels right of and below the picture's upper left corner; z: depth, metres in front of the eye's plane.
+/// x and y: pixels right of and below the picture's upper left corner; z: depth, metres in front of the eye's
+/// plane.
 using PixelTriangle = std::array<Vec3, 3>;
 
 class OcclusionBuffer {
@@ -24,27 +25,27 @@ class OcclusionBuffer {
   /// What is covered from now on is covered by another body, which nothing has entered.
   void beginBody();
 
-  /// From the nearest corner of this triangle on, the body covers nothing in the samples of the triangle and a
-  /// little around it.
+  /// From the nearest corner of this triangle on, the body covers nothing in the samples of the triangle and
+  /// a little around it.
   void enter(const PixelTriangle& triangle);
 
-  /// Nothing is seen behind the farthest corner of this triangle, in samples on or inside its edges, unless the
-  /// body was entered before. Cost: a fraction of a nanosecond per sample.
+  /// Nothing is seen behind the farthest corner of this triangle, in samples on or inside its edges, unless
+  /// the body was entered before. Cost: a fraction of a nanosecond per sample.
   void cover(const PixelTriangle& triangle);
 
   /// How many samples are on or inside the edges of a triangle; and how many something covers.
   [[nodiscard]] std::size_t samplesIn(const PixelTriangle& triangle) const;
   [[nodiscard]] std::size_t covered() const;
 
-  /// Whether all that the triangle covers, and a little around it, is hidden where its nearest corner is. So is
-  /// what covers no sample at all. Ends at the first sample that is not.
+  /// Whether all that the triangle covers, and a little around it, is hidden where its nearest corner is. So
+  /// is what covers no sample at all. Ends at the first sample that is not.
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
 
  private:
   int width_ = 0, height_ = 0;
   Vec2 sample_{0};
-  std::vector<float> farthest_;  ///< that can be seen, by row
-  std::vector<float> entered_;   ///< where, by row
+  std::vector<float> farthest_;            ///< that can be seen, by row
+  std::vector<float> entered_;             ///< where, by row
   int firstEntered_ = 0, enteredEnd_ = 0;  ///< rows of entered_ in which something may be
 };
 

@@ -200,8 +200,7 @@ class DrawLister {
   DrawList list() && {
     listOpaque();
     listTransparent();
-    if (options_.skips.hidden)
-      list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
+    if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
     return std::move(list_);
   }
 
@@ -320,9 +319,9 @@ class DrawLister {
     const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     batch.culling = inside ? FaceCulling::None : FaceCulling::Back;
     batch.state.poles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
-    const GlslNumber number =
-        options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull) ? GlslNumber::Double
-                                                                             : GlslNumber::Float;
+    const GlslNumber number = options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull)
+                                  ? GlslNumber::Double
+                                  : GlslNumber::Float;
     item.instance.exact = exactInstance(snapshot_.view, node, v, number);
     if (number == GlslNumber::Double) item.instance.precise = preciseInstance(snapshot_.view, node);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cull/cull.h"
-#include "draw/options.h"
 #include "draw/hidden_triangles.h"
+#include "draw/options.h"
 #include "draw/search_care.h"
 #include "draw/statistics.h"
 #include "scene/snapshot.h"

@@ -13,8 +13,8 @@ namespace {
 /// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
 /// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3.
 constexpr double kMostRoundingPx = 6e-4;
-/// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right to
-/// a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
+/// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right
+/// to a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
 constexpr double kMostTurn = 4e-5, kSmallPx = 100;
 
 /// What is rounded away of a number, a few times over.
@@ -188,7 +188,11 @@ void appendPatches(const Surface& surface, std::span<const double> parameters, c
 }
 
 bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
-  const double margin = 2 * hull.offset * visible.stretch + 2 * view.near;
+  const double reaches = 2 * hull.offset * visible.stretch;
+  // Parallel rays begin on the near plane, which is as far away as the scene. What shows its inside is
+  // searched for as if it held the eye all the same: at its rims a ray may run around the edge in the slab.
+  if (!view.perspective() && visible.hideBackFaces) return visible.nearestDepth <= view.near + reaches;
+  const double margin = reaches + 2 * view.near;
   const Box& box = node.boundsWorld;
   for (int i = 0; i < 3; ++i)
     if (!(view.eye[i] >= box.min[i] - margin && view.eye[i] <= box.max[i] + margin)) return false;

@@ -23,13 +23,14 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 /// vertex is that one of the hull.
 [[nodiscard]] std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex);
 
-/// Whether float would round away more of a point's place on the screen than a picture may lack, or so much that
-/// the normal there is another: of what bends sharply, most of it, and is not small.
+/// Whether float would round away more of a point's place on the screen than a picture may lack, or so much
+/// that the normal there is another: of what bends sharply, most of it, and is not small.
 [[nodiscard]] bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                                const Hull& hull);
 
 /// Where points of the node's object are in the picture, as PixelTriangle has them.
-[[nodiscard]] std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::span<const Vec3> points);
+[[nodiscard]] std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node,
+                                          std::span<const Vec3> points);
 
 /// All of the instance but firstPatch and thickness, for a search in those numbers.
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,

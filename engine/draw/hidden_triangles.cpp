@@ -42,8 +42,8 @@ PixelTriangle HiddenTriangles::Body::triangle(std::span<const std::uint32_t> ind
   return {points[indices[0]], points[indices[1]], points[indices[2]]};
 }
 
-/// +1: the triangle is seen from outside the slab; -1: from inside; 0: it is so narrow that a device may see it either
-/// way.
+/// +1: the triangle is seen from outside the slab; -1: from inside; 0: it is so narrow that a device may see
+/// it either way.
 int HiddenTriangles::Body::facing(const PixelTriangle& t) const {
   const Vec3 a = t[1] - t[0], b = t[2] - t[0];
   const double area = a.y * b.x - a.x * b.y;
@@ -69,8 +69,9 @@ std::uint64_t HiddenTriangles::drop(DrawList& list, const Snapshot& snapshot, in
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
       const auto indices = indicesAt(list.hullIndices, i);
       const PixelTriangle triangle = body.triangle(indices);
-      const bool unseen = body.inFront && ((batch.culling == FaceCulling::Back && body.facing(triangle) < 0) ||
-                                           (hiding && hides(body, triangle)));
+      const bool unseen =
+          body.inFront && ((batch.culling == FaceCulling::Back && body.facing(triangle) < 0) ||
+                           (hiding && hides(body, triangle)));
       if (!unseen) kept.insert(kept.end(), indices.begin(), indices.end());
     }
     batch.firstIndex = static_cast<std::uint32_t>(first);
@@ -120,8 +121,9 @@ bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
   return static_cast<double>(drawn) > kFewestLayers * static_cast<double>(coarse_.covered());
 }
 
-/// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing is seen
-/// behind a face that the ray leaves by, if before it has come in neither by the same face nor by a wall.
+/// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing
+/// is seen behind a face that the ray leaves by, if before it has come in neither by the same face nor by a
+/// wall.
 void HiddenTriangles::cover(const Body& body) {
   if (!body.hull->proven || !body.inFront) return;
   coverBehind(body, false);
@@ -160,8 +162,8 @@ void HiddenTriangles::coverBehind(const Body& body, bool tops) {
             });
 }
 
-/// A search that begins in the triangle may find a point before it: by as much as the slab is thick, and the triangle
-/// deep.
+/// A search that begins in the triangle may find a point before it: by as much as the slab is thick, and the
+/// triangle deep.
 bool HiddenTriangles::hides(const Body& body, const PixelTriangle& triangle) const {
   const auto [nearest, farthest] = std::minmax({triangle[0].z, triangle[1].z, triangle[2].z});
   PixelTriangle nearer = triangle;

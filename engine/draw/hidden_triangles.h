@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leaves out the triangles of hulls in which nothing is seen. A CPU device compares a fragment's depth only when its
-// search is over, so what is behind costs as much as what is seen.
+// Leaves out the triangles of hulls in which nothing is seen. A CPU device compares a fragment's depth only
+// when its search is over, so what is behind costs as much as what is seen.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct Hull;
 
 class HiddenTriangles {
  public:
-  /// Drops triangles that are seen from inside their slabs, or behind the surface of a hull in every sample of the
-  /// picture (1 or 4 of a pixel, where Vulkan has them); gives how many. No pixel changes. Cost: about a nanosecond
-  /// per pixel and layer, where there is more than one layer to see.
+  /// Drops triangles that are seen from inside their slabs, or behind the surface of a hull in every sample
+  /// of the picture (1 or 4 of a pixel, where Vulkan has them); gives how many. No pixel changes. Cost: about
+  /// a nanosecond per pixel and layer, where there is more than one layer to see.
   std::uint64_t drop(DrawList& list, const Snapshot& snapshot, int samples);
 
  private:
@@ -30,7 +30,7 @@ class HiddenTriangles {
     std::vector<Vec3> points;  ///< its vertices, as PixelTriangle has them
     double thickness;          ///< of its slab, at most, metres
     bool mirrored, bothSides;
-    bool inFront;              ///< of the near plane, all of it
+    bool inFront;  ///< of the near plane, all of it
 
     [[nodiscard]] PixelTriangle triangle(std::span<const std::uint32_t> indices) const;
     [[nodiscard]] int facing(const PixelTriangle& triangle) const;

@@ -17,8 +17,8 @@ struct Skips {
   bool lights = true;     ///< lights that cannot reach a node
   bool unchanged = true;  ///< pictures that are still there, uploads of what the device already has
   bool passes = true;     ///< passes with nothing to draw
-  /// What is behind other surfaces, where it is searched for in every pixel. On CPU devices, which compare depths
-  /// after the search only.
+  /// What is behind other surfaces, where it is searched for in every pixel. On CPU devices, which compare
+  /// depths after the search only.
   bool hidden = true;
 
   [[nodiscard]] static constexpr Skips none() { return {false, false, false, false, false, false, false}; }

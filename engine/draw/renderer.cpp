@@ -26,9 +26,8 @@ void addAttempt(FrameStatistics& last, const FrameStatistics& before, bool compl
         &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
     last.count.*count += before.count.*count;
   if (completes)
-    for (const auto count :
-         {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles, &FrameCounts::vertices,
-          &FrameCounts::culledHidden})
+    for (const auto count : {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles,
+                             &FrameCounts::vertices, &FrameCounts::culledHidden})
       last.count.*count += before.count.*count;
 }
 

@@ -56,7 +56,9 @@ struct Hull {
   struct Part {
     std::uint32_t patch = 0;  ///< the first of them
     std::uint32_t firstIndex = 0, frontCount = 0, count = 0;
-    [[nodiscard]] std::uint32_t faceCount() const { return count - frontCount; }  ///< of the top, or the bottom
+    [[nodiscard]] std::uint32_t faceCount() const {
+      return count - frontCount;
+    }  ///< of the top, or the bottom
     [[nodiscard]] std::uint32_t wallCount() const { return count - 2 * faceCount(); }
     [[nodiscard]] std::uint32_t wallIndex() const { return firstIndex + faceCount(); }
     [[nodiscard]] std::uint32_t bottomIndex() const { return wallIndex() + wallCount(); }
@@ -65,15 +67,15 @@ struct Hull {
   std::vector<Part> parts;
   /// Of each triangle, those of the bottom as those of the top. Any direction near edges that are points.
   std::vector<FacingCone> cones;
-  /// Of each triangle: where the surface bends more sharply than the slab is thick, a face may turn over. Where it
-  /// does not, a ray that comes in by one face and leaves by the other has met the surface.
+  /// Of each triangle: where the surface bends more sharply than the slab is thick, a face may turn over.
+  /// Where it does not, a ray that comes in by one face and leaves by the other has met the surface.
   std::vector<bool> turned;
   std::vector<HullPatch> patchData;  ///< of every patch of the surface
 
   double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound
   double offset = 0;  ///< how far vertices were moved, at most
-  /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the mesh
-  /// tells; infinite of what is mostly flat. Object units.
+  /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the
+  /// mesh tells; infinite of what is mostly flat. Object units.
   double medianRadius = 0;
   /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing, or turn so
   /// sharply that no direction leads out (pinch points): the hull is then as good as one can be made. Where a

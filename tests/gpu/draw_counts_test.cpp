@@ -137,7 +137,8 @@ TEST_F(DrawCounts, WhatIsHiddenIsNotDrawn) {
     EXPECT_EQ(countsOf(behind(Vec3(0, 0, -2)), true).culledHidden, 0U) << "a GPU does this itself";
     return;
   }
-  const FrameCounts hidden = countsOf(behind(Vec3(0, 0, -2)), true), drawn = countsOf(behind(Vec3(0, 0, -2)), false);
+  const FrameCounts hidden = countsOf(behind(Vec3(0, 0, -2)), true),
+                    drawn = countsOf(behind(Vec3(0, 0, -2)), false);
   EXPECT_EQ(hidden.triangles, alone);
   EXPECT_EQ(hidden.triangles + hidden.culledHidden, drawn.triangles);
   EXPECT_EQ(drawn.culledHidden, 0U);

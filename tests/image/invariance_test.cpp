@@ -132,7 +132,8 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
           for (int y = 0; y < kSize.height; ++y)
             for (int x = 0; x < kSize.width; ++x)
               changed += !near(colorAt(image, x, y), colorAt(expected, x, y), 1e-5);
-          EXPECT_LE(changed, skip == &Skips::backface ? 2 : 0) << subject.name << ", " << samples << " samples";
+          EXPECT_LE(changed, skip == &Skips::backface ? 2 : 0)
+              << subject.name << ", " << samples << " samples";
         }
         continue;
       }
@@ -159,8 +160,7 @@ TEST_F(Invariance, SkipsDoSkip) {
   EXPECT_GE(with.culledFrustum, 1u);
   EXPECT_GE(with.culledSmall, 1u);
   EXPECT_EQ(with.nodes, with.drawn + with.culledFrustum + with.culledSmall + with.culledBackface);
-  const FrameCounts without =
-      draw(scene, kSize, {.skips = Skips::none()}).statistics.count;
+  const FrameCounts without = draw(scene, kSize, {.skips = Skips::none()}).statistics.count;
   EXPECT_EQ(without.drawn, without.nodes);
   EXPECT_EQ(without.nodes, with.nodes);
 }

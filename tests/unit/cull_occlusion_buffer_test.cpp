@@ -17,7 +17,9 @@ OcclusionBuffer bufferOf(const PixelSize& size, const Vec2& sample = Vec2(0.5)) 
 }
 
 /// Holds the picture's upper left half of `size`, at a depth.
-PixelTriangle upperLeft(double size, double depth) { return {Vec3(0, 0, depth), Vec3(size, 0, depth), Vec3(0, size, depth)}; }
+PixelTriangle upperLeft(double size, double depth) {
+  return {Vec3(0, 0, depth), Vec3(size, 0, depth), Vec3(0, size, depth)};
+}
 PixelTriangle lowerRight(double size, double depth) {
   return {Vec3(size, size, depth), Vec3(0, size, depth), Vec3(size, 0, depth)};
 }
