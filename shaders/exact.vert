@@ -10,7 +10,7 @@ layout(constant_id = 5) const uint kParameterCount = 0;
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec2 inParameters;
-layout(location = 2) in vec3 inCell;  // extent in u and v; how far second derivatives bend it, metres of the object
+layout(location = 2) in vec3 inCell;  // extent in u and v; how much derivatives change over it, metres of the object
 layout(location = 3) in uint inPatch;
 
 layout(scalar, set = 2, binding = kBindingExactInstances) readonly buffer ExactInstances { ExactInstance exactInstances[]; };

@@ -33,7 +33,7 @@ std::vector<HullVertex> verticesOf(const Hull& hull) {
   for (std::size_t i = 0; i < hull.positions.size(); ++i)
     vertices.push_back({.position = Vec3f(hull.positions[i] - hull.origin),
                         .parameters = Vec2f(hull.parameters[i]),
-                        .cell = Vec3f(hull.cells[i].x, hull.cells[i].y, 16 * hull.bound),
+                        .cell = Vec3f(hull.cells[i].x, hull.cells[i].y, hull.changes[i]),
                         .patch = hull.patches[i]});
   return vertices;
 }

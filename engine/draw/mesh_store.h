@@ -26,7 +26,7 @@ struct DeviceMesh {
 struct HullVertex {
   Vec3f position;
   Vec2f parameters;
-  Vec3f cell;  ///< extent in u and v; how far second derivatives bend it, object units
+  Vec3f cell;  ///< extent in u and v; how much derivatives change over it, object units
   std::uint32_t patch = 0;
 };
 

@@ -22,14 +22,11 @@ constexpr std::uint32_t kPatchesForAllCores = 8;
 constexpr double kWild = 1e6;         // times what the others have
 constexpr double kGoodEnough = 0.04;  // more triangles than sharper bounds would give
 
-Curvature larger(const Curvature& a, const Curvature& b) {
-  return {std::max(a.uu, b.uu), std::max(a.uv, b.uv), std::max(a.vv, b.vv)};
-}
-
 Curvature inParts(const Surface& surface, const Domain& domain, const PartialBounds& m) {
   const bool mixedCounts = !surface.flatNormal() && !surface.revolution();
   const double du = domain.u.width(), dv = domain.v.width();
-  return {m.uu * du * du, mixedCounts ? m.uv * du * dv : 0, m.vv * dv * dv};
+  const double mixed = m.uv * du * dv;
+  return {m.uu * du * du, mixedCounts ? mixed : 0, m.vv * dv * dv, mixed};
 }
 
 /// A tile whose bound is known, with what looking closer may bring.
@@ -188,6 +185,10 @@ std::pair<std::uint32_t, std::uint32_t> covered(std::uint32_t index, std::uint32
 
 }  // namespace
 
+Curvature larger(const Curvature& a, const Curvature& b) {
+  return {std::max(a.uu, b.uu), std::max(a.uv, b.uv), std::max(a.vv, b.vv), std::max(a.mixed, b.mixed)};
+}
+
 bool Curvature::proven() const { return std::isfinite(uu + uv + vv); }
 
 double Curvature::density() const { return std::sqrt(uu * vv) + uv; }
@@ -195,7 +196,7 @@ double Curvature::density() const { return std::sqrt(uu * vv) + uv; }
 Curvature curvatureOf(const Surface& surface, std::uint32_t patch, const Domain& domain, const Domain& cell,
                       std::span<const double> parameters) {
   const Surface::CellBounds bounds = surface.boundCell(patch, cell, parameters);
-  if (bounds.kinked) return {kInfinity, kInfinity, kInfinity};
+  if (bounds.kinked) return {kInfinity, kInfinity, kInfinity, kInfinity};
   return inParts(surface, domain, bounds.second);
 }
 

@@ -16,6 +16,7 @@ namespace luxo {
 /// that they are lengths of the object. Infinite where none could be proven.
 struct Curvature {
   double uu = 0, uv = 0, vv = 0;
+  double mixed = 0;  ///< that of Suv also where `uv` leaves it out: see CurvatureMap
 
   [[nodiscard]] bool proven() const;
   /// How far a triangle may be from the surface if its corners lie within `du` x `dv` of each other: see
@@ -23,12 +24,19 @@ struct Curvature {
   [[nodiscard]] double deviation(double du, double dv) const {
     return (uu * (du * du) + 2 * uv * (du * dv) + vv * (dv * dv)) / 8;
   }
+  /// How much the derivatives may change over `du` x `dv`, along any direction in it.
+  [[nodiscard]] double change(double du, double dv) const {
+    return uu * (du * du) + 2 * mixed * (du * dv) + vv * (dv * dv);
+  }
   /// Triangles that a unit square of parts takes, times twice the tolerance: accuracy of Filip's bound,
   /// minimised over the shape of the cells.
   [[nodiscard]] double density() const;
 
   friend bool operator==(const Curvature&, const Curvature&) = default;
 };
+
+/// What holds where either does.
+[[nodiscard]] Curvature larger(const Curvature& a, const Curvature& b);
 
 /// Where it is proven, the mixed term is left out on surfaces on which it moves nothing that is seen (see
 /// tessellator.h). Immutable; the same surface and parameters give the same map.

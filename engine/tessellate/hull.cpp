@@ -36,14 +36,17 @@ constexpr double kReach = 1.25, kReachAtEdge = 2;
 /// that grows.
 constexpr double kRun = 3;
 
+/// Cells that a search may lead away and its vertex be away.
+constexpr double kSearched = 3;
+
 /// Triangles so many times as far from an edge that is a point as they are long do not notice it.
 constexpr double kNearPole = 2;
 
 /// Turns a frame into a hull.
 class Builder {
  public:
-  Builder(const Surface& surface, const HullFrame& frame, const HullDesc& desc)
-      : surface_(surface), frame_(frame), desc_(desc), mesh_(frame.mesh()) {}
+  Builder(const Surface& surface, const CurvatureMap& map, const HullFrame& frame, const HullDesc& desc)
+      : surface_(surface), map_(map), frame_(frame), desc_(desc), mesh_(frame.mesh()) {}
 
   void build(Hull& hull) {
     hull.bound = mesh_.bound;
@@ -51,6 +54,7 @@ class Builder {
     hull.proven = std::isfinite(mesh_.bound) && mesh_.dropped == 0;
     moveVertices(hull);
     setCells(hull);
+    setChanges(hull);
     hull.medianRadius = medianRadius();
     findCones(hull);
     addParts(hull);
@@ -139,6 +143,26 @@ class Builder {
         const std::uint32_t v = mesh_.indices[3 * t + k];
         hull.cells[v] = hull.cells[count + v] = glm::max(hull.cells[v], high - low);
       }
+    }
+  }
+
+  /// Where the patch wraps, what is beyond its edge is all that is at the other one.
+  void setChanges(Hull& hull) const {
+    const std::size_t count = mesh_.positions.size();
+    hull.changes.resize(2 * count);
+    for (std::size_t v = 0; v < count; ++v) {
+      const HullPatch& patch = hull.patchData[hull.patches[v]];
+      const Vec2 size(patch.domain.u.width(), patch.domain.v.width());
+      const Vec2 at = (hull.parameters[v] - Vec2(patch.domain.u.lo, patch.domain.v.lo)) / size;
+      const Vec2 cell = hull.cells[v] / size;
+      Vec2 low = at - kSearched * cell, high = at + kSearched * cell;
+      for (int axis = 0; axis < 2; ++axis)
+        if ((axis == 0 ? patch.wrapsU : patch.wrapsV) && (low[axis] < 0 || high[axis] > 1)) {
+          low[axis] = 0;
+          high[axis] = 1;
+        }
+      hull.changes[v] = hull.changes[count + v] =
+          curvatureAround(map_, hull.patches[v], low, high).change(cell.x, cell.y);
     }
   }
 
@@ -255,6 +279,7 @@ class Builder {
   }
 
   const Surface& surface_;
+  const CurvatureMap& map_;
   const HullFrame& frame_;
   const HullDesc& desc_;
   const Mesh& mesh_;
@@ -280,7 +305,7 @@ Hull makeHull(const Surface& surface, std::span<const double> parameters, const 
     if (!refineForHull(surface, parameters, desc, *frame, blocks)) break;
     frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData);
   }
-  Builder(surface, *frame, desc).build(hull);
+  Builder(surface, map, *frame, desc).build(hull);
   return hull;
 }
 

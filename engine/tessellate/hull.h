@@ -46,8 +46,11 @@ struct FacingCone {
 /// Indexed triangle lists in object space, metres, double; counter-clockwise as seen from outside the slab.
 struct Hull {
   std::vector<Vec3> positions;
-  std::vector<Vec2> parameters;        ///< (u, v) of the point of the surface that the vertex stands for
-  std::vector<Vec2> cells;             ///< extents in u and v of the largest triangle around the vertex
+  std::vector<Vec2> parameters;  ///< (u, v) of the point of the surface that the vertex stands for
+  std::vector<Vec2> cells;       ///< extents in u and v of the largest triangle around the vertex
+  /// Proven: how much derivatives by u and v, each per cell, change over such a cell anywhere within three
+  /// cells of the vertex; object units.
+  std::vector<double> changes;
   std::vector<std::uint32_t> patches;  ///< of each vertex, as in Surface::patches()
 
   /// The patches that share one function, as consecutive indices: top, then walls, then bottom, which has as

@@ -91,7 +91,8 @@ Vec2 canonical(Vec2 p, const HullPatch& patch) {
   return p + 0.0;  // -0 is 0
 }
 
-/// The curvature over the tiles, about as large as the rectangle, that hold it.
+}  // namespace
+
 Curvature curvatureAround(const CurvatureMap& map, std::uint32_t patch, const Vec2& low, const Vec2& high) {
   struct Span {
     std::uint32_t level = 0, first = 0, last = 0;
@@ -108,14 +109,10 @@ Curvature curvatureAround(const CurvatureMap& map, std::uint32_t patch, const Ve
   const Span u = span(low.x, high.x, map.levelU()), v = span(low.y, high.y, map.levelV());
   Curvature most;
   for (std::uint32_t column = u.first; column <= u.last; ++column)
-    for (std::uint32_t row = v.first; row <= v.last; ++row) {
-      const Curvature& c = map.over(patch, {u.level, v.level, column, row});
-      most = {std::max(most.uu, c.uu), std::max(most.uv, c.uv), std::max(most.vv, c.vv)};
-    }
+    for (std::uint32_t row = v.first; row <= v.last; ++row)
+      most = larger(most, map.over(patch, {u.level, v.level, column, row}));
   return most;
 }
-
-}  // namespace
 
 HullPatch readPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters,
                     double size) {

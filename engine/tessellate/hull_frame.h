@@ -20,6 +20,11 @@ namespace luxo {
 [[nodiscard]] HullPatch readPatch(const Surface& surface, std::uint32_t patch,
                                   std::span<const double> parameters, double size);
 
+/// The curvature over the tiles, about as large as the rectangle, that hold it. Corners in parts of the
+/// patch's sides.
+[[nodiscard]] Curvature curvatureAround(const CurvatureMap& map, std::uint32_t patch, const Vec2& low,
+                                        const Vec2& high);
+
 /// A way out of the triangles around a point.
 struct Move {
   Vec3 direction{0};  ///< times the distance to keep from the triangles' planes

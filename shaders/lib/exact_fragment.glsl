@@ -28,13 +28,13 @@ ShadeData shadeAt(uint i) {
   return ShadeData(packed3(first), packed(first + 3), packed(first + 4));
 }
 
-// Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K how
-// fast it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near, and where the search began is not
-// far.
+// Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K a
+// proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near, and where the
+// search began is not far.
 bool certified(Ray ray, real2 p, Probe at) {
   real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
   real det = ju.x * jv.y - ju.y * jv.x;
-  real k = linkViewerSecond.w * sqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
+  real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
   bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
   real2 way = abs(p - linkStart) / linkCellHalf.xy;
   return proven && max(way.x, way.y) <= kFarCells;

@@ -16,7 +16,7 @@ layout(location = 2) flat LUXO_LINK vec4 linkDiffuseOpacity;
 layout(location = 3) flat LUXO_LINK vec4 linkSpecularTolerance;
 // Of the instance and the patch, and kBackSide ...; firstParameter; firstPatternParameter; the instance's index.
 layout(location = 4) flat LUXO_LINK uvec4 linkFlags;
-layout(location = 5) flat LUXO_LINK vec4 linkViewerSecond;  // viewer; how far second derivatives bend a cell, metres
+layout(location = 5) flat LUXO_LINK vec4 linkViewerSecond;  // viewer; how much derivatives change over a cell, metres
 layout(location = 6) flat LUXO_LINK vec4 linkX;
 layout(location = 7) flat LUXO_LINK vec4 linkY;
 layout(location = 8) flat LUXO_LINK vec4 linkDepth;

@@ -26,6 +26,12 @@ const float kNearPixels = 0.5;  // what is farther from the ray after these step
 const float kGrazing = 0.1;     // of the area to the squares of its sides: nearly none
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
+// Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
+#ifdef LUXO_DOUBLE
+const real kBesidePole = 1e-8;
+#else
+const real kBesidePole = 1e-6;
+#endif
 
 // The pixel's ray: f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
 struct Ray {
@@ -108,8 +114,8 @@ real2 moved(real2 p, real2 delta, Probe at, real most) {
     real2 step_ = real2(up ? rise : -rise, ratio * (ofU ? delta.y : delta.x));
     step_ *= min(1.0, most * size_ / max(length(step_), kSmallest));
     real2 q = real2(height + step_.x, step_.y);
-    real newHeight = max(length(q), 1e-6 * size_);  // at the point itself there is no normal
-    real anglePer = ratio / max(height, 1e-6 * size_);
+    real newHeight = max(length(q), kBesidePole * size_);  // at the point itself there is no normal
+    real anglePer = ratio / max(height, kBesidePole * size_);
     real turned = anglePer > 0.0 ? angleOf(q) / anglePer : 0.0;
     real moved_ = up ? lowest + newHeight : highest - newHeight;
     return ofU ? real2(moved_, p.y + turned) : real2(p.x + turned, moved_);

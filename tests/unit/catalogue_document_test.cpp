@@ -43,7 +43,7 @@ std::string rowOf(const CatalogueEntry& entry) {
 
 TEST(CatalogueDocument, HasARowForEverySurfaceAndNoOther) {
   const std::filesystem::path file =
-      std::filesystem::path(__FILE__).parent_path() / "../../engine/surface/CATALOGUE.md";
+      std::filesystem::path(LUXO_SOURCE_DIR) / "engine/surface/CATALOGUE.md";
   std::ifstream text(file);
   ASSERT_TRUE(text) << file;
   std::vector<std::string> rows;

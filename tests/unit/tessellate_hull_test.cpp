@@ -132,6 +132,34 @@ std::vector<std::string> names() {
 INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueHull, testing::ValuesIn(names()),
                          [](const auto& test) { return test.param; });
 
+TEST(TessellateHull, BoundsHowMuchDerivativesChangeOverACell) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> within(-3, 3);
+  for (const char* name : {"sphere", "torus", "teapot", "flag", "klein_figure8", "cone"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = makeSurface(name);
+    const Hull hull = hullOf(surface, 0.01 * sizeOf(surface));
+    double tightest = 0;
+    for (std::size_t v = 0; v < hull.positions.size() / 2; ++v) {
+      const Domain& domain = surface.patchDomain(hull.patches[v]);
+      const Patch& patch = surface.patches()[hull.patches[v]];
+      const Vec2 cell = hull.cells[v], at = hull.parameters[v] + Vec2(within(random), within(random)) * cell;
+      std::array<double, 9> second{};
+      patch.function->second.evaluatePoint(std::clamp(at.x, domain.u.lo, domain.u.hi),
+                                           std::clamp(at.y, domain.v.lo, domain.v.hi), patch.constants,
+                                           second);
+      const auto length = [&](std::size_t k) {
+        return glm::length(Vec3(second[k], second[k + 1], second[k + 2]));
+      };
+      const double change =
+          length(0) * cell.x * cell.x + 2 * length(3) * cell.x * cell.y + length(6) * cell.y * cell.y;
+      ASSERT_LE(change, hull.changes[v] * (1 + 1e-9)) << v;
+      tightest = std::max(tightest, change / hull.changes[v]);
+    }
+    EXPECT_GT(tightest, 0.5) << "no bound to speak of";
+  }
+}
+
 TEST(TessellateHull, KnowsTheRadiusOfItsBends) {
   EXPECT_NEAR(hullOf(sphere(2), 0.01).medianRadius, 2, 1e-9);
   EXPECT_NEAR(hullOf(torus(5, 0.25), 0.01).medianRadius, 0.25, 1e-9);
