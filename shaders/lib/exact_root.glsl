@@ -19,7 +19,7 @@ const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a
 const int kBackward = 2, kForward = 12;            // steps against the ray and along it
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
 const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
-const float kFine = 0.3;        // of the tolerance
+const float kFine = 0.2;        // of the tolerance
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
 const int kPolishSteps = 8;
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
