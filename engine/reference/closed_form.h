@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quadrics and the torus as equations: a ray meets them where a polynomial of degree 2 or 4 is zero.
+// Where a ray meets a quadric or a torus: a polynomial of degree 2 or 4 is zero (surface/equation.h).
 //
-// A patch is recognized by its points, not by its name: an equation is taken only when it and its solution
-// for (u,v) give back the formula's own points. What rounding leaves open (rays that graze, or pass within
-// 1e-12 of the edge of the domain) is not decided here; the cells of the surface are asked then.
+// What rounding leaves open (rays that graze, or pass within 1e-12 of the edge of the domain) is not decided
+// here; the cells of the surface are asked then.
 #pragma once
 
 #include <array>
@@ -16,6 +15,7 @@
 #include "math/transform.h"
 #include "reference/polynomial.h"
 #include "reference/roots.h"
+#include "surface/equation.h"
 #include "surface/surface.h"
 
 namespace luxo::reference {
@@ -43,9 +43,7 @@ class ObjectFromWorld {
 /// One patch: F(x, y, z) = 0 in object space, and (u,v) of its points.
 class ClosedForm {
  public:
-  /// Rectangle, disk, cylinder, cone, sphere, ellipsoid, paraboloid, hyperboloid, one sheet of the
-  /// hyperboloid of two, hyperbolic paraboloid, torus, at given parameter values; nothing for other patches.
-  /// The formula's points agree with the form's within 1e-12 of its size at 100 places.
+  /// Of a patch that has an equation at these parameter values; nothing for others.
   [[nodiscard]] static std::optional<ClosedForm> of(const Surface& surface, std::uint32_t patch,
                                                     std::span<const double> parameters);
 
@@ -60,25 +58,10 @@ class ClosedForm {
   [[nodiscard]] Answer nearestRoot(const ObjectRay& ray, const RootQuery& query) const;
 
  private:
-  /// xx x^2 + yy y^2 + zz z^2 + y y + constant = 0, in units of `scale_`; with `tube_` a torus of ring radius
-  /// 1 and that tube radius.
-  struct Equation {
-    double xx = 0, yy = 0, zz = 0, y = 0, constant = 0;
-  };
-  /// What a parameter is a linear function of. Radius: sqrt(x^2 + z^2).
-  enum class Along : std::uint8_t { X, Y, Z, Radius, Turn, Latitude, Tube };
-  struct Parameter {
-    Along along = Along::Turn;
-    double start = 0, rate = 1;
-  };
-  struct Recognition;
+  ClosedForm(const Equation& equation, std::uint32_t patch, const Domain& domain)
+      : equation_(equation), patch_(patch), domain_(domain) {}
 
-  [[nodiscard]] double at(const Vec3& unitPoint) const;
-  [[nodiscard]] Vec3 gradient(const Vec3& unitPoint) const;
-  [[nodiscard]] double parameter(const Parameter& p, const Vec3& unitPoint) const;
-  [[nodiscard]] Interval parameter(const Parameter& p, const IntervalVec& unitPoint) const;
   [[nodiscard]] Vec2 parametersOf(const Vec3& unitPoint) const;
-  [[nodiscard]] bool agrees(const Surface& surface, std::span<const double> parameters);
   /// Whether a point of the equation is one of the patch; nothing when that is within rounding.
   [[nodiscard]] std::optional<bool> contains(const IntervalVec& unitPoint) const;
 
@@ -87,15 +70,9 @@ class ClosedForm {
       const IntervalVec& origin, const IntervalVec& direction) const;
   [[nodiscard]] double polished(const RealRoot& root, const Vec3& origin, const Vec3& direction) const;
 
-  std::uint32_t patch_ = 0;
-  Domain domain_;
-  Vec3 scale_{1};  ///< metres per unit, by axis
   Equation equation_;
-  double tube_ = 0;
-  Parameter u_, v_;
-  double sheet_ = 0;    ///< sign of y where the equation has two sheets
-  double reach_ = 1;    ///< of all points from the middle, in units
-  double outward_ = 1;  ///< sign of F outside
+  std::uint32_t patch_;
+  Domain domain_;
 };
 
 }  // namespace luxo::reference

@@ -9,12 +9,13 @@
 #include <utility>
 
 #include "formula/glsl.h"
+#include "surface/equation.h"
 #include "surface/surface_function.h"
 
 namespace luxo {
 
 /// A formula's GLSL: `void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)`, or of doubles,
-/// for shaders/lib/exact_root.glsl.
+/// for shaders/lib/exact_root.glsl; or which form of an equation shaders/lib/exact_equation.glsl solves.
 struct SurfaceCode {
   std::string glsl;
   std::uint32_t parameters = 0;  ///< how many it may read
@@ -26,12 +27,18 @@ struct SurfaceCode {
 [[nodiscard]] SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters,
                                       GlslNumber number = GlslNumber::Float);
 
+/// The code of all surfaces with an equation of that form, which reads `parameters` numbers of it.
+[[nodiscard]] SurfaceCode equationCode(Equation::Form form, std::size_t parameters,
+                                       GlslNumber number = GlslNumber::Float);
+
 /// Every function's code, made once. Equal formulas share one, whoever made them.
 class SurfaceCodes {
  public:
   /// Valid as long as this object; equal code has the same address.
   [[nodiscard]] const SurfaceCode* get(const std::shared_ptr<const SurfaceFunction>& function,
                                        std::size_t parameters, GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] const SurfaceCode* get(Equation::Form form, std::size_t parameters,
+                                       GlslNumber number = GlslNumber::Float);
 
  private:
   struct Known {
@@ -39,7 +46,9 @@ class SurfaceCodes {
     const SurfaceCode* code = nullptr;
   };
 
-  std::map<std::string, SurfaceCode, std::less<>> byText_;
+  const SurfaceCode* shared(SurfaceCode code);
+
+  std::map<std::pair<std::string, GlslNumber>, SurfaceCode> byText_;
   std::map<std::pair<const SurfaceFunction*, GlslNumber>, Known> byFunction_;
 };
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/equation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "surface/surface.h"
+
+namespace luxo {
+namespace {
+
+using Along = Equation::Along;
+
+constexpr double kAgreement = 1e-12;    // of the size: 10^4 roundings
+constexpr double kRounding = 1 + 1e-9;  // of a reach
+constexpr int kSamples = 100;
+
+/// 0..1 around the circle.
+double turn(double angle) {
+  const double part = angle / kTau;
+  return part < 0 ? part + 1 : part;
+}
+
+double parameter(const Equation::Parameter& p, const Vec3& q) {
+  const double radius = std::hypot(q.x, q.z);
+  switch (p.along) {
+    case Along::X:
+      return p.start + p.rate * q.x;
+    case Along::Y:
+      return p.start + p.rate * q.y;
+    case Along::Z:
+      return p.start + p.rate * q.z;
+    case Along::Radius:
+      return p.start + p.rate * radius;
+    case Along::Turn:
+      return turn(std::atan2(-q.z, q.x));
+    case Along::Latitude:
+      return p.start + std::atan2(q.y, radius) / kPi;
+    case Along::Tube:
+      break;
+  }
+  return turn(std::atan2(q.y, radius - 1));
+}
+
+bool isWhole(Along along) { return along == Along::Turn || along == Along::Latitude || along == Along::Tube; }
+
+/// Tries one form after the other on a patch.
+struct Recognition {
+  const Surface& surface;
+  std::uint32_t patch;
+  std::span<const double> parameters;
+
+  [[nodiscard]] Vec3 at(double u, double v) const { return surface.position(patch, u, v, parameters); }
+
+  [[nodiscard]] Equation rectangle() const {
+    return {.scale = {2 * at(1, 0.5).x, 1, -2 * at(0.5, 1).z},
+            .y = 1,
+            .u = {Along::X, 0.5, 1},
+            .v = {Along::Z, 0.5, -1}};
+  }
+  [[nodiscard]] Equation saddle() const {
+    return {.scale = {at(1, 0.5).x, at(1, 0.5).y, -at(0.5, 1).z},
+            .xx = -1,
+            .zz = 1,
+            .y = 1,
+            .u = {Along::X, 0.5, 0.5},
+            .v = {Along::Z, 0.5, -0.5},
+            .reach = 2};
+  }
+  [[nodiscard]] Equation disk() const {
+    return {.scale = Vec3(at(0, 1).x), .y = 1, .v = {Along::Radius, 0, 1}};
+  }
+  [[nodiscard]] Equation cone() const {  // and the cylinder
+    const double bottom = at(0, 0).x, top = at(0, 1).x, widest = std::max(bottom, top);
+    const double r = bottom / widest, slope = (top - bottom) / widest;
+    return {.scale = {widest, at(0, 1).y, widest},
+            .xx = 1,
+            .yy = -slope * slope,
+            .zz = 1,
+            .y = -2 * r * slope,
+            .constant = -r * r,
+            .v = {Along::Y, 0, 1},
+            .reach = std::sqrt(2.0)};
+  }
+  [[nodiscard]] Equation ellipsoid() const {
+    return {.scale = {at(0, 0.5).x, at(0, 1).y, -at(0.25, 0.5).z},
+            .xx = 1,
+            .yy = 1,
+            .zz = 1,
+            .constant = -1,
+            .v = {Along::Latitude, 0.5, 1}};
+  }
+  [[nodiscard]] Equation paraboloid() const {
+    const Vec3 rim = at(0, 1);
+    return {.scale = {rim.x, rim.y, rim.x},
+            .xx = 1,
+            .zz = 1,
+            .y = -1,
+            .v = {Along::Radius, 0, 1},
+            .reach = std::sqrt(2.0)};
+  }
+  [[nodiscard]] Equation oneSheet() const {
+    const double waist = at(0, 0.5).x, rim = at(0, 1).x / waist;
+    return {.scale = {waist, at(0, 1).y, waist},
+            .xx = 1,
+            .yy = 1 - rim * rim,
+            .zz = 1,
+            .constant = -1,
+            .v = {Along::Y, 0.5, 0.5},
+            .reach = std::hypot(rim, 1)};
+  }
+  [[nodiscard]] Equation sheetOfTwo(double side) const {
+    const double vertex = at(0, 0.5).y * side, radius = at(0, 0.5 + 0.5 * side).x;
+    const double rim = at(0, 0.5 + 0.5 * side).y * side / vertex, opening = rim * rim - 1;
+    return {.scale = {radius, vertex, radius},
+            .xx = -opening,
+            .yy = 1,
+            .zz = -opening,
+            .constant = -1,
+            .v = {Along::Radius, 0.5, 0.5 * side},
+            .sheet = side,
+            .reach = std::hypot(rim, 1)};
+  }
+  [[nodiscard]] Equation lowerSheet() const { return sheetOfTwo(-1); }
+  [[nodiscard]] Equation upperSheet() const { return sheetOfTwo(1); }
+  [[nodiscard]] Equation torus() const {
+    const double outer = at(0, 0).x, inner = at(0, 0.5).x, ring = 0.5 * (outer + inner);
+    return {.scale = Vec3(ring),
+            .tube = 0.5 * (outer - inner) / ring,
+            .v = {Along::Tube, 0, 1},
+            .reach = outer / ring};
+  }
+
+  /// Sets where the outer side is.
+  [[nodiscard]] bool agrees(Equation& equation) const {
+    const Domain& domain = surface.patchDomain(patch);
+    for (int i = 0; i < 3; ++i)
+      if (!(equation.scale[i] > 0 && std::isfinite(equation.scale[i]))) return false;
+    const Interval whole(0, 1);
+    if ((isWhole(equation.u.along) && domain.u != whole) || (isWhole(equation.v.along) && domain.v != whole))
+      return false;
+    const double size =
+        equation.reach * std::max({equation.scale.x, equation.scale.y, equation.scale.z}) * kRounding;
+    double side = 0;
+    for (int k = 0; k < kSamples; ++k) {
+      // Inside, spread evenly (M. Roberts 2018), and the edges of v, which are never inside by chance.
+      const double u = std::fmod(0.5 + k / 1.32471795724474602596, 1.0);
+      const double part = k % 10 == 0 ? (k % 20) / 10.0 : std::fmod(0.5 + k / 1.75487766624669276005, 1.0);
+      const double inU = domain.u.lo + u * domain.u.width(), inV = domain.v.lo + part * domain.v.width();
+      const Vec3 p = at(inU, inV), unitPoint = p / equation.scale, steep = equation.gradient(unitPoint);
+      if (!(std::abs(equation.at(unitPoint)) <=
+            kAgreement * equation.reach * (glm::length(steep) + kAgreement)))
+        return false;
+      if (!(glm::length(unitPoint) <= equation.reach * kRounding) || equation.sheet * unitPoint.y < 0)
+        return false;
+      const Vec2 back = equation.parametersOf(unitPoint);
+      const double backU = std::clamp(back.x, domain.u.lo, domain.u.hi);
+      const double backV = std::clamp(back.y, domain.v.lo, domain.v.hi);
+      if (!(glm::length(at(backU, backV) - p) <= kAgreement * size)) return false;
+      side += glm::dot(surface.normal(patch, inU, inV, parameters) * equation.scale, steep);
+    }
+    equation.outward = side < 0 ? -1 : 1;
+    return true;
+  }
+};
+
+}  // namespace
+
+double Equation::at(const Vec3& p) const {
+  if (form() == Form::Quadric) return xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z + y * p.y + constant;
+  const double sum = glm::dot(p, p) + (1 - tube) * (1 + tube);
+  return sum * sum - 4 * (p.x * p.x + p.z * p.z);
+}
+
+Vec3 Equation::gradient(const Vec3& p) const {
+  if (form() == Form::Quadric) return {2 * xx * p.x, 2 * yy * p.y + y, 2 * zz * p.z};
+  return 4 * (glm::dot(p, p) + (1 - tube) * (1 + tube)) * p - 8.0 * Vec3(p.x, 0, p.z);
+}
+
+Vec2 Equation::parametersOf(const Vec3& unitPoint) const {
+  return {parameter(u, unitPoint), parameter(v, unitPoint)};
+}
+
+std::optional<Equation> equationOf(const Surface& surface, std::uint32_t patch,
+                                   std::span<const double> parameters) {
+  const Recognition recognition{surface, patch, parameters};
+  for (const auto form :
+       {&Recognition::rectangle, &Recognition::disk, &Recognition::cone, &Recognition::ellipsoid,
+        &Recognition::torus, &Recognition::paraboloid, &Recognition::oneSheet, &Recognition::saddle,
+        &Recognition::lowerSheet, &Recognition::upperSheet}) {
+    Equation equation = (recognition.*form)();
+    if (recognition.agrees(equation)) return equation;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::optional<Equation>> equationsOf(const Surface& surface, std::span<const double> parameters) {
+  std::vector<std::optional<Equation>> equations;
+  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
+    equations.push_back(equationOf(surface, patch, parameters));
+  const auto formOf = [&](std::size_t patch) {
+    return equations[patch] ? std::optional(equations[patch]->form()) : std::nullopt;
+  };
+  const std::vector<Patch>& patches = surface.patches();
+  std::map<const SurfaceFunction*, std::set<std::optional<Equation::Form>>> forms;
+  for (std::size_t i = 0; i < equations.size(); ++i) forms[patches[i].function.get()].insert(formOf(i));
+  for (std::size_t i = 0; i < equations.size(); ++i)
+    if (forms[patches[i].function.get()].size() > 1) equations[i].reset();
+  return equations;
+}
+
+}  // namespace luxo

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces that are known as equations, too: quadrics and the torus are where a polynomial F(x, y, z) is
+// zero.
+//
+// A patch is recognized by its points, not by its name or its text: an equation is taken only when it and its
+// solution for (u, v) give back the formula's own points.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "math/vec.h"
+#include "surface/patch.h"
+
+namespace luxo {
+
+class Surface;
+
+/// F(x, y, z) = 0 of one patch, around the Y axis and in units of `scale`, and (u, v) of its points. F is
+///
+///     xx x^2 + yy y^2 + zz z^2 + y y + constant                  of a quadric,
+///     (x^2 + y^2 + z^2 + 1 - tube^2)^2 - 4 (x^2 + z^2)           of a torus with a ring of radius 1.
+struct Equation {
+  enum class Form : std::uint8_t { Quadric, Torus };
+  /// What a parameter is a linear function of. Radius: sqrt(x^2 + z^2). The last three are whole: a patch has
+  /// all of the circle around the axis, of the meridian, of the circle around the tube.
+  enum class Along : std::uint8_t { X, Y, Z, Radius, Turn, Latitude, Tube };
+  struct Parameter {
+    Along along = Along::Turn;
+    double start = 0, rate = 1;
+  };
+
+  Vec3 scale{1};  ///< metres per unit, by axis
+  double xx = 0, yy = 0, zz = 0, y = 0, constant = 0;
+  double tube = 0;  ///< a torus where it is not 0
+  Parameter u, v;
+  double sheet = 0;    ///< sign of y where a quadric has two sheets, of which this is one
+  double reach = 1;    ///< of all points from the middle, in units
+  double outward = 1;  ///< sign of F on the outer side
+
+  [[nodiscard]] Form form() const { return tube == 0 ? Form::Quadric : Form::Torus; }
+  [[nodiscard]] double at(const Vec3& unitPoint) const;
+  [[nodiscard]] Vec3 gradient(const Vec3& unitPoint) const;
+  /// Not clamped to the patch's domain.
+  [[nodiscard]] Vec2 parametersOf(const Vec3& unitPoint) const;
+};
+
+/// The equation of a rectangle, disk, cylinder, cone, sphere, ellipsoid, paraboloid, hyperboloid, one sheet
+/// of the hyperboloid of two, hyperbolic paraboloid or torus at given parameter values; nothing for other
+/// patches. The formula's points agree with it within 1e-12 of its size at 100 places. Cost: some 20
+/// evaluations of the formula for other patches, 300 for these.
+[[nodiscard]] std::optional<Equation> equationOf(const Surface& surface, std::uint32_t patch,
+                                                 std::span<const double> parameters);
+
+/// Of every patch. Patches that share a function have equations of one form, or none: so they share code.
+[[nodiscard]] std::vector<std::optional<Equation>> equationsOf(const Surface& surface,
+                                                               std::span<const double> parameters);
+
+}  // namespace luxo
