@@ -6,8 +6,6 @@
 #include "lib/exact_interface.glsl"
 #include "lib/scene.glsl"
 
-layout(constant_id = 5) const uint kParameterCount = 0;
-
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec2 inParameters;
 layout(location = 2) in vec3 inCell;  // extent in u and v; how much derivatives change over it, metres of the object
@@ -28,7 +26,7 @@ void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   ExactInstance exact = exactInstances[gl_InstanceIndex];
   ExactPatch surfacePatch = exactPatches[exact.firstPatch + inPatch];
-  linkStart = inParameters;
+  linkStart = kEquation ? inPosition + exact.origin : vec3(inParameters, 0);
   linkAmbientShininess = vec4(instance.ambient, instance.shininess);
   linkDiffuseOpacity = vec4(instance.diffuse, instance.opacity);
   linkSpecularTolerance = vec4(instance.specular, exact.tolerance);
@@ -60,7 +58,20 @@ void main() {
   linkDomain = surfacePatch.domain;
   linkCellHalf = vec4(inCell.xy, exact.half_);
   linkClip = vec4(exact.clipDepth, exact.thickness, float((exact.firstSlot + gl_VertexIndex) % kTallySlots));
+  if (kDouble) {
+    for (uint k = 0; k < 4; ++k) {
+      pack(kFirstRowLow + k, exact.xLow[k]);
+      pack(kFirstRowLow + 4 + k, exact.yLow[k]);
+      pack(kFirstRowLow + 8 + k, exact.depthLow[k]);
+      if (!kEquation) pack(kFirstDomainLow + k, surfacePatch.domainLow[k]);
+    }
+    for (uint k = 0; k < 3; ++k) {
+      pack(kMiddle + 2 * k, exact.middle[k]);
+      pack(kMiddle + 2 * k + 1, exact.middleLow[k]);
+    }
+  }
   for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)
-    pack(kFirstParameter + k, exactParameters[surfacePatch.firstParameter + k]);
+    for (uint i = 0; i < kFloats; ++i)
+      pack(kFirstParameter + kFloats * k + i, exactParameters[2 * (surfacePatch.firstParameter + k) + i]);
   gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
 }

@@ -140,7 +140,8 @@ std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible, cons
 }
 
 shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& node,
-                                const VisibleNode& visible, const Vec3& origin, std::uint32_t shadeOf) {
+                                const VisibleNode& visible, const Vec3& origin, std::uint32_t shadeOf,
+                                bool showsBack) {
   const Material& material = snapshot.materials[node.material.index];
   const Domain& domain = node.surface.domain();
   const Mat3 normals = normalMatrix(node.worldFromObject.linear);
@@ -157,7 +158,7 @@ shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& no
       .specular = toFloat(material.specular),
       .shininess = static_cast<float>(material.shininess),
       .opacity = material.transparent() ? static_cast<float>(material.opacity) : 0.0f,
-      .flags = flagsOf(node, visible, material, shadeOf),
+      .flags = flagsOf(node, visible, material, shadeOf) | (showsBack ? shared::kShowsBack : 0),
       .id = node.number,
       .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width())};
 }
@@ -208,7 +209,6 @@ class DrawLister {
   struct Instance {
     shared::InstanceData data;
     shared::ExactInstance exact;
-    std::optional<shared::PreciseInstance> precise;
     std::uint32_t node;
   };
 
@@ -291,7 +291,7 @@ class DrawLister {
       origin = batch.mesh->origin;
       if (!care_.completes) item.batches.push_back(batch);
     }
-    item.instance.data = instanceOf(snapshot_, node, v, origin, lights.shadeOf);
+    item.instance.data = instanceOf(snapshot_, node, v, origin, lights.shadeOf, batch.bothSides);
     if (batch.state.pattern.valid())
       item.instance.data.firstPatternParameter = patternParametersOf(node.material.index);
     return item;
@@ -315,26 +315,26 @@ class DrawLister {
     const double tolerance =
         std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest) * finer;
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, tolerance);
-    // From inside the slabs their walls are seen from behind.
     const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
-    batch.culling = inside ? FaceCulling::None : FaceCulling::Back;
-    batch.state.poles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
     const GlslNumber number = options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull)
                                   ? GlslNumber::Double
                                   : GlslNumber::Float;
-    item.instance.exact = exactInstance(snapshot_.view, node, v, number);
-    if (number == GlslNumber::Double) item.instance.precise = preciseInstance(snapshot_.view, node);
+    item.instance.exact = exactInstance(snapshot_.view, node, v, *batch.hull, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
-    item.instance.exact.thickness = static_cast<float>(3 * batch.hull->offset * v.stretch * v.pixelsPerUnit);
     const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
+    const bool hasPoles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
     for (const Hull::Part& part : batch.hull->parts) {
-      const Patch& patch = node.surface.patches()[part.patch];
       batch.state.surface =
-          geometry_.codes.get(patch.function, patch.constants.size() + node.parameters.size(), number);
+          codeOf(geometry_.codes, node.surface, *batch.hull, part.patch, node.parameters.size(), number);
+      batch.state.equation = batch.hull->patchData[part.patch].equation.has_value();
+      batch.state.poles = !batch.state.equation && hasPoles;
+      // From inside the slab it is seen from behind, and its bottom leads to the outer side.
+      batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
       batch.half = Half::Near;
       addHullDraws(item, batch, view, part.firstIndex, part.frontCount);
+      if (inside && !batch.bothSides) batch.culling = FaceCulling::Front;
       batch.half = Half::Far;
-      if (batch.bothSides) addHullDraws(item, batch, view, part.wallIndex(), part.frontCount);
+      if (batch.bothSides || inside) addHullDraws(item, batch, view, part.wallIndex(), part.frontCount);
     }
     return batch.hull->origin;
   }
@@ -353,7 +353,9 @@ class DrawLister {
       const bool lost = seen == Seen::Flat && care_.lostInFlat(slot);
       const bool again = care_.refined(node) || (lost && care_.lostJustNow(slot));
       if (seen == Seen::Away || (care_.completes && !again)) continue;
-      std::vector<std::uint32_t>& indices = seen == Seen::Flat && !lost ? all : steep;
+      // By its equation a surface is found where it is grazed as it is elsewhere.
+      const bool isFlat = seen == Seen::Flat && !lost && !batch.state.equation;
+      std::vector<std::uint32_t>& indices = isFlat ? all : steep;
       indices.insert(indices.end(), hull.indices.begin() + i, hull.indices.begin() + i + 3);
     }
     const std::size_t firstSteep = all.size();
@@ -412,10 +414,6 @@ class DrawLister {
   }
 
   void place(const Instance& instance) {
-    if (instance.precise) {
-      list_.preciseInstances.resize(list_.instances.size());
-      list_.preciseInstances.push_back(*instance.precise);
-    }
     list_.instances.push_back(instance.data);
     list_.exactInstances.push_back(instance.exact);
     list_.instanceNodes.push_back(instance.node);

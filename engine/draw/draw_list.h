@@ -28,6 +28,7 @@ struct DrawState {
   bool blended = false;
   Pattern pattern = {};                  ///< where light falls on it; none for views of geometry
   const SurfaceCode* surface = nullptr;  ///< the formula to find in every pixel; null: triangles are drawn
+  bool equation = false;                 ///< with it: it is an equation, no formula
   bool poles = false;                    ///< with it: an edge of a patch is one point
   bool steep = false;                    ///< with it: a ray may graze the surface, and meet it more than once
 
@@ -71,14 +72,12 @@ struct DrawList {
   std::vector<std::uint32_t> hullIndices;        ///< not empty when a draw has a hull
   std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a hull
   std::vector<double> exactParameters;           ///< not empty when a draw has a hull
-  /// As instances, as far as the last one that is searched for in double.
-  std::vector<shared::PreciseInstance> preciseInstances;
-  std::vector<shared::LightSet> lightSets;  ///< never empty
-  std::vector<float> patternParameters;     ///< not empty when a draw has a pattern
-  std::vector<DrawBatch> opaque;            ///< grouped, roughly front to back
-  std::vector<DrawBatch> transparent;       ///< strictly back to front
-  std::uint64_t culledHidden = 0;           ///< triangles of hulls that are behind others
-  double boundPx = 0;                       ///< largest proven error of a drawn mesh on the screen
+  std::vector<shared::LightSet> lightSets;       ///< never empty
+  std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
+  std::vector<DrawBatch> opaque;                 ///< grouped, roughly front to back
+  std::vector<DrawBatch> transparent;            ///< strictly back to front
+  std::uint64_t culledHidden = 0;                ///< triangles of hulls that are behind others
+  double boundPx = 0;                            ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
 };

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/assert.h"
+
 namespace luxo {
 namespace {
 
@@ -17,9 +19,18 @@ constexpr double kMostRoundingPx = 6e-4;
 /// to a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
 constexpr double kMostTurn = 4e-5, kSmallPx = 100;
 
-/// What is rounded away of a number, a few times over.
+/// What is rounded away of a number, a few times over. Those that a search in double reads have 48 bits.
 constexpr double roundingOf(GlslNumber number) {
-  return number == GlslNumber::Float ? 3 * 0x1p-24 : 3 * 0x1p-53;
+  return number == GlslNumber::Float ? 3 * 0x1p-24 : 3 * 0x1p-48;
+}
+
+/// What float leaves of a number.
+Vec4f restOf(const Vec4& v) { return Vec4f(v - Vec4(Vec4f(v))); }
+
+/// The eye where there is one such point, else the origin.
+Vec3 eyeInObject(const View& view, const Transform& worldFromObject) {
+  const Vec3 eye = glm::inverse(worldFromObject.linear) * (view.eye - worldFromObject.translation);
+  return std::isfinite(glm::dot(eye, eye)) ? eye : Vec3(0);
 }
 
 /// How far the node's points are from its origin, in metres of the world.
@@ -103,11 +114,45 @@ double nearestSeen(const View& view, const SnapshotNode& node) {
 /// Edges that are points are edges of u or of v, never of both.
 std::uint32_t flagsOf(const HullPatch& patch) {
   const bool ofU = patch.collapsedUMin || patch.collapsedUMax;
+  const std::optional<Equation>& equation = patch.equation;
   return (patch.orientation < 0 ? shared::kInward : 0) | (patch.wrapsU ? shared::kWrapsU : 0) |
          (patch.wrapsV ? shared::kWrapsV : 0) |
          (patch.collapsedUMin || (!ofU && patch.collapsedVMin) ? shared::kPoleLow : 0) |
          (patch.collapsedUMax || (!ofU && patch.collapsedVMax) ? shared::kPoleHigh : 0) |
-         (ofU ? shared::kPolesOfU : 0);
+         (ofU ? shared::kPolesOfU : 0) | (equation && equation->outward > 0 ? shared::kRisesOutward : 0) |
+         (equation && equation->v.along == Equation::Along::Radius ? shared::kRadial : 0);
+}
+
+/// What shaders/lib/exact_equation.glsl reads, in metres.
+void appendEquation(const Equation& equation, const Domain& domain, std::vector<double>& numbers) {
+  constexpr double kNone = 1e30;
+  const Vec3& scale = equation.scale;
+  Vec3 lowest(-kNone), highest(kNone);
+  const auto limit = [&](const Equation::Parameter& parameter, const Interval& range) {
+    const auto axis = parameter.along == Equation::Along::Radius ? 0 : static_cast<int>(parameter.along);
+    if (axis > 2) return;  // whole
+    const double a = (range.lo - parameter.start) / parameter.rate * scale[axis];
+    const double b = (range.hi - parameter.start) / parameter.rate * scale[axis];
+    lowest[axis] = std::min(a, b);
+    highest[axis] = std::max(a, b);
+  };
+  limit(equation.u, domain.u);
+  limit(equation.v, domain.v);
+  if (equation.sheet > 0) lowest.y = 0;
+  if (equation.sheet < 0) highest.y = 0;
+
+  const std::size_t first = numbers.size();
+  if (equation.form() == Equation::Form::Torus)
+    numbers.insert(numbers.end(), {scale.x, equation.tube * scale.x, 0, 0, 0});
+  else
+    numbers.insert(numbers.end(),
+                   {equation.xx / (scale.x * scale.x), equation.yy / (scale.y * scale.y),
+                    equation.zz / (scale.z * scale.z), 0.5 * equation.y / scale.y, equation.constant});
+  for (const Vec3& corner : {lowest, highest}) numbers.insert(numbers.end(), {corner.x, corner.y, corner.z});
+  for (const Equation::Parameter& p : {equation.u, equation.v})
+    numbers.insert(numbers.end(), {static_cast<double>(p.along), p.start, p.rate});
+  numbers.insert(numbers.end(), {scale.x, scale.y, scale.z});
+  LUXO_REQUIRE_COMPARE(numbers.size() - first, ==, std::size_t{shared::kEquationNumbers});
 }
 
 }  // namespace
@@ -141,35 +186,39 @@ std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::spa
 }
 
 shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                    GlslNumber number) {
+                                    const Hull& hull, GlslNumber number) {
   const Rows rows = rowsOf(view, node);
   const Rounding rounding = roundingPx(view, node, visible, number);
   const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
+  const Transform& world = node.worldFromObject;
+  const Vec3 middle = number == GlslNumber::Double ? eyeInObject(view, world) : Vec3(0);
   return {
       .x = Vec4f(rows.x),
       .y = Vec4f(rows.y),
       .depth = Vec4f(rows.depth),
+      .xLow = restOf(rows.x),
+      .yLow = restOf(rows.y),
+      .depthLow = restOf(rows.depth),
       .clipDepth = view.perspective() ? Vec2f(view.near, rounding.near) : Vec2f(view.far / range, -1 / range),
       .half_ = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
-      .translation = Vec3f(node.worldFromObject.translation - view.eye),
+      .middle = Vec3f(middle),
+      .middleLow = Vec3f(middle - Vec3(Vec3f(middle))),
+      .translation = Vec3f(transformPoint(world, middle) - view.eye),
       .facing = visible.mirrored ? 1.0f : -1.0f,
       .tolerance = static_cast<float>(std::max(finest, rounding.everywhere)),
       .firstPatch = 0,
       .firstSlot = tallySlot(visible.node, 0),
-      .thickness = 0};
+      .origin = Vec3f(hull.origin),
+      .thickness = static_cast<float>(3 * hull.offset * visible.stretch * visible.pixelsPerUnit)};
 }
 
-shared::PreciseInstance preciseInstance(const View& view, const SnapshotNode& node) {
-  const Rows rows = rowsOf(view, node);
-  const Mat3 rowsOfWorld = glm::transpose(node.worldFromObject.linear);
-  const Vec3 translation = node.worldFromObject.translation - view.eye;
-  return {.x = rows.x,
-          .y = rows.y,
-          .depth = rows.depth,
-          .relativeX = Vec4(rowsOfWorld[0], translation.x),
-          .relativeY = Vec4(rowsOfWorld[1], translation.y),
-          .relativeZ = Vec4(rowsOfWorld[2], translation.z)};
+const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull, std::uint32_t patch,
+                          std::size_t parameters, GlslNumber number) {
+  if (const auto& equation = hull.patchData[patch].equation)
+    return codes.get(equation->form(), shared::kEquationNumbers, number);
+  const Patch& p = surface.patches()[patch];
+  return codes.get(p.function, p.constants.size() + parameters, number);
 }
 
 void appendPatches(const Surface& surface, std::span<const double> parameters, const Hull& hull,
@@ -177,10 +226,15 @@ void appendPatches(const Surface& surface, std::span<const double> parameters, c
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i) {
     const HullPatch& patch = hull.patchData[i];
     const Domain& domain = patch.domain;
-    numbers.insert(numbers.end(), {domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi});
-    patches.push_back({.domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi),
+    const Vec4 corners(domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi);
+    patches.push_back({.domain = Vec4f(corners),
+                       .domainLow = restOf(corners),
                        .flags = flagsOf(patch),
                        .firstParameter = static_cast<std::uint32_t>(numbers.size())});
+    if (patch.equation) {
+      appendEquation(*patch.equation, domain, numbers);
+      continue;
+    }
     const PatchInputs inputs(surface.patches()[i], parameters);
     const std::span<const double> all = inputs;
     numbers.insert(numbers.end(), all.begin(), all.end());

@@ -9,6 +9,7 @@
 #include "formula/glsl.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
+#include "surface/surface_code.h"
 #include "tessellate/hull.h"
 
 namespace luxo {
@@ -32,14 +33,16 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 [[nodiscard]] std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node,
                                           std::span<const Vec3> points);
 
-/// All of the instance but firstPatch and thickness, for a search in those numbers.
+/// All of the instance but firstPatch, for a search in those numbers.
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
-                                                  const VisibleNode& visible, GlslNumber number);
+                                                  const VisibleNode& visible, const Hull& hull,
+                                                  GlslNumber number);
 
-/// What of it a search in double takes.
-[[nodiscard]] shared::PreciseInstance preciseInstance(const View& view, const SnapshotNode& node);
+/// What finds a patch of a hull's surface: its equation, or its formula of so many parameters.
+[[nodiscard]] const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
+                                        std::uint32_t patch, std::size_t parameters, GlslNumber number);
 
-/// Appends the patches of a hull, and the numbers of their domains and of their formulas' parameters.
+/// Appends the patches of a hull, and the numbers of their equations or of their formulas' parameters.
 void appendPatches(const Surface& surface, std::span<const double> parameters, const Hull& hull,
                    std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers);
 

@@ -4,16 +4,19 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
-#include <utility>
+#include <tuple>
 
 #include "luxo/shaders/exact_shaders.h"
 
 namespace luxo {
 
 std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, const Pattern& pattern) {
-  const auto formulasOf = [](const ExactShader& shader) { return std::pair(shader.surface, shader.pattern); };
-  const std::pair wanted(std::string_view(surface.glsl),
-                         pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view());
+  const auto formulasOf = [](const ExactShader& shader) {
+    return std::tuple(shader.surface, shader.pattern, shader.inDouble);
+  };
+  const std::tuple wanted(std::string_view(surface.glsl),
+                          pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view(),
+                          surface.number == GlslNumber::Double);
   const auto found = std::ranges::lower_bound(kExactShaders, wanted, {}, formulasOf);
   const bool known = found != std::end(kExactShaders) && formulasOf(*found) == wanted;
   return known ? found->spirv : std::span<const std::uint32_t>();

@@ -11,6 +11,19 @@
 namespace luxo {
 namespace {
 
+/// Each number as the sum of two floats, one after the other. Without numbers one, to have something to bind.
+std::vector<float> inPairs(const std::vector<double>& numbers) {
+  if (numbers.empty()) return {0};
+  std::vector<float> pairs;
+  pairs.reserve(2 * numbers.size());
+  for (const double number : numbers) {
+    const auto high = static_cast<float>(number);
+    pairs.push_back(high);
+    pairs.push_back(static_cast<float>(number - high));
+  }
+  return pairs;
+}
+
 class Stopwatch {
  public:
   /// Milliseconds since the start or the last lap.
@@ -161,10 +174,6 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
     bindings.hullIndices = uploads.hullIndices.buffer;
     gpu::use(commands, {{tally_, StorageWrite}});
   }
-  if (!list.preciseInstances.empty()) {
-    bindings.precise = frames.descriptors().write(
-        pipelines_.preciseLayout(), {uploads.preciseInstances.buffer, uploads.preciseParameters.buffer});
-  }
 
   const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
   const auto pass = [&](const char* name, const std::vector<DrawBatch>& batches, VkAttachmentLoadOp load) {
@@ -240,11 +249,7 @@ void ScenePainter::upload(const DrawList& list, bool always, Uploads& uploads) {
           "hull indices", always);
   store(uploads.exactInstances, list.exactInstances, "exact instances");
   store(uploads.exactPatches, list.exactPatches, "patches");
-  const std::vector<float> parameters(list.exactParameters.begin(), list.exactParameters.end());
-  store(uploads.exactParameters, parameters, "parameters of formulas");
-  if (list.preciseInstances.empty()) return;
-  store(uploads.preciseInstances, list.preciseInstances, "exact instances in double");
-  store(uploads.preciseParameters, list.exactParameters, "parameters in double");
+  store(uploads.exactParameters, inPairs(list.exactParameters), "parameters of formulas");
 }
 
 void ScenePainter::clearTally(const DrawList& list) {
@@ -304,7 +309,6 @@ void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings,
     if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, bindings.pattern);
     if (batch.hull) {
       pipeline.bindSet(commands, 2, bindings.exact);
-      if (batch.state.surface->number == GlslNumber::Double) pipeline.bindSet(commands, 3, bindings.precise);
       const float side = batch.half == Half::Far ? -1.0f : 1.0f;
       pipeline.push(commands, std::as_bytes(std::span(&side, 1)));
     }

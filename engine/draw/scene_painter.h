@@ -52,14 +52,13 @@ class ScenePainter {
   /// A draw list on the device.
   struct Uploads {
     Mirror view, instances, lights, patternParameters, exactInstances, exactPatches, exactParameters,
-        hullIndices, preciseInstances, preciseParameters;
+        hullIndices;
   };
 
   struct Bindings {
     VkDescriptorSet scene = VK_NULL_HANDLE;
     VkDescriptorSet pattern = VK_NULL_HANDLE;  ///< where a draw has a pattern
     VkDescriptorSet exact = VK_NULL_HANDLE;    ///< where a draw has a hull
-    VkDescriptorSet precise = VK_NULL_HANDLE;  ///< where one computes in double
     VkBuffer hullIndices = VK_NULL_HANDLE;     ///< where a draw has a hull
   };
 

@@ -109,13 +109,6 @@ const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   return exactLayout_;
 }
 
-const gpu::DescriptorLayout& ScenePipelines::preciseLayout() {
-  if (preciseLayout_.bindings().empty())
-    preciseLayout_ = gpu::DescriptorLayout(
-        *context_, std::vector<gpu::DescriptorBinding>(2, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
-  return preciseLayout_;
-}
-
 const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode& surface,
                                                               const Pattern& pattern) {
   const auto found = exactShaders_.find({&surface, pattern});
@@ -153,11 +146,12 @@ void ScenePipelines::describeExact(const DrawState& state, gpu::GraphicsPipeline
                          inspection && inspection->asColor,
                          state.surface->parameters,
                          state.poles,
-                         state.steep};
+                         state.steep,
+                         state.equation,
+                         state.surface->number == GlslNumber::Double};
   desc.depthClamp = true;
   desc.pushConstantBytes = sizeof(float);
   desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};
-  if (state.surface->number == GlslNumber::Double) desc.setLayouts.push_back(preciseLayout());
 }
 
 const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& pattern,

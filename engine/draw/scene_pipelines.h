@@ -39,8 +39,6 @@ class ScenePipelines {
   /// Set 2 of pipelines that find the surface: exact instances, patches, parameters, tally. Made when first
   /// asked for.
   [[nodiscard]] const gpu::DescriptorLayout& exactLayout();
-  /// Set 3 of those that find it in double: instances, parameters. Made when first asked for.
-  [[nodiscard]] const gpu::DescriptorLayout& preciseLayout();
 
  private:
   [[nodiscard]] gpu::GraphicsPipeline make(const DrawState& state, const PassFormat& format);
@@ -54,7 +52,7 @@ class ScenePipelines {
   void describeExact(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
-  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_, preciseLayout_;
+  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;
   std::map<std::pair<const SurfaceCode*, Pattern>, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, PassFormat>, gpu::GraphicsPipeline> pipelines_;

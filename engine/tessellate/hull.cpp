@@ -289,16 +289,22 @@ class Builder {
 }  // namespace
 
 Hull makeHull(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
-              const HullDesc& desc) {
-  LUXO_REQUIRE_COMPARE(desc.tolerance, >, 0.0);
+              const HullDesc& wanted) {
+  LUXO_REQUIRE_COMPARE(wanted.tolerance, >, 0.0);
+  const std::vector<std::optional<Equation>> equations = equationsOf(surface, parameters);
+  HullDesc desc = wanted;
+  if (std::ranges::all_of(equations, &std::optional<Equation>::has_value))
+    desc.tolerance *= kEquationTolerance;
   std::vector<Block> blocks = planBlocks(surface, parameters, map, {.tolerance = desc.tolerance});
   std::ranges::stable_sort(blocks, {}, &Block::patch);
 
   Hull hull;
   const Box box = surface.framing(parameters);
   const double size = box.empty() ? 0 : glm::length(box.extent());
-  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
+  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
     hull.patchData.push_back(readPatch(surface, patch, parameters, size));
+    hull.patchData.back().equation = equations[patch];
+  }
 
   auto frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData);
   for (int k = 0; k < kMostRefinements && frame->mesh().triangleCount() < kMostRefinedTriangles; ++k) {

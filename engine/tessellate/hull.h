@@ -13,10 +13,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "math/vec.h"
+#include "surface/equation.h"
 #include "surface/surface.h"
 #include "tessellate/curvature_map.h"
 
@@ -35,6 +37,8 @@ struct HullPatch {
   }
 
   double orientation = 1;  ///< +1: Su x Sv points outward, out of the top
+  /// Where there is one. Patches that share a function have equations of one form, or none.
+  std::optional<Equation> equation = {};
 };
 
 /// The directions in which the surface's outer side faces near a triangle of a hull.
@@ -59,9 +63,8 @@ struct Hull {
   struct Part {
     std::uint32_t patch = 0;  ///< the first of them
     std::uint32_t firstIndex = 0, frontCount = 0, count = 0;
-    [[nodiscard]] std::uint32_t faceCount() const {
-      return count - frontCount;
-    }  ///< of the top, or the bottom
+    /// Of the top, or the bottom.
+    [[nodiscard]] std::uint32_t faceCount() const { return count - frontCount; }
     [[nodiscard]] std::uint32_t wallCount() const { return count - 2 * faceCount(); }
     [[nodiscard]] std::uint32_t wallIndex() const { return firstIndex + faceCount(); }
     [[nodiscard]] std::uint32_t bottomIndex() const { return wallIndex() + wallCount(); }
@@ -89,9 +92,13 @@ struct Hull {
   [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
 };
 
+/// A search by an equation may begin so many times as far off as one by a formula: its steps are longer.
+inline constexpr double kEquationTolerance = 2;
+
 struct HullDesc {
-  /// Largest deviation of the mesh under the hull, object units. A hull of a few pixels is best: finer ones
-  /// have more triangles, coarser ones start the search too far off.
+  /// Largest deviation of the mesh under the hull, object units; times kEquationTolerance where all patches
+  /// have equations. A hull of a few pixels is best: finer ones have more triangles, coarser ones start the
+  /// search too far off.
   double tolerance = 0;
   /// Largest angle between the direction in which a vertex moves and the normals of the triangles around it,
   /// radians. What turns faster is tessellated more finely, as far as that helps and is not much thinner than

@@ -36,27 +36,36 @@ namespace {
 using Words = std::vector<std::uint32_t>;
 
 /// GLSL of a surface, and of its pattern if it has one.
-using Formulas = std::pair<std::string, std::string>;
+struct Formulas {
+  std::string surface, pattern;
+  GlslNumber number;
 
-void addSurface(std::set<Formulas>& all, const Surface& surface, const std::string& pattern) {
-  for (const Patch& patch : surface.patches())
-    all.emplace(surfaceCode(*patch.function, patch.constants.size() + surface.parameters().size()).glsl,
-                pattern);
+  friend auto operator<=>(const Formulas&, const Formulas&) = default;
+};
+
+void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
+                const std::string& pattern) {
+  const auto equations = equationsOf(surface, parameters);
+  for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
+    for (const GlslNumber number : {GlslNumber::Float, GlslNumber::Double})
+      all.insert({equations[i] ? equationCode(equations[i]->form(), 0, number).glsl
+                               : surfaceCode(*surface.patches()[i].function, 0, number).glsl,
+                  pattern, number});
 }
 
 void addScene(std::set<Formulas>& all, const Scene& scene) {
   const Snapshot snapshot = takeSnapshot(scene, 0, {64, 64});
   for (const SnapshotNode& node : snapshot.nodes) {
-    addSurface(all, node.surface, {});
+    addSurface(all, node.surface, node.parameters, {});
     const Pattern& pattern = snapshot.materials[node.material.index].diffusePattern;
-    if (pattern.valid()) addSurface(all, node.surface, pattern.glsl());
+    if (pattern.valid()) addSurface(all, node.surface, node.parameters, pattern.glsl());
   }
 }
 
 /// Of the named surfaces as they are without arguments, and of the built-in scenes.
 std::set<Formulas> builtInFormulas() {
   std::set<Formulas> all;
-  for (const CatalogueEntry& entry : catalogue()) addSurface(all, makeSurface(entry), {});
+  for (const CatalogueEntry& entry : catalogue()) addSurface(all, makeSurface(entry), {}, {});
   addScene(all, luxoGrandpa());
   addScene(all, gallery());
   for (const EmbeddedScene& scene : embeddedScenes())
@@ -91,13 +100,13 @@ void validate(const Words& words) {
 }
 
 Words compile(const Formulas& formulas) {
-  const auto& [surface, pattern] = formulas;
+  const auto& [surface, pattern, number] = formulas;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"surface", surface});
   sources.push_back({"pattern", pattern});
-  const auto source =
-      std::ranges::find(kShaderSources, pattern.empty() ? "exact/surface.frag" : "exact/pattern.frag",
-                        &gpu::ShaderSource::name);
+  const std::string name = fmt::format("exact/{}{}.frag", pattern.empty() ? "surface" : "pattern",
+                                       number == GlslNumber::Double ? "_double" : "");
+  const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
   const gpu::ShaderCompiler compiler{std::filesystem::path()};
   Words words = slimmed(compiler.compile({.source = *source, .includes = sources}).spirv);
   validate(words);
@@ -113,13 +122,14 @@ std::string table() {
     for (std::size_t i = 0; i < words.size(); ++i)
       arrays += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
     arrays += "};\n";
-    entries += fmt::format("    {{R\"luxo({})luxo\", R\"luxo({})luxo\", kExactShader{}}},\n", formulas.first,
-                           formulas.second, index);
+    entries += fmt::format("    {{R\"luxo({})luxo\", R\"luxo({})luxo\", {}, kExactShader{}}},\n",
+                           formulas.surface, formulas.pattern, formulas.number == GlslNumber::Double, index);
     ++index;
   }
   return fmt::format(
       "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"
-      "struct ExactShader {{\n  std::string_view surface, pattern;\n  std::span<const std::uint32_t> "
+      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble;\n  std::span<const "
+      "std::uint32_t> "
       "spirv;\n}};\n\n"
       "/// By formulas.\ninline constexpr ExactShader kExactShaders[] = {{\n{}}};\n\n}}  // namespace "
       "luxo\n",

@@ -4,7 +4,12 @@
 // Alpha tells how good the point is: of what is lit and opaque its residual in pixels, negative where the root is not
 // certified; of what is transparent its opacity; of numbers and colours 1.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/exact_ray.glsl"
+#if defined(LUXO_QUADRIC) || defined(LUXO_TORUS)
+#include "lib/exact_equation.glsl"
+#else
 #include "lib/exact_root.glsl"
+#endif
 #include "lib/illumination.glsl"
 #include "lib/inspection.glsl"
 
@@ -28,30 +33,6 @@ ShadeData shadeAt(uint i) {
   return ShadeData(packed3(first), packed(first + 3), packed(first + 4));
 }
 
-// Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K a
-// proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near, and where the
-// search began is not far.
-bool certified(Ray ray, real2 p, Probe at) {
-  real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
-  real det = ju.x * jv.y - ju.y * jv.x;
-  real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
-  bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
-  real2 way = abs(p - linkStart) / linkCellHalf.xy;
-  return proven && max(way.x, way.y) <= kFarCells;
-}
-
-// The parameters as the surface names them.
-vec2 inPeriod(real2 p) {
-  real2 period = patchDomain.zw - patchDomain.xy;
-  real2 turns = floor((p - patchDomain.xy) / period);
-  return vec2(has(kWrapsU) ? p.x - turns.x * period.x : p.x,
-              has(kWrapsV) ? p.y - turns.y * period.y : p.y);
-}
-
-vec3 relative(vec3 object) {
-  return linkRelative[0].xyz * object.x + linkRelative[1].xyz * object.y + linkRelative[2].xyz * object.z;
-}
-
 // What the picture shows of a point: `diffuse` and `ambient` as the material has them there.
 struct Seen {
   vec2 parameters;
@@ -63,31 +44,22 @@ struct Seen {
 
 // Ends the fragment where there is nothing to see.
 Seen seenPoint() {
-  readSurface();
-  Ray ray = rayOfPixel();
-  real2 p;
-  Probe at;
-  int result = findRoot(ray, p, at);
+  Found found;
+  int result = findPoint(found);
   if (result == kLost) atomicAdd(tally.lost[kSteep ? kTallySlots + linkFlags.w : uint(linkClip.w)], 1);
-  if (result != kFound) discard;
-  // Orthographic: linear; perspective: near / depth.
-  float depth = float(at.depth), residual = float(offset(at) / widthAt(at));
-  float z = has(kPerspective) ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
-  if (!(z >= 0.0 && z <= 1.0)) discard;  // before the near plane
-  gl_FragDepth = z;
+  if (result != kFound || !inDepthRange(found.depth)) discard;
+  float depth = float(found.depth);
+  gl_FragDepth = float(inDepthBuffer(found.depth));
 
   Seen seen;
-  seen.parameters = inPeriod(p);
-  seen.position = relativePosition(at.S);
+  seen.parameters = found.parameters;
+  seen.position = relativePosition(found.S);
   vec3 toViewer = linkViewerSecond.xyz - (has(kPerspective) ? seen.position : vec3(0));
   seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
-  vec3 n = unitOrZero(cross(relative(vec3(at.Su)), relative(vec3(at.Sv))));
-  // The sign of the area tells the side exactly; at outlines n.V is what rounding makes of 0.
-  bool flipped = has(kNegative) != has(kBackSide), front = (area(at) < 0.0) == flipped;
-  vec3 outward = flipped ? n : -n;
-  seen.normal = front || !has(kTwoSided) ? outward : -outward;
+  vec3 outward = unitOrZero(found.outward);
+  seen.normal = found.front || !has(kTwoSided) ? outward : -outward;
   seen.depth = depth;
-  seen.residual = certified(ray, p, at) ? residual : -max(residual, 1e-9);
+  seen.residual = found.certified ? found.residual : -max(found.residual, 1e-9);
   return seen;
 }
 

@@ -10,7 +10,7 @@
 #define LUXO_LINK in
 #endif
 
-layout(location = 0) sample LUXO_LINK vec2 linkStart;  // u, v
+layout(location = 0) sample LUXO_LINK vec3 linkStart;  // u and v, or a point near an equation's surface, object space
 layout(location = 1) flat LUXO_LINK vec4 linkAmbientShininess;
 layout(location = 2) flat LUXO_LINK vec4 linkDiffuseOpacity;
 layout(location = 3) flat LUXO_LINK vec4 linkSpecularTolerance;
@@ -20,7 +20,7 @@ layout(location = 5) flat LUXO_LINK vec4 linkViewerSecond;  // viewer; how much 
 layout(location = 6) flat LUXO_LINK vec4 linkX;
 layout(location = 7) flat LUXO_LINK vec4 linkY;
 layout(location = 8) flat LUXO_LINK vec4 linkDepth;
-layout(location = 9) flat LUXO_LINK vec4 linkRelative[3];   // columns of relativeFromObject and the translation
+layout(location = 9) flat LUXO_LINK vec4 linkRelative[3];   // columns of relativeFromObject; where `middle` is
 layout(location = 12) flat LUXO_LINK vec4 linkDomain;
 layout(location = 13) flat LUXO_LINK vec4 linkCellHalf;     // extent of the cells in u and v; half the picture
 layout(location = 14) flat LUXO_LINK vec4 linkClip;         // clipDepth; thickness; slot of the tally
@@ -34,9 +34,13 @@ const uint kInverseSquare = 1 << 26;
 
 bool has(uint flag) { return (linkFlags.x & flag) != 0; }
 
-// What differs in length shares one array: lights and shades as far as they are carried, then as many parameters of the
-// formula as there is room for: with these, vertices have all the outputs that devices commonly allow. What does not
-// fit is read from buffers, which takes a CPU device longer.
+layout(constant_id = 5) const uint kParameterCount = 0;
+layout(constant_id = 8) const bool kEquation = false;  // whether the surface is searched for by its equation
+layout(constant_id = 9) const bool kDouble = false;    // whether it is searched for in double
+
+// What differs in length shares one array: lights and shades as far as they are carried, what makes numbers double, then
+// as many parameters of the formula as there is room for: with these, vertices have all the outputs that devices commonly
+// allow. What does not fit is read from buffers, which takes a CPU device longer.
 const uint kRoom = 15;
 layout(location = 15) flat LUXO_LINK vec4 linkPacked[kRoom];
 const uint kLightNumbers = 6, kShadeNumbers = 5;
@@ -44,10 +48,15 @@ const uint kLights = kPlainLights + kShadedLights;
 const uint kLinkedLights = kLights < kCarriedLights ? kLights : kCarriedLights;
 const uint kLinkedShades = kShadedLights < kCarriedShades ? kShadedLights : kCarriedShades;
 const uint kFirstShade = kLightNumbers * kLinkedLights;
-const uint kFirstParameter = kFirstShade + kShadeNumbers * kLinkedShades;
-const uint kCarriedParameters = 4 * kRoom - kFirstParameter;
+const uint kFirstRowLow = kFirstShade + kShadeNumbers * kLinkedShades;  // of x, y and depth
+const uint kMiddle = kFirstRowLow + (kDouble ? 12 : 0);                 // in pairs
+const uint kFirstDomainLow = kMiddle + (kDouble ? 6 : 0);
+const uint kFirstParameter = kFirstDomainLow + (kDouble && !kEquation ? 4 : 0);
+const uint kFloats = kDouble ? 2 : 1;  // of each parameter
+const uint kCarriedParameters = (4 * kRoom - kFirstParameter) / kFloats;
 
 #ifndef LUXO_VERTEX
 float packed(uint k) { return linkPacked[k / 4][k % 4]; }
 vec3 packed3(uint k) { return vec3(packed(k), packed(k + 1), packed(k + 2)); }
+vec4 packed4(uint k) { return vec4(packed3(k), packed(k + 3)); }
 #endif

@@ -1,50 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // The point of a surface that a pixel sees: Newton's method on the pixel's ray, from where it enters the hull.
 //
-// With the ray's pixel (qx, qy) the offset f(u, v) = (X - qx w, Y - qy w)(S(u, v)) vanishes where S is on the ray;
-// |f| / w is how far S is from the pixel's centre on the screen. Newton's method finds nearly every pixel in two steps.
-// Where the ray grazes the surface the offset folds: two roots lie close to each other or have just vanished, and
-// Newton's step, which knows only the slope, misses them. Steps after the first know the fold, too (foldStep).
-//
-// Numbers are `real`: float, or double where LUXO_DOUBLE is defined.
-#include "lib/exact_interface.glsl"
-#include "lib/exact_surface.glsl"
-#include "lib/scene.glsl"
+// Newton's method on the offset f(u, v) of S(u, v) finds nearly every pixel in two steps. Where the ray grazes the
+// surface the offset folds: two roots lie close to each other or have just vanished, and Newton's step, which knows only
+// the slope, misses them. Steps after the first know the fold, too (foldStep).
 
 const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
 const float kBoldCells = 4.0;   // how many cells a step may lead
-const float kFarCells = 2.0;    // a root farther from the start is not certain to be the nearest
 const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a scan, and how much longer each next is
 const int kBackward = 2, kForward = 12;            // steps against the ray and along it
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
 const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
-const float kFine = 0.2;        // of the tolerance
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
 const int kPolishSteps = 8;
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kGrazing = 0.1;     // of the area to the squares of its sides: nearly none
-const float kSmallest = 1e-37;
-const float kPi = 3.14159265;
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
 const real kBesidePole = 1e-8;
 #else
 const real kBesidePole = 1e-6;
 #endif
-
-// The pixel's ray: f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
-struct Ray {
-  real3 across1, across2;
-  real offset1, offset2;
-};
-
-Ray rayOfPixel() {
-  real2 q = gl_FragCoord.xy - linkCellHalf.zw;
-  real4 w = has(kPerspective) ? rowDepth : real4(0, 0, 0, 1);
-  real4 a = rowX - q.x * w, b = rowY - q.y * w;
-  return Ray(a.xyz, b.xyz, a.w, b.w);
-}
 
 // The surface at some (u, v), and where that is from the ray.
 struct Probe {
@@ -56,24 +33,20 @@ struct Probe {
 Probe probeAt(Ray ray, real2 p) {
   Probe at;
   surfaceAt(p.x, p.y, at.S, at.Su, at.Sv);
-  at.f = real2(dot(ray.across1, at.S) + ray.offset1, dot(ray.across2, at.S) + ray.offset2);
+  at.f = offsetOf(ray, at.S);
   at.fu = real2(dot(ray.across1, at.Su), dot(ray.across2, at.Su));
   at.fv = real2(dot(ray.across1, at.Sv), dot(ray.across2, at.Sv));
-  at.depth = dot(rowDepth.xyz, at.S) + rowDepth.w;
+  at.depth = depthOf(at.S);
   return at;
 }
-
-// What a pixel is wide at the depth of a point, in units of f. Behind the eye there is no screen, and it is negative.
-real widthAt(Probe at) { return has(kPerspective) ? at.depth : 1.0; }
 
 // In units of f, as all that follows: a division by the width is what a search would wait for most of its time.
 real offset(Probe at) { return max(abs(at.f.x), abs(at.f.y)); }
 
-// What single precision leaves of an offset is part of it.
-real tolerance(Probe at) { return linkSpecularTolerance.w * widthAt(at) + (has(kPerspective) ? linkClip.y : 0.0); }
+real tolerance(Probe at) { return toleranceAt(at.depth); }
 
 // Never, where the formula has no value.
-bool converged(Probe at) { return widthAt(at) > 0.0 && offset(at) <= tolerance(at); }
+bool converged(Probe at) { return widthAt(at.depth) > 0.0 && offset(at) <= tolerance(at); }
 
 // The area that a unit of u and v takes on the screen, signed.
 real area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
@@ -145,10 +118,6 @@ bool inDomain(real2 p, Probe at) {
   return max(abs(onScreen.x), abs(onScreen.y)) <= tolerance(at);
 }
 
-const int kFound = 0, kMissed = 1, kLost = 2;
-
-layout(constant_id = 7) const bool kSteep = true;  // whether rays may graze the surface
-
 // To where the offset would vanish if it were linear; `det` is area(at).
 real2 newtonStep(Probe at, real det) {
   return real2(at.fv.x * at.f.y - at.fv.y * at.f.x, at.fu.y * at.f.x - at.fu.x * at.f.y) * (1.0 / det);
@@ -172,25 +141,17 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
   return moved(p, delta, at, most);
 }
 
-// Whether a search ends here: at a root that is good even among roots, or one step after any. That step costs little and
-// halves what is left of the error: the tolerance has room for the worst that rounding does, and most places are better.
-bool ends(Probe at, bool good, inout bool wasGood) {
-  bool isEnd = good && (wasGood || offset(at) <= kFine * tolerance(at));
-  wasGood = good;
-  return isEnd;
-}
-
 // The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
-  p = linkStart;
+  p = linkStart.xy;
   at = probeAt(ray, p);
   bool wasGood = false;
   for (int i = 0; i < kPlainSteps; ++i) {
     p += newtonStep(at, area(at));
     at = probeAt(ray, p);
-    if (ends(at, converged(at), wasGood)) break;
+    if (ends(converged(at), offset(at) <= kFine * tolerance(at), wasGood)) break;
   }
-  real2 way = abs(p - linkStart) / linkCellHalf.xy;
+  real2 way = abs(p - linkStart.xy) / linkCellHalf.xy;
   bool root = max(way.x, way.y) <= kFarCells && converged(at) && area(at) * wantedSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
@@ -264,14 +225,14 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
     misses = missed && length2 < kSettled * kSettled ? misses + 1 : 0;
     outside = inside || i == 0 ? 0 : outside + 1;
     bool last = i == (polished ? kPolishSteps : kNearSteps), good = root && inside;
-    if (ends(at, good, wasGood) || (good && last)) result = kFound;
+    if (ends(good, offset(at) <= kFine * tolerance(at), wasGood) || (good && last)) result = kFound;
     else if (polished && !good && (root || misses == 2)) result = kMissed;
     else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
     // What had seemed to be a root and is not even near the ray is none. Nor is a place where the area vanishes: there
     // the ray passes by, nearest to the surface.
     real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
     bool passes = abs(ju.x * jv.y - ju.y * jv.x) < kGrazing * (dot(ju, ju) + dot(jv, jv));
-    if (polished && last && result == kLost && (!(offset(at) <= kNearPixels * widthAt(at)) || passes)) result = kMissed;
+    if (polished && last && result == kLost && (!(offset(at) <= kNearPixels * widthAt(at.depth)) || passes)) result = kMissed;
     if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
     real2 next = nearDomain(foldStep(p, at, det, polished ? kScanStep : kBoldCells, gradient, missed), 1.0);
     way = (next - p) / linkCellHalf.xy;
@@ -284,7 +245,7 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
 // along it, and ends at the nearest place where the offset across the fold vanishes, too, on the side searched for:
 // `best`.
 bool scan(Ray ray, out real2 best) {
-  real2 p = linkStart, along = real2(0), firstAlong = along;
+  real2 p = linkStart.xy, along = real2(0), firstAlong = along;
   real sense = 1.0, nearest = 1e30, length_ = kScanStep;
   Sample first, last;
   best = p;
@@ -332,7 +293,7 @@ bool scan(Ray ray, out real2 best) {
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
 // The scan takes the nearest of its roots, and Newton's method goes on from there.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
-  p = linkStart;
+  p = linkStart.xy;
   int result = kLost;
   // A CPU device skips no branch, but leaves a loop when no pixel is left in it; and it runs the body of each at least
   // once. So each formula stands once in a loop of its own, and a scan costs those that need none a single step.
@@ -348,11 +309,46 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
 }
 
 // Finds the point; p and at are its own when found.
-//
-// A device shades pixels together, and goes on with those that the triangle does not cover until all are done. They find
-// their point like the others, unless what a CPU device reads from buffers for them is 0: then they are left out, by what
-// they read of their instance, whose id is never 0.
 int findRoot(Ray ray, out real2 p, out Probe at) {
-  if (kReadsSurface && instances[linkFlags.w].id == 0) return kMissed;
+  if (isLeftOut()) return kMissed;
   return kSteep ? findGrazedRoot(ray, p, at) : findPlainRoot(ray, p, at);
+}
+
+// Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K a
+// proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near, and where the
+// search began is not far.
+bool certified(Ray ray, real2 p, Probe at) {
+  real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
+  real det = ju.x * jv.y - ju.y * jv.x;
+  real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
+  bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
+  real2 way = abs(p - linkStart.xy) / linkCellHalf.xy;
+  return proven && max(way.x, way.y) <= kFarCells;
+}
+
+// The parameters as the surface names them.
+vec2 inPeriod(real2 p) {
+  real2 period = patchDomain.zw - patchDomain.xy;
+  real2 turns = floor((p - patchDomain.xy) / period);
+  return vec2(has(kWrapsU) ? p.x - turns.x * period.x : p.x,
+              has(kWrapsV) ? p.y - turns.y * period.y : p.y);
+}
+
+int findPoint(out Found found) {
+  readSurface();
+  Ray ray = rayOfPixel();
+  real2 p;
+  Probe at;
+  int result = findRoot(ray, p, at);
+  found.S = at.S;
+  found.parameters = inPeriod(p);
+  vec3 n = cross(relative(vec3(at.Su)), relative(vec3(at.Sv)));
+  // The sign of the area tells the side exactly; at outlines n.V is what rounding makes of 0.
+  bool flipped = has(kNegative) != has(kBackSide);
+  found.outward = flipped ? n : -n;
+  found.front = (area(at) < 0.0) == flipped;
+  found.depth = at.depth;
+  found.residual = float(offset(at) / widthAt(at.depth));
+  found.certified = certified(ray, p, at);
+  return result;
 }

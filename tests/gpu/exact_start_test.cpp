@@ -12,6 +12,7 @@
 #include "scenes/embedded_scenes.h"
 #include "scenes/gallery.h"
 #include "support/picture.h"
+#include "surface/catalogue.h"
 
 namespace luxo::test {
 namespace {
@@ -46,6 +47,24 @@ TEST_F(ExactStart, BuiltInScenesCompileNothing) {
     EXPECT_EQ(compiledBy(buildScene(parseScene(std::string(scene.text), std::string(scene.name)))), 0u)
         << scene.name;
   }
+}
+
+TEST_F(ExactStart, EquationsCompileNothingWhateverTheirNumbers) {
+  EXPECT_EQ(compiledBy(sceneOf(sphere(0.7316))), 0u);
+  EXPECT_EQ(compiledBy(sceneOf(cone(1.3, 0.217, 0.9))), 0u);
+  EXPECT_EQ(compiledBy(sceneOf(torus(1.2, 0.3177))), 0u);
+}
+
+// Searches in double are built in as those in float are.
+TEST_F(ExactStart, NamedSurfacesCompileNothingWhenMagnified) {
+  const auto magnified = [&](const char* name) {
+    Scene scene;
+    scene.add(Node{.surface = makeSurface(name)});
+    scene.add(Camera{.eye = Vec3(0, 1, 6), .fovY = 1e-5});
+    return scene;
+  };
+  EXPECT_EQ(compiledBy(magnified("torus_knot")), 0u);
+  EXPECT_EQ(compiledBy(magnified("sphere")), 0u);
 }
 
 TEST_F(ExactStart, AFormulaIsCompiledOnce) {

@@ -69,7 +69,7 @@ TEST_F(ExactExtremes, EyeOnABall) {
 
 TEST_F(ExactExtremes, EyeInsideTheHull) {
   const Scene scene = glowingScene(sphere(1));
-  for (const double height : {0.05, 1e-3, -1e-3, -0.05}) {
+  for (const double height : {0.05, 4e-3, 1e-3, 2e-4, -2e-4, -1e-3, -0.05}) {
     SCOPED_TRACE(height);
     const Camera camera{.eye = Vec3(0, 0, 1 + height), .lookAt = Vec3(0), .fovY = radians(60), .near = 1e-5};
     const CameraModel model(camera, kSize);

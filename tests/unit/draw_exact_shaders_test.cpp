@@ -11,30 +11,41 @@ namespace {
 
 constexpr std::uint32_t kSpirvMagic = 0x07230203, kSpirv16 = 0x00010600;
 
-std::span<const std::uint32_t> carriedFor(const Patch& patch) {
-  return builtInExactShader(surfaceCode(*patch.function, patch.constants.size()));
+std::span<const std::uint32_t> carriedFor(const Surface& surface, std::uint32_t patch = 0,
+                                          GlslNumber number = GlslNumber::Float) {
+  const std::optional<Equation> equation = equationsOf(surface, {})[patch];
+  return builtInExactShader(equation ? equationCode(equation->form(), 0, number)
+                                     : surfaceCode(*surface.patches()[patch].function, 0, number));
 }
 
 TEST(ExactShaders, EveryNamedSurfaceIsCarried) {
   for (const CatalogueEntry& entry : catalogue()) {
     const Surface surface = makeSurface(entry);
-    for (const Patch& patch : surface.patches()) {
-      const auto words = carriedFor(patch);
-      ASSERT_GT(words.size(), 5u) << entry.name;
-      EXPECT_EQ(words[0], kSpirvMagic) << entry.name;
-      EXPECT_EQ(words[1], kSpirv16) << entry.name;
-    }
+    for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
+      for (const GlslNumber number : {GlslNumber::Float, GlslNumber::Double}) {
+        const auto words = carriedFor(surface, patch, number);
+        ASSERT_GT(words.size(), 5u) << entry.name;
+        EXPECT_EQ(words[0], kSpirvMagic) << entry.name;
+        EXPECT_EQ(words[1], kSpirv16) << entry.name;
+      }
   }
 }
 
 TEST(ExactShaders, EachFormulaHasItsOwn) {
-  const Surface sphere = makeSurface("sphere"), torus = makeSurface("torus");
-  EXPECT_NE(carriedFor(sphere.patches()[0]).data(), carriedFor(torus.patches()[0]).data());
+  const Surface knot = makeSurface("torus_knot"), klein = makeSurface("klein");
+  EXPECT_NE(carriedFor(knot).data(), carriedFor(klein).data());
+  EXPECT_NE(carriedFor(knot).data(), carriedFor(knot, 0, GlslNumber::Double).data());
+}
+
+TEST(ExactShaders, EquationsShareTheirs) {
+  const Surface ball = makeSurface("sphere"), tube = makeSurface("cylinder"), ring = makeSurface("torus");
+  EXPECT_EQ(carriedFor(ball).data(), carriedFor(tube).data());
+  EXPECT_NE(carriedFor(ball).data(), carriedFor(ring).data());
 }
 
 TEST(ExactShaders, OtherFormulasHaveNone) {
   const Surface surface = luxo::surface([](auto u, auto v) { return point(u, v, sin(0.7316 * u)); }, {});
-  EXPECT_TRUE(carriedFor(surface.patches()[0]).empty());
+  EXPECT_TRUE(carriedFor(surface).empty());
   const Surface sphere = makeSurface("sphere");
   const Pattern stripes = pattern([](auto u, auto v) { return point(u, v, mod(floor(7.316 * u), 2)); });
   EXPECT_TRUE(builtInExactShader(surfaceCode(*sphere.patches()[0].function, 0), stripes).empty());

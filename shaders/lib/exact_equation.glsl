@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The point of a surface that a pixel sees, where the surface is known as an equation, too (engine/surface/equation.h).
+//
+// Along the pixel's ray F(p + t way) is a function of one variable, c + 2 b t + a t^2 of a quadric and nearly that of a
+// torus near p. F rises at one of its two roots and falls at the other: only one is on the side of the surface searched
+// for. One step finds a quadric, whatever the start, and steps that triple the digits a torus, with neither a sine nor a derivative.
+
+const float kSettledPart = 0.02;  // of the tube: where the ray is nearest is known once steps are shorter
+const float kStride = 0.25, kMostStride = 0.35;  // a ray is followed by steps from a part of the tube to one of the ring
+const int kMostSteps = 24;
+
+// The numbers of the equation, in metres, as appendEquation() of engine/draw/exact_data.cpp lists them.
+real number(uint k) { return surfaceParameterAt(k); }
+real3 number3(uint k) { return real3(number(k), number(k + 1), number(k + 2)); }
+
+const uint kQuadricSquares = 0, kQuadricHalfY = 3, kQuadricConstant = 4;
+const uint kTorusRing = 0, kTorusTube = 1;
+const uint kLowest = 5, kHighest = 8;  // x (with kRadial: the distance from the axis), y, z
+const uint kUOf = 11, kVOf = 14, kScale = 17;
+
+struct Expansion {
+  real c, b, a;
+  real3 half_;  // of the gradient
+};
+
+// Where the parabola is zero and rises or falls, as its slope shall; where it is nearest to zero if it never is, `square`
+// being negative. Of the two ways to write a root that one which cancels nothing.
+real squareOf(Expansion e) { return e.b * e.b - e.a * e.c; }
+real rootOf(Expansion e, real square, real rising) {
+  real root = rising * sqrt(max(square, 0.0));
+  bool alike = e.b * root > 0.0;
+  return (alike ? -e.c : root - e.b) / (alike ? e.b + root : e.a);
+}
+
+#ifdef LUXO_QUADRIC
+
+Expansion expansionAt(real3 p, real3 way) {
+  real3 squares = number3(kQuadricSquares);
+  real3 linear = real3(0, number(kQuadricHalfY), 0), half_ = squares * p + linear;
+  return Expansion(dot(p, half_ + linear) + number(kQuadricConstant), dot(half_, way), dot(squares * way, way), half_);
+}
+
+// Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is beyond
+// an edge by less than the tolerance is the patch's.
+bool isSeen(real3 p, real metre) {
+  real depth = depthOf(p);
+  if (has(kRadial)) p.x = sqrt(p.x * p.x + p.z * p.z);
+  real3 beyond = max(number3(kLowest) - p, p - number3(kHighest));
+  return max(max(beyond.x, beyond.y), beyond.z) <= toleranceAt(depth) * metre && inDepthRange(depth);
+}
+
+// A ray may run around an edge inside the slab: whatever it comes in by, the nearer of both roots is seen.
+int findOnRay(real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
+  real square = squareOf(e), outerWay = rootOf(e, square, outer), innerWay = rootOf(e, square, -outer);
+  real3 outerPoint = p + outerWay * way, innerPoint = p + innerWay * way;
+  bool outerSeen = isSeen(outerPoint, metre), innerSeen = has(kShowsBack) && isSeen(innerPoint, metre);
+  bool isOuter = outerSeen && !(innerSeen && innerWay < outerWay);
+  rising = isOuter ? outer : -outer;
+  p = isOuter ? outerPoint : innerPoint;
+  e = expansionAt(p, way);
+  return square >= 0.0 && (outerSeen || innerSeen) ? kFound : kMissed;
+}
+
+real3 startOfSearch() { return real3(0); }
+
+// No other root is on that side.
+bool isNear(real3 start, real3 p) { return true; }
+real mostBend(Expansion e) { return abs(e.a); }
+
+#else
+
+// F = (distance from the axis - ring)^2 + y^2 - tube^2: unlike the quartic it loses no digits.
+Expansion expansionAt(real3 p, real3 way) {
+  real radius2 = max(dot(p.xz, p.xz), kSmallest), perRadius = inversesqrt(radius2), tube = number(kTorusTube);
+  real2 outward = p.xz * perRadius;
+  real off = radius2 * perRadius - number(kTorusRing), rate = dot(outward, way.xz);
+  real3 half_ = real3(off * outward.x, p.y, off * outward.y);
+  real turning = dot(way.xz, way.xz) - rate * rate;  // squared
+  return Expansion(off * off + (p.y - tube) * (p.y + tube), dot(half_, way),
+                   rate * rate + off * turning * perRadius + way.y * way.y, half_);
+}
+
+// A ray that leaves, or passes by, may meet the surface farther on as long as it is in the slab: it is followed.
+int findOnRay(real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
+  real ring = number(kTorusRing), tube = number(kTorusTube), most = sqrt(tube * ring), stride = kStride * tube;
+  real slab = linkClip.z * metre;
+  real outsideSlab = slab * (2.0 * tube + (rising < 0.0 ? slab : -min(slab, tube)));  // from |F| on
+  real far = 2.0 * toleranceAt(depthOf(p)) * metre * tube, last = 0.0;
+  bool wasGood = false, follows = false;
+  for (int i = 0; i < kMostSteps; ++i) {
+    if (ends(abs(e.c) <= far && e.b * rising > 0.0, abs(e.c) <= kFine * far, wasGood)) return kFound;
+    real square = squareOf(e), t = rootOf(e, square, rising);
+    bool leaves = e.c * rising < 0.0 && e.b * rising <= 0.0;
+    bool passes = square < 0.0 && abs(t) < kSettledPart * tube;
+    follows = passes || (leaves && (follows || i == 0));
+    if ((follows && leaves && abs(e.c) > outsideSlab) || (passes && e.c * rising > 0.0)) return kMissed;
+    if (t * last < 0.0 && abs(t) > most) most *= 0.5;  // or it might go to and fro for ever
+    last = follows ? stride : clamp(t, -most, most);
+    if (follows) stride = min(2.0 * stride, kMostStride * ring);
+    p += last * way;
+    e = expansionAt(p, way);
+  }
+  return kLost;
+}
+
+real3 startOfSearch() { return real3(linkStart); }
+
+bool isNear(real3 start, real3 p) {
+  real ring = number(kTorusRing), tube = number(kTorusTube);
+  real cell = 2.0 * kPi * max(linkCellHalf.x * (ring + tube), linkCellHalf.y * tube);
+  return distance(p, start) <= kFarCells * cell;
+}
+
+// A bound of `a` near the tube.
+real mostBend(Expansion e) {
+  real ring = number(kTorusRing), tube = number(kTorusTube);
+  return 1.0 + 2.0 * tube / max(ring - tube, kSmallest);
+}
+
+#endif
+
+// The part of the circle, 0 to 1.
+real turnOf(real y, real x) {
+  real turn = formulaAtan2(y, x) * real(0.15915494309189535);
+  return turn < 0.0 ? turn + 1.0 : turn;
+}
+
+// u or v of a point, as Equation::Parameter has it: a linear function of what it goes along.
+float parameterOf(real3 p, uint k) {
+  real3 q = p / number3(kScale);
+  real radius = sqrt(q.x * q.x + q.z * q.z);
+  int along = int(number(k));
+  real of = along == 0   ? q.x
+            : along == 1 ? q.y
+            : along == 2 ? q.z
+            : along == 3 ? radius
+            : along == 4 ? turnOf(-q.z, q.x)
+            : along == 5 ? formulaAtan2(q.y, radius) * real(0.31830988618379067)
+                         : turnOf(q.y, radius - 1.0);
+  return float(number(k + 1) + number(k + 2) * of);
+}
+
+// Whether the object's transform turns right hands into left ones.
+bool isMirrored() { return (has(kNegative) != has(kBackSide)) == has(kInward); }
+
+// Where the outer side faces, from the gradient: by the cofactors of the matrix, which mirrors what the matrix mirrors.
+vec3 outwardOf(vec3 gradient) {
+  vec3 x = linkRelative[0].xyz, y = linkRelative[1].xyz, z = linkRelative[2].xyz;
+  vec3 n = cross(y, z) * gradient.x + cross(z, x) * gradient.y + cross(x, y) * gradient.z;
+  return isMirrored() ? -n : n;
+}
+
+int findPoint(out Found found) {
+  readSurface();
+  if (isLeftOut()) return kMissed;
+  Ray ray = rayOfPixel();
+  // Begins where the ray is nearest to a point: of a torus the hull's, of a quadric the origin, so that it is found to the
+  // same bits whatever the ray comes in by. In metres: a pixel is 1 / metre wide there, times the depth.
+  real metre = inversesqrt(dot(ray.across1, ray.across1));
+  real3 across1 = ray.across1 * metre, across2 = ray.across2 * metre, along = cross(across1, across2);
+  real perLength = inversesqrt(dot(along, along));
+  real3 near = startOfSearch();
+  real2 f = offsetOf(ray, near) * metre;
+  real3 start = near + cross(along, f.x * across2 - f.y * across1) * (perLength * perLength), p = start;
+  // Away from the viewer; of what is flattened, too, where depths do not tell.
+  real3 way = along * (isMirrored() ? -perLength : perLength);
+
+  // The sign of F's slope where the ray meets the outer side, and where it meets the side searched for.
+  real outer = has(kRisesOutward) ? -1.0 : 1.0, rising = gl_FrontFacing != has(kBackSide) ? outer : -outer;
+  Expansion e = expansionAt(start, way);
+  int result = findOnRay(way, metre, outer, rising, p, e);
+  found.S = p;
+  found.parameters = vec2(parameterOf(p, kUOf), parameterOf(p, kVOf));
+  found.outward = outwardOf(vec3(has(kRisesOutward) ? e.half_ : -e.half_));
+  found.front = rising == outer;
+  found.depth = depthOf(p);
+  f = offsetOf(ray, p);
+  real besideSurface = 0.5 * abs(e.c) * inversesqrt(dot(e.half_, e.half_));
+  found.residual = float((max(abs(f.x), abs(f.y)) + besideSurface / metre) / widthAt(found.depth));
+  // Newton-Kantorovich, of one variable.
+  found.certified = mostBend(e) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p);
+  return result;
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pixel's ray, and what a search for the surface on it finds.
+//
+// With the ray's pixel (qx, qy) the offset f = (X - qx w, Y - qy w) of a point vanishes where the point is on the ray;
+// |f| / w is how far it is from the pixel's centre on the screen.
+//
+// Numbers are `real`: float, or double where LUXO_DOUBLE is defined.
+#include "lib/exact_interface.glsl"
+#include "lib/scene.glsl"
+#include "lib/exact_surface.glsl"
+
+const float kFine = 0.2;        // of the tolerance
+const float kFarCells = 2.0;    // a root farther from the start is not certain to be the nearest
+const float kSmallest = 1e-37;
+const float kPi = 3.14159265;
+
+layout(constant_id = 7) const bool kSteep = true;  // whether rays may graze the surface
+
+// f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
+struct Ray {
+  real3 across1, across2;
+  real offset1, offset2;
+};
+
+Ray rayOfPixel() {
+  real2 q = gl_FragCoord.xy - linkCellHalf.zw;
+  real4 w = has(kPerspective) ? rowDepth : real4(0, 0, 0, 1);
+  real4 a = rowX - q.x * w, b = rowY - q.y * w;
+  return Ray(a.xyz, b.xyz, a.w, b.w);
+}
+
+real2 offsetOf(Ray ray, real3 S) {
+  return real2(dot(ray.across1, S) + ray.offset1, dot(ray.across2, S) + ray.offset2);
+}
+
+real depthOf(real3 S) { return dot(rowDepth.xyz, S) + rowDepth.w; }
+
+// What a pixel is wide at a depth, in units of f. Behind the eye there is no screen, and it is negative.
+real widthAt(real depth) { return has(kPerspective) ? depth : 1.0; }
+
+// The largest offset of a point that is found there. What single precision leaves of an offset is part of it.
+real toleranceAt(real depth) {
+  return linkSpecularTolerance.w * widthAt(depth) + (has(kPerspective) ? linkClip.y : 0.0);
+}
+
+// Orthographic: linear; perspective: near / depth. Before the near plane above 1.
+real inDepthBuffer(real depth) {
+  return has(kPerspective) ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
+}
+bool inDepthRange(real depth) {
+  real z = inDepthBuffer(depth);
+  return z >= 0.0 && z <= 1.0;
+}
+
+// Whether a search ends here: at a root that is good even among roots, or one step after any. That step costs little and
+// halves what is left of the error: the tolerance has room for the worst that rounding does, and most places are better.
+bool ends(bool good, bool fine, inout bool wasGood) {
+  bool isEnd = good && (wasGood || fine);
+  wasGood = good;
+  return isEnd;
+}
+
+const int kFound = 0, kMissed = 1, kLost = 2;
+
+// The point of the surface that the pixel sees.
+struct Found {
+  real3 S;          // object space
+  vec2 parameters;  // as the surface names them
+  vec3 outward;     // where its outer side faces; relative space, of any length
+  bool front;       // whether that side is seen
+  real depth;
+  float residual;   // pixels
+  bool certified;   // certainly the point that the search was for
+};
+
+vec3 relative(vec3 object) {
+  return linkRelative[0].xyz * object.x + linkRelative[1].xyz * object.y + linkRelative[2].xyz * object.z;
+}
