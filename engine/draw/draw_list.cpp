@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
 
 #include "base/error.h"
@@ -328,13 +327,18 @@ class DrawLister {
           codeOf(geometry_.codes, node.surface, *batch.hull, part.patch, node.parameters.size(), number);
       batch.state.equation = batch.hull->patchData[part.patch].equation.has_value();
       batch.state.poles = !batch.state.equation && hasPoles;
-      // From inside the slab it is seen from behind, and its bottom leads to the outer side.
       batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
       batch.half = Half::Near;
       addHullDraws(item, batch, view, part.firstIndex, part.frontCount);
-      if (inside && !batch.bothSides) batch.culling = FaceCulling::Front;
       batch.half = Half::Far;
-      if (batch.bothSides || inside) addHullDraws(item, batch, view, part.wallIndex(), part.frontCount);
+      if (inside && snapshot_.view.perspective()) {
+        // From inside the slab its faces are seen from behind. A ray leaves it by the bottom behind the outer
+        // side, or, having dipped into that, by the top.
+        if (!batch.bothSides) batch.culling = FaceCulling::Front;
+        addHullDraws(item, batch, view, part.firstIndex, part.count);
+      } else if (batch.bothSides) {
+        addHullDraws(item, batch, view, part.wallIndex(), part.frontCount);
+      }
     }
     return batch.hull->origin;
   }

@@ -27,7 +27,7 @@ struct DrawState {
   std::uint32_t plainLights = 0, shadedLights = 0;
   bool blended = false;
   Pattern pattern = {};                  ///< where light falls on it; none for views of geometry
-  const SurfaceCode* surface = nullptr;  ///< the formula to find in every pixel; null: triangles are drawn
+  const SurfaceCode* surface = nullptr;  ///< what finds a surface in every pixel; null: triangles are drawn
   bool equation = false;                 ///< with it: it is an equation, no formula
   bool poles = false;                    ///< with it: an edge of a patch is one point
   bool steep = false;                    ///< with it: a ray may graze the surface, and meet it more than once
@@ -71,7 +71,7 @@ struct DrawList {
   std::vector<std::uint32_t> instanceNodes;      ///< as instances: indices into Snapshot::nodes
   std::vector<std::uint32_t> hullIndices;        ///< not empty when a draw has a hull
   std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a hull
-  std::vector<double> exactParameters;           ///< not empty when a draw has a hull
+  std::vector<double> exactParameters;           ///< of formulas and equations; see ExactPatch
   std::vector<shared::LightSet> lightSets;       ///< never empty
   std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
   std::vector<DrawBatch> opaque;                 ///< grouped, roughly front to back

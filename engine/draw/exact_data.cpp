@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/assert.h"
@@ -30,7 +31,8 @@ Vec4f restOf(const Vec4& v) { return Vec4f(v - Vec4(Vec4f(v))); }
 /// The eye where there is one such point, else the origin.
 Vec3 eyeInObject(const View& view, const Transform& worldFromObject) {
   const Vec3 eye = glm::inverse(worldFromObject.linear) * (view.eye - worldFromObject.translation);
-  return std::isfinite(glm::dot(eye, eye)) ? eye : Vec3(0);
+  const Vec3f rounded(eye);
+  return std::isfinite(rounded.x + rounded.y + rounded.z) ? eye : Vec3(0);
 }
 
 /// How far the node's points are from its origin, in metres of the world.

@@ -15,7 +15,7 @@ using Along = Equation::Along;
 
 constexpr double kAgreement = 1e-12;    // of the size: 10^4 roundings
 constexpr double kRounding = 1 + 1e-9;  // of a reach
-constexpr int kSamples = 100;
+constexpr int kSamples = 400;
 
 /// 0..1 around the circle.
 double turn(double angle) {
@@ -23,25 +23,29 @@ double turn(double angle) {
   return part < 0 ? part + 1 : part;
 }
 
-double parameter(const Equation::Parameter& p, const Vec3& q) {
+double placeAlong(Along along, const Vec3& q) {
   const double radius = std::hypot(q.x, q.z);
-  switch (p.along) {
+  switch (along) {
     case Along::X:
-      return p.start + p.rate * q.x;
+      return q.x;
     case Along::Y:
-      return p.start + p.rate * q.y;
+      return q.y;
     case Along::Z:
-      return p.start + p.rate * q.z;
+      return q.z;
     case Along::Radius:
-      return p.start + p.rate * radius;
+      return radius;
     case Along::Turn:
       return turn(std::atan2(-q.z, q.x));
     case Along::Latitude:
-      return p.start + std::atan2(q.y, radius) / kPi;
+      return std::atan2(q.y, radius) / kPi;
     case Along::Tube:
       break;
   }
   return turn(std::atan2(q.y, radius - 1));
+}
+
+double parameter(const Equation::Parameter& p, const Vec3& q) {
+  return p.start + p.rate * placeAlong(p.along, q);
 }
 
 bool isWhole(Along along) { return along == Along::Turn || along == Along::Latitude || along == Along::Tube; }
@@ -138,6 +142,7 @@ struct Recognition {
     const Domain& domain = surface.patchDomain(patch);
     for (int i = 0; i < 3; ++i)
       if (!(equation.scale[i] > 0 && std::isfinite(equation.scale[i]))) return false;
+    if (surface.boundCell(patch, domain, parameters).kinked) return false;
     const Interval whole(0, 1);
     if ((isWhole(equation.u.along) && domain.u != whole) || (isWhole(equation.v.along) && domain.v != whole))
       return false;

@@ -286,6 +286,25 @@ class Builder {
   std::vector<FacingCone> cones_, wallCones_;
 };
 
+/// The mesh is dense where the formula bends: what a sampling of the whole surface did not notice is seen
+/// there.
+void dropFalseEquations(Hull& hull, const HullFrame& frame) {
+  constexpr double kAgreement = 1e-9;
+  const auto isFalse = [&](const Equation& equation, const Vec3& point) {
+    const Vec3 unitPoint = point / equation.scale;
+    return !(std::abs(equation.at(unitPoint)) <=
+             kAgreement * (glm::length(equation.gradient(unitPoint)) + kAgreement));
+  };
+  const std::vector<Vec3>& points = frame.mesh().positions;
+  bool anyFalse = false;
+  for (std::uint32_t v = 0; v < points.size() && !anyFalse; ++v) {
+    const std::optional<Equation>& equation = hull.patchData[frame.patchOf(v)].equation;
+    anyFalse = equation && isFalse(*equation, points[v]);
+  }
+  if (anyFalse)
+    for (HullPatch& patch : hull.patchData) patch.equation.reset();
+}
+
 }  // namespace
 
 Hull makeHull(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
@@ -311,6 +330,7 @@ Hull makeHull(const Surface& surface, std::span<const double> parameters, const 
     if (!refineForHull(surface, parameters, desc, *frame, blocks)) break;
     frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData);
   }
+  dropFalseEquations(hull, *frame);
   Builder(surface, map, *frame, desc).build(hull);
   return hull;
 }

@@ -9,7 +9,8 @@
 // stand along edges that collapse to a point, nor where the patch is joined to itself and its formula goes
 // on: there the top and the bottom go on too.
 //
-// A ray that entered the slab starts its search for the surface at the (u, v) of the place it entered by.
+// A ray that entered the slab starts its search for the surface at the (u, v) of the place it entered by, or,
+// where the surface has an equation, at that place.
 #pragma once
 
 #include <cstdint>
@@ -58,8 +59,8 @@ struct Hull {
   std::vector<std::uint32_t> patches;  ///< of each vertex, as in Surface::patches()
 
   /// The patches that share one function, as consecutive indices: top, then walls, then bottom, which has as
-  /// many as the top. Through top and walls a ray meets the front of the surface, through bottom and walls
-  /// its back.
+  /// many as the top. From outside the slab a ray meets the front of the surface through top and walls, its
+  /// back through bottom and walls.
   struct Part {
     std::uint32_t patch = 0;  ///< the first of them
     std::uint32_t firstIndex = 0, frontCount = 0, count = 0;

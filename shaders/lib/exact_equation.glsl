@@ -3,10 +3,12 @@
 //
 // Along the pixel's ray F(p + t way) is a function of one variable, c + 2 b t + a t^2 of a quadric and nearly that of a
 // torus near p. F rises at one of its two roots and falls at the other: only one is on the side of the surface searched
-// for. One step finds a quadric, whatever the start, and steps that triple the digits a torus, with neither a sine nor a derivative.
+// for. One step finds a quadric, whatever the start, and steps that triple the digits a torus, with neither a sine nor a
+// derivative.
 
 const float kSettledPart = 0.02;  // of the tube: where the ray is nearest is known once steps are shorter
-const float kStride = 0.25, kMostStride = 0.35;  // a ray is followed by steps from a part of the tube to one of the ring
+const float kStride = 0.25;       // of the tube: the first step of following a ray; each next is twice as long
+const float kMostStride = 0.35;   // of the ring
 const int kMostSteps = 24;
 
 // The numbers of the equation, in metres, as appendEquation() of engine/draw/exact_data.cpp lists them.
@@ -23,9 +25,10 @@ struct Expansion {
   real3 half_;  // of the gradient
 };
 
-// Where the parabola is zero and rises or falls, as its slope shall; where it is nearest to zero if it never is, `square`
-// being negative. Of the two ways to write a root that one which cancels nothing.
 real squareOf(Expansion e) { return e.b * e.b - e.a * e.c; }
+
+// Where the parabola is zero and its slope has that sign; where it is nearest to zero if it never is, `square` being
+// negative. Of the two ways to write a root that one which cancels nothing.
 real rootOf(Expansion e, real square, real rising) {
   real root = rising * sqrt(max(square, 0.0));
   bool alike = e.b * root > 0.0;
@@ -40,23 +43,29 @@ Expansion expansionAt(real3 p, real3 way) {
   return Expansion(dot(p, half_ + linear) + number(kQuadricConstant), dot(half_, way), dot(squares * way, way), half_);
 }
 
-// Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is beyond
-// an edge by less than the tolerance is the patch's.
-bool isSeen(real3 p, real metre) {
-  real depth = depthOf(p);
-  if (has(kRadial)) p.x = sqrt(p.x * p.x + p.z * p.z);
-  real3 beyond = max(number3(kLowest) - p, p - number3(kHighest));
-  return max(max(beyond.x, beyond.y), beyond.z) <= toleranceAt(depth) * metre && inDepthRange(depth);
+// Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is
+// beyond an edge by less on the screen than the tolerance is the patch's. A plane's other root is infinitely far away.
+bool isSeen(Ray ray, real3 p) {
+  real depth = depthOf(p), radius = sqrt(p.x * p.x + p.z * p.z);
+  real3 q = has(kRadial) ? real3(radius, p.y, 0.0) : p;
+  real3 beyond = max(max(number3(kLowest) - q, q - number3(kHighest)), real3(0));
+  if (has(kRadial)) beyond = real3(p.x * beyond.x, radius * beyond.y, p.z * beyond.x) / max(radius, kSmallest);
+  real onScreen = max(abs(dot(ray.across1, beyond)), abs(dot(ray.across2, beyond)));
+  return onScreen <= toleranceAt(depth) && depth < 1e30 && inDepthRange(depth);
 }
 
 // A ray may run around an edge inside the slab: whatever it comes in by, the nearer of both roots is seen.
-int findOnRay(real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
+int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
   real square = squareOf(e), outerWay = rootOf(e, square, outer), innerWay = rootOf(e, square, -outer);
   real3 outerPoint = p + outerWay * way, innerPoint = p + innerWay * way;
-  bool outerSeen = isSeen(outerPoint, metre), innerSeen = has(kShowsBack) && isSeen(innerPoint, metre);
+  bool outerSeen = isSeen(ray, outerPoint), innerSeen = has(kShowsBack) && isSeen(ray, innerPoint);
   bool isOuter = outerSeen && !(innerSeen && innerWay < outerWay);
   rising = isOuter ? outer : -outer;
   p = isOuter ? outerPoint : innerPoint;
+  e = expansionAt(p, way);
+  // What the first step's differences of large numbers have lost. Where the ray grazes there is nothing to gain.
+  real root = rising * sqrt(max(squareOf(e), 0.0));
+  if (e.b * root > 0.0) p -= e.c / (e.b + root) * way;
   e = expansionAt(p, way);
   return square >= 0.0 && (outerSeen || innerSeen) ? kFound : kMissed;
 }
@@ -65,7 +74,7 @@ real3 startOfSearch() { return real3(0); }
 
 // No other root is on that side.
 bool isNear(real3 start, real3 p) { return true; }
-real mostBend(Expansion e) { return abs(e.a); }
+real mostBend(Expansion e, real3 p) { return abs(e.a); }
 
 #else
 
@@ -81,7 +90,7 @@ Expansion expansionAt(real3 p, real3 way) {
 }
 
 // A ray that leaves, or passes by, may meet the surface farther on as long as it is in the slab: it is followed.
-int findOnRay(real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
+int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
   real ring = number(kTorusRing), tube = number(kTorusTube), most = sqrt(tube * ring), stride = kStride * tube;
   real slab = linkClip.z * metre;
   real outsideSlab = slab * (2.0 * tube + (rising < 0.0 ? slab : -min(slab, tube)));  // from |F| on
@@ -111,10 +120,10 @@ bool isNear(real3 start, real3 p) {
   return distance(p, start) <= kFarCells * cell;
 }
 
-// A bound of `a` near the tube.
-real mostBend(Expansion e) {
-  real ring = number(kTorusRing), tube = number(kTorusTube);
-  return 1.0 + 2.0 * tube / max(ring - tube, kSmallest);
+// A bound of `a` around a point, as far as half its distance from the axis.
+real mostBend(Expansion e, real3 p) {
+  real radius = sqrt(p.x * p.x + p.z * p.z);
+  return 2.0 + 2.0 * abs(radius - number(kTorusRing)) / max(radius, kSmallest);
 }
 
 #endif
@@ -145,6 +154,7 @@ bool isMirrored() { return (has(kNegative) != has(kBackSide)) == has(kInward); }
 
 // Where the outer side faces, from the gradient: by the cofactors of the matrix, which mirrors what the matrix mirrors.
 vec3 outwardOf(vec3 gradient) {
+  gradient /= max(max(max(abs(gradient.x), abs(gradient.y)), abs(gradient.z)), kSmallest);
   vec3 x = linkRelative[0].xyz, y = linkRelative[1].xyz, z = linkRelative[2].xyz;
   vec3 n = cross(y, z) * gradient.x + cross(z, x) * gradient.y + cross(x, y) * gradient.z;
   return isMirrored() ? -n : n;
@@ -154,9 +164,9 @@ int findPoint(out Found found) {
   readSurface();
   if (isLeftOut()) return kMissed;
   Ray ray = rayOfPixel();
-  // Begins where the ray is nearest to a point: of a torus the hull's, of a quadric the origin, so that it is found to the
-  // same bits whatever the ray comes in by. In metres: a pixel is 1 / metre wide there, times the depth.
-  real metre = inversesqrt(dot(ray.across1, ray.across1));
+  // Begins where the ray is nearest to a point: of a torus the hull's, of a quadric the origin, so that it is found to
+  // the same bits whatever the ray comes in by. In metres: a pixel is `metre` wide, times the depth.
+  real metre = inversesqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
   real3 across1 = ray.across1 * metre, across2 = ray.across2 * metre, along = cross(across1, across2);
   real perLength = inversesqrt(dot(along, along));
   real3 near = startOfSearch();
@@ -168,16 +178,16 @@ int findPoint(out Found found) {
   // The sign of F's slope where the ray meets the outer side, and where it meets the side searched for.
   real outer = has(kRisesOutward) ? -1.0 : 1.0, rising = gl_FrontFacing != has(kBackSide) ? outer : -outer;
   Expansion e = expansionAt(start, way);
-  int result = findOnRay(way, metre, outer, rising, p, e);
+  int result = findOnRay(ray, way, metre, outer, rising, p, e);
   found.S = p;
   found.parameters = vec2(parameterOf(p, kUOf), parameterOf(p, kVOf));
   found.outward = outwardOf(vec3(has(kRisesOutward) ? e.half_ : -e.half_));
   found.front = rising == outer;
   found.depth = depthOf(p);
-  f = offsetOf(ray, p);
-  real besideSurface = 0.5 * abs(e.c) * inversesqrt(dot(e.half_, e.half_));
-  found.residual = float((max(abs(f.x), abs(f.y)) + besideSurface / metre) / widthAt(found.depth));
+  // Of the nearest point of the surface.
+  f = offsetOf(ray, p - e.half_ * (0.5 * e.c / max(dot(e.half_, e.half_), kSmallest)));
+  found.residual = float(max(abs(f.x), abs(f.y)) / widthAt(found.depth));
   // Newton-Kantorovich, of one variable.
-  found.certified = mostBend(e) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p);
+  found.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p);
   return result;
 }

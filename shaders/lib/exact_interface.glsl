@@ -26,7 +26,7 @@ layout(location = 13) flat LUXO_LINK vec4 linkCellHalf;     // extent of the cel
 layout(location = 14) flat LUXO_LINK vec4 linkClip;         // clipDepth; thickness; slot of the tally
 
 // Flags of a draw.
-const uint kBackSide = 1 << 22;     // these triangles lead to the back of the surface
+const uint kBackSide = 1 << 22;     // these triangles, seen from the front, lead to the back of the surface
 const uint kNegative = 1 << 23;     // where they are seen from the front, areas of the parameters on it are negative
 const uint kPerspective = 1 << 24;
 const uint kPointLight = 1 << 25;   // of the first light; two bits on, of the next
@@ -36,7 +36,14 @@ bool has(uint flag) { return (linkFlags.x & flag) != 0; }
 
 layout(constant_id = 5) const uint kParameterCount = 0;
 layout(constant_id = 8) const bool kEquation = false;  // whether the surface is searched for by its equation
-layout(constant_id = 9) const bool kDouble = false;    // whether it is searched for in double
+// Whether it is searched for in double.
+#ifdef LUXO_VERTEX
+layout(constant_id = 9) const bool kDouble = false;
+#elif defined(LUXO_DOUBLE)
+const bool kDouble = true;
+#else
+const bool kDouble = false;
+#endif
 
 // What differs in length shares one array: lights and shades as far as they are carried, what makes numbers double, then
 // as many parameters of the formula as there is room for: with these, vertices have all the outputs that devices commonly

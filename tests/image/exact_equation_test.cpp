@@ -69,6 +69,25 @@ TEST_F(ExactEquation, IsRightWhereverItIsAndFromBothSides) {
       }
 }
 
+// An end of a rod, and a ball, flattened across: a tolerance in pixels is one across, too.
+TEST_F(ExactEquation, ScaledUnevenly) {
+  for (const char* name : {"cylinder", "sphere", "torus", "cone"})
+    for (const double roll : {0.0, 1.5707963}) {
+      SCOPED_TRACE(fmt::format("{}, rolled by {}", name, roll));
+      const Node node{
+          .rotation = Rotation{{0, 0, 1}, roll}, .scale = Vec3(0.3, 3, 0.3), .surface = makeSurface(name)};
+      expectTheTruth(lit(node, {.eye = Vec3(0.5, 1, 6)}));
+    }
+}
+
+// The apex of a cone, on the ray of a pixel's centre.
+TEST_F(ExactEquation, AnApexHasAResidual) {
+  Scene scene = lit({.surface = cone(1, 0, 1)}, {.eye = Vec3(0, 5, 0), .up = Vec3(0, 0, 1)});
+  const FrameError error =
+      renderer().render(takeSnapshot(scene, 0, {65, 65}), {.shading = Shading::Exact}).statistics.error;
+  EXPECT_LE(error.residualMaxPx.value(), 1e-3);
+}
+
 // Rays pass by thin and thick tubes, along and across, and meet them farther on.
 TEST_F(ExactEquation, ToriOfAllKinds) {
   for (const double minor : {0.03, 0.3, 0.6, 0.97})

@@ -84,6 +84,28 @@ TEST_F(ExactExtremes, EyeInsideTheHull) {
   }
 }
 
+// Along the horizon a ray dips into the ball by less than the hull is thick.
+TEST_F(ExactExtremes, HorizonFromInsideTheHull) {
+  const Scene scene = glowingScene(sphere(1));
+  const Camera camera{.eye = Vec3(0, 0, 1 + 2e-4),
+                      .lookAt = Vec3(1, 0, 1 - 2e-2),
+                      .up = Vec3(0, 0, 1),
+                      .fovY = radians(8),
+                      .near = 1e-5};
+  const CameraModel model(camera, kSize);
+  const Picture picture = draw(scene, camera, kSize);
+  int covered = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const auto roots = hitSphere(model.through(centerOf(x, y)), Vec3(0), 1);
+      const bool hit = roots && roots->first > 0;
+      ASSERT_EQ(shows(picture.image, x, y), hit) << x << ", " << y;
+      covered += hit;
+    }
+  EXPECT_GT(covered, 1000);
+  EXPECT_LT(covered, kSize.width * kSize.height - 1000);
+}
+
 TEST_F(ExactExtremes, TubeSeenFromInside) {
   const Scene scene = glowingScene(torus(1, 0.4));
   for (const Vec3& lookAt : {Vec3(1, 0, -1), Vec3(2, 0, 0), Vec3(1, 1, 0.1), Vec3(0, 0, 0)}) {

@@ -88,6 +88,19 @@ TEST(Equation, PartsOfWhatIsWholeHaveNone) {
   EXPECT_FALSE(equationOf(ballUpTo(0.5), 0, {}));
 }
 
+// A dent that lies between most samplings.
+TEST(Equation, AKinkedBallHasNone) {
+  const Surface dented = surface(
+      [](auto u, auto v) {
+        const Expr latitude = kPi * (v - 0.5), turn = kTau * u;
+        const Expr r = 0.7 + 0.05 * max(0, 1 - 4000 * ((u - 0.3) * (u - 0.3) + (v - 0.6) * (v - 0.6)));
+        return point(r * cos(latitude) * cos(turn), r * sin(latitude), -(r * cos(latitude) * sin(turn)));
+      },
+      {});
+  for (std::uint32_t patch = 0; patch < dented.patchCount(); ++patch)
+    EXPECT_FALSE(equationOf(dented, patch, {})) << patch;
+}
+
 TEST(Equation, AllOfAFormSharesItsCode) {
   SurfaceCodes codes;
   using enum Equation::Form;
