@@ -16,10 +16,6 @@ constexpr std::string_view kProducts =
 constexpr std::string_view kPolynomials =
     "the terms of the polynomials cancel, each rounded to float: parameters local to a cell would keep them "
     "small";
-constexpr std::string_view kRims =
-    "just inside the outline of an open cylinder, at its rim, a ray enters the hull by the outer side, "
-    "passes beyond the rim and meets the inner side, for which no search began there";
-
 constexpr KnownMiss kMisses[] = {
     {"ST-05", "error on the device: teapot", kPolynomials},
     {"ST-05", "error on the device: scherk",
@@ -30,8 +26,6 @@ constexpr KnownMiss kMisses[] = {
     {"ST-11", "points of a torus",
      "an object of a million metres that is scaled back to one is rounded to float before, and doubles are "
      "used by its size after: rows from the object's size would not be"},
-    {"ST-39", "difference of colours from different hulls", kRims},
-    {"ST-39", "pixels that show another node", kRims},
     {"ST-27", "longest gap",
      "the 256 samples lie closer than the tube is wide, so it is searches that miss: a tube far thinner than "
      "the hull of two pixels is a few cells around, each turning too far for a scan"},
