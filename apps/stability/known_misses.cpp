@@ -23,9 +23,6 @@ constexpr KnownMiss kMisses[] = {
     {"ST-05", "error on the device: boy", kProducts},  // both of that name
     {"ST-05", "error on the device: cross_cap", kProducts},
     {"ST-05", "error on the device: twisted_torus", kProducts},
-    {"ST-11", "points of a torus",
-     "an object of a million metres that is scaled back to one is rounded to float before, and doubles are "
-     "used by its size after: rows from the object's size would not be"},
     {"ST-27", "longest gap",
      "the 256 samples lie closer than the tube is wide, so it is searches that miss: a tube far thinner than "
      "the hull of two pixels is a few cells around, each turning too far for a scan"},

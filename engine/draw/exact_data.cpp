@@ -35,9 +35,14 @@ Vec3 eyeInObject(const View& view, const Transform& worldFromObject) {
   return std::isfinite(rounded.x + rounded.y + rounded.z) ? eye : Vec3(0);
 }
 
-/// How far the node's points are from its origin, in metres of the world.
-double reach(const SnapshotNode& node, const VisibleNode& visible) {
-  return std::max(glm::length(node.boundsObject.min), glm::length(node.boundsObject.max)) * visible.stretch;
+/// How far the node's points are from its origin, in metres of the world, axis by axis: what is long along
+/// one axis and stretched along another is no larger for it.
+double reach(const SnapshotNode& node) {
+  Vec3 along;
+  for (int i = 0; i < 3; ++i)
+    along[i] = glm::length(node.worldFromObject.linear[i]) *
+               std::max(std::abs(node.boundsObject.min[i]), std::abs(node.boundsObject.max[i]));
+  return glm::length(along);
 }
 
 /// Pixels that rounding moves a point by: `everywhere`, and `near` over its depth.
@@ -46,11 +51,10 @@ struct Rounding {
 };
 
 /// Of what has the size of the distance, and of the object.
-Rounding roundingPx(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                    GlslNumber number) {
+Rounding roundingPx(const View& view, const SnapshotNode& node, GlslNumber number) {
   const double rounding = roundingOf(number) * view.pixelsPerUnit;
-  if (view.perspective()) return {rounding, rounding * reach(node, visible)};
-  return {rounding * (glm::length(view.halfExtent) + reach(node, visible)), 0};
+  if (view.perspective()) return {rounding, rounding * reach(node)};
+  return {rounding * (glm::length(view.halfExtent) + reach(node)), 0};
 }
 
 /// Of clipFromEye, and of depth, as linear functions of the object's points.
@@ -164,7 +168,7 @@ std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
 }
 
 bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
-  const Rounding rounding = roundingPx(view, node, visible, GlslNumber::Float);
+  const Rounding rounding = roundingPx(view, node, GlslNumber::Float);
   const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
   const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMostRoundingPx; };
   if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
@@ -190,7 +194,7 @@ std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::spa
 shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                                     const Hull& hull, GlslNumber number) {
   const Rows rows = rowsOf(view, node);
-  const Rounding rounding = roundingPx(view, node, visible, number);
+  const Rounding rounding = roundingPx(view, node, number);
   const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
   const Transform& world = node.worldFromObject;
