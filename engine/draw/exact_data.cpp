@@ -129,6 +129,14 @@ std::uint32_t flagsOf(const HullPatch& patch) {
          (equation && equation->v.along == Equation::Along::Radius ? shared::kRadial : 0);
 }
 
+/// Where a quadric is written about, by y: its centre, which a cone has at its apex, as around it F is free
+/// of differences of large numbers. Not so far away that places lose more than F gains.
+double centerOf(const Equation& equation) {
+  if (equation.yy == 0) return 0;
+  const double center = -0.5 * equation.y / equation.yy;
+  return std::abs(center) <= 2 * equation.reach ? center : 0;
+}
+
 /// What shaders/lib/exact_equation.glsl reads, in metres.
 void appendEquation(const Equation& equation, const Domain& domain, std::vector<double>& numbers) {
   constexpr double kNone = 1e30;
@@ -147,13 +155,18 @@ void appendEquation(const Equation& equation, const Domain& domain, std::vector<
   if (equation.sheet > 0) lowest.y = 0;
   if (equation.sheet < 0) highest.y = 0;
 
+  const double center = centerOf(equation);
+  lowest.y -= center * scale.y;
+  highest.y -= center * scale.y;
+
   const std::size_t first = numbers.size();
   if (equation.form() == Equation::Form::Torus)
-    numbers.insert(numbers.end(), {scale.x, equation.tube * scale.x, 0, 0, 0});
+    numbers.insert(numbers.end(), {scale.x, equation.tube * scale.x, 0, 0, 0, 0});
   else
     numbers.insert(numbers.end(),
                    {equation.xx / (scale.x * scale.x), equation.yy / (scale.y * scale.y),
-                    equation.zz / (scale.z * scale.z), 0.5 * equation.y / scale.y, equation.constant});
+                    equation.zz / (scale.z * scale.z), (0.5 * equation.y + equation.yy * center) / scale.y,
+                    equation.constant + (equation.y + equation.yy * center) * center, center * scale.y});
   for (const Vec3& corner : {lowest, highest}) numbers.insert(numbers.end(), {corner.x, corner.y, corner.z});
   for (const Equation::Parameter& p : {equation.u, equation.v})
     numbers.insert(numbers.end(), {static_cast<double>(p.along), p.start, p.rate});

@@ -15,10 +15,10 @@ const int kMostSteps = 24;
 real number(uint k) { return surfaceParameterAt(k); }
 real3 number3(uint k) { return real3(number(k), number(k + 1), number(k + 2)); }
 
-const uint kQuadricSquares = 0, kQuadricHalfY = 3, kQuadricConstant = 4;
+const uint kQuadricSquares = 0, kQuadricHalfY = 3, kQuadricConstant = 4, kQuadricCenter = 5;
 const uint kTorusRing = 0, kTorusTube = 1;
-const uint kLowest = 5, kHighest = 8;  // x (with kRadial: the distance from the axis), y, z
-const uint kUOf = 11, kVOf = 14, kScale = 17;
+const uint kLowest = 6, kHighest = 9;  // x (with kRadial: the distance from the axis), y, z
+const uint kUOf = 12, kVOf = 15, kScale = 18;
 
 struct Expansion {
   real c, b, a;
@@ -37,6 +37,9 @@ real rootOf(Expansion e, real square, real rising) {
 
 #ifdef LUXO_QUADRIC
 
+real3 center() { return real3(0, number(kQuadricCenter), 0); }
+
+// Of a point from the centre on.
 Expansion expansionAt(real3 p, real3 way) {
   real3 squares = number3(kQuadricSquares);
   real3 linear = real3(0, number(kQuadricHalfY), 0), half_ = squares * p + linear;
@@ -46,7 +49,7 @@ Expansion expansionAt(real3 p, real3 way) {
 // Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is
 // beyond an edge by less on the screen than the tolerance is the patch's. A plane's other root is infinitely far away.
 bool isSeen(Ray ray, real3 p) {
-  real depth = depthOf(p), radius = sqrt(p.x * p.x + p.z * p.z);
+  real depth = depthOf(p + center()), radius = sqrt(p.x * p.x + p.z * p.z);
   real3 q = has(kRadial) ? real3(radius, p.y, 0.0) : p;
   real3 beyond = max(max(number3(kLowest) - q, q - number3(kHighest)), real3(0));
   if (has(kRadial)) beyond = real3(p.x * beyond.x, radius * beyond.y, p.z * beyond.x) / max(radius, kSmallest);
@@ -77,6 +80,8 @@ bool isNear(real3 start, real3 p) { return true; }
 real mostBend(Expansion e, real3 p) { return abs(e.a); }
 
 #else
+
+real3 center() { return real3(0); }
 
 // F = (distance from the axis - ring)^2 + y^2 - tube^2: unlike the quartic it loses no digits.
 Expansion expansionAt(real3 p, real3 way) {
@@ -164,13 +169,13 @@ int findPoint(out Found found) {
   readSurface();
   if (isLeftOut()) return kMissed;
   Ray ray = rayOfPixel();
-  // Begins where the ray is nearest to a point: of a torus the hull's, of a quadric the origin, so that it is found to
+  // Begins where the ray is nearest to a point: of a torus the hull's, of a quadric the centre, so that it is found to
   // the same bits whatever the ray comes in by. In metres: a pixel is `metre` wide, times the depth.
   real metre = inversesqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
   real3 across1 = ray.across1 * metre, across2 = ray.across2 * metre, along = cross(across1, across2);
   real perLength = inversesqrt(dot(along, along));
   real3 near = startOfSearch();
-  real2 f = offsetOf(ray, near) * metre;
+  real2 f = offsetOf(ray, center() + near) * metre;
   real3 start = near + cross(along, f.x * across2 - f.y * across1) * (perLength * perLength), p = start;
   // Away from the viewer; of what is flattened, too, where depths do not tell.
   real3 way = along * (isMirrored() ? -perLength : perLength);
@@ -179,13 +184,13 @@ int findPoint(out Found found) {
   real outer = has(kRisesOutward) ? -1.0 : 1.0, rising = gl_FrontFacing != has(kBackSide) ? outer : -outer;
   Expansion e = expansionAt(start, way);
   int result = findOnRay(ray, way, metre, outer, rising, p, e);
-  found.S = p;
-  found.parameters = vec2(parameterOf(p, kUOf), parameterOf(p, kVOf));
+  found.S = center() + p;
+  found.parameters = vec2(parameterOf(found.S, kUOf), parameterOf(found.S, kVOf));
   found.outward = outwardOf(vec3(has(kRisesOutward) ? e.half_ : -e.half_));
   found.front = rising == outer;
-  found.depth = depthOf(p);
+  found.depth = depthOf(found.S);
   // Of the nearest point of the surface.
-  f = offsetOf(ray, p - e.half_ * (0.5 * e.c / max(dot(e.half_, e.half_), kSmallest)));
+  f = offsetOf(ray, found.S - e.half_ * (0.5 * e.c / max(dot(e.half_, e.half_), kSmallest)));
   found.residual = float(max(abs(f.x), abs(f.y)) / widthAt(found.depth));
   // Newton-Kantorovich, of one variable.
   found.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p);

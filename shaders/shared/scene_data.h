@@ -32,7 +32,7 @@ LUXO_CONSTANT kBindingExactPatches = 1;
 LUXO_CONSTANT kBindingExactParameters = 2;
 LUXO_CONSTANT kBindingTally = 3;
 
-LUXO_CONSTANT kEquationNumbers = 20;  // of a patch that is searched for by its equation, instead of parameters
+LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
 
 // Searches that lose a surface are counted: those in triangles seen flat by slots that vertices of hulls share, of all
 // instances, the others after these by instance.

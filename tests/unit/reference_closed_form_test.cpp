@@ -7,28 +7,15 @@
 
 #include <cmath>
 #include <random>
-#include <set>
 #include <string>
 
 #include "reference/shape.h"
+#include "support/equation_names.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
 
 namespace luxo::reference {
 namespace {
-
-/// What the closed forms are for, at the catalogue's initial arguments.
-const std::set<std::string> kClosed{"rectangle",
-                                    "disk",
-                                    "cylinder",
-                                    "cone",
-                                    "sphere",
-                                    "ellipsoid",
-                                    "paraboloid",
-                                    "torus",
-                                    "hyperboloid",
-                                    "hyperboloid2",
-                                    "hyperbolic_paraboloid"};
 
 Vec3 randomDirection(std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -53,14 +40,14 @@ TEST(ReferenceClosedForm, TheCataloguesQuadricsAndTheTorusHaveOne) {
     bool closed = true;
     for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
       closed &= ClosedForm::of(surface, patch, {}).has_value();
-    EXPECT_EQ(closed, kClosed.contains(std::string(entry.name))) << entry.name;
+    EXPECT_EQ(closed, test::kEquationNames.contains(std::string(entry.name))) << entry.name;
   }
 }
 
 TEST(ReferenceClosedForm, AgreesWithTheCells) {
   std::mt19937 random(5);
   std::vector<Surface> surfaces{torus(1, 0.01), cone(0.3, 0.9, 1.2)};
-  for (const std::string& name : kClosed) surfaces.push_back(makeSurface(name));
+  for (const std::string& name : test::kEquationNames) surfaces.push_back(makeSurface(name));
   // A rotation with unequal scales; the same mirrored.
   const Mat3 turned = rotation({1, 2, -0.5}, 0.8) * Mat3(1.3, 0, 0, 0, 0.7, 0, 0, 0, 0.9);
   for (const double mirror : {1.0, -1.0})

@@ -5,27 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <string>
 
+#include "support/equation_names.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
 #include "surface/surface_code.h"
 
 namespace luxo {
 namespace {
-
-const std::set<std::string> kEquations{"rectangle",
-                                       "disk",
-                                       "cylinder",
-                                       "cone",
-                                       "sphere",
-                                       "ellipsoid",
-                                       "paraboloid",
-                                       "torus",
-                                       "hyperboloid",
-                                       "hyperboloid2",
-                                       "hyperbolic_paraboloid"};
 
 /// A ball of that radius, of a part of its meridian.
 Surface ballUpTo(double latest) {
@@ -42,7 +30,7 @@ TEST(Equation, QuadricsAndTheTorusHaveOne) {
   for (const CatalogueEntry& entry : catalogue()) {
     const Surface surface = makeSurface(entry);
     for (const std::optional<Equation>& equation : equationsOf(surface, {}))
-      EXPECT_EQ(equation.has_value(), kEquations.contains(std::string(entry.name))) << entry.name;
+      EXPECT_EQ(equation.has_value(), test::kEquationNames.contains(std::string(entry.name))) << entry.name;
   }
 }
 

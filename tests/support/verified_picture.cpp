@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/verified_picture.h"
+
+#include "reference/reference.h"
+
+namespace luxo::test {
+
+VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snapshot) {
+  const auto show = [&](Output output) {
+    return renderer().render(snapshot, {.shading = Shading::Exact, .output = output});
+  };
+  const Picture color = show(Output::Color);
+  return {color.statistics, verify(snapshot, castPicture(snapshot),
+                                   {.color = color.image,
+                                    .normal = show(Output::Normal).image,
+                                    .uv = show(Output::Uv).image,
+                                    .id = show(Output::Id).image})};
+}
+
+VerifiedPictureTest::Verified VerifiedPictureTest::expectTheTruth(const Snapshot& snapshot,
+                                                                  std::uint64_t pixels) {
+  Verified found = verified(snapshot);
+  const Verification& verification = found.verification;
+  EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+  EXPECT_GE(verification.coverage.both, pixels);
+  EXPECT_EQ(verification.coverage.undecided, 0U);
+  EXPECT_EQ(verification.coverage.beyond, 0U) << "coverage wrong farther than 0.01 px from the silhouette";
+  EXPECT_LE(verification.positionPx.max, 1e-3);
+  EXPECT_GE(verification.color.psnrLinear, 110);
+  EXPECT_EQ(verification.nanPixels, 0U);
+  return found;
+}
+
+}  // namespace luxo::test
