@@ -65,6 +65,22 @@ VkClearColorValue backgroundOf(const Snapshot& snapshot, Output output) {
   return {{output == Output::Depth ? infinity : 0.0f, 0, 0, 0}};
 }
 
+/// How many times as large as the picture the viewport is, where the device allows. Triangles that reach past
+/// a viewport are cut into slivers, of which a CPU device rounds the slopes: a tenth of a pixel is lost of
+/// what a mesh interpolates. Those that leave the picture by less than half of it are not cut.
+float guardOf(VkExtent2D extent, const VkPhysicalDeviceLimits& limits) {
+  constexpr std::uint32_t kGuard = 2;
+  const bool fits = kGuard * extent.width <= limits.maxViewportDimensions[0] &&
+                    kGuard * extent.height <= limits.maxViewportDimensions[1];
+  return fits ? kGuard : 1;
+}
+
+shared::ViewData guarded(shared::ViewData view, float guard) {
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 2; ++row) view.clipFromRelative[column][row] /= guard;
+  return view;
+}
+
 struct PassTargets {
   gpu::Texture& color;
   gpu::Texture* resolved;  ///< averaged into at the end of the pass; null without multisampling
@@ -72,7 +88,7 @@ struct PassTargets {
 };
 
 void beginPass(VkCommandBuffer commands, const PassTargets& targets, VkAttachmentLoadOp load,
-               VkClearColorValue background) {
+               VkClearColorValue background, float guard) {
   VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
                                   .imageView = targets.color.view(),
                                   .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
@@ -98,7 +114,7 @@ void beginPass(VkCommandBuffer commands, const PassTargets& targets, VkAttachmen
                                   .pColorAttachments = &color,
                                   .pDepthAttachment = &depth};
   vkCmdBeginRendering(commands, &rendering);
-  gpu::setViewport(commands, targets.color.extent());
+  gpu::setViewport(commands, targets.color.extent(), guard);
 }
 
 /// Vertices snap to 1/256 pixel, so the depth of a facet is uncertain by its slope times 1/512 pixel at its
@@ -158,7 +174,8 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   using enum gpu::Use;
   store_.dropUnused();
   Uploads& uploads = care.completes ? completion_ : uploads_;
-  upload(list, !options.skips.unchanged, uploads);
+  const float guard = guardOf(color_.extent(), context_->limits());
+  upload(list, guarded(list.view, guard), !options.skips.unchanged, uploads);
   Bindings bindings{.scene = frames.descriptors().write(
                         pipelines_.sceneLayout(), {uploads.view.buffer,
                                                    uploads.instances.buffer,
@@ -181,7 +198,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
     const auto contents = load == VK_ATTACHMENT_LOAD_OP_CLEAR ? gpu::Contents::Discard : gpu::Contents::Keep;
     gpu::use(commands, {{color_, ColorAttachment, contents}, {depth_, DepthAttachment, contents}});
     if (resolved_) gpu::use(commands, {{resolved_, ResolveTarget, gpu::Contents::Discard}});
-    beginPass(commands, targets, load, backgroundOf(snapshot, options.output));
+    beginPass(commands, targets, load, backgroundOf(snapshot, options.output), guard);
     paint(commands, bindings, batches, statistics);
     vkCmdEndRendering(commands);
     ++statistics.count.passes;
@@ -225,9 +242,8 @@ void ScenePainter::prepareTargets(VkExtent2D extent, VkSampleCountFlagBits sampl
                                     .name = "depth"});
 }
 
-void ScenePainter::upload(const DrawList& list, bool always, Uploads& uploads) {
-  write(uploads.view, std::as_bytes(std::span(&list.view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "view",
-        always);
+void ScenePainter::upload(const DrawList& list, const shared::ViewData& view, bool always, Uploads& uploads) {
+  write(uploads.view, std::as_bytes(std::span(&view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "view", always);
   // A buffer has at least one element, so that there is something to bind.
   static const std::vector<shared::InstanceData> kNoInstance(1);
   const auto& instances = list.instances.empty() ? kNoInstance : list.instances;

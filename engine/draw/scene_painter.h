@@ -63,7 +63,7 @@ class ScenePainter {
   };
 
   void prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples);
-  void upload(const DrawList& list, bool always, Uploads& uploads);
+  void upload(const DrawList& list, const shared::ViewData& view, bool always, Uploads& uploads);
   void clearTally(const DrawList& list);
   void write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage, const char* name,
              bool always);

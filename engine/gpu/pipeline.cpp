@@ -202,10 +202,14 @@ void setDepthBias(VkCommandBuffer commands, DepthBias bias) {
   vkCmdSetDepthBias(commands, bias.constant, 0, bias.slope);
 }
 
-void setViewport(VkCommandBuffer commands, VkExtent2D extent) {
+void setViewport(VkCommandBuffer commands, VkExtent2D extent, float guard) {
   const auto width = static_cast<float>(extent.width);
   const auto height = static_cast<float>(extent.height);
-  const VkViewport viewport{.y = height, .width = width, .height = -height, .maxDepth = 1};
+  const VkViewport viewport{.x = 0.5f * (1 - guard) * width,
+                            .y = 0.5f * (1 + guard) * height,
+                            .width = guard * width,
+                            .height = -guard * height,
+                            .maxDepth = 1};
   const VkRect2D scissor{.extent = extent};
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &scissor);

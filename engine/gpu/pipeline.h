@@ -87,7 +87,9 @@ class GraphicsPipeline {
 void setDepthBias(VkCommandBuffer commands, DepthBias bias);
 
 /// Viewport and scissor of the whole target with y up: clip-space (-1, -1) is the bottom left, depth goes 0
-/// to 1. VK_FRONT_FACE_COUNTER_CLOCKWISE then means counter-clockwise as seen in the picture.
-void setViewport(VkCommandBuffer commands, VkExtent2D extent);
+/// to 1. VK_FRONT_FACE_COUNTER_CLOCKWISE then means counter-clockwise as seen in the picture. With a guard of
+/// g the picture is the middle g-th of clip space, and triangles are cut at the edges of a viewport g times
+/// as large, which must be within limits().maxViewportDimensions.
+void setViewport(VkCommandBuffer commands, VkExtent2D extent, float guard = 1);
 
 }  // namespace luxo::gpu

@@ -133,10 +133,14 @@ real mostBend(Expansion e, real3 p) {
 
 #endif
 
-// The part of the circle, 0 to 1.
+// The part of the circle, 0 to 1: an eighth of it or less, and quarters. Only their sum is rounded to the last bit of 1.
 real turnOf(real y, real x) {
-  real turn = formulaAtan2(y, x) * real(0.15915494309189535);
-  return turn < 0.0 ? turn + 1.0 : turn;
+  real wide = abs(x), high = abs(y);
+  bool steep = high > wide;
+  real eighth = formulaAtan(min(wide, high) / max(max(wide, high), kSmallest)) * real(0.15915494309189535);
+  float quarters = steep ? (y < 0.0 ? 3.0 : 1.0) : x < 0.0 ? 2.0 : y < 0.0 ? 4.0 : 0.0;
+  bool backward = steep == (x < 0.0 == y < 0.0);
+  return 0.25 * quarters + (backward ? -eighth : eighth);
 }
 
 // u or v of a point, as Equation::Parameter has it: a linear function of what it goes along.
