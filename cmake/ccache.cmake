@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Compilations go through ccache where it is installed. Paths below the source tree are seen relative to the build folder, so
-# that sibling build folders (build/release, build/no-window) share what compiles alike; so do builds by ctest, which sets a
-# locale.
+# Compilations go through ccache where it is installed. Paths below the source tree are seen relative to the
+# build folder, so that sibling build folders (build/release, build/no-window) share what compiles alike; so do
+# builds by ctest, which sets a locale.
 
 if(NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(LUXO_CCACHE ccache)

@@ -13,6 +13,7 @@
 #include "reference/caster.h"
 #include "stability/cases.h"
 #include "stability/pictures.h"
+#include "surface/equation.h"
 #include "surface/library.h"
 
 namespace luxo {
@@ -42,15 +43,20 @@ double positionError(StressContext& context, const Snapshot& snapshot, DrawOptio
 }
 
 /// The largest difference between what the shader says of a pixel's point and how far, across or down, the
-/// point it shows is from the pixel's centre, worked out again in double.
-double residualError(const Snapshot& snapshot, const Image& id, const Image& uv, const Image& residual) {
+/// point it shows is from the pixel's centre, worked out again in double. Of a formula that is the point at
+/// its parameters; of an equation the point itself, and parameters are what is rounded of its angles.
+double residualError(StressContext& context, const Snapshot& snapshot) {
   const SnapshotNode& node = snapshot.nodes.front();
+  const bool byEquation = equationOf(node.surface, 0, node.parameters).has_value();
+  const Image id = draw(context, snapshot, Output::Id), residual = draw(context, snapshot, Output::Residual);
+  const Image found = draw(context, snapshot, byEquation ? Output::Position : Output::Uv);
   double worst = 0;
   for (int y = 0; y < id.height(); ++y)
     for (int x = 0; x < id.width(); ++x) {
       if (id.pixel(x, y)[0] == 0) continue;
-      const auto at = uv.pixel(x, y);
-      const Vec3 point = node.surface.position(at[0], at[1], node.parameters);
+      const auto at = found.pixel(x, y);
+      const Vec3 point =
+          byEquation ? colorAt(found, x, y) : node.surface.position(at[0], at[1], node.parameters);
       const Vec2 off = glm::abs(pixelOf(snapshot.view, point) - centerOf(x, y));
       worst = std::max(worst, std::abs(std::max(off.x, off.y) - double(residual.pixel(x, y)[0])));
     }
@@ -68,9 +74,7 @@ std::vector<Measurement> parametricAccuracy(StressContext& context) {
           meshes[i],
           positionError(context, snapshot, {.shading = Shading::Phong, .tolerancePx = kTolerances[i]}));
     exact = std::max(exact, positionError(context, snapshot, {.shading = context.shading()}));
-    told = std::max(
-        told, residualError(snapshot, draw(context, snapshot, Output::Id),
-                            draw(context, snapshot, Output::Uv), draw(context, snapshot, Output::Residual)));
+    told = std::max(told, residualError(context, snapshot));
   }
   for (std::size_t i = 0; i < kTolerances.size(); ++i)
     measurements.push_back(

@@ -16,6 +16,7 @@ constexpr std::string_view kProducts =
 constexpr std::string_view kPolynomials =
     "the terms of the polynomials cancel, each rounded to float: parameters local to a cell would keep them "
     "small";
+
 constexpr KnownMiss kMisses[] = {
     {"ST-05", "error on the device: teapot", kPolynomials},
     {"ST-05", "error on the device: scherk",

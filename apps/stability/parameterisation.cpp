@@ -97,17 +97,25 @@ std::vector<Measurement> coneApex(StressContext& context) {
           none("coverage wrong beyond 0.01 px", wrong, "pixels")};
 }
 
-/// Pixels darker than nine tenths of the darkest of their neighbours.
-double darkPixels(const Image& color) {
+/// Pixels darker than nine tenths of the darkest of their neighbours where the surface is not as dark.
+double darkPixels(const Image& color, const reference::Caster& caster) {
+  const auto shown = [&](int x, int y) { return colorAt(color, x, y).y; };
+  const auto truth = [&](int x, int y) {
+    const reference::Ray ray = caster.rayThrough(x + 0.5, y + 0.5);
+    bool certified = true;
+    return caster.color(ray, caster.look(ray), certified).y;
+  };
+  const auto isDark = [](const auto& shadeAt, int x, int y) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if (dx != 0 || dy != 0) least = std::min<double>(least, shadeAt(x + dx, y + dy));
+    return !(shadeAt(x, y) >= 0.9 * least);
+  };
   double count = 0;
   for (int y = 1; y + 1 < color.height(); ++y)
-    for (int x = 1; x + 1 < color.width(); ++x) {
-      double least = std::numeric_limits<double>::infinity();
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          if (dx != 0 || dy != 0) least = std::min(least, colorAt(color, x + dx, y + dy).y);
-      if (!(colorAt(color, x, y).y >= 0.9 * least)) ++count;
-    }
+    for (int x = 1; x + 1 < color.width(); ++x)
+      if (isDark(shown, x, y) && !isDark(truth, x, y)) ++count;
   return count;
 }
 
@@ -127,9 +135,9 @@ std::vector<Measurement> teapotCollapses(StressContext& context) {
           .eye = eye, .lookAt = Vec3(0, height, 0), .fovY = fovOf(size.height, kPixelsPerMetre * kDistance)};
       const Outputs out(context, scene, camera, size);
       nans += out.nans();
-      dark += darkPixels(out.color);
       empty += emptyCount(out.id);
       const reference::Caster caster(out.snapshot);
+      dark += darkPixels(out.color, caster);
       forEachAround(size, 0, 1, [&](int x, int y, double distance) {
         const auto sight = caster.look(caster.rayThrough(x + 0.5, y + 0.5));
         const Vec3 truth = distance == 0 ? Vec3(0, side, 0) : sight.hits.at(0).normal;

@@ -129,8 +129,7 @@ std::vector<Measurement> culling(StressContext& context) {
   for (const auto& [scene, time] : {std::pair(luxoGrandpa(), 21.0), std::pair(gallery(), 0.3)}) {
     const Snapshot snapshot = takeSnapshot(scene, time, context.size());
     const Image expected = context.draw(snapshot).image;
-    withoutSkips += differingPixels(
-        context.draw(snapshot, {.skips = Skips::none()}).image, expected);
+    withoutSkips += differingPixels(context.draw(snapshot, {.skips = Skips::none()}).image, expected);
     withBackFaces += differingPixels(context.draw(snapshot, {.cullBackFaces = false}).image, expected);
   }
   return {none("pixels that differ without any skip", withoutSkips, "pixels"),
