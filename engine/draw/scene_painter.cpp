@@ -143,7 +143,7 @@ ScenePainter::ScenePainter(gpu::Context& context, Precision precision)
   lightStride_ = (sizeof(shared::LightSet) + alignment - 1) / alignment * alignment;
 }
 
-void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
+void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& scene,
                           const DrawOptions& options, FrameStatistics& statistics, const SearchCare& care) {
   const bool auxiliary = options.output != Output::Color;
   const VkSampleCountFlagBits samples =
@@ -153,6 +153,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   const std::uint64_t tessellatedBefore = geometry_.meshes.tessellated();
   Stopwatch watch;
 
+  const Snapshot& snapshot = evenScale_.of(scene);
   const VisibleList visible = cull(snapshot, cullOptions(options, samples));
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();

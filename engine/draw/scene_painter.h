@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "draw/draw_list.h"
+#include "draw/even_scale.h"
 #include "draw/mesh_store.h"
 #include "draw/options.h"
 #include "draw/scene_pipelines.h"
@@ -28,7 +29,7 @@ class ScenePainter {
 
   /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
   /// is in target() once the recording has been submitted and is complete. Throws Error(Scene).
-  void record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& snapshot,
+  void record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& scene,
               const DrawOptions& options, FrameStatistics& statistics, const SearchCare& care = {});
 
   /// Of the last recording, which has to be complete.
@@ -72,6 +73,7 @@ class ScenePainter {
 
   gpu::Context* context_;
   PassFormat format_;
+  EvenScale evenScale_;
   ScenePipelines pipelines_;
   Geometry geometry_;
   MeshStore store_;

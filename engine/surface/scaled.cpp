@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/scaled.h"
+
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace luxo {
+namespace {
+
+std::shared_ptr<const SurfaceFunction> scaled(const SurfaceFunction& function, const Vec3& scale) {
+  Graph graph;
+  const std::vector<Expr> p = function.position.expressions(graph);
+  return compileSurface(graph, {p[0] * scale.x, p[1] * scale.y, p[2] * scale.z});
+}
+
+}  // namespace
+
+Surface scaled(const Surface& surface, const Vec3& scale, std::span<const double> parameters) {
+  std::map<const SurfaceFunction*, std::shared_ptr<const SurfaceFunction>> functions;
+  std::vector<Patch> patches = surface.patches();
+  for (Patch& patch : patches) {
+    auto& function = functions[patch.function.get()];
+    if (!function) function = scaled(*patch.function, scale);
+    patch.function = function;
+  }
+  SurfaceTraits traits{.name = surface.name(), .orientation = surface.topology().orientation()};
+  // Normals are scaled by the inverse.
+  if (const auto normal = surface.flatNormal()) traits.flatNormal = unit(*normal / scale);
+  return Surface(std::move(patches), {parameters.begin(), parameters.end()}, std::move(traits));
+}
+
+}  // namespace luxo
