@@ -380,7 +380,9 @@ class DrawLister {
     const auto [entry, isNew] =
         firstPatchOf_.try_emplace(std::pair{node.surface.identity(), node.parameters},
                                   static_cast<std::uint32_t>(list_.exactPatches.size()));
-    if (isNew) appendPatches(node.surface, node.parameters, hull, list_.exactPatches, list_.exactParameters);
+    if (isNew)
+      appendPatches(geometry_.codes, node.surface, node.parameters, hull, list_.exactPatches,
+                    list_.exactParameters);
     return entry->second;
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "draw/exact_shaders.h"
 
 namespace luxo {
 namespace {
@@ -174,6 +175,21 @@ void appendEquation(const Equation& equation, const Domain& domain, std::vector<
   LUXO_REQUIRE_COMPARE(numbers.size() - first, ==, std::size_t{shared::kEquationNumbers});
 }
 
+const SurfaceCode* ownCode(SurfaceCodes& codes, const Patch& patch, std::size_t parameters,
+                           GlslNumber number) {
+  return codes.get(patch.function, patch.constants.size() + parameters, number);
+}
+
+const SurfaceCode* generalCode(SurfaceCodes& codes, const Patch& patch, GlslNumber number) {
+  return codes.get(patch.general, patch.constants.size() + patch.general->arguments.size(), number);
+}
+
+/// Whether a patch is searched for by its general form: its own would have to be compiled.
+bool isGeneral(SurfaceCodes& codes, const Patch& patch, const SurfaceCode& own) {
+  return patch.general && builtInExactShader(own).empty() &&
+         !builtInExactShader(*generalCode(codes, patch, own.number)).empty();
+}
+
 }  // namespace
 
 std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
@@ -237,11 +253,12 @@ const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hul
   if (const auto& equation = hull.patchData[patch].equation)
     return codes.get(equation->form(), shared::kEquationNumbers, number);
   const Patch& p = surface.patches()[patch];
-  return codes.get(p.function, p.constants.size() + parameters, number);
+  const SurfaceCode* const own = ownCode(codes, p, parameters, number);
+  return isGeneral(codes, p, *own) ? generalCode(codes, p, number) : own;
 }
 
-void appendPatches(const Surface& surface, std::span<const double> parameters, const Hull& hull,
-                   std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers) {
+void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const double> parameters,
+                   const Hull& hull, std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers) {
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i) {
     const HullPatch& patch = hull.patchData[i];
     const Domain& domain = patch.domain;
@@ -254,9 +271,16 @@ void appendPatches(const Surface& surface, std::span<const double> parameters, c
       appendEquation(*patch.equation, domain, numbers);
       continue;
     }
-    const PatchInputs inputs(surface.patches()[i], parameters);
-    const std::span<const double> all = inputs;
-    numbers.insert(numbers.end(), all.begin(), all.end());
+    const Patch& p = surface.patches()[i];
+    if (const SurfaceCode* const own = ownCode(codes, p, parameters.size(), GlslNumber::Float);
+        isGeneral(codes, p, *own)) {
+      const std::vector<double> inputs = p.general->inputs(p.constants, parameters);
+      numbers.insert(numbers.end(), inputs.begin(), inputs.end());
+    } else {
+      const PatchInputs inputs(p, parameters);
+      const std::span<const double> all = inputs;
+      numbers.insert(numbers.end(), all.begin(), all.end());
+    }
   }
 }
 

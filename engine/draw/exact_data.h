@@ -42,9 +42,10 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 [[nodiscard]] const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
                                         std::uint32_t patch, std::size_t parameters, GlslNumber number);
 
-/// Appends the patches of a hull, and the numbers of their equations or of their formulas' parameters.
-void appendPatches(const Surface& surface, std::span<const double> parameters, const Hull& hull,
-                   std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers);
+/// Appends the patches of a hull, and the numbers that their codes read: of equations, or what formulas read
+/// beyond u and v.
+void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const double> parameters,
+                   const Hull& hull, std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers);
 
 /// Whether the eye may be inside the hull, or so near that the near plane may be.
 [[nodiscard]] bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible,

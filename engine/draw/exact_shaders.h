@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The exact shaders that were compiled when luxo was built, in float and in double: of the named surfaces
-// without arguments, of the built-in scenes, and of equations (shaders/exact/emit.cpp).
+// without arguments and in general, of the built-in scenes, and of equations (shaders/exact/emit.cpp).
 #pragma once
 
 #include <cstdint>

@@ -137,24 +137,35 @@ double CatalogueValues::at(std::size_t index, const Moment& moment) const {
   return value;
 }
 
-SurfaceInputs::SurfaceInputs(std::shared_ptr<const CatalogueValues> values, const Moment& start)
-    : values_(std::move(values)), start_(start), graph_(std::make_unique<Graph>()) {
+SurfaceInputs::SurfaceInputs(std::shared_ptr<const CatalogueValues> values, const Moment& start,
+                             GeneralForms* made)
+    : values_(std::move(values)), start_(start), made_(made), graph_(std::make_unique<Graph>()) {
   u_ = graph_->variable(0);
   v_ = graph_->variable(1);
   std::uint32_t next = 2;
   for (std::uint32_t i = 0; i < values_->entry().patchConstants; ++i)
     patchConstants_.push_back(graph_->variable(next++));
   for (const auto& component : values_->components())
-    components_.push_back(component.isConstant() ? Expr(component.at(Moment())) : graph_->variable(next++));
+    components_.push_back(component.isConstant() && !made_ ? Expr(component.at(Moment()))
+                                                           : graph_->variable(next++));
 }
+
+SurfaceInputs::SurfaceInputs(std::shared_ptr<const CatalogueValues> values, const Moment& start,
+                             GeneralForms forms)
+    : SurfaceInputs(std::move(values), start, nullptr) {
+  forms_ = std::move(forms);
+}
+
+SurfaceInputs::SurfaceInputs(std::shared_ptr<const CatalogueValues> values, GeneralForms& forms)
+    : SurfaceInputs(std::move(values), Moment(), &forms) {}
 
 Expr SurfaceInputs::operator()(std::string_view argument, std::size_t component) const {
   return components_[values_->indexOf(argument, component)];
 }
 
 std::optional<double> SurfaceInputs::constant(std::string_view argument, std::size_t component) const {
-  const Expr value = (*this)(argument, component);
-  return value.isConstant() ? std::optional(value.constant()) : std::nullopt;
+  const Animated<double>& value = values_->components()[values_->indexOf(argument, component)];
+  return value.isConstant() ? std::optional(value.at(Moment())) : std::nullopt;
 }
 
 Expr SurfaceInputs::patchConstant(std::uint32_t index) const {
@@ -162,7 +173,35 @@ Expr SurfaceInputs::patchConstant(std::uint32_t index) const {
   return patchConstants_[index];
 }
 
-Surface SurfaceInputs::assemble(std::vector<Patch> patches, SurfaceTraits traits) const {
+GeneralForms SurfaceInputs::generalForms(const std::vector<Piece>& pieces) const {
+  std::vector<GeneralForm::Argument> arguments;
+  std::uint32_t parameters = 0;
+  for (const Animated<double>& component : values_->components())
+    if (component.isConstant())
+      arguments.push_back({.value = component.at(Moment())});
+    else
+      arguments.push_back({.parameter = parameters++});
+  GeneralForms forms;
+  for (const Piece& piece : pieces) {
+    const auto form =
+        std::make_shared<const GeneralForm>(GeneralForm{Tape(*graph_, piece.position), arguments});
+    forms.insert(forms.end(), piece.places.size(), form);
+  }
+  return forms;
+}
+
+Surface SurfaceInputs::assemble(const std::vector<Piece>& pieces, SurfaceTraits traits) const {
+  if (made_) {
+    *made_ = generalForms(pieces);
+    return {};
+  }
+  std::vector<Patch> patches;
+  for (const Piece& piece : pieces) {
+    const auto function = compileSurface(*graph_, piece.position);
+    for (const PatchPlace& place : piece.places) patches.push_back({function, place.domain, place.constants});
+  }
+  for (std::size_t i = 0; i < forms_.size(); ++i) patches[i].general = forms_[i];
+
   traits.name = std::string(values_->entry().name);
   std::vector<Animated<double>> initial, moving;
   for (std::size_t i = 0; i < components_.size(); ++i) {
@@ -177,7 +216,7 @@ Surface SurfaceInputs::assemble(std::vector<Patch> patches, SurfaceTraits traits
 }
 
 Surface SurfaceInputs::surface(const ExprPoint& position, SurfaceTraits traits) const {
-  return assemble({{compileSurface(*graph_, position), Domain{}}}, std::move(traits));
+  return assemble({{position, {PatchPlace{}}}}, std::move(traits));
 }
 
 Surface SurfaceInputs::revolve(Expr radius, Expr height, SurfaceTraits traits) const {
@@ -186,17 +225,13 @@ Surface SurfaceInputs::revolve(Expr radius, Expr height, SurfaceTraits traits) c
 }
 
 Surface SurfaceInputs::patchwork(const ExprPoint& position, const std::vector<PatchPlace>& places) const {
-  const auto function = compileSurface(*graph_, position);
-  std::vector<Patch> patches;
-  for (const PatchPlace& place : places) patches.push_back({function, place.domain, place.constants});
-  return assemble(std::move(patches), {});
+  return assemble({{position, places}}, {});
 }
 
 Surface SurfaceInputs::patchwork(const std::vector<PatchFormula>& formulas) const {
-  std::vector<Patch> patches;
-  for (const PatchFormula& formula : formulas)
-    patches.push_back({compileSurface(*graph_, formula.position), formula.domain});
-  return assemble(std::move(patches), {});
+  std::vector<Piece> pieces;
+  for (const PatchFormula& formula : formulas) pieces.push_back({formula.position, {{formula.domain}}});
+  return assemble(pieces, {});
 }
 
 std::span<const CatalogueEntry> catalogue() {
@@ -217,7 +252,10 @@ const CatalogueEntry* findCatalogueEntry(std::string_view name) {
 
 Surface makeSurface(const CatalogueEntry& entry, std::span<const SurfaceArgument> arguments,
                     const Moment& start) {
-  return entry.make(SurfaceInputs(std::make_shared<const CatalogueValues>(entry, arguments), start));
+  const auto values = std::make_shared<const CatalogueValues>(entry, arguments);
+  GeneralForms forms;
+  static_cast<void>(entry.make(SurfaceInputs(values, forms)));
+  return entry.make(SurfaceInputs(values, start, std::move(forms)));
 }
 
 Surface makeSurface(std::string_view name, const std::vector<SurfaceArgument>& arguments,

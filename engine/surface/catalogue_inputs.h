@@ -42,17 +42,23 @@ struct PatchPlace {
   std::vector<double> constants = {};
 };
 
+/// Of each patch.
+using GeneralForms = std::vector<std::shared_ptr<const GeneralForm>>;
+
 class SurfaceInputs {
  public:
-  SurfaceInputs(std::shared_ptr<const CatalogueValues> values, const Moment& start);
+  /// `forms` go to the surface's patches.
+  SurfaceInputs(std::shared_ptr<const CatalogueValues> values, const Moment& start, GeneralForms forms);
+  /// All arguments are variables, and what is made is no surface but its general forms.
+  SurfaceInputs(std::shared_ptr<const CatalogueValues> values, GeneralForms& forms);
 
   [[nodiscard]] Expr u() const { return u_; }
   [[nodiscard]] Expr v() const { return v_; }
   /// 2 pi u
   [[nodiscard]] Expr phi() const { return kTau * u_; }
-  /// An argument: a constant, or a free variable where it moves.
+  /// An argument: a constant, or a variable.
   [[nodiscard]] Expr operator()(std::string_view argument, std::size_t component = 0) const;
-  /// Its value; nothing where it moves.
+  /// Its value; nothing where it moves. What a formula's structure depends on, general forms included.
   [[nodiscard]] std::optional<double> constant(std::string_view argument, std::size_t component = 0) const;
   /// Number `index` of what each patch brings along (PatchPlace::constants).
   [[nodiscard]] Expr patchConstant(std::uint32_t index) const;
@@ -71,11 +77,21 @@ class SurfaceInputs {
   [[nodiscard]] Surface patchwork(const std::vector<PatchFormula>& formulas) const;
 
  private:
+  SurfaceInputs(std::shared_ptr<const CatalogueValues> values, const Moment& start, GeneralForms* made);
+
+  /// A formula's patches.
+  struct Piece {
+    ExprPoint position;
+    std::vector<PatchPlace> places;
+  };
   /// Finds the topology for the moment the surface starts with, then lets the parameters move.
-  [[nodiscard]] Surface assemble(std::vector<Patch> patches, SurfaceTraits traits) const;
+  [[nodiscard]] Surface assemble(const std::vector<Piece>& pieces, SurfaceTraits traits) const;
+  [[nodiscard]] GeneralForms generalForms(const std::vector<Piece>& pieces) const;
 
   std::shared_ptr<const CatalogueValues> values_;
   Moment start_;
+  GeneralForms forms_;
+  GeneralForms* made_ = nullptr;
   std::unique_ptr<Graph> graph_;
   Expr u_, v_;
   std::vector<Expr> patchConstants_;

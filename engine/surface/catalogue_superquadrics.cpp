@@ -7,6 +7,7 @@
 // curve itself is infinitely curved at the axes: there t^2 takes the place of t, so that the second
 // derivatives stay finite. For p = 1 the piece is straight, and written so.
 #include <cmath>
+#include <optional>
 
 #include "surface/catalogue_inputs.h"
 
@@ -32,16 +33,19 @@ struct Curve {
   Expr cosine, sine;
 };
 
-/// The power of the cosine and of the sine at `counter`; the piece is patch constants `first` and on.
-Curve superellipse(const SurfaceInputs& in, Expr counter, Expr exponent, std::uint32_t first) {
+/// The cosine and the sine at `counter` to the power of an exponent; the piece is patch constants `first` and
+/// on.
+Curve superellipse(const SurfaceInputs& in, Expr counter, std::size_t which, std::uint32_t first) {
+  const Expr exponent = in("exponents", which);
+  const std::optional<double> known = in.constant("exponents", which);
   const Expr side = in.patchConstant(first + 1), cosine = in.patchConstant(first + 2),
              sine = in.patchConstant(first + 3);
   const Expr t = side * (counter - in.patchConstant(first));
   const auto turned = [&](Expr along, Expr across) {
     return Curve{cosine * along - sine * (side * across), sine * along + cosine * (side * across)};
   };
-  if (exponent.isConstant() && exponent.constant() == 2) return turned(1 - 0.5 * t, 0.5 * t);
-  const bool regular = exponent.isConstant() && exponent.constant() <= 1;
+  if (known == 2) return turned(1 - 0.5 * t, 0.5 * t);
+  const bool regular = known && *known <= 1;
   const Expr p = 2 / exponent;
   const Expr along = pow(1 + pow(t, regular ? p : 2 * p), -0.5 * exponent);
   return turned(along, (regular ? t : t * t) * along);
@@ -64,16 +68,16 @@ std::vector<PatchPlace> pieces(int vFirst, int vLast) {
 }
 
 Surface makeSuperellipsoid(const SurfaceInputs& in) {
-  const Curve level = superellipse(in, 4 * in.v() - 2, in("exponents", 0), 4);
-  const Curve around = superellipse(in, 8 * in.u(), in("exponents", 1), 0);
+  const Curve level = superellipse(in, 4 * in.v() - 2, 0, 4);
+  const Curve around = superellipse(in, 8 * in.u(), 1, 0);
   return in.patchwork(point(in("radii", 0) * (level.cosine * around.cosine), in("radii", 1) * level.sine,
                             -(in("radii", 2) * (level.cosine * around.sine))),
                       pieces(-2, 2));
 }
 
 Surface makeSupertoroid(const SurfaceInputs& in) {
-  const Curve tube = superellipse(in, 8 * in.v(), in("exponents", 0), 4);
-  const Curve ring = superellipse(in, 8 * in.u(), in("exponents", 1), 0);
+  const Curve tube = superellipse(in, 8 * in.v(), 0, 4);
+  const Curve ring = superellipse(in, 8 * in.u(), 1, 0);
   const Expr distance = in("major") + in("minor") * tube.cosine;
   return in.patchwork(point(distance * ring.cosine, in("minor") * tube.sine, -(distance * ring.sine)),
                       pieces(0, 8));

@@ -20,6 +20,14 @@ std::vector<Interval> parts(const Interval& range, const std::vector<double>& li
 
 }  // namespace
 
+std::vector<double> GeneralForm::inputs(std::span<const double> constants,
+                                        std::span<const double> parameters) const {
+  std::vector<double> all(constants.begin(), constants.end());
+  for (const Argument& argument : arguments)
+    all.push_back(argument.parameter ? parameters[*argument.parameter] : argument.value);
+  return all;
+}
+
 std::vector<Patch> cutAtKinks(Graph& graph, const ExprPoint& position, const Domain& domain) {
   const std::vector<Interval> columns = parts(domain.u, kinkLines(graph, position, 0, domain.u));
   const std::vector<Interval> rows = parts(domain.v, kinkLines(graph, position, 1, domain.v));

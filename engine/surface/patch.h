@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,22 @@ struct Domain {
   friend bool operator==(const Domain&, const Domain&) = default;
 };
 
+/// A named surface's formula with its arguments as variables: one for all of that name, while a patch's own
+/// function has constants in their places. Shaders of it are compiled when luxo is built.
+struct GeneralForm {
+  struct Argument {
+    double value = 0;
+    std::optional<std::uint32_t> parameter = {};  ///< of the surface, instead of the value
+  };
+
+  Tape position;  ///< S: variables 2, 3, ... are the patch's constants, then the arguments
+  std::vector<Argument> arguments;
+
+  /// The values of variables 2, 3, ...
+  [[nodiscard]] std::vector<double> inputs(std::span<const double> constants,
+                                           std::span<const double> parameters) const;
+};
+
 /// One rectangle and the function that is used on it. The patches of a surface do not overlap in (u,v), so a
 /// point of the plane names a point of the surface. Several patches may share one function: then `constants`
 /// tell them apart.
@@ -27,6 +44,7 @@ struct Patch {
   std::shared_ptr<const SurfaceFunction> function;
   Domain domain;
   std::vector<double> constants = {};  ///< variables 2, 3, ...; the surface's free parameters follow them
+  std::shared_ptr<const GeneralForm> general = {};  ///< null: there is none
 };
 
 /// What a patch's function reads beyond u and v: the patch's constants, then the surface's parameters. A view

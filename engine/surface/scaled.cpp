@@ -23,6 +23,7 @@ Surface scaled(const Surface& surface, const Vec3& scale, std::span<const double
     auto& function = functions[patch.function.get()];
     if (!function) function = scaled(*patch.function, scale);
     patch.function = function;
+    patch.general.reset();
   }
   SurfaceTraits traits{.name = surface.name(), .orientation = surface.topology().orientation()};
   // Normals are scaled by the inverse.

@@ -2,13 +2,24 @@
 #include "surface/surface_code.h"
 
 namespace luxo {
+namespace {
 
-SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters, GlslNumber number) {
+SurfaceCode codeOf(const Tape& formula, std::size_t parameters, GlslNumber number) {
   Graph graph;
-  const std::vector<Expr> position = function.position.expressions(graph);
+  const std::vector<Expr> position = formula.expressions(graph);
   return {.glsl = emitSurfaceGlsl(graph, "surfaceAt", {position[0], position[1], position[2]}, false, number),
           .parameters = static_cast<std::uint32_t>(parameters),
           .number = number};
+}
+
+}  // namespace
+
+SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters, GlslNumber number) {
+  return codeOf(function.position, parameters, number);
+}
+
+SurfaceCode surfaceCode(const GeneralForm& form, std::size_t parameters, GlslNumber number) {
+  return codeOf(form.position, parameters, number);
 }
 
 SurfaceCode equationCode(Equation::Form form, std::size_t parameters, GlslNumber number) {
@@ -26,12 +37,22 @@ const SurfaceCode* SurfaceCodes::get(Equation::Form form, std::size_t parameters
   return shared(equationCode(form, parameters, number));
 }
 
+template <class Formula>
+const SurfaceCode* SurfaceCodes::ofFormula(const std::shared_ptr<const Formula>& formula,
+                                           std::size_t parameters, GlslNumber number) {
+  Known& known = byFormula_[{formula.get(), number}];
+  if (known.formula.lock() != formula) known = {formula, shared(surfaceCode(*formula, parameters, number))};
+  return known.code;
+}
+
 const SurfaceCode* SurfaceCodes::get(const std::shared_ptr<const SurfaceFunction>& function,
                                      std::size_t parameters, GlslNumber number) {
-  Known& known = byFunction_[{function.get(), number}];
-  if (known.function.lock() != function)
-    known = {function, shared(surfaceCode(*function, parameters, number))};
-  return known.code;
+  return ofFormula(function, parameters, number);
+}
+
+const SurfaceCode* SurfaceCodes::get(const std::shared_ptr<const GeneralForm>& form, std::size_t parameters,
+                                     GlslNumber number) {
+  return ofFormula(form, parameters, number);
 }
 
 }  // namespace luxo

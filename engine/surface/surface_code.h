@@ -10,6 +10,7 @@
 
 #include "formula/glsl.h"
 #include "surface/equation.h"
+#include "surface/patch.h"
 #include "surface/surface_function.h"
 
 namespace luxo {
@@ -22,9 +23,11 @@ struct SurfaceCode {
   GlslNumber number = GlslNumber::Float;
 };
 
-/// The code of a function that reads at most `parameters` variables beyond u and v. Cost: tens of
-/// microseconds for usual formulas. Throws Error(Scene) for one too large for a shader.
+/// The code of a formula, or of a general form, that reads at most `parameters` variables beyond u and v.
+/// Cost: tens of microseconds for usual formulas. Throws Error(Scene) for one too large for a shader.
 [[nodiscard]] SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters,
+                                      GlslNumber number = GlslNumber::Float);
+[[nodiscard]] SurfaceCode surfaceCode(const GeneralForm& form, std::size_t parameters,
                                       GlslNumber number = GlslNumber::Float);
 
 /// The code of all surfaces with an equation of that form, which reads `parameters` numbers of it.
@@ -37,19 +40,24 @@ class SurfaceCodes {
   /// Valid as long as this object; equal code has the same address.
   [[nodiscard]] const SurfaceCode* get(const std::shared_ptr<const SurfaceFunction>& function,
                                        std::size_t parameters, GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] const SurfaceCode* get(const std::shared_ptr<const GeneralForm>& form, std::size_t parameters,
+                                       GlslNumber number = GlslNumber::Float);
   [[nodiscard]] const SurfaceCode* get(Equation::Form form, std::size_t parameters,
                                        GlslNumber number = GlslNumber::Float);
 
  private:
   struct Known {
-    std::weak_ptr<const SurfaceFunction> function;  ///< another one may get the address of one that is gone
+    std::weak_ptr<const void> formula;  ///< another one may get the address of one that is gone
     const SurfaceCode* code = nullptr;
   };
 
   const SurfaceCode* shared(SurfaceCode code);
+  template <class Formula>
+  const SurfaceCode* ofFormula(const std::shared_ptr<const Formula>& formula, std::size_t parameters,
+                               GlslNumber number);
 
   std::map<std::pair<std::string, GlslNumber>, SurfaceCode> byText_;
-  std::map<std::pair<const SurfaceFunction*, GlslNumber>, Known> byFunction_;
+  std::map<std::pair<const void*, GlslNumber>, Known> byFormula_;
 };
 
 }  // namespace luxo

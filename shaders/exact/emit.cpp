@@ -43,14 +43,33 @@ struct Formulas {
   friend auto operator<=>(const Formulas&, const Formulas&) = default;
 };
 
+constexpr GlslNumber kNumbers[] = {GlslNumber::Float, GlslNumber::Double};
+
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
                 const std::string& pattern) {
   const auto equations = equationsOf(surface, parameters);
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
-    for (const GlslNumber number : {GlslNumber::Float, GlslNumber::Double})
+    for (const GlslNumber number : kNumbers)
       all.insert({equations[i] ? equationCode(equations[i]->form(), 0, number).glsl
                                : surfaceCode(*surface.patches()[i].function, 0, number).glsl,
                   pattern, number});
+}
+
+/// What finds a named surface whatever its arguments.
+void addGeneralForms(std::set<Formulas>& all, const Surface& surface) {
+  const auto equations = equationsOf(surface, {});
+  for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
+    if (const auto& general = surface.patches()[i].general; general && !equations[i])
+      for (const GlslNumber number : kNumbers)
+        all.insert({surfaceCode(*general, 0, number).glsl, {}, number});
+}
+
+/// The structure of a superquadric's formula depends on which of its exponents are at most 1, and which 2.
+void addSuperquadrics(std::set<Formulas>& all) {
+  const auto exponents = {0.5, 1.5, 2.0};
+  for (const char* name : {"superellipsoid", "supertoroid"})
+    for (const double e : exponents)
+      for (const double f : exponents) addGeneralForms(all, makeSurface(name, {{"exponents", {e, f}}}));
 }
 
 void addScene(std::set<Formulas>& all, const Scene& scene) {
@@ -62,10 +81,15 @@ void addScene(std::set<Formulas>& all, const Scene& scene) {
   }
 }
 
-/// Of the named surfaces as they are without arguments, and of the built-in scenes.
+/// Of the named surfaces as they are without arguments and in general, and of the built-in scenes.
 std::set<Formulas> builtInFormulas() {
   std::set<Formulas> all;
-  for (const CatalogueEntry& entry : catalogue()) addSurface(all, makeSurface(entry), {}, {});
+  for (const CatalogueEntry& entry : catalogue()) {
+    const Surface surface = makeSurface(entry);
+    addSurface(all, surface, {}, {});
+    addGeneralForms(all, surface);
+  }
+  addSuperquadrics(all);
   addScene(all, luxoGrandpa());
   addScene(all, gallery());
   for (const EmbeddedScene& scene : embeddedScenes())

@@ -11,6 +11,7 @@
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
 #include "scenes/gallery.h"
+#include "support/other_arguments.h"
 #include "support/picture.h"
 #include "surface/catalogue.h"
 
@@ -53,6 +54,11 @@ TEST_F(ExactStart, EquationsCompileNothingWhateverTheirNumbers) {
   EXPECT_EQ(compiledBy(sceneOf(sphere(0.7316))), 0u);
   EXPECT_EQ(compiledBy(sceneOf(cone(1.3, 0.217, 0.9))), 0u);
   EXPECT_EQ(compiledBy(sceneOf(torus(1.2, 0.3177))), 0u);
+}
+
+TEST_F(ExactStart, NamedSurfacesCompileNothingWhateverTheirArguments) {
+  for (const CatalogueEntry& entry : catalogue())
+    EXPECT_EQ(compiledBy(sceneOf(makeSurface(entry, otherArguments(entry)))), 0u) << entry.name;
 }
 
 // Searches in double are built in as those in float are.

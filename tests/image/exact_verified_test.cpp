@@ -9,7 +9,9 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
+#include "support/other_arguments.h"
 #include "support/verified_picture.h"
+#include "surface/catalogue.h"
 
 namespace luxo::test {
 namespace {
@@ -35,6 +37,24 @@ TEST_F(VerifiedPictureTest, SharpBendsKeepTheirColour) {
 TEST_P(ExactVerified, EveryPixelIsWithinAThousandth) {
   const Verified found = expectTheTruth(takeSnapshot(embedded(GetParam()), 0, {256, 256}), 5000);
   EXPECT_LE(found.statistics.error.residualMaxPx.value(), 1e-3);
+}
+
+// Formulas of their arguments, in float and, magnified, in double.
+TEST_F(VerifiedPictureTest, NamedSurfacesWithOtherArguments) {
+  for (const char* name : {"flag", "mobius", "klein_figure8", "dupin_cyclide"})
+    for (const bool magnified : {false, true}) {
+      SCOPED_TRACE(std::string(name) + (magnified ? ", magnified" : ""));
+      const Surface surface = makeSurface(name, otherArguments(*findCatalogueEntry(name)));
+      const Box box = surface.framing({});
+      const Vec3 middle = (box.min + box.max) / 2.0, target = magnified ? surface.position(0.3, 0.4) : middle;
+      Scene scene;
+      scene.add(Node{.surface = surface});
+      scene.add(Node{.translation = Vec3(2, 5, 3), .light = Light{.intensity = 0.8}});
+      const double size = glm::length(box.extent());
+      scene.add(
+          Camera{.eye = middle + size * Vec3(0.5, 0.6, 1), .lookAt = target, .fovY = magnified ? 0.03 : 0.7});
+      expectTheTruth(takeSnapshot(scene, 0, {128, 128}), 100);
+    }
 }
 
 }  // namespace
