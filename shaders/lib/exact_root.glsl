@@ -10,6 +10,7 @@ const float kSettled = 0.05;    // cells: where the ray is nearest is known once
 const float kBoldCells = 4.0;   // how many cells a step may lead
 const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a scan, and how much longer each next is
 const int kBackward = 2, kForward = 12;            // steps against the ray and along it
+const float kMoreSteps = 4.0;                      // after a scan: a root that is not farther off is not given up
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
 const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
@@ -243,11 +244,13 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
 
 // Walks along the curve through the start on which the offset along the fold vanishes, first against the ray, then
 // along it, and ends at the nearest place where the offset across the fold vanishes, too, on the side searched for:
-// `best`.
-bool scan(Ray ray, out real2 best) {
+// `best`. Found, or missed; or lost where the ray still nears the surface, in its hull, when the scan is over. With
+// edges to pass, rays run out over them far more often than they meet the surface there: these have missed.
+int scan(Ray ray, out real2 best) {
   real2 p = linkStart.xy, along = real2(0), firstAlong = along;
   real sense = 1.0, nearest = 1e30, length_ = kScanStep;
   Sample first, last;
+  bool endless = has(kWrapsU) && has(kWrapsV), nears = false;
   best = p;
   for (int steps = 0; steps <= kBackward + kForward; ++steps) {
     Probe at = probeAt(ray, p);
@@ -277,13 +280,14 @@ bool scan(Ray ray, out real2 best) {
     }
     // Beyond the hull and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
     bool leaves = steps > kBackward && (now.g < last.g && now.g < -linkClip.z || cellsBeyond(now.p) > kBeyond);
+    nears = endless && !leaves && now.g < 0.0 && -now.g < min(linkClip.z, kMoreSteps * (now.g - last.g));
     if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
     last = steps == kBackward ? first : now;
     bool backward = steps < kBackward;
     length_ = kScanStep + kScanGrowth * float(backward ? 0 : steps - kBackward);
     p = last.p + (backward ? -length_ : length_) * last.way * linkCellHalf.xy;
   }
-  return nearest < 1e30;
+  return nearest < 1e30 ? kFound : nears ? kLost : kMissed;
 }
 
 // The point where rays may graze the surface.
@@ -300,10 +304,8 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   for (int attempt = 0; attempt < 2; ++attempt) {
     result = approach(ray, attempt > 0, p, at);
     if (result != kLost || attempt > 0) break;
-    if (!scan(ray, p)) {
-      result = kMissed;
-      break;
-    }
+    result = scan(ray, p);
+    if (result != kFound) break;
   }
   return result;
 }
