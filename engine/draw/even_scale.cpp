@@ -27,9 +27,9 @@ bool isUneven(const SnapshotNode& node) {
   Vec3 inWorld;
   for (int axis = 0; axis < 3; ++axis) inWorld[axis] = extent[axis] * glm::length(linear[axis]);
   const double seems = largestStretch(linear) * glm::length(extent), is = glm::length(inWorld);
+  if (!(std::isfinite(seems) && seems > kMostExcess * is)) return false;
   const Vec3 powers = powersOfTwo(linear);
-  return std::isfinite(seems) && seems > kMostExcess * is && std::isfinite(powers.x + powers.y + powers.z) &&
-         powers.x * powers.y * powers.z > 0;
+  return std::isfinite(powers.x + powers.y + powers.z) && powers.x * powers.y * powers.z > 0;
 }
 
 }  // namespace
