@@ -123,7 +123,7 @@ std::uint32_t flagsOf(const HullPatch& patch) {
   const bool ofU = patch.collapsedUMin || patch.collapsedUMax;
   const std::optional<Equation>& equation = patch.equation;
   return (patch.orientation < 0 ? shared::kInward : 0) | (patch.wrapsU ? shared::kWrapsU : 0) |
-         (patch.wrapsV ? shared::kWrapsV : 0) |
+         (patch.wrapsV ? shared::kWrapsV : 0) | (patch.bordered ? shared::kBordered : 0) |
          (patch.collapsedUMin || (!ofU && patch.collapsedVMin) ? shared::kPoleLow : 0) |
          (patch.collapsedUMax || (!ofU && patch.collapsedVMax) ? shared::kPoleHigh : 0) |
          (ofU ? shared::kPolesOfU : 0) | (equation && equation->outward > 0 ? shared::kRisesOutward : 0) |
@@ -286,9 +286,8 @@ void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const 
 
 bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
   const double reaches = 2 * hull.offset * visible.stretch;
-  // Parallel rays begin on the near plane, which is as far away as the scene. What shows its inside is
-  // searched for as if it held the eye all the same: at its rims a ray may run around the edge in the slab.
-  if (!view.perspective() && visible.hideBackFaces) return visible.nearestDepth <= view.near + reaches;
+  // Parallel rays begin on the near plane, which is as far away as the scene.
+  if (!view.perspective()) return visible.nearestDepth <= view.near + reaches;
   const double margin = reaches + 2 * view.near;
   const Box& box = node.boundsWorld;
   for (int i = 0; i < 3; ++i)

@@ -37,6 +37,7 @@ struct HullPatch {
     return collapsedUMin || collapsedUMax || collapsedVMin || collapsedVMax;
   }
 
+  bool bordered = false;   ///< an edge of it is a border of the surface
   double orientation = 1;  ///< +1: Su x Sv points outward, out of the top
   /// Where there is one. Patches that share a function have equations of one form, or none.
   std::optional<Equation> equation = {};

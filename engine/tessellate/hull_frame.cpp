@@ -34,6 +34,8 @@ class PatchReader {
             .collapsedUMax = collapsed(Side::UMax),
             .collapsedVMin = collapsed(Side::VMin),
             .collapsedVMax = collapsed(Side::VMax),
+            .bordered = std::ranges::any_of(surface_.topology().edges[patch],
+                                            [](const EdgeKind& edge) { return edge.kind == Edge::Border; }),
             .orientation = surface_.topology().orientation(patch)};
   }
 

@@ -8,13 +8,17 @@
 const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
 const float kBoldCells = 4.0;   // how many cells a step may lead
-const float kScanStep = 0.35, kScanGrowth = 0.05;  // cells: the first step of a scan, and how much longer each next is
-const int kBackward = 2, kForward = 12;            // steps against the ray and along it
+const float kScanStep = 0.35;     // cells: the shortest step of a scan,
+const float kScanGrowth = 1.6;    // how many times as long the next one is where the surface bends steadily,
+const float kScanMost = 4.0;      // and the longest
+const float kSteady = 0.1;        // of the offset: what the slopes at both ends of a step say of it may be wrong by that
+const int kBackward = 2, kForward = 40;  // steps against the ray and, at most, along it
 const float kMoreSteps = 4.0;                      // after a scan: a root that is not farther off is not given up
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
 const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
-const int kPolishSteps = 8;
+const int kAttempts = 3;         // to find a root
+const int kPolishSteps = 14;
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kGrazing = 0.1;     // of the area to the squares of its sides: nearly none
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
@@ -52,8 +56,13 @@ bool converged(Probe at) { return widthAt(at.depth) > 0.0 && offset(at) <= toler
 // The area that a unit of u and v takes on the screen, signed.
 real area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
 
-// The sign of that area on the side of the surface searched for: the one that the hull is seen from.
-real wantedSide() { return gl_FrontFacing != has(kNegative) ? 1.0 : -1.0; }
+// The sign of that area on the side of the surface that the hull is seen from; and on the side searched for: that one, or,
+// past a border, the other.
+real hullSide() { return gl_FrontFacing != has(kNegative) ? 1.0 : -1.0; }
+real wantedSide;
+
+// Whether a ray that runs past a border of the surface may see its other side.
+bool seesPastBorder() { return has(kShowsBack) && has(kBordered); }
 
 layout(constant_id = 6) const bool kPoles = true;  // whether an edge of a patch is one point
 
@@ -134,7 +143,7 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
   real square = 1.0 + 2.0 * k;
   missed = square < 0.0;
   real root = sqrt(max(square, 0.0));
-  bool rightSide = det * wantedSide() > 0.0;
+  bool rightSide = det * wantedSide > 0.0;
   real part = missed ? -1.0 / k : rightSide ? 2.0 / (1.0 + root) : k != 0.0 ? (-1.0 - root) / k : -0.5;
   delta *= part;
   // A vanishing area gives no direction.
@@ -153,7 +162,7 @@ int findPlainRoot(Ray ray, out real2 p, out Probe at) {
     if (ends(converged(at), offset(at) <= kFine * tolerance(at), wasGood)) break;
   }
   real2 way = abs(p - linkStart.xy) / linkCellHalf.xy;
-  bool root = max(way.x, way.y) <= kFarCells && converged(at) && area(at) * wantedSide() > 0.0;
+  bool root = max(way.x, way.y) <= kFarCells && converged(at) && area(at) * hullSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
 
@@ -173,7 +182,7 @@ Sample sampleAt(real2 p, Probe at, real2 along, real sense) {
   real length2 = max(dot(rate, rate), kSmallest);
   real2 correction = rate * (-dot(along, at.f) / length2);
   correction *= min(1.0, 0.5 / max(length(correction), kSmallest));
-  real2 across = real2(-along.y, along.x) * (wantedSide() * sense);
+  real2 across = real2(-along.y, along.x) * (hullSide() * sense);
   Sample s;
   s.way = real2(-rate.y, rate.x) * (inversesqrt(length2) * sense);
   s.p = p + correction * linkCellHalf.xy;
@@ -196,6 +205,8 @@ real2 longestAxis(Probe at) {
   return dot(axis, axis) > 0.0 ? normalize(axis) : real2(1, 0);
 }
 
+bool isLong(real way) { return way > 2.0 * kScanStep; }
+
 // Where between two samples, `low` before `high`, g rises through 0: 0 to 1, or -1. A dip below 0 or a bump above it
 // between them counts, too.
 real rise(Sample low, Sample high, real way) {
@@ -203,8 +214,10 @@ real rise(Sample low, Sample high, real way) {
   real turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
   real extreme = low.g + 0.5 * way * turn * low.slope;
   real extreme2 = high.g - 0.5 * way * (1.0 - turn) * high.slope;
-  bool dip = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0 && min(extreme, extreme2) <= 0.0;
-  bool bump = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0 && max(extreme, extreme2) >= 0.0;
+  real margin = isLong(way) ? abs(extreme - extreme2) : 0.0;
+  bool dips = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0;
+  bool rises = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0;
+  bool dip = dips && min(extreme, extreme2) <= margin, bump = rises && max(extreme, extreme2) >= -margin;
   return dip ? 1.0 : bump ? 0.0 : -1.0;
 }
 
@@ -222,7 +235,7 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
     det = area(at);
     if (i == 0) first = det;
     if (length2 > 1e-6) gradient = (det - before) / length2 * way / linkCellHalf.xy;
-    bool inside = inDomain(p, at), root = converged(at) && det * wantedSide() > 0.0;
+    bool inside = inDomain(p, at), root = converged(at) && det * wantedSide > 0.0;
     misses = missed && length2 < kSettled * kSettled ? misses + 1 : 0;
     outside = inside || i == 0 ? 0 : outside + 1;
     bool last = i == (polished ? kPolishSteps : kNearSteps), good = root && inside;
@@ -243,14 +256,18 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
 }
 
 // Walks along the curve through the start on which the offset along the fold vanishes, first against the ray, then
-// along it, and ends at the nearest place where the offset across the fold vanishes, too, on the side searched for:
-// `best`. Found, or missed; or lost where the ray still nears the surface, in its hull, when the scan is over. With
-// edges to pass, rays run out over them far more often than they meet the surface there: these have missed.
-int scan(Ray ray, out real2 best) {
+// along it, and ends at the nearest place, farther away than `after`, where the offset across the fold vanishes, too:
+// `best`, at depth `after`, on `wantedSide`. That is the side that the hull is seen from, or, where the ray has run past
+// a border before, the other. Found, or missed; or lost where the ray still nears the surface, in its hull, when the scan
+// is over. With edges to pass, rays run out over them far more often than they meet the surface there: these have missed.
+//
+// Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
+// offset well, and what a long one has passed is walked again with shorter ones.
+int scan(Ray ray, inout real after, out real2 best) {
   real2 p = linkStart.xy, along = real2(0), firstAlong = along;
-  real sense = 1.0, nearest = 1e30, length_ = kScanStep;
+  real sense = 1.0, nearest = 1e30, length_ = kScanStep, most = kScanMost;
   Sample first, last;
-  bool endless = has(kWrapsU) && has(kWrapsV), nears = false;
+  bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false;
   best = p;
   for (int steps = 0; steps <= kBackward + kForward; ++steps) {
     Probe at = probeAt(ray, p);
@@ -261,6 +278,7 @@ int scan(Ray ray, out real2 best) {
     if (steps == kBackward + 1) along = firstAlong;
     if (steps == 0) firstAlong = along;
     Sample now = sampleAt(p, at, along, sense);
+    bool back = steps <= kBackward, again = false;
     if (steps == 0) {
       real2 way = now.way * linkCellHalf.xy;
       sense = dot(rowDepth.xyz, at.Su * way.x + at.Sv * way.y) < 0.0 ? -1.0 : 1.0;
@@ -268,25 +286,35 @@ int scan(Ray ray, out real2 best) {
       now.g *= sense;
       first = now;
     } else {
-      bool back = steps <= kBackward;
       real where = back ? rise(now, last, length_) : rise(last, now, length_);
-      real part = back ? 1.0 - where : where;
+      bool falls = passedBorder && where < 0.0 && last.g > 0.0 && now.g <= 0.0;
+      real part = back ? 1.0 - where : falls ? last.g / (last.g - now.g) : where;
       real2 candidate = mix(last.p, now.p, part);
       real depth = mix(last.depth, now.depth, part);
-      if (where >= 0.0 && cellsBeyond(candidate) < 0.02 && depth < nearest) {
+      bool isRoot = where >= 0.0 || falls;
+      again = isRoot && isLong(length_);
+      if (isRoot && !again && cellsBeyond(candidate) < 0.02 && depth < nearest && depth > after) {
         nearest = depth;
         best = candidate;
+        wantedSide = falls ? -hullSide() : hullSide();
+      } else if (where >= 0.0 && !again) {
+        passedBorder = seesPastBorder();
       }
     }
     // Beyond the hull and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
-    bool leaves = steps > kBackward && (now.g < last.g && now.g < -linkClip.z || cellsBeyond(now.p) > kBeyond);
+    bool leaves = !back && !again && (now.g < last.g && now.g < -linkClip.z || cellsBeyond(now.p) > kBeyond);
     nears = endless && !leaves && now.g < 0.0 && -now.g < min(linkClip.z, kMoreSteps * (now.g - last.g));
     if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
-    last = steps == kBackward ? first : now;
-    bool backward = steps < kBackward;
-    length_ = kScanStep + kScanGrowth * float(backward ? 0 : steps - kBackward);
-    p = last.p + (backward ? -length_ : length_) * last.way * linkCellHalf.xy;
+    real wrong = abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope));
+    if (again) most = max(0.25 * length_, kScanStep);
+    bool steady = !back && wrong < kSteady * abs(now.g);
+    length_ = again ? most : steady ? min(kScanGrowth * length_, most) : kScanStep;
+    if (!again) last = steps == kBackward ? first : now;
+    // A formula need not exist far beyond the domain.
+    if (cellsBeyond(last.p + length_ * last.way * linkCellHalf.xy) > kBeyond) length_ = min(length_, 2.0 * kScanStep);
+    p = last.p + (steps < kBackward ? -length_ : length_) * last.way * linkCellHalf.xy;
   }
+  after = nearest;
   return nearest < 1e30 ? kFound : nears ? kLost : kMissed;
 }
 
@@ -295,16 +323,24 @@ int scan(Ray ray, out real2 best) {
 // Newton's method from where the ray enters the hull finds most. Where folds lie close to each other or to an edge, it
 // may find the wrong root or none. There a scan begins: along a fold the surface is flat on the screen, so one direction
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
-// The scan takes the nearest of its roots, and Newton's method goes on from there.
+// The scan takes the nearest of its roots, and Newton's method goes on from there. Where that one turns out to be none, or
+// none of the patch, there is another attempt farther away.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   p = linkStart.xy;
   int result = kLost;
   // A CPU device skips no branch, but leaves a loop when no pixel is left in it; and it runs the body of each at least
   // once. So each formula stands once in a loop of its own, and a scan costs those that need none a single step.
-  for (int attempt = 0; attempt < 2; ++attempt) {
+  wantedSide = hullSide();
+  real after = -1e30;
+  bool passed = false;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
     result = approach(ray, attempt > 0, p, at);
-    if (result != kLost || attempt > 0) break;
-    result = scan(ray, p);
+    // What is past a border, or farther away than a root that is none, is mostly another fragment's.
+    passed = passed || result == kMissed;
+    if (result == kLost && passed) result = kMissed;
+    bool ended = result == kFound || (attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder());
+    if (ended || attempt + 1 == kAttempts) break;
+    result = scan(ray, after, p);
     if (result != kFound) break;
   }
   return result;

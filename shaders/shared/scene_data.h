@@ -55,6 +55,7 @@ LUXO_CONSTANT kWrapsV = 1 << 18;
 LUXO_CONSTANT kPoleLow = 1 << 19;   // the edge of lowest v (with kPolesOfU: of u) is one point
 LUXO_CONSTANT kPoleHigh = 1 << 20;  // that of highest
 LUXO_CONSTANT kPolesOfU = 1 << 21;
+LUXO_CONSTANT kBordered = 1u << 31; // an edge is a border of the surface
 LUXO_CONSTANT kRisesOutward = 1 << 29;  // of an equation: F is positive on the outer side
 LUXO_CONSTANT kRadial = 1 << 30;        // what it limits is the distance from the axis, not x
 

@@ -58,5 +58,42 @@ TEST_F(VerifiedPictureTest, NamedSurfacesWithOtherArguments) {
     }
 }
 
+// Long steps lead a search along the valley, so that its pixels need no finer hull, and no second attempt.
+TEST_F(VerifiedPictureTest, ValleysAlongTheViewAreFoundAtOnce) {
+  Scene scene;
+  scene.add(Node{.surface = makeSurface("twisted_torus")});
+  scene.add(Node{.translation = Vec3(3, 6, 4), .light = Light{}});
+  scene.add(Camera{.eye = Vec3(2.2, 2.6, 3.4)});
+  for (const int size : {144, 200})
+    EXPECT_EQ(expectTheTruth(takeSnapshot(scene, 0, {size, size}), 5000).statistics.count.submits, 1U);
+}
+
+// Where asymptotic directions lie along the view, and at borders of horns, past which their other side is
+// seen by rays that do not leave the hull in between.
+TEST_F(VerifiedPictureTest, GrazedSaddlesAndTheInsideOfHorns) {
+  constexpr const char* kNodes = R"({ "luxo": 1, "materials": { "m": { "diffuse": [0.2, 0.4, 0.6] } },
+    "surfaces": { "enneper": { "type": "enneper" }, "scherk": { "type": "scherk" },
+                  "tractricoid": { "type": "tractricoid" }, "dini": { "type": "dini" } },
+    "nodes": [
+      { "light": {}, "translate": [30, 60, 90] },
+      { "surface": "enneper", "material": "m", "translate": [1.15, 1.15, 0], "scale": [0.591, 0.591, 0.591],
+        "rotate": [{ "axis": [1, 0, 0], "angle": "40deg" }, { "axis": [0, 1, 0], "angle": "20deg" }] },
+      { "surface": "scherk", "material": "m", "translate": [-1.15, 1.15, 0], "scale": [0.57, 0.57, 0.57],
+        "rotate": [{ "axis": [1, 0, 0], "angle": "25deg" }, { "axis": [0, 1, 0], "angle": "25deg" }] },
+      { "surface": "tractricoid", "material": "m", "translate": [-1.15, -1.15, 0], "scale": [0.692, 0.692, 0.692],
+        "rotate": [{ "axis": [1, 0, 0], "angle": "12deg" }] },
+      { "surface": "dini", "material": "m", "translate": [1.15, -1.15, 0], "scale": [0.533, 0.533, 0.533],
+        "rotate": [{ "axis": [1, 0, 0], "angle": "8deg" }] } ],
+    "camera": )";
+  for (const char* camera :
+       {R"({ "type": "orthographic", "height": 4.6, "eye": [0, 0, 10], "look_at": [0, 0, 0] } })",
+        R"({ "type": "perspective", "fov_y": "0.5271deg", "eye": [0, 0, 500], "look_at": [0, 0, 0] } })",
+        R"({ "type": "perspective", "fov_y": "13deg", "eye": [3, 5, 20], "look_at": [0, 0, 0] } })"}) {
+    SCOPED_TRACE(camera);
+    const Scene scene = buildScene(parseScene(std::string(kNodes) + camera, "horns"));
+    expectTheTruth(takeSnapshot(scene, 0, {448, 448}), 30000);
+  }
+}
+
 }  // namespace
 }  // namespace luxo::test
