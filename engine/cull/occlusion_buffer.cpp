@@ -24,18 +24,23 @@ int roundedUp(double x) {
 /// Calls action(row, first, end) for the samples of each row inside the triangle, `room` beyond its edges
 /// counting as inside, until it gives false; gives whether it never did.
 template <typename Action>
-bool forEachRow(const PixelTriangle& t, const Vec2& sample, int width, int height, double room,
+bool forEachRow(const PixelTriangle& t, const Vec2& sample, int width, const Rows& rows, double room,
                 const Action& action) {
   const double area = crossed(t[1] - t[0], t[2] - t[0]);
   if (!std::isfinite(area)) return false;
+  auto [lowX, highX] = std::minmax({t[0].x, t[1].x, t[2].x});
+  auto [lowY, highY] = std::minmax({t[0].y, t[1].y, t[2].y});
+  lowX = std::max(lowX - room - sample.x, 0.0);
+  highX = std::min(highX + room - sample.x, width - 1.0);
+  lowY = std::max<double>(lowY - room - sample.y, rows.first);
+  highY = std::min(highY + room - sample.y, rows.end - 1.0);
+  if (!(lowX <= highX && lowY <= highY)) return true;
   // Where rows begin and end, in samples: from + slope * row, of edges that rows cross.
   struct Edge {
     double slope, from;
   };
   std::array<Edge, 3> begins, ends;
   std::size_t beginCount = 0, endCount = 0;
-  auto [lowX, highX] = std::minmax({t[0].x, t[1].x, t[2].x});
-  auto [lowY, highY] = std::minmax({t[0].y, t[1].y, t[2].y});
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = t[k], way = t[(k + 1) % 3] - a;
     if (way.y == 0) continue;
@@ -44,11 +49,6 @@ bool forEachRow(const PixelTriangle& t, const Vec2& sample, int width, int heigh
     const double from = a.x + slope * (sample.y - a.y) - sample.x + (begin ? -roomAlongRow : roomAlongRow);
     (begin ? begins[beginCount++] : ends[endCount++]) = {slope, from};
   }
-  lowX = std::max(lowX - room - sample.x, 0.0);
-  highX = std::min(highX + room - sample.x, width - 1.0);
-  lowY = std::max(lowY - room - sample.y, 0.0);
-  highY = std::min(highY + room - sample.y, height - 1.0);
-  if (!(lowX <= highX && lowY <= highY)) return true;
   for (int row = roundedUp(lowY); row <= static_cast<int>(highY); ++row) {
     double low = lowX, high = highX;
     for (std::size_t k = 0; k < beginCount; ++k) low = std::max(low, begins[k].from + begins[k].slope * row);
@@ -62,31 +62,36 @@ bool forEachRow(const PixelTriangle& t, const Vec2& sample, int width, int heigh
 
 }  // namespace
 
-void OcclusionBuffer::clear(const PixelSize& size, const Vec2& sample) {
-  width_ = size.width;
-  height_ = size.height;
+void OcclusionBuffer::clear(int width, const Rows& rows, const Vec2& sample) {
+  width_ = width;
+  rows_ = rows;
   sample_ = sample;
-  const std::size_t count = static_cast<std::size_t>(width_) * height_;
+  const std::size_t count = startOf(rows.end);
   farthest_.assign(count, kInfinity);
-  entered_.resize(count, kInfinity);
-  firstEntered_ = 0;
-  enteredEnd_ = height_;
+  entered_.assign(count, kInfinity);
+  enteredRows_ = {rows.end, rows.first};
+  firstEnteredColumn_ = width;
+  enteredColumnEnd_ = 0;
 }
 
 void OcclusionBuffer::beginBody() {
-  const auto at = [&](int row) { return entered_.begin() + static_cast<std::ptrdiff_t>(row) * width_; };
-  if (firstEntered_ < enteredEnd_) std::fill(at(firstEntered_), at(enteredEnd_), kInfinity);
-  firstEntered_ = height_;
-  enteredEnd_ = 0;
+  for (int row = enteredRows_.first; row < enteredRows_.end; ++row) {
+    float* const entered = entered_.data() + startOf(row);
+    std::fill(entered + firstEnteredColumn_, entered + enteredColumnEnd_, kInfinity);
+  }
+  enteredRows_ = {rows_.end, rows_.first};
+  firstEnteredColumn_ = width_;
+  enteredColumnEnd_ = 0;
 }
 
 void OcclusionBuffer::enter(const PixelTriangle& triangle) {
   const double depth = std::min({triangle[0].z, triangle[1].z, triangle[2].z});
   const float from = std::nextafter(static_cast<float>(depth), -kInfinity);
-  forEachRow(triangle, sample_, width_, height_, kRoom, [&](int row, int first, int end) {
-    firstEntered_ = std::min(firstEntered_, row);
-    enteredEnd_ = std::max(enteredEnd_, row + 1);
-    float* const entered = entered_.data() + static_cast<std::size_t>(row) * width_;
+  forEachRow(triangle, sample_, width_, rows_, kRoom, [&](int row, int first, int end) {
+    enteredRows_ = {std::min(enteredRows_.first, row), std::max(enteredRows_.end, row + 1)};
+    firstEnteredColumn_ = std::min(firstEnteredColumn_, first);
+    enteredColumnEnd_ = std::max(enteredColumnEnd_, end);
+    float* const entered = entered_.data() + startOf(row);
     for (int x = first; x < end; ++x) entered[x] = std::min(entered[x], from);
     return true;
   });
@@ -95,10 +100,9 @@ void OcclusionBuffer::enter(const PixelTriangle& triangle) {
 void OcclusionBuffer::cover(const PixelTriangle& triangle) {
   const double depth = std::max({triangle[0].z, triangle[1].z, triangle[2].z});
   const float behind = std::nextafter(static_cast<float>(depth), kInfinity);
-  forEachRow(triangle, sample_, width_, height_, 0, [&](int row, int first, int end) {
-    const std::size_t start = static_cast<std::size_t>(row) * width_;
-    float* const farthest = farthest_.data() + start;
-    const float* const entered = entered_.data() + start;
+  forEachRow(triangle, sample_, width_, rows_, 0, [&](int row, int first, int end) {
+    float* const farthest = farthest_.data() + startOf(row);
+    const float* const entered = entered_.data() + startOf(row);
     for (int x = first; x < end; ++x)
       farthest[x] = behind < entered[x] ? std::min(farthest[x], behind) : farthest[x];
     return true;
@@ -107,7 +111,7 @@ void OcclusionBuffer::cover(const PixelTriangle& triangle) {
 
 std::size_t OcclusionBuffer::samplesIn(const PixelTriangle& triangle) const {
   std::size_t count = 0;
-  forEachRow(triangle, sample_, width_, height_, 0, [&](int, int first, int end) {
+  forEachRow(triangle, sample_, width_, rows_, 0, [&](int, int first, int end) {
     count += static_cast<std::size_t>(end - first);
     return true;
   });
@@ -120,8 +124,8 @@ std::size_t OcclusionBuffer::covered() const {
 
 bool OcclusionBuffer::hides(const PixelTriangle& triangle) const {
   const double depth = std::min({triangle[0].z, triangle[1].z, triangle[2].z});
-  return forEachRow(triangle, sample_, width_, height_, kRoom, [&](int row, int first, int end) {
-    const float* const farthest = farthest_.data() + static_cast<std::size_t>(row) * width_;
+  return forEachRow(triangle, sample_, width_, rows_, kRoom, [&](int row, int first, int end) {
+    const float* const farthest = farthest_.data() + startOf(row);
     return std::all_of(farthest + first, farthest + end, [&](float f) { return f < depth; });
   });
 }

@@ -17,10 +17,17 @@ namespace luxo {
 /// plane.
 using PixelTriangle = std::array<Vec3, 3>;
 
+/// Rows of a picture, from the top.
+struct Rows {
+  int first = 0, end = 0;
+};
+
 class OcclusionBuffer {
  public:
   /// Nothing is hidden. Samples lie `sample` from the upper left corners of their pixels.
-  void clear(const PixelSize& size, const Vec2& sample);
+  void clear(const PixelSize& size, const Vec2& sample) { clear(size.width, {0, size.height}, sample); }
+  /// The same, of some rows only: what is in others is not looked at.
+  void clear(int width, const Rows& rows, const Vec2& sample);
 
   /// What is covered from now on is covered by another body, which nothing has entered.
   void beginBody();
@@ -42,11 +49,17 @@ class OcclusionBuffer {
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
 
  private:
-  int width_ = 0, height_ = 0;
+  [[nodiscard]] std::size_t startOf(int row) const {
+    return static_cast<std::size_t>(row - rows_.first) * static_cast<std::size_t>(width_);
+  }
+
+  int width_ = 0;
+  Rows rows_;
   Vec2 sample_{0};
-  std::vector<float> farthest_;            ///< that can be seen, by row
-  std::vector<float> entered_;             ///< where, by row
-  int firstEntered_ = 0, enteredEnd_ = 0;  ///< rows of entered_ in which something may be
+  std::vector<float> farthest_;                        ///< that can be seen, by row
+  std::vector<float> entered_;                         ///< where, by row
+  Rows enteredRows_;                                   ///< in which something may be,
+  int firstEnteredColumn_ = 0, enteredColumnEnd_ = 0;  ///< and columns
 };
 
 }  // namespace luxo

@@ -9,6 +9,7 @@
 #include "draw/exact_data.h"
 #include "math/transform.h"
 #include "tessellate/hull.h"
+#include "tessellate/parallel.h"
 
 namespace luxo {
 namespace {
@@ -17,7 +18,9 @@ namespace {
 constexpr double kNarrowest = 1.0 / 64;
 /// Where on the average fewer layers face the viewer, finding the hidden ones costs more than drawing them.
 constexpr double kFewestLayers = 1.25;
-constexpr int kCoarse = 16;  // pixels between the samples that tell
+constexpr int kCoarse = 16;                                            // pixels between the samples that tell
+constexpr int kBand = 64;                                              // rows that one core works on
+constexpr std::size_t kChunk = 512, kIndicesForAllCores = 3 * kChunk;  // triangles; indices
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// Where a pixel's samples are (standardSampleLocations).
@@ -54,25 +57,16 @@ int HiddenTriangles::Body::facing(const PixelTriangle& t) const {
 std::uint64_t HiddenTriangles::drop(DrawList& list, const Snapshot& snapshot, int samples) {
   addBodies(list, snapshot);
   const bool hiding = layered(list, snapshot.view.size);
-  if (hiding) {
-    const std::vector<Vec2> locations = sampleLocations(samples);
-    buffers_.resize(locations.size());
-    for (std::size_t i = 0; i < locations.size(); ++i) buffers_[i].clear(snapshot.view.size, locations[i]);
-    for (const Body& body : bodies_) cover(body);
-  }
+  if (hiding) cover(snapshot.view.size, samples);
+  const std::vector<char> unseen = findUnseen(list, hiding);
   std::vector<std::uint32_t> kept;
   kept.reserve(list.hullIndices.size());
   for (DrawBatch& batch : list.opaque) {
     if (!batch.hull) continue;
-    const Body& body = bodies_[bodyOf_[list.instanceNodes[batch.firstInstance]]];
     const std::size_t first = kept.size();
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
       const auto indices = indicesAt(list.hullIndices, i);
-      const PixelTriangle triangle = body.triangle(indices);
-      const bool unseen =
-          body.inFront && ((batch.culling == FaceCulling::Back && body.facing(triangle) < 0) ||
-                           (hiding && hides(body, triangle)));
-      if (!unseen) kept.insert(kept.end(), indices.begin(), indices.end());
+      if (!unseen[i / 3]) kept.insert(kept.end(), indices.begin(), indices.end());
     }
     batch.firstIndex = static_cast<std::uint32_t>(first);
     batch.indexCount = static_cast<std::uint32_t>(kept.size() - first);
@@ -82,6 +76,10 @@ std::uint64_t HiddenTriangles::drop(DrawList& list, const Snapshot& snapshot, in
   // Something is bound even if nothing of it is drawn.
   if (!kept.empty()) list.hullIndices = std::move(kept);
   return dropped / 3;
+}
+
+const HiddenTriangles::Body& HiddenTriangles::bodyOf(const DrawList& list, const DrawBatch& batch) const {
+  return bodies_[bodyOf_[list.instanceNodes[batch.firstInstance]]];
 }
 
 void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) {
@@ -99,7 +97,8 @@ void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) 
                        .thickness = 3 * batch.hull->offset * largestStretch(node.worldFromObject.linear),
                        .mirrored = batch.mirrored,
                        .bothSides = batch.bothSides,
-                       .inFront = inFront});
+                       .inFront = inFront,
+                       .slabs = slabsOf(*batch.hull)});
   });
 }
 
@@ -108,7 +107,7 @@ bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
   coarse_.clear({size.width / kCoarse + 1, size.height / kCoarse + 1}, Vec2(0.5));
   std::size_t drawn = 0;
   forEachHullBatch(list, [&](const DrawBatch& batch) {
-    const Body& body = bodies_[bodyOf_[list.instanceNodes[batch.firstInstance]]];
+    const Body& body = bodyOf(list, batch);
     if (!body.inFront) return;
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
       PixelTriangle triangle = body.triangle(indicesAt(list.hullIndices, i));
@@ -121,45 +120,80 @@ bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
   return static_cast<double>(drawn) > kFewestLayers * static_cast<double>(coarse_.covered());
 }
 
-/// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing
-/// is seen behind a face that the ray leaves by, if before it has come in neither by the same face nor by a
-/// wall.
-void HiddenTriangles::cover(const Body& body) {
-  if (!body.hull->proven || !body.inFront) return;
-  coverBehind(body, false);
-  if (body.bothSides) coverBehind(body, true);
+std::vector<HiddenTriangles::Slab> HiddenTriangles::slabsOf(const Hull& hull) {
+  std::vector<Slab> slabs(hull.patchData.size());
+  for (const Hull::Part& part : hull.parts)
+    for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.count; i += 3) {
+      Slab& slab = slabs[hull.patches[hull.indices[i]]];
+      (i < part.wallIndex() ? slab.tops : i < part.bottomIndex() ? slab.walls : slab.bottoms).push_back(i);
+    }
+  return slabs;
 }
 
-/// Where rays leave by tops, or by bottoms.
-void HiddenTriangles::coverBehind(const Body& body, bool tops) {
-  const Hull& hull = *body.hull;
-  for (OcclusionBuffer& buffer : buffers_) buffer.beginBody();
-  const auto forEach = [&](std::uint32_t first, std::uint32_t count, const auto& action) {
-    for (std::size_t i = first; i < first + count; i += 3) {
-      const PixelTriangle triangle = body.triangle(indicesAt(hull.indices, i));
-      action(triangle, body.facing(triangle), hull.turned[i / 3]);
+/// Covers what is behind surfaces, a band of the picture after the other.
+void HiddenTriangles::cover(const PixelSize& size, int samples) {
+  const std::vector<Vec2> locations = sampleLocations(samples);
+  const auto bands = static_cast<std::size_t>((size.height + kBand - 1) / kBand);
+  buffers_.resize(bands * locations.size());
+  forEachIndex(buffers_.size(), true, [&](std::size_t i) {
+    const int first = static_cast<int>(i % bands) * kBand;
+    buffers_[i].clear(size.width, {first, std::min(first + kBand, size.height)}, locations[i / bands]);
+    for (const Body& body : bodies_) {
+      if (!body.hull->proven || !body.inFront) continue;
+      for (const Slab& slab : body.slabs) {
+        coverBehind(body, slab, false, buffers_[i]);
+        if (body.bothSides) coverBehind(body, slab, true, buffers_[i]);
+      }
     }
+  });
+}
+
+/// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing
+/// is seen behind a face that the ray leaves by (a top, or a bottom), if before it has come in neither by the
+/// same face nor by a wall.
+void HiddenTriangles::coverBehind(const Body& body, const Slab& slab, bool tops, OcclusionBuffer& buffer) {
+  const Hull& hull = *body.hull;
+  const std::vector<std::uint32_t>&leaving = tops ? slab.tops : slab.bottoms,
+        &entering = tops ? slab.bottoms : slab.tops;
+  buffer.beginBody();
+  for (const auto* faces : {&leaving, &slab.walls})
+    for (const std::uint32_t i : *faces)
+      if (const PixelTriangle triangle = body.triangle(indicesAt(hull.indices, i));
+          hull.turned[i / 3] || body.facing(triangle) >= 0)
+        buffer.enter(triangle);
+  for (const std::uint32_t i : entering)
+    if (hull.turned[i / 3]) buffer.enter(body.triangle(indicesAt(hull.indices, i)));
+  for (const std::uint32_t i : leaving)
+    if (const PixelTriangle triangle = body.triangle(indicesAt(hull.indices, i));
+        !hull.turned[i / 3] && body.facing(triangle) < 0)
+      buffer.cover(triangle);
+}
+
+/// By triangle of the list.
+std::vector<char> HiddenTriangles::findUnseen(const DrawList& list, bool hiding) const {
+  struct Chunk {
+    const DrawBatch* batch;
+    std::size_t first, end;
   };
-  const auto enter = [&](const PixelTriangle& triangle) {
-    for (OcclusionBuffer& buffer : buffers_) buffer.enter(triangle);
-  };
-  const auto enterFacing = [&](const PixelTriangle& triangle, int facing, bool turned) {
-    if (facing >= 0 || turned) enter(triangle);
-  };
-  for (const Hull::Part& part : hull.parts) {
-    forEach(tops ? part.firstIndex : part.bottomIndex(), part.faceCount(), enterFacing);
-    forEach(part.wallIndex(), part.wallCount(), enterFacing);
-    forEach(tops ? part.bottomIndex() : part.firstIndex, part.faceCount(),
-            [&](const PixelTriangle& triangle, int, bool turned) {
-              if (turned) enter(triangle);
-            });
-  }
-  for (const Hull::Part& part : hull.parts)
-    forEach(tops ? part.firstIndex : part.bottomIndex(), part.faceCount(),
-            [&](const PixelTriangle& triangle, int facing, bool turned) {
-              if (facing < 0 && !turned)
-                for (OcclusionBuffer& buffer : buffers_) buffer.cover(triangle);
-            });
+  std::vector<Chunk> chunks;
+  forEachHullBatch(list, [&](const DrawBatch& batch) {
+    const std::size_t end = batch.firstIndex + batch.indexCount;
+    for (std::size_t i = batch.firstIndex; i < end; i += 3 * kChunk)
+      chunks.push_back({&batch, i, std::min(i + 3 * kChunk, end)});
+  });
+  std::vector<char> unseen(list.hullIndices.size() / 3);
+  const bool onAllCores = hiding && list.hullIndices.size() >= kIndicesForAllCores;
+  forEachIndex(chunks.size(), onAllCores, [&](std::size_t chunk) {
+    const auto& [batch, first, end] = chunks[chunk];
+    const Body& body = bodyOf(list, *batch);
+    if (!body.inFront) return;
+    for (std::size_t i = first; i < end; i += 3) {
+      const PixelTriangle triangle = body.triangle(indicesAt(list.hullIndices, i));
+      const bool inside = batch->culling == FaceCulling::Back && body.facing(triangle) < 0;
+      unseen[i / 3] = inside || (hiding && hides(body, triangle));
+    }
+  });
+  return unseen;
 }
 
 /// A search that begins in the triangle may find a point before it: by as much as the slab is thick, and the

@@ -2,6 +2,8 @@
 // What is behind triangles is hidden in exactly the samples that they hold.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "cull/occlusion_buffer.h"
@@ -79,6 +81,35 @@ TEST(OcclusionBuffer, WhatHoldsNoSampleIsHidden) {
   EXPECT_FALSE(buffer.hides({Vec3(3.51, 3.51, 1), Vec3(4.4, 3.6, 1), Vec3(4, 4.4, 1)}));
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(buffer.hides({Vec3(kNan, 0, 1), Vec3(4, 0, 1), Vec3(0, 4, 1)})) << "nobody knows";
+}
+
+TEST(OcclusionBuffer, BandsTogetherAreTheWhole) {
+  OcclusionBuffer whole = bufferOf({32, 32});
+  std::array<OcclusionBuffer, 3> bands;
+  for (int i = 0; i < 3; ++i)
+    bands[static_cast<std::size_t>(i)].clear(32, {12 * i, std::min(12 * i + 12, 32)}, Vec2(0.5));
+  const auto inAll = [&](const auto& action) {
+    action(whole);
+    for (OcclusionBuffer& band : bands) action(band);
+  };
+  inAll([](OcclusionBuffer& buffer) {
+    buffer.beginBody();
+    buffer.enter(moved(upperLeft(9, 1), Vec3(3, 9, 0)));
+    buffer.cover(upperLeft(30, 2));
+    buffer.beginBody();
+    buffer.cover(moved(lowerRight(10, 3), Vec3(14, 14, 0)));
+  });
+  int hidden = 0;
+  for (int x = 0; x < 32; x += 2)
+    for (int y = 0; y < 32; y += 2) {
+      const PixelTriangle triangle = moved(upperLeft(5, 4), Vec3(x, y, 0));
+      const bool byBands =
+          std::ranges::all_of(bands, [&](const OcclusionBuffer& band) { return band.hides(triangle); });
+      EXPECT_EQ(byBands, whole.hides(triangle)) << x << ", " << y;
+      hidden += byBands;
+    }
+  EXPECT_GT(hidden, 10);
+  EXPECT_LT(hidden, 200);
 }
 
 TEST(OcclusionBuffer, ABodyCoversNothingBehindWhereItWasEntered) {
