@@ -18,8 +18,8 @@ namespace {
 constexpr double kNarrowest = 1.0 / 64;
 /// Where on the average fewer layers face the viewer, finding the hidden ones costs more than drawing them.
 constexpr double kFewestLayers = 1.25;
-constexpr int kCoarse = 16;                                            // pixels between the samples that tell
-constexpr int kBand = 64;                                              // rows that one core works on
+constexpr int kCoarse = 16;  // pixels between the samples that tell
+constexpr int kBand = 256;   // rows that one core works on: each band looks at every triangle
 constexpr std::size_t kChunk = 512, kIndicesForAllCores = 3 * kChunk;  // triangles; indices
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
