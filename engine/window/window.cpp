@@ -146,7 +146,7 @@ void Window::listen() {
     self(window).onCursor({x, y});
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) {
-    self(window).events_.scrolls.push_back({y, self(window).cursorPx_});
+    self(window).events_.inputs.emplace_back(Scroll{.notches = y, .cursorPx = self(window).cursorPx_});
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { self(window).events_.damaged = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
@@ -229,8 +229,8 @@ void Window::onKey(int key, int scancode, int action, int modifiers) {
   const Key meant = keyOf(key, scancode);
   constexpr int kCommands = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;  // the window manager's
   if (meant == key::kNone || (modifiers & kCommands) != 0) return;
-  events_.keys.push_back(
-      {.key = meant, .shift = (modifiers & GLFW_MOD_SHIFT) != 0, .repeated = action == GLFW_REPEAT});
+  events_.inputs.emplace_back(
+      KeyPress{.key = meant, .shift = (modifiers & GLFW_MOD_SHIFT) != 0, .repeated = action == GLFW_REPEAT});
 }
 
 void Window::onButton(int button, int action, int modifiers) {
@@ -253,7 +253,17 @@ void Window::onButton(int button, int action, int modifiers) {
 void Window::hold(bool pressed) {
   const double width = std::max(held_->maxPx.x - held_->minPx.x, 1.0);
   const double fraction = std::clamp((cursorPx_.x - held_->minPx.x) / width, 0.0, 1.0);
-  events_.grabs.push_back({.key = held_->key, .fraction = fraction, .pressed = pressed});
+  events_.inputs.emplace_back(Grab{.key = held_->key, .fraction = fraction, .pressed = pressed});
+}
+
+void Window::drag(const Vec2& movedPx) {
+  std::vector<Input>& inputs = events_.inputs;
+  if (Drag* last = inputs.empty() ? nullptr : std::get_if<Drag>(&inputs.back());
+      last && last->pans == panning_) {
+    last->movedPx += movedPx;
+  } else {
+    inputs.emplace_back(Drag{.movedPx = movedPx, .pans = panning_});
+  }
 }
 
 void Window::onCursor(Vec2 position) {
@@ -262,8 +272,8 @@ void Window::onCursor(Vec2 position) {
   cursorPx_ = cursorPx;
   if (held_) {
     hold(false);
-  } else if (dragButton_ != -1) {
-    (panning_ ? events_.panPx : events_.turnPx) += moved;
+  } else if (dragButton_ != -1 && moved != Vec2(0)) {
+    drag(moved);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 struct GLFWwindow;
@@ -29,6 +30,12 @@ struct KeyPress {
   Key key = window::key::kNone;
   bool shift = false;
   bool repeated = false;  ///< held down
+};
+
+/// The cursor moved with a button down, outside of grab areas.
+struct Drag {
+  Vec2 movedPx{0};
+  bool pans = false;  ///< with the middle or right button, or the left one and Shift; else it turns
 };
 
 struct Scroll {
@@ -52,17 +59,12 @@ struct Grab {
   bool pressed = false;  ///< the button just went down
 };
 
-/// What happened since the last time, in order within each list.
-struct Events {
-  std::vector<KeyPress> keys;
-  std::vector<Scroll> scrolls;
-  std::vector<Grab> grabs;
-  Vec2 turnPx{0};        ///< dragged with the left button, outside of grab areas
-  Vec2 panPx{0};         ///< dragged with the middle or right button, or the left one and Shift
-  bool damaged = false;  ///< the window system lost (a part of) the picture: show it again
+using Input = std::variant<KeyPress, Drag, Scroll, Grab>;
 
-  /// Whether nothing moves the camera.
-  [[nodiscard]] bool still() const { return turnPx == Vec2(0) && panPx == Vec2(0) && scrolls.empty(); }
+/// What happened since the last time.
+struct Events {
+  std::vector<Input> inputs;  ///< in order; what one drag moved in a row is one
+  bool damaged = false;       ///< the window system lost (a part of) the picture: show it again
 };
 
 struct WindowDesc {
@@ -115,6 +117,7 @@ class Window {
   void onButton(int button, int action, int modifiers);
   void onCursor(Vec2 position);
   void hold(bool pressed);
+  void drag(const Vec2& movedPx);
   [[nodiscard]] Vec2 pixelsPerUnit() const;
 
   Terminate glfw_;

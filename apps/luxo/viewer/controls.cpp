@@ -153,16 +153,17 @@ void Controls::step(const window::KeyPress& press, int direction, Time now) {
   }
 }
 
-void Controls::move(const window::Events& events, const Camera& seen, const Moment& moment, PixelSize size) {
-  if (events.still()) return;
-  if (!own_) takeCamera(seen, moment);
-  own_->orbit.turn(events.turnPx, pixels(size));
-  own_->orbit.pan(events.panPx, pixels(size));
-  for (const window::Scroll& scroll : events.scrolls)
-    own_->orbit.zoom(scroll.notches, scroll.cursorPx, pixels(size));
+void Controls::move(const window::Drag& drag, const Camera& seen, const Moment& moment, PixelSize size) {
+  window::OrbitCamera& orbit = takeCamera(seen, moment);
+  drag.pans ? orbit.pan(drag.movedPx, pixels(size)) : orbit.turn(drag.movedPx, pixels(size));
 }
 
-void Controls::takeCamera(const Camera& seen, const Moment& moment) {
+void Controls::move(const window::Scroll& scroll, const Camera& seen, const Moment& moment, PixelSize size) {
+  takeCamera(seen, moment).zoom(scroll.notches, scroll.cursorPx, pixels(size));
+}
+
+window::OrbitCamera& Controls::takeCamera(const Camera& seen, const Moment& moment) {
+  if (own_) return own_->orbit;
   Camera camera = seen;
   const Pose pose{camera.eye.at(moment), camera.lookAt.at(moment), camera.up.at(moment)};
   const double fovY = camera.fovY.at(moment), near = camera.near.at(moment);
@@ -172,6 +173,7 @@ void Controls::takeCamera(const Camera& seen, const Moment& moment) {
   camera.fovY = fovY;
   camera.near = near;
   own_ = OwnCamera{std::move(camera), window::OrbitCamera(pose, heightPerDistance), near};
+  return own_->orbit;
 }
 
 std::optional<Camera> Controls::ownCamera() const {

@@ -40,7 +40,8 @@ class Controls {
   Request press(const window::KeyPress& press, Time now);
   /// Drags and scrolls take the camera over from the scene, which looks through `seen`; `size` is the
   /// window's.
-  void move(const window::Events& events, const Camera& seen, const Moment& moment, PixelSize size);
+  void move(const window::Drag& drag, const Camera& seen, const Moment& moment, PixelSize size);
+  void move(const window::Scroll& scroll, const Camera& seen, const Moment& moment, PixelSize size);
 
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
   [[nodiscard]] const window::Playback& playback() const { return playback_; }
@@ -59,7 +60,8 @@ class Controls {
     double near = 0;  ///< of `from`
   };
 
-  void takeCamera(const Camera& seen, const Moment& moment);
+  /// From the scene, unless it is the user's already.
+  window::OrbitCamera& takeCamera(const Camera& seen, const Moment& moment);
   void shade(Shading shading);
   /// Scenes may ask for more samples than a pass takes; these come while nothing moves.
   [[nodiscard]] int samplesOfPass(int wanted) const { return wanted > 1 && canMultisample_ ? 4 : 1; }

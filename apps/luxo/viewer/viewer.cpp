@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/log.h"
@@ -128,9 +129,8 @@ class Viewer {
   void react(const window::Events& events) {
     const auto now = Clock::now();
     const bool wasPlaying = controls_.playback().playing();
-    for (const window::KeyPress& key : events.keys) obey(controls_.press(key, now));
-    for (const window::Grab& grab : events.grabs) turn(grab);
-    if (size().height > 0) controls_.move(events, sceneCamera(), {status_.seconds, parameters_}, size());
+    for (const window::Input& input : events.inputs)
+      std::visit([this](const auto& what) { obey(what); }, input);
     if (watch_.takeSaved()) readAgain();
     if (controls_.playback().playing() != wasPlaying)
       log(LogLevel::Debug, fmt::format("{} at {:.3f} s after {} submits", wasPlaying ? "paused" : "going on",
@@ -141,8 +141,8 @@ class Viewer {
     dirty_ = true;  // perhaps: showNext() finds out
   }
 
-  void obey(Controls::Request request) {
-    switch (request) {
+  void obey(const window::KeyPress& key) {
+    switch (controls_.press(key, Clock::now())) {
       case Controls::Request::None:
         break;
       case Controls::Request::Quit:
@@ -163,6 +163,16 @@ class Viewer {
     }
   }
 
+  void obey(const window::Grab& grab) {
+    if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
+  }
+
+  void obey(const window::Drag& drag) { move(drag); }
+  void obey(const window::Scroll& scroll) { move(scroll); }
+  void move(const auto& gesture) {
+    if (size().height > 0) controls_.move(gesture, sceneCamera(), {status_.seconds, parameters_}, size());
+  }
+
   // A picture that has become smooth is saved as smooth, unless it is no longer to be.
   [[nodiscard]] DrawOptions photoOptions() const {
     DrawOptions options = controls_.drawOptions();
@@ -180,10 +190,6 @@ class Viewer {
     message_ = message;
     messageEnd_ = Clock::now() + std::chrono::milliseconds(
                                      std::lround(1e3 * (message.alert ? kAlertSeconds : kMessageSeconds)));
-  }
-
-  void turn(const window::Grab& grab) {
-    if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
   }
 
   // The file was saved. What cannot be read leaves everything as it is.
