@@ -74,7 +74,7 @@ void OcclusionBuffer::clear(int width, const Rows& rows, const Vec2& sample) {
   enteredColumnEnd_ = 0;
 }
 
-void OcclusionBuffer::beginBody() {
+void OcclusionBuffer::beginSlab() {
   for (int row = enteredRows_.first; row < enteredRows_.end; ++row) {
     float* const entered = entered_.data() + startOf(row);
     std::fill(entered + firstEnteredColumn_, entered + enteredColumnEnd_, kInfinity);

@@ -29,15 +29,15 @@ class OcclusionBuffer {
   /// The same, of some rows only: what is in others is not looked at.
   void clear(int width, const Rows& rows, const Vec2& sample);
 
-  /// What is covered from now on is covered by another body, which nothing has entered.
-  void beginBody();
+  /// What is covered from now on is covered by another slab, which nothing has entered.
+  void beginSlab();
 
-  /// From the nearest corner of this triangle on, the body covers nothing in the samples of the triangle and
+  /// From the nearest corner of this triangle on, the slab covers nothing in the samples of the triangle and
   /// a little around it.
   void enter(const PixelTriangle& triangle);
 
   /// Nothing is seen behind the farthest corner of this triangle, in samples on or inside its edges, unless
-  /// the body was entered before. Cost: a fraction of a nanosecond per sample.
+  /// the slab was entered before. Cost: a fraction of a nanosecond per sample.
   void cover(const PixelTriangle& triangle);
 
   /// How many samples are on or inside the edges of a triangle; and how many something covers.

@@ -97,8 +97,7 @@ void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) 
                        .thickness = 3 * batch.hull->offset * largestStretch(node.worldFromObject.linear),
                        .mirrored = batch.mirrored,
                        .bothSides = batch.bothSides,
-                       .inFront = inFront,
-                       .slabs = slabsOf(*batch.hull)});
+                       .inFront = inFront});
   });
 }
 
@@ -135,16 +134,16 @@ void HiddenTriangles::cover(const PixelSize& size, int samples) {
   const std::vector<Vec2> locations = sampleLocations(samples);
   const auto bands = static_cast<std::size_t>((size.height + kBand - 1) / kBand);
   buffers_.resize(bands * locations.size());
+  for (Body& body : bodies_)
+    if (body.hull->proven && body.inFront) body.slabs = slabsOf(*body.hull);
   forEachIndex(buffers_.size(), true, [&](std::size_t i) {
     const int first = static_cast<int>(i % bands) * kBand;
     buffers_[i].clear(size.width, {first, std::min(first + kBand, size.height)}, locations[i / bands]);
-    for (const Body& body : bodies_) {
-      if (!body.hull->proven || !body.inFront) continue;
+    for (const Body& body : bodies_)
       for (const Slab& slab : body.slabs) {
         coverBehind(body, slab, false, buffers_[i]);
         if (body.bothSides) coverBehind(body, slab, true, buffers_[i]);
       }
-    }
   });
 }
 
@@ -153,9 +152,9 @@ void HiddenTriangles::cover(const PixelSize& size, int samples) {
 /// same face nor by a wall.
 void HiddenTriangles::coverBehind(const Body& body, const Slab& slab, bool tops, OcclusionBuffer& buffer) {
   const Hull& hull = *body.hull;
-  const std::vector<std::uint32_t>&leaving = tops ? slab.tops : slab.bottoms,
-        &entering = tops ? slab.bottoms : slab.tops;
-  buffer.beginBody();
+  const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
+  const std::vector<std::uint32_t>& entering = tops ? slab.bottoms : slab.tops;
+  buffer.beginSlab();
   for (const auto* faces : {&leaving, &slab.walls})
     for (const std::uint32_t i : *faces)
       if (const PixelTriangle triangle = body.triangle(indicesAt(hull.indices, i));

@@ -35,8 +35,8 @@ class HiddenTriangles {
     std::vector<Vec3> points;  ///< its vertices, as PixelTriangle has them
     double thickness;          ///< of its slab, at most, metres
     bool mirrored, bothSides;
-    bool inFront;             ///< of the near plane, all of it
-    std::vector<Slab> slabs;  ///< by patch
+    bool inFront;                  ///< of the near plane, all of it
+    std::vector<Slab> slabs = {};  ///< by patch, of what may hide others
 
     [[nodiscard]] PixelTriangle triangle(std::span<const std::uint32_t> indices) const;
     [[nodiscard]] int facing(const PixelTriangle& triangle) const;

@@ -8,17 +8,17 @@
 const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
 const float kBoldCells = 4.0;   // how many cells a step may lead
-const float kScanStep = 0.35;     // cells: the shortest step of a scan,
-const float kScanGrowth = 1.6;    // how many times as long the next one is where the surface bends steadily,
-const float kScanMost = 4.0;      // and the longest
-const float kSteady = 0.1;        // of the offset: what the slopes at both ends of a step say of it may be wrong by that
+const float kScanStep = 0.35;   // cells: the shortest step of a scan,
+const float kScanGrowth = 1.6;  // how many times as long the next one is where the surface bends steadily,
+const float kScanMost = 4.0;    // and the longest
+const float kSteady = 0.1;      // of the offset: what the slopes at both ends of a step say of it may be wrong by that
 const int kBackward = 2, kForward = 40;  // steps against the ray and, at most, along it
-const float kMoreSteps = 4.0;                      // after a scan: a root that is not farther off is not given up
+const float kMoreSteps = 4.0;   // after a scan: a root that is not farther off is not given up
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
 const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
-const int kAttempts = 3;         // to find a root
-const int kPolishSteps = 14;
+const int kAttempts = 3;        // to find a root, all but the first by a scan
+const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kGrazing = 0.1;     // of the area to the squares of its sides: nearly none
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
@@ -214,6 +214,7 @@ real rise(Sample low, Sample high, real way) {
   real turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
   real extreme = low.g + 0.5 * way * turn * low.slope;
   real extreme2 = high.g - 0.5 * way * (1.0 - turn) * high.slope;
+  // Of a long step they are known roughly only: what may be a root is walked again.
   real margin = isLong(way) ? abs(extreme - extreme2) : 0.0;
   bool dips = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0;
   bool rises = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0;
@@ -305,9 +306,8 @@ int scan(Ray ray, inout real after, out real2 best) {
     bool leaves = !back && !again && (now.g < last.g && now.g < -linkClip.z || cellsBeyond(now.p) > kBeyond);
     nears = endless && !leaves && now.g < 0.0 && -now.g < min(linkClip.z, kMoreSteps * (now.g - last.g));
     if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
-    real wrong = abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope));
     if (again) most = max(0.25 * length_, kScanStep);
-    bool steady = !back && wrong < kSteady * abs(now.g);
+    bool steady = !back && abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope)) < kSteady * abs(now.g);
     length_ = again ? most : steady ? min(kScanGrowth * length_, most) : kScanStep;
     if (!again) last = steps == kBackward ? first : now;
     // A formula need not exist far beyond the domain.

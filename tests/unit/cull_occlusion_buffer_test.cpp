@@ -14,7 +14,7 @@ namespace {
 OcclusionBuffer bufferOf(const PixelSize& size, const Vec2& sample = Vec2(0.5)) {
   OcclusionBuffer buffer;
   buffer.clear(size, sample);
-  buffer.beginBody();
+  buffer.beginSlab();
   return buffer;
 }
 
@@ -93,10 +93,10 @@ TEST(OcclusionBuffer, BandsTogetherAreTheWhole) {
     for (OcclusionBuffer& band : bands) action(band);
   };
   inAll([](OcclusionBuffer& buffer) {
-    buffer.beginBody();
+    buffer.beginSlab();
     buffer.enter(moved(upperLeft(9, 1), Vec3(3, 9, 0)));
     buffer.cover(upperLeft(30, 2));
-    buffer.beginBody();
+    buffer.beginSlab();
     buffer.cover(moved(lowerRight(10, 3), Vec3(14, 14, 0)));
   });
   int hidden = 0;
@@ -112,14 +112,14 @@ TEST(OcclusionBuffer, BandsTogetherAreTheWhole) {
   EXPECT_LT(hidden, 200);
 }
 
-TEST(OcclusionBuffer, ABodyCoversNothingBehindWhereItWasEntered) {
+TEST(OcclusionBuffer, ASlabCoversNothingBehindWhereItWasEntered) {
   OcclusionBuffer buffer = bufferOf({32, 32});
   buffer.enter(moved(upperLeft(6, 1), Vec3(2, 2, 0)));
   buffer.cover(upperLeft(32, 2));
   EXPECT_FALSE(buffer.hides(upperLeft(10, 5)));
   EXPECT_TRUE(buffer.hides(moved(upperLeft(6, 5), Vec3(12, 2, 0)))) << "beside the entrance";
-  // Another body has entrances of its own; one behind a cover is none.
-  buffer.beginBody();
+  // Another slab has entrances of its own; one behind a cover is none.
+  buffer.beginSlab();
   buffer.enter(upperLeft(32, 3));
   buffer.cover(upperLeft(32, 2));
   EXPECT_TRUE(buffer.hides(upperLeft(10, 5)));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -220,6 +221,22 @@ TEST(Hull, KnowsCollapsedEdges) {
   const HullPatch tip = hullOf(cone(1, 0, 2), 0.01).patchData[0];
   EXPECT_TRUE(tip.collapsedVMax && !tip.collapsedVMin);
   EXPECT_EQ(hullOf(disk(1), 0.01).patchData[0].orientation, -1);
+}
+
+TEST(Hull, KnowsBorders) {
+  const auto isBordered = [](const char* name) {
+    const Surface surface = makeSurface(name);
+    return hullOf(surface, 0.01 * sizeOf(surface)).patchData[0].bordered;
+  };
+  for (const char* name : {"rectangle", "disk", "cylinder", "mobius", "enneper"})
+    EXPECT_TRUE(isBordered(name)) << name;
+  for (const char* name : {"sphere", "torus", "klein", "boy"}) EXPECT_FALSE(isBordered(name)) << name;
+  // The teapot's handle meets its body, but is joined to nothing there; between its patches are no borders.
+  const Surface teapot = makeSurface("teapot");
+  const std::vector<HullPatch> patches = hullOf(teapot, 0.01 * sizeOf(teapot)).patchData;
+  const auto bordered = std::ranges::count_if(patches, &HullPatch::bordered);
+  EXPECT_GT(bordered, 0);
+  EXPECT_LT(bordered, std::ssize(patches));
 }
 
 TEST(Hull, PatchesOfOneFunctionAreOnePart) {
