@@ -11,6 +11,8 @@ namespace {
 
 /// Pixels. Devices move corners to a grid of 1/256.
 constexpr double kRoom = 1.0 / 64;
+/// Of a depth: more than what floats round.
+constexpr float kDepthMargin = 1e-6f;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 double crossed(const Vec3& a, const Vec3& b) { return a.x * b.y - a.y * b.x; }
@@ -60,6 +62,43 @@ bool forEachRow(const PixelTriangle& t, const Vec2& sample, int width, const Row
   return true;
 }
 
+/// The depth of a triangle in its samples: linear, and no other than between its corners'.
+class Depth {
+ public:
+  Depth(const PixelTriangle& t, const Vec2& sample) : corner_(t[0]), sample_(sample) {
+    const auto [low, high] = std::minmax({t[0].z, t[1].z, t[2].z});
+    low_ = static_cast<float>(low);
+    high_ = static_cast<float>(high);
+    margin_ = kDepthMargin * std::max(std::abs(low_), std::abs(high_));
+    const Vec3 a = t[1] - t[0], b = t[2] - t[0];
+    const double area = crossed(a, b);
+    const double narrow = kRoom * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+    known_ = std::abs(area) > narrow;
+    if (!known_) return;
+    perColumn_ = (a.z * b.y - a.y * b.z) / area;
+    perRow_ = (a.x * b.z - a.z * b.x) / area;
+  }
+
+  /// Calls action(x, near, far) for the samples of a row: the triangle is no nearer and no farther.
+  template <typename Action>
+  void forEach(int row, int first, int end, const Action& action) const {
+    const double right = first + sample_.x - corner_.x, down = row + sample_.y - corner_.y;
+    const auto start = static_cast<float>(corner_.z + perColumn_ * right + perRow_ * down);
+    const auto step = static_cast<float>(perColumn_);
+    for (int x = first; x < end; ++x) {
+      const float depth = std::clamp(start + step * static_cast<float>(x - first), low_, high_);
+      action(x, (known_ ? depth : low_) - margin_, (known_ ? depth : high_) + margin_);
+    }
+  }
+
+ private:
+  Vec3 corner_;
+  Vec2 sample_;
+  double perColumn_ = 0, perRow_ = 0;
+  float low_, high_, margin_;
+  bool known_;  ///< not where the triangle is too narrow to tell
+};
+
 }  // namespace
 
 void OcclusionBuffer::clear(int width, const Rows& rows, const Vec2& sample) {
@@ -85,26 +124,26 @@ void OcclusionBuffer::beginSlab() {
 }
 
 void OcclusionBuffer::enter(const PixelTriangle& triangle) {
-  const double depth = std::min({triangle[0].z, triangle[1].z, triangle[2].z});
-  const float from = std::nextafter(static_cast<float>(depth), -kInfinity);
+  const Depth depth(triangle, sample_);
   forEachRow(triangle, sample_, width_, rows_, kRoom, [&](int row, int first, int end) {
     enteredRows_ = {std::min(enteredRows_.first, row), std::max(enteredRows_.end, row + 1)};
     firstEnteredColumn_ = std::min(firstEnteredColumn_, first);
     enteredColumnEnd_ = std::max(enteredColumnEnd_, end);
     float* const entered = entered_.data() + startOf(row);
-    for (int x = first; x < end; ++x) entered[x] = std::min(entered[x], from);
+    depth.forEach(row, first, end,
+                  [&](int x, float near, float) { entered[x] = std::min(entered[x], near); });
     return true;
   });
 }
 
 void OcclusionBuffer::cover(const PixelTriangle& triangle) {
-  const double depth = std::max({triangle[0].z, triangle[1].z, triangle[2].z});
-  const float behind = std::nextafter(static_cast<float>(depth), kInfinity);
+  const Depth depth(triangle, sample_);
   forEachRow(triangle, sample_, width_, rows_, 0, [&](int row, int first, int end) {
     float* const farthest = farthest_.data() + startOf(row);
     const float* const entered = entered_.data() + startOf(row);
-    for (int x = first; x < end; ++x)
-      farthest[x] = behind < entered[x] ? std::min(farthest[x], behind) : farthest[x];
+    depth.forEach(row, first, end, [&](int x, float, float far) {
+      farthest[x] = far < entered[x] ? std::min(farthest[x], far) : farthest[x];
+    });
     return true;
   });
 }
@@ -123,10 +162,12 @@ std::size_t OcclusionBuffer::covered() const {
 }
 
 bool OcclusionBuffer::hides(const PixelTriangle& triangle) const {
-  const double depth = std::min({triangle[0].z, triangle[1].z, triangle[2].z});
+  const Depth depth(triangle, sample_);
   return forEachRow(triangle, sample_, width_, rows_, kRoom, [&](int row, int first, int end) {
     const float* const farthest = farthest_.data() + startOf(row);
-    return std::all_of(farthest + first, farthest + end, [&](float f) { return f < depth; });
+    int seen = 0;
+    depth.forEach(row, first, end, [&](int x, float near, float) { seen += !(farthest[x] < near); });
+    return seen == 0;
   });
 }
 

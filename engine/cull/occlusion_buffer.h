@@ -13,8 +13,8 @@
 
 namespace luxo {
 
-/// x and y: pixels right of and below the picture's upper left corner; z: depth, metres in front of the eye's
-/// plane.
+/// x and y: pixels right of and below the picture's upper left corner; z: grows with the depth and is linear
+/// on the screen: the depth itself of parallel rays, -1 / depth of those through an eye.
 using PixelTriangle = std::array<Vec3, 3>;
 
 /// Rows of a picture, from the top.
@@ -32,20 +32,19 @@ class OcclusionBuffer {
   /// What is covered from now on is covered by another slab, which nothing has entered.
   void beginSlab();
 
-  /// From the nearest corner of this triangle on, the slab covers nothing in the samples of the triangle and
-  /// a little around it.
+  /// Behind this triangle the slab covers nothing, in the samples of the triangle and a little around it.
   void enter(const PixelTriangle& triangle);
 
-  /// Nothing is seen behind the farthest corner of this triangle, in samples on or inside its edges, unless
-  /// the slab was entered before. Cost: a fraction of a nanosecond per sample.
+  /// Nothing is seen behind this triangle, in samples on or inside its edges, unless the slab was entered
+  /// before. Cost: a fraction of a nanosecond per sample.
   void cover(const PixelTriangle& triangle);
 
   /// How many samples are on or inside the edges of a triangle; and how many something covers.
   [[nodiscard]] std::size_t samplesIn(const PixelTriangle& triangle) const;
   [[nodiscard]] std::size_t covered() const;
 
-  /// Whether all that the triangle covers, and a little around it, is hidden where its nearest corner is. So
-  /// is what covers no sample at all. Ends at the first sample that is not.
+  /// Whether the triangle is hidden in all samples that it covers, and a little around it. So is what covers
+  /// no sample at all. Ends with the first row that is not.
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
 
  private:

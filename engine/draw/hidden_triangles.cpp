@@ -33,6 +33,10 @@ std::span<const std::uint32_t> indicesAt(const std::vector<std::uint32_t>& indic
   return std::span(indices).subspan(first, 3);
 }
 
+PixelTriangle triangleOf(const std::vector<Vec3>& points, std::span<const std::uint32_t> indices) {
+  return {points[indices[0]], points[indices[1]], points[indices[2]]};
+}
+
 template <typename Action>
 void forEachHullBatch(const DrawList& list, const Action& action) {
   for (const DrawBatch& batch : list.opaque)
@@ -40,10 +44,6 @@ void forEachHullBatch(const DrawList& list, const Action& action) {
 }
 
 }  // namespace
-
-PixelTriangle HiddenTriangles::Body::triangle(std::span<const std::uint32_t> indices) const {
-  return {points[indices[0]], points[indices[1]], points[indices[2]]};
-}
 
 /// +1: the triangle is seen from outside the slab; -1: from inside; 0: it is so narrow that a device may see
 /// it either way.
@@ -90,11 +90,15 @@ void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) 
     if (bodyOf_[number] != kNone) return;
     bodyOf_[number] = bodies_.size();
     const SnapshotNode& node = snapshot.nodes[number];
-    std::vector<Vec3> points = inPicture(snapshot.view, node, batch.hull->positions);
+    std::vector<Vec3> points = inPicture(snapshot.view, node, batch.hull->positions), spanned;
     const bool inFront = std::ranges::all_of(points, [&](const Vec3& p) { return p.z > snapshot.view.near; });
+    if (inFront && batch.hull->spansProven) spanned = inPicture(snapshot.view, node, batch.hull->spanned);
+    if (snapshot.view.perspective() && inFront)
+      for (auto* places : {&points, &spanned})
+        for (Vec3& p : *places) p.z = -1 / p.z;
     bodies_.push_back({.hull = batch.hull.get(),
                        .points = std::move(points),
-                       .thickness = 3 * batch.hull->offset * largestStretch(node.worldFromObject.linear),
+                       .spanned = std::move(spanned),
                        .mirrored = batch.mirrored,
                        .bothSides = batch.bothSides,
                        .inFront = inFront});
@@ -109,7 +113,7 @@ bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
     const Body& body = bodyOf(list, batch);
     if (!body.inFront) return;
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
-      PixelTriangle triangle = body.triangle(indicesAt(list.hullIndices, i));
+      PixelTriangle triangle = triangleOf(body.points, indicesAt(list.hullIndices, i));
       if (body.facing(triangle) < 0) continue;
       for (Vec3& corner : triangle) corner /= kCoarse;
       drawn += coarse_.samplesIn(triangle);
@@ -123,7 +127,8 @@ std::vector<HiddenTriangles::Slab> HiddenTriangles::slabsOf(const Hull& hull) {
   std::vector<Slab> slabs(hull.patchData.size());
   for (const Hull::Part& part : hull.parts)
     for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.count; i += 3) {
-      Slab& slab = slabs[hull.patches[hull.indices[i]]];
+      if (hull.spanning[i / 3] == Hull::Spanning::Joint) continue;
+      Slab& slab = slabs[hull.slabs[hull.patches[hull.indices[i]]]];
       (i < part.wallIndex() ? slab.tops : i < part.bottomIndex() ? slab.walls : slab.bottoms).push_back(i);
     }
   return slabs;
@@ -135,7 +140,7 @@ void HiddenTriangles::cover(const PixelSize& size, int samples) {
   const auto bands = static_cast<std::size_t>((size.height + kBand - 1) / kBand);
   buffers_.resize(bands * locations.size());
   for (Body& body : bodies_)
-    if (body.hull->proven && body.inFront) body.slabs = slabsOf(*body.hull);
+    if (!body.spanned.empty()) body.slabs = slabsOf(*body.hull);
   forEachIndex(buffers_.size(), true, [&](std::size_t i) {
     const int first = static_cast<int>(i % bands) * kBand;
     buffers_[i].clear(size.width, {first, std::min(first + kBand, size.height)}, locations[i / bands]);
@@ -154,17 +159,18 @@ void HiddenTriangles::coverBehind(const Body& body, const Slab& slab, bool tops,
   const Hull& hull = *body.hull;
   const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
   const std::vector<std::uint32_t>& entering = tops ? slab.bottoms : slab.tops;
+  const auto isTurned = [&](std::uint32_t i) { return hull.spanning[i / 3] == Hull::Spanning::Turned; };
   buffer.beginSlab();
   for (const auto* faces : {&leaving, &slab.walls})
     for (const std::uint32_t i : *faces)
-      if (const PixelTriangle triangle = body.triangle(indicesAt(hull.indices, i));
-          hull.turned[i / 3] || body.facing(triangle) >= 0)
+      if (const PixelTriangle triangle = triangleOf(body.spanned, indicesAt(hull.indices, i));
+          isTurned(i) || body.facing(triangle) >= 0)
         buffer.enter(triangle);
   for (const std::uint32_t i : entering)
-    if (hull.turned[i / 3]) buffer.enter(body.triangle(indicesAt(hull.indices, i)));
+    if (isTurned(i)) buffer.enter(triangleOf(body.spanned, indicesAt(hull.indices, i)));
   for (const std::uint32_t i : leaving)
-    if (const PixelTriangle triangle = body.triangle(indicesAt(hull.indices, i));
-        !hull.turned[i / 3] && body.facing(triangle) < 0)
+    if (const PixelTriangle triangle = triangleOf(body.spanned, indicesAt(hull.indices, i));
+        !isTurned(i) && body.facing(triangle) < 0)
       buffer.cover(triangle);
 }
 
@@ -187,21 +193,18 @@ std::vector<char> HiddenTriangles::findUnseen(const DrawList& list, bool hiding)
     const Body& body = bodyOf(list, *batch);
     if (!body.inFront) return;
     for (std::size_t i = first; i < end; i += 3) {
-      const PixelTriangle triangle = body.triangle(indicesAt(list.hullIndices, i));
+      const PixelTriangle triangle = triangleOf(body.points, indicesAt(list.hullIndices, i));
       const bool inside = batch->culling == FaceCulling::Back && body.facing(triangle) < 0;
-      unseen[i / 3] = inside || (hiding && hides(body, triangle));
+      unseen[i / 3] = inside || (hiding && hides(triangle));
     }
   });
   return unseen;
 }
 
-/// A search that begins in the triangle may find a point before it: by as much as the slab is thick, and the
-/// triangle deep.
-bool HiddenTriangles::hides(const Body& body, const PixelTriangle& triangle) const {
-  const auto [nearest, farthest] = std::minmax({triangle[0].z, triangle[1].z, triangle[2].z});
-  PixelTriangle nearer = triangle;
-  for (Vec3& corner : nearer) corner.z -= body.thickness + (farthest - nearest);
-  return std::ranges::all_of(buffers_, [&](const OcclusionBuffer& buffer) { return buffer.hides(nearer); });
+/// A search that begins in the triangle may find a point before it. But where that is seen, the ray has come
+/// into its slab before it, too, and so not behind what hides the triangle.
+bool HiddenTriangles::hides(const PixelTriangle& triangle) const {
+  return std::ranges::all_of(buffers_, [&](const OcclusionBuffer& buffer) { return buffer.hides(triangle); });
 }
 
 }  // namespace luxo

@@ -14,6 +14,7 @@
 #include "tessellate/block_plan.h"
 #include "tessellate/hull_frame.h"
 #include "tessellate/hull_refinement.h"
+#include "tessellate/hull_spans.h"
 #include "tessellate/parallel.h"
 
 namespace luxo {
@@ -41,6 +42,9 @@ constexpr double kSearched = 3;
 
 /// Triangles so many times as far from an edge that is a point as they are long do not notice it.
 constexpr double kNearPole = 2;
+
+/// Of a triangle's area, where its vertices span a slab.
+constexpr double kLeastLeft = 0.25;
 
 /// Turns a frame into a hull.
 class Builder {
@@ -80,7 +84,7 @@ class Builder {
     return distances;
   }
 
-  void moveVertices(Hull& hull) const {
+  void moveVertices(Hull& hull) {
     const std::vector<double> distance = distances();
     struct Moves {
       Vec3 out{0}, in{0};
@@ -106,6 +110,11 @@ class Builder {
       hull.offset = std::max({hull.offset, glm::length(m.out), glm::length(m.in)});
       hull.proven = hull.proven && m.leadOut;
     }
+    HullSpans spans = spansOf(frame_, distance, hull.positions, surface_.patchCount());
+    hull.spanned = std::move(spans.positions);
+    hull.slabs = std::move(spans.slabs);
+    hull.spansProven = hull.proven && spans.proven;
+    joined_ = std::move(spans.joined);
   }
 
   /// The normal turns along an edge by the edge's length over the radius.
@@ -218,11 +227,27 @@ class Builder {
     }
   }
 
-  /// Whether the vertices of a triangle moved so far that their places came in another order.
-  [[nodiscard]] bool turned(const Hull& hull, std::size_t triangle, std::uint32_t first) const {
+  /// A triangle counts as turned if its vertices moved so far that little of it faces where it did.
+  [[nodiscard]] Hull::Spanning spanning(const Hull& hull, std::size_t triangle, std::uint32_t first) const {
     const auto c = frame_.corners(triangle);
-    const auto at = [&](std::size_t k) { return hull.positions[first + c[k]]; };
-    return !(glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), frame_.facet(triangle)) > 0);
+    const auto areaOf = [&](const std::vector<Vec3>& points, std::uint32_t from) {
+      const Vec3 &a = points[from + c[0]], &b = points[from + c[1]], &d = points[from + c[2]];
+      return glm::dot(glm::cross(b - a, d - a), frame_.facet(triangle));
+    };
+    const double before = areaOf(mesh_.positions, 0);
+    return areaOf(hull.spanned, first) > kLeastLeft * before && before > 0 ? Hull::Spanning::Yes
+                                                                           : Hull::Spanning::Turned;
+  }
+  [[nodiscard]] Hull::Spanning spanning(const Hull& hull, std::size_t wall) const {
+    if (joined_[wall]) return Hull::Spanning::Joint;
+    const auto [from, to, triangle] = frame_.walls()[wall];
+    const auto count = static_cast<std::uint32_t>(mesh_.positions.size());
+    const Vec3 along = hull.spanned[from] - hull.spanned[to];
+    const auto faces = [&](std::uint32_t bottom) {
+      return glm::dot(glm::cross(along, hull.spanned[count + bottom] - hull.spanned[to]),
+                      frame_.wallNormal(wall)) > 0;
+    };
+    return faces(from) && faces(to) ? Hull::Spanning::Yes : Hull::Spanning::Turned;
   }
 
   [[nodiscard]] bool nearPole(const Hull& hull, std::uint32_t vertex) const {
@@ -258,7 +283,7 @@ class Builder {
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {c[0], c[1], c[2]});
       hull.cones.push_back(cones_[t]);
-      hull.turned.push_back(turned(hull, t, 0));
+      hull.spanning.push_back(spanning(hull, t, 0));
     });
     for (std::size_t w = 0; w < frame_.walls().size(); ++w) {
       const HullFrame::WallEdge& wall = frame_.walls()[w];
@@ -266,13 +291,13 @@ class Builder {
       const std::uint32_t a = wall.from, b = wall.to;
       indices.insert(indices.end(), {b, a, count + a, b, count + a, count + b});
       hull.cones.insert(hull.cones.end(), 2, wallCones_[w]);
-      hull.turned.insert(hull.turned.end(), 2, false);
+      hull.spanning.insert(hull.spanning.end(), 2, spanning(hull, w));
     }
     part.frontCount = size() - part.firstIndex;
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {count + c[0], count + c[2], count + c[1]});
       hull.cones.push_back(cones_[t]);
-      hull.turned.push_back(turned(hull, t, count));
+      hull.spanning.push_back(spanning(hull, t, count));
     });
     part.count = size() - part.firstIndex;
     if (part.count > 0) hull.parts.push_back(part);
@@ -284,6 +309,7 @@ class Builder {
   const HullDesc& desc_;
   const Mesh& mesh_;
   std::vector<FacingCone> cones_, wallCones_;
+  std::vector<bool> joined_;  // of walls; see HullSpans
 };
 
 /// The mesh is dense where the formula bends: what a sampling of the whole surface did not notice is seen

@@ -75,9 +75,16 @@ struct Hull {
   std::vector<Part> parts;
   /// Of each triangle, those of the bottom as those of the top. Any direction near edges that are points.
   std::vector<FacingCone> cones;
-  /// Of each triangle: where the surface bends more sharply than the slab is thick, a face may turn over.
-  /// Where it does not, a ray that comes in by one face and leaves by the other has met the surface.
-  std::vector<bool> turned;
+  /// The vertices of slabs that the surface spans from wall to wall: those at walls lie as far inside of its
+  /// borders as those of `positions` lie outside of the patch's edges, and where patches go on in each other
+  /// there are no walls. A ray that comes into such a slab by one face and leaves it by the other has met the
+  /// surface, but where faces are turned.
+  std::vector<Vec3> spanned;
+  std::vector<std::uint32_t> slabs;  ///< of each patch: which of these it is in
+  enum class Spanning : char { Yes, Turned, Joint };
+  /// Of each triangle among these vertices: where the surface bends more sharply than the slab is thick, or
+  /// is narrower than that, a face may turn over or nearly vanish; and a wall between patches is not there.
+  std::vector<Spanning> spanning;
   std::vector<HullPatch> patchData;  ///< of every patch of the surface
 
   double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound
@@ -89,7 +96,8 @@ struct Hull {
   /// sharply that no direction leads out (pinch points): the hull is then as good as one can be made. Where a
   /// surface is thinner than the tolerance, slabs of its parts overlap.
   bool proven = true;
-  Vec3 origin{0};  ///< what the device's single precision is relative to, as in Mesh
+  bool spansProven = true;  ///< what is said of `spanned` is so
+  Vec3 origin{0};           ///< what the device's single precision is relative to, as in Mesh
 
   [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
 };

@@ -213,7 +213,7 @@ void HullFrame::findWalls(const std::vector<HullPatch>& patches) {
   forEachCandidate([&](std::size_t, std::uint32_t a, std::uint32_t b) { directed.insert(key(a, b)); });
   forEachCandidate([&](std::size_t t, std::uint32_t a, std::uint32_t b) {
     if (directed.contains(key(b, a))) return;
-    walls_.push_back({a, b});
+    walls_.push_back({a, b, t});
     wallNormals_.push_back(unit(glm::cross(mesh_.positions[b] - mesh_.positions[a], facets_[t])));
   });
 }

@@ -41,6 +41,7 @@ class HullFrame {
  public:
   struct WallEdge {
     std::uint32_t from = 0, to = 0;  ///< vertices, along the border with the patch at the left
+    std::size_t triangle = 0;        ///< there
   };
 
   /// Blocks of one patch are consecutive.
@@ -54,6 +55,7 @@ class HullFrame {
   [[nodiscard]] std::uint32_t patchOf(std::uint32_t vertex) const { return patches_[vertex]; }
   /// Edges of triangles that no other triangle of the patch continues.
   [[nodiscard]] const std::vector<WallEdge>& walls() const { return walls_; }
+  [[nodiscard]] const Vec3& wallNormal(std::size_t wall) const { return wallNormals_[wall]; }
   [[nodiscard]] std::array<std::uint32_t, 3> corners(std::size_t triangle) const {
     return {mesh_.indices[3 * triangle], mesh_.indices[3 * triangle + 1], mesh_.indices[3 * triangle + 2]};
   }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "cull/occlusion_buffer.h"
 
@@ -65,12 +67,51 @@ TEST(OcclusionBuffer, NeighboursLeaveNoGap) {
   EXPECT_FALSE(buffer.hides(moved(upperLeft(20, 2.5), Vec3(25, 25, 0))));
 }
 
-TEST(OcclusionBuffer, ASlopingCoverHidesBehindItsFarthestCorner) {
+// 1 + row / 8, from the upper edge of the first.
+TEST(OcclusionBuffer, ASlopingCoverHidesWhatIsBehindItThere) {
   OcclusionBuffer buffer = bufferOf({32, 32});
-  buffer.cover({Vec3(0, 0, 1), Vec3(32, 0, 1), Vec3(0, 32, 4)});
-  EXPECT_FALSE(buffer.hides(upperLeft(10, 3)));
-  EXPECT_TRUE(buffer.hides(upperLeft(10, 4.5)));
-  EXPECT_FALSE(buffer.hides({Vec3(0, 0, 9), Vec3(9, 0, 9), Vec3(0, 9, 3)})) << "its nearest corner is before";
+  buffer.cover({Vec3(0, 0, 1), Vec3(32, 0, 1), Vec3(0, 32, 5)});
+  EXPECT_TRUE(buffer.hides(upperLeft(8, 2.1)));
+  EXPECT_FALSE(buffer.hides(upperLeft(8, 1.9)));
+  EXPECT_FALSE(buffer.hides(moved(upperLeft(8, 2.1), Vec3(0, 9, 0))));
+  EXPECT_TRUE(buffer.hides({Vec3(0, 0, 1.1), Vec3(9, 0, 1.1), Vec3(0, 9, 2.3)})) << "parallel to it";
+  EXPECT_FALSE(buffer.hides({Vec3(0, 0, 0.9), Vec3(9, 0, 0.9), Vec3(0, 9, 2.1)}));
+  EXPECT_FALSE(buffer.hides({Vec3(0, 0, 9), Vec3(9, 0, 9), Vec3(0, 9, 1)})) << "comes before it";
+}
+
+/// The depth at a point of the plane through the corners.
+double depthAt(const PixelTriangle& t, double x, double y) {
+  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  return t[0].z - (normal.x * (x - t[0].x) + normal.y * (y - t[0].y)) / normal.z;
+}
+
+// Two planes that slope at random: their distance at the corners, which are samples, tells of all between.
+TEST(OcclusionBuffer, DepthsAreThoseOfThePlanes) {
+  std::mt19937 random(11);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int hidden = 0, seen = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const PixelTriangle cover = {Vec3(-20, -20, between(1, 2)), Vec3(90, -20, between(1, 2)),
+                                 Vec3(-20, 90, between(1, 2))};
+    PixelTriangle candidate;
+    double least = 1;
+    for (Vec3& corner : candidate) {
+      corner = Vec3(std::floor(between(0, 32)) + 0.5, std::floor(between(0, 32)) + 0.5, 0);
+      const double behind = between(-0.01, 0.03);
+      corner.z = depthAt(cover, corner.x, corner.y) + behind;
+      least = std::min(least, behind);
+    }
+    const bool narrow = std::abs(glm::cross(candidate[1] - candidate[0], candidate[2] - candidate[0]).z) < 8;
+    if (narrow || std::abs(least) < 1e-4) continue;  // within what floats and the room around it make of it
+    OcclusionBuffer buffer = bufferOf({32, 32});
+    buffer.cover(cover);
+    EXPECT_EQ(buffer.hides(candidate), least > 0) << i;
+    ++(least > 0 ? hidden : seen);
+  }
+  EXPECT_GT(hidden, 200);
+  EXPECT_GT(seen, 200);
 }
 
 TEST(OcclusionBuffer, WhatHoldsNoSampleIsHidden) {

@@ -62,10 +62,14 @@ double signedVolume(const std::vector<Triangle>& triangles) {
   return sum;
 }
 
-/// Directed edges, by the bits of their ends, that no reverse one matches.
-int openEdges(const std::vector<Triangle>& triangles) {
+/// Directed edges that no reverse one matches. Ends are the same if all their bits are, or, given a `unit`,
+/// if they are rounded to the same multiple of it.
+int openEdges(const std::vector<Triangle>& triangles, double unit = 0) {
   using Point = std::tuple<double, double, double>;
-  const auto point = [](const Vec3& p) { return Point(p.x, p.y, p.z); };
+  const auto point = [&](const Vec3& p) {
+    const Vec3 q = unit > 0 ? glm::round(p / unit) + 0.0 : p;
+    return Point(q.x, q.y, q.z);
+  };
   std::map<std::pair<Point, Point>, int> balance;
   for (const Triangle& t : triangles)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -221,6 +225,71 @@ TEST(Hull, KnowsCollapsedEdges) {
   const HullPatch tip = hullOf(cone(1, 0, 2), 0.01).patchData[0];
   EXPECT_TRUE(tip.collapsedVMax && !tip.collapsedVMin);
   EXPECT_EQ(hullOf(disk(1), 0.01).patchData[0].orientation, -1);
+}
+
+/// Of all patches together.
+std::vector<Triangle> spannedSlabs(const Hull& hull) {
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < hull.indices.size(); i += 3) {
+    if (hull.spanning[i / 3] == Hull::Spanning::Joint) continue;
+    const auto at = [&](std::size_t k) { return hull.spanned[hull.indices[i + k]]; };
+    triangles.push_back({at(0), at(1), at(2)});
+  }
+  return triangles;
+}
+
+/// Whether the slabs hold the point of a patch at these parts of its domain.
+bool holds(const std::vector<Triangle>& slabs, const Surface& surface, std::uint32_t patch, const Vec2& at) {
+  const Domain& domain = surface.patchDomain(patch);
+  const Vec3 p = surface.position(patch, domain.u.lo + at.x * domain.u.width(),
+                                  domain.v.lo + at.y * domain.v.width(), {});
+  return windingNumber(slabs, p) > 0.5;
+}
+
+// So no ray passes through such a slab beside the surface.
+TEST(Hull, BordersAreOutsideOfSpannedSlabs) {
+  for (const char* name : {"rectangle", "hyperbolic_paraboloid", "scherk", "helicoid"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = makeSurface(name);
+    const Hull hull = hullOf(surface, 0.01 * sizeOf(surface));
+    EXPECT_TRUE(hull.spansProven);
+    const std::vector<Triangle> spanned = spannedSlabs(hull), slab = slabOf(hull, 0);
+    EXPECT_EQ(openEdges(spanned), 0);
+    for (int k = 0; k <= 40; ++k) {
+      const double part = k / 40.0;
+      for (const Vec2& at : {Vec2(part, 0), Vec2(part, 1), Vec2(0, part), Vec2(1, part)}) {
+        EXPECT_TRUE(holds(slab, surface, 0, at)) << at.x << ' ' << at.y;
+        EXPECT_FALSE(holds(spanned, surface, 0, at)) << at.x << ' ' << at.y;
+      }
+      EXPECT_TRUE(holds(spanned, surface, 0, Vec2(0.25 + 0.5 * part, 0.75 - 0.3 * part)));
+    }
+  }
+}
+
+// Of these patches no edge is a border: what is seen past one is another's.
+TEST(Hull, SpannedSlabsGoOnFromPatchToPatch) {
+  for (const char* name : {"superellipsoid", "supertoroid"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = makeSurface(name);
+    const double size = sizeOf(surface);
+    const Hull hull = hullOf(surface, 0.01 * size);
+    EXPECT_TRUE(hull.spansProven);
+    EXPECT_TRUE(std::ranges::all_of(hull.slabs, [&](std::uint32_t slab) { return slab == hull.slabs[0]; }));
+    const std::vector<Triangle> spanned = spannedSlabs(hull);
+    EXPECT_EQ(openEdges(spanned, 1e-9 * size), 0);
+    for (std::uint32_t patch = 0; patch < surface.patchCount(); patch += 7)
+      for (const double part : {0.0, 0.3, 0.5, 1.0})
+        for (const Vec2& at : {Vec2(part, 0), Vec2(part, 1), Vec2(0, part), Vec2(1, part)})
+          EXPECT_TRUE(holds(spanned, surface, patch, at)) << patch << ' ' << at.x << ' ' << at.y;
+  }
+}
+
+// Lid, body, spout and handle are not joined to each other, and the bottom meets the body in a sharp edge.
+TEST(Hull, EachPartOfTheTeapotIsASlab) {
+  const Surface teapot = makeSurface("teapot");
+  const Hull hull = hullOf(teapot, 0.01 * sizeOf(teapot));
+  EXPECT_TRUE(hull.spansProven);
+  EXPECT_EQ(std::set(hull.slabs.begin(), hull.slabs.end()).size(), 5u);
 }
 
 TEST(Hull, KnowsBorders) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slabs around a surface that it spans from wall to wall, so that no ray passes through them beside it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tessellate/hull_frame.h"
+
+namespace luxo {
+
+struct HullSpans {
+  std::vector<Vec3> positions;  ///< of the top's vertices, then of the bottom's
+  std::vector<bool> joined;     ///< of each wall of the frame: patches go on in each other, no wall is there
+  std::vector<std::uint32_t> slabs;  ///< of each patch: which of the slabs it is in
+  bool proven = true;                ///< false where no direction leads out
+};
+
+/// `distances`: how far from the planes of the triangles around it each point of the frame has to be.
+/// `positions`: the hull's, which are those of vertices that no wall is near.
+[[nodiscard]] HullSpans spansOf(const HullFrame& frame, std::span<const double> distances,
+                                std::span<const Vec3> positions, std::uint32_t patchCount);
+
+}  // namespace luxo
