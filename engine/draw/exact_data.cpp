@@ -51,11 +51,12 @@ struct Rounding {
   double everywhere, near;
 };
 
-/// Of what has the size of the distance, and of the object.
+/// Of what has the size of the distance, and of the object. Of parallel rays there is no distance with room
+/// to spare for both what rounding a point and what rounding its place in the picture leaves.
 Rounding roundingPx(const View& view, const SnapshotNode& node, GlslNumber number) {
   const double rounding = roundingOf(number) * view.pixelsPerUnit;
   if (view.perspective()) return {rounding, rounding * reach(node)};
-  return {rounding * (glm::length(view.halfExtent) + reach(node)), 0};
+  return {rounding * (glm::length(view.halfExtent) + 2 * reach(node)), 0};
 }
 
 /// Of clipFromEye, and of depth, as linear functions of the object's points.
