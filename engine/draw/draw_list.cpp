@@ -321,12 +321,10 @@ class DrawLister {
     item.instance.exact = exactInstance(snapshot_.view, node, v, *batch.hull, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
     const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
-    const bool hasPoles = std::ranges::any_of(batch.hull->patchData, &HullPatch::hasPole);
     for (const Hull::Part& part : batch.hull->parts) {
       batch.state.surface =
           codeOf(geometry_.codes, node.surface, *batch.hull, part.patch, node.parameters.size(), number);
       batch.state.equation = batch.hull->patchData[part.patch].equation.has_value();
-      batch.state.poles = !batch.state.equation && hasPoles;
       batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
       batch.half = Half::Near;
       addHullDraws(item, batch, view, part.firstIndex, part.frontCount);
@@ -348,7 +346,7 @@ class DrawLister {
                     std::uint32_t count) {
     const Hull& hull = *batch.hull;
     std::vector<std::uint32_t>& all = list_.hullIndices;
-    std::vector<std::uint32_t> steep;
+    std::array<std::vector<std::uint32_t>, 2> steep;  // where no edge is a point, and where one is
     const std::uint32_t node = item.instance.node;
     const std::size_t first = all.size();
     for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
@@ -359,20 +357,24 @@ class DrawLister {
       if (seen == Seen::Away || (care_.completes && !again)) continue;
       // By its equation a surface is found where it is grazed as it is elsewhere.
       const bool isFlat = seen == Seen::Flat && !lost && !batch.state.equation;
-      std::vector<std::uint32_t>& indices = isFlat ? all : steep;
+      const HullPatch& patch = hull.patchData[hull.patches[hull.indices[i]]];
+      std::vector<std::uint32_t>& indices = isFlat ? all : steep[!batch.state.equation && patch.hasPole()];
       indices.insert(indices.end(), hull.indices.begin() + i, hull.indices.begin() + i + 3);
     }
-    const std::size_t firstSteep = all.size();
-    all.insert(all.end(), steep.begin(), steep.end());
-    const auto add = [&](bool isSteep, std::size_t from, std::size_t to) {
-      if (from == to) return;
-      batch.state.steep = isSteep;
+    const auto add = [&](std::size_t from) {
+      if (from == all.size()) return;
       batch.firstIndex = static_cast<std::uint32_t>(from);
-      batch.indexCount = static_cast<std::uint32_t>(to - from);
+      batch.indexCount = static_cast<std::uint32_t>(all.size() - from);
       item.batches.push_back(batch);
     };
-    add(false, first, firstSteep);
-    add(true, firstSteep, all.size());
+    add(first);
+    batch.state.steep = true;
+    for (const bool poles : {false, true}) {
+      const std::size_t from = all.size();
+      all.insert(all.end(), steep[poles].begin(), steep[poles].end());
+      batch.state.poles = poles;
+      add(from);
+    }
   }
 
   /// Where the patches of a surface start; nodes with the same surface and parameters share them.

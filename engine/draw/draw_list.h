@@ -29,8 +29,8 @@ struct DrawState {
   Pattern pattern = {};                  ///< where light falls on it; none for views of geometry
   const SurfaceCode* surface = nullptr;  ///< what finds a surface in every pixel; null: triangles are drawn
   bool equation = false;                 ///< with it: it is an equation, no formula
-  bool poles = false;                    ///< with it: an edge of a patch is one point
   bool steep = false;                    ///< with it: a ray may graze the surface, and meet it more than once
+  bool poles = false;                    ///< with that: an edge of a patch is one point
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };

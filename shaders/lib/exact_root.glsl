@@ -12,7 +12,7 @@ const float kScanStep = 0.35;   // cells: the shortest step of a scan,
 const float kScanGrowth = 1.6;  // how many times as long the next one is where the surface bends steadily,
 const float kScanMost = 4.0;    // and the longest
 const float kSteady = 0.1;      // of the offset: what the slopes at both ends of a step say of it may be wrong by that
-const int kBackward = 2, kForward = 40;  // steps against the ray and, at most, along it
+const int kBackward = 2, kForward = 40;  // steps against the ray, if any, and, at most, along it
 const float kMoreSteps = 4.0;   // after a scan: a root that is not farther off is not given up
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
 const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
@@ -286,6 +286,8 @@ int scan(Ray ray, inout real after, out real2 best) {
       now.way *= sense;
       now.g *= sense;
       first = now;
+      // Where the ray begins outside and nears the surface, nothing is behind.
+      if (now.g < 0.0 && now.slope > 0.0) steps = kBackward;
     } else {
       real where = back ? rise(now, last, length_) : rise(last, now, length_);
       bool falls = passedBorder && where < 0.0 && last.g > 0.0 && now.g <= 0.0;
