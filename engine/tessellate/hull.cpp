@@ -31,8 +31,8 @@ constexpr std::size_t kMostRefinedTriangles = 200'000;
 constexpr std::size_t kPointsForAllCores = 8192;
 
 /// The surface near a triangle turns less than the triangles around it do, times this; at an edge of the
-/// patch some of them are missing.
-constexpr double kReach = 1.25, kReachAtEdge = 2;
+/// patch some of them are missing. Past a border rays reach what has turned farther: the inside of horns.
+constexpr double kReach = 1.25, kReachAtEdge = 2, kReachAtBorder = 3;
 /// A ray runs inside the slab as far as it is thick, twice the distance of its vertices, and farther where
 /// that grows.
 constexpr double kRun = 3;
@@ -188,7 +188,9 @@ class Builder {
       thickness = std::max(thickness, kRun * glm::distance(hull.positions[v], mesh_.positions[v]));
       atEdge = atEdge || !frame_.wallsAround(point).empty();
     }
-    const double angle = (atEdge ? kReachAtEdge : kReach) * std::acos(std::clamp(least, -1.0, 1.0));
+    const bool bordered = hull.patchData[frame_.patchOf(vertices[0])].bordered;
+    const double reach = !atEdge ? kReach : bordered ? kReachAtBorder : kReachAtEdge;
+    const double angle = reach * std::acos(std::clamp(least, -1.0, 1.0));
     if (axis == Vec3(0) || angle >= 0.5 * std::numbers::pi) return {};
     return {.axis = Vec3f(axis),
             .sine = static_cast<float>(std::max(std::sin(angle), thickness / std::hypot(thickness, height)))};

@@ -95,5 +95,20 @@ TEST_F(VerifiedPictureTest, GrazedSaddlesAndTheInsideOfHorns) {
   }
 }
 
+// At its border the horn is thinner than its slab, and what faces the viewer there is seen flat.
+TEST_F(VerifiedPictureTest, TheInsideOfAHornBesideItsBorder) {
+  const Scene scene =
+      buildScene(parseScene(R"({ "luxo": 1, "materials": { "m": { "diffuse": [0.2, 0.4, 0.6] } },
+    "surfaces": { "horn": { "type": "tractricoid" }, "nearer": { "type": "sphere", "radius": 0.2 } },
+    "nodes": [
+      { "light": {}, "translate": [30, 60, 90] },
+      { "surface": "nearer", "material": "m", "translate": [3, 3, 2] },
+      { "surface": "horn", "material": "m", "translate": [-2.3, -0.679, -0.144], "scale": [0.692, 0.692, 0.692],
+        "rotate": [{ "axis": [1, 0, 0], "angle": "12deg" }] } ],
+    "camera": { "type": "orthographic", "height": 11.9, "eye": [0, 0, 10], "look_at": [0, 0, 0] } })",
+                            "horn"));
+  expectTheTruth(takeSnapshot(scene, 0, {1024, 1024}), 5000);
+}
+
 }  // namespace
 }  // namespace luxo::test
