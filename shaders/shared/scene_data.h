@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the CPU hands to the scene shaders: one definition for C++ and GLSL, scalar block layout.
-// Positions are in metres relative to the eye with the axes of the world; directions have the axes of the
-// world.
+// Positions are in metres relative to the eye with the axes of the world; directions have the axes of the world.
 #ifndef LUXO_SHARED_SCENE_DATA_H
 #define LUXO_SHARED_SCENE_DATA_H
 
@@ -33,11 +32,10 @@ LUXO_CONSTANT kBindingExactPatches = 1;
 LUXO_CONSTANT kBindingExactParameters = 2;
 LUXO_CONSTANT kBindingTally = 3;
 
-LUXO_CONSTANT kEquationNumbers =
-    21;  // of a patch that is searched for by its equation, instead of parameters
+LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
 
-// Searches that lose a surface are counted: those in triangles seen flat by slots that vertices of hulls
-// share, of all instances, the others after these by instance.
+// Searches that lose a surface are counted: those in triangles seen flat by slots that vertices of hulls share, of all
+// instances, the others after these by instance.
 LUXO_CONSTANT kTallySlots = 16384;
 
 LUXO_CONSTANT kMostLights = 32;  // that may reach one object
@@ -48,12 +46,11 @@ LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
 LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times InstanceData::ambient
 LUXO_CONSTANT kPlane = 8;            // all in one plane
 LUXO_CONSTANT kShowsBack = 16;       // not only the outer side is seen
-LUXO_CONSTANT kShadeShift =
-    8;  // 8 bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
+LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
 
 // Flags of patches, which join those of instances.
-LUXO_CONSTANT kInward = 1 << 16;  // Su x Sv points inward
-LUXO_CONSTANT kWrapsU = 1 << 17;  // the formula goes on beyond the ends of u, which are the same curve
+LUXO_CONSTANT kInward = 1 << 16;    // Su x Sv points inward
+LUXO_CONSTANT kWrapsU = 1 << 17;    // the formula goes on beyond the ends of u, which are the same curve
 LUXO_CONSTANT kWrapsV = 1 << 18;
 LUXO_CONSTANT kPoleLow = 1 << 19;   // the edge of lowest v (with kPolesOfU: of u) is one point
 LUXO_CONSTANT kPoleHigh = 1 << 20;  // that of highest
@@ -64,9 +61,9 @@ LUXO_CONSTANT kBordered = 1u << 31;     // an edge is a border of the surface
 
 struct ViewData {
   mat4 clipFromRelative;
-  vec4 viewer;      // w = 1: the eye, at the origin; w = 0: the unit direction toward an orthographic viewer
-  vec3 forward;     // unit view direction
-  vec2 depthRange;  // nearest and farthest depth in the picture, for the depth view
+  vec4 viewer;        // w = 1: the eye, at the origin; w = 0: the unit direction toward an orthographic viewer
+  vec3 forward;       // unit view direction
+  vec2 depthRange;    // nearest and farthest depth in the picture, for the depth view
 };
 
 struct InstanceData {
@@ -79,8 +76,8 @@ struct InstanceData {
   float shininess;
   float opacity;
   uint flags;
-  uint id;                     // the node's number in file order, from 1
-  vec4 domain;                 // u and v at the lower corner, width in u and v
+  uint id;      // the node's number in file order, from 1
+  vec4 domain;  // u and v at the lower corner, width in u and v
   uint firstPatternParameter;  // of the material's pattern, in the buffer of them all
 };
 
@@ -90,42 +87,40 @@ struct LightData {
   uint inverseSquare;
 };
 
-// What finding the surface in a pixel takes beside InstanceData, at the same index. Rows are linear functions
-// of the object's points (w: the constant term).
+// What finding the surface in a pixel takes beside InstanceData, at the same index. Rows are linear functions of the
+// object's points (w: the constant term).
 //
-// A search in double computes with numbers that are sums of two floats, 48 bits: devices read them faster
-// than doubles.
+// A search in double computes with numbers that are sums of two floats, 48 bits: devices read them faster than doubles.
 struct ExactInstance {
-  vec4 x, y;   // pixels right of and below the middle of the picture, times what `depth` gives (perspective)
-  vec4 depth;  // metres along the view axis
+  vec4 x, y;       // pixels right of and below the middle of the picture, times what `depth` gives (perspective)
+  vec4 depth;      // metres along the view axis
   vec4 xLow, yLow, depthLow;  // the second floats of these
-  // Of the depth buffer: perspective x / depth, orthographic x + y * depth. Perspective: y / depth is the
-  // part of the tolerance that depends on the depth.
+  // Of the depth buffer: perspective x / depth, orthographic x + y * depth. Perspective: y / depth is the part of the
+  // tolerance that depends on the depth.
   vec2 clipDepth;
-  vec2 half_;              // half the picture's size, pixels
+  vec2 half_;      // half the picture's size, pixels
   vec3 middle, middleLow;  // a point of object space that relative positions are computed from
-  vec3 translation;        // where that is relative to the eye
-  float facing;     // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
-  float tolerance;  // largest residual, pixels; see clipDepth
+  vec3 translation;  // where that is relative to the eye
+  float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
+  float tolerance; // largest residual, pixels; see clipDepth
   uint firstPatch;
-  uint firstSlot;   // of its first vertex; kTallySlots in all, after the last follows the first
-  vec3 origin;      // of the hull's vertices, object space
-  float thickness;  // farther from the surface than this there is no hull, pixels (perspective: times depth)
+  uint firstSlot;  // of its first vertex; kTallySlots in all, after the last follows the first
+  vec3 origin;     // of the hull's vertices, object space
+  float thickness; // farther from the surface than this there is no hull, pixels (perspective: times depth)
 };
 
 // A patch of a surface.
 struct ExactPatch {
   vec4 domain, domainLow;  // lowest u and v, highest u and v
   uint flags;
-  uint firstParameter;  // of the formula's parameters, in the buffer of them all: two floats each
+  uint firstParameter;     // of the formula's parameters, in the buffer of them all: two floats each
 };
 
 // The shade of a light in its focus: what is lit is known in closed form.
 struct ShadeData {
   vec3 axis;  // unit, from the vertex through the focus out of the opening
   float cosRim;
-  float reach;  // points nearer to the focus than `reach` more than they are along the axis are inside the
-                // shade
+  float reach;  // points nearer to the focus than `reach` more than they are along the axis are inside the shade
 };
 
 struct LightSet {
@@ -135,8 +130,7 @@ struct LightSet {
 
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
-static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 &&
-              sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(sizeof(ExactInstance) == 180 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif
