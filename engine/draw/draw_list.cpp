@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "base/error.h"
@@ -138,6 +139,12 @@ std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible, cons
          (node.surface.flatNormal() ? shared::kPlane : 0) | shadeOf << shared::kShadeShift;
 }
 
+/// Of the object's plane y = 0.
+bool seenFromAbove(const View& view, const Transform& worldFromObject) {
+  const Vec3 toViewer = view.perspective() ? view.eye - worldFromObject.translation : -view.forward();
+  return glm::dot(glm::cross(worldFromObject.linear[2], worldFromObject.linear[0]), toViewer) > 0;
+}
+
 shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& node,
                                 const VisibleNode& visible, const Vec3& origin, std::uint32_t shadeOf,
                                 bool showsBack) {
@@ -157,7 +164,8 @@ shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& no
       .specular = toFloat(material.specular),
       .shininess = static_cast<float>(material.shininess),
       .opacity = material.transparent() ? static_cast<float>(material.opacity) : 0.0f,
-      .flags = flagsOf(node, visible, material, shadeOf) | (showsBack ? shared::kShowsBack : 0),
+      .flags = flagsOf(node, visible, material, shadeOf) | (showsBack ? shared::kShowsBack : 0) |
+               (seenFromAbove(snapshot.view, node.worldFromObject) ? shared::kFromAbove : 0),
       .id = node.number,
       .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width())};
 }
@@ -315,15 +323,18 @@ class DrawLister {
         std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest) * finer;
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, tolerance);
     const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
+    const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.hull) : std::nullopt;
     const GlslNumber number = options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull)
                                   ? GlslNumber::Double
                                   : GlslNumber::Float;
-    item.instance.exact = exactInstance(snapshot_.view, node, v, *batch.hull, number);
+    item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.hull, *plane)
+                                : exactInstance(snapshot_.view, node, v, *batch.hull, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
     const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
     for (const Hull::Part& part : batch.hull->parts) {
-      batch.state.surface =
-          codeOf(geometry_.codes, node.surface, *batch.hull, part.patch, node.parameters.size(), number);
+      batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
+                                  : codeOf(geometry_.codes, node.surface, *batch.hull, part.patch,
+                                           node.parameters.size(), number);
       batch.state.equation = batch.hull->patchData[part.patch].equation.has_value();
       batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
       batch.half = Half::Near;

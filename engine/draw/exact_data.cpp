@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "base/assert.h"
 #include "draw/exact_shaders.h"
+#include "draw/pixel_rows.h"
 
 namespace luxo {
 namespace {
@@ -59,66 +59,6 @@ Rounding roundingPx(const View& view, const SnapshotNode& node, GlslNumber numbe
   return {rounding * (glm::length(view.halfExtent) + 2 * reach(node)), 0};
 }
 
-/// Of clipFromEye, and of depth, as linear functions of the object's points.
-struct Rows {
-  Vec4 x, y, depth;
-};
-
-/// Row `row` of clipFromEye as a linear function of the object's points.
-Vec4 clipRow(const View& view, const Transform& eyeFromObject, int row) {
-  Vec3 inEye;
-  for (int column = 0; column < 3; ++column) inEye[column] = view.clipFromEye[column][row];
-  return {glm::transpose(eyeFromObject.linear) * inEye,
-          glm::dot(inEye, eyeFromObject.translation) + view.clipFromEye[3][row]};
-}
-
-Rows rowsOf(const View& view, const SnapshotNode& node) {
-  const Transform eye = eyeFromObject(view, node.worldFromObject);
-  return {.x = 0.5 * view.size.width * clipRow(view, eye, 0),
-          .y = -0.5 * view.size.height * clipRow(view, eye, 1),
-          .depth = Vec4(-(glm::transpose(eye.linear) * Vec3(0, 0, 1)), -eye.translation.z)};
-}
-
-/// The part of a polygon where dot(side, p) >= 0.
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& side) {
-  std::vector<Vec3> part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double ofA = glm::dot(side, a), ofB = glm::dot(side, b);
-    if (ofA >= 0) part.push_back(a);
-    if ((ofA >= 0) != (ofB >= 0)) part.push_back(a + ofA / (ofA - ofB) * (b - a));
-  }
-  return part;
-}
-
-/// The least depth of what the picture shows of the node's bounds: they may reach past the eye outside of it.
-/// Of a solid cut by a pyramid the nearest point is on a face of the solid, unless the eye is inside.
-double nearestSeen(const View& view, const SnapshotNode& node) {
-  const Rows rows = rowsOf(view, node);
-  const Box& box = node.boundsObject;
-  const double right = 0.5 * view.size.width, top = 0.5 * view.size.height;
-  double nearest = std::numeric_limits<double>::infinity();
-  bool holdsEye = true;
-  for (int axis = 0; axis < 3; ++axis) {
-    holdsEye = holdsEye && view.eye[axis] >= node.boundsWorld.min[axis] &&
-               view.eye[axis] <= node.boundsWorld.max[axis];
-    for (const double end : {box.min[axis], box.max[axis]}) {
-      std::vector<Vec3> face;  // right, down and depth
-      for (const auto& [s, t] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
-        Vec4 corner(1);
-        corner[axis] = end;
-        corner[(axis + 1) % 3] = (s ? box.max : box.min)[(axis + 1) % 3];
-        corner[(axis + 2) % 3] = (t ? box.max : box.min)[(axis + 2) % 3];
-        face.emplace_back(glm::dot(rows.x, corner), glm::dot(rows.y, corner), glm::dot(rows.depth, corner));
-      }
-      for (const Vec3& side : {Vec3(1, 0, right), Vec3(-1, 0, right), Vec3(0, 1, top), Vec3(0, -1, top)})
-        face = clipped(face, side);
-      for (const Vec3& p : face) nearest = std::min(nearest, p.z);
-    }
-  }
-  return std::max(holdsEye ? 0 : nearest, view.near);
-}
-
 /// Edges that are points are edges of u or of v, never of both.
 std::uint32_t flagsOf(const HullPatch& patch) {
   const bool ofU = patch.collapsedUMin || patch.collapsedUMax;
@@ -128,7 +68,7 @@ std::uint32_t flagsOf(const HullPatch& patch) {
          (patch.collapsedUMin || (!ofU && patch.collapsedVMin) ? shared::kPoleLow : 0) |
          (patch.collapsedUMax || (!ofU && patch.collapsedVMax) ? shared::kPoleHigh : 0) |
          (ofU ? shared::kPolesOfU : 0) | (equation && equation->outward > 0 ? shared::kRisesOutward : 0) |
-         (equation && equation->v.along == Equation::Along::Radius ? shared::kRadial : 0);
+         (equation && equation->isRadial() ? shared::kRadial : 0);
 }
 
 /// Where a quadric is written about, by y: its centre, which a cone has at its apex, as around it F is free
@@ -141,21 +81,10 @@ double centerOf(const Equation& equation) {
 
 /// What shaders/lib/exact_equation.glsl reads, in metres.
 void appendEquation(const Equation& equation, const Domain& domain, std::vector<double>& numbers) {
-  constexpr double kNone = 1e30;
   const Vec3& scale = equation.scale;
-  Vec3 lowest(-kNone), highest(kNone);
-  const auto limit = [&](const Equation::Parameter& parameter, const Interval& range) {
-    const auto axis = parameter.along == Equation::Along::Radius ? 0 : static_cast<int>(parameter.along);
-    if (axis > 2) return;  // whole
-    const double a = (range.lo - parameter.start) / parameter.rate * scale[axis];
-    const double b = (range.hi - parameter.start) / parameter.rate * scale[axis];
-    lowest[axis] = std::min(a, b);
-    highest[axis] = std::max(a, b);
-  };
-  limit(equation.u, domain.u);
-  limit(equation.v, domain.v);
-  if (equation.sheet > 0) lowest.y = 0;
-  if (equation.sheet < 0) highest.y = 0;
+  constexpr double kNowhere = 1e30;
+  const Box edges = equation.edgesOf(domain);
+  Vec3 lowest = glm::max(edges.min, Vec3(-kNowhere)), highest = glm::min(edges.max, Vec3(kNowhere));
 
   const double center = centerOf(equation);
   lowest.y -= center * scale.y;
@@ -191,39 +120,9 @@ bool isGeneral(SurfaceCodes& codes, const Patch& patch, const SurfaceCode& own) 
          !builtInExactShader(*generalCode(codes, patch, own.number)).empty();
 }
 
-}  // namespace
-
-std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
-  return (node * 0x9e3779b1U + vertex) % shared::kTallySlots;
-}
-
-bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
-  const Rounding rounding = roundingPx(view, node, GlslNumber::Float);
-  const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
-  const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMostRoundingPx; };
-  if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
-  const double depth = std::max(visible.centerDepth, view.near);
-  const double scale = visible.stretch * visible.pixelsPerUnit / (view.perspective() ? depth : 1);
-  return glm::length(node.boundsObject.extent()) * scale > kSmallPx &&
-         roundingAt(depth) > kMostTurn * hull.medianRadius * scale;
-}
-
-std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::span<const Vec3> points) {
-  const Rows rows = rowsOf(view, node);
-  const Vec2 middle(0.5 * view.size.width, 0.5 * view.size.height);
-  std::vector<Vec3> seen;
-  seen.reserve(points.size());
-  for (const Vec3& point : points) {
-    const double depth = glm::dot(rows.depth, Vec4(point, 1)), width = view.perspective() ? depth : 1;
-    seen.emplace_back(middle.x + glm::dot(rows.x, Vec4(point, 1)) / width,
-                      middle.y + glm::dot(rows.y, Vec4(point, 1)) / width, depth);
-  }
-  return seen;
-}
-
-shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                    const Hull& hull, GlslNumber number) {
-  const Rows rows = rowsOf(view, node);
+/// All but firstPatch.
+shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, const VisibleNode& visible,
+                                 const Hull& hull, GlslNumber number, const PixelRows& rows) {
   const Rounding rounding = roundingPx(view, node, number);
   const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
@@ -247,6 +146,57 @@ shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, 
       .firstSlot = tallySlot(visible.node, 0),
       .origin = Vec3f(hull.origin),
       .thickness = static_cast<float>(3 * hull.offset * visible.stretch * visible.pixelsPerUnit)};
+}
+
+}  // namespace
+
+std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
+  return (node * 0x9e3779b1U + vertex) % shared::kTallySlots;
+}
+
+bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
+  const Rounding rounding = roundingPx(view, node, GlslNumber::Float);
+  const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
+  const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMostRoundingPx; };
+  if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
+  const double depth = std::max(visible.centerDepth, view.near);
+  const double scale = visible.stretch * visible.pixelsPerUnit / (view.perspective() ? depth : 1);
+  return glm::length(node.boundsObject.extent()) * scale > kSmallPx &&
+         roundingAt(depth) > kMostTurn * hull.medianRadius * scale;
+}
+
+std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::span<const Vec3> points) {
+  const PixelRows rows = pixelRows(view, node.worldFromObject);
+  const Vec2 middle(0.5 * view.size.width, 0.5 * view.size.height);
+  std::vector<Vec3> seen;
+  seen.reserve(points.size());
+  for (const Vec3& point : points) {
+    const double depth = glm::dot(rows.depth, Vec4(point, 1)), width = view.perspective() ? depth : 1;
+    seen.emplace_back(middle.x + glm::dot(rows.x, Vec4(point, 1)) / width,
+                      middle.y + glm::dot(rows.y, Vec4(point, 1)) / width, depth);
+  }
+  return seen;
+}
+
+shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
+                                    const Hull& hull, GlslNumber number) {
+  return instanceOf(view, node, visible, hull, number, pixelRows(view, node.worldFromObject));
+}
+
+std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, const Hull& hull) {
+  const bool isPlane =
+      hull.patchData.size() == 1 && hull.patchData[0].equation && hull.patchData[0].equation->isPlane();
+  return isPlane ? planeRows(view, node.worldFromObject) : std::nullopt;
+}
+
+shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
+                                    const Hull& hull, const PlaneRows& plane) {
+  const Vec4 depth = pixelRows(view, node.worldFromObject).depth;
+  const PixelRows rows{
+      .x = Vec4(plane.x, depth.x), .y = Vec4(plane.z, depth.z), .depth = Vec4(plane.w, depth.w)};
+  shared::ExactInstance instance = instanceOf(view, node, visible, hull, GlslNumber::Double, rows);
+  instance.thickness = static_cast<float>(1 / (visible.pixelsPerUnit * visible.stretch));
+  return instance;
 }
 
 const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull, std::uint32_t patch,

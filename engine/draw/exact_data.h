@@ -2,10 +2,12 @@
 // What the exact shaders know of a node: its pixels as linear functions of its points, and its patches.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "cull/cull.h"
+#include "draw/pixel_rows.h"
 #include "formula/glsl.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
@@ -37,6 +39,14 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
                                                   const VisibleNode& visible, const Hull& hull,
                                                   GlslNumber number);
+
+/// Where pixels are on the plane that a hull is around; nothing of a hull of anything else.
+[[nodiscard]] std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, const Hull& hull);
+
+/// The same as above of such a plane, which is found in double.
+[[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
+                                                  const VisibleNode& visible, const Hull& hull,
+                                                  const PlaneRows& plane);
 
 /// What finds a patch of a hull's surface: its equation, or its formula of so many parameters.
 [[nodiscard]] const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull,

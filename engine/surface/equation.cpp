@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -186,6 +187,24 @@ Vec3 Equation::gradient(const Vec3& p) const {
 
 Vec2 Equation::parametersOf(const Vec3& unitPoint) const {
   return {parameter(u, unitPoint), parameter(v, unitPoint)};
+}
+
+Box Equation::edgesOf(const Domain& domain) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box edges{Vec3(-kInfinity), Vec3(kInfinity)};
+  const auto limit = [&](const Parameter& parameter, const Interval& range) {
+    const auto axis = parameter.along == Along::Radius ? 0 : static_cast<int>(parameter.along);
+    if (axis > 2) return;  // whole
+    const double a = (range.lo - parameter.start) / parameter.rate * scale[axis];
+    const double b = (range.hi - parameter.start) / parameter.rate * scale[axis];
+    edges.min[axis] = std::min(a, b);
+    edges.max[axis] = std::max(a, b);
+  };
+  limit(u, domain.u);
+  limit(v, domain.v);
+  if (sheet > 0) edges.min.y = 0;
+  if (sheet < 0) edges.max.y = 0;
+  return edges;
 }
 
 std::optional<Equation> equationOf(const Surface& surface, std::uint32_t patch,

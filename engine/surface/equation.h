@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "math/bounds.h"
 #include "math/vec.h"
 #include "surface/patch.h"
 
@@ -41,10 +42,18 @@ struct Equation {
   double outward = 1;  ///< sign of F on the outer side
 
   [[nodiscard]] Form form() const { return tube == 0 ? Form::Quadric : Form::Torus; }
+  /// y = 0.
+  [[nodiscard]] bool isPlane() const {
+    return form() == Form::Quadric && xx == 0 && yy == 0 && zz == 0 && constant == 0;
+  }
   [[nodiscard]] double at(const Vec3& unitPoint) const;
   [[nodiscard]] Vec3 gradient(const Vec3& unitPoint) const;
   /// Not clamped to the patch's domain.
   [[nodiscard]] Vec2 parametersOf(const Vec3& unitPoint) const;
+  /// Where a domain ends, metres: in x, or (isRadial) in the distance from the axis, and in y and z; infinite
+  /// where nothing ends.
+  [[nodiscard]] Box edgesOf(const Domain& domain) const;
+  [[nodiscard]] bool isRadial() const { return v.along == Along::Radius; }
 };
 
 /// The equation of a rectangle, disk, cylinder, cone, sphere, ellipsoid, paraboloid, hyperboloid, one sheet

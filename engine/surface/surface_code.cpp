@@ -28,6 +28,12 @@ SurfaceCode equationCode(Equation::Form form, std::size_t parameters, GlslNumber
           .number = number};
 }
 
+SurfaceCode planeCode(std::size_t parameters) {
+  return {.glsl = "#define LUXO_PLANE\n",
+          .parameters = static_cast<std::uint32_t>(parameters),
+          .number = GlslNumber::Double};
+}
+
 const SurfaceCode* SurfaceCodes::shared(SurfaceCode code) {
   std::pair key(code.glsl, code.number);
   return &byText_.try_emplace(std::move(key), std::move(code)).first->second;

@@ -16,7 +16,8 @@
 namespace luxo {
 
 /// A formula's GLSL: `void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)`, or of doubles,
-/// for shaders/lib/exact_root.glsl; or which form of an equation shaders/lib/exact_equation.glsl solves.
+/// for shaders/lib/exact_root.glsl; or which form of an equation shaders/lib/exact_equation.glsl solves, or
+/// that it is a plane, for shaders/lib/exact_plane.glsl.
 struct SurfaceCode {
   std::string glsl;
   std::uint32_t parameters = 0;  ///< how many it may read
@@ -33,6 +34,8 @@ struct SurfaceCode {
 /// The code of all surfaces with an equation of that form, which reads `parameters` numbers of it.
 [[nodiscard]] SurfaceCode equationCode(Equation::Form form, std::size_t parameters,
                                        GlslNumber number = GlslNumber::Float);
+/// The code of all planes that fill a hull, in double.
+[[nodiscard]] SurfaceCode planeCode(std::size_t parameters);
 
 /// Every function's code, made once. Equal formulas share one, whoever made them.
 class SurfaceCodes {
@@ -44,6 +47,7 @@ class SurfaceCodes {
                                        GlslNumber number = GlslNumber::Float);
   [[nodiscard]] const SurfaceCode* get(Equation::Form form, std::size_t parameters,
                                        GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] const SurfaceCode* plane(std::size_t parameters) { return shared(planeCode(parameters)); }
 
  private:
   struct Known {

@@ -53,6 +53,8 @@ void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const
       all.insert({equations[i] ? equationCode(equations[i]->form(), 0, number).glsl
                                : surfaceCode(*surface.patches()[i].function, 0, number).glsl,
                   pattern, number});
+  if (equations.size() == 1 && equations[0] && equations[0]->isPlane())
+    all.insert({planeCode(0).glsl, pattern, GlslNumber::Double});
 }
 
 /// What finds a named surface whatever its arguments.

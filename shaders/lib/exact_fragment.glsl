@@ -5,7 +5,9 @@
 // certified; of what is transparent its opacity; of numbers and colours 1.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/exact_ray.glsl"
-#if defined(LUXO_QUADRIC) || defined(LUXO_TORUS)
+#if defined(LUXO_PLANE)
+#include "lib/exact_plane.glsl"
+#elif defined(LUXO_QUADRIC) || defined(LUXO_TORUS)
 #include "lib/exact_equation.glsl"
 #else
 #include "lib/exact_root.glsl"

@@ -46,6 +46,7 @@ LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
 LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times InstanceData::ambient
 LUXO_CONSTANT kPlane = 8;            // all in one plane
 LUXO_CONSTANT kShowsBack = 16;       // not only the outer side is seen
+LUXO_CONSTANT kFromAbove = 32;       // of a plane: seen from where cross(z axis, x axis) of the transform points to
 LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
 
 // Flags of patches, which join those of instances.
@@ -91,6 +92,9 @@ struct LightData {
 // object's points (w: the constant term).
 //
 // A search in double computes with numbers that are sums of two floats, 48 bits: devices read them faster than doubles.
+//
+// Of a plane that is found as such rows are functions of the pixel, right of and below the middle: x / w, z / w and w of
+// the place it shows. The fourth numbers are those of the depth, of x, of z and the constant term.
 struct ExactInstance {
   vec4 x, y;       // pixels right of and below the middle of the picture, times what `depth` gives (perspective)
   vec4 depth;      // metres along the view axis
@@ -106,6 +110,7 @@ struct ExactInstance {
   uint firstPatch;
   uint firstSlot;  // of its first vertex; kTallySlots in all, after the last follows the first
   vec3 origin;     // of the hull's vertices, object space
+  // Of a plane: metres of the object in a pixel (perspective: at depth 1). Else:
   float thickness; // farther from the surface than this there is no hull, pixels (perspective: times depth)
 };
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/pixel_rows.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace luxo {
+namespace {
+
+/// What an inverse may be off by.
+constexpr double kMostOffPx = 1e-6;
+
+/// Row `row` of clipFromEye as a linear function of the object's points.
+Vec4 clipRow(const View& view, const Transform& eyeFromObject, int row) {
+  Vec3 inEye;
+  for (int column = 0; column < 3; ++column) inEye[column] = view.clipFromEye[column][row];
+  return {glm::transpose(eyeFromObject.linear) * inEye,
+          glm::dot(inEye, eyeFromObject.translation) + view.clipFromEye[3][row]};
+}
+
+/// The part of a polygon where dot(side, p) >= 0.
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& side) {
+  std::vector<Vec3> part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double ofA = glm::dot(side, a), ofB = glm::dot(side, b);
+    if (ofA >= 0) part.push_back(a);
+    if ((ofA >= 0) != (ofB >= 0)) part.push_back(a + ofA / (ofA - ofB) * (b - a));
+  }
+  return part;
+}
+
+}  // namespace
+
+PixelRows pixelRows(const View& view, const Transform& worldFromObject) {
+  const Transform eye = eyeFromObject(view, worldFromObject);
+  return {.x = 0.5 * view.size.width * clipRow(view, eye, 0),
+          .y = -0.5 * view.size.height * clipRow(view, eye, 1),
+          .depth = Vec4(-(glm::transpose(eye.linear) * Vec3(0, 0, 1)), -eye.translation.z)};
+}
+
+std::optional<PlaneRows> planeRows(const View& view, const Transform& worldFromObject) {
+  const PixelRows rows = pixelRows(view, worldFromObject);
+  const Vec4 width = view.perspective() ? rows.depth : Vec4(0, 0, 0, 1);
+  const auto column = [&](int along) { return Vec3(rows.x[along], rows.y[along], width[along]); };
+  const Mat3 pixelFromPlane(column(0), column(2), column(3));
+  const Mat3 planeFromPixel = glm::inverse(pixelFromPlane), error = pixelFromPlane * planeFromPixel - Mat3(1);
+  for (const double right : {-0.5, 0.5})
+    for (const double down : {-0.5, 0.5}) {
+      const Vec2 pixel(right * view.size.width, down * view.size.height);
+      const Vec3 off = error * Vec3(pixel, 1);
+      if (!(glm::length(Vec2(off) - pixel * off.z) <= kMostOffPx)) return std::nullopt;
+    }
+  const Mat3 byRow = glm::transpose(planeFromPixel);
+  return PlaneRows{byRow[0], byRow[1], byRow[2]};
+}
+
+// Of a solid cut by a pyramid the nearest point is on a face of the solid, unless the eye is inside.
+double nearestSeen(const View& view, const SnapshotNode& node) {
+  const PixelRows rows = pixelRows(view, node.worldFromObject);
+  const Box& box = node.boundsObject;
+  const double right = 0.5 * view.size.width, top = 0.5 * view.size.height;
+  double nearest = std::numeric_limits<double>::infinity();
+  bool holdsEye = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    holdsEye = holdsEye && view.eye[axis] >= node.boundsWorld.min[axis] &&
+               view.eye[axis] <= node.boundsWorld.max[axis];
+    for (const double end : {box.min[axis], box.max[axis]}) {
+      std::vector<Vec3> face;  // right, down and depth
+      for (const auto& [s, t] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+        Vec4 corner(1);
+        corner[axis] = end;
+        corner[(axis + 1) % 3] = (s ? box.max : box.min)[(axis + 1) % 3];
+        corner[(axis + 2) % 3] = (t ? box.max : box.min)[(axis + 2) % 3];
+        face.emplace_back(glm::dot(rows.x, corner), glm::dot(rows.y, corner), glm::dot(rows.depth, corner));
+      }
+      for (const Vec3& side : {Vec3(1, 0, right), Vec3(-1, 0, right), Vec3(0, 1, top), Vec3(0, -1, top)})
+        face = clipped(face, side);
+      for (const Vec3& p : face) nearest = std::min(nearest, p.z);
+    }
+  }
+  return std::max(holdsEye ? 0 : nearest, view.near);
+}
+
+}  // namespace luxo

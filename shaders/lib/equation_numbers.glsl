@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers of an equation, and (u, v) of its points.
+
+// The numbers of the equation, in metres, as appendEquation() of engine/draw/exact_data.cpp lists them.
+real number(uint k) { return surfaceParameterAt(k); }
+real3 number3(uint k) { return real3(number(k), number(k + 1), number(k + 2)); }
+
+const uint kQuadricSquares = 0, kQuadricHalfY = 3, kQuadricConstant = 4, kQuadricCenter = 5;
+const uint kTorusRing = 0, kTorusTube = 1;
+const uint kLowest = 6, kHighest = 9;  // x (with kRadial: the distance from the axis), y, z
+const uint kUOf = 12, kVOf = 15, kScale = 18;
+
+// The part of the circle, 0 to 1: an eighth of it or less, and quarters. Only their sum is rounded to the last bit of 1.
+real turnOf(real y, real x) {
+  real wide = abs(x), high = abs(y);
+  bool steep = high > wide;
+  real eighth = formulaAtan(min(wide, high) / max(max(wide, high), kSmallest)) * real(0.15915494309189535);
+  float quarters = steep ? (y < 0.0 ? 3.0 : 1.0) : x < 0.0 ? 2.0 : y < 0.0 ? 4.0 : 0.0;
+  bool backward = steep == (x < 0.0 == y < 0.0);
+  return 0.25 * quarters + (backward ? -eighth : eighth);
+}
+
+// u or v of a point, as Equation::Parameter has it: a linear function of what it goes along.
+float parameterOf(real3 p, uint k) {
+  real3 q = p / number3(kScale);
+  real radius = sqrt(q.x * q.x + q.z * q.z);
+  int along = int(number(k));
+  real of = along == 0   ? q.x
+            : along == 1 ? q.y
+            : along == 2 ? q.z
+            : along == 3 ? radius
+            : along == 4 ? turnOf(-q.z, q.x)
+            : along == 5 ? formulaAtan2(q.y, radius) * real(0.31830988618379067)
+                         : turnOf(q.y, radius - 1.0);
+  return float(number(k + 1) + number(k + 2) * of);
+}
+
+// Whether the object's transform turns right hands into left ones.
+bool isMirrored() { return (has(kNegative) != has(kBackSide)) == has(kInward); }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The place of a plane that a pixel sees: no search, but a ratio of linear functions (engine/draw/pixel_rows.h). In
+// double, so that what is rounded is less than a pixel's tolerance however large the plane is.
+#include "lib/equation_numbers.glsl"
+
+// What is beyond an edge by no more than `margin`, metres, is the plane's. A disk is compared by squares.
+bool isInside(real3 S, real margin) {
+  real3 lowest = number3(kLowest) - margin, highest = number3(kHighest) + margin;
+  real square = S.x * S.x + S.z * S.z;
+  bool inDisk = square <= highest.x * highest.x && (lowest.x <= 0.0 || square >= lowest.x * lowest.x);
+  bool inRectangle = S.x >= lowest.x && S.x <= highest.x && S.z >= lowest.z && S.z <= highest.z;
+  return has(kRadial) ? inDisk : inRectangle;
+}
+
+int findPoint(out Found found) {
+  readSurface();
+  real3 pixel = real3(gl_FragCoord.xy - linkCellHalf.zw, 1);
+  real perW = 1.0 / dot(rowDepth.xyz, pixel);
+  found.S = real3(dot(rowX.xyz, pixel) * perW, 0, dot(rowY.xyz, pixel) * perW);
+  found.depth = rowX.w * found.S.x + rowY.w * found.S.z + rowDepth.w;
+  found.parameters = vec2(parameterOf(found.S, kUOf), parameterOf(found.S, kVOf));
+  vec3 upward = cross(linkRelative[2].xyz, linkRelative[0].xyz);
+  bool outerIsUp = has(kRisesOutward) != isMirrored();
+  found.outward = outerIsUp ? upward : -upward;
+  found.front = has(kFromAbove) == outerIsUp;
+  // No more than this is rounded.
+  found.residual = float(toleranceAt(found.depth)) / float(widthAt(found.depth));
+  found.certified = true;
+  real metres = toleranceAt(found.depth) * linkClip.z;
+  return isInside(found.S, metres) && (found.front || has(kShowsBack)) ? kFound : kMissed;
+}
