@@ -108,6 +108,7 @@ void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) 
 /// Whether there is more to draw than to see.
 bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
   coarse_.clear({size.width / kCoarse + 1, size.height / kCoarse + 1}, Vec2(0.5));
+  std::vector<PixelTriangle> seen;
   std::size_t drawn = 0;
   forEachHullBatch(list, [&](const DrawBatch& batch) {
     const Body& body = bodyOf(list, batch);
@@ -116,10 +117,13 @@ bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
       PixelTriangle triangle = triangleOf(body.points, indicesAt(list.hullIndices, i));
       if (body.facing(triangle) < 0) continue;
       for (Vec3& corner : triangle) corner /= kCoarse;
-      drawn += coarse_.samplesIn(triangle);
-      coarse_.cover(triangle);
+      const std::size_t samples = coarse_.samplesIn(triangle);
+      if (samples == 0) continue;
+      drawn += samples;
+      seen.push_back(triangle);
     }
   });
+  coarse_.cover(seen);
   return static_cast<double>(drawn) > kFewestLayers * static_cast<double>(coarse_.covered());
 }
 
@@ -136,42 +140,59 @@ std::vector<HiddenTriangles::Slab> HiddenTriangles::slabsOf(const Hull& hull) {
 
 /// Covers what is behind surfaces, a band of the picture after the other.
 void HiddenTriangles::cover(const PixelSize& size, int samples) {
+  struct SlabSide {
+    const Body* body;
+    Slab slab;
+    bool tops;
+  };
+  std::vector<SlabSide> sides;
+  for (const Body& body : bodies_) {
+    if (body.spanned.empty()) continue;
+    for (Slab& slab : slabsOf(*body.hull)) {
+      if (body.bothSides) sides.push_back({&body, slab, true});
+      sides.push_back({&body, std::move(slab), false});
+    }
+  }
+  std::vector<Passage> passages(sides.size());
+  forEachIndex(sides.size(), true,
+               [&](std::size_t i) { passages[i] = passageOf(*sides[i].body, sides[i].slab, sides[i].tops); });
+
   const std::vector<Vec2> locations = sampleLocations(samples);
   const auto bands = static_cast<std::size_t>((size.height + kBand - 1) / kBand);
   buffers_.resize(bands * locations.size());
-  for (Body& body : bodies_)
-    if (!body.spanned.empty()) body.slabs = slabsOf(*body.hull);
   forEachIndex(buffers_.size(), true, [&](std::size_t i) {
-    const int first = static_cast<int>(i % bands) * kBand;
-    buffers_[i].clear(size.width, {first, std::min(first + kBand, size.height)}, locations[i / bands]);
-    for (const Body& body : bodies_)
-      for (const Slab& slab : body.slabs) {
-        coverBehind(body, slab, false, buffers_[i]);
-        if (body.bothSides) coverBehind(body, slab, true, buffers_[i]);
-      }
+    const int first = static_cast<int>(i % bands) * kBand, end = std::min(first + kBand, size.height);
+    buffers_[i].clear(size.width, {first, end}, locations[i / bands]);
+    for (const Passage& passage : passages)
+      if (passage.top <= end && passage.bottom >= first) buffers_[i].cover(passage.leaving, passage.entering);
   });
 }
 
 /// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing
 /// is seen behind a face that the ray leaves by (a top, or a bottom), if before it has come in neither by the
 /// same face nor by a wall.
-void HiddenTriangles::coverBehind(const Body& body, const Slab& slab, bool tops, OcclusionBuffer& buffer) {
+HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Slab& slab, bool tops) {
   const Hull& hull = *body.hull;
   const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
   const std::vector<std::uint32_t>& entering = tops ? slab.bottoms : slab.tops;
   const auto isTurned = [&](std::uint32_t i) { return hull.spanning[i / 3] == Hull::Spanning::Turned; };
-  buffer.beginSlab();
-  for (const auto* faces : {&leaving, &slab.walls})
-    for (const std::uint32_t i : *faces)
-      if (const PixelTriangle triangle = triangleOf(body.spanned, indicesAt(hull.indices, i));
-          isTurned(i) || body.facing(triangle) >= 0)
-        buffer.enter(triangle);
+  const auto triangle = [&](std::uint32_t i) { return triangleOf(body.spanned, indicesAt(hull.indices, i)); };
+  Passage passage{.top = std::numeric_limits<double>::infinity(),
+                  .bottom = -std::numeric_limits<double>::infinity()};
+  for (const std::uint32_t i : leaving) {
+    const PixelTriangle t = triangle(i);
+    const bool enters = isTurned(i) || body.facing(t) >= 0;
+    (enters ? passage.entering : passage.leaving).push_back(t);
+    if (enters) continue;
+    passage.top = std::min({passage.top, t[0].y, t[1].y, t[2].y});
+    passage.bottom = std::max({passage.bottom, t[0].y, t[1].y, t[2].y});
+  }
+  for (const std::uint32_t i : slab.walls)
+    if (const PixelTriangle t = triangle(i); isTurned(i) || body.facing(t) >= 0)
+      passage.entering.push_back(t);
   for (const std::uint32_t i : entering)
-    if (isTurned(i)) buffer.enter(triangleOf(body.spanned, indicesAt(hull.indices, i)));
-  for (const std::uint32_t i : leaving)
-    if (const PixelTriangle triangle = triangleOf(body.spanned, indicesAt(hull.indices, i));
-        !isTurned(i) && body.facing(triangle) < 0)
-      buffer.cover(triangle);
+    if (isTurned(i)) passage.entering.push_back(triangle(i));
+  return passage;
 }
 
 /// By triangle of the list.

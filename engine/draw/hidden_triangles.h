@@ -29,6 +29,11 @@ class HiddenTriangles {
   struct Slab {
     std::vector<std::uint32_t> tops, walls, bottoms;
   };
+  /// What rays come into a slab by, and what they leave it by having met the surface.
+  struct Passage {
+    std::vector<PixelTriangle> entering, leaving;
+    double top, bottom;  ///< of what rays leave by
+  };
 
   /// A hull in the picture.
   struct Body {
@@ -36,8 +41,7 @@ class HiddenTriangles {
     std::vector<Vec3> points;   ///< its vertices, as PixelTriangle has them
     std::vector<Vec3> spanned;  ///< the same of Hull::spanned; empty: it hides nothing
     bool mirrored, bothSides;
-    bool inFront;                  ///< of the near plane, all of it
-    std::vector<Slab> slabs = {};  ///< that may hide others
+    bool inFront;  ///< of the near plane, all of it
 
     [[nodiscard]] int facing(const PixelTriangle& triangle) const;
   };
@@ -49,7 +53,7 @@ class HiddenTriangles {
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
   [[nodiscard]] const Body& bodyOf(const DrawList& list, const DrawBatch& batch) const;
   static std::vector<Slab> slabsOf(const Hull& hull);
-  static void coverBehind(const Body& body, const Slab& slab, bool tops, OcclusionBuffer& buffer);
+  [[nodiscard]] static Passage passageOf(const Body& body, const Slab& slab, bool tops);
 
   // Of one picture; only their memory is kept.
   std::vector<Body> bodies_;
