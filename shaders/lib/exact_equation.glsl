@@ -94,6 +94,9 @@ int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, ino
   real outsideSlab = slab * (2.0 * tube + (rising < 0.0 ? slab : -min(slab, tube)));  // from |F| on
   real far = 2.0 * toleranceAt(depthOf(p)) * metre * tube, last = 0.0;
   bool wasGood = false, follows = false;
+  // Entering, and dipping deeper than the slab, the ray leaves that before it comes out: another fragment's.
+  real depth = min(slab, tube), bottom = depth * (2.0 * tube - depth);
+  if (rising > 0.0 && e.c > 0.0 && e.b < 0.0 && squareOf(e) > e.a * bottom) return kMissed;
   for (int i = 0; i < kMostSteps; ++i) {
     if (ends(abs(e.c) <= far && e.b * rising > 0.0, abs(e.c) <= kFine * far, wasGood)) return kFound;
     real square = squareOf(e), t = rootOf(e, square, rising);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/equation_names.h"
 #include "support/verified_picture.h"
 #include "surface/catalogue.h"
@@ -74,6 +76,22 @@ TEST_F(ExactEquation, ToriOfAllKinds) {
       const Node node{.rotation = Rotation{{1, 0, 0.2}, turn}, .surface = torus(1, minor)};
       expectIsRight(lit(node, {.eye = Vec3(0, 0, 4.5)}));
     }
+}
+
+// The near plane cuts into the slab around the surface: sides are searched for that rays do not meet in it.
+TEST_F(ExactEquation, EyeBesideATorus) {
+  const Surface ring = torus(1, 0.4);
+  for (int k = 0; k < 12; ++k) {
+    const double u = std::fmod(0.1 + k / 1.32471795724474602596, 1.0), v = k / 12.0,
+                 distance = k % 2 ? 0.05 : 0.025;
+    const Vec3 point = ring.position(0, u, v), normal = ring.normal(0, u, v);
+    const Vec3 along = unit(glm::cross(normal, Vec3(std::sin(7 * u), 1, std::cos(7 * u))));
+    const Vec3 eye = point + distance * normal;
+    SCOPED_TRACE(fmt::format("{}: from ({}, {}, {})", k, eye.x, eye.y, eye.z));
+    const Camera camera{
+        .eye = eye, .lookAt = eye + along - 0.3 * normal, .fovY = radians(45), .near = distance};
+    expectTheTruth(takeSnapshot(lit({.surface = ring}, camera), 0, {96, 72}), 400);
+  }
 }
 
 TEST_F(ExactEquation, AFormulaIsFoundByItsEquationToo) {
