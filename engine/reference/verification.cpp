@@ -405,7 +405,9 @@ class Judge {
       squares += pixel.squares;
       coded += pixel.codedSquares;
     }
-    const auto psnr = [&](double sum) { return -10 * std::log10(sum / (3 * static_cast<double>(c.pixels))); };
+    const auto psnr = [&](double sum) {
+      return sum == 0 ? kInfinity : -10 * std::log10(sum / (3 * static_cast<double>(c.pixels)));
+    };
     c.psnrLinear = psnr(squares);
     c.psnrSrgb = psnr(coded);
     c.differing8Part = covered == 0 ? 0 : static_cast<double>(c.differing8) / static_cast<double>(covered);

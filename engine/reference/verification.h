@@ -87,7 +87,7 @@ inline constexpr double kSilhouettePx = 0.01;
 struct ColorErrors {
   std::uint64_t pixels = 0;  ///< that show the true layer, off the silhouettes: for the PSNRs
   /// dB for a peak of 1, of scene-linear values and of values clamped and sRGB-coded, neither quantised.
-  /// +infinity when equal.
+  /// +infinity when equal, and where there is none.
   double psnrLinear = 0, psnrSrgb = 0;
   std::uint64_t differing8 = 0;  ///< of all compared pixels, those with another 8-bit code in some channel
   double differing8Part = 0;     ///< over the covered ones

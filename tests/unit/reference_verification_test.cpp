@@ -309,6 +309,17 @@ TEST_F(VerifySphere, LightIsMeasuredWhereThereIsNoSilhouette) {
   EXPECT_EQ(edges.color.differing8, changed);
 }
 
+// Two pixels across are all silhouette.
+TEST(Verify, WithNoPixelOffTheSilhouettesNoLightIsWrong) {
+  const Scene scene = sceneOf(cylinder(0.03, 2));
+  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const ReferencePicture truth = castPicture(snapshot);
+  const Verification v = verify(snapshot, truth, roundedTo32Bits(truth));
+  EXPECT_GT(v.coverage.both, 0U);
+  EXPECT_EQ(v.color.pixels, 0U);
+  EXPECT_TRUE(std::isinf(v.color.psnrLinear) && v.color.psnrLinear > 0);
+}
+
 TEST_F(VerifySphere, WhatIsNotANumberIsNeverRight) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   measured.uv.pixel(40, 30)[0] = nan;
