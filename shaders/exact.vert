@@ -26,7 +26,7 @@ void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   ExactInstance exact = exactInstances[gl_InstanceIndex];
   ExactPatch surfacePatch = exactPatches[exact.firstPatch + inPatch];
-  linkStart = kEquation ? inPosition + exact.origin : vec3(inParameters, 0);
+  linkStart = vec4(kEquation ? inPosition + exact.origin : vec3(inParameters, 0), 1);
   linkAmbientShininess = vec4(instance.ambient, instance.shininess);
   linkDiffuseOpacity = vec4(instance.diffuse, instance.opacity);
   linkSpecularTolerance = vec4(instance.specular, exact.tolerance);

@@ -129,7 +129,8 @@ const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode&
   return exactShaders_.emplace(std::pair{&surface, pattern}, std::move(shader.spirv)).first->second;
 }
 
-void ScenePipelines::describeExact(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+void ScenePipelines::describeExact(const DrawState& state, const PassFormat& format,
+                                   gpu::GraphicsPipelineDesc& desc) {
   constexpr std::uint32_t kLight = static_cast<std::uint32_t>(Quantity::Residual) + 1;
   desc.vertexShader = luxo_exact_vert;
   desc.fragmentShader = exactShader(*state.surface, state.pattern);
@@ -148,7 +149,8 @@ void ScenePipelines::describeExact(const DrawState& state, gpu::GraphicsPipeline
                          state.poles,
                          state.steep,
                          state.equation,
-                         state.surface->number == GlslNumber::Double};
+                         state.surface->number == GlslNumber::Double,
+                         format.samples != VK_SAMPLE_COUNT_1_BIT};
   desc.depthClamp = true;
   desc.pushConstantBytes = sizeof(float);
   desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};
@@ -188,7 +190,7 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
   }
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
   if (state.surface) {
-    describeExact(state, desc);
+    describeExact(state, format, desc);
   } else if (const auto inspection = inspectionOf(state)) {
     desc.vertexShader = luxo_inspect_vert;
     desc.fragmentShader = luxo_inspect_frag;

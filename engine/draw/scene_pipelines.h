@@ -49,7 +49,7 @@ class ScenePipelines {
   /// The fragment shader that finds a surface, with a pattern or without.
   [[nodiscard]] const std::vector<std::uint32_t>& exactShader(const SurfaceCode& surface,
                                                               const Pattern& pattern);
-  void describeExact(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+  void describeExact(const DrawState& state, const PassFormat& format, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
   gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;

@@ -113,7 +113,7 @@ int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, ino
   return kLost;
 }
 
-real3 startOfSearch() { return real3(linkStart); }
+real3 startOfSearch() { return real3(startOfLink()); }
 
 bool isNear(real3 start, real3 p) {
   real ring = number(kTorusRing), tube = number(kTorusTube);

@@ -10,7 +10,7 @@
 #define LUXO_LINK in
 #endif
 
-layout(location = 0) sample LUXO_LINK vec3 linkStart;  // u and v, or a point near an equation's surface, object space
+layout(location = 0) sample LUXO_LINK vec4 linkStart;  // u and v, or a point near an equation's surface, object space; 1
 layout(location = 1) flat LUXO_LINK vec4 linkAmbientShininess;
 layout(location = 2) flat LUXO_LINK vec4 linkDiffuseOpacity;
 layout(location = 3) flat LUXO_LINK vec4 linkSpecularTolerance;
@@ -63,6 +63,11 @@ const uint kFloats = kDouble ? 2 : 1;  // of each parameter
 const uint kCarriedParameters = (4 * kRoom - kFirstParameter) / kFloats;
 
 #ifndef LUXO_VERTEX
+layout(constant_id = 10) const bool kManySamples = false;
+
+// llvmpipe takes inputs of a sample times the w of the pixel's centre over that of the sample, and so the 1.
+vec3 startOfLink() { return kManySamples ? linkStart.xyz / linkStart.w : linkStart.xyz; }
+
 float packed(uint k) { return linkPacked[k / 4][k % 4]; }
 vec3 packed3(uint k) { return vec3(packed(k), packed(k + 1), packed(k + 2)); }
 vec4 packed4(uint k) { return vec4(packed3(k), packed(k + 3)); }

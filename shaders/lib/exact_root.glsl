@@ -153,7 +153,7 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
 
 // The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
-  p = linkStart.xy;
+  p = startOfLink().xy;
   at = probeAt(ray, p);
   bool wasGood = false;
   for (int i = 0; i < kPlainSteps; ++i) {
@@ -161,7 +161,7 @@ int findPlainRoot(Ray ray, out real2 p, out Probe at) {
     at = probeAt(ray, p);
     if (ends(converged(at), offset(at) <= kFine * tolerance(at), wasGood)) break;
   }
-  real2 way = abs(p - linkStart.xy) / linkCellHalf.xy;
+  real2 way = abs(p - startOfLink().xy) / linkCellHalf.xy;
   bool root = max(way.x, way.y) <= kFarCells && converged(at) && area(at) * hullSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
@@ -265,7 +265,7 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well, and what a long one has passed is walked again with shorter ones.
 int scan(Ray ray, inout real after, out real2 best) {
-  real2 p = linkStart.xy, along = real2(0), firstAlong = along;
+  real2 p = startOfLink().xy, along = real2(0), firstAlong = along;
   real sense = 1.0, nearest = 1e30, length_ = kScanStep, most = kScanMost;
   Sample first, last;
   bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false;
@@ -328,7 +328,7 @@ int scan(Ray ray, inout real after, out real2 best) {
 // The scan takes the nearest of its roots, and Newton's method goes on from there. Where that one turns out to be none, or
 // none of the patch, there is another attempt farther away.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
-  p = linkStart.xy;
+  p = startOfLink().xy;
   int result = kLost;
   // A CPU device skips no branch, but leaves a loop when no pixel is left in it; and it runs the body of each at least
   // once. So each formula stands once in a loop of its own, and a scan costs those that need none a single step.
@@ -362,7 +362,7 @@ bool certified(Ray ray, real2 p, Probe at) {
   real det = ju.x * jv.y - ju.y * jv.x;
   real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
   bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
-  real2 way = abs(p - linkStart.xy) / linkCellHalf.xy;
+  real2 way = abs(p - startOfLink().xy) / linkCellHalf.xy;
   return proven && max(way.x, way.y) <= kFarCells;
 }
 

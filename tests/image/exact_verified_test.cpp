@@ -2,10 +2,12 @@
 // Exact pictures of the standard scenes, every pixel held against the ground truth of the reference engine.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "reference/reference.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
@@ -56,6 +58,53 @@ TEST_F(VerifiedPictureTest, NamedSurfacesWithOtherArguments) {
           Camera{.eye = middle + size * Vec3(0.5, 0.6, 1), .lookAt = target, .fovY = magnified ? 0.03 : 0.7});
       expectTheTruth(takeSnapshot(scene, 0, {128, 128}), 100);
     }
+}
+
+// Of four samples each finds its own point: where a pass of single samples at the same places shows something
+// else, the truth is with the four. From low beside the teapot, whose outlines are covered by slivers of its
+// hull.
+TEST_F(VerifiedPictureTest, EachOfFourSamplesIsRight) {
+  Scene scene = embedded("teapot");
+  constexpr PixelSize kSize{400, 300}, kBySamples{1600, 1200};
+  constexpr std::array<int, 4> kColumns{1, 3, 0, 2};  // of the samples, a row of pixels of kBySamples each
+  int differ = 0;
+  for (const double turn : {0.0, 2.0}) {
+    const Camera camera{.eye = Vec3(-6.221157, 2.075514, 1.666945),
+                        .lookAt = Vec3(1.437427, 2.313905, 1.483217),
+                        .up = Vec3(0, 1, 0.01),
+                        .fovY = 0.8};
+    const Snapshot snapshot = takeSnapshot(scene, turn, kSize, camera);
+    const Image four = renderer().render(snapshot, {.shading = Shading::Exact, .samples = 4}).image;
+    std::array<Image, 4> passes;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Snapshot pass = snapshot;
+      pass.view = sampledAt(snapshot.view, (Vec2(kColumns[i], i) + 0.5) / 4.0 - 0.5);
+      passes[i] = renderer().render(pass, {.shading = Shading::Exact}).image;
+    }
+    const auto meanOf = [](const auto& colorOf) {
+      Vec3 sum(0);
+      for (int i = 0; i < 4; ++i) sum += colorOf(i) / 4.0;
+      return sum;
+    };
+    const Snapshot bySamples = takeSnapshot(scene, turn, kBySamples, camera);
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) {
+        const Vec3 shown = colorAt(four, x, y);
+        if (near(shown, meanOf([&](int i) { return colorAt(passes[static_cast<std::size_t>(i)], x, y); }),
+                 2e-3))
+          continue;
+        ++differ;
+        const auto column = [&](int i) { return 4 * x + kColumns[static_cast<std::size_t>(i)]; };
+        ReferenceOptions chosen;
+        for (int i = 0; i < 4; ++i)
+          chosen.pixels.push_back(static_cast<std::uint32_t>((4 * y + i) * kBySamples.width + column(i)));
+        const ReferencePicture truth = castPicture(bySamples, chosen);
+        EXPECT_TRUE(
+            near(shown, meanOf([&](int i) { return colorAt(truth.color, column(i), 4 * y + i); }), 2e-3))
+            << x << ", " << y << " at " << turn;
+      }
+  }
+  EXPECT_LE(differ, 4);
 }
 
 // Long steps lead a search along the valley, so that its pixels need no finer hull, and no second attempt.
