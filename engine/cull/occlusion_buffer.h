@@ -78,10 +78,10 @@ class OcclusionBuffer {
   int width_ = 0, stride_ = 0, tilesAcross_ = 0;
   Rows rows_;
   Vec2 sample_{0};
-  std::vector<float> farthest_;  ///< that can be seen, by row
-  std::vector<float> entered_;   ///< where the slab was, by row
-  std::vector<Tile> tiles_;      ///< by row
-  std::vector<std::uint32_t> covering_;
+  std::vector<float> farthest_;          ///< that can be seen, by row
+  std::vector<float> entered_;           ///< where the slab was, by row
+  std::vector<Tile> tiles_;              ///< by row
+  std::vector<std::uint32_t> covering_;  ///< which of what the slab is left by may cover something
 };
 
 }  // namespace luxo

@@ -324,9 +324,8 @@ class DrawLister {
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, tolerance);
     const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.hull) : std::nullopt;
-    const GlslNumber number = options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull)
-                                  ? GlslNumber::Double
-                                  : GlslNumber::Float;
+    const bool inDouble = !plane && options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull);
+    const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.hull, *plane)
                                 : exactInstance(snapshot_.view, node, v, *batch.hull, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);

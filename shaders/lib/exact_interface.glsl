@@ -10,7 +10,8 @@
 #define LUXO_LINK in
 #endif
 
-layout(location = 0) sample LUXO_LINK vec4 linkStart;  // u and v, or a point near an equation's surface, object space; 1
+// u and v, or a point near an equation's surface, object space; then 1. Read by startOfLink().
+layout(location = 0) sample LUXO_LINK vec4 linkStart;
 layout(location = 1) flat LUXO_LINK vec4 linkAmbientShininess;
 layout(location = 2) flat LUXO_LINK vec4 linkDiffuseOpacity;
 layout(location = 3) flat LUXO_LINK vec4 linkSpecularTolerance;
