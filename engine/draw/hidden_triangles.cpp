@@ -21,6 +21,7 @@ constexpr double kFewestLayers = 1.25;
 constexpr int kCoarse = 16;  // pixels between the samples that tell
 constexpr int kBand = 256;   // rows that one core works on: each band looks at every triangle
 constexpr std::size_t kChunk = 512, kIndicesForAllCores = 3 * kChunk;  // triangles; indices
+constexpr double kNearest = -1e30;  // of what PixelTriangle has as depths: nearer than all
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// Where a pixel's samples are (standardSampleLocations).
@@ -169,8 +170,9 @@ void HiddenTriangles::cover(const PixelSize& size, int samples) {
 }
 
 /// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing
-/// is seen behind a face that the ray leaves by (a top, or a bottom), if before it has come in neither by the
-/// same face nor by a wall.
+/// is seen behind a face that the ray leaves by (a top, or a bottom), if before it has not come in by the
+/// same face. Nor by a wall or a turned face, before or behind: where one is, faces may cross, and a ray
+/// leave what it has never come into.
 HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Slab& slab, bool tops) {
   const Hull& hull = *body.hull;
   const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
@@ -179,19 +181,26 @@ HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Slab
   const auto triangle = [&](std::uint32_t i) { return triangleOf(body.spanned, indicesAt(hull.indices, i)); };
   Passage passage{.top = std::numeric_limits<double>::infinity(),
                   .bottom = -std::numeric_limits<double>::infinity()};
+  const auto addAtAnyDepth = [&](PixelTriangle t) {
+    for (Vec3& corner : t) corner.z = kNearest;
+    passage.entering.push_back(t);
+  };
   for (const std::uint32_t i : leaving) {
     const PixelTriangle t = triangle(i);
-    const bool enters = isTurned(i) || body.facing(t) >= 0;
+    if (isTurned(i)) {
+      addAtAnyDepth(t);
+      continue;
+    }
+    const bool enters = body.facing(t) >= 0;
     (enters ? passage.entering : passage.leaving).push_back(t);
     if (enters) continue;
     passage.top = std::min({passage.top, t[0].y, t[1].y, t[2].y});
     passage.bottom = std::max({passage.bottom, t[0].y, t[1].y, t[2].y});
   }
   for (const std::uint32_t i : slab.walls)
-    if (const PixelTriangle t = triangle(i); isTurned(i) || body.facing(t) >= 0)
-      passage.entering.push_back(t);
+    if (const PixelTriangle t = triangle(i); isTurned(i) || body.facing(t) >= 0) addAtAnyDepth(t);
   for (const std::uint32_t i : entering)
-    if (isTurned(i)) passage.entering.push_back(triangle(i));
+    if (isTurned(i)) addAtAnyDepth(triangle(i));
   return passage;
 }
 

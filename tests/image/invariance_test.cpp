@@ -152,35 +152,44 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
     }
 }
 
-// Where patches meet at a silhouette, or end before something else, what lies behind is seen close by.
+// Where patches meet at a silhouette, or end before something else, what lies behind is seen close by; where
+// one ends in corners that are narrower than its slab, faces of that cross.
 TEST_F(Invariance, WhatIsHiddenIsHiddenFromAnywhere) {
-  Scene scene;
-  scene.set(RenderSettings{.ambient = Vec3(0.2)});
-  const MaterialId china = scene.add(Material{.diffuse = {0.2, 0.4, 0.7}});
-  scene.add(Node{.surface = makeSurface("teapot"), .material = china});
-  scene.add(Node{.surface = disk(5), .material = china});
-  scene.add(Node{.translation = Vec3(-6, 8, 6), .light = Light{.intensity = 0.8}});
   std::mt19937 random(5);
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   const auto somewhere = [&] { return Vec3(between(-1, 1), between(-1, 1), between(-1, 1)); };
-  for (int i = 0; i < 24; ++i) {
-    const Vec3 at = Vec3(0, 1.2, 0) + 2.0 * somewhere(), from = glm::normalize(somewhere());
-    const double distance = between(5, 20);
-    const Camera camera{.eye = at + distance * from,
-                        .lookAt = at,
-                        .up = Vec3(0, 1, 0.01),
-                        .projection = i % 3 == 2 ? Projection::Orthographic : Projection::Perspective,
-                        .height = 0.7 * distance};
-    DrawOptions options{.shading = Shading::Exact};
-    const Image seen = draw(scene, camera, {400, 300}, options).image;
-    options.skips.hidden = false;
-    const Image expected = draw(scene, camera, {400, 300}, options).image;
-    int changed = 0;
-    for (int y = 0; y < 300; ++y)
-      for (int x = 0; x < 400; ++x) changed += !near(colorAt(seen, x, y), colorAt(expected, x, y), 1e-3);
-    EXPECT_EQ(changed, 0) << "camera " << i;
+  for (const char* name : {"teapot", "scherk"}) {
+    Scene scene;
+    scene.set(RenderSettings{.ambient = Vec3(0.2)});
+    const MaterialId china = scene.add(Material{.diffuse = {0.2, 0.4, 0.7}});
+    scene.add(Node{.surface = makeSurface(name), .material = china});
+    for (int i = 0; i < 12; ++i)
+      scene.add(Node{.translation = Vec3(0, 1.5, 0) + 2.0 * somewhere(),
+                     .rotation = Rotation{glm::normalize(somewhere()), between(0, 6)},
+                     .scale = Vec3(0.15),
+                     .surface = makeSurface(name),
+                     .material = china});
+    scene.add(Node{.surface = disk(5), .material = china});
+    scene.add(Node{.translation = Vec3(-6, 8, 6), .light = Light{.intensity = 0.8}});
+    for (int i = 0; i < 24; ++i) {
+      const Vec3 at = Vec3(0, 1.2, 0) + 2.0 * somewhere(), from = glm::normalize(somewhere());
+      const double distance = between(5, 20);
+      const Camera camera{.eye = at + distance * from,
+                          .lookAt = at,
+                          .up = Vec3(0, 1, 0.01),
+                          .projection = i % 3 == 2 ? Projection::Orthographic : Projection::Perspective,
+                          .height = 0.7 * distance};
+      DrawOptions options{.shading = Shading::Exact};
+      const Image seen = draw(scene, camera, {400, 300}, options).image;
+      options.skips.hidden = false;
+      const Image expected = draw(scene, camera, {400, 300}, options).image;
+      int changed = 0;
+      for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 400; ++x) changed += !near(colorAt(seen, x, y), colorAt(expected, x, y), 1e-3);
+      EXPECT_EQ(changed, 0) << name << ", camera " << i;
+    }
   }
 }
 
