@@ -213,7 +213,8 @@ void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const 
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i) {
     const HullPatch& patch = hull.patchData[i];
     const Domain& domain = patch.domain;
-    const Vec4 corners(domain.u.lo, domain.v.lo, domain.u.hi, domain.v.hi);
+    const Vec4 corners(domain.u.lo - patch.originOfU, domain.v.lo, domain.u.hi - patch.originOfU,
+                       domain.v.hi);
     patches.push_back({.domain = Vec4f(corners),
                        .domainLow = restOf(corners),
                        .flags = flagsOf(patch),

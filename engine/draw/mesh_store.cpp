@@ -30,11 +30,13 @@ std::vector<Vec3f> interleaved(const Mesh& mesh) {
 std::vector<HullVertex> verticesOf(const Hull& hull) {
   std::vector<HullVertex> vertices;
   vertices.reserve(hull.positions.size());
-  for (std::size_t i = 0; i < hull.positions.size(); ++i)
+  for (std::size_t i = 0; i < hull.positions.size(); ++i) {
+    const Vec2 origin(hull.patchData[hull.patches[i]].originOfU, 0);
     vertices.push_back({.position = Vec3f(hull.positions[i] - hull.origin),
-                        .parameters = Vec2f(hull.parameters[i]),
+                        .parameters = Vec2f(hull.parameters[i] - origin),
                         .cell = Vec3f(hull.cells[i].x, hull.cells[i].y, hull.changes[i]),
                         .patch = hull.patches[i]});
+  }
   return vertices;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -59,8 +60,9 @@ class Tape {
              std::span<Interval> bounds) const;
 
   /// The outputs as expressions again, in any graph: to make something else of a formula that was compiled.
-  /// Cost: linear.
-  [[nodiscard]] std::vector<Expr> expressions(Graph& graph) const;
+  /// Variables that are known take those values. Cost: linear.
+  [[nodiscard]] std::vector<Expr> expressions(Graph& graph,
+                                              const std::map<std::uint32_t, double>& known = {}) const;
 
  private:
   /// What a value depends on decides how often it is computed. A formula runs in this order.

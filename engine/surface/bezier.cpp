@@ -136,7 +136,7 @@ std::shared_ptr<const SurfaceFunction> bezierFunction() {
   static const std::shared_ptr<const SurfaceFunction> function = [] {
     Graph graph;
     const ExprPoint position = bezierPosition(graph);
-    return compileSurface(graph, position, {.position = boundPosition, .second = boundSecond});
+    return compileSurface(graph, position, {.position = boundPosition, .second = boundSecond}, kLowerU);
   }();
   return function;
 }

@@ -45,6 +45,9 @@ struct Patch {
   Domain domain;
   std::vector<double> constants = {};  ///< variables 2, 3, ...; the surface's free parameters follow them
   std::shared_ptr<const GeneralForm> general = {};  ///< null: there is none
+
+  /// What searches in single precision count u from (SurfaceFunction::originOfU).
+  [[nodiscard]] double originOfU() const { return function->originOfU ? constants.back() : 0; }
 };
 
 /// What a patch's function reads beyond u and v: the patch's constants, then the surface's parameters. A view

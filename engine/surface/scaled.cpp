@@ -11,7 +11,7 @@ namespace {
 std::shared_ptr<const SurfaceFunction> scaled(const SurfaceFunction& function, const Vec3& scale) {
   Graph graph;
   const std::vector<Expr> p = function.position.expressions(graph);
-  return compileSurface(graph, {p[0] * scale.x, p[1] * scale.y, p[2] * scale.z});
+  return compileSurface(graph, {p[0] * scale.x, p[1] * scale.y, p[2] * scale.z}, {}, function.originOfU);
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/surface_code.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace luxo {
 namespace {
 
-SurfaceCode codeOf(const Tape& formula, std::size_t parameters, GlslNumber number) {
-  Graph graph;
-  const std::vector<Expr> position = formula.expressions(graph);
+SurfaceCode codeOf(Graph& graph, const std::vector<Expr>& position, std::size_t parameters,
+                   GlslNumber number) {
   return {.glsl = emitSurfaceGlsl(graph, "surfaceAt", {position[0], position[1], position[2]}, false, number),
           .parameters = static_cast<std::uint32_t>(parameters),
           .number = number};
@@ -15,11 +18,18 @@ SurfaceCode codeOf(const Tape& formula, std::size_t parameters, GlslNumber numbe
 }  // namespace
 
 SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters, GlslNumber number) {
-  return codeOf(function.position, parameters, number);
+  Graph graph;
+  if (!function.originOfU) return codeOf(graph, function.position.expressions(graph), parameters, number);
+  const std::uint32_t origin = *function.originOfU - 2;
+  const std::vector<Expr> position = function.position.expressions(graph, {{*function.originOfU, 0}});
+  SurfaceCode code = codeOf(graph, position, std::min<std::size_t>(parameters, origin), number);
+  code.glsl = fmt::format("#define LUXO_ORIGIN_OF_U {}\n{}", origin, code.glsl);
+  return code;
 }
 
 SurfaceCode surfaceCode(const GeneralForm& form, std::size_t parameters, GlslNumber number) {
-  return codeOf(form.position, parameters, number);
+  Graph graph;
+  return codeOf(graph, form.position.expressions(graph), parameters, number);
 }
 
 SurfaceCode equationCode(Equation::Form form, std::size_t parameters, GlslNumber number) {

@@ -16,11 +16,12 @@
 namespace luxo {
 
 /// A formula's GLSL: `void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)`, or of doubles,
-/// for shaders/lib/exact_root.glsl; or which form of an equation shaders/lib/exact_equation.glsl solves, or
-/// that it is a plane, for shaders/lib/exact_plane.glsl.
+/// for shaders/lib/exact_root.glsl, with LUXO_ORIGIN_OF_U where u is counted from that parameter; or which
+/// form of an equation shaders/lib/exact_equation.glsl solves, or that it is a plane, for
+/// shaders/lib/exact_plane.glsl.
 struct SurfaceCode {
   std::string glsl;
-  std::uint32_t parameters = 0;  ///< how many it may read
+  std::uint32_t parameters = 0;  ///< how many it may read to find a point; its name may take one more
   GlslNumber number = GlslNumber::Float;
 };
 

@@ -20,7 +20,8 @@ Tape compile(Graph& graph, std::initializer_list<ExprPoint> points) {
 }  // namespace
 
 std::shared_ptr<const SurfaceFunction> compileSurface(Graph& graph, const ExprPoint& position,
-                                                      SurfaceBounder bounder) {
+                                                      SurfaceBounder bounder,
+                                                      std::optional<std::uint32_t> originOfU) {
   const ExprPoint du = derivative(graph, position, 0), dv = derivative(graph, position, 1);
   const ExprPoint duu = derivative(graph, du, 0), duv = derivative(graph, du, 1),
                   dvv = derivative(graph, dv, 1);
@@ -36,7 +37,8 @@ std::shared_ptr<const SurfaceFunction> compileSurface(Graph& graph, const ExprPo
                       .second = compile(graph, {duu, duv, dvv}),
                       .guards = Tape(graph, guards),
                       .guardAtIntegers = std::move(atIntegers),
-                      .bounder = std::move(bounder)});
+                      .bounder = std::move(bounder),
+                      .originOfU = originOfU});
 }
 
 }  // namespace luxo

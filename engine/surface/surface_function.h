@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,10 +32,14 @@ struct SurfaceFunction {
   std::vector<bool> guardAtIntegers;  ///< of each guard: or through any integer
   /// For a family of formulas that has tighter bounds than interval arithmetic finds; else empty.
   SurfaceBounder bounder = {};
+  /// The variable, if any, that u appears less throughout: the last of the patch's constants, where the patch
+  /// begins. Searches in single precision count u from there, so that it has all its digits.
+  std::optional<std::uint32_t> originOfU = {};
 };
 
 /// Differentiates and compiles. Variables 0 and 1 of the graph are u and v.
-[[nodiscard]] std::shared_ptr<const SurfaceFunction> compileSurface(Graph& graph, const ExprPoint& position,
-                                                                    SurfaceBounder bounder = {});
+[[nodiscard]] std::shared_ptr<const SurfaceFunction> compileSurface(
+    Graph& graph, const ExprPoint& position, SurfaceBounder bounder = {},
+    std::optional<std::uint32_t> originOfU = {});
 
 }  // namespace luxo

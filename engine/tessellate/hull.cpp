@@ -350,6 +350,7 @@ Hull makeHull(const Surface& surface, std::span<const double> parameters, const 
   const double size = box.empty() ? 0 : glm::length(box.extent());
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
     hull.patchData.push_back(readPatch(surface, patch, parameters, size));
+    hull.patchData.back().originOfU = surface.patches()[patch].originOfU();
     hull.patchData.back().equation = equations[patch];
   }
 

@@ -28,6 +28,7 @@ namespace luxo {
 /// What is the same all over a patch.
 struct HullPatch {
   Domain domain;
+  double originOfU = 0;  ///< Patch::originOfU
   /// The u (v) edges are one curve and the formula goes on beyond them, by a fifth of the domain at least, as
   /// it does at the other end: a parameter outside the domain stands for one inside.
   bool wrapsU = false, wrapsV = false;

@@ -74,6 +74,6 @@ void show(Seen seen, vec3 ambient, vec3 diffuse) {
   } else {
     Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[linkFlags.w].id,
                                     seen.residual);
-    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, linkDomain), 1);
+    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), 1);
   }
 }

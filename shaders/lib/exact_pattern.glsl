@@ -5,8 +5,9 @@
 
 uint firstPatternParameter() { return linkFlags.z; }
 vec4 patternBounds() {
-  vec2 margin = 1e-6 * (linkDomain.zw - linkDomain.xy);
-  return vec4(linkDomain.xy + margin, linkDomain.zw - margin);
+  vec4 domain = domainOfNames();
+  vec2 margin = 1e-6 * (domain.zw - domain.xy);
+  return vec4(domain.xy + margin, domain.zw - margin);
 }
 
 void main() {

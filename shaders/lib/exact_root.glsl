@@ -370,7 +370,7 @@ bool certified(Ray ray, real2 p, Probe at) {
 vec2 inPeriod(real2 p) {
   real2 period = patchDomain.zw - patchDomain.xy;
   real2 turns = floor((p - patchDomain.xy) / period);
-  return vec2(has(kWrapsU) ? p.x - turns.x * period.x : p.x,
+  return vec2((has(kWrapsU) ? p.x - turns.x * period.x : p.x) + originOfU(),
               has(kWrapsV) ? p.y - turns.y * period.y : p.y);
 }
 

@@ -90,3 +90,13 @@ bool isLeftOut() { return kLeavesOut && instances[linkFlags.w].id == 0; }
 #define parameterAt surfaceParameterAt
 #include "surface"
 #undef parameterAt
+
+// What the surface calls a point is this more than the u of its formula here.
+#ifdef LUXO_ORIGIN_OF_U
+real originOfU() { return parameterFromBuffer(LUXO_ORIGIN_OF_U); }
+#else
+real originOfU() { return 0.0; }
+#endif
+
+// The patch's lowest u and v, highest u and v, as the surface calls them.
+vec4 domainOfNames() { return linkDomain + vec4(originOfU(), 0, originOfU(), 0); }

@@ -4,13 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <set>
+#include <string>
 #include <tuple>
 
 #include "base/error.h"
+#include "surface/scaled.h"
+#include "surface/surface_code.h"
 #include "surface/teapot.h"
 
 namespace luxo {
@@ -231,6 +235,24 @@ TEST(Teapot, NormalsPointOutward) {
           EXPECT_GT(glm::dot(n, p - middle), 0) << "patch " << k << " at " << a << ' ' << v;
         }
       }
+}
+
+// Of a shader's u = 17.8 float keeps four bits fewer than of 0.8.
+TEST(Bezier, ShadersCountUFromWhereThePatchBegins) {
+  const Surface surface = scaled(teapot(), Vec3(1, 2, 3), {});
+  const Patch& patch = surface.patches()[17];
+  EXPECT_EQ(patch.originOfU(), 17);
+  Graph graph;
+  const Tape local(graph, patch.function->position.expressions(graph, {{*patch.function->originOfU, 0}}));
+  std::array<double, 3> p{};
+  for (const double u : {0.0, 0.3125, 1.0}) {
+    local.evaluatePoint(u, 0.25, patch.constants, p);
+    EXPECT_EQ(Vec3(p[0], p[1], p[2]), surface.position(17, 17 + u, 0.25)) << u;
+  }
+  const SurfaceCode code = surfaceCode(*patch.function, patch.constants.size());
+  EXPECT_EQ(code.parameters, patch.constants.size() - 1);
+  EXPECT_NE(code.glsl.find("#define LUXO_ORIGIN_OF_U 48\n"), std::string::npos);
+  EXPECT_EQ(code.glsl.find("parameterAt(48)"), std::string::npos);
 }
 
 TEST(Teapot, IsAsHighAsAsked) {
