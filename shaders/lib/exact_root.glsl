@@ -15,11 +15,12 @@ const float kSteady = 0.1;      // of the offset: what the slopes at both ends o
 const int kBackward = 2, kForward = 40;  // steps against the ray, if any, and, at most, along it
 const float kMoreSteps = 4.0;   // after a scan: a root that is not farther off is not given up
 const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
-const float kTurned = 0.8;      // cosine: where the fold has turned farther, a scan turns, too
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
+const float kBesideEdge = 0.02;  // cells: a scan begins no nearer to an edge
 const int kAttempts = 3;        // to find a root, all but the first by a scan
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
+const float kNearCells = 0.25;  // nor what is farther outside of the patch
 const float kGrazing = 0.1;     // of the area to the squares of its sides: nearly none
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
@@ -114,6 +115,12 @@ real2 nearDomain(real2 p, real cells) {
               has(kWrapsV) ? p.y : clamp(p.y, low.y, high.y));
 }
 
+// An edge may be a cusp: there the surface has no normal, beside it one.
+real2 besideEdges(real2 p) {
+  real2 margin = linkCellHalf.xy * kBesideEdge, inside = clamp(p, patchDomain.xy + margin, patchDomain.zw - margin);
+  return real2(has(kWrapsU) ? p.x : inside.x, has(kWrapsV) ? p.y : inside.y);
+}
+
 // How many cells p is beyond the domain; below 0 inside.
 real cellsBeyond(real2 p) {
   real2 beyond = max(patchDomain.xy - p, p - patchDomain.zw) / linkCellHalf.xy;
@@ -126,6 +133,11 @@ bool inDomain(real2 p, Probe at) {
   beyond = real2(has(kWrapsU) ? 0.0 : beyond.x, has(kWrapsV) ? 0.0 : beyond.y);
   real2 onScreen = beyond.x * at.fu + beyond.y * at.fv;
   return max(abs(onScreen.x), abs(onScreen.y)) <= tolerance(at);
+}
+
+real cellsFromStart(real2 p) {
+  real2 way = abs(p - startOfLink().xy) / linkCellHalf.xy;
+  return max(way.x, way.y);
 }
 
 // To where the offset would vanish if it were linear; `det` is area(at).
@@ -161,30 +173,35 @@ int findPlainRoot(Ray ray, out real2 p, out Probe at) {
     at = probeAt(ray, p);
     if (ends(converged(at), offset(at) <= kFine * tolerance(at), wasGood)) break;
   }
-  real2 way = abs(p - startOfLink().xy) / linkCellHalf.xy;
-  bool root = max(way.x, way.y) <= kFarCells && converged(at) && area(at) * hullSide() > 0.0;
+  bool root = cellsFromStart(p) <= kFarCells && converged(at) && area(at) * hullSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
 
-// A place on the curve along which a scan looks for roots: where the offset along the fold vanishes.
+// A place on the curve along which a scan looks for roots: the points of the surface to which those of the ray are
+// nearest.
 struct Sample {
   real2 p;
-  real g, slope;  // the offset across the fold, and how it grows along the curve, per cell; both times the wanted side
+  real g, slope;  // how far behind the surface the ray is, as the hull's side sees it, and how that grows along the curve,
+                  // per cell
   real depth;
-  real2 way;        // unit, along the curve, cells
+  real2 way;      // unit, along the curve, cells
 };
 
-// The sample next to p, a Newton step away; `along` is the direction on the screen in which steps lead farthest, `sense`
-// tells which way along the curve leads away from the viewer.
-Sample sampleAt(real2 p, Probe at, real2 along, real sense) {
+// The sample next to p, a Newton step away: there the offset along the fold, across the normal on the screen, vanishes.
+// `sense` tells which way along the curve leads away from the viewer.
+Sample sampleAt(Ray ray, real2 p, Probe at, real sense) {
+  real3 n = cross(at.Su, at.Sv);
+  real2 normal = real2(dot(ray.across1, n), dot(ray.across2, n));
+  real largest = max(abs(normal.x), abs(normal.y));
+  normal = largest > 0.0 ? normalize(normal / largest) : real2(0, 1);
+  real2 along = real2(normal.y, -normal.x), across = normal * (hullSide() * sense);
   real2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
   real2 rate = real2(dot(along, a), dot(along, b));
-  real length2 = max(dot(rate, rate), kSmallest);
-  real2 correction = rate * (-dot(along, at.f) / length2);
+  real perRate = inversesqrt(max(dot(rate, rate), kSmallest));
+  real2 correction = rate * (-dot(along, at.f) * perRate * perRate);
   correction *= min(1.0, 0.5 / max(length(correction), kSmallest));
-  real2 across = real2(-along.y, along.x) * (hullSide() * sense);
   Sample s;
-  s.way = real2(-rate.y, rate.x) * (inversesqrt(length2) * sense);
+  s.way = real2(-rate.y, rate.x) * (perRate * sense);
   s.p = p + correction * linkCellHalf.xy;
   s.g = dot(across, at.f + a * correction.x + b * correction.y);
   s.slope = dot(across, a * s.way.x + b * s.way.y);
@@ -192,34 +209,34 @@ Sample sampleAt(real2 p, Probe at, real2 along, real sense) {
   return s;
 }
 
-// The direction on the screen in which a step in u or v leads farthest.
-real2 longestAxis(Probe at) {
-  real2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
-  real largest = max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y)));
-  a /= max(largest, kSmallest);
-  b /= max(largest, kSmallest);
-  real d = a.x * a.x + b.x * b.x - a.y * a.y - b.y * b.y;
-  real e = 2.0 * (a.x * a.y + b.x * b.y);
-  real h = sqrt(d * d + e * e);
-  real2 axis = d > 0.0 ? real2(h + d, e) : real2(e, h - d);
-  return dot(axis, axis) > 0.0 ? normalize(axis) : real2(1, 0);
-}
-
 bool isLong(real way) { return way > 2.0 * kScanStep; }
+
+// Where between two samples g changes its sign, 0 to 1: by the parabola through both with the slope of the first.
+real crossing(Sample low, Sample high, real way) {
+  real b = low.slope * way, c = high.g - low.g - b;
+  real root = sqrt(max(b * b - 4.0 * c * low.g, 0.0));
+  return clamp(2.0 * abs(low.g) / max(low.g > 0.0 ? root - b : root + b, kSmallest), 0.0, 1.0);
+}
 
 // Where between two samples, `low` before `high`, g rises through 0: 0 to 1, or -1. A dip below 0 or a bump above it
 // between them counts, too.
 real rise(Sample low, Sample high, real way) {
-  if (low.g <= 0.0 && high.g > 0.0) return low.g / (low.g - high.g);
+  if (low.g <= 0.0 && high.g > 0.0) return crossing(low, high, way);
   real turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
   real extreme = low.g + 0.5 * way * turn * low.slope;
   real extreme2 = high.g - 0.5 * way * (1.0 - turn) * high.slope;
-  // Of a long step they are known roughly only: what may be a root is walked again.
-  real margin = isLong(way) ? abs(extreme - extreme2) : 0.0;
+  // They are known as well as they agree: what may be a root is looked at, or, of a long step, walked again.
+  real margin = abs(extreme - extreme2);
   bool dips = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0;
   bool rises = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0;
   bool dip = dips && min(extreme, extreme2) <= margin, bump = rises && max(extreme, extreme2) >= -margin;
   return dip ? 1.0 : bump ? 0.0 : -1.0;
+}
+
+// Where ahead of a sample g is 0 by what is known there: 0 to 1, or -1.
+real ahead(Sample s, real way) {
+  real part = -s.g / max(s.slope * way, kSmallest);
+  return s.g <= 0.0 && s.slope > 0.0 && part <= 1.0 ? part : -1.0;
 }
 
 // Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a
@@ -243,11 +260,12 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
     if (ends(good, offset(at) <= kFine * tolerance(at), wasGood) || (good && last)) result = kFound;
     else if (polished && !good && (root || misses == 2)) result = kMissed;
     else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
-    // What had seemed to be a root and is not even near the ray is none. Nor is a place where the area vanishes: there
-    // the ray passes by, nearest to the surface.
+    // What had seemed to be a root and is not even near the ray, or the patch, is none. Nor is a place where the area
+    // vanishes: there the ray passes by, nearest to the surface.
     real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
     bool passes = abs(ju.x * jv.y - ju.y * jv.x) < kGrazing * (dot(ju, ju) + dot(jv, jv));
-    if (polished && last && result == kLost && (!(offset(at) <= kNearPixels * widthAt(at.depth)) || passes)) result = kMissed;
+    bool isFar = !(offset(at) <= kNearPixels * widthAt(at.depth)) || cellsBeyond(p) > kNearCells;
+    if (polished && last && result == kLost && (isFar || passes)) result = kMissed;
     if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
     real2 next = nearDomain(foldStep(p, at, det, polished ? kScanStep : kBoldCells, gradient, missed), 1.0);
     way = (next - p) / linkCellHalf.xy;
@@ -256,57 +274,52 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
   return result;
 }
 
-// Walks along the curve through the start on which the offset along the fold vanishes, first against the ray, then
-// along it, and ends at the nearest place, farther away than `after`, where the offset across the fold vanishes, too:
-// `best`, at depth `after`, on `wantedSide`. That is the side that the hull is seen from, or, where the ray has run past
-// a border before, the other. Found, or missed; or lost where the ray still nears the surface, in its hull, when the scan
-// is over. With edges to pass, rays run out over them far more often than they meet the surface there: these have missed.
+// Walks along the points of the surface to which the ray's are nearest, first against the ray, then along it, and ends
+// at the nearest place, farther away than `after`, where the ray meets the surface: `best`, at depth `after`, on
+// `wantedSide`. That is the side that the hull is seen from, or, where the ray has run past a border before, the other.
+// Found, or missed; or lost where the ray still nears the surface, in its hull, when the scan is over. With edges to pass,
+// rays run out over them far more often than they meet the surface there: these have missed.
 //
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well, and what a long one has passed is walked again with shorter ones.
 int scan(Ray ray, inout real after, out real2 best) {
-  real2 p = startOfLink().xy, along = real2(0), firstAlong = along;
-  real sense = 1.0, nearest = 1e30, length_ = kScanStep, most = kScanMost;
+  real2 p = besideEdges(startOfLink().xy);
+  real nearest = 1e30, length_ = kScanStep, most = kScanMost;
+  real sense = dot(rowDepth.xyz, cross(ray.across1, ray.across2)) < 0.0 ? 1.0 : -1.0;
   Sample first, last;
   bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false;
   best = p;
   for (int steps = 0; steps <= kBackward + kForward; ++steps) {
     Probe at = probeAt(ray, p);
-    // Turns with the surface.
-    real2 axis = longestAxis(at);
-    axis = dot(along, axis) < 0.0 ? -axis : axis;
-    if (steps == 0 || dot(along, axis) < kTurned) along = normalize(along + axis);
-    if (steps == kBackward + 1) along = firstAlong;
-    if (steps == 0) firstAlong = along;
-    Sample now = sampleAt(p, at, along, sense);
-    bool back = steps <= kBackward, again = false;
+    Sample now = sampleAt(ray, p, at, sense);
+    bool back = steps <= kBackward, again = false, turned = false;
     if (steps == 0) {
-      real2 way = now.way * linkCellHalf.xy;
-      sense = dot(rowDepth.xyz, at.Su * way.x + at.Sv * way.y) < 0.0 ? -1.0 : 1.0;
-      now.way *= sense;
-      now.g *= sense;
       first = now;
+      passedBorder = now.g > 0.0 && seesPastBorder();  // or it would not begin behind the surface
       // Where the ray begins outside and nears the surface, nothing is behind.
       if (now.g < 0.0 && now.slope > 0.0) steps = kBackward;
     } else {
-      real where = back ? rise(now, last, length_) : rise(last, now, length_);
-      bool falls = passedBorder && where < 0.0 && last.g > 0.0 && now.g <= 0.0;
-      real part = back ? 1.0 - where : falls ? last.g / (last.g - now.g) : where;
-      real2 candidate = mix(last.p, now.p, part);
+      // Where the curve turns back it ends: the surface begins to face away from the ray.
+      turned = !back && dot(now.way, last.way) < 0.0;
+      real where = back ? rise(now, last, length_) : turned ? ahead(last, length_) : rise(last, now, length_);
+      bool falls = !turned && passedBorder && where < 0.0 && last.g > 0.0 && now.g <= 0.0;
+      real part = back ? 1.0 - where : falls ? crossing(last, now, length_) : where;
+      real2 candidate = mix(last.p, turned ? p : now.p, part);
       real depth = mix(last.depth, now.depth, part);
       bool isRoot = where >= 0.0 || falls;
-      again = isRoot && isLong(length_);
+      again = (isRoot || turned) && isLong(length_);
       if (isRoot && !again && cellsBeyond(candidate) < 0.02 && depth < nearest && depth > after) {
         nearest = depth;
         best = candidate;
         wantedSide = falls ? -hullSide() : hullSide();
-      } else if (where >= 0.0 && !again) {
+      } else if (isRoot && !again) {
         passedBorder = seesPastBorder();
       }
     }
     // Beyond the hull and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
-    bool leaves = !back && !again && (now.g < last.g && now.g < -linkClip.z || cellsBeyond(now.p) > kBeyond);
-    nears = endless && !leaves && now.g < 0.0 && -now.g < min(linkClip.z, kMoreSteps * (now.g - last.g));
+    bool leavesSlab = abs(now.g) > max(abs(last.g), linkClip.z);
+    bool leaves = !back && !again && (leavesSlab || turned || cellsBeyond(now.p) > kBeyond);
+    nears = endless && !leaves && now.g < 0.0 && -now.g < min(linkClip.z, kMoreSteps * length_ * now.slope);
     if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
     if (again) most = max(0.25 * length_, kScanStep);
     bool steady = !back && abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope)) < kSteady * abs(now.g);
@@ -326,24 +339,31 @@ int scan(Ray ray, inout real after, out real2 best) {
 // may find the wrong root or none. There a scan begins: along a fold the surface is flat on the screen, so one direction
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
 // The scan takes the nearest of its roots, and Newton's method goes on from there. Where that one turns out to be none, or
-// none of the patch, there is another attempt farther away.
+// none of the patch, there is another attempt farther away. A root far from the start may have others before it: it is
+// held until a scan has found none.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   p = startOfLink().xy;
   int result = kLost;
   // A CPU device skips no branch, but leaves a loop when no pixel is left in it; and it runs the body of each at least
   // once. So each formula stands once in a loop of its own, and a scan costs those that need none a single step.
   wantedSide = hullSide();
-  real after = -1e30;
-  bool passed = false;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  real after = -1e30, heldDepth = 1e30;
+  real2 held = p;
+  bool passed = false, takesHeld = false;
+  for (int attempt = 0; attempt <= kAttempts; ++attempt) {
     result = approach(ray, attempt > 0, p, at);
+    bool holds = attempt == 0 && result == kFound && cellsFromStart(p) > kFarCells;
+    if (holds) held = p, heldDepth = at.depth;
     // What is past a border, or farther away than a root that is none, is mostly another fragment's.
     passed = passed || result == kMissed;
     if (result == kLost && passed) result = kMissed;
-    bool ended = result == kFound || (attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder());
-    if (ended || attempt + 1 == kAttempts) break;
-    result = scan(ray, after, p);
-    if (result != kFound) break;
+    bool ended = result == kFound ? !holds : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
+    if (ended || takesHeld) break;
+    if (attempt > 0) after = max(after, at.depth);
+    result = attempt + 1 < kAttempts ? scan(ray, after, p) : kMissed;
+    takesHeld = heldDepth < 1e30 && (result != kFound || after >= heldDepth);
+    if (takesHeld) p = held, wantedSide = hullSide();
+    else if (result != kFound) break;
   }
   return result;
 }
@@ -362,8 +382,7 @@ bool certified(Ray ray, real2 p, Probe at) {
   real det = ju.x * jv.y - ju.y * jv.x;
   real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
   bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
-  real2 way = abs(p - startOfLink().xy) / linkCellHalf.xy;
-  return proven && max(way.x, way.y) <= kFarCells;
+  return proven && cellsFromStart(p) <= kFarCells;
 }
 
 // The parameters as the surface names them.
