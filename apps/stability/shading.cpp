@@ -85,7 +85,7 @@ std::vector<Measurement> highlightSweep(StressContext& context, std::string_view
 }
 
 std::vector<Measurement> blinn(StressContext& context) {
-  return highlightSweep(context, "highlight(x * x, s)");
+  return highlightSweep(context, "highlight(vec3(0, 0, 1), vec3(sqrt((1.0 - x) * (1.0 + x)), 0, x), s)");
 }
 
 std::vector<Measurement> blinnByPow(StressContext& context) { return highlightSweep(context, "pow(x, s)"); }

@@ -27,9 +27,17 @@ const float kTiny = 1e-37;
 // An inverse-square light as near as 1e-15 metres gets no brighter: its product with any radiance is still a number.
 const float kMostAttenuation = 1e30;
 
-// x^n for 0 <= x <= 1, given x^2, with 0^0 = 1, which pow leaves undefined.
-float highlight(float xSquared, float n) {
-  return xSquared > 0.0 || n == 0.0 ? exp2(0.5 * n * log2(max(xSquared, kTiny))) : 0.0;
+// cos^n of the angle between n and h, with 0^0 = 1, which pow leaves undefined. Where the highlight is bright the cosine
+// is nearly 1 and the power magnifies what it is rounded by: there its logarithm is that of 1 - sin^2, by the series of
+// the inverse hyperbolic tangent.
+float highlight(vec3 n, vec3 h, float power) {
+  float perSquared = 1.0 / max(dot(h, h), kTiny), cosine = max(dot(n, h), 0.0);
+  vec3 across = cross(n, h);
+  float cosineSquared = min(cosine * cosine * perSquared, 1.0), sineSquared = dot(across, across) * perSquared;
+  float z = sineSquared / (2.0 - sineSquared), z2 = z * z;
+  float series = -2.88539008 * z * (1.0 + z2 * (0.333333333 + z2 * (0.2 + z2 * 0.142857143)));
+  float logarithm = cosineSquared > 0.7 ? series : log2(max(cosineSquared, kTiny));
+  return cosineSquared > 0.0 || power == 0.0 ? exp2(0.5 * power * logarithm) : 0.0;
 }
 
 // n, v: unit. A point that coincides with the light gets nothing from it.
@@ -39,11 +47,9 @@ vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v)
   vec3 l = toLight * inverseDistance;
   float cosine = dot(n, l);
   vec3 h = l + v;
-  float nh = max(dot(n, h), 0.0);
-  float cosineHalfSquared = min(nh * nh / max(dot(h, h), kTiny), 1.0);
   bool shines = cosine > 0.0 || ((material.flags & kLectureSpecular) != 0 && squared > 0.0);
   vec3 reflectance = material.diffuse * max(cosine, 0.0) +
-                     (shines ? material.specular * highlight(cosineHalfSquared, material.shininess) : vec3(0));
+                     (shines ? material.specular * highlight(n, h, material.shininess) : vec3(0));
   return reflectance * light.radiance * (light.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMostAttenuation) : 1.0);
 }
 
