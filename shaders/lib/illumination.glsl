@@ -27,16 +27,19 @@ const float kTiny = 1e-37;
 // An inverse-square light as near as 1e-15 metres gets no brighter: its product with any radiance is still a number.
 const float kMostAttenuation = 1e30;
 
-// cos^n of the angle between n and h, with 0^0 = 1, which pow leaves undefined. Where the highlight is bright the cosine
-// is nearly 1 and the power magnifies what it is rounded by: there its logarithm is that of 1 - sin^2, by the series of
-// the inverse hyperbolic tangent.
+// log2(1 - x) for x in 0..0.15, to 1e-8, all digits of small x included: by interpolation in Chebyshev's points.
+float log2OfOneLess(float x) {
+  return -x * (1.44269509 + x * (0.721330866 + x * (0.481774529 + x * (0.344806117 + x * 0.401511011))));
+}
+
+// cos^power of the angle between n (unit) and h, with 0^0 = 1, which pow leaves undefined. Where a highlight is bright the
+// cosine is nearly 1, and the power magnifies what rounding leaves of it: there the sine tells.
 float highlight(vec3 n, vec3 h, float power) {
   float perSquared = 1.0 / max(dot(h, h), kTiny), cosine = max(dot(n, h), 0.0);
-  vec3 across = cross(n, h);
-  float cosineSquared = min(cosine * cosine * perSquared, 1.0), sineSquared = dot(across, across) * perSquared;
-  float z = sineSquared / (2.0 - sineSquared), z2 = z * z;
-  float series = -2.88539008 * z * (1.0 + z2 * (0.333333333 + z2 * (0.2 + z2 * 0.142857143)));
-  float logarithm = cosineSquared > 0.7 ? series : log2(max(cosineSquared, kTiny));
+  float cosineSquared = min(cosine * cosine * perSquared, 1.0);
+  vec3 across = h - cosine * n;
+  float logarithm = cosineSquared > 0.85 ? log2OfOneLess(dot(across, across) * perSquared)
+                                         : log2(max(cosineSquared, kTiny));
   return cosineSquared > 0.0 || power == 0.0 ? exp2(0.5 * power * logarithm) : 0.0;
 }
 
