@@ -91,7 +91,7 @@ bool isLeftOut() { return kLeavesOut && instances[linkFlags.w].id == 0; }
 #include "surface"
 #undef parameterAt
 
-// What the surface calls a point is this more than the u of its formula here.
+// A point's u, as the surface names it, is this more than that of the formula.
 #ifdef LUXO_ORIGIN_OF_U
 real originOfU() { return parameterFromBuffer(LUXO_ORIGIN_OF_U); }
 #else
