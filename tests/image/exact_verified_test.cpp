@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -151,6 +152,8 @@ struct Walk {
   const char* scene;
   std::vector<std::uint32_t> cameras;
 };
+
+void PrintTo(const Walk& walk, std::ostream* out) { *out << walk.scene; }
 
 class ExactFromAnywhere : public VerifiedPictureTest, public testing::WithParamInterface<Walk> {
  protected:
