@@ -203,7 +203,7 @@ Curvature curvatureOf(const Surface& surface, std::uint32_t patch, const Domain&
 CurvatureMap::CurvatureMap(const Surface& surface, std::span<const double> parameters) {
   // Many patches are small ones: the tiles of all of them together stay about as many.
   std::uint32_t levels = kMostLevels;
-  for (std::uint32_t patches = surface.patchCount(); patches > 1 && levels > 1; patches /= 4) --levels;
+  for (std::uint32_t patches = surface.patchCount(); patches > 4 && levels > 1; patches /= 4) --levels;
   levelU_ = surface.revolution() ? 0 : levels;
   levelV_ = levels;
   const std::size_t most = surface.parameters().empty() ? kMostLeaves : kMostLeavesMoving;
