@@ -85,8 +85,8 @@ struct BenchPlan {
   int areaSamples = 16;               ///< rays in each of these
 };
 
-/// Phong meshes from 2 px to 0.01 px, flat and Gouraud ones, exact hulls of 4 and 2 px; with 4 samples those
-/// whose colours are not yet as good as 4 samples can be.
+/// Phong meshes from 2 px to 0.01 px, flat and Gouraud ones, exact hulls of the usual size and half of it;
+/// with 4 samples those whose colours are not yet as good as 4 samples can be.
 [[nodiscard]] BenchPlan fullPlan();
 /// A few of these, for a first look.
 [[nodiscard]] BenchPlan quickPlan();

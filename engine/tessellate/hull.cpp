@@ -20,8 +20,7 @@
 namespace luxo {
 namespace {
 
-/// Bounds hold in real numbers; and a bound that changes from triangle to triangle needs room (see
-/// distances()).
+/// Bounds hold in real numbers, and a finer mesh is looked at in its corners.
 constexpr double kSlack = 1.1;
 /// Parts of the hull's size: what single precision rounds away, and the thickness of what is flat.
 constexpr double kRounding = 1e-6, kThinnest = 1e-4;
@@ -33,9 +32,8 @@ constexpr std::size_t kPointsForAllCores = 8192;
 /// The surface near a triangle turns less than the triangles around it do, times this; at an edge of the
 /// patch some of them are missing. Past a border rays reach what has turned farther: the inside of horns.
 constexpr double kReach = 1.25, kReachAtEdge = 2, kReachAtBorder = 3;
-/// A ray runs inside the slab as far as it is thick, twice the distance of its vertices, and farther where
-/// that grows.
-constexpr double kRun = 3;
+/// A ray runs inside the slab as far as it is thick, and farther where that grows.
+constexpr double kRun = 1.5;
 
 /// Cells that a search may lead away and its vertex be away.
 constexpr double kSearched = 3;
@@ -65,27 +63,34 @@ class Builder {
   }
 
  private:
-  /// Of each point: the largest bound of the triangles around it, and a little. Where a bound b falls to one
-  /// below b across a triangle of height L, the surface that belongs to the neighbour may reach over the edge
-  /// by x and stand sqrt(b^2 - x^2) high there, where the plane has come down to b (1 - x / L) at least: at
-  /// most b^3 / 2 L^2 too low, which the slack covers for triangles higher than 2.3 b.
-  [[nodiscard]] std::vector<double> distances() const {
+  /// Of each point: the largest of the triangles and walls around it, and a little. So along an edge both
+  /// planes are as far away as either triangle asks for, and what belongs to one and reaches over the edge a
+  /// little is below the other, too; what reaches farther is part of the other's height.
+  [[nodiscard]] std::vector<Distances> distances() const {
+    const HullHeights& heights = frame_.heights();
     const double least = std::min(0.1 * desc_.tolerance, kThinnest * frame_.size());
-    std::vector<double> distances(frame_.pointCount(), least);
-    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
-      const double bound = frame_.bound(t);
-      const double distance =
-          kSlack * (std::isfinite(bound) ? bound : desc_.tolerance) + kRounding * frame_.size();
-      for (std::size_t k = 0; k < 3; ++k) {
-        double& largest = distances[frame_.pointOf(mesh_.indices[3 * t + k])];
-        largest = std::max(largest, distance);
+    std::vector<Distances> distances(frame_.pointCount(), {least, least, least, least});
+    const auto raise = [&](double& largest, double height) {
+      largest = std::max(
+          largest, kSlack * (std::isfinite(height) ? height : desc_.tolerance) + kRounding * frame_.size());
+    };
+    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
+      for (const std::uint32_t v : frame_.corners(t)) {
+        Distances& d = distances[frame_.pointOf(v)];
+        raise(d.out, heights.above[t]);
+        raise(d.in, heights.below[t]);
       }
-    }
+    for (std::size_t w = 0; w < frame_.walls().size(); ++w)
+      for (const std::uint32_t v : {frame_.walls()[w].from, frame_.walls()[w].to}) {
+        Distances& d = distances[frame_.pointOf(v)];
+        raise(d.beyond, heights.beyond[w]);
+        raise(d.within, heights.within[w]);
+      }
     return distances;
   }
 
   void moveVertices(Hull& hull) {
-    const std::vector<double> distance = distances();
+    const std::vector<Distances> distances = this->distances();
     struct Moves {
       Vec3 out{0}, in{0};
       bool leadOut = false;
@@ -93,9 +98,11 @@ class Builder {
     std::vector<Moves> moves(frame_.pointCount());
     forEachIndex(moves.size(), moves.size() >= kPointsForAllCores, [&](std::size_t p) {
       const std::span<const Vec3> facets = frame_.facetsAround(p), walls = frame_.wallsAround(p);
-      const Move out = shortestMove(facets, walls, 1);
-      const Move in = walls.empty() ? Move{-out.direction, out.leadsOut} : shortestMove(facets, walls, -1);
-      moves[p] = {distance[p] * out.direction, distance[p] * in.direction, out.leadsOut && in.leadsOut};
+      const Distances& d = distances[p];
+      const Move out = shortestMove(facets, walls, 1, {d.out, d.beyond});
+      const Move in = walls.empty() ? Move{out.way * (-d.in / d.out), out.leadsOut}
+                                    : shortestMove(facets, walls, -1, {d.in, d.beyond});
+      moves[p] = {out.way, in.way, out.leadsOut && in.leadsOut};
     });
     const std::size_t count = mesh_.positions.size();
     hull.positions.resize(2 * count);
@@ -110,7 +117,7 @@ class Builder {
       hull.offset = std::max({hull.offset, glm::length(m.out), glm::length(m.in)});
       hull.proven = hull.proven && m.leadOut;
     }
-    HullSpans spans = spansOf(frame_, distance, hull.positions, surface_.patchCount());
+    HullSpans spans = spansOf(frame_, distances, hull.positions, surface_.patchCount());
     hull.spanned = std::move(spans.positions);
     hull.slabs = std::move(spans.slabs);
     hull.spansProven = hull.proven && spans.proven;
@@ -185,7 +192,8 @@ class Builder {
       if (nearPole(hull, v)) return {};
       const std::size_t point = frame_.pointOf(v);
       for (const Vec3& facet : frame_.facetsAround(point)) least = std::min(least, glm::dot(axis, facet));
-      thickness = std::max(thickness, kRun * glm::distance(hull.positions[v], mesh_.positions[v]));
+      thickness = std::max(
+          thickness, kRun * glm::distance(hull.positions[v], hull.positions[mesh_.positions.size() + v]));
       atEdge = atEdge || !frame_.wallsAround(point).empty();
     }
     const bool bordered = hull.patchData[frame_.patchOf(vertices[0])].bordered;
@@ -354,10 +362,11 @@ Hull makeHull(const Surface& surface, std::span<const double> parameters, const 
     hull.patchData.back().equation = equations[patch];
   }
 
-  auto frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData);
+  HullLook look(surface, parameters, hull.patchData);
+  auto frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData, look);
   for (int k = 0; k < kMostRefinements && frame->mesh().triangleCount() < kMostRefinedTriangles; ++k) {
     if (!refineForHull(surface, parameters, desc, *frame, blocks)) break;
-    frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData);
+    frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData, look);
   }
   dropFalseEquations(hull, *frame);
   Builder(surface, map, *frame, desc).build(hull);

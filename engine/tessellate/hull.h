@@ -4,10 +4,10 @@
 // Every patch is wrapped in a slab of its own. The top is the mesh of the patch with its vertices moved
 // outward, the bottom the same inward, walls join the two along the patch's edges, a little outside of them.
 // A vertex moves the shortest way that brings the planes of all triangles around it, and of all walls,
-// farther away than the proven bounds of these triangles: so every triangle's plane lies beyond the part of
-// the surface that the triangle stands for, and whatever ray meets the patch enters its slab before. No walls
-// stand along edges that collapse to a point, nor where the patch is joined to itself and its formula goes
-// on: there the top and the bottom go on too.
+// farther away than the surface is proven to be on that side (hull_heights.h): so every triangle's plane lies
+// beyond the part of the surface that the triangle stands for, and whatever ray meets the patch enters its
+// slab before. No walls stand along edges that collapse to a point, nor where the patch is joined to itself
+// and its formula goes on: there the top and the bottom go on too.
 //
 // A ray that entered the slab starts its search for the surface at the (u, v) of the place it entered by, or,
 // where the surface has an equation, at that place.
@@ -108,12 +108,12 @@ inline constexpr double kEquationTolerance = 2;
 
 struct HullDesc {
   /// Largest deviation of the mesh under the hull, object units; times kEquationTolerance where all patches
-  /// have equations. A hull of a few pixels is best: finer ones have more triangles, coarser ones start the
-  /// search too far off.
+  /// have equations. The slab is half as thick, mostly less. A few pixels are best: finer hulls have more
+  /// triangles, coarser ones start the search too far off.
   double tolerance = 0;
   /// Largest angle between the direction in which a vertex moves and the normals of the triangles around it,
   /// radians. What turns faster is tessellated more finely, as far as that helps and is not much thinner than
-  /// the tolerance.
+  /// the tolerance; so is what turns by more than a radian within a triangle.
   double mostTurn = 0.8;
 };
 

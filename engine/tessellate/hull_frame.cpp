@@ -121,7 +121,8 @@ HullPatch readPatch(const Surface& surface, std::uint32_t patch, std::span<const
   return PatchReader(surface, parameters, size).read(patch);
 }
 
-Move shortestMove(std::span<const Vec3> facets, std::span<const Vec3> walls, double side) {
+Move shortestMove(std::span<const Vec3> facets, std::span<const Vec3> walls, double side,
+                  const Clearance& clearance) {
   constexpr int kSweeps = 100;
   constexpr double kAlmost = 1 - 1e-3;
   const std::size_t count = facets.size() + walls.size();
@@ -129,25 +130,30 @@ Move shortestMove(std::span<const Vec3> facets, std::span<const Vec3> walls, dou
   const auto normal = [&](std::size_t i) {
     return i < facets.size() ? side * facets[i] : walls[i - facets.size()];
   };
+  const double farthest = walls.empty() ? clearance.facets : std::max(clearance.facets, clearance.walls);
+  // In parts of the farthest.
+  const auto wanted = [&](std::size_t i) {
+    return (i < facets.size() ? clearance.facets : clearance.walls) / farthest;
+  };
   std::vector<double> weights(count, 0.0);
   Vec3 d(0);
   double least = 0;
   for (int sweep = 0; sweep < kSweeps && least < kAlmost; ++sweep) {
     for (std::size_t i = 0; i < count; ++i) {
-      const double change = std::max(-weights[i], 1 - glm::dot(normal(i), d));
+      const double change = std::max(-weights[i], wanted(i) - glm::dot(normal(i), d));
       weights[i] += change;
       d += change * normal(i);
     }
     least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < count; ++i) least = std::min(least, glm::dot(normal(i), d));
+    for (std::size_t i = 0; i < count; ++i) least = std::min(least, glm::dot(normal(i), d) / wanted(i));
   }
   const double length = glm::length(d);
-  if (least > 0 && length <= kLongestMove * least) return {d / least, true};
-  return {kStrayMove * unit(d), false};
+  if (least > 0 && length <= kLongestMove * least) return {d * (farthest / least), true};
+  return {unit(d) * (kStrayMove * farthest), false};
 }
 
 HullFrame::HullFrame(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
-                     const std::vector<Block>& blocks, const std::vector<HullPatch>& patches)
+                     const std::vector<Block>& blocks, const std::vector<HullPatch>& patches, HullLook& look)
     : mesh_(meshOfBlocks(surface, parameters, blocks, &firstIndices_)) {
   Box box;
   for (const Vec3& p : mesh_.positions) box.add(p);
@@ -157,6 +163,7 @@ HullFrame::HullFrame(const Surface& surface, std::span<const double> parameters,
   findWalls(patches);
   fileByPoint();
   findBounds(map, blocks, patches);
+  heights_ = look.heightsOf(*this);
 }
 
 void HullFrame::numberPoints(const std::vector<Block>& blocks, const std::vector<HullPatch>& patches) {
@@ -251,6 +258,7 @@ void HullFrame::findBounds(const CurvatureMap& map, const std::vector<Block>& bl
       const double bound =
           curvatureAround(map, blocks[b].patch, low, high).deviation(high.x - low.x, high.y - low.y);
       bounds_.push_back(bound < blocks[b].bound ? bound : blocks[b].bound);
+      smooth_.push_back(std::isfinite(bound) && facets_[t] != Vec3(0));
     }
   }
 }

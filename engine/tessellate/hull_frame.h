@@ -11,6 +11,7 @@
 #include "tessellate/block_plan.h"
 #include "tessellate/curvature_map.h"
 #include "tessellate/hull.h"
+#include "tessellate/hull_heights.h"
 #include "tessellate/mesh.h"
 
 namespace luxo {
@@ -27,13 +28,20 @@ namespace luxo {
 
 /// A way out of the triangles around a point.
 struct Move {
-  Vec3 direction{0};  ///< times the distance to keep from the triangles' planes
+  Vec3 way{0};
   bool leadsOut = false;
 };
 
-/// The shortest vector that goes at least 1 along all facets' normals (times `side`) and all walls' normals:
-/// dual coordinate ascent (Hildreth 1957). `leadsOut` is false where there is none, or none short enough.
-[[nodiscard]] Move shortestMove(std::span<const Vec3> facets, std::span<const Vec3> walls, double side);
+/// How far a way has to lead from the planes of facets, and of walls.
+struct Clearance {
+  double facets = 0, walls = 0;
+};
+
+/// The shortest vector that goes as far as it has to along all facets' normals (times `side`) and all walls'
+/// normals: dual coordinate ascent (Hildreth 1957). `leadsOut` is false where there is none, or none short
+/// enough.
+[[nodiscard]] Move shortestMove(std::span<const Vec3> facets, std::span<const Vec3> walls, double side,
+                                const Clearance& clearance);
 
 /// A point is what vertices of a patch share that are one place of it: at a wrapped seam, at a collapsed
 /// edge.
@@ -46,7 +54,7 @@ class HullFrame {
 
   /// Blocks of one patch are consecutive.
   HullFrame(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
-            const std::vector<Block>& blocks, const std::vector<HullPatch>& patches);
+            const std::vector<Block>& blocks, const std::vector<HullPatch>& patches, HullLook& look);
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] double size() const { return size_; }  ///< diagonal of the box around it
@@ -65,6 +73,9 @@ class HullFrame {
   [[nodiscard]] const Vec3& facet(std::size_t triangle) const { return facets_[triangle]; }
   /// Proven deviation of a triangle: often less than that of its block, which is that of the worst place.
   [[nodiscard]] double bound(std::size_t triangle) const { return bounds_[triangle]; }
+  /// That of each part of the triangle falls with the square of its size.
+  [[nodiscard]] bool smooth(std::size_t triangle) const { return smooth_[triangle] != 0; }
+  [[nodiscard]] const HullHeights& heights() const { return heights_; }
 
   /// Normals of the triangles around a point, and of the walls, which lead out of the patch along it.
   [[nodiscard]] std::span<const Vec3> facetsAround(std::size_t point) const {
@@ -89,6 +100,8 @@ class HullFrame {
   std::size_t pointCount_ = 0;
   std::vector<Vec3> facets_;
   std::vector<double> bounds_;
+  std::vector<char> smooth_;
+  HullHeights heights_;
   std::vector<WallEdge> walls_;
   std::vector<Vec3> wallNormals_;
   std::vector<std::size_t> first_;  // in around_, of facets and of walls, by point

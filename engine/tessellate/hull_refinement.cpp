@@ -11,6 +11,9 @@ namespace {
 
 /// What deviates by less than this part of the tolerance is fine enough, whatever its shape.
 constexpr double kFineEnough = 1.0 / 64;
+/// Between the normal of a triangle and those of its surface, radians: beyond, a cell may hold more than one
+/// fold, and a search find the second, where the surface leaves the triangle by this part of the tolerance.
+constexpr double kMostBend = 1, kFlatEnough = 1.0 / 16;
 /// Moved triangles may shrink by this part of their sides: beyond, they turn over.
 constexpr double kMostShrinking = 1;
 /// Blocks are not cut while more of their triangles than this part are too coarse.
@@ -34,8 +37,9 @@ class Refinement {
              const HullFrame& frame)
       : surface_(surface), parameters_(parameters), desc_(desc), frame_(frame), mesh_(frame.mesh()) {
     moves_.resize(frame.pointCount());
-    forEachIndex(moves_.size(), moves_.size() >= kPointsForAllCores,
-                 [&](std::size_t p) { moves_[p] = shortestMove(frame.facetsAround(p), {}, 1).direction; });
+    forEachIndex(moves_.size(), moves_.size() >= kPointsForAllCores, [&](std::size_t p) {
+      moves_[p] = shortestMove(frame.facetsAround(p), {}, 1, {1, 1}).way;
+    });
   }
 
   bool refine(std::vector<Block>& blocks) {
@@ -53,12 +57,15 @@ class Refinement {
   [[nodiscard]] std::vector<Coarse> coarseTriangles(std::size_t b, const Block& block) const {
     std::vector<Coarse> coarse;
     for (std::size_t t = frame_.firstTriangle(b); t < frame_.firstTriangle(b + 1); ++t) {
-      if (frame_.bound(t) < kFineEnough * desc_.tolerance || frame_.facet(t) == Vec3(0)) continue;
+      if (heightOf(t) < kFineEnough * desc_.tolerance || frame_.facet(t) == Vec3(0)) continue;
       const double turn = turnOf(t, block) / desc_.mostTurn;
+      const bool bends = heightOf(t) > kFlatEnough * desc_.tolerance;
+      const double bend = bends ? angleOf(frame_.heights().alike[t]) / kMostBend : 0;
       const double shrinking = std::sqrt(shrinkingOf(t) / kMostShrinking);
-      if (!(std::max(turn, shrinking) > 1)) continue;
-      Coarse c{.center = centerOf(t, block.patch), .excess = std::max(turn, shrinking)};
-      if (turn > shrinking) {
+      const double excess = std::max({turn, bend, shrinking});
+      if (!(excess > 1)) continue;
+      Coarse c{.center = centerOf(t, block.patch), .excess = excess};
+      if (turn == excess) {
         const Vec2 turns = turnsAlong(t, block);
         c.u = turns.x >= 0.5 * turns.y;
         c.v = turns.y >= 0.5 * turns.x;
@@ -82,7 +89,14 @@ class Refinement {
     for (const std::uint32_t v : frame_.corners(t))
       if (!atApex(block, mesh_.parameters[v]))
         least = std::min(least, glm::dot(frame_.facet(t), unit(moves_[frame_.pointOf(v)])));
-    return std::acos(std::clamp(least, -1.0, 1.0));
+    return angleOf(least);
+  }
+
+  static double angleOf(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
+
+  /// How far the slab is from a triangle, on the farther side.
+  [[nodiscard]] double heightOf(std::size_t t) const {
+    return std::max(frame_.heights().above[t], frame_.heights().below[t]);
   }
 
   /// How much shorter an edge becomes on one of the two sides, in parts of it: above 1 it turns over.
@@ -93,7 +107,7 @@ class Refinement {
       const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];
       const double change = glm::length(moves_[frame_.pointOf(j)] - moves_[frame_.pointOf(i)]);
       const double length = glm::length(mesh_.positions[j] - mesh_.positions[i]);
-      most = std::max(most, frame_.bound(t) * change / length);
+      most = std::max(most, heightOf(t) * change / length);
     }
     return most;
   }

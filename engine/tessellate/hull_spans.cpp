@@ -57,8 +57,8 @@ std::vector<std::pair<std::size_t, std::size_t>> jointsOf(const HullFrame& frame
 
 }  // namespace
 
-HullSpans spansOf(const HullFrame& frame, std::span<const double> distances, std::span<const Vec3> positions,
-                  std::uint32_t patchCount) {
+HullSpans spansOf(const HullFrame& frame, std::span<const Distances> distances,
+                  std::span<const Vec3> positions, std::uint32_t patchCount) {
   const std::vector<HullFrame::WallEdge>& walls = frame.walls();
   HullSpans spans;
   spans.joined.resize(walls.size());
@@ -74,7 +74,7 @@ HullSpans spansOf(const HullFrame& frame, std::span<const double> distances, std
   // What stands around points at walls and joints, in one list for all that are one place.
   struct Around {
     std::vector<Vec3> facets, walls;  // normals, those of walls turned inward
-    double distance = 0;
+    Distances distances;
     Vec3 out{0}, in{0};  // where they lead to
   };
   std::map<std::uint32_t, Around> places;
@@ -86,7 +86,10 @@ HullSpans spansOf(const HullFrame& frame, std::span<const double> distances, std
     Around& around = place->second;
     const auto facets = frame.facetsAround(point);
     around.facets.insert(around.facets.end(), facets.begin(), facets.end());
-    around.distance = std::max(around.distance, distances[point]);
+    Distances& d = around.distances;
+    d = {.out = std::max(d.out, distances[point].out),
+         .in = std::max(d.in, distances[point].in),
+         .within = std::max(d.within, distances[point].within)};
   }
   for (std::size_t w = 0; w < walls.size(); ++w)
     if (!spans.joined[w])
@@ -94,10 +97,11 @@ HullSpans spansOf(const HullFrame& frame, std::span<const double> distances, std
         places[points.of(frame.pointOf(vertex))].walls.push_back(-frame.wallNormal(w));
 
   for (auto& [place, around] : places) {
-    const Move out = shortestMove(around.facets, around.walls, 1);
-    const Move in = shortestMove(around.facets, around.walls, -1);
-    around.out = around.distance * out.direction;
-    around.in = around.distance * in.direction;
+    const Distances& d = around.distances;
+    const Move out = shortestMove(around.facets, around.walls, 1, {d.out, d.within});
+    const Move in = shortestMove(around.facets, around.walls, -1, {d.in, d.within});
+    around.out = out.way;
+    around.in = in.way;
     spans.proven = spans.proven && out.leadsOut && in.leadsOut;
   }
   spans.positions.assign(positions.begin(), positions.end());

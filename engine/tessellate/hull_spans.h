@@ -17,9 +17,9 @@ struct HullSpans {
   bool proven = true;                ///< false where no direction leads out
 };
 
-/// `distances`: how far from the planes of the triangles around it each point of the frame has to be.
+/// `distances`: of each point of the frame.
 /// `positions`: the hull's, which are those of vertices that no wall is near.
-[[nodiscard]] HullSpans spansOf(const HullFrame& frame, std::span<const double> distances,
+[[nodiscard]] HullSpans spansOf(const HullFrame& frame, std::span<const Distances> distances,
                                 std::span<const Vec3> positions, std::uint32_t patchCount);
 
 }  // namespace luxo

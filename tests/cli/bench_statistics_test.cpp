@@ -67,6 +67,8 @@ BenchRow rowOf(BenchWay way, std::uint64_t triangles, double ms, double errorPx)
   return row;
 }
 
+constexpr double kHullPx = DrawOptions{}.hullTolerancePx;
+
 BenchScene exampleScene() {
   return {
       .name = "a \"<b>\", it's & c",
@@ -75,7 +77,8 @@ BenchScene exampleScene() {
       .truthMs = 1,
       .truth = Image(2, 3, 3),
       .rows = {rowOf({Shading::Phong, 0.5, 1}, 100, 4, 0.4), rowOf({Shading::Phong, 0.05, 1}, 1'000, 8, 0.04),
-               rowOf({Shading::Exact, 2, 1}, 50, 6, 0.0005), rowOf({Shading::Exact, 2, 4}, 50, 1, 0.0005)},
+               rowOf({Shading::Exact, kHullPx, 1}, 50, 6, 0.0005),
+               rowOf({Shading::Exact, kHullPx, 4}, 50, 1, 0.0005)},
       .pictures = {}};
 }
 

@@ -248,9 +248,13 @@ bool holds(const std::vector<Triangle>& slabs, const Surface& surface, std::uint
 
 // So no ray passes through such a slab beside the surface.
 TEST(Hull, BordersAreOutsideOfSpannedSlabs) {
-  for (const char* name : {"rectangle", "hyperbolic_paraboloid", "scherk", "helicoid"}) {
-    SCOPED_TRACE(name);
-    const Surface surface = makeSurface(name);
+  // The last one's inner rim curves away from its chords.
+  const Surface arch =
+      luxo::surface([](auto u, auto v) { return point((1 + v) * cos(u), 0.0 * u, -(1 + v) * sin(u)); },
+                    {{0, 2}, {0, 1}}, {.name = "arch"});
+  for (const Surface& surface : {makeSurface("rectangle"), makeSurface("hyperbolic_paraboloid"),
+                                 makeSurface("scherk"), makeSurface("helicoid"), arch}) {
+    SCOPED_TRACE(surface.name());
     const Hull hull = hullOf(surface, 0.01 * sizeOf(surface));
     EXPECT_TRUE(hull.spansProven);
     const std::vector<Triangle> spanned = spannedSlabs(hull), slab = slabOf(hull, 0);
@@ -284,12 +288,12 @@ TEST(Hull, SpannedSlabsGoOnFromPatchToPatch) {
   }
 }
 
-// Lid, body, spout and handle are not joined to each other, and the bottom meets the body in a sharp edge.
+// Lid, body, spout and handle are not joined to each other; the bottom goes on in the body.
 TEST(Hull, EachPartOfTheTeapotIsASlab) {
   const Surface teapot = makeSurface("teapot");
-  const Hull hull = hullOf(teapot, 0.01 * sizeOf(teapot));
+  const Hull hull = hullOf(teapot, 0.002 * sizeOf(teapot));
   EXPECT_TRUE(hull.spansProven);
-  EXPECT_EQ(std::set(hull.slabs.begin(), hull.slabs.end()).size(), 5u);
+  EXPECT_EQ(std::set(hull.slabs.begin(), hull.slabs.end()).size(), 4u);
 }
 
 TEST(Hull, KnowsBorders) {

@@ -194,7 +194,7 @@ case_completes() {
   cat >"$folder/teapot.luxo.json" <<END
 { "luxo": 1, "surfaces": { "teapot": { "type": "teapot" } },
   "nodes": [ { "surface": "teapot" }, { "translate": [3, 6, 4], "light": { "type": "point" } } ],
-  "camera": { "eye": [2.55, 3.22, 2.3], "look_at": [0, 0.5, 0] } }
+  "camera": { "eye": [2, 1.29, 1.79], "look_at": [0.22, 1.58, 0] } }
 END
   view teapot.luxo.json --size 1280x720
   keys i

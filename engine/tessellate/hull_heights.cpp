@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tessellate/hull_heights.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "tessellate/hull_frame.h"
+#include "tessellate/parallel.h"
+
+namespace luxo {
+namespace {
+
+/// Edges of triangles are cut into so many parts: what is left of the deviation falls with the square of it.
+constexpr int kParts = 4;
+/// Triangles that are looked at together.
+constexpr std::size_t kBatch = 256, kBatchesForAllCores = 4;
+/// Triangles that a point may be over.
+constexpr std::size_t kFarthestWalk = 32;
+
+using Weights = std::array<double, 3>;  // of a triangle's corners
+
+/// A point of a triangle. Edges are known by the corner opposite.
+struct Place {
+  Weights u{}, v{};
+  std::array<bool, 3> onEdge{};
+};
+
+/// The corners of a finer mesh, but for those of the triangle itself.
+constexpr auto kPlaces = [] {
+  std::array<Place, (kParts + 1) * (kParts + 2) / 2 - 3> places{};
+  std::size_t count = 0;
+  for (int i = 0; i <= kParts; ++i)
+    for (int j = 0; i + j <= kParts; ++j) {
+      const int k = kParts - i - j;
+      if (std::max({i, j, k}) == kParts) continue;
+      const Weights weights{1.0 * i / kParts, 1.0 * j / kParts, 1.0 * k / kParts};
+      places[count++] = {weights, weights, {i == 0, j == 0, k == 0}};
+    }
+  return places;
+}();
+
+/// Those of a triangle whose first corner stands for all of an edge that is a point, where v is the same: the
+/// triangle is a whole cell.
+constexpr auto kPlacesAtPole = [] {
+  std::array<Place, kParts*(kParts + 1) - 2> places{};
+  std::size_t count = 0;
+  for (int row = 1; row <= kParts; ++row)
+    for (int column = 0; column <= kParts; ++column) {
+      if (row == kParts && (column == 0 || column == kParts)) continue;
+      const double x = 1.0 * column / kParts, y = 1.0 * row / kParts;
+      places[count++] = {
+          {0, 1 - x, x}, {1 - y, y / 2, y / 2}, {row == kParts, column == kParts, column == 0}};
+    }
+  return places;
+}();
+
+/// Where a triangle is looked at: nowhere, if that tells nothing of what is between.
+struct Pattern {
+  std::span<const Place> places;
+  std::size_t first = 0;  // the corner that is a place's first
+  bool swapped = false;   // a place's u is the triangle's v
+};
+
+std::uint32_t cornerOf(const HullFrame& frame, std::size_t t, std::size_t k) {
+  return frame.mesh().indices[3 * t + k % 3];
+}
+
+const Vec3& positionOf(const HullFrame& frame, std::size_t t, std::size_t k) {
+  return frame.mesh().positions[cornerOf(frame, t, k)];
+}
+
+double heightOver(const HullFrame& frame, std::size_t t, const Vec3& point) {
+  return glm::dot(frame.facet(t), point - positionOf(frame, t, 0));
+}
+
+/// In the plane of a triangle, out of it across an edge.
+Vec3 outward(const HullFrame& frame, std::size_t t, std::size_t opposite) {
+  return unit(
+      glm::cross(positionOf(frame, t, opposite + 2) - positionOf(frame, t, opposite + 1), frame.facet(t)));
+}
+
+Pattern patternOf(const HullFrame& frame, std::size_t t, const HullPatch& patch) {
+  if (!frame.smooth(t)) return {};
+  const Domain& d = patch.domain;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto uv = [&](std::size_t i) { return frame.mesh().parameters[cornerOf(frame, t, k + i)]; };
+    const bool ofU = (patch.collapsedUMin && uv(0).x == d.u.lo) || (patch.collapsedUMax && uv(0).x == d.u.hi);
+    const bool ofV = (patch.collapsedVMin && uv(0).y == d.v.lo) || (patch.collapsedVMax && uv(0).y == d.v.hi);
+    if (!ofU && !ofV) continue;
+    const bool wholeCell = ofU ? uv(1).x == uv(2).x : uv(1).y == uv(2).y;
+    return wholeCell && ofU != ofV ? Pattern{kPlacesAtPole, k, ofU} : Pattern{};
+  }
+  return {.places = kPlaces};
+}
+
+void lookAtOne(const HullFrame& frame, std::size_t t, const Pattern& pattern, std::span<const Vec3> points,
+               double around, TriangleLook& look) {
+  std::array<Vec3, 3> away;
+  for (std::size_t k = 0; k < 3; ++k) away[k] = outward(frame, t, k);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double height = heightOver(frame, t, points[i]), reach = std::abs(height) + around;
+    look.plane.add(height, around);
+    bool strays = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool onEdge = pattern.places[i].onEdge[(k + 3 - pattern.first) % 3];
+      const double outside = glm::dot(away[k], points[i] - positionOf(frame, t, k + 1));
+      HeightRange& edge = look.edges[k];
+      edge.above = std::max(edge.above, outside + around);
+      if (onEdge) edge.below = std::max(edge.below, around - outside);
+      strays = strays || (!onEdge && outside > -reach);
+    }
+    if (strays) look.strays.push_back({points[i], around, reach});
+  }
+}
+
+/// Points of the finer mesh may be over, or under, more triangles than their own.
+class Strays {
+ public:
+  explicit Strays(const HullFrame& frame) : frame_(frame) {}
+
+  /// Walks from the triangle across all edges that the point is beyond, or nearly so, as seen from both
+  /// sides: calls action(triangle) for those it comes to. `reach`: how far it is from the triangle's plane.
+  template <typename Action>
+  void walk(std::size_t triangle, const Vec3& point, double reach, const Action& action) {
+    if (beside_.empty()) fileTriangles();
+    std::vector<std::size_t> visited{triangle};
+    for (std::size_t i = 0; i < visited.size() && visited.size() < kFarthestWalk; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto beside = beside_.find(edgeOf(visited[i], k, Along::Backward));
+        if (beside == beside_.end()) continue;
+        const auto [other, opposite] = beside->second;
+        if (std::ranges::count(visited, other) > 0) continue;
+        const Vec3 across = unit(outward(frame_, visited[i], k) - outward(frame_, other, opposite));
+        if (glm::dot(across, point - positionOf(frame_, other, opposite + 1)) < -reach) continue;
+        action(other);
+        visited.push_back(other);
+      }
+  }
+
+ private:
+  enum class Along : char { Forward, Backward };
+
+  void fileTriangles() {
+    for (std::size_t t = 0; t < frame_.mesh().triangleCount(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) beside_[edgeOf(t, k, Along::Forward)] = {t, k};
+  }
+
+  /// The points at the ends of an edge.
+  [[nodiscard]] std::uint64_t edgeOf(std::size_t t, std::size_t opposite, Along along) const {
+    std::uint64_t from = frame_.pointOf(cornerOf(frame_, t, opposite + 1)),
+                  to = frame_.pointOf(cornerOf(frame_, t, opposite + 2));
+    if (along == Along::Backward) std::swap(from, to);
+    return from << 32 | to;
+  }
+
+  const HullFrame& frame_;
+  // The triangle at the left of each edge, and the corner opposite; filled when first asked for.
+  std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>> beside_;
+};
+
+}  // namespace
+
+void HeightRange::add(double height, double around) {
+  above = std::max(above, height + around);
+  below = std::max(below, around - height);
+}
+
+std::size_t HullLook::HashOf::operator()(const Triangle& triangle) const {
+  std::uint64_t hash = triangle.patch;
+  for (const double number : triangle.numbers)
+    hash = std::rotl(hash, 23) * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(number);
+  return hash ^ hash >> 32;
+}
+
+HullLook::Triangle HullLook::triangleOf(const HullFrame& frame, std::size_t t) {
+  const auto uv = [&](std::size_t k) { return frame.mesh().parameters[cornerOf(frame, t, k)]; };
+  return {frame.patchOf(cornerOf(frame, t, 0)),
+          {uv(0).x, uv(0).y, uv(1).x, uv(1).y, uv(2).x, uv(2).y, frame.bound(t)}};
+}
+
+HullHeights HullLook::heightsOf(const HullFrame& frame) {
+  const std::size_t count = frame.mesh().triangleCount();
+  std::vector<TriangleLook*> looks;
+  std::vector<std::size_t> unknown;
+  looks.reserve(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    const auto [entry, isNew] = looks_.try_emplace(triangleOf(frame, t));
+    if (isNew) unknown.push_back(t);
+    looks.push_back(&entry->second);
+  }
+  const std::size_t batches = (unknown.size() + kBatch - 1) / kBatch;
+  forEachIndex(batches, batches >= kBatchesForAllCores, [&](std::size_t batch) {
+    const std::size_t first = batch * kBatch;
+    lookAt(frame, std::span(unknown).subspan(first, std::min(kBatch, unknown.size() - first)), looks);
+  });
+
+  HullHeights heights;
+  for (const TriangleLook* look : looks) {
+    heights.above.push_back(look->plane.above);
+    heights.below.push_back(look->plane.below);
+    heights.alike.push_back(look->alike);
+  }
+  Strays strays(frame);
+  for (std::size_t t = 0; t < count; ++t)
+    for (const TriangleLook::Stray& stray : looks[t]->strays)
+      strays.walk(t, stray.point, stray.reach, [&](std::size_t other) {
+        const double height = heightOver(frame, other, stray.point);
+        heights.above[other] = std::max(heights.above[other], height + stray.around);
+        heights.below[other] = std::max(heights.below[other], stray.around - height);
+      });
+  for (const HullFrame::WallEdge& wall : frame.walls()) {
+    std::size_t opposite = 0;
+    while (cornerOf(frame, wall.triangle, opposite + 1) != wall.from) ++opposite;
+    const HeightRange& edge = looks[wall.triangle]->edges[opposite];
+    heights.beyond.push_back(edge.above);
+    heights.within.push_back(edge.below);
+  }
+  return heights;
+}
+
+/// Triangles of a patch follow each other.
+void HullLook::lookAt(const HullFrame& frame, std::span<const std::size_t> triangles,
+                      std::span<TriangleLook* const> looks) const {
+  while (!triangles.empty()) {
+    const auto patchOf = [&](std::size_t t) { return frame.patchOf(cornerOf(frame, t, 0)); };
+    const std::uint32_t patch = patchOf(triangles[0]);
+    std::size_t count = 1;
+    while (count < triangles.size() && patchOf(triangles[count]) == patch) ++count;
+    lookAt(frame, patch, triangles.first(count), looks);
+    triangles = triangles.subspan(count);
+  }
+}
+
+void HullLook::lookAt(const HullFrame& frame, std::uint32_t patch, std::span<const std::size_t> triangles,
+                      std::span<TriangleLook* const> looks) const {
+  std::vector<double> u, v;
+  for (const std::size_t t : triangles) {
+    const Pattern pattern = patternOf(frame, t, patches_[patch]);
+    for (const Place& place : pattern.places) {
+      Vec2 uv(0);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2& corner = frame.mesh().parameters[cornerOf(frame, t, pattern.first + k)];
+        uv += corner * (pattern.swapped ? Vec2(place.v[k], place.u[k]) : Vec2(place.u[k], place.v[k]));
+      }
+      u.push_back(uv.x);
+      v.push_back(uv.y);
+    }
+  }
+  const SurfacePoints points = surface_.evaluate(patch, u, v, parameters_);
+  std::size_t next = 0;
+  for (const std::size_t t : triangles) {
+    const Pattern pattern = patternOf(frame, t, patches_[patch]);
+    TriangleLook& look = *looks[t];
+    const auto here = std::span(points.position).subspan(next, pattern.places.size());
+    const bool finite =
+        std::ranges::all_of(here, [](const Vec3& p) { return std::isfinite(p.x + p.y + p.z); });
+    const double around = here.empty() || !finite ? frame.bound(t) : frame.bound(t) / (kParts * kParts);
+    look.plane = {around, around};
+    look.edges.fill(look.plane);
+    if (finite) lookAtOne(frame, t, pattern, here, around, look);
+    for (std::size_t i = next; i < next + here.size(); ++i) {
+      const Vec3 normal = unit(patches_[patch].orientation * glm::cross(points.du[i], points.dv[i]));
+      if (const double cosine = glm::dot(normal, frame.facet(t)); cosine < look.alike && normal != Vec3(0))
+        look.alike = cosine;
+    }
+    next += here.size();
+  }
+}
+
+}  // namespace luxo

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far surfaces are from the planes of triangles: on which side, and that it is proven.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "surface/catalogue.h"
+#include "surface/library.h"
+#include "tessellate/hull.h"
+#include "tessellate/hull_frame.h"
+#include "tessellate/hull_heights.h"
+
+namespace luxo {
+namespace {
+
+/// A surface and the mesh under its hull, within `part` of its size.
+struct Framed {
+  Framed(const Surface& of, double part) : surface(of), map(of, {}) {
+    const double size = glm::length(of.framing({}).extent());
+    blocks = planBlocks(surface, {}, map, {.tolerance = part * size});
+    std::ranges::stable_sort(blocks, {}, &Block::patch);
+    for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
+      patches.push_back(readPatch(surface, patch, {}, size));
+  }
+
+  [[nodiscard]] HullFrame frame(HullLook& look) const { return {surface, {}, map, blocks, patches, look}; }
+
+  Surface surface;
+  CurvatureMap map;
+  std::vector<Block> blocks;
+  std::vector<HullPatch> patches;
+};
+
+TEST(HullHeights, HoldTheSurface) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (const char* name : {"teapot", "torus", "flag", "klein", "dini", "scherk", "sphere", "cone"}) {
+    SCOPED_TRACE(name);
+    const Framed framed(makeSurface(name), 0.02);
+    HullLook look(framed.surface, {}, framed.patches);
+    const HullFrame frame = framed.frame(look);
+    const HullHeights& heights = frame.heights();
+    for (std::size_t t = 0; t < frame.mesh().triangleCount(); ++t) {
+      const auto corners = frame.corners(t);
+      double a = part(random), b = part(random);
+      if (a + b > 1) a = 1 - a, b = 1 - b;
+      const std::vector<Vec2>& uv = frame.mesh().parameters;
+      const Vec2 at = a * uv[corners[0]] + b * uv[corners[1]] + (1 - a - b) * uv[corners[2]];
+      const Vec3 point = framed.surface.position(frame.patchOf(corners[0]), at.x, at.y);
+      const double height = glm::dot(frame.facet(t), point - frame.mesh().positions[corners[0]]);
+      const double rounding = 1e-12 * frame.size();
+      ASSERT_LE(height, heights.above[t] + rounding) << t;
+      ASSERT_LE(-height, heights.below[t] + rounding) << t;
+    }
+  }
+}
+
+TEST(HullHeights, OfABallAreOutside) {
+  // Chords of a ball are inside of it, all. What is left of the deviation is a sixteenth.
+  const Framed framed(sphere(1), 0.01);
+  HullLook look(framed.surface, {}, framed.patches);
+  const HullFrame frame = framed.frame(look);
+  for (std::size_t t = 0; t < frame.mesh().triangleCount(); ++t) {
+    const auto corners = frame.corners(t);
+    const double sagitta = 1 - glm::dot(frame.facet(t), frame.mesh().positions[corners[0]]);
+    EXPECT_GE(frame.heights().above[t], sagitta);
+    EXPECT_LE(frame.heights().above[t], sagitta + frame.bound(t) / 16 + 1e-12);
+    EXPECT_LE(frame.heights().below[t], frame.bound(t) / 16 + 1e-12);
+  }
+}
+
+TEST(HullHeights, WhatSlidesInItsPlaneHasNone) {
+  // A plate whose parameters run unevenly: all of its deviation is along it.
+  const Surface plate = surface(
+      [](auto u, auto v) { return point(u + 0.4 * u * u, 0.0 * u, -(v + 0.4 * v * v)); }, {{-1, 1}, {-1, 1}});
+  const Framed framed(plate, 0.01);
+  HullLook look(framed.surface, {}, framed.patches);
+  const HullFrame frame = framed.frame(look);
+  EXPECT_GT(frame.mesh().bound, 1e-3);
+  for (std::size_t t = 0; t < frame.mesh().triangleCount(); ++t) {
+    EXPECT_LE(frame.heights().above[t], frame.bound(t) / 16 + 1e-12);
+    EXPECT_LE(frame.heights().below[t], frame.bound(t) / 16 + 1e-12);
+  }
+}
+
+TEST(HullHeights, ASecondLookSeesTheSame) {
+  const Framed coarse(makeSurface("teapot"), 0.02), fine(makeSurface("teapot"), 0.01);
+  HullLook look(coarse.surface, {}, coarse.patches), fresh(coarse.surface, {}, coarse.patches);
+  (void)coarse.frame(look);
+  const HullHeights again = fine.frame(look).heights(), once = fine.frame(fresh).heights();
+  EXPECT_EQ(again.above, once.above);
+  EXPECT_EQ(again.below, once.below);
+  EXPECT_EQ(again.beyond, once.beyond);
+  EXPECT_EQ(again.within, once.within);
+  EXPECT_EQ(again.alike, once.alike);
+}
+
+TEST(HullHeights, TellWhereACellHoldsAFold) {
+  // The profile of the teapot's knob turns back within a cell as large as the knob.
+  const auto least = [](double part) {
+    const Framed framed(makeSurface("teapot"), part);
+    HullLook look(framed.surface, {}, framed.patches);
+    const HullFrame frame = framed.frame(look);
+    return *std::ranges::min_element(frame.heights().alike);
+  };
+  EXPECT_LT(least(0.02), std::cos(1.0));
+  EXPECT_GT(least(0.0002), std::cos(1.0));
+}
+
+}  // namespace
+}  // namespace luxo
