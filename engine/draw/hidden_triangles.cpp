@@ -8,7 +8,6 @@
 #include "draw/draw_list.h"
 #include "draw/exact_data.h"
 #include "math/transform.h"
-#include "tessellate/hull.h"
 #include "tessellate/parallel.h"
 
 namespace luxo {
@@ -128,35 +127,23 @@ bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
   return static_cast<double>(drawn) > kFewestLayers * static_cast<double>(coarse_.covered());
 }
 
-std::vector<HiddenTriangles::Slab> HiddenTriangles::slabsOf(const Hull& hull) {
-  std::vector<Slab> slabs(hull.patchData.size());
-  for (const Hull::Part& part : hull.parts)
-    for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.count; i += 3) {
-      if (hull.spanning[i / 3] == Hull::Spanning::Joint) continue;
-      Slab& slab = slabs[hull.slabs[hull.patches[hull.indices[i]]]];
-      (i < part.wallIndex() ? slab.tops : i < part.bottomIndex() ? slab.walls : slab.bottoms).push_back(i);
-    }
-  return slabs;
-}
-
 /// Covers what is behind surfaces, a band of the picture after the other.
 void HiddenTriangles::cover(const PixelSize& size, int samples) {
   struct SlabSide {
     const Body* body;
-    Slab slab;
+    const Hull::SpannedSlab* slab;
     bool tops;
   };
   std::vector<SlabSide> sides;
-  for (const Body& body : bodies_) {
-    if (body.spanned.empty()) continue;
-    for (Slab& slab : slabsOf(*body.hull)) {
-      if (body.bothSides) sides.push_back({&body, slab, true});
-      sides.push_back({&body, std::move(slab), false});
-    }
-  }
+  // The near side of a body hides its far side, of which little is then looked at.
+  for (const bool tops : {false, true})
+    for (const Body& body : bodies_)
+      if (!body.spanned.empty() && (body.bothSides || !tops))
+        for (const Hull::SpannedSlab& slab : body.hull->spannedSlabs) sides.push_back({&body, &slab, tops});
   std::vector<Passage> passages(sides.size());
-  forEachIndex(sides.size(), true,
-               [&](std::size_t i) { passages[i] = passageOf(*sides[i].body, sides[i].slab, sides[i].tops); });
+  forEachIndex(sides.size(), true, [&](std::size_t i) {
+    passages[i] = passageOf(*sides[i].body, *sides[i].slab, sides[i].tops);
+  });
 
   const std::vector<Vec2> locations = sampleLocations(samples);
   const auto bands = static_cast<std::size_t>((size.height + kBand - 1) / kBand);
@@ -173,7 +160,8 @@ void HiddenTriangles::cover(const PixelSize& size, int samples) {
 /// is seen behind a face that the ray leaves by (a top, or a bottom), if before it has not come in by the
 /// same face. Nor by a wall or a turned face, before or behind: where one is, faces may cross, and a ray
 /// leave what it has never come into.
-HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Slab& slab, bool tops) {
+HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Hull::SpannedSlab& slab,
+                                                    bool tops) {
   const Hull& hull = *body.hull;
   const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
   const std::vector<std::uint32_t>& entering = tops ? slab.bottoms : slab.tops;

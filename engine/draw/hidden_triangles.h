@@ -9,12 +9,12 @@
 
 #include "cull/occlusion_buffer.h"
 #include "scene/snapshot.h"
+#include "tessellate/hull.h"
 
 namespace luxo {
 
 struct DrawBatch;
 struct DrawList;
-struct Hull;
 
 class HiddenTriangles {
  public:
@@ -25,10 +25,6 @@ class HiddenTriangles {
   std::uint64_t drop(DrawList& list, const Snapshot& snapshot, int samples);
 
  private:
-  /// Where the triangles of a slab that a surface spans are in the indices of its hull.
-  struct Slab {
-    std::vector<std::uint32_t> tops, walls, bottoms;
-  };
   /// What rays come into a slab by, and what they leave it by having met the surface.
   struct Passage {
     std::vector<PixelTriangle> entering, leaving;
@@ -52,8 +48,7 @@ class HiddenTriangles {
   [[nodiscard]] std::vector<char> findUnseen(const DrawList& list, bool hiding) const;
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
   [[nodiscard]] const Body& bodyOf(const DrawList& list, const DrawBatch& batch) const;
-  static std::vector<Slab> slabsOf(const Hull& hull);
-  [[nodiscard]] static Passage passageOf(const Body& body, const Slab& slab, bool tops);
+  [[nodiscard]] static Passage passageOf(const Body& body, const Hull::SpannedSlab& slab, bool tops);
 
   // Of one picture; only their memory is kept.
   std::vector<Body> bodies_;

@@ -60,6 +60,7 @@ class Builder {
     hull.medianRadius = medianRadius();
     findCones(hull);
     addParts(hull);
+    fileBySlab(hull);
   }
 
  private:
@@ -311,6 +312,16 @@ class Builder {
     });
     part.count = size() - part.firstIndex;
     if (part.count > 0) hull.parts.push_back(part);
+  }
+
+  static void fileBySlab(Hull& hull) {
+    hull.spannedSlabs.resize(hull.slabs.size());
+    for (const Hull::Part& part : hull.parts)
+      for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.count; i += 3) {
+        if (hull.spanning[i / 3] == Hull::Spanning::Joint) continue;
+        Hull::SpannedSlab& slab = hull.spannedSlabs[hull.slabs[hull.patches[hull.indices[i]]]];
+        (i < part.wallIndex() ? slab.tops : i < part.bottomIndex() ? slab.walls : slab.bottoms).push_back(i);
+      }
   }
 
   const Surface& surface_;

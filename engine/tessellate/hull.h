@@ -82,6 +82,11 @@ struct Hull {
   /// surface, but where faces are turned.
   std::vector<Vec3> spanned;
   std::vector<std::uint32_t> slabs;  ///< of each patch: which of these it is in
+  /// Where the triangles of such a slab are in `indices`, but for walls between patches.
+  struct SpannedSlab {
+    std::vector<std::uint32_t> tops, walls, bottoms;
+  };
+  std::vector<SpannedSlab> spannedSlabs;  ///< as `slabs` numbers them
   enum class Spanning : char { Yes, Turned, Joint };
   /// Of each triangle among these vertices: where the surface bends more sharply than the slab is thick, or
   /// is narrower than that, a face may turn over or nearly vanish; and a wall between patches is not there.
