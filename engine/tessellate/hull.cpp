@@ -32,6 +32,8 @@ constexpr std::size_t kPointsForAllCores = 8192;
 /// The surface near a triangle turns less than the triangles around it do, times this; at an edge of the
 /// patch some of them are missing. Past a border rays reach what has turned farther: the inside of horns.
 constexpr double kReach = 1.25, kReachAtEdge = 2, kReachAtBorder = 3;
+/// In a triangle it turns less than it was seen to, times this, with room for a search that begins there.
+constexpr double kInside = 1.5;
 /// A ray runs inside the slab as far as it is thick, and farther where that grows.
 constexpr double kRun = 1.5;
 
@@ -43,6 +45,20 @@ constexpr double kNearPole = 2;
 
 /// Of a triangle's area, where its vertices span a slab.
 constexpr double kLeastLeft = 0.25;
+
+double angleOf(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
+
+/// How high rays have to rise over a triangle, radians, to meet its surface from above only: where the
+/// surface turns by `inside` in the triangle, by `around` all around it, and rays that rise at `slope` run
+/// from the one to the other.
+double leastRise(double inside, double around, double slope) {
+  double low = std::min(inside, around), high = around;
+  for (int halving = 0; halving < 20; ++halving) {
+    const double rise = 0.5 * (low + high);
+    (rise < inside + around * std::min(1.0, slope / std::tan(rise)) ? low : high) = rise;
+  }
+  return high;
+}
 
 /// Turns a frame into a hull.
 class Builder {
@@ -183,15 +199,17 @@ class Builder {
     }
   }
 
-  /// The directions are those of the triangles around these vertices with room to spare, and of all rays that
-  /// run farther inside the slab than the triangles are high.
+  /// The directions are those of the surface and the triangles around these vertices with room to spare, as
+  /// far as rays run inside the slab, and of all rays that run farther there than the triangles are high.
+  /// `inside`: the largest angle between the axis and the normals of what is in the triangle, if known.
   [[nodiscard]] FacingCone coneOf(const Hull& hull, const Vec3& axis, std::span<const std::uint32_t> vertices,
-                                  double height) const {
+                                  double height, double inside) const {
     double least = 1, thickness = 0;
     bool atEdge = false;
     for (const std::uint32_t v : vertices) {
       if (nearPole(hull, v)) return {};
       const std::size_t point = frame_.pointOf(v);
+      least = std::min(least, glm::dot(axis, mesh_.normals[v]));
       for (const Vec3& facet : frame_.facetsAround(point)) least = std::min(least, glm::dot(axis, facet));
       thickness = std::max(
           thickness, kRun * glm::distance(hull.positions[v], hull.positions[mesh_.positions.size() + v]));
@@ -199,10 +217,20 @@ class Builder {
     }
     const bool bordered = hull.patchData[frame_.patchOf(vertices[0])].bordered;
     const double reach = !atEdge ? kReach : bordered ? kReachAtBorder : kReachAtEdge;
-    const double angle = reach * std::acos(std::clamp(least, -1.0, 1.0));
-    if (axis == Vec3(0) || angle >= 0.5 * std::numbers::pi) return {};
+    const double around = std::min(reach * angleOf(least), 0.5 * std::numbers::pi);
+    const double rise = leastRise(kInside * inside, around, thickness / height);
+    if (axis == Vec3(0) || rise >= 0.5 * std::numbers::pi) return {};
     return {.axis = Vec3f(axis),
-            .sine = static_cast<float>(std::max(std::sin(angle), thickness / std::hypot(thickness, height)))};
+            .sine = static_cast<float>(std::max(std::sin(rise), thickness / std::hypot(thickness, height)))};
+  }
+
+  /// The largest angle between a triangle's normal and the surface's in it; infinite where unknown.
+  [[nodiscard]] double turnInside(std::size_t t) const {
+    if (!frame_.smooth(t)) return std::numeric_limits<double>::infinity();
+    double least = frame_.heights().alike[t];
+    for (const std::uint32_t v : frame_.corners(t))
+      least = std::min(least, glm::dot(mesh_.normals[v], frame_.facet(t)));
+    return angleOf(least);
   }
 
   /// Of the triangles of the mesh.
@@ -222,7 +250,7 @@ class Builder {
     std::vector<double> lowest(frame_.pointCount(), std::numeric_limits<double>::infinity());
     for (std::size_t t = 0; t < height.size(); ++t) {
       const auto corners = frame_.corners(t);
-      cones_.push_back(coneOf(hull, frame_.facet(t), corners, height[t]));
+      cones_.push_back(coneOf(hull, frame_.facet(t), corners, height[t], turnInside(t)));
       for (const std::uint32_t v : corners)
         lowest[frame_.pointOf(v)] = std::min(lowest[frame_.pointOf(v)], height[t]);
     }
@@ -234,7 +262,8 @@ class Builder {
       const double length = glm::length(sum);
       wallCones_.push_back(
           coneOf(hull, length > 0 ? sum / length : Vec3(0), ends,
-                 std::min(lowest[frame_.pointOf(wall.from)], lowest[frame_.pointOf(wall.to)])));
+                 std::min(lowest[frame_.pointOf(wall.from)], lowest[frame_.pointOf(wall.to)]),
+                 std::numeric_limits<double>::infinity()));
     }
   }
 

@@ -343,6 +343,30 @@ TEST(Hull, TopsAreOutsideAndBottomsInside) {
   EXPECT_LT(hull.offset, 2 * kEquationTolerance * 0.02);
 }
 
+TEST(Hull, ConesHoldTheNormalsOfTheirTriangles) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (const char* name : {"teapot", "flag", "boy", "klein", "hyperbolic_paraboloid"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = makeSurface(name);
+    const Hull hull = hullOf(surface, 0.01 * sizeOf(surface));
+    int cones = 0;
+    for (std::uint32_t i = 0; i < hull.parts[0].faceCount(); i += 3) {
+      const FacingCone& cone = hull.cones[i / 3];
+      if (cone.sine > 1) continue;
+      ++cones;
+      const auto corner = [&](std::uint32_t k) { return hull.parameters[hull.indices[i + k]]; };
+      double a = part(random), b = part(random);
+      if (a + b > 1) a = 1 - a, b = 1 - b;
+      const Vec2 uv = a * corner(0) + b * corner(1) + (1 - a - b) * corner(2);
+      const Vec3 normal = surface.normal(hull.patches[hull.indices[i]], uv.x, uv.y);
+      EXPECT_GE(glm::dot(Vec3(cone.axis), normal), std::sqrt(1 - cone.sine * cone.sine))
+          << uv.x << ' ' << uv.y;
+    }
+    EXPECT_GT(cones, 5);
+  }
+}
+
 TEST(Hull, VerticesCarryTheirCells) {
   const Hull hull = hullOf(torus(1, 0.25), 0.01);
   std::vector<Vec2> largest(hull.positions.size(), Vec2(0));
