@@ -314,17 +314,25 @@ class DrawLister {
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
   /// the origin of the hull's vertices.
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
-    const int level = care_.level(v.node);
-    const double finer = std::ldexp(1.0, -2 * level);
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
     const double coarsest = kFinestHull * glm::length(node.boundsObject.extent());
     const double tolerance =
-        std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest) * finer;
-    batch.hull = geometry_.meshes.hull(node.surface, node.parameters, tolerance);
-    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
+        std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest);
+    const auto hullAt = [&](int level) {
+      return geometry_.meshes.hull(node.surface, node.parameters, tolerance * std::ldexp(1.0, -2 * level));
+    };
+    batch.hull = hullAt(0);
     const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.hull) : std::nullopt;
-    const bool inDouble = !plane && options_.doubles && needsDouble(snapshot_.view, node, v, *batch.hull);
+    const bool mayBeDouble = !plane && options_.doubles;
+    bool inDouble = mayBeDouble && needsDouble(snapshot_.view, node, v, *batch.hull);
+    const int level = care_.level(v.node);
+    if (level > 0) {
+      // What a formula rounds away nobody knows but by what it loses: double is the first thing to try.
+      batch.hull = hullAt(inDouble || !mayBeDouble ? level : level - 1);
+      inDouble = mayBeDouble;
+    }
+    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.hull, *plane)
                                 : exactInstance(snapshot_.view, node, v, *batch.hull, number);
