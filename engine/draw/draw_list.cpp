@@ -319,19 +319,13 @@ class DrawLister {
     const double coarsest = kFinestHull * glm::length(node.boundsObject.extent());
     const double tolerance =
         std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest);
-    const auto hullAt = [&](int level) {
-      return geometry_.meshes.hull(node.surface, node.parameters, tolerance * std::ldexp(1.0, -2 * level));
-    };
-    batch.hull = hullAt(0);
-    const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.hull) : std::nullopt;
-    const bool mayBeDouble = !plane && options_.doubles;
-    bool inDouble = mayBeDouble && needsDouble(snapshot_.view, node, v, *batch.hull);
     const int level = care_.level(v.node);
-    if (level > 0) {
-      // What a formula rounds away nobody knows but by what it loses: double is the first thing to try.
-      batch.hull = hullAt(inDouble || !mayBeDouble ? level : level - 1);
-      inDouble = mayBeDouble;
-    }
+    batch.hull =
+        geometry_.meshes.hull(node.surface, node.parameters, tolerance * std::ldexp(1.0, -2 * level));
+    const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.hull) : std::nullopt;
+    // What a formula rounds away nobody knows but by what is lost.
+    const bool inDouble =
+        !plane && options_.doubles && (level > 0 || needsDouble(snapshot_.view, node, v, *batch.hull));
     const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.hull, *plane)

@@ -21,7 +21,7 @@ inline constexpr int kMostLessons = 3;
 class SearchCare {
  public:
   /// After an attempt with this care. Whether more care may find what it lost: flat triangles in which pixels
-  /// were lost count as steep from now on, and nodes that lost pixels in steep ones get more digits or a
+  /// were lost count as steep from now on, and nodes that lost pixels in steep ones get more digits and a
   /// finer hull, unless that did not help before: what is lost then is a singular point, which is counted,
   /// and left. So is what kMostLessons have not found.
   bool learn(const LostPixels& lost);
@@ -29,8 +29,8 @@ class SearchCare {
   /// Keeps what helps other pictures of nearly the same view: a new picture begins.
   void beginPicture();
 
-  /// How many lessons the node has had. Every ray counts as grazing then; the first makes its search one in
-  /// double, unless it is or cannot be, every other quarters the deviation of its hull.
+  /// How often the deviation of the node's hull is quartered; where it is, every ray counts as grazing, and
+  /// the search is one in double, if it can be.
   [[nodiscard]] int level(std::uint32_t node) const { return node < nodes_.size() ? nodes_[node].level : 0; }
 
   /// Whether pixels were lost in flat triangles of that tallySlot(), ever or by the last attempt.
