@@ -20,7 +20,10 @@
 namespace luxo {
 namespace {
 
-/// Bounds hold in real numbers, and a finer mesh is looked at in its corners.
+/// Bounds hold in real numbers; and what could not be looked at, but is within a bound b of its triangle, may
+/// reach over the edge by x and stand sqrt(b^2 - x^2) high there, where the neighbour's plane has come down
+/// to b (1 - x / L) at least, L being its height: at most b^3 / 2 L^2 too low, which this covers for
+/// triangles higher than 2.3 b.
 constexpr double kSlack = 1.1;
 /// Parts of the hull's size: what single precision rounds away, and the thickness of what is flat.
 constexpr double kRounding = 1e-6, kThinnest = 1e-4;

@@ -5,9 +5,10 @@
 
 namespace luxo::test {
 
-VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snapshot) {
+VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snapshot, double hullPx) {
   const auto show = [&](Output output) {
-    return renderer().render(snapshot, {.shading = Shading::Exact, .output = output});
+    return renderer().render(snapshot,
+                             {.shading = Shading::Exact, .output = output, .hullTolerancePx = hullPx});
   };
   const Picture color = show(Output::Color);
   return {color.statistics, verify(snapshot, castPicture(snapshot),

@@ -288,12 +288,15 @@ TEST(Hull, SpannedSlabsGoOnFromPatchToPatch) {
   }
 }
 
-// Lid, body, spout and handle are not joined to each other; the bottom goes on in the body.
+// Lid, body, spout and handle are not joined to each other. The bottom goes on in the body, but around a bend
+// that facets of coarse hulls make a sharp edge.
 TEST(Hull, EachPartOfTheTeapotIsASlab) {
   const Surface teapot = makeSurface("teapot");
-  const Hull hull = hullOf(teapot, 0.002 * sizeOf(teapot));
-  EXPECT_TRUE(hull.spansProven);
-  EXPECT_EQ(std::set(hull.slabs.begin(), hull.slabs.end()).size(), 4u);
+  for (const auto& [tolerance, slabs] : {std::pair{0.01, 5u}, std::pair{0.002, 4u}}) {
+    const Hull hull = hullOf(teapot, tolerance * sizeOf(teapot));
+    EXPECT_TRUE(hull.spansProven);
+    EXPECT_EQ(std::set(hull.slabs.begin(), hull.slabs.end()).size(), slabs) << tolerance;
+  }
 }
 
 TEST(Hull, KnowsBorders) {
