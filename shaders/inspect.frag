@@ -6,6 +6,7 @@
 
 layout(constant_id = 0) const uint kQuantity = kPosition;
 layout(constant_id = 1) const bool kAsColor = false;
+layout(constant_id = 2) const uint kCertificateOfAll = kUncertified;
 
 layout(location = 0) sample in vec3 inPosition;
 layout(location = 1) sample in vec3 inNormal;
@@ -19,7 +20,8 @@ void main() {
   vec3 n = unitOrZero(inNormal);
   if ((inFlagsId.x & kTwoSided) != 0 && !seenFromFront(n, towardViewer(view.viewer, inPosition), gl_FrontFacing)) n = -n;
   // Triangles are drawn where their fragments are: they have no residual.
-  Inspected inspected = Inspected(inPosition, n, inParameters, dot(inPosition, view.forward), inFlagsId.y, 0.0);
+  Inspected inspected = Inspected(inPosition, n, inParameters, dot(inPosition, view.forward), inFlagsId.y, 0.0,
+                                  kCertificateOfAll);
   vec4 domain = vec4(inDomain.xy, inDomain.xy + inDomain.zw);
   outValue = vec4(inspectedValue(inspected, kQuantity, kAsColor, domain), 1);
 }

@@ -1,27 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices for the views of geometry: position, normal, surface parameters, number of the node.
+// Vertices of a mesh, for the views of geometry.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/scene.glsl"
-
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec2 inParameters;
-
-layout(location = 0) sample out vec3 outPosition;
-layout(location = 1) sample out vec3 outNormal;
-layout(location = 2) sample out vec2 outParameters;
-layout(location = 3) flat out vec4 outDomain;
-layout(location = 4) flat out uvec2 outFlagsId;
-
-invariant gl_Position;
-
-void main() {
-  InstanceData instance = instances[gl_InstanceIndex];
-  outPosition = relativeFromObject(instance, inPosition);
-  outNormal = unitOrZero(instance.normalFromObject * inNormal);
-  outParameters = inParameters;
-  outDomain = instance.domain;
-  outFlagsId = uvec2(instance.flags, instance.id);
-  gl_Position = view.clipFromRelative * vec4(outPosition, 1);
-}
+#include "lib/inspect_vertex.glsl"

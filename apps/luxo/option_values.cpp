@@ -170,11 +170,12 @@ Shading parseShading(const std::string& text) {
 }
 
 Output parseAov(const std::string& text) {
-  static const Names kKnown = {"color", "depth", "position", "normal", "uv", "id", "residual"};
+  static const Names kKnown = {"color", "depth", "position", "normal",
+                               "uv",    "id",    "residual", "certificate"};
   const auto found = std::find(kKnown.begin(), kKnown.end(), text);
   if (found == kKnown.end()) refuseName("--aov", text, kKnown, "output");
   static constexpr Output kOutputs[] = {Output::Color, Output::Depth, Output::Position, Output::Normal,
-                                        Output::Uv,    Output::Id,    Output::Residual};
+                                        Output::Uv,    Output::Id,    Output::Residual, Output::Certificate};
   return kOutputs[found - kKnown.begin()];
 }
 
@@ -204,6 +205,22 @@ Skips parseSkips(const std::string& text) {
     *found->second = true;
   }
   return skips;
+}
+
+Audit parseAudit(const std::string& text) {
+  if (text == "all") return {.extent = AuditExtent::All};
+  if (text == "none") return {.extent = AuditExtent::None};
+  const auto pixels = wholeNumber<std::uint64_t>(text);
+  if (!pixels || *pixels < 1)
+    refuse("--audit", text, "not a number of pixels", "give all, none or a whole number above 0");
+  return {.atLeast = *pixels};
+}
+
+int parseSample(const std::string& text) {
+  const auto sample = wholeNumber<int>(text);
+  if (!sample || *sample < 0 || *sample >= kMostSamples)
+    refuse("--sample", text, "not the number of a sample", "they count from 0 to one less than --samples");
+  return *sample;
 }
 
 ParameterValue parseParameter(const std::string& text) {

@@ -55,6 +55,10 @@ enum class Engine { Vulkan, Reference };
 
 /// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes, hidden: only those are on.
 [[nodiscard]] Skips parseSkips(const std::string& text);
+/// all, none, or the least number of pixels.
+[[nodiscard]] Audit parseAudit(const std::string& text);
+/// From 0.
+[[nodiscard]] int parseSample(const std::string& text);
 
 struct ParameterValue {
   std::string name;

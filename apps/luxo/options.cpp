@@ -15,7 +15,7 @@ struct RenderOptions::Texts {
   SceneArgument sceneArgument;
   std::string scene, output;
   std::optional<std::string> size, time, frames, fps, samples, tolerance, shading, engine, camera, aov, skip,
-      requireError, sweep, report;
+      audit, sample, requireError, sweep, report;
   std::vector<std::string> parameters;
   std::string device = "auto";
   bool validate = false, list = false, quiet = false, verbose = false;
@@ -55,11 +55,17 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   if (files) {
     add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
         "NAME=FROM:TO:STEP");
-    add("--aov", t.aov, "what to write: color depth position normal uv id residual (color)", "NAME");
+    add("--aov", t.aov, "what to write: color depth position normal uv id residual certificate (color)", "NAME");
+    add("--sample", t.sample, "the sample of each pixel that --aov is of, from 0 (the pixel's centre)", "I");
     add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
   }
   add("--skip", t.skip,
       "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes,hidden (all)", "LIST");
+  if (files)
+    add("--audit", t.audit,
+        "pixels of exact shading that are cast by the reference and compared: all, none, or at least so many (one in "
+        "4096, at least 64)",
+        "N");
   if (files)
     add("--require-error", t.requireError,
         "fail (exit code 6) unless every mesh and every pixel of exact shading is at most this far from its "
@@ -136,6 +142,8 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   take(request.sweep, t.sweep, parseSweep);
   take(request.aov, t.aov, parseAov);
   take(request.skips, t.skip, parseSkips);
+  take(request.audit, t.audit, parseAudit);
+  if (t.sample) request.sample = parseSample(*t.sample);
   take(request.requireErrorPx, t.requireError,
        [](const std::string& text) { return parsePixels("--require-error", text); });
   if (t.report) request.report = *t.report;
@@ -151,6 +159,8 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
     refuseForWindow("--frames", t.frames);
     refuseForWindow("--sweep", t.sweep);
     refuseForWindow("--aov", t.aov);
+    refuseForWindow("--audit", t.audit);
+    refuseForWindow("--sample", t.sample);
     refuseForWindow("--report", t.report);
     refuseForWindow("--require-error", t.requireError);
     return request;

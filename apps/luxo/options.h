@@ -33,7 +33,9 @@ struct RenderRequest {
   std::vector<ParameterValue> parameters = {};
   std::optional<Sweep> sweep = std::nullopt;  ///< one picture per value; never together with frames
   Output aov = Output::Color;
+  std::optional<int> sample = std::nullopt;  ///< only that one of each pixel; below the number of samples
   Skips skips = {};
+  Audit audit = {};
   std::optional<std::filesystem::path> report = std::nullopt;
   std::optional<double> requireErrorPx = std::nullopt;
   std::string device = "auto";

@@ -43,6 +43,10 @@ Image imageOf(ReferencePicture picture, Output output) {
       return imageOf(picture, 1, [&](std::size_t i) { return Vec3(picture.number[i]); });
     case Output::Residual:  // below what a float can say
       return imageOf(picture, 1, [](std::size_t) { return Vec3(0); });
+    case Output::Certificate:  // by a ray, or neither
+      return imageOf(picture, 1, [&](std::size_t i) {
+        return Vec3(picture.number[i] == 0 ? 0 : picture.certified[i] ? 2 : 3);
+      });
   }
   throw Error(ErrorKind::Internal, "the reference does not know this output");
 }

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "console.h"
+#include "draw/accumulation.h"
 #include "exit_code.h"
 #include "frame_names.h"
 #include "image/file.h"
@@ -73,10 +74,22 @@ double encodeToFile(const Image& image, const std::filesystem::path& file) {
   return millisecondsSince(start);
 }
 
+/// Of one of so many samples, from the centre of its pixel.
+Vec2 offsetOf(int sample, int samples) {
+  if (sample >= samples)
+    throw Error(ErrorKind::Usage, fmt::format("there is no sample {} of {}", sample, samples),
+                fmt::format("samples count from 0; give --samples {} or more", sample + 1));
+  return samplePattern(samples)[static_cast<std::size_t>(sample)];
+}
+
 class Run {
  public:
   Run(Scene scene, const RenderRequest& request)
-      : scene_(std::move(scene)), request_(request), settings_(settingsOf(scene_, request)) {}
+      : scene_(std::move(scene)), request_(request), settings_(settingsOf(scene_, request)) {
+    if (!request.sample) return;
+    sampleOffset_ = offsetOf(*request.sample, settings_.samples);
+    settings_.samples = 1;
+  }
 
   int toExitCode() {
     if (request_.sweep) swept_ = sweptParameter(scene_, *request_.sweep);
@@ -132,7 +145,8 @@ class Run {
       const std::vector<double> values = scene_.parametersAt(job.time);
       for (std::size_t i = 0; i < values.size(); ++i)
         report_.frames[index].parameters.emplace_back(scene_.parameters()[i].name, values[i]);
-      const Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, camera);
+      Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, camera);
+      if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       const double animate = millisecondsSince(start);
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();
@@ -240,6 +254,7 @@ class Run {
   Scene scene_;
   const RenderRequest& request_;
   RenderSettings settings_;
+  std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
   ParameterId swept_;
   RunReport report_;
   std::optional<Pending> pending_;

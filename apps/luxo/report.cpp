@@ -22,6 +22,8 @@ Json frameJson(const FrameReport& frame) {
   const auto& [ms, count, error] = frame.statistics;
   // What only a drawn frame has.
   const auto drawn = [&](const auto& value) { return frame.reference ? Json() : Json(value); };
+  // What only exact shading has.
+  const auto found = [&](std::uint64_t pixels) { return error.found ? Json(pixels) : Json(); };
   Json json = {
       {"frame", frame.frame},
       {"time", frame.time},
@@ -33,6 +35,8 @@ Json frameJson(const FrameReport& frame) {
         {"cull", drawn(ms.cull)},
         {"upload", drawn(ms.upload)},
         {"gpu", drawn(ms.gpu)},
+        {"rays", drawn(ms.rays)},
+        {"ray_trees", drawn(ms.rayTrees)},
         {"readback", drawn(ms.readback)},
         {"encode", ms.encode}}},
       {"count",
@@ -58,8 +62,13 @@ Json frameJson(const FrameReport& frame) {
        {{"tolerance_px", drawn(error.tolerancePx)},
         {"bound_px", finite(error.boundPx)},
         {"residual_max_px", error.residualMaxPx ? Json(*error.residualMaxPx) : Json()},
-        {"unconverged_px", error.residualMaxPx ? Json(error.unconvergedPx) : Json()},
-        {"uncertified_px", error.residualMaxPx ? Json(error.uncertifiedPx) : Json()}}},
+        {"unconverged_px", found(error.unconvergedPx)},
+        {"uncertified_px", found(error.uncertifiedPx)},
+        {"resolved_by_rays_px", found(error.resolvedByRaysPx)},
+        {"audited_px", found(error.auditedPx)},
+        {"audit_failed_px", found(error.auditFailedPx)},
+        {"audit_undecided_px", found(error.auditUndecidedPx)},
+        {"nonfinite_px", drawn(error.nonfinitePx)}}},
   };
   if (const auto& reference = frame.reference)
     json["reference"] = {{"hits", reference->hits},

@@ -25,6 +25,7 @@ class VulkanEngine : public PictureEngine {
         judged_(request.requireErrorPx.has_value()) {
     options_.output = request.aov;
     options_.skips = request.skips;
+    options_.audit = request.audit;
     if (request.report) sinCos_ = sinCosError(context_);
   }
 
@@ -40,17 +41,19 @@ class VulkanEngine : public PictureEngine {
       return interruptingSignal() == 0;
     });
     if (!picture) return std::nullopt;
-    if (judged_ && options_.output != Output::Color) picture->statistics.error = errorOf(snapshot);
+    // Only colours bring the residuals along.
+    if (judged_ && options_.output != Output::Color)
+      picture->statistics.error.residualMaxPx = residualOf(snapshot);
     return MadePicture{std::move(picture->image), picture->statistics};
   }
 
  private:
-  /// Of the same surfaces in the same pixels: only colours bring the residuals along.
-  [[nodiscard]] FrameError errorOf(const Snapshot& snapshot) {
+  /// Of the same surfaces in the same pixels.
+  [[nodiscard]] std::optional<double> residualOf(const Snapshot& snapshot) {
     DrawOptions color = options_;
     color.output = Output::Color;
     color.samples = 1;
-    return renderer_.render(snapshot, color).statistics.error;
+    return renderer_.render(snapshot, color).statistics.error.residualMaxPx;
   }
 
   gpu::Context context_;

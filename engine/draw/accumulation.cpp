@@ -21,6 +21,7 @@ constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 std::vector<Vec2> samplePattern(int samples) {
   LUXO_REQUIRE_COMPARE(samples, >=, 1);
+  if (samples == 4) return {{-0.125, -0.375}, {0.375, -0.125}, {-0.375, 0.125}, {0.125, 0.375}};
   constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
   const auto fraction = [](double a) { return a - std::floor(a); };
   std::vector<Vec2> points;
@@ -40,6 +41,8 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
   ms.cull += pass.ms.cull;
   ms.upload += pass.ms.upload;
   ms.gpu += pass.ms.gpu;
+  ms.rays += pass.ms.rays;
+  ms.rayTrees += pass.ms.rayTrees;
 
   const bool first = picture.count.passes == 0;
   FrameCounts sum = first ? pass.count : picture.count;
@@ -62,8 +65,10 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
   error.tolerancePx = pass.error.tolerancePx;
   error.boundPx = std::max(error.boundPx, pass.error.boundPx);
   error.residualMaxPx = std::max(error.residualMaxPx, pass.error.residualMaxPx);  // nothing is the least
-  error.unconvergedPx = std::max(error.unconvergedPx, pass.error.unconvergedPx);
-  error.uncertifiedPx = std::max(error.uncertifiedPx, pass.error.uncertifiedPx);
+  for (const auto count :
+       {&FrameError::unconvergedPx, &FrameError::uncertifiedPx, &FrameError::resolvedByRaysPx,
+        &FrameError::auditedPx, &FrameError::auditFailedPx, &FrameError::auditUndecidedPx})
+    error.*count += pass.error.*count;
 }
 
 Accumulator::Accumulator(gpu::Context& context)

@@ -18,11 +18,12 @@ namespace luxo {
 /// Where passes sample the pixels, in pixels from their centres, x right, y down: View::sampleOffsetPx. The
 /// first `samples` points of M. Roberts' sequence R2 (2018), moved so that their mean is 0: what changes
 /// evenly across a pixel comes out exact. The share of the points beyond a straight edge differs from the
-/// area beyond it by less than 2 / samples^0.75, up to 256 samples. One sample is at the centre.
+/// area beyond it by less than 2 / samples^0.75, up to 256 samples. One sample is at the centre, and four
+/// are where Vulkan has them in one pass (standardSampleLocations).
 [[nodiscard]] std::vector<Vec2> samplePattern(int samples);
 
 /// Adds what a pass cost to what its picture has cost so far. Counts of nodes are those of the first pass, as
-/// they are about the scene; errors are the largest of any pass.
+/// they are about the scene; errors are the largest of any pass, pixels with errors the sum over all.
 void addPass(FrameStatistics& picture, const FrameStatistics& pass);
 
 /// The running mean of pictures, on the device, in float: linear and unclamped.

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "draw/exact_data.h"
 #include "draw/hull_view.h"
+#include "math/transform.h"
 
 namespace luxo {
 namespace {
@@ -191,6 +192,13 @@ FaceCulling cullingOf(const VisibleNode& visible, const DrawOptions& options) {
   return visible.hideBackFaces && options.cullBackFaces ? FaceCulling::Back : FaceCulling::None;
 }
 
+/// Parts of hulls that are seen where rays graze: every so many of the picture's triangles.
+constexpr std::size_t kMostOutlines = 64;
+
+/// Shells of more triangles than pixels, and than this, are not made: a ray in each of those pixels takes no
+/// longer than making it. (Some 10 us a triangle, measured from the teapot to sums of sines.)
+constexpr std::uint64_t kWorthRays = 20'000;
+
 /// Turns visible nodes into draws.
 class DrawLister {
  public:
@@ -208,6 +216,9 @@ class DrawLister {
   DrawList list() && {
     listOpaque();
     listTransparent();
+    std::ranges::stable_partition(list_.opaque, [](const DrawBatch& batch) { return batch.hull != nullptr; });
+    std::ranges::sort(list_.found, {}, &FoundNode::node);
+    listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
     return std::move(list_);
   }
@@ -223,6 +234,8 @@ class DrawLister {
   struct Item {
     std::vector<DrawBatch> batches;
     Instance instance;
+    std::optional<DrawState> found;  ///< of a point that a ray has found; nothing of a mesh
+    std::uint32_t lightSet = 0;
   };
 
   /// What instances must have in common to be drawn at once.
@@ -241,6 +254,7 @@ class DrawLister {
     std::map<decltype(kindOf(std::declval<DrawBatch>())), std::size_t> groupOf;
     for (const VisibleNode& v : visible_.opaque) {
       Item item = itemOf(v, false);
+      if (item.found) list_.found.push_back({v.node, item.lightSet, *item.found, item.instance.data});
       for (DrawBatch& batch : item.batches) {
         const auto [entry, isNew] = groupOf.try_emplace(kindOf(batch), groups.size());
         if (isNew) groups.push_back({std::move(batch), {}});
@@ -285,10 +299,13 @@ class DrawLister {
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
-    Item item;
+    Item item{.lightSet = lights.index};
     item.instance.node = v.node;
     Vec3 origin(0);
-    if (findsSurface(node, shading, blended)) {
+    if (findsSurface(snapshot_, node, options_)) {
+      item.found = batch.state;
+      item.found->byRays = true;
+      if (shading == Shading::Exact) item.found->shading = Shading::Phong;
       origin = addHull(item, batch, node, v);
     } else {
       batch.mesh =
@@ -304,13 +321,6 @@ class DrawLister {
     return item;
   }
 
-  /// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer
-  /// counts, and a hull does not keep them apart; what is infinitely large has no hull.
-  [[nodiscard]] bool findsSurface(const SnapshotNode& node, Shading shading, bool blended) const {
-    const bool finite = std::isfinite(glm::dot(node.boundsObject.extent(), Vec3(1)));
-    return (shading == Shading::Exact || shading == Shading::Residual) && !blended && finite;
-  }
-
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
   /// the origin of the hull's vertices.
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
@@ -320,8 +330,17 @@ class DrawLister {
     const double tolerance =
         std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest);
     const int level = care_.level(v.node);
-    batch.hull =
-        geometry_.meshes.hull(node.surface, node.parameters, tolerance * std::ldexp(1.0, -2 * level));
+    const double refined = tolerance * std::ldexp(1.0, -2 * level);
+    const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
+    const double most = static_cast<double>(std::max(pixels.count(), kWorthRays));
+    batch.hull = geometry_.meshes.hull(node.surface, node.parameters, refined, most);
+    if (!batch.hull || (!batch.hull->proven && batch.hull->pinches.empty())) {
+      list_.byRays.push_back(pixels);
+      return Vec3(0);
+    }
+    for (const Hull::Pinch& pinch : batch.hull->pinches)
+      list_.byRays.push_back(
+          overlap(pixels, pixelsOf(snapshot_.view, transformBounds(node.worldFromObject, pinch.box()))));
     const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.hull) : std::nullopt;
     // What a formula rounds away nobody knows but by what is lost.
     const bool inDouble =
@@ -389,6 +408,33 @@ class DrawLister {
     }
   }
 
+  /// Evenly chosen of all steep triangles, so that where outlines are dense many are.
+  void listOutlines() {
+    std::size_t steep = 0;
+    const auto forEachSteep = [&](const auto& action) {
+      for (const DrawBatch& batch : list_.opaque)
+        if (batch.hull && batch.state.steep)
+          for (std::uint32_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3)
+            action(batch, i);
+    };
+    forEachSteep([&](const DrawBatch&, std::uint32_t) { ++steep; });
+    const std::size_t stride = std::max<std::size_t>(steep / kMostOutlines, 1);
+    std::size_t number = 0;
+    forEachSteep([&](const DrawBatch& batch, std::uint32_t i) {
+      if (number++ % stride != 0) return;
+      const SnapshotNode& node = snapshot_.nodes[list_.instanceNodes[batch.firstInstance]];
+      Vec3 middle(0);
+      for (std::uint32_t k = 0; k < 3; ++k)
+        middle += batch.hull->positions[list_.hullIndices[i + k]] / 3.0;
+      const Vec3 eye = eyeFromWorldPoint(snapshot_.view, transformPoint(node.worldFromObject, middle));
+      if (snapshot_.view.perspective() && !(-eye.z > snapshot_.view.near)) return;
+      const Vec2 pixel = glm::floor(pixelFromEye(snapshot_.view, eye));
+      const PixelSize& size = snapshot_.view.size;
+      if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height)
+        list_.outlines.push_back({static_cast<std::int32_t>(pixel.x), static_cast<std::int32_t>(pixel.y)});
+    });
+  }
+
   /// Where the patches of a surface start; nodes with the same surface and parameters share them.
   std::uint32_t patchesOf(const SnapshotNode& node, const Hull& hull) {
     const auto [entry, isNew] =
@@ -451,6 +497,18 @@ class DrawLister {
 };
 
 }  // namespace
+
+bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
+  const Material& material = snapshot.materials[node.material.index];
+  const Shading shading = material.shadingIn(options.shading);
+  return (shading == Shading::Exact || shading == Shading::Residual) && !material.transparent() &&
+         std::isfinite(glm::dot(node.boundsObject.extent(), Vec3(1)));
+}
+
+bool DrawList::onlyFound() const {
+  return transparent.empty() &&
+         std::ranges::all_of(opaque, [](const DrawBatch& batch) { return batch.hull != nullptr; });
+}
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                    Geometry& geometry, const SearchCare& care) {

@@ -10,6 +10,7 @@
 #include "cull/cull.h"
 #include "draw/hidden_triangles.h"
 #include "draw/options.h"
+#include "draw/pixel_rows.h"
 #include "draw/search_care.h"
 #include "draw/statistics.h"
 #include "scene/snapshot.h"
@@ -31,6 +32,7 @@ struct DrawState {
   bool equation = false;                 ///< with it: it is an equation, no formula
   bool steep = false;                    ///< with it: a ray may graze the surface, and meet it more than once
   bool poles = false;                    ///< with that: an edge of a patch is one point
+  bool byRays = false;                   ///< points are drawn that rays have found
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -63,6 +65,14 @@ struct DrawBatch {
   }
 };
 
+/// A node whose points are found, by searches in its pixels or by rays, and how such a point is drawn.
+struct FoundNode {
+  std::uint32_t node = 0;  ///< index into Snapshot::nodes
+  std::uint32_t lightSet = 0;
+  DrawState state;
+  shared::InstanceData instance;
+};
+
 struct DrawList {
   shared::ViewData view;
   std::vector<shared::InstanceData> instances;
@@ -74,12 +84,16 @@ struct DrawList {
   std::vector<double> exactParameters;           ///< of formulas and equations; see ExactPatch
   std::vector<shared::LightSet> lightSets;       ///< never empty
   std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
-  std::vector<DrawBatch> opaque;                 ///< grouped, roughly front to back
+  std::vector<DrawBatch> opaque;                 ///< grouped, those with hulls first, roughly front to back
+  std::vector<FoundNode> found;                  ///< ascending
+  std::vector<PixelRect> byRays;                 ///< where no shell tells what is seen
+  std::vector<PixelPlace> outlines;              ///< some of the pixels that searches graze
   std::vector<DrawBatch> transparent;            ///< strictly back to front
   std::uint64_t culledHidden = 0;                ///< triangles of hulls that are behind others
   double boundPx = 0;                            ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
+  [[nodiscard]] bool onlyFound() const;  ///< nothing is a mesh
 };
 
 /// What is kept from frame to frame.
@@ -88,6 +102,10 @@ struct Geometry {
   SurfaceCodes codes;
   HiddenTriangles hidden;
 };
+
+/// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer counts, and a
+/// hull does not keep them apart; what is infinitely large has no hull.
+[[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options);
 
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMostLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,

@@ -2,12 +2,25 @@
 // What to make of a snapshot: quality, what is written to the pixels, and which work may be skipped.
 #pragma once
 
+#include <cstdint>
+
 #include "scene/shading.h"
 
 namespace luxo {
 
 /// What the pixels hold: the picture, or an auxiliary output (AOV) of the geometry.
-enum class Output { Color, Depth, Position, Normal, Uv, Id, Residual };
+/// Certificate: how the point shown is known: 1 by a search that certified it, 2 by a ray cast in double, 3 neither;
+/// 0 where nothing is shown.
+enum class Output { Color, Depth, Position, Normal, Uv, Id, Residual, Certificate };
+
+/// How many pixels of an exact picture are cast by the reference and compared (Audit::pixels).
+enum class AuditExtent { Usual, All, None };
+struct Audit {
+  AuditExtent extent = AuditExtent::Usual;
+  std::uint64_t atLeast = 0;  ///< with Usual: so many, where there are
+
+  friend bool operator==(const Audit&, const Audit&) = default;
+};
 
 /// Work that is left out when the picture does not need it. No choice here changes a bit of any image.
 struct Skips {
@@ -36,6 +49,8 @@ struct DrawOptions {
   /// Exact shading: where a view magnifies what float rounds away, shaders compute in double, if the device
   /// can.
   bool doubles = true;
+  /// Exact shading: what certified rays look at once more. Quality, not a skip.
+  Audit audit;
   /// Per pixel, 1 to kMostSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1,
   /// in the pixel's centre; they are never averaged.
   int samples = 1;

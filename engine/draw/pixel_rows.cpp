@@ -2,6 +2,7 @@
 #include "draw/pixel_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <utility>
@@ -83,6 +84,32 @@ double nearestSeen(const View& view, const SnapshotNode& node) {
     }
   }
   return std::max(holdsEye ? 0 : nearest, view.near);
+}
+
+PixelRect overlap(const PixelRect& a, const PixelRect& b) {
+  const PixelPlace low{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)};
+  return {low, {std::max(low.x, std::min(a.high.x, b.high.x)), std::max(low.y, std::min(a.high.y, b.high.y))}};
+}
+
+PixelRect pixelsOf(const View& view, const Box& world) {
+  const PixelRect all{{0, 0}, {view.size.width, view.size.height}};
+  if (world.empty()) return {};
+  Vec2 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 point((corner & 1) != 0 ? world.max.x : world.min.x, (corner & 2) != 0 ? world.max.y : world.min.y,
+                     (corner & 4) != 0 ? world.max.z : world.min.z);
+    const Vec3 eye = eyeFromWorldPoint(view, point);
+    if (!std::isfinite(glm::dot(eye, Vec3(1))) || (view.perspective() && !(-eye.z > view.near))) return all;
+    const Vec2 pixel = pixelFromEye(view, eye);
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
+  }
+  const auto within = [](double x, int size) {
+    return static_cast<std::int32_t>(std::clamp(x, 0.0, static_cast<double>(size)));
+  };
+  // A pixel may be sampled beside its centre, by half a pixel.
+  return {{within(std::floor(low.x) - 1, view.size.width), within(std::floor(low.y) - 1, view.size.height)},
+          {within(std::ceil(high.x) + 1, view.size.width), within(std::ceil(high.y) + 1, view.size.height)}};
 }
 
 }  // namespace luxo

@@ -2,6 +2,7 @@
 // A picture's pixels as linear functions of an object's points, and back, and how near these can be.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "math/vec.h"
@@ -30,5 +31,26 @@ struct PlaneRows {
 /// The least depth of what the picture shows of the node's bounds, not below that of the near plane: they may
 /// reach past the eye outside of the picture. Cost: a microsecond.
 [[nodiscard]] double nearestSeen(const View& view, const SnapshotNode& node);
+
+/// A pixel of the picture, from the top left.
+struct PixelPlace {
+  std::int32_t x = 0, y = 0;
+
+  friend bool operator==(const PixelPlace&, const PixelPlace&) = default;
+};
+
+/// Pixels from `low` to before `high`.
+struct PixelRect {
+  PixelPlace low, high;
+
+  [[nodiscard]] std::uint64_t count() const {
+    return static_cast<std::uint64_t>(high.x - low.x) * static_cast<std::uint64_t>(high.y - low.y);
+  }
+};
+
+[[nodiscard]] PixelRect overlap(const PixelRect& a, const PixelRect& b);
+
+/// The pixels that show any of a box, and a pixel around them; all of the picture where it reaches past the eye.
+[[nodiscard]] PixelRect pixelsOf(const View& view, const Box& world);
 
 }  // namespace luxo

@@ -16,23 +16,30 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
-/// drew, or completed.
-void addAttempt(FrameStatistics& last, const FrameStatistics& before, bool completes) {
-  for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu})
+class Stopwatch {
+ public:
+  [[nodiscard]] double milliseconds() const { return millisecondsSince(start_); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one drew.
+void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
+  for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu,
+                          &FrameTimes::rays, &FrameTimes::rayTrees})
     last.ms.*time += before.ms.*time;
   for (const auto count :
        {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
         &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
     last.count.*count += before.count.*count;
-  if (completes)
-    for (const auto count : {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles,
-                             &FrameCounts::vertices, &FrameCounts::culledHidden})
-      last.count.*count += before.count.*count;
 }
 
 int channelsOf(Output output) {
-  return output == Output::Depth || output == Output::Id || output == Output::Residual ? 1 : 3;
+  return output == Output::Depth || output == Output::Id || output == Output::Residual ||
+                 output == Output::Certificate
+             ? 1
+             : 3;
 }
 
 template <int kChannels>
@@ -52,16 +59,18 @@ void readPositions(const std::byte* texels, int width, const Vec3& eye, float* o
   }
 }
 
-/// What the alphas of pixels tell of searches: the largest residual, as the bits of a float, whose order is
-/// that of the floats, so that a compiler may take many at once; and how many are not certified.
-struct Certificate {
-  std::int32_t residual = 0;
-  std::uint32_t uncertified = 0;
+/// What the values of pixels tell, by the bits of floats, so that a compiler may take many at once: the order of
+/// positive floats is that of their bits, and from those of infinity on they are no numbers.
+struct Measured {
+  static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U;
+  std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
+  std::uint32_t nonfinite = 0;
 
-  void add(float alpha) {
-    const auto bits = std::bit_cast<std::uint32_t>(alpha);
-    residual = std::max(residual, static_cast<std::int32_t>(bits & 0x7fffffffU));
-    uncertified += bits >> 31U;
+  void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }
+  void addColor(const float* rgb) {
+    std::uint32_t largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::bit_cast<std::uint32_t>(rgb[c]) & kMagnitude);
+    nonfinite += largest >= kInfinity;
   }
 };
 
@@ -71,14 +80,20 @@ float alphaAt(const std::byte* texels, int x) {
   return alpha;
 }
 
-void addAlphas(const std::byte* texels, int width, Certificate& certificate) {
-  Certificate row = certificate;
+void addAlphas(const std::byte* texels, int width, Measured& measured) {
+  Measured row = measured;
   for (int x = 0; x < width; ++x) row.add(alphaAt(texels, x));
-  certificate = row;
+  measured = row;
 }
 
-void addMeanAlphas(const std::byte* texels, int width, Certificate& certificate) {
-  for (int x = 0; x < width; ++x) certificate.add(Accumulator::alphaOf(alphaAt(texels, x)));
+void addMeanAlphas(const std::byte* texels, int width, Measured& measured) {
+  for (int x = 0; x < width; ++x) measured.add(Accumulator::alphaOf(alphaAt(texels, x)));
+}
+
+void addColors(std::span<const float> colors, int width, Measured& measured) {
+  Measured row = measured;
+  for (int x = 0; x < width; ++x) row.addColor(colors.data() + 3 * x);
+  measured = row;
 }
 
 /// Of a frame that shows what the one before it showed: everything that was done for that one is not done.
@@ -142,7 +157,7 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
     return picture;
   }
   shown_.reset();
-  if (inOnePass(options)) {
+  if (inOnePass(snapshot, options)) {
     if (!goesOn(0)) return std::nullopt;
     draw(snapshot, options, statistics,
          [&](VkCommandBuffer commands) { recordReadback(commands, painter_.target()); });
@@ -156,7 +171,7 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
       if (!goesOn(static_cast<double>(k) / options.samples)) return std::nullopt;
       sampled.view = sampledAt(snapshot.view, offsets[static_cast<std::size_t>(k)]);
       FrameStatistics pass;
-      draw(sampled, one, pass, [](VkCommandBuffer) {});
+      draw(sampled, one, pass, [&](VkCommandBuffer commands) { recordReadback(commands, painter_.target()); });
       accumulate(k, k + 1 == options.samples, pass);
       addPass(statistics, pass);
     }
@@ -169,45 +184,110 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
   return picture;
 }
 
-bool Renderer::inOnePass(const DrawOptions& options) const {
+bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) const {
+  const bool found = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
+    return findsSurface(snapshot, node, options);
+  });
   const bool auxiliary = options.output != Output::Color;
-  const bool native = options.samples == 1 || options.samples == 4;
+  const bool native = options.samples == 1 || (options.samples == 4 && !found);
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }
 
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
                     const Recording& then) {
+  // What a failed audit leads to: nothing is skipped; then all shells are finer, too; then rays find everything.
+  enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
+  DrawOptions tried = options;
   SearchCare care;
-  for (bool again = false;; again = true) {
-    FrameStatistics attempt;
-    const VkCommandBuffer commands = frames_.begin();
-    painter_.record(frames_, commands, snapshot, options, attempt, care);
-    then(commands);
-    const auto submitted = std::chrono::steady_clock::now();
-    const std::uint64_t submission = frames_.submit();
-    frames_.wait(submission);
-    attempt.count.submits = 1;
-    attempt.ms.gpu = frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
-    if (again) addAttempt(attempt, statistics, care.completes);
-    statistics = attempt;
-
-    const bool mayFindMore = care.learn(painter_.lostPixels());
-    statistics.error.unconvergedPx = care.lost();
-    if (!mayFindMore) return;
-    care.completes = painter_.completable();
+  std::uint64_t failed = 0, resolved = 0;
+  for (int trial = Usual;; ++trial) {
+    if (trial >= WithoutSkips) tried.skips = Skips::none();
+    if (trial == WithFinerShells)
+      for (const FoundNode& node : painter_.list().found) care.refine(node.node);
+    if (trial != ByRays) search(snapshot, tried, care, statistics, then);
+    if (!painter_.searches()) return;
+    rays_.begin(snapshot, tried);
+    resolve(trial == ByRays, statistics, then);
+    resolved = std::max(resolved, statistics.error.resolvedByRaysPx);
+    const Stopwatch watch;
+    const double trees = rays_.treesMs();
+    const std::vector<DepthProbe> probes = painter_.probes();
+    const AuditResult audit = rays_.audit(probes);
+    statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
+    statistics.ms.rayTrees += rays_.treesMs();
+    failed += audit.failed;
+    FrameError& error = statistics.error;
+    error.auditedPx = probes.size();
+    error.auditFailedPx = failed;
+    error.auditUndecidedPx = audit.undecided;
+    const std::uint64_t wrong = audit.failed + error.unconvergedPx;
+    if (wrong == 0) return;
+    if (trial == ByRays) {
+      error.unconvergedPx = wrong;
+      return;
+    }
   }
 }
 
-void Renderer::accumulate(int before, bool complete, FrameStatistics& statistics) {
+void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care,
+                      FrameStatistics& statistics, const Recording& then) {
+  // Drawing all of a picture once more takes as long as rays through a sixteenth of it.
+  const std::uint64_t few = static_cast<std::uint64_t>(snapshot.view.size.width) *
+                            static_cast<std::uint64_t>(snapshot.view.size.height) / 16;
+  do {
+    FrameStatistics attempt;
+    submit(
+        [&](VkCommandBuffer commands) {
+          painter_.record(frames_, commands, snapshot, options, attempt, care);
+        },
+        attempt, then);
+    addAttempt(attempt, statistics);
+    statistics = attempt;
+  } while (care.learn(painter_.lostPixels()) && care.lost() > few);
+}
+
+void Renderer::resolve(bool all, FrameStatistics& statistics, const Recording& then) {
+  const Stopwatch watch;
+  std::vector<PixelPlace> pixels;
+  const VkExtent2D extent = painter_.target().extent();
+  if (all) {
+    pixels = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)},
+                           {.extent = AuditExtent::All}, {});
+  } else {
+    // A point that is not certified matters where it is seen.
+    for (const ScenePainter::Doubt& doubt : painter_.doubts())
+      if (doubt.lost || alphaAt(readback_.row(static_cast<std::uint32_t>(doubt.pixel.y)).data(), doubt.pixel.x) < 0)
+        pixels.push_back(doubt.pixel);
+  }
+  if (pixels.empty()) return;
+  const double trees = rays_.treesMs();
+  const RayPoints points = rays_.resolve(pixels, painter_.list().found);
+  statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
+  statistics.error.resolvedByRaysPx = points.resolved - points.undecided;
+  statistics.error.uncertifiedPx = points.undecided;
+  statistics.error.unconvergedPx = points.unknown;
+  if (points.empty()) return;
+  submit([&](VkCommandBuffer commands) { painter_.recordRays(frames_, commands, points, statistics); }, statistics,
+         then);
+}
+
+void Renderer::submit(const Recording& record, FrameStatistics& statistics, const Recording& then) {
   const VkCommandBuffer commands = frames_.begin();
-  accumulator_->add(frames_, commands, painter_.target(), before);
-  if (complete) recordReadback(commands, accumulator_->mean());
+  record(commands);
+  then(commands);
   const auto submitted = std::chrono::steady_clock::now();
   const std::uint64_t submission = frames_.submit();
   frames_.wait(submission);
   ++statistics.count.submits;
   statistics.ms.gpu += frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
+}
+
+void Renderer::accumulate(int before, bool complete, FrameStatistics& statistics) {
+  submit([&](VkCommandBuffer commands) { accumulator_->add(frames_, commands, painter_.target(), before); },
+         statistics, [&](VkCommandBuffer commands) {
+           if (complete) recordReadback(commands, accumulator_->mean());
+         });
 }
 
 void Renderer::recordReadback(VkCommandBuffer commands, gpu::Texture& picture) {
@@ -221,30 +301,30 @@ void Renderer::recordReadback(VkCommandBuffer commands, gpu::Texture& picture) {
 
 Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options, FrameError& error) {
   const Output output = options.output;
-  const bool averaged = !inOnePass(options);
+  const bool averaged = !inOnePass(snapshot, options);
   const int width = snapshot.view.size.width, height = snapshot.view.size.height,
             channels = channelsOf(output);
   // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
   const bool certifies = output == Output::Color && painter_.searches();
-  Certificate certificate;
+  Measured measured;
   Image image(width, height, channels);
   for (int y = 0; y < height; ++y) {
     const std::byte* texels = readback_.row(static_cast<std::uint32_t>(y)).data();
     if (certifies && averaged)
-      addMeanAlphas(texels, width, certificate);
+      addMeanAlphas(texels, width, measured);
     else if (certifies)
-      addAlphas(texels, width, certificate);
+      addAlphas(texels, width, measured);
     if (output == Output::Position)
       readPositions(texels, width, snapshot.view.eye, image.row(y).data());
     else if (channels == 3)
       readChannels<3>(texels, width, image.row(y).data());
     else
       readChannels<1>(texels, width, image.row(y).data());
+    if (output == Output::Color) addColors(image.row(y), width, measured);
   }
-  if (certifies) {
-    error.residualMaxPx = std::bit_cast<float>(certificate.residual);
-    error.uncertifiedPx += certificate.uncertified;
-  }
+  error.found = painter_.searches();
+  if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);
+  error.nonfinitePx = measured.nonfinite;
   return image;
 }
 

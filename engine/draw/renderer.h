@@ -11,6 +11,7 @@
 
 #include "draw/accumulation.h"
 #include "draw/options.h"
+#include "draw/ray_points.h"
 #include "draw/scene_painter.h"
 #include "draw/statistics.h"
 #include "gpu/context.h"
@@ -64,12 +65,20 @@ class Renderer {
     FrameStatistics statistics;
   };
 
-  /// Whether the device takes that many samples in one pass.
-  [[nodiscard]] bool inOnePass(const DrawOptions& options) const;
-  /// Draws into the painter's target, then does what `then` records, and waits for both; again with more care
-  /// where the search for a surface was lost.
+  /// Whether the device takes that many samples in one pass. Where surfaces are searched for each sample is a
+  /// picture of its own, with its own certificates and audit: no slower, as searches run once per sample anyway.
+  [[nodiscard]] bool inOnePass(const Snapshot& snapshot, const DrawOptions& options) const;
+  /// Draws one sample of each pixel into the painter's target, then does what `then` records, and waits for both.
+  /// What searches leave in doubt is found by rays, and what an audit finds wrong is drawn anew.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
             const Recording& then);
+  /// The part of that without rays, with that care; again with more where searches lost more than rays find soon.
+  void search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care, FrameStatistics& statistics,
+              const Recording& then);
+  /// Finds pixels by rays, and draws them: those in doubt, or all.
+  void resolve(bool all, FrameStatistics& statistics, const Recording& then);
+  /// Runs what `record` records and `then`, and waits.
+  void submit(const Recording& record, FrameStatistics& statistics, const Recording& then);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.
   void accumulate(int before, bool complete, FrameStatistics& statistics);
   void recordReadback(VkCommandBuffer commands, gpu::Texture& picture);
@@ -80,6 +89,7 @@ class Renderer {
   gpu::FrameRing frames_;
   ScenePainter painter_;
   std::optional<Accumulator> accumulator_;  ///< made for the first picture of several passes
+  CertifiedRays rays_;
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};
   std::optional<Shown> shown_;

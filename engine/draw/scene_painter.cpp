@@ -158,11 +158,13 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();
 
-  DrawOptions able = options;
-  able.doubles = options.doubles && context_->features().float64;
-  able.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
-  able.samples = samples;
-  const DrawList list = listDraws(snapshot, visible, able, geometry_, care);
+  options_ = options;
+  options_.doubles = options.doubles && context_->features().float64;
+  options_.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
+  options_.samples = samples;
+  list_ = listDraws(snapshot, visible, options_, geometry_, care);
+  const DrawList& list = list_;
+  background_ = backgroundOf(snapshot, options.output);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.culledHidden = list.culledHidden;
   statistics.count.tessellated += geometry_.meshes.tessellated() - tessellatedBefore;
@@ -175,39 +177,14 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   using enum gpu::Use;
   store_.dropUnused();
   Uploads& uploads = care.completes ? completion_ : uploads_;
-  const float guard = guardOf(color_.extent(), context_->limits());
-  upload(list, guarded(list.view, guard), !options.skips.unchanged, uploads);
-  Bindings bindings{.scene = frames.descriptors().write(
-                        pipelines_.sceneLayout(), {uploads.view.buffer,
-                                                   uploads.instances.buffer,
-                                                   {uploads.lights.buffer, 0, sizeof(shared::LightSet)}})};
-  if (!list.patternParameters.empty())
-    bindings.pattern =
-        frames.descriptors().write(pipelines_.patternLayout(), {uploads.patternParameters.buffer});
+  upload(list, guarded(list.view, guardOf(color_.extent(), context_->limits())), !options.skips.unchanged, uploads);
   clearTally(list);
-  if (list.exact()) {
-    bindings.exact = frames.descriptors().write(
-        pipelines_.exactLayout(),
-        {uploads.exactInstances.buffer, uploads.exactPatches.buffer, uploads.exactParameters.buffer, tally_});
-    bindings.hullIndices = uploads.hullIndices.buffer;
-    gpu::use(commands, {{tally_, StorageWrite}});
-  }
-
-  const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
-  const auto pass = [&](const char* name, const std::vector<DrawBatch>& batches, VkAttachmentLoadOp load) {
-    const gpu::Label label(*context_, commands, name);
-    const auto contents = load == VK_ATTACHMENT_LOAD_OP_CLEAR ? gpu::Contents::Discard : gpu::Contents::Keep;
-    gpu::use(commands, {{color_, ColorAttachment, contents}, {depth_, DepthAttachment, contents}});
-    if (resolved_) gpu::use(commands, {{resolved_, ResolveTarget, gpu::Contents::Discard}});
-    beginPass(commands, targets, load, backgroundOf(snapshot, options.output), guard);
-    paint(commands, bindings, batches, statistics);
-    vkCmdEndRendering(commands);
-    ++statistics.count.passes;
-  };
-  pass("opaque", list.opaque, care.completes ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR);
-  if (!list.transparent.empty() || !options.skips.passes)
-    pass("transparent", list.transparent, VK_ATTACHMENT_LOAD_OP_LOAD);
-  if (list.exact()) gpu::use(commands, {{tally_, HostRead}});
+  clearDoubts(list.exact());
+  chooseProbes();
+  const Bindings bindings = bind(frames, uploads, uploads.instances.buffer);
+  if (list.exact()) gpu::use(commands, {{tally_, StorageWrite}, {doubts_, StorageWrite}});
+  recordPasses(commands, bindings, care.completes, nullptr, statistics);
+  if (list.exact()) gpu::use(commands, {{tally_, HostRead}, {doubts_, HostRead}});
   completable_ = list.transparent.empty();
 
   const gpu::Counters after = context_->counters();
@@ -215,6 +192,207 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   statistics.count.pipelinesCreated += after.pipelinesCreated - before.pipelinesCreated;
   statistics.count.shadersCompiled += after.shadersCompiled - before.shadersCompiled;
   statistics.ms.upload += watch.lap();
+}
+
+ScenePainter::Bindings ScenePainter::bind(gpu::FrameRing& frames, const Uploads& uploads,
+                                          const gpu::Buffer& instances) {
+  Bindings bindings{.scene = frames.descriptors().write(
+                        pipelines_.sceneLayout(), {uploads.view.buffer,
+                                                   instances,
+                                                   {uploads.lights.buffer, 0, sizeof(shared::LightSet)}})};
+  if (!list_.patternParameters.empty())
+    bindings.pattern =
+        frames.descriptors().write(pipelines_.patternLayout(), {uploads.patternParameters.buffer});
+  if (list_.exact()) {
+    bindings.exact = frames.descriptors().write(
+        pipelines_.exactLayout(), {uploads.exactInstances.buffer, uploads.exactPatches.buffer,
+                                   uploads.exactParameters.buffer, tally_, doubts_});
+    bindings.hullIndices = uploads.hullIndices.buffer;
+  }
+  return bindings;
+}
+
+void ScenePainter::recordPasses(VkCommandBuffer commands, const Bindings& bindings, bool completes,
+                                const RayDraws* rays, FrameStatistics& statistics) {
+  using enum gpu::Use;
+  const float guard = guardOf(color_.extent(), context_->limits());
+  const PassTargets targets{color_, resolved_ ? &resolved_ : nullptr, depth_};
+  const auto pass = [&](const char* name, std::span<const DrawBatch> batches, VkAttachmentLoadOp load,
+                        const RayDraws* points) {
+    const gpu::Label label(*context_, commands, name);
+    const auto contents = load == VK_ATTACHMENT_LOAD_OP_CLEAR ? gpu::Contents::Discard : gpu::Contents::Keep;
+    gpu::use(commands, {{color_, ColorAttachment, contents}, {depth_, DepthAttachment, contents}});
+    if (resolved_) gpu::use(commands, {{resolved_, ResolveTarget, gpu::Contents::Discard}});
+    beginPass(commands, targets, load, background_, guard);
+    paint(commands, bindings, batches, statistics);
+    if (points) paintRays(commands, *points, statistics);
+    vkCmdEndRendering(commands);
+    ++statistics.count.passes;
+  };
+  const auto firstMesh = std::ranges::find_if(list_.opaque, [](const DrawBatch& batch) { return !batch.hull; });
+  const std::span<const DrawBatch> found(list_.opaque.begin(), firstMesh), meshes(firstMesh, list_.opaque.end());
+  const bool begins = !completes && !(rays && list_.onlyFound());
+  if (rays && !begins)
+    pass("rays", {}, VK_ATTACHMENT_LOAD_OP_LOAD, rays);
+  else
+    pass(meshes.empty() || !found.empty() ? "found" : "opaque", found.empty() ? meshes : found,
+         begins ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD, rays);
+  if (!probed_.empty()) recordProbes(commands);
+  if (!begins && rays) return;
+  if (!found.empty() && !meshes.empty()) pass("meshes", meshes, VK_ATTACHMENT_LOAD_OP_LOAD, nullptr);
+  if (!list_.transparent.empty() || !options_.skips.passes)
+    pass("transparent", list_.transparent, VK_ATTACHMENT_LOAD_OP_LOAD, nullptr);
+}
+
+void ScenePainter::recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, const RayPoints& points,
+                              FrameStatistics& statistics) {
+  using enum gpu::Use;
+  std::vector<shared::InstanceData> instances;
+  for (const RayPoints::Run& run : points.runs) instances.push_back(list_.found[run.found].instance);
+  if (instances.empty()) instances.resize(1);  // something to bind
+  write(rayInstances_, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "instances of rays",
+        false);
+  if (!points.vertices.empty())
+    write(rayVertices_, std::as_bytes(std::span(points.vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+          "points of rays", false);
+  const Bindings ofRays = bind(frames, uploads_, rayInstances_.buffer);
+  const RayDraws rays{.points = points, .pattern = ofRays.pattern, .scene = ofRays.scene};
+  if (list_.exact()) gpu::use(commands, {{tally_, StorageWrite}, {doubts_, StorageWrite}});
+  recordPasses(commands, bind(frames, uploads_, uploads_.instances.buffer), false, &rays, statistics);
+  if (list_.exact()) gpu::use(commands, {{tally_, HostRead}, {doubts_, HostRead}});
+}
+
+void ScenePainter::paintRays(VkCommandBuffer commands, const RayDraws& rays, FrameStatistics& statistics) {
+  std::vector<VkClearRect> empty;  // runs of pixels in a row
+  for (const PixelPlace& pixel : rays.points.misses) {
+    if (!empty.empty()) {
+      VkRect2D& last = empty.back().rect;
+      if (last.offset.y == pixel.y && last.offset.x + static_cast<std::int32_t>(last.extent.width) == pixel.x) {
+        ++last.extent.width;
+        continue;
+      }
+    }
+    empty.push_back({.rect = {{pixel.x, pixel.y}, {1, 1}}, .layerCount = 1});
+  }
+  const VkClearAttachment cleared[] = {
+      {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .clearValue = {.color = background_}},
+      {.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT, .clearValue = {.depthStencil = {0.0f, 0}}}};
+  if (!empty.empty())
+    vkCmdClearAttachments(commands, 2, cleared, static_cast<std::uint32_t>(empty.size()), empty.data());
+
+  const VkExtent2D extent = color_.extent();
+  const RayTarget target{Vec2f(extent.width, extent.height), guardOf(extent, context_->limits())};
+  std::uint32_t instance = 0;
+  for (const RayPoints::Run& run : rays.points.runs) {
+    const FoundNode& node = list_.found[run.found];
+    const gpu::GraphicsPipeline& pipeline = pipelines_.get(node.state, format_);
+    const auto lightOffset = static_cast<std::uint32_t>(node.lightSet * lightStride_);
+    pipeline.bind(commands);
+    pipeline.bindSet(commands, 0, rays.scene, {&lightOffset, 1});
+    if (node.state.pattern.valid()) pipeline.bindSet(commands, 1, rays.pattern);
+    pipeline.push(commands, std::as_bytes(std::span(&target, 1)));
+    gpu::setDepthBias(commands, {});
+    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    const VkBuffer stream = rayVertices_.buffer;
+    constexpr VkDeviceSize kOffset = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &stream, &kOffset);
+    vkCmdDraw(commands, run.vertexCount, 1, run.firstVertex, instance++);
+    ++statistics.count.drawCalls;
+    ++statistics.count.instances;
+    statistics.count.triangles += run.vertexCount / 3;
+    statistics.count.vertices += run.vertexCount;
+  }
+}
+
+void ScenePainter::chooseProbes() {
+  probed_.clear();
+  if (list_.found.empty() || color_.samples() != VK_SAMPLE_COUNT_1_BIT) return;
+  const VkExtent2D extent = color_.extent();
+  probed_ = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)}, options_.audit,
+                          list_.outlines);
+  // A region for each of many pixels takes longer than all pixels at once.
+  constexpr std::size_t kMostRegions = 4096;
+  probesAll_ = probed_.size() > kMostRegions;
+  const VkDeviceSize bytes =
+      sizeof(float) * (probesAll_ ? VkDeviceSize{extent.width} * extent.height : VkDeviceSize{probed_.size()});
+  if (bytes > 0 && (!probes_ || probes_.size() < bytes))
+    probes_ = gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = "probes"});
+}
+
+void ScenePainter::recordProbes(VkCommandBuffer commands) {
+  const VkExtent2D extent = depth_.extent();
+  std::vector<VkBufferImageCopy> regions;
+  const VkImageSubresourceLayers depth{.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT, .layerCount = 1};
+  if (probesAll_)
+    regions.push_back({.imageSubresource = depth, .imageExtent = {extent.width, extent.height, 1}});
+  else
+    for (std::size_t i = 0; i < probed_.size(); ++i)
+      regions.push_back({.bufferOffset = sizeof(float) * i,
+                         .imageSubresource = depth,
+                         .imageOffset = {probed_[i].x, probed_[i].y, 0},
+                         .imageExtent = {1, 1, 1}});
+  gpu::use(commands, {{depth_, gpu::Use::TransferSource}, {probes_, gpu::Use::TransferDestination}});
+  vkCmdCopyImageToBuffer(commands, depth_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, probes_,
+                         static_cast<std::uint32_t>(regions.size()), regions.data());
+  gpu::use(commands, {{probes_, gpu::Use::HostRead}});
+}
+
+std::vector<DepthProbe> ScenePainter::probes() {
+  std::vector<DepthProbe> probes;
+  if (probed_.empty()) return probes;
+  const std::span<const std::byte> depths = probes_.read();
+  for (std::size_t i = 0; i < probed_.size(); ++i) {
+    const auto [x, y] = probed_[i];
+    const std::size_t place = probesAll_ ? static_cast<std::size_t>(y) * depth_.extent().width +
+                                               static_cast<std::size_t>(x)
+                                         : i;
+    DepthProbe probe{.pixel = probed_[i]};
+    std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
+    probes.push_back(probe);
+  }
+  return probes;
+}
+
+void ScenePainter::clearDoubts(bool searches) {
+  if (!searches) return;
+  const VkExtent2D extent = color_.extent();
+  const VkDeviceSize pixels = VkDeviceSize{extent.width} * extent.height;
+  const VkDeviceSize bytes =
+      (pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord * sizeof(std::uint32_t);
+  if (!doubts_ || doubts_.size() != bytes)
+    doubts_ = gpu::Buffer(*context_, {.size = bytes,
+                                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                      .memory = gpu::MemoryUse::Readback,
+                                      .name = "doubts"});
+  else
+    context_->timeline().wait(context_->timeline().submitted());
+  std::ranges::fill(doubts_.mapped(), std::byte{0});
+  doubts_.flush();
+}
+
+std::vector<ScenePainter::Doubt> ScenePainter::doubts() {
+  const auto width = static_cast<std::int32_t>(color_.extent().width),
+             height = static_cast<std::int32_t>(color_.extent().height);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<std::uint32_t> words((pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord);
+  if (list_.exact()) std::memcpy(words.data(), doubts_.read().data(), words.size() * sizeof(std::uint32_t));
+  for (const PixelRect& rect : list_.byRays)
+    for (std::int32_t y = rect.low.y; y < rect.high.y; ++y)
+      for (std::int32_t x = rect.low.x; x < rect.high.x; ++x) {
+        const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x);
+        words[pixel / shared::kDoubtsPerWord] |= shared::kLostHere
+                                                 << shared::kDoubtBits * (pixel % shared::kDoubtsPerWord);
+      }
+  std::vector<Doubt> doubts;
+  for (std::size_t word = 0; word < words.size(); ++word)
+    for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
+      if ((bits & (shared::kLostHere | shared::kUncertifiedHere)) == 0) continue;
+      const auto pixel = static_cast<std::int32_t>(word * shared::kDoubtsPerWord + k);
+      doubts.push_back({{pixel % width, pixel / width}, (bits & shared::kLostHere) != 0});
+    }
+  return doubts;
 }
 
 void ScenePainter::prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples) {
@@ -238,7 +416,8 @@ void ScenePainter::prepareTargets(VkExtent2D extent, VkSampleCountFlagBits sampl
           : gpu::Texture();
   depth_ = gpu::Texture(*context_, {.extent = extent,
                                     .format = format_.depth,
-                                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                             VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                                     .samples = samples,
                                     .name = "depth"});
 }
@@ -313,8 +492,8 @@ void ScenePainter::write(Mirror& mirror, std::span<const std::byte> bytes, VkBuf
   mirror.bytes.assign(bytes.begin(), bytes.end());
 }
 
-void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings,
-                         const std::vector<DrawBatch>& batches, FrameStatistics& statistics) {
+void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings, std::span<const DrawBatch> batches,
+                         FrameStatistics& statistics) {
   for (const DrawBatch& batch : batches) {
     const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
     const bool withParameters = readsParameters(batch.state);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "draw/exact_shaders.h"
 #include "draw/mesh_store.h"
+#include "draw/ray_points.h"
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/exact_vert.h"
 #include "luxo/shaders/gouraud_frag.h"
@@ -16,6 +17,9 @@
 #include "luxo/shaders/gouraud_vert.h"
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
+#include "luxo/shaders/ray_inspect_vert.h"
+#include "luxo/shaders/ray_surface_pattern_vert.h"
+#include "luxo/shaders/ray_surface_vert.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_pattern_vert.h"
@@ -29,7 +33,7 @@ namespace luxo {
 namespace {
 
 // The numbers inspect.frag knows its quantities by.
-enum class Quantity : std::uint32_t { Position, Normal, Parameters, Depth, Id, Residual };
+enum class Quantity : std::uint32_t { Position, Normal, Parameters, Depth, Id, Residual, Certificate };
 
 struct Inspection {
   Quantity quantity;
@@ -51,6 +55,8 @@ std::optional<Inspection> inspectionOf(const DrawState& state) {
       return Inspection{Quantity::Id, false};
     case Output::Residual:
       return Inspection{Quantity::Residual, false};
+    case Output::Certificate:
+      return Inspection{Quantity::Certificate, false};
     case Output::Color:
       break;
   }
@@ -68,6 +74,24 @@ std::optional<Inspection> inspectionOf(const DrawState& state) {
     default:
       return std::nullopt;
   }
+}
+
+/// As inspection.glsl knows certificates.
+enum class Certificate : std::uint32_t { ByRay = 2, None = 3 };
+
+/// Points that rays have found replace what is there.
+void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipelineDesc& desc) {
+  desc.vertexShader = inspects                ? std::span<const std::uint32_t>(luxo_ray_inspect_vert)
+                      : state.pattern.valid() ? std::span<const std::uint32_t>(luxo_ray_surface_pattern_vert)
+                                              : std::span<const std::uint32_t>(luxo_ray_surface_vert);
+  desc.bindings = {{0, sizeof(RayPoint), VK_VERTEX_INPUT_RATE_VERTEX}};
+  desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, position)},
+                     {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, normal)},
+                     {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayPoint, parameters)},
+                     {3, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, place)}};
+  if (!readsParameters(state)) desc.attributes.erase(desc.attributes.begin() + 2);
+  desc.depthCompare = VK_COMPARE_OP_ALWAYS;
+  desc.pushConstantBytes = sizeof(RayTarget);
 }
 
 /// States that make the same pipeline become equal: an auxiliary output is the same under every shading.
@@ -105,7 +129,7 @@ const gpu::DescriptorLayout& ScenePipelines::patternLayout() {
 const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   if (exactLayout_.bindings().empty())
     exactLayout_ = gpu::DescriptorLayout(
-        *context_, std::vector<gpu::DescriptorBinding>(4, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+        *context_, std::vector<gpu::DescriptorBinding>(5, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
   return exactLayout_;
 }
 
@@ -131,7 +155,7 @@ const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode&
 
 void ScenePipelines::describeExact(const DrawState& state, const PassFormat& format,
                                    gpu::GraphicsPipelineDesc& desc) {
-  constexpr std::uint32_t kLight = static_cast<std::uint32_t>(Quantity::Residual) + 1;
+  constexpr std::uint32_t kLight = static_cast<std::uint32_t>(Quantity::Certificate) + 1;
   desc.vertexShader = luxo_exact_vert;
   desc.fragmentShader = exactShader(*state.surface, state.pattern);
   desc.bindings = {{0, sizeof(HullVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
@@ -194,7 +218,8 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
   } else if (const auto inspection = inspectionOf(state)) {
     desc.vertexShader = luxo_inspect_vert;
     desc.fragmentShader = luxo_inspect_frag;
-    desc.specialization = {static_cast<std::uint32_t>(inspection->quantity), inspection->asColor};
+    desc.specialization = {static_cast<std::uint32_t>(inspection->quantity), inspection->asColor,
+                           static_cast<std::uint32_t>(state.byRays ? Certificate::ByRay : Certificate::None)};
     // Geometry is not seen through: the nearest surface counts, transparent or not.
     desc.depthWrite = true;
     desc.blend = gpu::Blend::None;
@@ -228,6 +253,7 @@ gpu::GraphicsPipeline ScenePipelines::make(const DrawState& state, const PassFor
       desc.fragmentShader = patternShader(state.pattern, "pattern/surface.frag");
     }
   }
+  if (state.byRays) describeRayPoints(state, inspectionOf(state).has_value(), desc);
   return {*context_, desc};
 }
 

@@ -39,6 +39,11 @@ bool SearchCare::refineNodes(const LostPixels& lost, bool mayHelp) {
   return finer;
 }
 
+void SearchCare::refine(std::uint32_t node) {
+  if (node >= nodes_.size()) nodes_.resize(node + 1);
+  ++nodes_[node].level;
+}
+
 void SearchCare::rememberFlat() {
   // Most would be of views long gone.
   if (std::ranges::count(lostInFlat_, true) > std::ssize(lostInFlat_) / 4) lostInFlat_.clear();

@@ -26,6 +26,9 @@ class SearchCare {
   /// and left. So is what kMostLessons have not found.
   bool learn(const LostPixels& lost);
 
+  /// The node gets a finer hull, whatever it lost.
+  void refine(std::uint32_t node);
+
   /// Keeps what helps other pictures of nearly the same view: a new picture begins.
   void beginPicture();
 

@@ -10,6 +10,8 @@ namespace luxo {
 /// Milliseconds of the host's clock, except gpu, which is the device's where it has timestamps.
 struct FrameTimes {
   double total = 0, animate = 0, tessellate = 0, cull = 0, upload = 0, gpu = 0, readback = 0, encode = 0;
+  double rays = 0;      ///< points found by certified rays, and the audit
+  double rayTrees = 0;  ///< the cells that these are cast against, where they were not there yet
 };
 
 struct FrameCounts {
@@ -35,9 +37,16 @@ struct FrameError {
   /// Of exact shading, where a node has it: the largest distance on the screen between a pixel's centre and
   /// the point of the surface that it shows, as the shader measured it. Nothing: no node has it.
   std::optional<double> residualMaxPx;
-  /// Pixels whose point was not found although no miss was certain, after all refinement; and pixels that
-  /// show a point which is not proven to be the root nearest to where the search began.
+  bool found = false;  ///< points of some node are found in its pixels: what follows applies
+  /// Of all samples: pixels whose point was not found although no miss was certain, or was found by an audit to
+  /// be wrong, after all refinement; and pixels that show a point which is not proven, neither by the search that
+  /// found it nor by a ray.
   std::uint64_t unconvergedPx = 0, uncertifiedPx = 0;
+  std::uint64_t resolvedByRaysPx = 0;  ///< pixels whose point, or miss, was found by a certified ray
+  /// Pixels that were audited; those that were found wrong, in any attempt; those of the last attempt that the
+  /// reference cannot decide.
+  std::uint64_t auditedPx = 0, auditFailedPx = 0, auditUndecidedPx = 0;
+  std::uint64_t nonfinitePx = 0;  ///< pixels with a value that is no finite number
 };
 
 struct FrameStatistics {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/caster.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace luxo::reference {
@@ -15,10 +18,14 @@ double highlight(double x, double n) { return x > 0 || n == 0 ? std::pow(x, n) :
 
 }  // namespace
 
-Caster::Caster(const Snapshot& snapshot, ShapeCache& cache) : snapshot_(snapshot) {
+Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snapshot_(snapshot) {
   std::vector<ShapeCache::Request> requests;
   for (const SnapshotNode& node : snapshot.nodes) requests.emplace_back(node.surface, node.parameters);
   const auto shapes = cache.shapes(requests);
+  if (cells == Cells::AtOnce)
+    tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) {
+      if (!shapes[i]->hasClosedForm()) static_cast<void>(shapes[i]->cells());
+    });
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const SnapshotNode& node = snapshot.nodes[i];
     const Material& material = snapshot.materials[node.material.index];
@@ -43,32 +50,82 @@ Ray Caster::rayThrough(double x, double y) const {
   return {view.eye + across, view.forward()};
 }
 
-void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const {
+Caster::Range Caster::rangeOf(const Ray& ray) const {
+  const double perDepth = 1 / glm::dot(ray.direction, snapshot_.view.forward());
+  return {snapshot_.view.near * perDepth, snapshot_.view.far * perDepth};
+}
+
+bool Caster::mayMeet(const Ray& ray, std::uint32_t node) const {
+  const Box& box = snapshot_.nodes[node].boundsWorld;
+  double enters = 0, leaves = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    // Far above what rounding makes of distances.
+    const double slack = 1e-9 * (std::abs(box.min[i]) + std::abs(box.max[i]) + std::abs(ray.origin[i]));
+    const double a = (box.min[i] - slack - ray.origin[i]) / ray.direction[i],
+                 b = (box.max[i] + slack - ray.origin[i]) / ray.direction[i];
+    if (std::isnan(a) || std::isnan(b)) continue;  // along the face of an infinite or a flat box
+    enters = std::max(enters, std::min(a, b));
+    leaves = std::min(leaves, std::max(a, b));
+  }
+  return enters <= leaves * (1 + 1e-9);
+}
+
+Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
   const SnapshotNode& n = snapshot_.nodes[node];
+  const Body& body = bodies_[node];
+  Hit hit{.t = root.t, .node = node, .u = root.u, .v = root.v};
+  hit.position = ray.origin + root.t * ray.direction;
+  hit.normal = unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
+  if (body.twoSided && glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
+  return hit;
+}
+
+Caster::First Caster::firstOf(std::span<const std::uint32_t> nodes, const Ray& ray) const {
+  First first;
+  auto [nearest, farthest] = rangeOf(ray);
+  std::optional<Root> root;
+  std::uint32_t of = 0;
+  for (const std::uint32_t node : nodes) {
+    if (!mayMeet(ray, node)) continue;
+    const Body& body = bodies_[node];
+    const Roots roots = body.shape.nearestRoot(ray, {nearest, farthest, body.facing, body.mirrored});
+    first.certified &= roots.certified;
+    if (!roots.nearest || (root && roots.nearest->t >= root->t)) continue;
+    root = roots.nearest;
+    of = node;
+    farthest = root->t;
+  }
+  if (root) first.hit = hitAt(ray, of, *root);
+  return first;
+}
+
+void Caster::prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes) const {
+  for (const std::uint32_t node : nodes) {
+    const Shape& shape = bodies_[node].shape.shape();
+    if (shape.hasClosedForm()) continue;
+    const auto count = std::ranges::count_if(rays, [&](const Ray& ray) { return mayMeet(ray, node); });
+    if (count > 0) shape.prepareFor(static_cast<std::size_t>(count));
+  }
+}
+
+void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const {
   const Body& body = bodies_[node];
   RootQuery query{nearest, farthest, body.facing, body.mirrored};
   for (int layer = 0; layer < kMostLayers; ++layer) {
     const Roots roots = body.shape.nearestRoot(ray, query);
     sight.certified &= roots.certified;
     if (!roots.nearest) return;
-    const Root& root = *roots.nearest;
-    Hit hit{.t = root.t, .node = node, .u = root.u, .v = root.v, .certified = roots.certified};
-    hit.position = ray.origin + root.t * ray.direction;
-    hit.normal = unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
-    if (body.twoSided && glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
-    sight.hits.push_back(hit);
+    sight.hits.push_back(hitAt(ray, node, *roots.nearest));
+    sight.hits.back().certified = roots.certified;
     if (body.opacity >= 1) return;
     // Behind this layer: far enough not to find it again, near enough not to miss the next.
-    query.nearest = root.t * (1 + 1e-9);
+    query.nearest = roots.nearest->t * (1 + 1e-9);
   }
 }
 
 Caster::Sight Caster::look(const Ray& ray) const {
   Sight sight;
-  // The near and far planes are planes, not spheres.
-  const double perDepth = 1 / glm::dot(ray.direction, snapshot_.view.forward());
-  const double nearest = snapshot_.view.near * perDepth;
-  double opaque = snapshot_.view.far * perDepth;
+  auto [nearest, opaque] = rangeOf(ray);
   for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
     meet(ray, node, nearest, opaque, sight);
     for (const Hit& hit : sight.hits)

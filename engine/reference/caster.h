@@ -3,6 +3,9 @@
 // precision.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "reference/roots.h"
@@ -21,13 +24,16 @@ struct Hit {
   bool certified = true;
 };
 
+/// When the cells of surfaces that have no closed form are built: at once, all of them; or by prepareFor().
+enum class Cells { AtOnce, WhereRaysGo };
+
 /// Reads a snapshot, which must outlive it. Safe from any thread once built. Cost of building: the cells of
 /// the distinct surfaces that have no closed form.
 class Caster {
  public:
   explicit Caster(const Snapshot& snapshot);
   /// Only what the cache does not have yet is built. The cache may go.
-  Caster(const Snapshot& snapshot, ShapeCache& cache);
+  Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells = Cells::AtOnce);
 
   /// The ray of a picture's point: pixel coordinates, x to the right, y down.
   [[nodiscard]] Ray rayThrough(double x, double y) const;
@@ -39,6 +45,17 @@ class Caster {
     bool certified = true;  ///< every hit and every miss is proven
   };
   [[nodiscard]] Sight look(const Ray& ray) const;
+
+  /// What a ray meets first of some nodes, as if these were all there are, and opaque.
+  struct First {
+    std::optional<Hit> hit;
+    bool certified = true;
+  };
+  /// `nodes`: ascending.
+  [[nodiscard]] First firstOf(std::span<const std::uint32_t> nodes, const Ray& ray) const;
+
+  /// Builds the cells of those of the nodes whose bounds some of the rays meet; no other call at the same time.
+  void prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes) const;
 
   /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
   /// was not decided.
@@ -59,6 +76,13 @@ class Caster {
     double opacity = 1;
   };
 
+  /// Where the near and the far plane are on a ray; they are planes, not spheres.
+  struct Range {
+    double nearest, farthest;
+  };
+  [[nodiscard]] Range rangeOf(const Ray& ray) const;
+  [[nodiscard]] bool mayMeet(const Ray& ray, std::uint32_t node) const;
+  [[nodiscard]] Hit hitAt(const Ray& ray, std::uint32_t node, const Root& root) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const;
   [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const;
   [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight, double distance,

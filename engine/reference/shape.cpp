@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/shape.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 
 namespace luxo::reference {
 namespace {
+
+// Measured on the teapot: 16,384 cells take 140 ms of two cores, 1,024 take 10, and a ray of a quarter that takes 7 us
+// with the many takes 40 with the few.
+constexpr std::size_t kManyCells = 1U << 14, kFewCells = 1U << 10, kFewRays = 4096;
 
 std::vector<ClosedForm> closedFormsOf(const Surface& surface, std::span<const double> parameters) {
   std::vector<ClosedForm> forms;
@@ -24,17 +27,29 @@ std::vector<ClosedForm> closedFormsOf(const Surface& surface, std::span<const do
 Shape::Shape(const Surface& surface, std::span<const double> parameters)
     : surface_(surface),
       parameters_(parameters.begin(), parameters.end()),
-      forms_(closedFormsOf(surface, parameters)) {
-  if (forms_.empty()) static_cast<void>(cells());
-}
+      forms_(closedFormsOf(surface, parameters)) {}
 
 const CellTree& Shape::cells() const {
-  // Isolated: a thread that waits for its part of this must not begin a ray that waits for this.
   std::call_once(building_, [this] {
-    tbb::this_task_arena::isolate(
-        [this] { cells_ = std::make_unique<const CellTree>(surface_, parameters_); });
+    if (!cells_) build(forms_.empty() ? kManyCells : kFewCells);  // forms leave little to cells
   });
   return *cells_;
+}
+
+void Shape::prepareFor(std::size_t rays) const {
+  if (!forms_.empty()) return;
+  const bool wereFew = rays_ <= kFewRays;
+  rays_ += rays;
+  if (rays_ > kFewRays && wereFew)
+    build(kManyCells);
+  else if (!cells_)
+    build(kFewCells);
+}
+
+void Shape::build(std::size_t mostCells) const {
+  // Isolated: a thread that waits for its part of this must not begin a ray that waits for this.
+  tbb::this_task_arena::isolate(
+      [&] { cells_ = std::make_unique<const CellTree>(surface_, parameters_, mostCells); });
 }
 
 PlacedShape::PlacedShape(std::shared_ptr<const Shape> shape, const Transform& worldFromObject)
@@ -82,12 +97,9 @@ std::vector<std::shared_ptr<const Shape>> ShapeCache::shapes(std::span<const Req
     else
       missing.push_back(&request);
   }
-  std::vector<std::shared_ptr<const Shape>> built(missing.size());
-  tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-    built[i] = std::make_shared<const Shape>(missing[i]->first, missing[i]->second);
-  });
-  for (std::size_t i = 0; i < missing.size(); ++i)
-    asked[{missing[i]->first.identity(), missing[i]->second}] = built[i];
+  for (const Request* request : missing)
+    asked[{request->first.identity(), request->second}] =
+        std::make_shared<const Shape>(request->first, request->second);
   shapes_ = std::move(asked);
 
   std::vector<std::shared_ptr<const Shape>> shapes;

@@ -18,22 +18,28 @@
 
 namespace luxo::reference {
 
-/// Safe from any thread. Keeps a copy of the surface.
+/// Safe from any thread, but for prepareFor(). Keeps a copy of the surface.
 class Shape {
  public:
-  /// Cost: the cells of a surface that has no closed form.
   Shape(const Surface& surface, std::span<const double> parameters);
 
-  /// The cells. Cost, on the first call for a surface with a closed form: building them.
+  /// The cells. Cost, on the first call: building them, unless prepareFor() has.
   [[nodiscard]] const CellTree& cells() const;
+  /// Builds the cells that so many more rays are best cast against: few rays find their way through few large
+  /// cells sooner than many small ones are built. Nothing where a closed form answers. No other call at the
+  /// same time.
+  void prepareFor(std::size_t rays) const;
   [[nodiscard]] bool hasClosedForm() const { return !forms_.empty(); }
   [[nodiscard]] std::span<const ClosedForm> closedForms() const { return forms_; }
 
  private:
   Surface surface_;
   std::vector<double> parameters_;
+  void build(std::size_t mostCells) const;
+
   std::vector<ClosedForm> forms_;  ///< of every patch, or none
   mutable std::once_flag building_;
+  mutable std::size_t rays_ = 0;  ///< that were prepared for
   mutable std::unique_ptr<const CellTree> cells_;
 };
 
@@ -62,8 +68,7 @@ class ShapeCache {
  public:
   using Request = std::pair<Surface, std::vector<double>>;
 
-  /// The shape of each request, in order; new ones are built in parallel. Shapes that were not asked for are
-  /// forgotten.
+  /// The shape of each request, in order. Shapes that were not asked for are forgotten.
   [[nodiscard]] std::vector<std::shared_ptr<const Shape>> shapes(std::span<const Request> requests);
 
  private:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -137,11 +138,29 @@ class Builder {
       hull.offset = std::max({hull.offset, glm::length(m.out), glm::length(m.in)});
       hull.proven = hull.proven && m.leadOut;
     }
+    addPinches(hull, [&](std::uint32_t v) { return !moves[frame_.pointOf(v)].leadOut; });
     HullSpans spans = spansOf(frame_, distances, hull.positions, surface_.patchCount());
     hull.spanned = std::move(spans.positions);
     hull.slabs = std::move(spans.slabs);
     hull.spansProven = hull.proven && spans.proven;
     joined_ = std::move(spans.joined);
+  }
+
+  /// Of the surface that triangles around a pinched vertex stand for nothing is farther from it than they are, and
+  /// the deviation.
+  template <class Predicate>
+  void addPinches(Hull& hull, const Predicate& pinched) const {
+    std::map<std::uint32_t, Hull::Pinch> pinches;
+    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
+      for (const std::uint32_t v : frame_.corners(t)) {
+        if (!pinched(v)) continue;
+        Hull::Pinch& pinch = pinches[frame_.pointOf(v)];
+        pinch.center = mesh_.positions[v];
+        for (const std::uint32_t other : frame_.corners(t))
+          pinch.reach =
+              std::max(pinch.reach, glm::distance(mesh_.positions[v], mesh_.positions[other]) + frame_.bound(t));
+      }
+    for (const auto& [point, pinch] : pinches) hull.pinches.push_back(pinch);
   }
 
   /// The normal turns along an edge by the edge's length over the radius.
@@ -386,8 +405,8 @@ void dropFalseEquations(Hull& hull, const HullFrame& frame) {
 
 }  // namespace
 
-Hull makeHull(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
-              const HullDesc& wanted) {
+std::optional<Hull> makeHull(const Surface& surface, std::span<const double> parameters,
+                             const CurvatureMap& map, const HullDesc& wanted) {
   LUXO_REQUIRE_COMPARE(wanted.tolerance, >, 0.0);
   const std::vector<std::optional<Equation>> equations = equationsOf(surface, parameters);
   HullDesc desc = wanted;
@@ -395,6 +414,13 @@ Hull makeHull(const Surface& surface, std::span<const double> parameters, const 
     desc.tolerance *= kEquationTolerance;
   std::vector<Block> blocks = planBlocks(surface, parameters, map, {.tolerance = desc.tolerance});
   std::ranges::stable_sort(blocks, {}, &Block::patch);
+  // A top and a bottom of two triangles a cell.
+  const auto tooMany = [&] {
+    double triangles = 0;
+    for (const Block& block : blocks) triangles += 4.0 * block.segments.u * block.segments.v;
+    return triangles > desc.mostTriangles;
+  };
+  if (tooMany()) return std::nullopt;
 
   Hull hull;
   const Box box = surface.framing(parameters);
@@ -409,6 +435,7 @@ Hull makeHull(const Surface& surface, std::span<const double> parameters, const 
   auto frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData, look);
   for (int k = 0; k < kMostRefinements && frame->mesh().triangleCount() < kMostRefinedTriangles; ++k) {
     if (!refineForHull(surface, parameters, desc, *frame, blocks)) break;
+    if (tooMany()) return std::nullopt;
     frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData, look);
   }
   dropFalseEquations(hull, *frame);

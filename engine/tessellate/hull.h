@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -98,6 +99,15 @@ struct Hull {
   /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the
   /// mesh tells; infinite of what is mostly flat. Object units.
   double medianRadius = 0;
+  /// Where no direction leads out of the triangles around a vertex, and the shell may leave out some of the surface
+  /// near it: these boxes hold what they leave out. Object space.
+  struct Pinch {
+    Vec3 center{0};
+    double reach = 0;
+
+    [[nodiscard]] Box box() const { return {center - Vec3(reach), center + Vec3(reach)}; }
+  };
+  std::vector<Pinch> pinches;
   /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing, or turn so
   /// sharply that no direction leads out (pinch points): the hull is then as good as one can be made. Where a
   /// surface is thinner than the tolerance, slabs of its parts overlap.
@@ -120,10 +130,13 @@ struct HullDesc {
   /// radians. What turns faster is tessellated more finely, as far as that helps and is not much thinner than
   /// the tolerance; so is what turns by more than a radian within a triangle.
   double mostTurn = 0.8;
+  /// A hull of more is not made.
+  double mostTriangles = std::numeric_limits<double>::infinity();
 };
 
-/// Pure: equal input gives equal bits. Cost: that of up to seven meshes, the more the coarser they are.
-[[nodiscard]] Hull makeHull(const Surface& surface, std::span<const double> parameters,
+/// Pure: equal input gives equal bits. Nothing where it would have more triangles than desc.mostTriangles. Cost: that
+/// of up to seven meshes, the more the coarser they are.
+[[nodiscard]] std::optional<Hull> makeHull(const Surface& surface, std::span<const double> parameters,
                             const CurvatureMap& map, const HullDesc& desc);
 
 }  // namespace luxo

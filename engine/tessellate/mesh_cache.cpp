@@ -27,15 +27,15 @@ double toleranceLevel(double tolerance) {
   return between <= tolerance ? between : power;
 }
 
-const CurvatureMap& MeshCache::mapOf(const Surface& surface, const Shape& shape) {
+MeshCache::MapEntry& MeshCache::mapOf(const Surface& surface, const Shape& shape) {
   auto found = maps_.find(shape);
   if (found == maps_.end()) {
     // Of an animated surface every frame has its own.
     if (maps_.size() >= kMostMaps) maps_.erase(leastRecentlyUsed(maps_));
-    found = maps_.emplace(shape, MapEntry{surface, CurvatureMap(surface, shape.parameters)}).first;
+    found = maps_.emplace(shape, MapEntry{surface, CurvatureMap(surface, shape.parameters), {}}).first;
   }
   found->second.lastUse = ++uses_;
-  return found->second.map;
+  return found->second;
 }
 
 template <class Make>
@@ -67,22 +67,34 @@ std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<con
                [&](const Key& k, Entry& entry) {
                  entry.mesh = std::make_shared<const Mesh>(
                      desc.uniform ? tessellate(surface, parameters, desc)
-                                  : tessellate(surface, parameters, mapOf(surface, k.shape),
+                                  : tessellate(surface, parameters, mapOf(surface, k.shape).map,
                                                {.tolerance = k.tolerance, .longestEdge = k.longestEdge}));
                })
       .mesh;
 }
 
 std::shared_ptr<const Hull> MeshCache::hull(const Surface& surface, std::span<const double> parameters,
-                                            double tolerance) {
+                                            double tolerance, double mostTriangles) {
   Key key{.shape = {surface.identity(), {parameters.begin(), parameters.end()}},
           .tolerance = toleranceLevel(tolerance),
           .isHull = true};
+  const auto tooMany = [&](const std::shared_ptr<const Hull>& hull) {
+    return static_cast<double>(hull->triangleCount()) > mostTriangles;
+  };
+  if (const auto known = entries_.find(key); known != entries_.end()) {
+    known->second.lastUse = ++uses_;
+    return tooMany(known->second.hull) ? nullptr : known->second.hull;
+  }
+  MapEntry& map = mapOf(surface, key.shape);
+  double& least = map.leastTriangles[key.tolerance];
+  if (least >= mostTriangles) return nullptr;
+  auto hull = makeHull(surface, parameters, map.map, {.tolerance = key.tolerance, .mostTriangles = mostTriangles});
+  if (!hull) {
+    least = mostTriangles;
+    return nullptr;
+  }
   return found(surface, std::move(key),
-               [&](const Key& k, Entry& entry) {
-                 entry.hull = std::make_shared<const Hull>(
-                     makeHull(surface, parameters, mapOf(surface, k.shape), {.tolerance = k.tolerance}));
-               })
+               [&](const Key&, Entry& entry) { entry.hull = std::make_shared<const Hull>(std::move(*hull)); })
       .hull;
 }
 

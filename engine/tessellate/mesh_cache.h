@@ -33,9 +33,9 @@ class MeshCache {
   [[nodiscard]] std::shared_ptr<const Mesh> get(const Surface& surface, std::span<const double> parameters,
                                                 const MeshDesc& desc);
 
-  /// The hull for the level of the tolerance.
+  /// The hull for the level of the tolerance; null where it has more than so many triangles.
   [[nodiscard]] std::shared_ptr<const Hull> hull(const Surface& surface, std::span<const double> parameters,
-                                                 double tolerance);
+                                                 double tolerance, double mostTriangles);
 
   /// Meshes and hulls made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return tessellated_; }
@@ -74,10 +74,11 @@ class MeshCache {
   struct MapEntry {
     Surface surface;
     CurvatureMap map;
+    std::map<double, double> leastTriangles;  ///< of hulls, by tolerance: they have more
     std::uint64_t lastUse = 0;
   };
 
-  const CurvatureMap& mapOf(const Surface& surface, const Shape& shape);
+  MapEntry& mapOf(const Surface& surface, const Shape& shape);
   /// What is there for the key, or what `make` makes: an entry's mesh or its hull.
   template <class Make>
   Entry found(const Surface& surface, Key key, const Make& make);

@@ -2,7 +2,7 @@
 // Fragments of a hull: find the surface's point, then show it: lit, or as numbers or colours of its geometry.
 //
 // Alpha tells how good the point is: of what is lit and opaque its residual in pixels, negative where the root is not
-// certified; of what is transparent its opacity; of numbers and colours 1.
+// certified; of what is transparent its opacity; of numbers and colours 1, or -1 where it is not.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/exact_ray.glsl"
 #if defined(LUXO_PLANE)
@@ -19,6 +19,7 @@ layout(constant_id = 3) const uint kQuantity = kLight;
 layout(constant_id = 4) const bool kAsColor = false;
 
 layout(scalar, set = 2, binding = kBindingTally) buffer Tally { uint lost[]; } tally;
+layout(scalar, set = 2, binding = kBindingDoubts) buffer Doubts { uint ofPixels[]; } doubts;
 
 layout(location = 0) out vec4 outColor;
 
@@ -44,11 +45,18 @@ struct Seen {
   float depth, residual;
 };
 
+void doubtPixel(uint why) {
+  uint width = uint(2.0 * linkCellHalf.z), pixel = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x);
+  atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], why << kDoubtBits * (pixel % kDoubtsPerWord));
+}
+
 // Ends the fragment where there is nothing to see.
 Seen seenPoint() {
   Found found;
   int result = findPoint(found);
   if (result == kLost) atomicAdd(tally.lost[kSteep ? kTallySlots + linkFlags.w : uint(linkClip.w)], 1);
+  if (result == kLost || result == kFound && !found.certified)
+    doubtPixel(result == kLost ? kLostHere : kUncertifiedHere);
   if (result != kFound || !inDepthRange(found.depth)) discard;
   float depth = float(found.depth);
   gl_FragDepth = float(inDepthBuffer(found.depth));
@@ -73,7 +81,7 @@ void show(Seen seen, vec3 ambient, vec3 diffuse) {
                     opaque ? seen.residual : linkDiffuseOpacity.w);
   } else {
     Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[linkFlags.w].id,
-                                    seen.residual);
-    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), 1);
+                                    seen.residual, seen.residual < 0.0 ? kUncertified : kBySearch);
+    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), seen.residual < 0.0 ? -1 : 1);
   }
 }

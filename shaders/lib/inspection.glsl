@@ -2,7 +2,7 @@
 // Geometry as numbers (auxiliary outputs) or as colours (debug views).
 #include "lib/scene.glsl"
 
-const uint kPosition = 0, kNormal = 1, kParameters = 2, kDepth = 3, kId = 4, kResidual = 5, kLight = 6;
+const uint kPosition = 0, kNormal = 1, kParameters = 2, kDepth = 3, kId = 4, kResidual = 5, kCertificate = 6, kLight = 7;
 
 struct Inspected {
   vec3 position, normal;
@@ -10,7 +10,11 @@ struct Inspected {
   float depth;
   uint id;
   float residual;  // pixels; negative: not certified
+  uint certificate;
 };
+
+// Values of a certificate: by the search that found the point, by a ray cast in double, or none.
+const uint kBySearch = 1, kByRay = 2, kUncertified = 3;
 
 // Colours of neighbouring numbers lie a golden angle apart on the hue circle: any few nodes are told apart.
 vec3 colorOfId(uint id) {
@@ -37,5 +41,6 @@ vec3 inspectedValue(Inspected point, uint quantity, bool asColor, vec4 domain) {
     return vec3(asColor ? 0.02 + 0.98 * clamp(nearness, 0.0, 1.0) : point.depth);
   }
   if (quantity == kId) return asColor ? colorOfId(point.id) : vec3(point.id);
+  if (quantity == kCertificate) return vec3(point.certificate);
   return asColor ? colorOfResidual(point.residual) : vec3(abs(point.residual));
 }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices of a surface that is shaded per fragment. In: object space. Out: relative to the eye, axes of the world.
+// Vertices of a surface that is shaded per fragment. Out: relative to the eye, axes of the world.
 #include "lib/lights.glsl"
-#include "lib/scene.glsl"
-
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
+#include "lib/placed_vertex.glsl"
 
 layout(location = 0) sample out vec3 outPosition;
 layout(location = 1) sample out vec3 outNormal;
@@ -20,8 +17,8 @@ layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cos
 invariant gl_Position;
 
 void writeSurfaceVertex(InstanceData instance) {
-  outPosition = relativeFromObject(instance, inPosition);
-  outNormal = unitOrZero(instance.normalFromObject * inNormal);
+  outPosition = positionOfVertex(instance);
+  outNormal = normalOfVertex(instance);
   outAmbient = instance.ambient;
   outDiffuse = instance.diffuse;
   outSpecular = instance.specular;
@@ -36,7 +33,7 @@ void writeSurfaceVertex(InstanceData instance) {
     outShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
     outShades[2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
   }
-  gl_Position = view.clipFromRelative * vec4(outPosition, 1);
+  gl_Position = clipOfVertex(outPosition);
 }
 
 // (N.V) |N.V|: near a silhouette this is proportional to the distance from it in the picture, so that its interpolation

@@ -31,12 +31,20 @@ LUXO_CONSTANT kBindingExactInstances = 0;
 LUXO_CONSTANT kBindingExactPatches = 1;
 LUXO_CONSTANT kBindingExactParameters = 2;
 LUXO_CONSTANT kBindingTally = 3;
+LUXO_CONSTANT kBindingDoubts = 4;
 
 LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
 
 // Searches that lose a surface are counted: those in triangles seen flat by slots that vertices of hulls share, of all
 // instances, the others after these by instance.
 LUXO_CONSTANT kTallySlots = 16384;
+
+// What is in doubt, two bits a pixel, row by row: a search has lost a surface there; what it has found there is not
+// certified.
+LUXO_CONSTANT kLostHere = 1;
+LUXO_CONSTANT kUncertifiedHere = 2;
+LUXO_CONSTANT kDoubtBits = 2;
+LUXO_CONSTANT kDoubtsPerWord = 16;
 
 LUXO_CONSTANT kMostLights = 32;  // that may reach one object
 

@@ -17,7 +17,7 @@ namespace {
 
 Hull hullOf(const Surface& surface) {
   const double size = glm::length(surface.framing({}).extent());
-  return makeHull(surface, {}, CurvatureMap(surface, {}), {.tolerance = 2e-3 * size});
+  return *makeHull(surface, {}, CurvatureMap(surface, {}), {.tolerance = 2e-3 * size});
 }
 
 class HullViewOf : public testing::TestWithParam<const char*> {};

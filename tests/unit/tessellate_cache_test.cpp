@@ -12,6 +12,8 @@
 namespace luxo {
 namespace {
 
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
 MeshDesc grid(std::uint32_t u, std::uint32_t v) { return {.uniform = Segments{u, v}}; }
 
 TEST(ToleranceLevel, IsThePowerOfSqrt2AtOrBelow) {
@@ -127,25 +129,37 @@ TEST(MeshCache, HullsAreEntriesOfTheirOwn) {
   MeshCache cache;
   const Surface ball = sphere(1);
   const auto mesh = cache.get(ball, {}, {.tolerance = 0.01});
-  const auto hull = cache.hull(ball, {}, 0.01);
+  const auto hull = cache.hull(ball, {}, 0.01, kAny);
   EXPECT_EQ(cache.tessellated(), 2u);
   EXPECT_EQ(cache.get(ball, {}, {.tolerance = 0.01}), mesh);
-  EXPECT_EQ(cache.hull(ball, {}, toleranceLevel(0.01)), hull);
+  EXPECT_EQ(cache.hull(ball, {}, toleranceLevel(0.01), kAny), hull);
   EXPECT_EQ(cache.tessellated(), 2u);
-  EXPECT_NE(cache.hull(ball, {}, 0.02), hull);
+  EXPECT_NE(cache.hull(ball, {}, 0.02, kAny), hull);
   EXPECT_EQ(cache.tessellated(), 3u);
-  const Hull made = makeHull(ball, {}, CurvatureMap(ball, {}), {.tolerance = toleranceLevel(0.01)});
+  const Hull made = *makeHull(ball, {}, CurvatureMap(ball, {}), {.tolerance = toleranceLevel(0.01)});
   EXPECT_EQ(hull->positions, made.positions);
   EXPECT_EQ(hull->indices, made.indices);
+}
+
+TEST(MeshCache, AHullOfTooManyTrianglesIsNotMade) {
+  MeshCache cache;
+  const Surface ball = sphere(1);
+  const auto most = static_cast<double>(cache.hull(ball, {}, 0.01, kAny)->triangleCount());
+  EXPECT_EQ(cache.hull(ball, {}, 0.01, most - 1), nullptr) << "although it is there";
+  MeshCache another;
+  EXPECT_EQ(another.hull(ball, {}, 0.001, most), nullptr);
+  EXPECT_EQ(another.hull(ball, {}, 0.001, 0.5 * most), nullptr);
+  EXPECT_EQ(another.tessellated(), 0u);
+  EXPECT_NE(another.hull(ball, {}, 0.001, kAny), nullptr);
 }
 
 TEST(MeshCache, HullsCountInItsBudget) {
   const Surface ball = sphere(1);
   MeshCache cache(1);  // so that the last one asked for remains
-  const auto hull = cache.hull(ball, {}, 0.01);
-  EXPECT_EQ(cache.hull(ball, {}, 0.01), hull);
+  const auto hull = cache.hull(ball, {}, 0.01, kAny);
+  EXPECT_EQ(cache.hull(ball, {}, 0.01, kAny), hull);
   static_cast<void>(cache.get(ball, {}, {.tolerance = 0.01}));
-  EXPECT_NE(cache.hull(ball, {}, 0.01), hull);
+  EXPECT_NE(cache.hull(ball, {}, 0.01, kAny), hull);
   EXPECT_EQ(cache.tessellated(), 3u);
 }
 

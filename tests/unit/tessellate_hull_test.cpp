@@ -24,7 +24,7 @@ namespace luxo {
 namespace {
 
 Hull hullOf(const Surface& surface, double tolerance, std::span<const double> parameters = {}) {
-  return makeHull(surface, parameters, CurvatureMap(surface, parameters), {.tolerance = tolerance});
+  return *makeHull(surface, parameters, CurvatureMap(surface, parameters), {.tolerance = tolerance});
 }
 
 double sizeOf(const Surface& surface, std::span<const double> parameters = {}) {

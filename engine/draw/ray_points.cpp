@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/ray_points.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "reference/audit.h"
+#include "tessellate/parallel.h"
+
+namespace luxo {
+namespace {
+
+constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
+/// Of the distances involved: what a dozen operations of single precision round away.
+constexpr double kDepthRounding = 0x1p-21;
+constexpr std::size_t kRaysForAllCores = 32;
+
+/// Point k of the sequence of M. Roberts (2018), in the unit square.
+Vec2 spread(std::uint64_t k) {
+  constexpr double kPlastic = 1.32471795724474602596;
+  const auto fraction = [](double a) { return a - std::floor(a); };
+  const double n = static_cast<double>(k);
+  return {fraction(0.5 + n / kPlastic), fraction(0.5 + n / (kPlastic * kPlastic))};
+}
+
+double depthInBuffer(const View& view, double depth) {
+  return view.perspective() ? view.near / depth : (view.far - depth) / (view.far - view.near);
+}
+
+/// The inverse; 0 is infinitely far away.
+double depthOf(const View& view, float inBuffer) {
+  if (inBuffer == 0) return std::numeric_limits<double>::infinity();
+  return view.perspective() ? view.near / inBuffer : view.far - inBuffer * (view.far - view.near);
+}
+
+/// Upper bound of the distances that points of a node's pixels are computed from.
+double reachOf(const View& view, const SnapshotNode& node) {
+  const Vec3 world = glm::max(glm::abs(node.boundsWorld.min - view.eye), glm::abs(node.boundsWorld.max - view.eye));
+  const Vec3 object = glm::max(glm::abs(node.boundsObject.min), glm::abs(node.boundsObject.max));
+  return glm::length(world) + glm::length(object) * largestStretch(node.worldFromObject.linear);
+}
+
+}  // namespace
+
+std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit, std::span<const PixelPlace> outlines) {
+  std::vector<PixelPlace> pixels;
+  if (audit.extent == AuditExtent::None) return pixels;
+  const auto width = static_cast<std::uint64_t>(size.width), height = static_cast<std::uint64_t>(size.height);
+  const std::uint64_t all = width * height;
+  const std::uint64_t usual = std::max({all / kPixelsPerProbe, kFewestProbes, audit.atLeast});
+  if (audit.extent == AuditExtent::All || usual >= all) {
+    for (std::int32_t y = 0; y < size.height; ++y)
+      for (std::int32_t x = 0; x < size.width; ++x) pixels.push_back({x, y});
+    return pixels;
+  }
+  pixels.assign(outlines.begin(), outlines.end());
+  for (std::uint64_t k = 0; k < usual; ++k) {
+    const Vec2 at = spread(k) * Vec2(size.width, size.height);
+    pixels.push_back({std::min(static_cast<std::int32_t>(at.x), size.width - 1),
+                      std::min(static_cast<std::int32_t>(at.y), size.height - 1)});
+  }
+  const auto place = [](const PixelPlace& p) { return std::pair(p.y, p.x); };
+  std::ranges::sort(pixels, {}, place);
+  const auto repeated = std::ranges::unique(pixels);
+  pixels.erase(repeated.begin(), repeated.end());
+  return pixels;
+}
+
+void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options) {
+  treesMs_ = rounding_ = 0;
+  nodes_.clear();
+  caster_.emplace(snapshot, shapes_, reference::Cells::WhereRaysGo);
+  for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i)
+    if (findsSurface(snapshot, snapshot.nodes[i], options)) {
+      nodes_.push_back(i);
+      rounding_ = std::max(rounding_, kDepthRounding * reachOf(snapshot.view, snapshot.nodes[i]));
+    }
+}
+
+Vec2 CertifiedRays::sampled(PixelPlace pixel) const {
+  return Vec2(pixel.x + 0.5, pixel.y + 0.5) + caster_->snapshot().view.sampleOffsetPx;
+}
+
+std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto& pixelAt) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<reference::Ray> rays;
+  rays.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 at = sampled(pixelAt(i));
+    rays.push_back(caster_->rayThrough(at.x, at.y));
+  }
+  caster_->prepareFor(rays, nodes_);
+  treesMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return rays;
+}
+
+RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found) {
+  const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
+  std::vector<reference::Caster::First> seen(pixels.size());
+  forEachIndex(pixels.size(), pixels.size() >= kRaysForAllCores,
+               [&](std::size_t i) { seen[i] = caster_->firstOf(nodes_, rays[i]); });
+
+  RayPoints points{.resolved = pixels.size()};
+  std::vector<std::pair<std::size_t, std::size_t>> hits;  // index into found, pixel
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    points.undecided += !seen[i].certified;
+    if (!seen[i].hit) {
+      points.misses.push_back(pixels[i]);
+      continue;
+    }
+    const auto node = std::ranges::lower_bound(found, seen[i].hit->node, {}, &FoundNode::node);
+    if (node != found.end() && node->node == seen[i].hit->node)
+      hits.emplace_back(static_cast<std::size_t>(node - found.begin()), i);
+    else
+      ++points.unknown;
+  }
+  std::ranges::stable_sort(hits, {}, &std::pair<std::size_t, std::size_t>::first);
+  const View& view = caster_->snapshot().view;
+  for (const auto& [node, i] : hits) {
+    const reference::Hit& hit = *seen[i].hit;
+    const double depth = glm::dot(hit.position - view.eye, view.forward());
+    if (points.runs.empty() || points.runs.back().found != node)
+      points.runs.push_back({node, static_cast<std::uint32_t>(points.vertices.size()), 0});
+    points.runs.back().vertexCount += 3;
+    points.vertices.insert(points.vertices.end(), 3,
+                           {.position = Vec3f(hit.position - view.eye),
+                            .normal = Vec3f(hit.normal),
+                            .parameters = Vec2f(hit.u, hit.v),
+                            .place = Vec3f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth))});
+  }
+  return points;
+}
+
+AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes) {
+  static_cast<void>(prepare(probes.size(), [&](std::size_t i) { return probes[i].pixel; }));
+  const View& view = caster_->snapshot().view;
+  const double ofBuffer = view.perspective() ? 0 : kDepthRounding * (view.far - view.near);
+  std::vector<reference::Judgement> judged(probes.size());
+  forEachIndex(probes.size(), probes.size() >= kRaysForAllCores, [&](std::size_t i) {
+    judged[i] = reference::judge(*caster_, nodes_, sampled(probes[i].pixel), depthOf(view, probes[i].depth),
+                                 rounding_ + ofBuffer);
+  });
+  AuditResult result;
+  for (const reference::Judgement judgement : judged) {
+    result.failed += judgement == reference::Judgement::Wrong;
+    result.undecided += judgement == reference::Judgement::Undecided;
+  }
+  return result;
+}
+
+}  // namespace luxo

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What pixels show where searches leave it open, by rays in double precision: their points, to be drawn with the
+// renderer's own light; and whether a picture shows what it should.
+//
+// A pixel in doubt gets all that is to be known of it: the nearest point of all surfaces whose points are found (of
+// meshes and what is seen through nothing), or that there is none. What was drawn there before does not matter.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "draw/pixel_rows.h"
+#include "reference/caster.h"
+#include "reference/shape.h"
+#include "scene/snapshot.h"
+
+namespace luxo {
+
+/// A vertex of the triangle that draws a point (shaders/lib/placed_vertex.glsl); three that are equal draw it.
+struct RayPoint {
+  Vec3f position;    ///< relative to the eye, metres
+  Vec3f normal;      ///< unit; toward the viewer where two-sided
+  Vec2f parameters;
+  Vec3f place;       ///< of the sample in the target, pixels; its depth as in the depth buffer
+};
+
+/// Pushed to those shaders.
+struct RayTarget {
+  Vec2f size;  ///< of the target
+  float guard = 1;
+};
+
+/// What rays have found in some pixels.
+struct RayPoints {
+  std::vector<RayPoint> vertices;  ///< by node
+  struct Run {
+    std::size_t found;  ///< index into DrawList::found
+    std::uint32_t firstVertex, vertexCount;
+  };
+  std::vector<Run> runs;
+  std::vector<PixelPlace> misses;  ///< where nothing is met
+  std::uint64_t resolved = 0;      ///< pixels
+  std::uint64_t undecided = 0;     ///< of these, those whose ray proves nothing: within rounding of grazing
+  std::uint64_t unknown = 0;       ///< pixels that show a node which is not in the list
+
+  [[nodiscard]] bool empty() const { return vertices.empty() && misses.empty(); }
+};
+
+/// A pixel of a picture, and what its depth buffer holds there.
+struct DepthProbe {
+  PixelPlace pixel;
+  float depth = 0;
+};
+
+struct AuditResult {
+  std::uint64_t failed = 0, undecided = 0;
+};
+
+/// Pixels that tell whether a picture is right, for its size alone: spread evenly, the same every time, one in 4,096
+/// and at least 64, or as many as asked for. Ascending by row.
+[[nodiscard]] std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
+                                                    std::span<const PixelPlace> outlines);
+
+/// Casts rays of one picture after the other, and keeps what it casts them against. Single-threaded; all cores work.
+class CertifiedRays {
+ public:
+  /// `snapshot` must outlive what is asked of it. Cost: copies of its shapes' handles.
+  void begin(const Snapshot& snapshot, const DrawOptions& options);
+
+  /// Cost: some 10 us a pixel and core, a hundredfold where surfaces are grazed.
+  [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found);
+  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes);
+
+  /// Milliseconds spent on cells since begin().
+  [[nodiscard]] double treesMs() const { return treesMs_; }
+
+ private:
+  /// Builds what rays through the pixels are cast against.
+  std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt);
+  [[nodiscard]] Vec2 sampled(PixelPlace pixel) const;
+
+  reference::ShapeCache shapes_;
+  std::optional<reference::Caster> caster_;
+  std::vector<std::uint32_t> nodes_;  ///< whose points are found, ascending
+  double rounding_ = 0;               ///< what single precision leaves of a depth, metres
+  double treesMs_ = 0;
+};
+
+}  // namespace luxo

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reference/silhouette.h"
+
+namespace luxo::reference {
+namespace {
+
+/// What the truth shows at a point of the picture plane.
+struct Shown {
+  double depth = std::numeric_limits<double>::infinity();
+  double perPixel = 0;  ///< how much the depth of the tangent plane changes over a pixel, at most
+  bool certified = true;
+};
+
+class Judge {
+ public:
+  Judge(const Caster& caster, std::span<const std::uint32_t> nodes, double depth, double rounding)
+      : caster_(caster), nodes_(nodes), depth_(depth), rounding_(rounding) {}
+
+  [[nodiscard]] Judgement at(const Vec2& pixel) const {
+    const Shown truth = shownAt(pixel);
+    if (!truth.certified) return Judgement::Undecided;
+    if (agrees(truth, kSamePointPx)) return Judgement::Right;
+    const double farthest = 2 * kOutlinePx;
+    const double distance =
+        distanceTo([&](const Vec2& p) { return agrees(shownAt(p), kSamePointPx); }, pixel, farthest);
+    // The plane that leads from the one to the other is of one layer: no outline is between them.
+    const bool sameLayer = agrees(truth, farthest);
+    return distance > (sameLayer ? kSamePointPx : kOutlinePx) ? Judgement::Wrong : Judgement::Right;
+  }
+
+ private:
+  [[nodiscard]] Shown shownAt(const Vec2& pixel) const {
+    const View& view = caster_.snapshot().view;
+    const Ray ray = caster_.rayThrough(pixel.x, pixel.y);
+    const Caster::First first = caster_.firstOf(nodes_, ray);
+    if (!first.hit) return {.certified = first.certified};
+    const double cosine = glm::dot(ray.direction, view.forward()), depth = first.hit->t * cosine;
+    const double metresPerPixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
+    const double facing = std::abs(glm::dot(first.hit->normal, ray.direction));
+    return {depth, metresPerPixel / (cosine * facing), first.certified};
+  }
+
+  [[nodiscard]] bool agrees(const Shown& truth, double px) const {
+    if (std::isinf(depth_) || std::isinf(truth.depth)) return depth_ == truth.depth;
+    return std::abs(depth_ - truth.depth) <= rounding_ + px * truth.perPixel;
+  }
+
+  const Caster& caster_;
+  std::span<const std::uint32_t> nodes_;
+  double depth_, rounding_;
+};
+
+}  // namespace
+
+Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel, double depth,
+                double rounding) {
+  return Judge(caster, nodes, depth, rounding).at(pixel);
+}
+
+}  // namespace luxo::reference

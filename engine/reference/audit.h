@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a pixel shows what its ray sees: hit or miss, the layer, the point, told by the depth it shows.
+//
+// A pixel is right where the truth shows that depth within kSamePointPx of its centre, and where an outline
+// (a border, a fold, another layer, another node) passes within kOutlinePx: there it may be on either side.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "reference/caster.h"
+
+namespace luxo::reference {
+
+/// Pixels: farther off a point is wrong; nearer to an outline a pixel may show either side of it.
+inline constexpr double kSamePointPx = 1e-3, kOutlinePx = 0.01;
+
+enum class Judgement {
+  Right,
+  Wrong,
+  Undecided  ///< by the truth
+};
+
+/// Of the point of the picture plane at `pixel` (pixel coordinates, x right, y down), at which only `nodes`
+/// (ascending, opaque) count and the picture shows `depth`: metres along the view axis, +infinity where it shows
+/// none of them, known within `rounding` metres. Cost: a ray; some hundred where they disagree.
+[[nodiscard]] Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
+                              double depth, double rounding);
+
+}  // namespace luxo::reference

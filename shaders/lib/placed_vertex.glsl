@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where vertices are: those of meshes in object space; or, with LUXO_RAY_POINT, of points that rays have found, each a
+// triangle around the place at which its pixel is sampled and so small that no other pixel is.
+#include "lib/scene.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+
+#ifdef LUXO_RAY_POINT
+
+layout(location = 3) in vec3 inPlace;  // of the sample, in the target; of its depth, in the depth buffer
+layout(push_constant) uniform Target { vec2 size; float guard; } target;
+
+vec3 positionOfVertex(InstanceData instance) { return inPosition; }  // relative already
+vec3 normalOfVertex(InstanceData instance) { return inNormal; }
+
+vec4 clipOfVertex(vec3 relative) {
+  const vec2 kCorners[3] = vec2[](vec2(0, -0.25), vec2(-0.25, 0.25), vec2(0.25, 0.25));  // pixels, seen from the front
+  vec2 part = 2.0 * (inPlace.xy + kCorners[gl_VertexIndex % 3]) / target.size - 1.0;
+  return vec4(vec2(part.x, -part.y) / target.guard, inPlace.z, 1);
+}
+
+#else
+
+vec3 positionOfVertex(InstanceData instance) { return relativeFromObject(instance, inPosition); }
+vec3 normalOfVertex(InstanceData instance) { return unitOrZero(instance.normalFromObject * inNormal); }
+vec4 clipOfVertex(vec3 relative) { return view.clipFromRelative * vec4(relative, 1); }
+
+#endif

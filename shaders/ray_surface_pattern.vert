@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of a surface with a pattern that rays have found, for shading per fragment.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define LUXO_RAY_POINT
+#include "lib/surface_pattern_vertex.glsl"
