@@ -27,6 +27,7 @@
 #include "validation.h"
 #include "verbs.h"
 #include "verification_report.h"
+#include "verify_random.h"
 
 namespace luxo {
 namespace {
@@ -35,6 +36,7 @@ using Clock = std::chrono::steady_clock;
 
 struct VerifyOptions {
   std::unique_ptr<RenderOptions> scene;
+  std::unique_ptr<RandomOptions> random;
   std::optional<std::string> pixels, requireError, report;
   std::string heat;
   bool json = false;
@@ -61,7 +63,7 @@ VerifyRequest requestOf(const VerifyOptions& options) {
   VerifyRequest request{options.scene->request(RenderTarget::Window), std::nullopt, std::nullopt};
   if (options.pixels) request.pixels = parseCount(*options.pixels);
   if (options.requireError) request.mostErrorPx = parsePixels("--require-error", *options.requireError);
-  if (!options.heat.empty()) static_cast<void>(requireImageFormat(options.heat));
+  if (!options.heat.empty() && !options.random->asked()) static_cast<void>(requireImageFormat(options.heat));
   return request;
 }
 
@@ -158,6 +160,8 @@ int verifyStability(const VerifyOptions& options) {
 
 int runVerify(const VerifyOptions& options) {
   rememberInterruptions();
+  if (options.random->asked()) return options.random->run(requestOf(options).scene, options.heat);
+  options.random->requireUnused();
   return options.stability->count() > 0 ? verifyStability(options) : verifyScene(options);
 }
 
@@ -171,6 +175,7 @@ void addVerify(CLI::App& app, Command& chosen) {
   // One picture of pixel centres is drawn, by Vulkan.
   for (const char* meaningless : {"--engine", "--samples", "--fps"})
     verb->remove_option(verb->get_option(meaningless));
+  options->random = std::make_unique<RandomOptions>(*verb);
   verb->add_option("--pixels", options->pixels, "judge this many pixels, evenly spread (all)")
       ->type_name("N");
   verb->add_option(
@@ -180,7 +185,9 @@ void addVerify(CLI::App& app, Command& chosen) {
       ->type_name("PX");
   verb->add_flag("--json", options->json, "print the numbers as JSON");
   verb->add_option("--report", options->report, "write the JSON to a file as well")->type_name("FILE");
-  verb->add_option("-o,--output", options->heat, "write a map of the position errors")->type_name("HEAT.png");
+  verb->add_option("-o,--output", options->heat,
+                   "write a map of the position errors; with --random a folder for scenes that fail, shrunk")
+      ->type_name("HEAT.png|DIR");
   options->stability =
       verb->add_option("--stability", options->cases, "run the stability suite, or these cases of it")
           ->type_name("[ST-nn ...]")

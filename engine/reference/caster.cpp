@@ -138,11 +138,12 @@ Caster::Sight Caster::look(const Ray& ray) const {
   return sight;
 }
 
-bool Caster::lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight, double distance,
-                 bool& certified) const {
+bool Caster::lit(const SnapshotLight& light, const Hit& hit, bool& certified) const {
   if (!light.shade) return true;
   const SnapshotNode& own = snapshot_.nodes[hit.node];
   if (own.id == light.shade->caster) return true;  // its normals decide
+  const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
+  const double distance = glm::length(toLight);
   const Ray ray{hit.position, toLight / distance};
   for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
     if (snapshot_.nodes[node].id != light.shade->caster) continue;
@@ -153,29 +154,49 @@ bool Caster::lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight
   return true;
 }
 
+Vec3 Caster::diffuseAt(const Hit& hit) const {
+  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
+  return material.diffusePattern.valid()
+             ? material.diffusePattern.colorAt(hit.u, hit.v, material.patternParameters)
+             : material.diffuse;
+}
+
+Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer) const {
+  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
+  const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
+  const double distance = glm::length(toLight);
+  if (!(distance > 0)) return Vec3(0);
+  const Vec3 l = toLight / distance;
+  const double cosine = glm::dot(hit.normal, l);
+  if (cosine <= 0 && !material.lectureSpecular) return Vec3(0);
+  const Vec3 h = unit(l + toViewer);
+  const double nh = std::clamp(glm::dot(hit.normal, h), 0.0, 1.0);
+  const Vec3 reflectance =
+      diffuseAt(hit) * std::max(cosine, 0.0) + material.specular * highlight(nh, material.shininess);
+  const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
+  return reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
+}
+
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const {
-  const SnapshotNode& node = snapshot_.nodes[hit.node];
-  const Material& material = snapshot_.materials[node.material.index];
-  const Vec3 diffuse = material.diffusePattern.valid()
-                           ? material.diffusePattern.colorAt(hit.u, hit.v, material.patternParameters)
-                           : material.diffuse;
-  Vec3 sum = material.ambient.value_or(diffuse) * snapshot_.ambient;
+  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
+  Vec3 sum = material.ambient.value_or(diffuseAt(hit)) * snapshot_.ambient;
   for (const SnapshotLight& light : snapshot_.lights) {
-    const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
-    const double distance = glm::length(toLight);
-    if (!(distance > 0)) continue;
-    const Vec3 l = toLight / distance;
-    const double cosine = glm::dot(hit.normal, l);
-    if (cosine <= 0 && !material.lectureSpecular) continue;
-    const Vec3 h = unit(l + toViewer);
-    const double nh = std::clamp(glm::dot(hit.normal, h), 0.0, 1.0);
-    const Vec3 reflectance =
-        diffuse * std::max(cosine, 0.0) + material.specular * highlight(nh, material.shininess);
-    if (reflectance == Vec3(0) || !lit(light, hit, toLight, distance, certified)) continue;
-    const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
-    sum += reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
+    const Vec3 share = shareOf(light, hit, toViewer);
+    if (share != Vec3(0) && lit(light, hit, certified)) sum += share;
   }
   return sum;
+}
+
+std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3& toViewer) const {
+  std::vector<Shadowed> lights;
+  for (const SnapshotLight& light : snapshot_.lights) {
+    if (!light.shade) continue;
+    Shadowed one{.share = shareOf(light, hit, toViewer)};
+    if (one.share == Vec3(0)) continue;
+    one.visible = lit(light, hit, one.certified);
+    lights.push_back(one);
+  }
+  return lights;
 }
 
 Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified) const {

@@ -61,6 +61,15 @@ class Caster {
   /// was not decided.
   [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified) const;
 
+  /// A light that may be in shadow at a hit: what it adds where it is seen (of an opaque surface), and
+  /// whether it is.
+  struct Shadowed {
+    Vec3 share{0};
+    bool visible = true, certified = true;
+  };
+  /// The lights that have a shadow (SnapshotLight::shade) and would add something, in the snapshot's order.
+  [[nodiscard]] std::vector<Shadowed> shadowedLights(const Hit& hit, const Vec3& toViewer) const;
+
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
   /// Of a node (an index into Snapshot::nodes), as its material has it.
   [[nodiscard]] const PlacedShape& shape(std::uint32_t node) const { return bodies_[node].shape; }
@@ -84,9 +93,11 @@ class Caster {
   [[nodiscard]] bool mayMeet(const Ray& ray, std::uint32_t node) const;
   [[nodiscard]] Hit hitAt(const Ray& ray, std::uint32_t node, const Root& root) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const;
+  /// What a light adds to a hit that sees it.
+  [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer) const;
+  [[nodiscard]] Vec3 diffuseAt(const Hit& hit) const;
   [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const;
-  [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, const Vec3& toLight, double distance,
-                         bool& certified) const;
+  [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, bool& certified) const;
 
   const Snapshot& snapshot_;
   std::vector<Body> bodies_;  // as Snapshot::nodes

@@ -110,15 +110,16 @@ class Exposure {
     const std::size_t i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
     if (chosen_[i] == 0) return;
-    const Ray ray = caster_.rayThrough(x + 0.5, y + 0.5);
+    const Vec2 at = Vec2(x, y) + 0.5 + caster_.snapshot().view.sampleOffsetPx;
+    const Ray ray = caster_.rayThrough(at.x, at.y);
     const Caster::Sight sight = caster_.look(ray);
     bool certified = sight.certified;
     if (!sight.hits.empty()) record(i, ray, sight.hits.front());
 
     Vec3 mean = options_.samples == 1 ? caster_.color(ray, sight, certified) : Vec3(0), spread(0);
     for (int k = 0; options_.samples > 1 && k < options_.samples; ++k) {
-      const Vec2 at = sampleAt(k, x, y);
-      const Ray sampleRay = caster_.rayThrough(x + at.x, y + at.y);
+      const Vec2 inPixel = sampleAt(k, x, y);
+      const Ray sampleRay = caster_.rayThrough(x + inPixel.x, y + inPixel.y);
       const Caster::Sight seen = caster_.look(sampleRay);
       certified &= seen.certified;
       const Vec3 color = caster_.color(sampleRay, seen, certified);

@@ -21,8 +21,8 @@ class ShapeCache;
 }
 
 struct ReferenceOptions {
-  /// Per pixel. 1: its centre. More: a low-discrepancy set of points, the same in every pixel up to a shift
-  /// that its place decides.
+  /// Per pixel. 1: its centre, or where the view samples it (View::sampleOffsetPx). More: a low-discrepancy
+  /// set of points, the same in every pixel up to a shift that its place decides.
   int samples = 1;
   int threads = 0;  ///< 0: all cores. The picture does not depend on it.
   /// Row * width + column of the pixels to cast; empty: all. The others stay black, with nothing hit, and do
@@ -33,7 +33,8 @@ struct ReferenceOptions {
 };
 
 /// Scene-linear, unclamped. Where nothing is hit: colour the background, depth +infinity, the rest 0.
-/// Everything but the colour is of the pixel's centre and in double where float would lose it.
+/// Everything but the colour is of the place where the view samples the pixel, and in double where float
+/// would lose it.
 struct ReferencePicture {
   Image color;                ///< 3 channels
   std::vector<double> depth;  ///< along the view axis, metres

@@ -31,6 +31,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnset = -1;          // of errors: nothing was compared
 constexpr double kMostSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
 constexpr double kMostTurn = 0.1;      // the same for the sine between their line and the surface
+constexpr double kOtherLight = 1e-4;   // linear: smaller differences are not looked into for a light's shadow
 
 /// What is not a number is wrong without bound.
 double errorOf(double value) { return std::isnan(value) ? kInfinity : std::abs(value); }
@@ -62,6 +63,7 @@ class DepthScale {
 struct Pixel {
   Mismatch mismatch = Mismatch::None;
   bool compared = false, inside = false, differs8 = false, nan = false;
+  bool offPoint = false, offLight = false;  // wrong, unless near an outline or a shadow's border
   float silhouettePx = 0;
   double position = kUnset, parameter = kUnset, point = kUnset, depth = kUnset, normal = kUnset,
          color = kUnset, squares = 0, codedSquares = 0;
@@ -125,6 +127,7 @@ class Judge {
     result.normalDegreesInside = spread(&Pixel::normal, floor.normal, true);
     result.color = colors();
     for (const Pixel& pixel : pixels_) result.nanPixels += pixel.nan ? 1 : 0;
+    if (options_.silhouettes) result.wrong = wrongPixels();
     result.positionMap = positionMap();
     return result;
   }
@@ -157,7 +160,7 @@ class Judge {
   }
   [[nodiscard]] Vec2 centerOf(std::uint32_t i) const {
     const auto width = static_cast<std::uint32_t>(size_.width);
-    return {i % width + 0.5, static_cast<double>(i / width) + 0.5};
+    return Vec2(i % width + 0.5, static_cast<double>(i / width) + 0.5) + snapshot_.view.sampleOffsetPx;
   }
   [[nodiscard]] Vec2 parametersAt(std::uint32_t i) const { return Vec2(valueAt(measured_.uv, i)); }
 
@@ -211,6 +214,7 @@ class Judge {
     pixel.position = glm::distance(shown.pixel, seen.pixel);
     pixel.parameter = glm::distance(shown.position, seen.position) / footprint;
     Floors floor;
+    pixel.offPoint = !(pixel.position <= kPointPx) && !(pixel.position <= kPointPx + roundingPx(shown));
     if (const auto best = layers_.at(seen.node, roundedToFloat(seen.parameters), seen.position)) {
       floor.position = glm::distance(best->pixel, seen.pixel);
       floor.parameter = glm::distance(best->position, seen.position) / footprint;
@@ -229,6 +233,25 @@ class Judge {
       floor.normal = degreesBetween(roundedToFloat(truth_.normal[i]), truth_.normal[i]);
     }
     floors.add(floor);
+  }
+
+  /// How far on the screen half a unit in the last place of u and of v may move a point, at most about.
+  [[nodiscard]] double roundingPx(const Place& shown) const {
+    double sum = 0;
+    for (const int axis : {0, 1}) {
+      double most = 0;
+      for (const double way : {-0.5, 0.5}) {
+        const auto value = static_cast<float>(shown.parameters[axis]);
+        const double ulp =
+            std::nextafter(std::abs(value), std::numeric_limits<float>::max()) - std::abs(value);
+        Vec2 moved = shown.parameters;
+        moved[axis] += way * ulp;
+        const auto place = layers_.at(shown.node, moved, shown.position);
+        if (place) most = std::max(most, glm::distance(place->pixel, shown.pixel));
+      }
+      sum += most;
+    }
+    return sum;
   }
 
   void compareColors(Pixel& pixel, std::uint32_t i) const {
@@ -270,15 +293,97 @@ class Judge {
   }
 
   void findSilhouettes() {
+    const bool shadows = std::ranges::any_of(
+        snapshot_.lights, [](const SnapshotLight& light) { return light.shade.has_value(); });
+    const auto mayBeInShadow = [&](const Pixel& pixel) {
+      return shadows && pixel.mismatch == Mismatch::None && pixel.position != kUnset &&
+             pixel.color > kOtherLight;
+    };
     std::vector<std::size_t> wrong;
     for (std::size_t k = 0; k < pixels_.size(); ++k)
-      if (pixels_[k].mismatch != Mismatch::None) wrong.push_back(k);
+      if (pixels_[k].mismatch != Mismatch::None || pixels_[k].offPoint || mayBeInShadow(pixels_[k]))
+        wrong.push_back(k);
     if (wrong.empty() || !options_.silhouettes) return;
     const reference::Caster caster(snapshot_);
     tbb::parallel_for(std::size_t(0), wrong.size(), [&](std::size_t w) {
-      pixels_[wrong[w]].silhouettePx =
-          static_cast<float>(silhouetteDistance(caster, chosen_[wrong[w]], pixels_[wrong[w]].mismatch));
+      Pixel& pixel = pixels_[wrong[w]];
+      const std::uint32_t i = chosen_[wrong[w]];
+      if (pixel.mismatch != Mismatch::None)
+        pixel.silhouettePx = static_cast<float>(silhouetteDistance(caster, i, pixel.mismatch));
+      else if (pixel.offPoint)
+        pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
+      else
+        pixel.offLight = inAnotherLight(caster, i);
     });
+  }
+
+  /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.
+  [[nodiscard]] bool seesLayerOf(std::uint32_t i, const reference::Caster::Sight& sight,
+                                 const Vec2& at) const {
+    if (sight.hits.empty()) return false;
+    const reference::Hit& hit = sight.hits.front();
+    const std::uint32_t patch = snapshot_.nodes[hit.node].surface.patchAt(hit.u, hit.v);
+    return layers_.same(seenAt(i), {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.normal, at);
+  }
+
+  /// From a pixel's centre to where the truth shows another layer; not looked for far beyond kSilhouettePx.
+  [[nodiscard]] double outlineDistance(const reference::Caster& caster, std::uint32_t i) const {
+    return reference::distanceTo(
+        [&](const Vec2& at) { return !seesLayerOf(i, caster.look(caster.rayThrough(at.x, at.y)), at); },
+        centerOf(i), 2 * kSilhouettePx);
+  }
+
+  /// Whether the colour shown is nearer to that with one light's visibility turned round than to the truth,
+  /// and no border of that shadow, and no outline, is near.
+  [[nodiscard]] bool inAnotherLight(const reference::Caster& caster, std::uint32_t i) const {
+    const auto lightsAt = [&](const reference::Ray& ray, const reference::Caster::Sight& sight) {
+      return caster.shadowedLights(sight.hits.front(), -ray.direction);
+    };
+    const Vec2 center = centerOf(i);
+    const reference::Ray ray = caster.rayThrough(center.x, center.y);
+    const auto sight = caster.look(ray);
+    if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
+      return false;  // seen through: no closed form
+    const Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
+    const auto lights = lightsAt(ray, sight);
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      const Vec3 turned = lights[k].visible ? -lights[k].share : lights[k].share;
+      const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+      if (!lights[k].certified || !(size(off - turned) < size(off))) continue;
+      const double border = reference::distanceTo(
+          [&](const Vec2& at) {
+            const reference::Ray other = caster.rayThrough(at.x, at.y);
+            const auto seen = caster.look(other);
+            if (!seesLayerOf(i, seen, at)) return true;
+            const auto there = lightsAt(other, seen);
+            return there.size() != lights.size() || there[k].visible != lights[k].visible;
+          },
+          center, 2 * kSilhouettePx);
+      if (border > kSilhouettePx) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] WrongPixels wrongPixels() const {
+    WrongPixels wrong;
+    for (std::size_t k = 0; k < pixels_.size(); ++k) {
+      const Pixel& pixel = pixels_[k];
+      const bool away = pixel.silhouettePx > kSilhouettePx;
+      std::uint64_t* count = nullptr;
+      if (!pixel.compared) continue;
+      if (away && (pixel.mismatch == Mismatch::Missing || pixel.mismatch == Mismatch::Extra))
+        count = &wrong.hitMiss;
+      else if (away)
+        count = &wrong.layer;
+      else if (pixel.nan || pixel.offPoint)
+        count = &wrong.point;
+      else if (pixel.offLight)
+        count = &wrong.light;
+      if (count == nullptr) continue;
+      ++*count;
+      wrong.pixels.push_back(chosen_[k]);
+    }
+    return wrong;
   }
 
   /// From a pixel's centre to where the truth is what the pixel shows.

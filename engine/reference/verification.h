@@ -8,6 +8,11 @@
 // Geometry is compared where the picture shows the layer of the surface that the truth sees: two points are
 // of one layer when the surface leads from one to the other without leaving their neighbourhood on the
 // screen. Everything else is a mismatch, and what counts is how far the pixel is from where it would be none.
+//
+// A pixel is wrong (WrongPixels) when it shows a surface where there is none, or none where there is one, or
+// another layer, or a point that is more than kPointPx and what float32 leaves of (u, v) off, or a light that
+// the truth has in shadow (or the other way round): each only away from outlines and borders of shadows by
+// more than kSilhouettePx.
 #pragma once
 
 #include <cstdint>
@@ -31,11 +36,12 @@ struct VerificationOptions {
   /// Row * width + column of the pixels to judge; empty: all. The truth must hold them and the eight
   /// neighbours of each (withNeighbours).
   std::vector<std::uint32_t> pixels = {};
-  double farthestPx = 4;    ///< how far around a mismatched pixel its silhouette is looked for
-  bool silhouettes = true;  ///< off: mismatches are counted, but how far they are from right stays 0
-  int worst = 5;            ///< pixels listed per metric
-  bool flip = true;         ///< of whole pictures; a second per megapixel
-  int threads = 0;          ///< 0: all cores. The result does not depend on it.
+  double farthestPx = 4;  ///< how far around a mismatched pixel its silhouette is looked for
+  /// Off: mismatches are counted, but how far they are from right stays 0, and WrongPixels stays empty.
+  bool silhouettes = true;
+  int worst = 5;     ///< pixels listed per metric
+  bool flip = true;  ///< of whole pictures; a second per megapixel
+  int threads = 0;   ///< 0: all cores. The result does not depend on it.
 };
 
 enum class Mismatch : std::uint8_t {
@@ -84,6 +90,21 @@ struct CoverageErrors {
 /// Closer than this to the silhouette a pixel may be on either side of it.
 inline constexpr double kSilhouettePx = 0.01;
 
+/// How far on the screen the point shown may be from the pixel's ray, beyond what rounding (u, v) to float32
+/// may move it.
+inline constexpr double kPointPx = 1e-3;
+
+/// Each pixel counts once, under the first that holds.
+struct WrongPixels {
+  std::uint64_t hitMiss = 0;  ///< a surface where there is none, or none where there is one
+  std::uint64_t layer = 0;    ///< another node, or another part of the node
+  std::uint64_t point = 0;    ///< off by more than kPointPx and rounding, or a value that is not a number
+  std::uint64_t light = 0;    ///< a light is seen that is in shadow, or the other way round
+  std::vector<std::uint32_t> pixels;  ///< row * width + column, ascending
+
+  [[nodiscard]] std::uint64_t total() const { return hitMiss + layer + point + light; }
+};
+
 struct ColorErrors {
   std::uint64_t pixels = 0;  ///< that show the true layer, off the silhouettes: for the PSNRs
   /// dB for a peak of 1, of scene-linear values and of values clamped and sRGB-coded, neither quantised.
@@ -111,11 +132,12 @@ struct Verification {
   ErrorSpread normalDegreesInside;  ///< off the silhouettes: without the last pixel before one
   ColorErrors color;
   std::uint64_t nanPixels = 0;  ///< of those judged, with a value that is not a number in any output
+  WrongPixels wrong;
   Image positionMap;  ///< positionPx per pixel, 1 channel; +infinity: a mismatch; -1: nothing to compare
 };
 
 /// Judges a picture. Error(Requirement): id or uv is missing, or an image has another size. Cost: a few
-/// surface evaluations per pixel, a few hundred rays per mismatched pixel.
+/// surface evaluations per pixel, a few hundred rays per mismatched pixel, and cells for these rays once.
 [[nodiscard]] Verification verify(const Snapshot& snapshot, const ReferencePicture& truth,
                                   const MeasuredPicture& measured, const VerificationOptions& options = {});
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+
+#include "base/error.h"
+#include "base/suggestion.h"
+#include "random/shrink.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+
+namespace luxo::random {
+namespace {
+
+void requireKind(const std::string& kind) {
+  const auto kinds = surfaceKinds();
+  if (kind.empty() || std::ranges::any_of(kinds, [&](const SurfaceKind& k) { return k.name == kind; }))
+    return;
+  std::vector<std::string> names;
+  for (const SurfaceKind& k : kinds) names.emplace_back(k.name);
+  throw Error(ErrorKind::Usage, fmt::format("there is no kind of scene '{}'", kind),
+              didYouMean(kind, names, fmt::format("the kinds are {}", listed(names))));
+}
+
+Trial tryJson(Renderer& renderer, const Json& json, const Skips& skips) {
+  const Scene scene = sceneOf(json);
+  const RenderSettings& settings = scene.settings();
+  return tryScene(renderer, takeSnapshot(scene, settings.time, settings.size),
+                  {.samples = settings.samples, .skips = skips});
+}
+
+Json lineOf(const RunRequest& request, std::uint64_t index, const std::string& kind,
+            const std::string& camera) {
+  return {{"seed", request.seed}, {"index", index}, {"kind", kind}, {"camera", camera}};
+}
+
+void describe(Json& line, const Trial& trial) {
+  line["size"] = {trial.size.width, trial.size.height};
+  line["samples"] = trial.samples;
+  line["pixels"] = trial.pixels;
+  line["hits"] = trial.hits;
+  line["wrong"] = {{"hit_miss", trial.wrong.hitMiss},
+                   {"layer", trial.wrong.layer},
+                   {"point", trial.wrong.point},
+                   {"light", trial.wrong.light},
+                   {"color", trial.wrongColors}};
+  line["worst_px"] = rounded(trial.worstPx, 3);
+  line["undecided"] = trial.undecided;
+  line["silently_wrong"] = trial.silentlyWrong;
+  line["unconverged"] = trial.unconverged;
+  line["uncertified"] = trial.uncertified;
+  line["cpu_s"] = {{"picture", rounded(trial.pictureSeconds, 3)},
+                   {"reference", rounded(trial.referenceSeconds, 3)}};
+}
+
+void add(RunTotals& totals, const Trial& trial) {
+  ++totals.scenes;
+  totals.failedScenes += trial.silentlyWrong > 0 ? 1 : 0;
+  totals.pixels += trial.pixels;
+  totals.hits += trial.hits;
+  totals.undecided += trial.undecided;
+  totals.unconverged += trial.unconverged;
+  totals.uncertified += trial.uncertified;
+  totals.wrong += trial.wrong.total() + trial.wrongColors;
+  totals.silentlyWrong += trial.silentlyWrong;
+  totals.pictureSeconds += trial.pictureSeconds;
+  totals.referenceSeconds += trial.referenceSeconds;
+}
+
+void keep(Renderer& renderer, const RunRequest& request, std::uint64_t index, const Json& scene,
+          const Trial& trial) {
+  const Failure failure = [&](const Json& candidate) -> std::optional<Trial> {
+    try {
+      Trial found = tryJson(renderer, candidate, request.skips);
+      return found.silentlyWrong > 0 ? std::optional(std::move(found)) : std::nullopt;
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::Scene) throw;
+      return std::nullopt;
+    }
+  };
+  const Json small = shrunk(scene, trial, failure);
+  std::error_code failed;
+  std::filesystem::create_directories(request.findings, failed);
+  const auto file = request.findings / fmt::format("random-{}-{}.luxo.json", request.seed, index);
+  std::ofstream out(file);
+  out << small.dump(1) << "\n";
+  if (!out.flush()) throw Error(ErrorKind::Write, fmt::format("cannot write '{}'", file.string()));
+}
+
+}  // namespace
+
+RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
+  requireKind(request.kind);
+  RunTotals totals;
+  for (std::uint64_t index = request.first, done = 0; done < request.count && request.goesOn(); ++index) {
+    if (request.scene == nullptr && !request.kind.empty() && kindAt(index) != request.kind) continue;
+    ++done;
+    Json line;
+    try {
+      Trial trial;
+      if (request.scene != nullptr) {
+        const RandomSight sight = randomSight(*request.scene, request.seed, index, request.options);
+        line = lineOf(request, index, "scene", sight.camera);
+        line["time"] = sight.time;
+        line["view"] = sight.json;
+        trial = tryScene(renderer, takeSnapshot(*request.scene, sight.time, sight.size, cameraOf(sight.json)),
+                         {.samples = sight.samples, .skips = request.skips});
+        describe(line, trial);
+      } else {
+        const HardScene hard = hardScene(request.seed, index, request.options);
+        line = lineOf(request, index, hard.kind, hard.camera);
+        trial = tryJson(renderer, hard.json, request.skips);
+        describe(line, trial);
+        if (trial.silentlyWrong > 0 && !request.findings.empty()) {
+          request.print(line.dump() + "\n");
+          line = Json();
+          keep(renderer, request, index, hard.json, trial);
+        }
+      }
+      add(totals, trial);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::Scene) throw;
+      if (line.empty()) line = lineOf(request, index, std::string(kindAt(index)), "");
+      line["error"] = error.what();
+      ++totals.refusedScenes;
+    }
+    if (!line.empty()) request.print(line.dump() + "\n");
+  }
+  return totals;
+}
+
+Trial tryFile(Renderer& renderer, const std::filesystem::path& file) {
+  const Scene scene = buildScene(readSceneFile(file));
+  const RenderSettings& settings = scene.settings();
+  return tryScene(renderer, takeSnapshot(scene, settings.time, settings.size), {.samples = settings.samples});
+}
+
+}  // namespace luxo::random

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many hard scenes, one after the other: behind `luxo verify --random`.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "random/hard_scene.h"
+#include "random/trial.h"
+
+namespace luxo::random {
+
+struct RunRequest {
+  std::uint64_t count = 60, seed = 1, first = 0;
+  std::string kind;  ///< only scenes of this kind count; empty: all
+  HardSceneOptions options = {};
+  Skips skips = {};
+  std::filesystem::path findings;                 ///< a folder for what fails, shrunk; empty: nowhere
+  const Scene* scene = nullptr;                   ///< this one from random cameras, instead of random scenes
+  std::function<void(const std::string&)> print;  ///< takes a line of JSON, with its end
+  std::function<bool()> goesOn = [] { return true; };  ///< asked between scenes
+};
+
+struct RunTotals {
+  std::uint64_t scenes = 0, failedScenes = 0, refusedScenes = 0;
+  std::uint64_t pixels = 0, hits = 0, undecided = 0, unconverged = 0, uncertified = 0;
+  std::uint64_t wrong = 0, silentlyWrong = 0;
+  double pictureSeconds = 0, referenceSeconds = 0;
+};
+
+/// The line of a scene. Names: seed, index, kind, camera, size, samples, pixels, hits, wrong {hit_miss,
+/// layer, point, light, color}, worst_px, undecided, silently_wrong, unconverged, uncertified, cpu_s
+/// {picture, reference}; `error` instead of all after camera where the renderer refused it.
+///
+/// Throws Error(Device) when the device is lost, Error(Write) when a finding cannot be written, Error(Usage)
+/// for a kind that there is not.
+[[nodiscard]] RunTotals runRandom(Renderer& renderer, const RunRequest& request);
+
+/// What is wrong with a scene of a file: with the size and the samples that it asks for. Throws as
+/// Renderer::render and Error(Scene).
+[[nodiscard]] Trial tryFile(Renderer& renderer, const std::filesystem::path& file);
+
+}  // namespace luxo::random

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random/trial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "reference/caster.h"
+#include "reference/reference.h"
+
+namespace luxo::random {
+namespace {
+
+constexpr double kSameColor = 2e-3;  // linear: half an 8-bit step of dark colours, 20 times what float leaves
+/// Where the four samples of one pass lie, in pixels from the centre (Vulkan's standard locations).
+constexpr std::array<Vec2, 4> kFour = {Vec2(-0.125, -0.375), Vec2(0.375, -0.125), Vec2(-0.375, 0.125),
+                                       Vec2(0.125, 0.375)};
+
+double processorSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Adds the processors' time while it lives.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum), start_(processorSeconds()) {}
+  ~Stopwatch() { sum_ += processorSeconds() - start_; }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  double start_;
+};
+
+Vec3 colorAt(const Image& image, std::uint32_t pixel) {
+  const auto s = image.samples().subspan(3U * pixel, 3);
+  return {s[0], s[1], s[2]};
+}
+
+/// What samples show, each held against the truth at its place; and what the truth is there.
+class Samples {
+ public:
+  Samples(Renderer& renderer, const Snapshot& snapshot, DrawOptions options, Trial& trial)
+      : renderer_(renderer), snapshot_(snapshot), options_(options), trial_(trial) {
+    const auto count = static_cast<std::size_t>(snapshot.view.size.width) *
+                       static_cast<std::size_t>(snapshot.view.size.height);
+    mean_.assign(count, Vec3(0));
+    right_.assign(count, 1);
+  }
+
+  /// One sample per pixel, `weight` of the mean.
+  void judge(const Vec2& offsetPx, double weight) {
+    Snapshot snapshot = snapshot_;
+    snapshot.view = sampledAt(snapshot.view, offsetPx);
+    MeasuredPicture measured;
+    const FrameError error = draw(snapshot, measured);
+    ReferencePicture truth;
+    Verification v;
+    {
+      const Stopwatch watch(trial_.referenceSeconds);
+      truth = caster_.cast(snapshot);
+      // Twice as far as matters: near enough to be told from what is away from outlines.
+      v = verify(snapshot, truth, measured, {.farthestPx = 2 * kSilhouettePx, .worst = 0, .flip = false});
+    }
+    trial_.pixels += v.coverage.compared + v.coverage.undecided;
+    trial_.undecided += v.coverage.undecided;
+    trial_.hits += v.coverage.covered;
+    trial_.worstPx = std::max(trial_.worstPx, v.positionPx.max);
+    add(v.wrong);
+    trial_.silentlyWrong += beyond(v.wrong.total(), error);
+    for (std::uint32_t i = 0; i < mean_.size(); ++i) {
+      mean_[i] += weight * colorAt(truth.color, i);
+      // Infinite where another layer is shown, be it within the outline's width.
+      if (!truth.certified[i] || !(v.positionMap.samples()[i] <= kPointPx)) right_[i] = 0;
+    }
+  }
+
+  /// The resolved picture against the mean of the truth. Where they differ a shadow's border or a normal that
+  /// turns fast may be the reason: then other colours are seen as near as a point may be off.
+  [[nodiscard]] std::uint64_t wrongColors(const Image& shown) const {
+    const reference::Caster caster(snapshot_);
+    std::uint64_t wrong = 0;
+    for (std::uint32_t i = 0; i < mean_.size(); ++i) {
+      if (right_[i] == 0 || near(colorAt(shown, i), mean_[i], mean_[i])) continue;
+      Vec3 least(0), most(0);
+      for (const Vec2& offset : kFour) addColorsAround(caster, i, offset, least, most);
+      wrong += near(colorAt(shown, i), least, most) ? 0 : 1;
+    }
+    return wrong;
+  }
+
+  [[nodiscard]] static std::uint64_t beyond(std::uint64_t wrong, const FrameError& error) {
+    const std::uint64_t told = error.unconvergedPx + error.uncertifiedPx;
+    return wrong > told ? wrong - told : 0;
+  }
+
+ private:
+  FrameError draw(const Snapshot& snapshot, MeasuredPicture& measured) {
+    const Stopwatch watch(trial_.pictureSeconds);
+    const auto show = [&](Output output) {
+      DrawOptions options = options_;
+      options.output = output;
+      options.samples = 1;
+      return renderer_.render(snapshot, options);
+    };
+    Picture color = show(Output::Color);
+    measured = {.color = std::move(color.image),
+                .depth = {},
+                .position = {},
+                .normal = {},
+                .uv = show(Output::Uv).image,
+                .id = show(Output::Id).image};
+    const FrameError& error = color.statistics.error;
+    trial_.unconverged += error.unconvergedPx;
+    trial_.uncertified += error.uncertifiedPx;
+    return error;
+  }
+
+  void add(const WrongPixels& wrong) {
+    trial_.wrong.hitMiss += wrong.hitMiss;
+    trial_.wrong.layer += wrong.layer;
+    trial_.wrong.point += wrong.point;
+    trial_.wrong.light += wrong.light;
+    trial_.wrong.pixels.insert(trial_.wrong.pixels.end(), wrong.pixels.begin(), wrong.pixels.end());
+  }
+
+  static bool near(const Vec3& color, const Vec3& least, const Vec3& most) {
+    for (int c = 0; c < 3; ++c)
+      if (!(color[c] >= least[c] - kSameColor && color[c] <= most[c] + kSameColor)) return false;
+    return true;
+  }
+
+  /// Adds a quarter of the least and the most of the colours within kSilhouettePx of a sample.
+  void addColorsAround(const reference::Caster& caster, std::uint32_t i, const Vec2& offset, Vec3& least,
+                       Vec3& most) const {
+    const auto width = static_cast<std::uint32_t>(snapshot_.view.size.width);
+    const Vec2 at = Vec2(i % width, i / width) + 0.5 + offset;
+    Vec3 lo(0), hi(0);
+    for (int k = 0; k < 9; ++k) {
+      const double angle = kTau * k / 8, radius = k == 8 ? 0 : kSilhouettePx;
+      const reference::Ray ray =
+          caster.rayThrough(at.x + radius * std::cos(angle), at.y + radius * std::sin(angle));
+      bool certified = true;
+      const Vec3 color = caster.color(ray, caster.look(ray), certified);
+      lo = k == 0 ? color : glm::min(lo, color);
+      hi = k == 0 ? color : glm::max(hi, color);
+    }
+    least += lo / 4.0;
+    most += hi / 4.0;
+  }
+
+  Renderer& renderer_;
+  const Snapshot& snapshot_;
+  DrawOptions options_;
+  Trial& trial_;
+  ReferenceCaster caster_;
+  std::vector<Vec3> mean_;
+  std::vector<std::uint8_t> right_;
+};
+
+}  // namespace
+
+Trial tryScene(Renderer& renderer, const Snapshot& snapshot, const TrialOptions& options) {
+  Trial trial{.size = snapshot.view.size, .samples = options.samples};
+  Samples samples(renderer, snapshot, {.shading = Shading::Exact, .skips = options.skips}, trial);
+  if (options.samples == 1) {
+    samples.judge(Vec2(0), 1);
+    return trial;
+  }
+  for (const Vec2& offset : kFour) samples.judge(offset, 0.25);
+  Picture resolved;
+  {
+    const Stopwatch watch(trial.pictureSeconds);
+    resolved = renderer.render(snapshot, {.shading = Shading::Exact, .samples = 4, .skips = options.skips});
+  }
+  const Stopwatch watch(trial.referenceSeconds);
+  trial.wrongColors = samples.wrongColors(resolved.image);
+  trial.silentlyWrong += Samples::beyond(trial.wrongColors, resolved.statistics.error);
+  return trial;
+}
+
+}  // namespace luxo::random
