@@ -42,26 +42,26 @@ MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shadin
   return desc;
 }
 
-/// How far the mesh of a shade may lie inside its true wall, metres. It does not depend on whether the shade
-/// is seen, as what it lights may be.
-double wallError(const Snapshot& snapshot, NodeId shade, double tolerancePx) {
+/// How far what is drawn of a shade may lie inside its true wall, metres: its mesh; a shade that is found in every
+/// pixel is the true wall. It does not depend on whether the shade is seen, as what it lights may be.
+double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& options) {
   const auto node = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
                                  [&](const SnapshotNode& n) { return n.id == shade; });
-  if (node == snapshot.nodes.end()) return 0;
+  if (node == snapshot.nodes.end() || findsSurface(snapshot, *node, options)) return 0;
   if (node->segments)
     return deviationBound(node->surface, node->parameters, *node->segments) *
            largestStretch(node->worldFromObject.linear);
   const View& view = snapshot.view;
   const Sphere sphere = sphereAround(node->boundsWorld);
   const double depth = glm::dot(sphere.center - view.eye, view.forward()) + sphere.radius;
-  return tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
+  return options.tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
 }
 
 /// Collects the distinct sets of lights; equal sets share one entry.
 class LightSets {
  public:
-  LightSets(const Snapshot& snapshot, double tolerancePx, std::vector<shared::LightSet>& sets)
-      : snapshot_(snapshot), tolerancePx_(tolerancePx), sets_(sets) {
+  LightSets(const Snapshot& snapshot, const DrawOptions& options, std::vector<shared::LightSet>& sets)
+      : snapshot_(snapshot), options_(options), sets_(sets) {
     indexOf({});  // draws without light have a set to bind
   }
 
@@ -119,11 +119,11 @@ class LightSets {
     const double inside = 2 * rule.focalLength;
     return {.axis = toFloat(rule.axis),
             .cosRim = static_cast<float>(rule.cosRim),
-            .reach = static_cast<float>(inside - 2 * wallError(snapshot_, rule.caster, tolerancePx_))};
+            .reach = static_cast<float>(inside - 2 * wallError(snapshot_, rule.caster, options_))};
   }
 
   const Snapshot& snapshot_;
-  double tolerancePx_;
+  const DrawOptions& options_;
   std::vector<shared::LightSet>& sets_;
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
 };
@@ -209,7 +209,7 @@ class DrawLister {
         options_(options),
         geometry_(geometry),
         care_(care),
-        lightSets_(snapshot, options.tolerancePx, list_.lightSets) {
+        lightSets_(snapshot, options, list_.lightSets) {
     list_.view = viewData(snapshot, visible);
   }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "reference/audit.h"
 #include "tessellate/parallel.h"
@@ -15,7 +16,8 @@ namespace {
 constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kDepthRounding = 0x1p-21;
-constexpr std::size_t kRaysForAllCores = 32;
+constexpr std::size_t kRaysForAllCores = 8;
+constexpr std::size_t kFinest = std::numeric_limits<std::uint32_t>::max();  // rays that are worth the finest cells
 
 /// Point k of the sequence of M. Roberts (2018), in the unit square.
 Vec2 spread(std::uint64_t k) {
@@ -83,7 +85,7 @@ Vec2 CertifiedRays::sampled(PixelPlace pixel) const {
   return Vec2(pixel.x + 0.5, pixel.y + 0.5) + caster_->snapshot().view.sampleOffsetPx;
 }
 
-std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto& pixelAt) {
+std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto& pixelAt, std::size_t worth) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<reference::Ray> rays;
   rays.reserve(count);
@@ -91,7 +93,7 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
     const Vec2 at = sampled(pixelAt(i));
     rays.push_back(caster_->rayThrough(at.x, at.y));
   }
-  caster_->prepareFor(rays, nodes_);
+  caster_->prepareFor(rays, nodes_, worth);
   treesMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return rays;
 }
@@ -99,8 +101,19 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
 RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found) {
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   std::vector<reference::Caster::First> seen(pixels.size());
-  forEachIndex(pixels.size(), pixels.size() >= kRaysForAllCores,
-               [&](std::size_t i) { seen[i] = caster_->firstOf(nodes_, rays[i]); });
+  const auto cast = [&](std::span<const std::size_t> chosen) {
+    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores,
+                 [&](std::size_t k) { seen[chosen[k]] = caster_->firstOf(nodes_, rays[chosen[k]]); });
+  };
+  std::vector<std::size_t> chosen(pixels.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  cast(chosen);
+  // What few cells leave undecided many may not.
+  std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
+  if (!chosen.empty()) {
+    static_cast<void>(prepare(chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, kFinest));
+    cast(chosen);
+  }
 
   RayPoints points{.resolved = pixels.size()};
   std::vector<std::pair<std::size_t, std::size_t>> hits;  // index into found, pixel

@@ -78,8 +78,8 @@ class CertifiedRays {
   [[nodiscard]] double treesMs() const { return treesMs_; }
 
  private:
-  /// Builds what rays through the pixels are cast against.
-  std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt);
+  /// Builds what rays through the pixels are cast against, each worth so many.
+  std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
   [[nodiscard]] Vec2 sampled(PixelPlace pixel) const;
 
   reference::ShapeCache shapes_;

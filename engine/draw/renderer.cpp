@@ -67,11 +67,6 @@ struct Measured {
   std::uint32_t nonfinite = 0;
 
   void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }
-  void addColor(const float* rgb) {
-    std::uint32_t largest = 0;
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::bit_cast<std::uint32_t>(rgb[c]) & kMagnitude);
-    nonfinite += largest >= kInfinity;
-  }
 };
 
 float alphaAt(const std::byte* texels, int x) {
@@ -90,10 +85,14 @@ void addMeanAlphas(const std::byte* texels, int width, Measured& measured) {
   for (int x = 0; x < width; ++x) measured.add(Accumulator::alphaOf(alphaAt(texels, x)));
 }
 
-void addColors(std::span<const float> colors, int width, Measured& measured) {
-  Measured row = measured;
-  for (int x = 0; x < width; ++x) row.addColor(colors.data() + 3 * x);
-  measured = row;
+void addColors(std::span<const float> row, Measured& measured) {
+  const auto magnitude = [](float value) { return std::bit_cast<std::uint32_t>(value) & Measured::kMagnitude; };
+  std::uint32_t largest = 0;
+  for (const float value : row) largest = std::max(largest, magnitude(value));
+  if (largest < Measured::kInfinity) return;
+  for (std::size_t i = 0; i < row.size(); i += 3)
+    measured.nonfinite += std::max({magnitude(row[i]), magnitude(row[i + 1]), magnitude(row[i + 2])}) >=
+                          Measured::kInfinity;
 }
 
 /// Of a frame that shows what the one before it showed: everything that was done for that one is not done.
@@ -320,7 +319,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
       readChannels<3>(texels, width, image.row(y).data());
     else
       readChannels<1>(texels, width, image.row(y).data());
-    if (output == Output::Color) addColors(image.row(y), width, measured);
+    if (output == Output::Color) addColors(image.row(y), measured);
   }
   error.found = painter_.searches();
   if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);

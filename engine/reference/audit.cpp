@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "reference/silhouette.h"
+#include "reference/verification.h"
 
 namespace luxo::reference {
 namespace {
@@ -25,13 +26,13 @@ class Judge {
   [[nodiscard]] Judgement at(const Vec2& pixel) const {
     const Shown truth = shownAt(pixel);
     if (!truth.certified) return Judgement::Undecided;
-    if (agrees(truth, kSamePointPx)) return Judgement::Right;
-    const double farthest = 2 * kOutlinePx;
+    if (agrees(truth, kPointPx)) return Judgement::Right;
+    const double farthest = 2 * kSilhouettePx;
     const double distance =
-        distanceTo([&](const Vec2& p) { return agrees(shownAt(p), kSamePointPx); }, pixel, farthest);
+        distanceTo([&](const Vec2& p) { return agrees(shownAt(p), kPointPx); }, pixel, farthest);
     // The plane that leads from the one to the other is of one layer: no outline is between them.
     const bool sameLayer = agrees(truth, farthest);
-    return distance > (sameLayer ? kSamePointPx : kOutlinePx) ? Judgement::Wrong : Judgement::Right;
+    return distance > (sameLayer ? kPointPx : kSilhouettePx) ? Judgement::Wrong : Judgement::Right;
   }
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a pixel shows what its ray sees: hit or miss, the layer, the point, told by the depth it shows.
 //
-// A pixel is right where the truth shows that depth within kSamePointPx of its centre, and where an outline
-// (a border, a fold, another layer, another node) passes within kOutlinePx: there it may be on either side.
+// A pixel is right where the truth shows that depth within kPointPx of its centre, and where an outline (a border, a
+// fold, another layer, another node) passes within kSilhouettePx: there it may be on either side (verification.h).
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,6 @@
 #include "reference/caster.h"
 
 namespace luxo::reference {
-
-/// Pixels: farther off a point is wrong; nearer to an outline a pixel may show either side of it.
-inline constexpr double kSamePointPx = 1e-3, kOutlinePx = 0.01;
 
 enum class Judgement {
   Right,

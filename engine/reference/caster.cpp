@@ -99,12 +99,13 @@ Caster::First Caster::firstOf(std::span<const std::uint32_t> nodes, const Ray& r
   return first;
 }
 
-void Caster::prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes) const {
+void Caster::prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes,
+                        std::size_t worth) const {
   for (const std::uint32_t node : nodes) {
     const Shape& shape = bodies_[node].shape.shape();
     if (shape.hasClosedForm()) continue;
     const auto count = std::ranges::count_if(rays, [&](const Ray& ray) { return mayMeet(ray, node); });
-    if (count > 0) shape.prepareFor(static_cast<std::size_t>(count));
+    if (count > 0) shape.prepareFor(worth * static_cast<std::size_t>(count));
   }
 }
 
