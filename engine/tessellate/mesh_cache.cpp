@@ -93,7 +93,8 @@ bool MeshCache::boundsSolid(const Surface& surface, std::span<const double> para
   auto found = solids_.find(shape);
   if (found == solids_.end()) {
     if (solids_.size() >= kMostSolids) solids_.erase(leastRecentlyUsed(solids_));
-    found = solids_.emplace(std::move(shape), SolidEntry{surface, luxo::boundsSolid(surface, parameters)}).first;
+    found =
+        solids_.emplace(std::move(shape), SolidEntry{surface, luxo::boundsSolid(surface, parameters)}).first;
   }
   found->second.lastUse = ++uses_;
   return found->second.isSolid;
