@@ -98,8 +98,8 @@ bool coversSample(const View& view, const Bounds& bounds, int samples, double ma
   return samples == 1 ? std::ranges::any_of(kOneSample, holds) : std::ranges::any_of(kFourSamples, holds);
 }
 
-/// Whether the near plane does not cut the bounds inside the picture: then whoever looks at a closed surface
-/// sees a front face first.
+/// Whether the near plane does not cut the bounds inside the picture: then rays begin outside of a closed
+/// surface.
 bool seenFromOutside(const View& view, const SnapshotNode& node, const Bounds& bounds) {
   if (!bounds.finite) return false;
   if (bounds.nearest > view.near * (1 + kVertexSlack)) return true;
@@ -252,9 +252,8 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
       ++counts.culledBackface;
       continue;
     }
-    if (options.backface && !lines && node.surface.closed() && !material.transparent() &&
-        seenFromOutside(view, node, bounds))
-      visible.hideBackFaces = true;
+    visible.closedFromOutside = options.backface && !lines && node.surface.closed() &&
+                                !material.transparent() && seenFromOutside(view, node, bounds);
     appendLights(snapshot, node, bounds, options.lights, visible, list);
     ++counts.drawn;
     (material.transparent() ? list.transparent : list.opaque).push_back(visible);

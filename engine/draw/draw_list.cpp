@@ -188,8 +188,13 @@ shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) 
           .depthRange = Vec2f(std::min(nearest, farthest), farthest)};
 }
 
-FaceCulling cullingOf(const VisibleNode& visible, const DrawOptions& options) {
-  return visible.hideBackFaces && options.cullBackFaces ? FaceCulling::Back : FaceCulling::None;
+/// Back faces are not drawn where the material says so, or front faces hide them.
+FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, const DrawOptions& options,
+                      MeshCache& meshes) {
+  const auto hidden = [&] {
+    return visible.closedFromOutside && meshes.boundsSolid(node.surface, node.parameters);
+  };
+  return options.cullBackFaces && (visible.hideBackFaces || hidden()) ? FaceCulling::Back : FaceCulling::None;
 }
 
 /// Parts of hulls that are seen where rays graze: every so many of the picture's triangles.
@@ -286,7 +291,7 @@ class DrawLister {
     const Shading shading = material.shadingIn(options_.shading);
     DrawBatch batch;
     batch.state = {.shading = shading, .output = options_.output, .blended = blended};
-    batch.culling = cullingOf(v, options_);
+    batch.culling = cullingOf(v, node, options_, geometry_.meshes);
     batch.bothSides = batch.culling == FaceCulling::None;
     batch.flat = node.surface.flatNormal().has_value();
     batch.twoSided = v.twoSided;

@@ -22,8 +22,9 @@ constexpr double kMostRoundingPx = 6e-4;
 constexpr double kMostTurn = 4e-5, kSmallPx = 100;
 
 /// What is rounded away of a number, a few times over. Those that a search in double reads have 48 bits.
+constexpr double kTimesRounded = 3;
 constexpr double roundingOf(GlslNumber number) {
-  return number == GlslNumber::Float ? 3 * 0x1p-24 : 3 * 0x1p-48;
+  return kTimesRounded * (number == GlslNumber::Float ? 0x1p-24 : 0x1p-48);
 }
 
 /// What float leaves of a number.
@@ -51,12 +52,16 @@ struct Rounding {
   double everywhere, near;
 };
 
-/// Of what has the size of the distance, and of the object. Of parallel rays there is no distance with room
-/// to spare for both what rounding a point and what rounding its place in the picture leaves.
-Rounding roundingPx(const View& view, const SnapshotNode& node, GlslNumber number) {
+/// Of what has the size of the distance, and of the object; and how far the next u and v that there are may
+/// be from a root: a search that cannot come within its tolerance of one must not take it for a miss. Of
+/// parallel rays there is no distance with room to spare for both what rounding a point and what rounding its
+/// place in the picture leaves.
+Rounding roundingPx(const View& view, const SnapshotNode& node, const Hull& hull, GlslNumber number) {
   const double rounding = roundingOf(number) * view.pixelsPerUnit;
-  if (view.perspective()) return {rounding, rounding * reach(node)};
-  return {rounding * (glm::length(view.halfExtent) + 2 * reach(node)), 0};
+  const double nextParameters =
+      rounding / kTimesRounded * hull.parameterReach * largestStretch(node.worldFromObject.linear);
+  if (view.perspective()) return {rounding, rounding * reach(node) + nextParameters};
+  return {rounding * (glm::length(view.halfExtent) + 2 * reach(node)) + nextParameters, 0};
 }
 
 /// Edges that are points are edges of u or of v, never of both.
@@ -123,7 +128,7 @@ bool isGeneral(SurfaceCodes& codes, const Patch& patch, const SurfaceCode& own) 
 /// All but firstPatch.
 shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                                  const Hull& hull, GlslNumber number, const PixelRows& rows) {
-  const Rounding rounding = roundingPx(view, node, number);
+  const Rounding rounding = roundingPx(view, node, hull, number);
   const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
   const Transform& world = node.worldFromObject;
@@ -155,7 +160,7 @@ std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
 }
 
 bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
-  const Rounding rounding = roundingPx(view, node, GlslNumber::Float);
+  const Rounding rounding = roundingPx(view, node, hull, GlslNumber::Float);
   const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
   const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMostRoundingPx; };
   if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;

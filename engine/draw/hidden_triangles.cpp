@@ -2,6 +2,7 @@
 #include "draw/hidden_triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -93,6 +94,8 @@ void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) 
     std::vector<Vec3> points = inPicture(snapshot.view, node, batch.hull->positions), spanned;
     const bool inFront = std::ranges::all_of(points, [&](const Vec3& p) { return p.z > snapshot.view.near; });
     if (inFront && batch.hull->spansProven) spanned = inPicture(snapshot.view, node, batch.hull->spanned);
+    if (!std::ranges::all_of(spanned, [&](const Vec3& p) { return p.z > snapshot.view.near; }))
+      spanned.clear();
     if (snapshot.view.perspective() && inFront)
       for (auto* places : {&points, &spanned})
         for (Vec3& p : *places) p.z = -1 / p.z;
@@ -156,15 +159,14 @@ void HiddenTriangles::cover(const PixelSize& size, int samples) {
   });
 }
 
-/// A ray that comes into a slab by one face and leaves it by the opposite one has met the surface. So nothing
-/// is seen behind a face that the ray leaves by (a top, or a bottom), if before it has not come in by the
-/// same face. Nor by a wall or a turned face, before or behind: where one is, faces may cross, and a ray
-/// leave what it has never come into.
+/// Nothing is seen behind a face that a ray leaves by (a top, or a bottom), if before it has not come in by
+/// the same face (Hull::spanned). Nor by a wall or a turned prism, before or behind: where one is, faces may
+/// cross, and a ray leave what it has never come into. A wall is seen where any triangle of its four corners
+/// is, as it may be twisted; a turned prism where any of its six are.
 HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Hull::SpannedSlab& slab,
                                                     bool tops) {
   const Hull& hull = *body.hull;
   const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
-  const std::vector<std::uint32_t>& entering = tops ? slab.bottoms : slab.tops;
   const auto isTurned = [&](std::uint32_t i) { return hull.spanning[i / 3] == Hull::Spanning::Turned; };
   const auto triangle = [&](std::uint32_t i) { return triangleOf(body.spanned, indicesAt(hull.indices, i)); };
   Passage passage{.top = std::numeric_limits<double>::infinity(),
@@ -173,22 +175,39 @@ HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Hull
     for (Vec3& corner : t) corner.z = kNearest;
     passage.entering.push_back(t);
   };
-  for (const std::uint32_t i : leaving) {
-    const PixelTriangle t = triangle(i);
-    if (isTurned(i)) {
-      addAtAnyDepth(t);
-      continue;
+  const auto addAll = [&](std::span<const Vec3> corners) {
+    for (std::size_t a = 0; a < corners.size(); ++a)
+      for (std::size_t b = a + 1; b < corners.size(); ++b)
+        for (std::size_t c = b + 1; c < corners.size(); ++c)
+          addAtAnyDepth({corners[a], corners[b], corners[c]});
+  };
+  const std::size_t bottoms = hull.positions.size() / 2;
+  for (const std::uint32_t i : slab.tops) {
+    if (!isTurned(i)) continue;
+    std::array<Vec3, 6> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = body.spanned[hull.indices[i + k]];
+      corners[k + 3] = body.spanned[bottoms + hull.indices[i + k]];
     }
+    addAll(corners);
+  }
+  for (const std::uint32_t i : leaving) {
+    if (isTurned(i)) continue;
+    const PixelTriangle t = triangle(i);
     const bool enters = body.facing(t) >= 0;
     (enters ? passage.entering : passage.leaving).push_back(t);
     if (enters) continue;
     passage.top = std::min({passage.top, t[0].y, t[1].y, t[2].y});
     passage.bottom = std::max({passage.bottom, t[0].y, t[1].y, t[2].y});
   }
-  for (const std::uint32_t i : slab.walls)
-    if (const PixelTriangle t = triangle(i); isTurned(i) || body.facing(t) >= 0) addAtAnyDepth(t);
-  for (const std::uint32_t i : entering)
-    if (isTurned(i)) addAtAnyDepth(triangle(i));
+  for (std::size_t w = 0; w < slab.walls.size(); w += 2) {  // two triangles each
+    const auto a = triangle(slab.walls[w]), b = triangle(slab.walls[w + 1]);
+    const std::array<Vec3, 4> corners{a[0], a[1], a[2], b[2]};
+    const bool leaves = body.facing(a) < 0 && body.facing(b) < 0 &&
+                        body.facing({corners[0], corners[1], corners[3]}) < 0 &&
+                        body.facing({corners[1], corners[2], corners[3]}) < 0;
+    if (isTurned(slab.walls[w]) || !leaves) addAll(corners);
+  }
   return passage;
 }
 

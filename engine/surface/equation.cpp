@@ -235,4 +235,11 @@ std::vector<std::optional<Equation>> equationsOf(const Surface& surface, std::sp
   return equations;
 }
 
+bool boundsSolid(const Surface& surface, std::span<const double> parameters) {
+  if (surface.patchCount() != 1) return false;
+  const std::optional<Equation> equation = equationOf(surface, 0, parameters);
+  return equation &&
+         (equation->v.along == Equation::Along::Latitude || equation->v.along == Equation::Along::Tube);
+}
+
 }  // namespace luxo

@@ -67,4 +67,10 @@ struct Equation {
 [[nodiscard]] std::vector<std::optional<Equation>> equationsOf(const Surface& surface,
                                                                std::span<const double> parameters);
 
+/// Whether the surface is all of an ellipsoid or of a torus (which may pass through itself): there F has one
+/// sign outside and the other behind what is seen from there. So whoever looks at it from outside sees its
+/// outer side first. Of surfaces in general that is false, closed ones too: where one passes through itself,
+/// parts of the space behind it are outside again, and turned inside out. Cost: that of equationOf().
+[[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
+
 }  // namespace luxo

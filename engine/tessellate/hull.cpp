@@ -47,8 +47,9 @@ constexpr double kSearched = 3;
 /// Triangles so many times as far from an edge that is a point as they are long do not notice it.
 constexpr double kNearPole = 2;
 
-/// Of a triangle's area, where its vertices span a slab.
-constexpr double kLeastLeft = 0.25;
+/// Of a triangle's area, where its vertices span a slab; and the sine of the angle at which its vertices move
+/// out of it, at least: more than what is rounded.
+constexpr double kLeastLeft = 0.25, kUpright = 1e-6;
 
 double angleOf(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
@@ -78,6 +79,7 @@ class Builder {
     setCells(hull);
     setChanges(hull);
     hull.medianRadius = medianRadius();
+    hull.parameterReach = parameterReach(hull);
     findCones(hull);
     addParts(hull);
     fileBySlab(hull);
@@ -187,6 +189,27 @@ class Builder {
     return std::numeric_limits<double>::infinity();
   }
 
+  [[nodiscard]] double parameterReach(const Hull& hull) const {
+    double most = 0;
+    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
+      const auto corners = frame_.corners(t);
+      const HullPatch& patch = hull.patchData[frame_.patchOf(corners[0])];
+      if (patch.equation) continue;
+      const auto from0 = [&](const auto& of, std::size_t k) { return of[corners[k]] - of[corners[0]]; };
+      const Vec2 a = from0(mesh_.parameters, 1), b = from0(mesh_.parameters, 2);
+      const Vec3 alongA = from0(mesh_.positions, 1), alongB = from0(mesh_.positions, 2);
+      const double area = std::abs(a.x * b.y - a.y * b.x);
+      const double alongU = glm::length(b.y * alongA - a.y * alongB),
+                   alongV = glm::length(a.x * alongB - b.x * alongA);
+      for (const std::uint32_t v : corners) {
+        const Vec2 at = glm::abs(mesh_.parameters[v] - Vec2(patch.originOfU, 0));
+        const double reach = (at.x * alongU + at.y * alongV) / area;
+        if (std::isfinite(reach)) most = std::max(most, reach);
+      }
+    }
+    return most;
+  }
+
   void setCells(Hull& hull) const {
     const std::size_t count = mesh_.positions.size();
     hull.cells.resize(2 * count, Vec2(0));
@@ -289,18 +312,32 @@ class Builder {
     }
   }
 
-  /// A triangle counts as turned if its vertices moved so far that little of it faces where it did.
-  [[nodiscard]] Hull::Spanning spanning(const Hull& hull, std::size_t triangle, std::uint32_t first) const {
+  /// A prism's Jacobian, times the way from bottom to top, is the way times the area of the triangle between
+  /// them: linear across the triangle and quadratic from bottom to top, so that it is positive where its nine
+  /// coefficients (Bernstein's) are. And of the areas some part is to be left.
+  [[nodiscard]] Hull::Spanning spanning(const Hull& hull, std::size_t triangle) const {
     const auto c = frame_.corners(triangle);
-    const auto areaOf = [&](const std::vector<Vec3>& points, std::uint32_t from) {
-      const Vec3 &a = points[from + c[0]], &b = points[from + c[1]], &d = points[from + c[2]];
-      return glm::dot(glm::cross(b - a, d - a), frame_.facet(triangle));
+    const auto side = [&](const std::vector<Vec3>& points, std::size_t first, std::size_t k) {
+      return points[first + c[k]] - points[first + c[0]];
     };
-    const double before = areaOf(mesh_.positions, 0);
-    return areaOf(hull.spanned, first) > kLeastLeft * before && before > 0 ? Hull::Spanning::Yes
-                                                                           : Hull::Spanning::Turned;
+    const std::vector<Vec3>& spanned = hull.spanned;
+    const std::size_t count = mesh_.positions.size();
+    const Vec3 a = side(spanned, 0, 1), b = side(spanned, 0, 2), under = side(spanned, count, 1),
+               under2 = side(spanned, count, 2);
+    const double before = glm::dot(glm::cross(side(mesh_.positions, 0, 1), side(mesh_.positions, 0, 2)),
+                                   frame_.facet(triangle));
+    bool upright = before > 0;
+    for (const Vec3& area : {glm::cross(a, b), 0.5 * (glm::cross(a, under2) + glm::cross(under, b)),
+                             glm::cross(under, under2)}) {
+      upright = upright && glm::dot(area, frame_.facet(triangle)) > kLeastLeft * before;
+      for (const std::uint32_t v : c) {
+        const Vec3 way = spanned[v] - spanned[count + v];
+        upright = upright && glm::dot(area, way) > kUpright * before * glm::length(way);
+      }
+    }
+    return upright ? Hull::Spanning::Yes : Hull::Spanning::Turned;
   }
-  [[nodiscard]] Hull::Spanning spanning(const Hull& hull, std::size_t wall) const {
+  [[nodiscard]] Hull::Spanning spanningOfWall(const Hull& hull, std::size_t wall) const {
     if (joined_[wall]) return Hull::Spanning::Joint;
     const auto [from, to, triangle] = frame_.walls()[wall];
     const auto count = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -345,7 +382,7 @@ class Builder {
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {c[0], c[1], c[2]});
       hull.cones.push_back(cones_[t]);
-      hull.spanning.push_back(spanning(hull, t, 0));
+      hull.spanning.push_back(spanning(hull, t));
     });
     for (std::size_t w = 0; w < frame_.walls().size(); ++w) {
       const HullFrame::WallEdge& wall = frame_.walls()[w];
@@ -353,13 +390,13 @@ class Builder {
       const std::uint32_t a = wall.from, b = wall.to;
       indices.insert(indices.end(), {b, a, count + a, b, count + a, count + b});
       hull.cones.insert(hull.cones.end(), 2, wallCones_[w]);
-      hull.spanning.insert(hull.spanning.end(), 2, spanning(hull, w));
+      hull.spanning.insert(hull.spanning.end(), 2, spanningOfWall(hull, w));
     }
     part.frontCount = size() - part.firstIndex;
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {count + c[0], count + c[2], count + c[1]});
       hull.cones.push_back(cones_[t]);
-      hull.spanning.push_back(spanning(hull, t, count));
+      hull.spanning.push_back(spanning(hull, t));
     });
     part.count = size() - part.firstIndex;
     if (part.count > 0) hull.parts.push_back(part);

@@ -79,8 +79,16 @@ struct Hull {
   std::vector<FacingCone> cones;
   /// The vertices of slabs that the surface spans from wall to wall: those at walls lie as far inside of its
   /// borders as those of `positions` lie outside of the patch's edges, and where patches go on in each other
-  /// there are no walls. A ray that comes into such a slab by one face and leaves it by the other has met the
-  /// surface, but where faces are turned.
+  /// there are no walls.
+  ///
+  /// Theorem: a ray that leaves such a slab by one face, and has not come in by the same face before, nor by
+  /// a wall or a turned prism, has met the surface. Proof: over each triangle of the mesh stands a prism, the
+  /// places (1 - s) bottom + s top, 0 <= s <= 1. Where the Jacobians of all prisms are positive, the map from
+  /// the patch times [0, 1] into space has an inverse near each place (but at single lines, which rays miss),
+  /// also where the slab passes through itself. So the ray can be followed back from where it leaves, always
+  /// within the slab as the patch has it, until it comes to its boundary: by the other face, with the surface
+  /// in between, which parts the two faces there; by the same face; or by a wall. Where a Jacobian may vanish
+  /// (the prism is turned) it may come from anywhere.
   std::vector<Vec3> spanned;
   std::vector<std::uint32_t> slabs;  ///< of each patch: which of these it is in
   /// Where the triangles of such a slab are in `indices`, but for walls between patches.
@@ -90,12 +98,16 @@ struct Hull {
   std::vector<SpannedSlab> spannedSlabs;  ///< as `slabs` numbers them
   enum class Spanning : char { Yes, Turned, Joint };
   /// Of each triangle among these vertices: where the surface bends more sharply than the slab is thick, or
-  /// is narrower than that, a face may turn over or nearly vanish; and a wall between patches is not there.
+  /// is narrower than that, a prism may turn over (that is said of its top and of its bottom), or nearly
+  /// vanish; and a wall between patches is not there.
   std::vector<Spanning> spanning;
   std::vector<HullPatch> patchData;  ///< of every patch of the surface
 
   double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound
   double offset = 0;  ///< how far vertices were moved, at most
+  /// How far a point moves, at most, as far as the mesh tells, when its u and v change by all of themselves:
+  /// numbers with n bits round away 2^-n of that. Of patches without equations; object units.
+  double parameterReach = 0;
   /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the
   /// mesh tells; infinite of what is mostly flat. Object units.
   double medianRadius = 0;

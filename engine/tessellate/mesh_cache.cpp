@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "surface/equation.h"
+
 namespace luxo {
 namespace {
 
-constexpr std::size_t kMostMaps = 64;
+constexpr std::size_t kMostMaps = 64, kMostSolids = 256;
 
 template <class Entries>
 auto leastRecentlyUsed(Entries& entries) {
@@ -96,6 +98,18 @@ std::shared_ptr<const Hull> MeshCache::hull(const Surface& surface, std::span<co
   return found(surface, std::move(key),
                [&](const Key&, Entry& entry) { entry.hull = std::make_shared<const Hull>(std::move(*hull)); })
       .hull;
+}
+
+bool MeshCache::boundsSolid(const Surface& surface, std::span<const double> parameters) {
+  Shape shape{surface.identity(), {parameters.begin(), parameters.end()}};
+  auto found = solids_.find(shape);
+  if (found == solids_.end()) {
+    if (solids_.size() >= kMostSolids) solids_.erase(leastRecentlyUsed(solids_));
+    found =
+        solids_.emplace(std::move(shape), SolidEntry{surface, luxo::boundsSolid(surface, parameters)}).first;
+  }
+  found->second.lastUse = ++uses_;
+  return found->second.isSolid;
 }
 
 void MeshCache::evict() {

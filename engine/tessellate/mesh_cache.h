@@ -37,6 +37,9 @@ class MeshCache {
   [[nodiscard]] std::shared_ptr<const Hull> hull(const Surface& surface, std::span<const double> parameters,
                                                  double tolerance, double mostTriangles);
 
+  /// boundsSolid(), found once.
+  [[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
+
   /// Meshes and hulls made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return tessellated_; }
 
@@ -78,6 +81,12 @@ class MeshCache {
     std::uint64_t lastUse = 0;
   };
 
+  struct SolidEntry {
+    Surface surface;
+    bool isSolid = false;
+    std::uint64_t lastUse = 0;
+  };
+
   MapEntry& mapOf(const Surface& surface, const Shape& shape);
   /// What is there for the key, or what `make` makes: an entry's mesh or its hull.
   template <class Make>
@@ -86,6 +95,7 @@ class MeshCache {
 
   std::map<Key, Entry> entries_;
   std::map<Shape, MapEntry> maps_;
+  std::map<Shape, SolidEntry> solids_;
   std::size_t mostVertices_, vertices_ = 0;
   std::uint64_t uses_ = 0, tessellated_ = 0;
 };

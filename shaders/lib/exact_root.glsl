@@ -21,7 +21,7 @@ const int kAttempts = 3;        // to find a root, all but the first by a scan; 
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
-const float kGrazing = 0.1;     // of the area to the squares of its sides: nearly none
+const float kGrazing = 0.1;     // cosine between the normal and the ray: seen edge-on
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
 const real kBesidePole = 1e-8;
@@ -260,18 +260,18 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
     if (ends(good, offset(at) <= kFine * tolerance(at), wasGood) || (good && last)) result = kFound;
     else if (polished && !good && (root || misses == 2)) result = kMissed;
     else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
-    // What had seemed to be a root and is not even near the ray, or the patch, is none. Nor is a place where the area
-    // vanishes: there the ray passes by, nearest to the surface.
-    real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
-    bool passes = abs(ju.x * jv.y - ju.y * jv.x) < kGrazing * (dot(ju, ju) + dot(jv, jv));
-    bool isFar = !(offset(at) <= kNearPixels * widthAt(at.depth)) || cellsBeyond(p) > kNearCells;
-    if (polished && last && result == kLost && (isFar || passes)) result = kMissed;
     if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
     real2 next = nearDomain(foldStep(p, at, det, polished ? kScanStep : kBoldCells, gradient, missed), 1.0);
     way = (next - p) / linkCellHalf.xy;
     p = next;
   }
-  return result;
+  // What had seemed to be a root and is not even near the ray, or the patch, is none. Nor is a place that is seen edge-on:
+  // there the ray passes by, nearest to the surface. How it is seen is told by its normal, which no choice of parameters
+  // changes: cells may be a thousand times longer than wide on the screen (rolls, wide angles), so that their area is
+  // nearly none however they face the ray, and what is not found there is lost, not missed.
+  bool isFar = !(offset(at) <= kNearPixels * widthAt(at.depth)) || cellsBeyond(p) > kNearCells;
+  bool edgeOn = abs(det) < kGrazing * length(cross(at.Su, at.Sv)) * length(cross(ray.across1, ray.across2));
+  return polished && result == kLost && (isFar || edgeOn) ? kMissed : result;
 }
 
 // Walks along the points of the surface to which the ray's are nearest, first against the ray, then along it, and ends

@@ -321,27 +321,27 @@ VisibleNode only(const Node& node, const Camera& camera, const Material& materia
   return list.opaque.empty() ? list.transparent.at(0) : list.opaque[0];
 }
 
-TEST(Cull, BackFacesHideBehindFrontFacesOnlyWhenSeenFromOutside) {
+TEST(Cull, ClosedSurfacesHaveAnInsideOnlyForThoseOutside) {
   const Camera outside{.eye = Vec3(0, 0, 5), .fovY = radians(60)};
   const Node ball{.surface = sphere(1)};
-  EXPECT_TRUE(only(ball, outside, {}).hideBackFaces);
-  EXPECT_FALSE(only(ball, outside, {}, kNothingSkipped).hideBackFaces);
-  EXPECT_FALSE(only(ball, outside, {.opacity = 0.5}).hideBackFaces);  // the back shines through
-  EXPECT_FALSE(only(ball, outside, {.shading = Shading::Wireframe}).hideBackFaces);
-  EXPECT_FALSE(only({.surface = cylinder(1, 1)}, outside, {}).hideBackFaces);  // open
+  EXPECT_TRUE(only(ball, outside, {}).closedFromOutside);
+  EXPECT_FALSE(only(ball, outside, {}, kNothingSkipped).closedFromOutside);
+  EXPECT_FALSE(only(ball, outside, {.opacity = 0.5}).closedFromOutside);  // the back shines through
+  EXPECT_FALSE(only(ball, outside, {.shading = Shading::Wireframe}).closedFromOutside);
+  EXPECT_FALSE(only({.surface = cylinder(1, 1)}, outside, {}).closedFromOutside);  // open
   EXPECT_TRUE(only({.surface = cylinder(1, 1)}, outside, {.twoSided = TwoSided::No}).hideBackFaces);
   EXPECT_TRUE(
       only({.surface = cylinder(1, 1)}, outside, {.twoSided = TwoSided::No}, kNothingSkipped).hideBackFaces);
 
   Camera inside = outside;
   inside.eye = Vec3(0.2, 0, 0), inside.lookAt = Vec3(1, 0, 0);
-  EXPECT_FALSE(only(ball, inside, {}).hideBackFaces);
+  EXPECT_FALSE(only(ball, inside, {}).closedFromOutside);
   Camera cutting = outside;  // the near plane opens the sphere
   cutting.near = 4.5;
-  EXPECT_FALSE(only(ball, cutting, {}).hideBackFaces);
+  EXPECT_FALSE(only(ball, cutting, {}).closedFromOutside);
   Camera beside = outside;  // the near plane passes the sphere, but beside the picture's window
   beside.near = 4.5, beside.fovY = radians(1), beside.lookAt = Vec3(1.5, 0, 0);
-  EXPECT_TRUE(only(ball, beside, {}, {.frustum = false, .small = false}).hideBackFaces);
+  EXPECT_TRUE(only(ball, beside, {}, {.frustum = false, .small = false}).closedFromOutside);
 }
 
 TEST(Cull, TwoSidedAndMirroredAreResolved) {
