@@ -90,6 +90,14 @@ Json jsonOf(const CoverageErrors& c, const NodeNames& nameOfNode) {
       {"farthest_px", c.farthestPx}, {"beyond_0.01_px", c.beyond},  {"worst", jsonOf(c.worst, nameOfNode)}};
 }
 
+Json jsonOf(const WrongPixels& wrong) {
+  return {{"pixels", wrong.total()},
+          {"hit_miss", wrong.hitMiss},
+          {"layer", wrong.layer},
+          {"point", wrong.point},
+          {"light", wrong.light}};
+}
+
 Json jsonOf(const ColorErrors& c) {
   Json json = {{"pixels", c.pixels},
                {"psnr_linear", finite(c.psnrLinear)},
@@ -147,6 +155,9 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
       "\ncoverage   {} missing, {} extra, {} of another node, {} of another layer\n"
       "           farthest {:.4g} px from the silhouette, {} beyond {} px\n",
       c.missing, c.extra, c.wrongNode, c.wrongLayer, c.farthestPx, c.beyond, kSilhouettePx);
+  const WrongPixels& wrong = v.wrong;
+  text += fmt::format("wrong      {} pixels: {} hit or miss, {} layer, {} point, {} light\n", wrong.total(),
+                      wrong.hitMiss, wrong.layer, wrong.point, wrong.light);
   text += fmt::format("psnr       {:.1f} dB linear, {:.1f} dB sRGB, off silhouettes\n", v.color.psnrLinear,
                       v.color.psnrSrgb);
   text += fmt::format("8 bit      {} pixels differ: {:.3g} of the covered\n", v.color.differing8,
@@ -186,6 +197,7 @@ std::string verificationJson(const VerificationReport& report, const Scene& scen
       {"truth_ms", report.truthMs},
       {"nan_pixels", v.nanPixels},
       {"coverage", jsonOf(v.coverage, nameOfNode)},
+      {"wrong", jsonOf(v.wrong)},
   };
   for (const Metric& m : metricsOf(v)) json[std::string(m.key)] = jsonOf(m.spread, nameOfNode);
   json["color"] = jsonOf(v.color);

@@ -81,6 +81,10 @@ void requireWithin(const Verification& v, double mostPx) {
   if (v.coverage.farthestPx > mostPx)
     miss(fmt::format("a pixel is wrong that is {:.3g} px from the silhouette", v.coverage.farthestPx));
   if (v.positionPx.max > mostPx) miss(fmt::format("the position error is {:.3g} px", v.positionPx.max));
+  if (v.wrong.light > 0)
+    throw Error(
+        ErrorKind::Requirement,
+        fmt::format("{} pixels see a light that is in shadow, or the other way round", v.wrong.light));
 }
 
 int verifyScene(const VerifyOptions& options) {

@@ -90,9 +90,11 @@ struct CameraKind {
 };
 
 Sight around(const Stage& s, const Spot& spot, Numbers& n) {
-  const double distance = s.radius * n.between(1.2, 3);
+  const double distance = s.radius * n.between(0.6, 3);
   const Vec3 target = glm::mix(s.center, spot.position, n.between(0, 0.5));
-  return {.eye = target + distance * direction(n), .target = target, .fov = n.between(30, 70) * kDegree};
+  Vec3 way = direction(n);
+  if (n.chance(0.4)) way = unitOr(Vec3(way.x, 0, way.z), Vec3(1, 0, 0));  // level, as people look
+  return {.eye = target + distance * way, .target = target, .fov = n.between(30, 70) * kDegree};
 }
 
 Sight far(const Stage& s, const Spot&, Numbers& n) {

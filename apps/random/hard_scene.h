@@ -17,7 +17,7 @@ namespace luxo::random {
 
 /// What the caller decides instead of chance.
 struct HardSceneOptions {
-  std::optional<PixelSize> size = {};  ///< else 96x72 to 160x120, a quarter of these pixels with 4 samples
+  std::optional<PixelSize> size = {};  ///< else 96x72 to 480x360, a quarter of these pixels with 4 samples
   std::optional<int> samples = {};     ///< 1 or 4
 };
 

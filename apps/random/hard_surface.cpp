@@ -98,10 +98,11 @@ Json sinesOpen(Numbers& n) {
 }
 
 Json roll(Numbers& n) {
-  const double turns = n.magnitude(0.6, 40), first = n.chance(0.3) ? n.between(-20, 20) : 0;
+  const double turns = n.chance(0.5) ? n.between(2, 7) : n.magnitude(0.6, 40),
+               first = n.chance(0.3) ? n.between(-20, 20) : 0;
   const double inner = n.between(0, 0.4), pitch = n.signedBetween(0.2, 1) / turns / 6.283;
-  const double flat = n.chance(0.3) ? n.between(0.3, 1) : 1,
-               skew = n.chance(0.3) ? n.between(-0.05, 0.05) : 0;
+  const double flat = n.chance(0.2) ? n.between(0.3, 1) : 1,
+               skew = n.chance(0.2) ? n.between(-0.05, 0.05) : 0;
   Json let = {
       {"r", Written{"{}+{}*(u-{})", number(inner + (pitch < 0 ? 1 : 0.05)), number(pitch), number(first)}}};
   if (n.chance(0.15))

@@ -18,6 +18,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 constexpr int kSmallestSide = 6;  // pixels
+constexpr int kMostHalvings = 8;  // of a domain's side in one round
 
 /// Every formula and number of surfaces, nodes and the camera.
 void visit(Json& json, const std::function<void(Json&)>& leaf) {
@@ -262,7 +263,8 @@ class Shrinker {
     for (const auto& [name, surface] : surfaces.items())
       for (const char* key : {"u", "v"}) {
         if (!surface.contains(key)) continue;
-        for (bool smaller = true; smaller && !spent();) {
+        bool smaller = true;
+        for (int halvings = 0; smaller && halvings < kMostHalvings && !spent(); ++halvings) {
           smaller = false;
           const Json& range = scene_["surfaces"][name][key];
           const double lo = numberOf(range[0]), hi = numberOf(range[1]);
