@@ -9,7 +9,7 @@ namespace luxo {
 /// What the pixels hold: the picture, or an auxiliary output (AOV) of the geometry.
 enum class Output { Color, Depth, Position, Normal, Uv, Id, Residual };
 
-/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-6 (exact shading).
+/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-4 (exact shading).
 struct Skips {
   bool frustum = true;    ///< nodes outside the picture
   bool small = true;      ///< nodes that cover no sample
