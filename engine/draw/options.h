@@ -22,7 +22,7 @@ struct Audit {
   friend bool operator==(const Audit&, const Audit&) = default;
 };
 
-/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-6 (exact shading).
+/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-4 (exact shading).
 struct Skips {
   bool frustum = true;    ///< nodes outside the picture
   bool small = true;      ///< nodes that cover no sample

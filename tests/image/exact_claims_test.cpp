@@ -69,7 +69,7 @@ TEST_F(ExactClaims, WhatPassesThroughItselfShowsItsInnerSide) {
   EXPECT_GT(seen_, 3000U);
 }
 
-// Which triangle a point is found from may change its last bits, and no more.
+// Which triangle a point is found from may change it within the tolerance of the search, and no more.
 TEST_F(ExactClaims, SkipsChangeNothingThatIsSeen) {
   std::uint64_t changed = 0, pixels = 0;
   for (const char* name : {"torus", "klein", "supertoroid", "torus_knot", "teapot", "superellipsoid"})
@@ -104,7 +104,7 @@ TEST_F(ExactClaims, SkipsChangeNothingThatIsSeen) {
             changed += largest > 0;
             ++pixels;
           }
-        EXPECT_LE(most, 1e-6) << (skip == &Skips::hidden ? "hidden" : "backface");
+        EXPECT_LE(most, 1e-4) << (skip == &Skips::hidden ? "hidden" : "backface");
       }
     }
   EXPECT_LT(changed, pixels / 1000);
@@ -113,22 +113,20 @@ TEST_F(ExactClaims, SkipsChangeNothingThatIsSeen) {
 // Rolls of up to 40 turns: as u is large, the next float is farther away than a search's tolerance; and cells
 // run along all of v, a hundred times as long on the screen as they are wide.
 TEST_F(ExactClaims, EveryTurnOfARollIsFound) {
-  const auto roll = [](double last, double growth) {
-    return fmt::format(R"json({{ "type": "formula", "u": [0, {:.5f}], "v": [-1, 1],
-                                 "let": {{ "r": "0.1 + {:.8f}*u" }},
+  const auto roll = [](double last) {
+    return fmt::format(
+        R"json({{ "type": "formula", "u": [0, {:.5f}], "v": [-1, 1], "let": {{ "r": "0.1+0.04*u" }},
                                  "position": ["r*cos(u)", "v", "r*sin(u)"] }})json",
-                       last, growth);
+        last);
   };
-  for (const int turns : {2, 10, 40})
-    for (int round = 0; round < 2; ++round) {
-      SCOPED_TRACE(fmt::format("{} turns, camera {}", turns, round));
-      const double last = 6.283185 * turns;
-      const Vec3 eye = between(1.3, 3.5) * glm::normalize(somewhere());
-      expectNoneSilentlyWrong(
-          snapshotOf(roll(last, 1 / last), eye, 0.3 * somewhere(), R"("fov_y": 0.7, "near": 0.1)", {80, 60}));
-    }
+  for (const int turns : {2, 10, 40}) {
+    SCOPED_TRACE(fmt::format("{} turns", turns));
+    const double last = 6.283185 * turns, size = 0.1 + 0.04 * last;
+    expectNoneSilentlyWrong(snapshotOf(roll(last), between(1.3, 3.5) * size * glm::normalize(somewhere()),
+                                       0.3 * size * somewhere(), R"("fov_y": 0.7, "near": 0.1)", {80, 60}));
+  }
   expectNoneSilentlyWrong(
-      snapshotOf(roll(25, 0.04), {-1.5, 0.5, -1.5}, {0, 0.5, 0}, R"("fov_y": 0.7, "near": 0.1)", {200, 150}));
+      snapshotOf(roll(25), {-1.5, 0.5, -1.5}, {0, 0.5, 0}, R"("fov_y": 0.7, "near": 0.1)", {200, 150}));
   EXPECT_GT(seen_, 30000U);
 }
 
