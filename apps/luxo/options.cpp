@@ -26,7 +26,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   Texts& t = *texts_;
   t.sceneArgument = scene;
   if (scene == SceneArgument::Taken)
-    command.add_option("SCENE", t.scene, "scene file or built-in name")->type_name("");
+    command.add_option("SCENE", t.scene, "scene file, built-in name, or - for standard input")->type_name("");
   const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
     return command.add_option(name, value, help)->type_name(type);
   };
@@ -56,10 +56,11 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
     add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
         "NAME=FROM:TO:STEP");
     add("--aov", t.aov, "what to write: color depth position normal uv id residual (color)", "NAME");
-    add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
+    add("--report", t.report, "times, counts and errors of each frame, as JSON; - is stdout", "FILE");
   }
   add("--skip", t.skip,
-      "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes,hidden (all)", "LIST");
+      "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes,hidden (all)",
+      "LIST");
   if (files)
     add("--require-error", t.requireError,
         "fail (exit code 6) unless every mesh and every pixel of exact shading is at most this far from its "
