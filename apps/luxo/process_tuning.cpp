@@ -3,6 +3,7 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <pthread.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <climits>
@@ -25,6 +26,13 @@ const std::chrono::steady_clock::time_point kProcessStart = std::chrono::steady_
 void tuneAllocator() {
 #ifdef __GLIBC__
   constexpr int kMiB = 1 << 20;
+  // A limit on addresses counts what is only reserved, too: 64 MiB for the arena of each thread, which would
+  // leave the driver nothing.
+  rlimit addresses{};
+  if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY) {
+    mallopt(M_ARENA_MAX, 1);
+    return;
+  }
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
   mallopt(M_MMAP_THRESHOLD, 32 * kMiB);  // the largest that glibc takes
   mallopt(M_TOP_PAD, 64 * kMiB);

@@ -8,7 +8,8 @@ namespace luxo {
 
 /// Keeps freed memory in the process. A CPU Vulkan driver allocates and frees its bins every frame, and by
 /// default glibc gives the pages back each time: thousands of page faults a frame, a third of a small frame's
-/// time. Call once, before any thread starts.
+/// time. Under a limit on addresses (ulimit -v) it keeps memory together instead. Call once, before any
+/// thread starts.
 void tuneAllocator();
 
 /// A limit on file sizes (ulimit -f) becomes an error of the write instead of a signal that ends the process.

@@ -62,9 +62,10 @@ std::optional<PixelSize> sizeThatFits(gpu::Context& context, PixelSize size, int
   const std::uint64_t machine =
       static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   const std::uint64_t left = gpu::addressSpaceLeft();
-  const PictureRoom room{.largest = context.memory().largestAllocation(),
-                         .device = ofProcess ? machine : context.memory().largestHeap(),
-                         .all = std::min(machine, left > gpu::kDriverBytes ? left - gpu::kDriverBytes : 0)};
+  const PictureRoom room{
+      .largest = context.memory().largestAllocation(),
+      .device = ofProcess ? machine : context.memory().largestHeap(),
+      .all = std::min(machine, left > gpu::kCompilerBytes ? left - gpu::kCompilerBytes : 0)};
   const PixelSize shown{std::min(size.width, side), std::min(size.height, side)};
   if (const auto smaller = sizeThatFits(shown, samples, native, room)) return smaller;
   return shown == size ? std::nullopt : std::optional(shown);

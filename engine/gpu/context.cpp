@@ -48,14 +48,15 @@ Features featuresOf(const Adapter& adapter) {
 Context::Context(const ContextDesc& desc)
     : log_(desc.validationLog ? desc.validationLog : std::make_shared<ValidationLog>()),
       mapDeviceMemory_(desc.mapDeviceMemory) {
+  startVulkan(desc);
+  adapter_ = chooseAdapter(desc);
+  features_ = featuresOf(adapter_);
+  // Now that the loader has read the drivers, which for some are a large part of what they need.
   if (const std::uint64_t left = addressSpaceLeft(); left < kDriverBytes)
     throw Error(ErrorKind::Retry,
                 fmt::format("cannot start Vulkan: a memory limit leaves {} MiB, and drivers need {}",
                             left >> 20, kDriverBytes >> 20),
                 "allow more memory (ulimit -v)");
-  startVulkan(desc);
-  adapter_ = chooseAdapter(desc);
-  features_ = featuresOf(adapter_);
   createDevice(static_cast<bool>(desc.canPresent));
   memory_ = std::make_unique<Memory>(adapter_.device, device_.get());
   pipelineCache_ = std::make_unique<PipelineCache>(device_.get(), adapter_.properties, cacheDirectory());
