@@ -8,13 +8,13 @@ find_package(SPIRV-Tools REQUIRED)
 find_package(SPIRV-Tools-opt REQUIRED)
 
 function(luxo_shaders target)
-  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders)
+  set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders)
   file(MAKE_DIRECTORY ${out})
   set(headers)
   foreach(source IN LISTS ARGN)
     get_filename_component(file ${source} NAME)
     string(REPLACE "." "_" name ${file})
-    set(compile ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${CMAKE_SOURCE_DIR}/shaders $<$<CONFIG:Debug>:-gVS>)
+    set(compile ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${PROJECT_SOURCE_DIR}/shaders $<$<CONFIG:Debug>:-gVS>)
     # The compiler's list of included files names its output, so the words and the header are made apart.
     add_custom_command(
       OUTPUT ${out}/${name}.spv
@@ -32,19 +32,21 @@ function(luxo_shaders target)
   add_custom_target(${target}_spirv DEPENDS ${headers})
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_spirv)
-  target_include_directories(${target} INTERFACE ${CMAKE_BINARY_DIR}/generated ${CMAKE_SOURCE_DIR}/shaders)
+  # Installed, the headers that C++ and GLSL share lie beside those of the engine; bytes are in the libraries.
+  target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
+                             $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>)
 endfunction()
 
 # Texts that programs compile themselves: <luxo/shaders/sources.h> with `luxo::kShaderSources`, for targets that link
 # `target`. The files are named by their paths below shaders/.
 function(luxo_shader_sources target)
-  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders/sources.h)
-  list(TRANSFORM ARGN PREPEND ${CMAKE_SOURCE_DIR}/shaders/ OUTPUT_VARIABLE paths)
+  set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders/sources.h)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/shaders/ OUTPUT_VARIABLE paths)
   add_custom_command(
     OUTPUT ${out}
-    COMMAND ${CMAKE_COMMAND} -DROOT=${CMAKE_SOURCE_DIR}/shaders "-DFILES=${ARGN}" -DOUT=${out}
-            -P ${CMAKE_SOURCE_DIR}/cmake/embed_sources.cmake
-    DEPENDS ${paths} ${CMAKE_SOURCE_DIR}/cmake/embed_sources.cmake
+    COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}/shaders "-DFILES=${ARGN}" -DOUT=${out}
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed_sources.cmake
+    DEPENDS ${paths} ${PROJECT_SOURCE_DIR}/cmake/embed_sources.cmake
     COMMENT "Embedding shader sources" VERBATIM)
   add_custom_target(${target}_sources DEPENDS ${out})
   add_dependencies(${target} ${target}_sources)
@@ -53,9 +55,9 @@ endfunction()
 # The exact shaders of what is built in: <luxo/shaders/exact_shaders.h> with `luxo::kExactShaders`, for targets that link
 # `target`. The program that writes it compiles the texts of luxo_shader_sources(target).
 function(luxo_exact_shaders target source)
-  set(out ${CMAKE_BINARY_DIR}/generated/luxo/shaders/exact_shaders.h)
+  set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders/exact_shaders.h)
   add_executable(luxo_exact_shaders ${source})
-  target_include_directories(luxo_exact_shaders PRIVATE ${CMAKE_BINARY_DIR}/generated)
+  target_include_directories(luxo_exact_shaders PRIVATE ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(luxo_exact_shaders PRIVATE luxo_lamp luxo_scenes luxo_gpu SPIRV-Tools-opt)
   luxo_warnings(luxo_exact_shaders)
   add_dependencies(luxo_exact_shaders ${target}_sources)

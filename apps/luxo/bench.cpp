@@ -50,7 +50,7 @@ int parseRuns(const std::string& text) {
   return static_cast<int>(runs);
 }
 
-/// Before minutes of work: the folder is there.
+/// Before minutes of work: the folder is there, and can be written to.
 void makeFolder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
@@ -58,6 +58,7 @@ void makeFolder(const std::filesystem::path& folder) {
     throw Error(ErrorKind::Write,
                 fmt::format("cannot make the folder '{}': {}", folder.string(), failure.message()),
                 "name a folder that can be made, as in -o results");
+  requireWritable(folder / "results.json");
 }
 
 /// Where the work stands, over all scenes.

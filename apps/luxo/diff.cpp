@@ -16,6 +16,7 @@
 #include "image/flip.h"
 #include "image/format.h"
 #include "option_values.h"
+#include "output_files.h"
 #include "verbs.h"
 
 namespace luxo {
@@ -100,6 +101,8 @@ int diff(const DiffOptions& options) {
   const auto mostMean = limit("--mean", options.mean);
   const ComparisonSpace space = spaceOf(options);
   if (!options.heat.empty()) static_cast<void>(requireImageFormat(options.heat));
+  const NamedFile heat{"-o", options.heat}, pictures[] = {{"A", options.a}, {"B", options.b}};
+  requireOutputs({&heat, 1}, pictures);
 
   const Image a = loadImage(options.a);
   const Image b = loadImage(options.b);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exit_code.h"
 
+#include <fmt/format.h>
+
 #include <new>
+#include <system_error>
 
 #include "console.h"
 
@@ -39,6 +42,10 @@ int runToExitCode(const std::function<int()>& body) {
   } catch (const std::bad_alloc&) {
     return report(
         {ErrorKind::Retry, "out of memory", "ask for a smaller size, or try again when more is free"});
+  } catch (const std::system_error& error) {
+    // Threads are what asks the system without asking for its answer.
+    return report({ErrorKind::Retry, fmt::format("the system refused: {}", error.what()),
+                   "allow more processes (ulimit -u) or memory (ulimit -v), or try again when more is free"});
   } catch (const std::exception& error) {
     return report(
         {ErrorKind::Internal, error.what(), "this is a bug in luxo; please report it with the command"});

@@ -39,5 +39,6 @@ int runLuxo(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
   luxo::tuneAllocator();
   luxo::ignoreFileSizeSignal();
+  luxo::fitThreadsToProcess();
   return luxo::runToExitCode([&] { return runLuxo(argc, argv); });
 }

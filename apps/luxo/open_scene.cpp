@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
 #include <optional>
 #include <string_view>
 
@@ -22,6 +23,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 constexpr const char* kGallery = "gallery";  // in C++
+constexpr const char* kStandardInput = "-";
 
 const EmbeddedScene* embeddedScene(std::string_view name) {
   const auto scenes = embeddedScenes();
@@ -35,12 +37,23 @@ Names builtinNames() {
   return names;
 }
 
-/// The first sentence of the first comment.
+/// The first sentence of the first comment, which may go on over lines.
 std::string summaryOf(std::string_view text) {
-  const std::size_t slashes = text.find("// ");
-  if (slashes == std::string_view::npos) return {};
-  text = text.substr(slashes + 3);
-  return std::string(text.substr(0, std::min(text.find('\n'), text.find(". "))));
+  constexpr std::string_view kComment = "// ";
+  std::string summary;
+  for (std::size_t at = text.find(kComment); at != std::string_view::npos;) {
+    const std::string_view line = text.substr(at + kComment.size());
+    const std::size_t end = std::min(line.find('\n'), line.size());
+    if (!summary.empty()) summary += ' ';
+    summary.append(line.substr(0, end));
+    const std::size_t next = line.find_first_not_of(" \n", end);
+    const bool goesOn = next != std::string_view::npos && line.substr(next).starts_with(kComment);
+    at = goesOn ? at + kComment.size() + next : std::string_view::npos;
+  }
+  if (const std::size_t sentence = summary.find(". "); sentence != std::string::npos)
+    summary.resize(sentence);
+  if (summary.ends_with('.')) summary.pop_back();
+  return summary;
 }
 
 void refuseModel(const std::filesystem::path& file) {
@@ -84,7 +97,7 @@ std::vector<BuiltinScene> builtinScenes() {
 std::filesystem::path fileOfScene(const std::string& scene) {
   const Names names = builtinNames();
   const bool builtin = std::ranges::find(names, scene) != names.end();
-  return builtin ? std::filesystem::path() : std::filesystem::path(scene);
+  return builtin || scene == kStandardInput ? std::filesystem::path() : std::filesystem::path(scene);
 }
 
 Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,
@@ -95,6 +108,7 @@ Scene openScene(const std::string& scene, std::span<const ParameterValue> parame
     refuseParameters(scene, parameters);
     return gallery();
   }
+  if (scene == kStandardInput) return buildScene(readScene(std::cin, "standard input"), parameters, warnings);
   refuseModel(scene);
   requireKnown(scene);
   return buildScene(readSceneFile(scene), parameters, warnings);

@@ -20,16 +20,16 @@ struct BuiltinScene {
 /// By name. They are carried as text, so they work from any folder.
 [[nodiscard]] std::vector<BuiltinScene> builtinScenes();
 
-/// The scene of that name: built-in ones first, then files (so ./teapot is the file). `parameters` replace
-/// values of the scene's. Error(Scene): there is none of that name; it cannot be read or has errors; a model.
-/// Error(Usage): it has no such parameter, or not with that value.
+/// The scene of that name: built-in ones first, then files (so ./teapot is the file); - is standard input.
+/// `parameters` replace values of the scene's. Error(Scene): there is none of that name; it cannot be read or
+/// has errors; a model. Error(Usage): it has no such parameter, or not with that value.
 ///
 /// `warnings`, where given, takes what is allowed but probably not meant (scene/scene_builder.h), as people
 /// read it.
 [[nodiscard]] Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters = {},
                               std::vector<std::string>* warnings = nullptr);
 
-/// The file behind a scene: empty for built-in ones.
+/// The file behind a scene: empty for built-in ones and standard input.
 [[nodiscard]] std::filesystem::path fileOfScene(const std::string& scene);
 
 /// As openScene(), for a description that is in memory.

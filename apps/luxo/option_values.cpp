@@ -112,7 +112,7 @@ double parseNumber(std::string_view option, const std::string& text) { return nu
 
 PixelSize parseSize(const std::string& text) {
   const std::string hint =
-      fmt::format("give width x height in pixels, each from 1 to {}, as in 1280x720", kMaxRenderSide);
+      fmt::format("give width x height in pixels, each from 1 to {}, as in 1280x720", kMostPictureSide);
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) refuse("--size", text, "not a size", hint);
   const auto side = [&](const std::string& digits, const char* name) {
@@ -120,8 +120,8 @@ PixelSize parseSize(const std::string& text) {
     if (!value) refuse("--size", text, fmt::format("the {} '{}' is not a whole number", name, digits), hint);
     if (*value < 1)
       refuse("--size", text, fmt::format("a picture with a {} of {} has no pixels", name, *value), hint);
-    if (*value > kMaxRenderSide)
-      refuse("--size", text, fmt::format("a {} of {} is more than Vulkan images hold", name, *value), hint);
+    if (*value > kMostPictureSide)
+      refuse("--size", text, fmt::format("a {} of {} is more than pictures have", name, *value), hint);
     return int(*value);
   };
   return {side(text.substr(0, cross), "width"), side(text.substr(cross + 1), "height")};
@@ -139,8 +139,9 @@ std::vector<int> parseFrames(const std::string& text) {
 
 double parseFps(const std::string& text) {
   const double fps = parseNumber("--fps", text);
-  if (fps <= 0)
-    refuse("--fps", text, "frames per second must be above 0", "as in --fps 24 or --fps 30000/1001");
+  if (!kFpsRange.contains(fps))
+    refuse("--fps", text, fmt::format("frames per second are from {} to {}", kFpsRange.lo, kFpsRange.hi),
+           "as in --fps 24 or --fps 30000/1001");
   return fps;
 }
 
@@ -156,7 +157,9 @@ double parsePixels(std::string_view option, const std::string& text) {
   const bool unit = text.size() > 2 && text.ends_with("px");
   const double pixels =
       numberIn(option, text, std::string_view(text).substr(0, text.size() - (unit ? 2 : 0)));
-  if (pixels <= 0) refuse(option, text, "must be above 0 pixels", fmt::format("as in {} 0.25", option));
+  if (!kToleranceRange.contains(pixels))
+    refuse(option, text, fmt::format("must be from {} to {} pixels", kToleranceRange.lo, kToleranceRange.hi),
+           fmt::format("as in {} 0.25", option));
   return pixels;
 }
 

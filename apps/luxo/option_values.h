@@ -16,9 +16,6 @@
 
 namespace luxo {
 
-/// The longest side of a picture that may be asked for.
-inline constexpr int kMaxRenderSide = 16384;
-
 /// The most frames or sweep values in one run.
 inline constexpr int kMaxFrames = 1'000'000;
 
@@ -28,20 +25,20 @@ inline constexpr int kMaxFrames = 1'000'000;
 /// One finite number, or a fraction of two: `0.25`, `1e-3`, `1/255`.
 [[nodiscard]] double parseNumber(std::string_view option, const std::string& text);
 
-/// `1280x720`, each side 1..kMaxRenderSide.
+/// `1280x720`, each side 1..kMostPictureSide.
 [[nodiscard]] PixelSize parseSize(const std::string& text);
 
 /// `1-250:2,300`: single frames and ranges with an optional step, 0 or above. In the order given, repetitions
 /// dropped.
 [[nodiscard]] std::vector<int> parseFrames(const std::string& text);
 
-/// Frames per second, above 0.
+/// Frames per second, in kFpsRange.
 [[nodiscard]] double parseFps(const std::string& text);
 
 /// 1..kMostSamples.
 [[nodiscard]] int parseSamples(const std::string& text);
 
-/// A length in pixels above 0, `0.25` or `0.25px`.
+/// A length in pixels, in kToleranceRange: `0.25` or `0.25px`.
 [[nodiscard]] double parsePixels(std::string_view option, const std::string& text);
 
 [[nodiscard]] Shading parseShading(const std::string& text);
@@ -53,7 +50,8 @@ enum class Engine { Vulkan, Reference };
 /// `vulkan` or `reference`.
 [[nodiscard]] Engine parseEngine(const std::string& text);
 
-/// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes, hidden: only those are on.
+/// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes, hidden: only those are
+/// on.
 [[nodiscard]] Skips parseSkips(const std::string& text);
 /// all, none, or the least number of pixels.
 [[nodiscard]] Audit parseAudit(const std::string& text);

@@ -26,7 +26,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   Texts& t = *texts_;
   t.sceneArgument = scene;
   if (scene == SceneArgument::Taken)
-    command.add_option("SCENE", t.scene, "scene file or built-in name")->type_name("");
+    command.add_option("SCENE", t.scene, "scene file, built-in name, or - for standard input")->type_name("");
   const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
     return command.add_option(name, value, help)->type_name(type);
   };
@@ -57,10 +57,11 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
         "NAME=FROM:TO:STEP");
     add("--aov", t.aov, "what to write: color depth position normal uv id residual certificate (color)", "NAME");
     add("--sample", t.sample, "the sample of each pixel that --aov is of, from 0 (the pixel's centre)", "I");
-    add("--report", t.report, "times, counts and errors of each frame, as JSON", "FILE");
+    add("--report", t.report, "times, counts and errors of each frame, as JSON; - is stdout", "FILE");
   }
   add("--skip", t.skip,
-      "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes,hidden (all)", "LIST");
+      "what may be left out: all, none, or frustum,small,backface,lights,unchanged,passes,hidden (all)",
+      "LIST");
   if (files)
     add("--audit", t.audit,
         "pixels of exact shading that are cast by the reference and compared: all, none, or at least so many (one in "

@@ -65,6 +65,7 @@ void addPlot(CLI::App& app, Command& chosen) {
   verb->add_flag("--emit", options->emit,
                  "print the scene file that draws the same picture, and draw nothing");
   options->render = std::make_unique<RenderOptions>(*verb, SceneArgument::None);
+  verb->get_option("--samples")->description("samples per pixel, 1 to 256 (4)");
   verb->callback([options, &chosen] { chosen = [options] { return runPlot(*options); }; });
 }
 

@@ -8,12 +8,17 @@ namespace luxo {
 
 /// Keeps freed memory in the process. A CPU Vulkan driver allocates and frees its bins every frame, and by
 /// default glibc gives the pages back each time: thousands of page faults a frame, a third of a small frame's
-/// time. Call once, before any thread starts.
+/// time. Under a limit on addresses (ulimit -v) it keeps memory together instead. Call once, before any
+/// thread starts.
 void tuneAllocator();
 
 /// A limit on file sizes (ulimit -f) becomes an error of the write instead of a signal that ends the process.
 /// The driver writes its shader cache from threads of its own, where nothing else could keep the signal away.
 void ignoreFileSizeSignal();
+
+/// Where a limit (ulimit -u, ulimit -v, a container's) leaves few threads, all of them are the driver's, and
+/// this program works in one. Call once, before any work. Cost: 32 threads at most that do nothing, 0.3 ms.
+void fitThreadsToProcess();
 
 /// When this process began, as near as it can tell: the time a user has been waiting since.
 [[nodiscard]] std::chrono::steady_clock::time_point processStart();

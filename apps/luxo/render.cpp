@@ -11,6 +11,7 @@
 #include <memory>
 #include <utility>
 
+#include "background.h"
 #include "base/error.h"
 #include "console.h"
 #include "draw/accumulation.h"
@@ -20,6 +21,7 @@
 #include "image/format.h"
 #include "interruption.h"
 #include "open_scene.h"
+#include "output_files.h"
 #include "picture_engine.h"
 #include "process_tuning.h"
 #include "report.h"
@@ -57,14 +59,19 @@ std::vector<Job> jobsOf(const RenderRequest& request, const RenderSettings& sett
   return jobs;
 }
 
-/// Of a sequence: a missing folder is known before anything is drawn.
-void requireFolderOf(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code ignored;
-  if (std::filesystem::is_directory(folder, ignored)) return;
-  throw Error(ErrorKind::Write,
-              fmt::format("cannot write '{}': '{}' is not a folder", file.string(), folder.string()),
-              fmt::format("create the folder first: mkdir -p '{}'", folder.string()));
+/// Before anything is drawn: no file is lost, and each can be written. Of a sequence, whose names differ in
+/// their numbers, the first stands for all when it is about the folder.
+void requireOutputsOf(const std::vector<Job>& jobs, const RenderRequest& request) {
+  const NamedFile scene{"the scene", fileOfScene(request.scene)};
+  const NamedFile report{"--report", request.report && *request.report != "-" ? *request.report : ""};
+  requireOutputs(std::vector{NamedFile{"-o", jobs.front().file}, report}, {&scene, 1});
+  const std::vector others{scene, NamedFile{"the report", report.path}};
+  for (std::size_t i = 1; i < jobs.size(); ++i)
+    for (const NamedFile& other : others)
+      if (!other.path.empty() && sameFile(jobs[i].file, other.path))
+        throw Error(ErrorKind::Usage,
+                    fmt::format("-o '{}' would overwrite {}", jobs[i].file.string(), other.what),
+                    "choose another name");
 }
 
 /// Encodes and writes; runs beside the drawing of the next frame. Gives the milliseconds it took.
@@ -95,7 +102,7 @@ class Run {
     if (request_.sweep) swept_ = sweptParameter(scene_, *request_.sweep);
     const CameraId camera = cameraOf(scene_, request_);
     const std::vector<Job> jobs = jobsOf(request_, settings_);
-    if (jobs.size() > 1) requireFolderOf(jobs.front().file);
+    requireOutputsOf(jobs, request_);
     warnAboutClampedValues();
 
     const auto validation = std::make_shared<gpu::ValidationLog>();
@@ -134,6 +141,7 @@ class Run {
                               .time = job.time,
                               .file = job.file,
                               .parameters = {},
+                              .cutNumbers = 0,
                               .statistics = {},
                               .reference = {},
                               .error = {}});
@@ -147,6 +155,7 @@ class Run {
         report_.frames[index].parameters.emplace_back(scene_.parameters()[i].name, values[i]);
       Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, camera);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
+      report_.frames[index].cutNumbers = snapshot.cutNumbers;
       const double animate = millisecondsSince(start);
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();
@@ -155,10 +164,9 @@ class Run {
       report_.frames[index].statistics = picture->statistics;
       report_.frames[index].reference = picture->reference;
       finishPending();
-      pending_ =
-          Pending{index, std::async(std::launch::async, [image = std::move(picture->image), file = job.file] {
-                    return encodeToFile(image, file);
-                  })};
+      pending_ = Pending{index, inBackground([image = std::move(picture->image), file = job.file] {
+                           return encodeToFile(image, file);
+                         })};
     });
   }
 
@@ -196,6 +204,9 @@ class Run {
     printNote(fmt::format("{}  {}x{}  {:.0f} ms  {}  on {}", frame.file.string(), settings_.size.width,
                           settings_.size.height, millisecondsSince(processStart()), qualityOf(frame),
                           report_.device.name));
+    if (frame.cutNumbers > 0)
+      printNote(fmt::format("{} colours or lights are above {} at time {}, and are cut off there",
+                            frame.cutNumbers, kMostSceneNumber, frame.time));
     const FrameError& error = frame.statistics.error;
     if (!frame.reference && error.boundPx > error.tolerancePx && std::isfinite(error.boundPx))
       printNote(
@@ -239,6 +250,7 @@ class Run {
   void writeReport() const {
     if (!request_.report) return;
     const std::string json = reportJson(report_);
+    if (*request_.report == "-") return printData(json);
     writeFileAtomically(*request_.report, std::as_bytes(std::span(json)));
   }
 

@@ -56,6 +56,7 @@ Json frameJson(const FrameReport& frame) {
         {"tessellated", drawn(count.tessellated)},
         {"pipelines_created", drawn(count.pipelinesCreated)},
         {"shaders_compiled", drawn(count.shadersCompiled)},
+        {"cut_numbers", frame.cutNumbers},
         {"passes", drawn(count.passes)},
         {"shadow_passes", drawn(count.shadowPasses)}}},
       {"error",

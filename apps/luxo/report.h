@@ -28,6 +28,7 @@ struct FrameReport {
   double time = 0;
   std::filesystem::path file;
   std::vector<std::pair<std::string, double>> parameters;  ///< of the scene, with their values
+  std::uint64_t cutNumbers = 0;                            ///< Snapshot::cutNumbers
   FrameStatistics statistics;
   std::optional<ReferenceStatistics> reference;  ///< cast, not drawn: most of `statistics` does not apply
   std::optional<std::string> error;              ///< why there is no file

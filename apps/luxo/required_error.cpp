@@ -3,7 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 namespace luxo {
+namespace {
+
+/// With three digits, or as many as it takes to differ from `other`.
+std::string shown(double value, double other) {
+  constexpr int kAllDigits = 17;
+  std::string text;
+  for (int digits = 3; digits <= kAllDigits; ++digits) {
+    text = fmt::format("{:.{}g}", value, digits);
+    if (text != fmt::format("{:.{}g}", other, digits)) break;
+  }
+  return text;
+}
+
+}  // namespace
 
 std::optional<RequirementMiss> requirementMiss(const FrameReport& frame, double mostPx) {
   const FrameError& error = frame.statistics.error;
@@ -15,13 +31,14 @@ std::optional<RequirementMiss> requirementMiss(const FrameReport& frame, double 
   }
   // Written so that what is not a number misses.
   if (!(error.boundPx <= mostPx))
-    return RequirementMiss{
-        fmt::format("the proven error is {:.3g} px, more than the {:.3g} px required", error.boundPx, mostPx),
-        "ask for a smaller --tolerance"};
+    return RequirementMiss{fmt::format("the proven error is {} px, more than the {} px required",
+                                       shown(error.boundPx, mostPx), shown(mostPx, error.boundPx)),
+                           "ask for a smaller --tolerance"};
   if (error.residualMaxPx && !(*error.residualMaxPx <= mostPx))
-    return RequirementMiss{fmt::format("the largest residual is {:.3g} px, more than the {:.3g} px required",
-                                       *error.residualMaxPx, mostPx),
-                           "single precision allows no less here; --engine reference casts rays in double"};
+    return RequirementMiss{
+        fmt::format("the largest residual is {} px, more than the {} px required",
+                    shown(*error.residualMaxPx, mostPx), shown(mostPx, *error.residualMaxPx)),
+        "single precision allows no less here; --engine reference casts rays in double"};
   if (error.unconvergedPx > 0)
     return RequirementMiss{
         fmt::format("{} pixels are lost: their point of the surface was not found", error.unconvergedPx),

@@ -21,6 +21,7 @@
 #include "measured_picture.h"
 #include "open_scene.h"
 #include "options.h"
+#include "output_files.h"
 #include "progress_bar.h"
 #include "scene_request.h"
 #include "stability/stability.h"
@@ -39,7 +40,7 @@ struct VerifyOptions {
   std::unique_ptr<RandomOptions> random;
   std::optional<std::string> pixels, requireError, report;
   std::string heat;
-  bool json = false;
+  bool json = false, strict = false;
   CLI::Option* stability = nullptr;  ///< whether it was given
   std::vector<std::string> cases;
 };
@@ -93,6 +94,9 @@ int verifyScene(const VerifyOptions& options) {
   if (render.scene.empty())
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo verify teapot; or luxo verify --stability");
+  const NamedFile outputs[] = {{"-o", options.heat}, {"--report", options.report.value_or("")}};
+  const NamedFile input{"the scene", fileOfScene(render.scene)};
+  requireOutputs(outputs, {&input, 1});
   const Scene scene = openScene(render.scene, render.parameters);
   const RenderSettings settings = settingsOf(scene, render);
   requireGroundTruth(settings.shading);
@@ -153,6 +157,7 @@ int verifyStability(const VerifyOptions& options) {
   std::erase(cases, "");  // CLI11's way to say that an option came without a value
   const bool passed = runStability({.ids = cases,
                                     .json = options.json,
+                                    .strict = options.strict,
                                     .options = {.shading = request.shading.value_or(Shading::Exact),
                                                 .device = request.device,
                                                 .validate = request.validate,
@@ -196,6 +201,7 @@ void addVerify(CLI::App& app, Command& chosen) {
       verb->add_option("--stability", options->cases, "run the stability suite, or these cases of it")
           ->type_name("[ST-nn ...]")
           ->expected(0, 40);
+  verb->add_flag("--strict", options->strict, "with --stability: misses that are known fail, too");
   verb->footer(
       "The truth is cast by rays in double precision (render --engine reference). `float32` is what the "
       "truth "

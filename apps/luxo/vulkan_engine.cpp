@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <utility>
 
+#include "base/error.h"
 #include "draw/device_precision.h"
+#include "draw/picture_room.h"
 #include "draw/renderer.h"
 #include "interruption.h"
 #include "picture_engine.h"
@@ -23,6 +26,7 @@ class VulkanEngine : public PictureEngine {
         options_(drawOptions(settings)),
         showsProgress_(request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1),
         judged_(request.requireErrorPx.has_value()) {
+    requireRoom(request, settings);
     options_.output = request.aov;
     options_.skips = request.skips;
     options_.audit = request.audit;
@@ -41,17 +45,31 @@ class VulkanEngine : public PictureEngine {
       return interruptingSignal() == 0;
     });
     if (!picture) return std::nullopt;
-    // Only colours bring the residuals along.
-    if (judged_ && options_.output != Output::Color)
-      picture->statistics.error.residualMaxPx = residualOf(snapshot);
+    // Only the colours of light bring the residuals along.
+    const bool residuals = options_.output == Output::Color && options_.shading != Shading::Residual;
+    if (judged_ && !residuals) picture->statistics.error.residualMaxPx = residualOf(snapshot);
     return MadePicture{std::move(picture->image), picture->statistics};
   }
 
  private:
+  /// Before anything is drawn: no retry would help.
+  void requireRoom(const RenderRequest& request, const RenderSettings& settings) {
+    const int samples = request.aov == Output::Color ? settings.samples : 1;
+    const auto fits = sizeThatFits(context_, settings.size, samples);
+    if (!fits) return;
+    const bool typed = request.size || request.samples;
+    throw Error(typed ? ErrorKind::Usage : ErrorKind::Scene,
+                fmt::format("a picture of {}x{} pixels with {} samples is more than {} holds",
+                            settings.size.width, settings.size.height, samples, context_.deviceInfo().name),
+                fmt::format("{}x{} pixels fit{}; or draw it with --engine reference, which needs no device",
+                            fits->width, fits->height, samples > 1 ? ", or fewer samples" : ""));
+  }
+
   /// Of the same surfaces in the same pixels.
   [[nodiscard]] std::optional<double> residualOf(const Snapshot& snapshot) {
     DrawOptions color = options_;
     color.output = Output::Color;
+    if (color.shading == Shading::Residual) color.shading = Shading::Exact;
     color.samples = 1;
     return renderer_.render(snapshot, color).statistics.error.residualMaxPx;
   }

@@ -43,5 +43,6 @@ int runLamp(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
   luxo::tuneAllocator();
   luxo::ignoreFileSizeSignal();
+  luxo::fitThreadsToProcess();
   return luxo::runToExitCode([&] { return runLamp(argc, argv); });
 }

@@ -53,6 +53,8 @@ void describe(Json& line, const Trial& trial) {
   line["silently_wrong"] = trial.silentlyWrong;
   line["unconverged"] = trial.unconverged;
   line["uncertified"] = trial.uncertified;
+  line["resolved_by_rays"] = trial.resolvedByRays;
+  line["audit_failed"] = trial.auditFailed;
   line["cpu_s"] = {{"picture", rounded(trial.pictureSeconds, 3)},
                    {"reference", rounded(trial.referenceSeconds, 3)}};
 }

@@ -2,7 +2,6 @@
 #include "random/trial.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ctime>
 
@@ -13,10 +12,6 @@ namespace luxo::random {
 namespace {
 
 constexpr double kSameColor = 2e-3;  // linear: half an 8-bit step of dark colours, 20 times what float leaves
-/// Where the four samples of one pass lie, in pixels from the centre (Vulkan's standard locations).
-constexpr std::array<Vec2, 4> kFour = {Vec2(-0.125, -0.375), Vec2(0.375, -0.125), Vec2(-0.375, 0.125),
-                                       Vec2(0.125, 0.375)};
-
 double processorSeconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -87,7 +82,7 @@ class Samples {
     for (std::uint32_t i = 0; i < mean_.size(); ++i) {
       if (right_[i] == 0 || near(colorAt(shown, i), mean_[i], mean_[i])) continue;
       Vec3 least(0), most(0);
-      for (const Vec2& offset : kFour) addColorsAround(caster, i, offset, least, most);
+      for (const Vec2& offset : samplePattern(4)) addColorsAround(caster, i, offset, least, most);
       wrong += near(colorAt(shown, i), least, most) ? 0 : 1;
     }
     return wrong;
@@ -117,6 +112,8 @@ class Samples {
     const FrameError& error = color.statistics.error;
     trial_.unconverged += error.unconvergedPx;
     trial_.uncertified += error.uncertifiedPx;
+    trial_.resolvedByRays += error.resolvedByRaysPx;
+    trial_.auditFailed += error.auditFailedPx;
     return error;
   }
 
@@ -171,7 +168,7 @@ Trial tryScene(Renderer& renderer, const Snapshot& snapshot, const TrialOptions&
     samples.judge(Vec2(0), 1);
     return trial;
   }
-  for (const Vec2& offset : kFour) samples.judge(offset, 0.25);
+  for (const Vec2& offset : samplePattern(4)) samples.judge(offset, 0.25);
   Picture resolved;
   {
     const Stopwatch watch(trial.pictureSeconds);

@@ -21,7 +21,7 @@ struct Trial {
   /// Resolved colours that are not the mean of the truth's, where every sample of the pixel is right.
   std::uint64_t wrongColors = 0;
   double worstPx = 0;  ///< largest error of a point on the screen, among those of the right layer
-  std::uint64_t unconverged = 0, uncertified = 0;
+  std::uint64_t unconverged = 0, uncertified = 0, resolvedByRays = 0, auditFailed = 0;  ///< as reports say
   /// Wrong, beyond what the report counts as unconverged or uncertified.
   std::uint64_t silentlyWrong = 0;
   double pictureSeconds = 0, referenceSeconds = 0;  ///< of all processors

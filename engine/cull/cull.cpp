@@ -157,6 +157,10 @@ double framingDepth(const View& view, const SnapshotNode& node) {
   return std::max(view.near, glm::dot(sphere.center - view.eye, view.forward()) - sphere.radius);
 }
 
+/// Object units. Extreme scales would round a tolerance to 0; this one no mesh meets, and what is made of it
+/// by powers of two is still above 0.
+constexpr double kLeastTolerance = 1e-200;
+
 /// Everything about a node that does not depend on what is skipped.
 VisibleNode describe(const Snapshot& snapshot, std::uint32_t index, const Bounds& bounds,
                      double tolerancePx) {
@@ -173,7 +177,7 @@ VisibleNode describe(const Snapshot& snapshot, std::uint32_t index, const Bounds
   const double toleranceWorld = view.perspective()
                                     ? tolerancePx * depth / (visible.pixelsPerUnit + tolerancePx)
                                     : tolerancePx / visible.pixelsPerUnit;
-  visible.toleranceObject = toleranceWorld / visible.stretch;
+  visible.toleranceObject = std::max(kLeastTolerance, toleranceWorld / visible.stretch);
   visible.mirrored = mirrors(node.worldFromObject);
   visible.twoSided =
       material.twoSided == TwoSided::Yes || (material.twoSided == TwoSided::Auto && !node.surface.closed());

@@ -21,6 +21,8 @@ namespace {
 // Light that is interpolated between vertices needs vertices where light changes, also on flat surfaces. An
 // outline is as wide as the slope of what is interpolated says, which long facets of a cone get wrong.
 constexpr double kVertexSpacingPx = 12;
+// Object units: where extreme scales round the above to 0.
+constexpr double kLeastSpacing = 1e-200;
 
 // No hull is nearer to its surface than this part of its size, unless a search was lost.
 constexpr double kFinestHull = 2e-4;
@@ -37,8 +39,9 @@ bool needsLights(const DrawState& state) {
 MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shading shading, const View& view) {
   MeshDesc desc{.uniform = node.segments, .tolerance = visible.toleranceObject};
   if (shading == Shading::Gouraud || (shading == Shading::Toon && !node.surface.flatNormal()))
-    desc.longestEdge = kVertexSpacingPx * (view.perspective() ? visible.nearestDepth : 1) /
-                       (visible.stretch * visible.pixelsPerUnit);
+    desc.longestEdge =
+        std::max(kLeastSpacing, kVertexSpacingPx * (view.perspective() ? visible.nearestDepth : 1) /
+                                    (visible.stretch * visible.pixelsPerUnit));
   return desc;
 }
 

@@ -304,7 +304,9 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
   const int width = snapshot.view.size.width, height = snapshot.view.size.height,
             channels = channelsOf(output);
   // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
-  const bool certifies = output == Output::Color && painter_.searches();
+  // A view of the residuals has them as its colour.
+  const bool certifies =
+      output == Output::Color && options.shading != Shading::Residual && painter_.searches();
   Measured measured;
   Image image(width, height, channels);
   for (int y = 0; y < height; ++y) {

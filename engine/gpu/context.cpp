@@ -2,6 +2,8 @@
 #include "gpu/context.h"
 
 #include "base/assert.h"
+#include "base/error.h"
+#include "gpu/address_space.h"
 #include "gpu/pipeline_cache.h"
 #include "gpu/result.h"
 #include "gpu/transfer.h"
@@ -49,19 +51,39 @@ Context::Context(const ContextDesc& desc)
   startVulkan(desc);
   adapter_ = chooseAdapter(desc);
   features_ = featuresOf(adapter_);
+  // Now that the loader has read the drivers, which for some are a large part of what they need.
+  if (const std::uint64_t left = addressSpaceLeft(); left < kDriverBytes)
+    throw Error(ErrorKind::Retry,
+                fmt::format("cannot start Vulkan: a memory limit leaves {} MiB, and drivers need {}",
+                            left >> 20, kDriverBytes >> 20),
+                "allow more memory (ulimit -v)");
   createDevice(static_cast<bool>(desc.canPresent));
   memory_ = std::make_unique<Memory>(adapter_.device, device_.get());
   pipelineCache_ = std::make_unique<PipelineCache>(device_.get(), adapter_.properties, cacheDirectory());
-  timeline_ = std::make_unique<Timeline>(device_.get(), queue_);
+  timeline_ = std::make_unique<Timeline>(device_.get(), queue_, adapter_.info.type == DeviceType::Cpu);
   uploads_ = std::make_unique<Uploads>(*this);
 }
 
 Context::~Context() {
   uploads_.reset();
+  if (timeline_->standsStill()) {
+    abandon();
+    return;
+  }
   vkDeviceWaitIdle(device_.get());  // a lost device has nothing left to wait for
   timeline_->destruction().drain();
   // Whatever is left would be destroyed through a context that is gone.
   LUXO_REQUIRE_COMPARE(counters_.objects, ==, 0u);
+}
+
+// The process is about to end, and every way to clean up would wait for ever.
+void Context::abandon() {
+  static_cast<void>(timeline_.release());
+  static_cast<void>(pipelineCache_.release());
+  static_cast<void>(memory_.release());
+  static_cast<void>(device_.release());
+  static_cast<void>(messenger_.release());
+  static_cast<void>(instance_.release());
 }
 
 void Context::startVulkan(const ContextDesc& desc) {
@@ -145,6 +167,7 @@ Counters Context::counters() const {
 }
 
 void Context::waitIdle() {
+  timeline_->wait(timeline_->submitted());  // bounded, as vkDeviceWaitIdle() is not
   check(vkDeviceWaitIdle(device_.get()), "wait for the device to be idle");
   timeline_->collect();
 }

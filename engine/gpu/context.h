@@ -119,6 +119,8 @@ class Context {
   void startVulkan(const ContextDesc& desc);
   [[nodiscard]] Adapter chooseAdapter(const ContextDesc& desc) const;
   void createDevice(bool presents);
+  /// Leaves everything as it is, of a device that stands still (gpu/timeline.h).
+  void abandon();
 
   std::shared_ptr<ValidationLog> log_;
   Counters counters_;

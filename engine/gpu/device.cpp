@@ -136,7 +136,10 @@ std::string noDriverHint() {
                            variable, file);
       }
     }
-    return fmt::format("{}={} hides every other driver: unset it to use what is installed", variable, value);
+    return fmt::format(
+        "{}={} hides every other driver, and names none that works: unset it to use what is "
+        "installed",
+        variable, value);
   }
   return "install a driver: apt install mesa-vulkan-drivers (it also draws on the processor, without a GPU)";
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string_view>
 
 namespace luxo::gpu {
@@ -21,11 +22,25 @@ bool hasLayer(std::string_view name) {
   return std::ranges::any_of(layers, [&](const VkLayerProperties& layer) { return layer.layerName == name; });
 }
 
+/// How the loader says that it found no driver; and that a file which should name one cannot be read as that,
+/// although it calls this, among others, a lack of memory.
+bool foundNoDriver(VkResult result) {
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return true;
+  const bool named =
+      std::ranges::any_of(std::array{"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}, [](const char* v) {
+        const char* value = std::getenv(v);
+        return value != nullptr && *value != '\0';
+      });
+  return named && (result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_INITIALIZATION_FAILED);
+}
+
 }  // namespace
 
 bool hasInstanceExtension(const char* name) {
   std::uint32_t count = 0;
-  check(vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr), "list Vulkan extensions");
+  const VkResult result = vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
+  if (foundNoDriver(result)) return false;
+  check(result, "list Vulkan extensions");
   std::vector<VkExtensionProperties> extensions(count);
   check(vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data()), "list Vulkan extensions");
   return std::ranges::any_of(extensions, [&](const VkExtensionProperties& extension) {
@@ -60,7 +75,7 @@ Instance createInstance(const InstanceDesc& desc) {
                                   .ppEnabledExtensionNames = desc.extensions.data()};
   VkInstance instance = VK_NULL_HANDLE;
   const VkResult result = vkCreateInstance(&info, nullptr, &instance);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return nullptr;  // how the loader says that it found no driver
+  if (foundNoDriver(result)) return nullptr;
   check(result, "start Vulkan");
   return Instance(instance);
 }

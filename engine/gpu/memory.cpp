@@ -95,6 +95,13 @@ Memory::~Memory() {
 
 std::size_t Memory::blocks() const noexcept { return blocks_.size(); }
 
+std::uint64_t Memory::largestHeap() const noexcept {
+  std::uint64_t largest = 0;
+  for (std::uint32_t i = 0; i < properties_.memoryHeapCount; ++i)
+    largest = std::max<std::uint64_t>(largest, properties_.memoryHeaps[i].size);
+  return largest;
+}
+
 Allocation Memory::allocate(const AllocationDesc& desc) {
   const std::optional<std::uint32_t> type =
       chooseMemoryType(properties_, desc.requirements.memoryTypeBits, desc.use);
@@ -152,9 +159,14 @@ MemoryBlock& Memory::addBlock(const AllocationDesc& desc, std::uint32_t type, Vk
                                   .pNext = shared ? nullptr : &dedicated,
                                   .allocationSize = size,
                                   .memoryTypeIndex = type};
+  if (size > largest_)
+    throw Error(
+        ErrorKind::Device,
+        fmt::format("cannot allocate {} MiB of device memory: this device gives at most {} MiB at once",
+                    size >> 20, largest_ >> 20),
+        "use a smaller picture or fewer samples");
   VkDeviceMemory memory = VK_NULL_HANDLE;
-  const VkResult result =
-      size > largest_ ? VK_ERROR_OUT_OF_DEVICE_MEMORY : vkAllocateMemory(device_, &info, nullptr, &memory);
+  const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory);
   if (result != VK_SUCCESS) {
     throwResult(result, fmt::format("allocate {} MiB of device memory (with {} MiB in use)", size >> 20,
                                     reservedBytes_ >> 20));

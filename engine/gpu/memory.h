@@ -60,7 +60,8 @@ class Memory {
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;
 
-  /// Throws Error(Retry) when the device is out of memory, or never gives that much at once.
+  /// Throws Error(Retry) when the device is out of memory, Error(Device) when it never gives that much at
+  /// once.
   [[nodiscard]] Allocation allocate(const AllocationDesc& desc);
   void free(const Allocation& allocation);
 
@@ -73,6 +74,9 @@ class Memory {
   [[nodiscard]] std::uint64_t reservedBytes() const noexcept { return reservedBytes_; }
   [[nodiscard]] std::uint64_t allocations() const noexcept { return allocations_; }
   [[nodiscard]] std::size_t blocks() const noexcept;
+  /// Bytes that the driver gives at most at once, and all together.
+  [[nodiscard]] std::uint64_t largestAllocation() const noexcept { return largest_; }
+  [[nodiscard]] std::uint64_t largestHeap() const noexcept;
 
  private:
   MemoryBlock& addBlock(const AllocationDesc& desc, std::uint32_t type, VkDeviceSize size, bool shared);

@@ -19,7 +19,9 @@ struct SemaphoreWait {
 /// Numbers start at 1; 0 is complete from the start.
 class Timeline {
  public:
-  Timeline(VkDevice device, VkQueue queue);
+  /// `ofProcess`: the device's work is done by threads of this process, as drivers that draw on the processor
+  /// do it.
+  Timeline(VkDevice device, VkQueue queue, bool ofProcess);
   ~Timeline();
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
@@ -32,8 +34,13 @@ class Timeline {
   [[nodiscard]] std::uint64_t submitted() const noexcept { return submitted_; }
   /// The last number whose work is complete, as the device says now.
   [[nodiscard]] std::uint64_t completed();
-  /// Blocks until `number` is complete; at once when it is. Requires that `number` has been submitted.
+  /// Blocks until `number` is complete; at once when it is. Requires that `number` has been submitted. Throws
+  /// Error(Retry) when the device stands still: one of this process when none of its threads has done
+  /// anything for ten seconds (its driver could not start them), another after ten minutes, long after its
+  /// kernel driver should have reset it.
   void wait(std::uint64_t number);
+  /// Whether a wait was given up. What such a device uses can never be destroyed.
+  [[nodiscard]] bool standsStill() const noexcept { return standsStill_; }
 
   /// Where the handles of this device go when they are dropped.
   [[nodiscard]] DestructionQueue& destruction() noexcept { return destruction_; }
@@ -43,6 +50,8 @@ class Timeline {
  private:
   VkDevice device_;
   VkQueue queue_;
+  bool ofProcess_;
+  bool standsStill_ = false;
   VkSemaphore semaphore_ = VK_NULL_HANDLE;
   std::uint64_t submitted_ = 0;
   std::uint64_t completed_ = 0;

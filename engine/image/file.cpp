@@ -129,6 +129,11 @@ class TemporaryFile {
     if (file_.close() != 0) throwWriteError(target_, errno);
   }
 
+  /// What replaces a file may be read and written by whom that one could.
+  void takeMode(mode_t mode) {
+    if (::fchmod(file_.get(), mode & 07777) != 0) throwWriteError(target_, errno);
+  }
+
   void becomeTarget() {
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) throwWriteError(target_, errno);
     temporary_.clear();
@@ -160,8 +165,15 @@ std::vector<std::byte> readFile(const fs::path& path) {
   const auto failed = [&](int code) {
     return Error(ErrorKind::Scene, fmt::format("cannot read '{}': {}", path.string(), std::strerror(code)));
   };
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Without O_NONBLOCK a pipe that nobody writes to would hold up the opening itself.
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.valid()) throw failed(errno);
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) throw failed(errno);
+  if (S_ISDIR(status.st_mode)) throw failed(EISDIR);
+  if (!S_ISREG(status.st_mode))
+    throw Error(ErrorKind::Scene, fmt::format("cannot read '{}': it is no regular file", path.string()),
+                "devices and pipes have no end that one could wait for");
   std::vector<std::byte> bytes;
   std::array<std::byte, 65536> chunk;
   for (;;) {
@@ -173,18 +185,45 @@ std::vector<std::byte> readFile(const fs::path& path) {
   }
 }
 
+namespace {
+
+/// Where writing to a path leads.
+struct Destination {
+  fs::path file;
+  bool exists = false;
+  mode_t mode = 0;  ///< where it exists
+
+  [[nodiscard]] bool regular() const { return !exists || S_ISREG(mode); }
+};
+
+/// Error(Write): a folder, or nothing that the system could look at.
+Destination destinationOf(const fs::path& path) {
+  struct stat existing {};
+  if (::stat(path.c_str(), &existing) != 0) {
+    if (errno != ENOENT) throwWriteError(path, errno);
+    return {.file = path};
+  }
+  if (S_ISDIR(existing.st_mode)) throwWriteError(path, EISDIR);
+  const bool regular = S_ISREG(existing.st_mode);
+  return {.file = regular ? fs::canonical(path) : path, .exists = true, .mode = existing.st_mode};
+}
+
+}  // namespace
+
+void requireWritable(const fs::path& path) {
+  const Destination destination = destinationOf(path);
+  if (destination.regular())
+    static_cast<void>(TemporaryFile(destination.file));  // what writing begins with
+  else if (::access(path.c_str(), W_OK) != 0)
+    throwWriteError(path, errno);
+}
+
 void writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
   const BlockedWriteSignals blocked;
-  struct stat existing {};
-  fs::path target = path;
-  if (::stat(path.c_str(), &existing) == 0) {
-    if (S_ISDIR(existing.st_mode)) throwWriteError(path, EISDIR);
-    if (!S_ISREG(existing.st_mode)) return writeDirectly(path, bytes);
-    target = fs::canonical(path);
-  } else if (errno != ENOENT) {
-    throwWriteError(path, errno);
-  }
-  TemporaryFile file(target);
+  const Destination destination = destinationOf(path);
+  if (!destination.regular()) return writeDirectly(path, bytes);
+  TemporaryFile file(destination.file);
+  if (destination.exists) file.takeMode(destination.mode);
   file.write(bytes);
   file.becomeTarget();
 }

@@ -3,25 +3,33 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "base/error.h"
+#include "scene/ranges.h"
 
 namespace luxo {
 
-Vec3 radianceAt(const Light& light, const Moment& moment, std::string_view nodeName) {
-  const Vec3 color = light.color.at(moment);
-  const double intensity = light.intensity.at(moment);
-  for (int i = 0; i < 3; ++i)
-    if (!(color[i] >= 0 && std::isfinite(color[i])))
-      throw Error(ErrorKind::Scene,
-                  fmt::format("light of node '{}': color is ({}, {}, {}); it must be finite and not negative",
-                              nodeName, color.x, color.y, color.z));
-  if (!(intensity >= 0 && std::isfinite(intensity)))
+Vec3 radianceAt(const Light& light, const Moment& moment, const std::function<std::string()>& nodeName,
+                std::uint32_t* cutNumbers) {
+  Vec3 color = light.color.at(moment);
+  double intensity = light.intensity.at(moment);
+  std::uint32_t cut = 0;
+  if (cutNumbers && !light.color.isConstant()) cut += cutToRange(color);
+  if (cutNumbers && !light.intensity.isConstant()) cut += cutToRange(intensity);
+  if (!isColor(color))
     throw Error(ErrorKind::Scene,
-                fmt::format("light of node '{}': intensity is {}; it must be finite and not negative",
-                            nodeName, intensity));
-  return color * intensity;
+                fmt::format("light of node {}: color is ({}, {}, {}); it must be from 0 to {}", nodeName(),
+                            color.x, color.y, color.z, kMostSceneNumber));
+  if (!isColor(Vec3(intensity)))
+    throw Error(ErrorKind::Scene, fmt::format("light of node {}: intensity is {}; it must be from 0 to {}",
+                                              nodeName(), intensity, kMostSceneNumber));
+  Vec3 radiance = color * intensity;
+  if (cutNumbers && !(light.color.isConstant() && light.intensity.isConstant())) cut += cutToRange(radiance);
+  if (!isColor(radiance))
+    throw Error(ErrorKind::Scene,
+                fmt::format("light of node {}: color * intensity is ({}, {}, {}); it must be at most {}",
+                            nodeName(), radiance.x, radiance.y, radiance.z, kMostSceneNumber));
+  if (cutNumbers) *cutNumbers += cut;
+  return radiance;
 }
 
 }  // namespace luxo

@@ -3,7 +3,9 @@
 // its -Z.
 #pragma once
 
-#include <string_view>
+#include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "math/animated.h"
@@ -34,8 +36,11 @@ struct Light {
   [[nodiscard]] bool movesWithTime() const { return color.movesWithTime() || intensity.movesWithTime(); }
 };
 
-/// color * intensity then. Throws Error(Scene) naming the node and the value: both must be finite and not
-/// negative.
-[[nodiscard]] Vec3 radianceAt(const Light& light, const Moment& moment, std::string_view nodeName);
+/// color * intensity then. Throws Error(Scene) naming the node and the value: both, and their product, must
+/// be from 0 to kMostSceneNumber (scene/ranges.h). With `cutNumbers`, what formulas give beyond that is cut
+/// off there, and how many numbers that were is added.
+[[nodiscard]] Vec3 radianceAt(const Light& light, const Moment& moment,
+                              const std::function<std::string()>& nodeName,
+                              std::uint32_t* cutNumbers = nullptr);
 
 }  // namespace luxo

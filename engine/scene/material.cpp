@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "scene/ranges.h"
 
 namespace luxo {
 
@@ -20,10 +21,9 @@ namespace {
 }
 
 void requireColor(const Material& material, std::string_view value, const Vec3& color) {
-  for (int i = 0; i < 3; ++i)
-    if (!(color[i] >= 0 && std::isfinite(color[i])))
-      reject(material, value, fmt::format("({}, {}, {})", color.x, color.y, color.z),
-             "finite and not negative");
+  if (!isColor(color))
+    reject(material, value, fmt::format("({}, {}, {})", color.x, color.y, color.z),
+           fmt::format("from 0 to {}", kMostSceneNumber));
 }
 
 }  // namespace
@@ -32,8 +32,9 @@ void validate(const Material& material) {
   requireColor(material, "diffuse", material.diffuse);
   if (material.ambient) requireColor(material, "ambient", *material.ambient);
   requireColor(material, "specular", material.specular);
-  if (!(material.shininess >= 0 && std::isfinite(material.shininess)))
-    reject(material, "shininess", fmt::format("{}", material.shininess), "finite and not negative");
+  if (!isColor(Vec3(material.shininess)))
+    reject(material, "shininess", fmt::format("{}", material.shininess),
+           fmt::format("from 0 to {}", kMostSceneNumber));
   if (!(material.opacity >= 0 && material.opacity <= 1))
     reject(material, "opacity", fmt::format("{}", material.opacity), "from 0 to 1");
   if (material.patternParameters.size() != material.diffusePattern.parameterCount())
@@ -42,6 +43,12 @@ void validate(const Material& material) {
   for (const double parameter : material.patternParameters)
     if (!std::isfinite(parameter))
       reject(material, "a pattern parameter", fmt::format("{}", parameter), "finite");
+}
+
+std::uint32_t cutToRange(Material& material) {
+  std::uint32_t cut = cutToRange(material.diffuse) + cutToRange(material.specular);
+  if (material.ambient) cut += cutToRange(*material.ambient);
+  return cut + cutToRange(material.shininess);
 }
 
 }  // namespace luxo

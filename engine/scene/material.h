@@ -3,6 +3,7 @@
 // (N.H)^shininess) * Le.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,8 +43,11 @@ struct Material {
   friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// Throws Error(Scene) naming the material and the value: colours and shininess must be finite and not
-/// negative, opacity from 0 to 1.
+/// Throws Error(Scene) naming the material and the value: colours and shininess must be from 0 to
+/// kMostSceneNumber (scene/ranges.h), opacity from 0 to 1.
 void validate(const Material& material);
+
+/// Cuts off colours and shininess at kMostSceneNumber and gives how many numbers that were.
+[[nodiscard]] std::uint32_t cutToRange(Material& material);
 
 }  // namespace luxo

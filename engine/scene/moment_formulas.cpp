@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.h"
+
 namespace luxo {
 namespace {
 
@@ -57,14 +59,42 @@ void MomentFormulas::prepareNames() {
 
 bool MomentFormulas::accept(const Quantity& quantity, double value, const Allowed& allowed) {
   if (allowed.words.empty() || allowed.range.contains(value)) return true;
+  const bool degrees = allowed.angle && !quantity.isFormula() && value > 0;
+  problems_.add(quantity, {{0, quantity.isFormula() ? quantity.formula().size() : 0},
+                           "this is " + objection(value, allowed),
+                           degrees ? fmt::format("write \"{}deg\"", value) : std::string()});
+  return false;
+}
+
+std::string MomentFormulas::objection(double value, const Allowed& allowed) {
   const std::string shown = std::isnan(value) ? "not a number"
                             : allowed.angle   ? fmt::format("{} radians", value)
                                               : fmt::format("{}", value);
-  const bool degrees = allowed.angle && !quantity.isFormula() && value > 0;
-  problems_.add(quantity, {{0, quantity.isFormula() ? quantity.formula().size() : 0},
-                           fmt::format("this is {}; it must be {}", shown, allowed.words),
-                           degrees ? fmt::format("write \"{}deg\"", value) : std::string()});
-  return false;
+  return fmt::format("{}; it must be {}", shown, allowed.words);
+}
+
+std::function<void(double, double)> MomentFormulas::guard(const Quantity& quantity,
+                                                          const Allowed& allowed) const {
+  return [quantity, allowed, source = problems_.source()](double value, double time) {
+    if (allowed.takes(value)) return;
+    const std::string message = fmt::format("at time {} this is {}", time, objection(value, allowed));
+    const SourceRange whole{0, quantity.formula().size()};
+    throw Error(ErrorKind::Scene,
+                source.text ? describe(source.name, *source.text, {rangeIn(quantity, whole), message, {}})
+                            : describe("formula", quantity.formula(), {whole, message, {}}));
+  };
+}
+
+Animated<double> MomentFormulas::guarded(const Quantity& quantity, const Allowed& allowed,
+                                         Animated<double> value) const {
+  if (allowed.words.empty()) return value;
+  const DependsOn dependsOn = value.movesWithTime() ? DependsOn::Both : DependsOn::Parameters;
+  return {[value = std::move(value), check = guard(quantity, allowed)](const Moment& moment) {
+            const double now = value.at(moment);
+            check(now, moment.time);
+            return now;
+          },
+          dependsOn};
 }
 
 std::optional<Expr> MomentFormulas::expression(const Quantity& quantity, const Allowed& allowed) {
@@ -83,7 +113,7 @@ Animated<double> MomentFormulas::number(const Quantity& quantity, const Allowed&
   if (quantity.isFormula()) prepareNames();
   const Expr value = expression(quantity, allowed).value_or(0);
   if (value.isConstant()) return value.constant();
-  return animated(names_->graph, value, variables_.initial());
+  return guarded(quantity, allowed, animated(names_->graph, value, variables_.initial()));
 }
 
 Animated<Vec3> MomentFormulas::vector(const Quantity3& quantities, const Allowed& allowed) {
@@ -93,9 +123,14 @@ Animated<Vec3> MomentFormulas::vector(const Quantity3& quantities, const Allowed
   if (std::ranges::all_of(values, &Expr::isConstant))
     return Vec3(values[0].constant(), values[1].constant(), values[2].constant());
   const auto tape = std::make_shared<const MomentTape>(names_->graph, values, variables_.initial());
-  return {[tape](const Moment& moment) {
+  std::array<std::function<void(double, double)>, 3> checks;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!values[i].isConstant()) checks[i] = guard(quantities[i], allowed);
+  return {[tape, checks = std::move(checks)](const Moment& moment) {
             std::array<double, 3> v{};
             tape->evaluate(moment, v);
+            for (std::size_t i = 0; i < 3; ++i)
+              if (checks[i]) checks[i](v[i], moment.time);
             return Vec3(v[0], v[1], v[2]);
           },
           tape->dependsOn()};
@@ -107,7 +142,7 @@ Animated<double> MomentFormulas::angle(const Quantity& quantity) {
   if (value.isConstant()) return value.constant();
   if (const std::optional<double> rate = rateOf(names_->graph, value))
     return [rate = *rate](double time) { return angleAt(rate, time); };
-  return animated(names_->graph, value, variables_.initial());
+  return guarded(quantity, kFinite, animated(names_->graph, value, variables_.initial()));
 }
 
 Animated<Rotation> MomentFormulas::single(const RotationDesc& desc) {

@@ -17,8 +17,8 @@ constexpr std::uint32_t kFirst = 3;  // variable of the first parameter, after u
 class Ordering {
  public:
   Ordering(std::span<const ParameterDesc> parameters, std::vector<std::vector<std::uint32_t>> needs,
-           SceneProblems& problems)
-      : parameters_(parameters), needs_(std::move(needs)), problems_(problems), states_(needs_.size()) {}
+           const RejectCircle& reject)
+      : parameters_(parameters), needs_(std::move(needs)), reject_(reject), states_(needs_.size()) {}
 
   void visit(std::uint32_t parameter) {
     if (states_[parameter] != State::New) return;
@@ -59,15 +59,16 @@ class Ordering {
     for (auto step = first; step != path_.end() && step - first < std::ptrdiff_t{kShown}; ++step)
       circle += parameters_[step->parameter].name.text + " -> ";
     if (length > kShown) circle += fmt::format("({} more) -> ", length - kShown);
-    problems_.add(
-        parameters_[back].value.place(),
-        fmt::format("parameters need each other in a circle: {}{}", circle, parameters_[back].name.text),
-        "give one of them a value without the others");
+    std::vector<std::size_t> members;
+    for (auto step = first; step != path_.end(); ++step) members.push_back(step->parameter);
+    reject_(members,
+            fmt::format("parameters need each other in a circle: {}{}", circle, parameters_[back].name.text),
+            "give one of them a value without the others");
   }
 
   std::span<const ParameterDesc> parameters_;
   std::vector<std::vector<std::uint32_t>> needs_;
-  SceneProblems& problems_;
+  const RejectCircle& reject_;
   std::vector<State> states_;
   std::vector<Step> path_;
   std::vector<std::size_t> order_;
@@ -76,7 +77,8 @@ class Ordering {
 }  // namespace
 
 std::vector<std::size_t> parameterOrder(std::span<const ParameterDesc> parameters, SceneProblems& problems,
-                                        const std::function<void(std::size_t, const Formula&)>& reject) {
+                                        const std::function<void(std::size_t, const Formula&)>& reject,
+                                        const RejectCircle& rejectCircle) {
   Graph graph;
   Scope scope;
   scope.bind("u", graph.variable(0));
@@ -107,7 +109,7 @@ std::vector<std::size_t> parameterOrder(std::span<const ParameterDesc> parameter
     for (const std::uint32_t variable : variablesOf(graph, std::span(&formula.value, 1)))
       if (variable >= kFirst) needs[k].push_back(variable - kFirst);
   }
-  Ordering ordering(parameters, std::move(needs), problems);
+  Ordering ordering(parameters, std::move(needs), rejectCircle);
   for (std::uint32_t k = 0; k < parameters.size(); ++k)
     if (named[k]) ordering.visit(k);
   return ordering.order();

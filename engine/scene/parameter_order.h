@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "formula/parse.h"
@@ -12,11 +13,16 @@
 
 namespace luxo {
 
+/// Gets the parameters of a circle, what is wrong and what to do.
+using RejectCircle =
+    std::function<void(std::span<const std::size_t>, const std::string& message, const std::string& hint)>;
+
 /// Indices of the parameters, each after those that its value uses, else in the order given. Left out are
-/// those whose name cannot be one; circles are opened. Both are problems. `reject` gets every value that is
-/// not a formula, with its index. Cost: linear in the formulas; no recursion.
+/// those whose name cannot be one, which is a problem; circles are opened, and `rejectCircle` gets each.
+/// `reject` gets every value that is not a formula, with its index. Cost: linear in the formulas; no
+/// recursion.
 [[nodiscard]] std::vector<std::size_t> parameterOrder(
     std::span<const ParameterDesc> parameters, SceneProblems& problems,
-    const std::function<void(std::size_t, const Formula&)>& reject);
+    const std::function<void(std::size_t, const Formula&)>& reject, const RejectCircle& rejectCircle);
 
 }  // namespace luxo

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/pattern.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "base/assert.h"
 #include "formula/glsl.h"
 #include "formula/tape.h"
+#include "scene/ranges.h"
 
 namespace luxo {
 
@@ -34,7 +36,7 @@ std::size_t Pattern::parameterCount() const { return valid() ? content_->paramet
 Vec3 Pattern::colorAt(double u, double v, std::span<const double> parameters) const {
   LUXO_REQUIRE(valid() && parameters.size() == content_->parameterCount);
   const auto value = content_->color.evaluate({&u, 1}, {&v, 1}, parameters);
-  const auto orBlack = [](double c) { return c > 0 && std::isfinite(c) ? c : 0; };
+  const auto orBlack = [](double c) { return c > 0 && std::isfinite(c) ? std::min(c, kMostSceneNumber) : 0; };
   return {orBlack(value[0][0]), orBlack(value[1][0]), orBlack(value[2][0])};
 }
 

@@ -16,22 +16,25 @@ namespace {
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void requireFinite(const Node& node, std::string_view name, const Animated<Vec3>& value) {
+/// Finding out what messages call a node takes time, so that only messages ask.
+using ShownName = std::function<std::string()>;
+
+void requireFinite(const ShownName& shown, std::string_view name, const Animated<Vec3>& value) {
   if (!value.isConstant()) return;  // checked when a snapshot evaluates it
   const Vec3 v = value.at(0);
   if (!finite(v))
-    throw Error(ErrorKind::Scene, fmt::format("node '{}': {} is ({}, {}, {}); it must be finite", node.name,
-                                              name, v.x, v.y, v.z));
+    throw Error(ErrorKind::Scene,
+                fmt::format("node {}: {} is ({}, {}, {}); it must be finite", shown(), name, v.x, v.y, v.z));
 }
 
-void validate(const Node& node) {
-  requireFinite(node, "translation", node.translation);
-  requireFinite(node, "scale", node.scale);
+void validate(const Node& node, const ShownName& shown) {
+  requireFinite(shown, "translation", node.translation);
+  requireFinite(shown, "scale", node.scale);
   if (node.segments && (node.segments->u < 1 || node.segments->v < 1))
-    throw Error(ErrorKind::Scene, fmt::format("node '{}': segments are {} x {}; they must be at least 1",
-                                              node.name, node.segments->u, node.segments->v));
+    throw Error(ErrorKind::Scene, fmt::format("node {}: segments are {} x {}; they must be at least 1",
+                                              shown(), node.segments->u, node.segments->v));
   if (node.light && node.light->color.isConstant() && node.light->intensity.isConstant())
-    static_cast<void>(radianceAt(*node.light, 0, node.name));
+    static_cast<void>(radianceAt(*node.light, 0, shown));
 }
 
 void validate(const RenderSettings& s) {
@@ -40,17 +43,24 @@ void validate(const RenderSettings& s) {
                 fmt::format("render settings: {} is {}; it must be {}", name, found, wanted));
   };
   const auto color = [&](std::string_view name, const Vec3& c) {
-    if (!finite(c) || c.x < 0 || c.y < 0 || c.z < 0)
-      reject(name, fmt::format("({}, {}, {})", c.x, c.y, c.z), "finite and not negative");
+    if (!isColor(c))
+      reject(name, fmt::format("({}, {}, {})", c.x, c.y, c.z), fmt::format("from 0 to {}", kMostSceneNumber));
   };
+  const auto within = [&](std::string_view name, double value, const Interval& range) {
+    if (!range.contains(value))
+      reject(name, fmt::format("{}", value), fmt::format("from {} to {}", range.lo, range.hi));
+  };
+  for (const int side : {s.size.width, s.size.height})
+    if (side < 1 || side > kMostPictureSide)
+      reject("size", fmt::format("{}x{}", s.size.width, s.size.height),
+             fmt::format("from 1 to {} pixels on each side", kMostPictureSide));
   color("background", s.background);
   color("ambient", s.ambient);
   if (!std::isfinite(s.time)) reject("time", fmt::format("{}", s.time), "finite");
-  if (!(s.fps > 0 && std::isfinite(s.fps))) reject("fps", fmt::format("{}", s.fps), "above 0");
+  within("fps", s.fps, kFpsRange);
   if (s.samples < 1 || s.samples > kMostSamples)
     reject("samples", fmt::format("{}", s.samples), fmt::format("from 1 to {}", kMostSamples));
-  if (!(s.tolerance > 0 && std::isfinite(s.tolerance)))
-    reject("tolerance", fmt::format("{}", s.tolerance), "above 0");
+  within("tolerance", s.tolerance, kToleranceRange);
 }
 
 bool constantParameters(const Surface& surface) {
@@ -97,7 +107,7 @@ Scene::Entry Scene::checked(Node node, std::uint32_t index) const {
   if (node.light) LUXO_REQUIRE(std::ranges::all_of(node.light->casters, exists));
   if (!node.material.valid()) node.material = MaterialId{0};
   LUXO_REQUIRE_COMPARE(node.material.index, <, materials_.size());
-  validate(node);
+  validate(node, [&] { return shownName(node, index); });
   std::optional<Box> bounds = constantBounds(node.surface);
   return {.node = std::move(node), .constantBounds = bounds};
 }
@@ -189,6 +199,23 @@ const Camera& Scene::operator[](CameraId id) const {
 const Parameter& Scene::operator[](ParameterId id) const {
   LUXO_REQUIRE_COMPARE(id.index, <, parameters_.size());
   return parameters_[id.index];
+}
+
+std::string Scene::shownName(NodeId id) const { return shownName((*this)[id], id.index); }
+
+std::string Scene::shownName(const Node& node, std::uint32_t index) const {
+  if (!node.name.empty()) return fmt::format("'{}'", node.name);
+  std::string path;
+  for (const Node* inner = &node;;) {
+    std::size_t before = 0;
+    for (std::uint32_t i = 0; i < index; ++i)
+      before += !nodes_[i].removed && nodes_[i].node.parent == inner->parent;
+    const bool root = !inner->parent.valid();
+    path = fmt::format("{}[{}]{}", root ? "nodes" : ".children", before, path);
+    if (root) return path;
+    index = inner->parent.index;
+    inner = &nodes_[index].node;
+  }
 }
 
 std::optional<NodeId> Scene::findNode(std::string_view name) const {

@@ -24,6 +24,7 @@
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/parameter.h"
+#include "scene/ranges.h"
 #include "surface/segments.h"
 #include "surface/surface.h"
 
@@ -54,16 +55,13 @@ struct Node {
   std::optional<Segments> segments = std::nullopt;  ///< a uniform grid instead of a tolerance
 };
 
-/// The most samples per pixel that anything takes.
-inline constexpr int kMostSamples = 256;
-
-/// What the picture is when nobody asks otherwise.
+/// What the picture is when nobody asks otherwise. Ranges: scene/ranges.h.
 struct RenderSettings {
-  PixelSize size = {1280, 720};
+  PixelSize size = {1280, 720};  ///< each side 1 to kMostPictureSide
   double time = 0;
-  double fps = 24;
+  double fps = 24;         ///< in kFpsRange
   int samples = 1;         ///< per pixel, 1 to kMostSamples
-  double tolerance = 0.5;  ///< pixels
+  double tolerance = 0.5;  ///< pixels, in kToleranceRange
   Shading shading = Shading::Exact;
   Vec3 background{0.02, 0.025, 0.03};
   Vec3 ambient{0.1};
@@ -107,6 +105,9 @@ class Scene {
   [[nodiscard]] const Parameter& operator[](ParameterId id) const;
   [[nodiscard]] const RenderSettings& settings() const { return settings_; }
 
+  /// What messages call a node: 'arm', or where it has no name its place, nodes[3].children[1]. Linear.
+  [[nodiscard]] std::string shownName(NodeId id) const;
+
   /// The first of that name, or nothing. Linear.
   [[nodiscard]] std::optional<NodeId> findNode(std::string_view name) const;
   [[nodiscard]] std::optional<CameraId> findCamera(std::string_view name) const;
@@ -133,6 +134,8 @@ class Scene {
 
  private:
   Entry checked(Node node, std::uint32_t index) const;
+  /// As shownName(), of a node that need not be there yet.
+  [[nodiscard]] std::string shownName(const Node& node, std::uint32_t index) const;
 
   std::vector<Entry> nodes_;
   std::vector<Animated<Material>> materials_;

@@ -97,7 +97,7 @@ class SceneConstruction {
   void addCamera(const CameraDesc& desc);
   void setRender(const RenderDesc& desc);
   /// A whole number from 1 to `most`.
-  std::optional<int> count(const Quantity& quantity, double most = 65536);
+  std::optional<int> count(const Quantity& quantity, double most);
   Vec3 colorOnce(const Quantity3& color);
   /// Calls `add`; what it throws is a problem there.
   template <class Add>
@@ -165,15 +165,13 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
                                     .shading = desc.shading,
                                     .lectureSpecular = desc.lectureSpecular}};
   attempt(desc.name.place, [&] {
-    if (auto pattern = shapes_.buildPattern(desc.diffuse)) {
-      material.fixed.diffusePattern = std::move(pattern->pattern);
-      material.patternParameters = std::move(pattern->parameters);
-    } else {
-      material.diffuse = formulas_.vector(desc.diffuse, kNotNegative);
-    }
-    if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kNotNegative);
-    material.specular = formulas_.vector(desc.specular, kNotNegative);
-    material.shininess = formulas_.number(desc.shininess, kNotNegative);
+    ShapeBuilder::MovingColor diffuse = shapes_.buildColor(desc.diffuse);
+    material.fixed.diffusePattern = std::move(diffuse.pattern);
+    material.patternParameters = std::move(diffuse.parameters);
+    material.diffuse = std::move(diffuse.uniform);
+    if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
+    material.specular = formulas_.vector(desc.specular, kLight);
+    material.shininess = formulas_.number(desc.shininess, kLight);
     material.opacity = formulas_.number(desc.opacity, kFraction);
     materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
   });
@@ -203,9 +201,9 @@ std::optional<Segments> SceneConstruction::segments(const std::optional<Quantity
 void SceneConstruction::addNode(const NodeDesc& desc) {
   Node node{.name = desc.name.text,
             .parent = desc.parent == kNoParent ? NodeId{} : NodeId{desc.parent},
-            .translation = formulas_.vector(desc.translate),
+            .translation = formulas_.vector(desc.translate, kPlace),
             .rotation = formulas_.rotation(desc.rotate),
-            .scale = formulas_.vector(desc.scale)};
+            .scale = formulas_.vector(desc.scale, kPlace)};
   const Animated<double> visible = formulas_.number(desc.visible);
   if (visible.isConstant())
     node.visible = visible.at(0) != 0;
@@ -226,8 +224,8 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
 
 Light SceneConstruction::light(const LightDesc& desc) {
   return {.type = desc.type,
-          .color = formulas_.vector(desc.color, kNotNegative),
-          .intensity = formulas_.number(desc.intensity, kNotNegative),
+          .color = formulas_.vector(desc.color, kLight),
+          .intensity = formulas_.number(desc.intensity, kLight),
           .attenuation = desc.attenuation,
           .shadow = desc.shadow};
 }
@@ -254,36 +252,37 @@ void SceneConstruction::setCasters() {
 
 void SceneConstruction::addCamera(const CameraDesc& desc) {
   cameras_.add(desc.name, true, problems_);
-  const Allowed angle{
-      {kAboveZero.range.lo, std::nextafter(kPi, 0.0)}, "above 0 and below pi, which is 180 degrees", true};
+  // The least is a picture of a billionth of what one usually sees: a zoom that doubles still resolve.
+  const Allowed angle{{1e-9, std::nextafter(kPi, 0.0)}, "from 1e-9 to below pi, which is 180 degrees", true};
   const bool perspective = desc.projection == Projection::Perspective;
   Camera camera{.name = desc.name.text,
-                .eye = formulas_.vector(desc.eye),
-                .lookAt = formulas_.vector(desc.lookAt),
+                .eye = formulas_.vector(desc.eye, kPlace),
+                .lookAt = formulas_.vector(desc.lookAt, kPlace),
                 .up = formulas_.vector(desc.up),
                 .fovY = formulas_.number(desc.fovY, perspective ? angle : kFinite),
-                .near = formulas_.number(desc.near, kAboveZero),
+                .near = formulas_.number(desc.near, kLength),
                 .projection = desc.projection,
-                .height = formulas_.number(desc.height, perspective ? kFinite : kAboveZero)};
+                .height = formulas_.number(desc.height, perspective ? kFinite : kLength)};
   scene_.add(std::move(camera));
 }
 
 Vec3 SceneConstruction::colorOnce(const Quantity3& color) {
   Vec3 value(0);
   for (int i = 0; i < 3; ++i)
-    value[i] = formulas_.once(color[static_cast<std::size_t>(i)], kNotNegative).value_or(0);
+    value[i] = formulas_.once(color[static_cast<std::size_t>(i)], kLight).value_or(0);
   return value;
 }
 
 void SceneConstruction::setRender(const RenderDesc& desc) {
   RenderSettings settings{.shading = desc.shading};
-  const std::optional<int> width = count(desc.size[0]), height = count(desc.size[1]),
+  const std::optional<int> width = count(desc.size[0], kMostPictureSide),
+                           height = count(desc.size[1], kMostPictureSide),
                            samples = count(desc.samples, kMostSamples);
   if (width && height) settings.size = {*width, *height};
   if (samples) settings.samples = *samples;
   settings.time = formulas_.once(desc.time).value_or(0);
-  settings.fps = formulas_.once(desc.fps, kAboveZero).value_or(1);
-  settings.tolerance = formulas_.once(desc.tolerance, kAboveZero).value_or(1);
+  settings.fps = formulas_.once(desc.fps, {kFpsRange, "from 1e-6 to 1e6"}).value_or(1);
+  settings.tolerance = formulas_.once(desc.tolerance, {kToleranceRange, "from 1e-6 to 1e6"}).value_or(1);
   settings.background = colorOnce(desc.background);
   settings.ambient = colorOnce(desc.ambient);
   scene_.set(settings);

@@ -32,6 +32,7 @@ class SceneProblems {
   /// repeated: one formula may stand for three numbers.
   void add(const Quantity& quantity, Diagnostic diagnostic);
 
+  [[nodiscard]] const SceneSource& source() const { return source_; }
   [[nodiscard]] bool any() const { return count_ > 0; }
   [[nodiscard]] std::size_t count() const { return count_; }
   /// Whether more will only be counted.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <istream>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -332,6 +333,18 @@ CameraDesc SceneReader::readCamera(const JsonValue& value, const FileName& name)
   return camera;
 }
 
+/// All of a stream, in chunks; up to the limit and one chunk more, which the parser then refuses.
+std::string textIn(std::istream& stream, std::size_t chunk) {
+  std::string text;
+  while (stream && text.size() <= kMaxJsonBytes) {
+    const std::size_t before = text.size();
+    text.resize(before + chunk);
+    stream.read(text.data() + before, static_cast<std::streamsize>(chunk));
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
 std::string readText(const std::filesystem::path& path) {
   const auto reject = [&](const std::string& why, std::string hint = {}) {
     throw Error(ErrorKind::Scene, fmt::format("cannot read the scene file '{}': {}", path.string(), why),
@@ -342,24 +355,15 @@ std::string readText(const std::filesystem::path& path) {
   if (status.type() == std::filesystem::file_type::not_found) reject("there is no such file");
   if (failure) reject(failure.message());
   if (std::filesystem::is_directory(status)) reject("it is a directory", "name a file in it");
+  // Devices have no end, and pipes none before somebody closes them.
+  if (!std::filesystem::is_regular_file(status))
+    reject("it is no regular file", "write - to read a scene from standard input");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) reject(std::strerror(errno));
-  std::size_t chunk = std::size_t{1} << 16;
-  if (std::filesystem::is_regular_file(status)) {
-    const std::uintmax_t size = std::filesystem::file_size(path, failure);
-    if (failure) reject(failure.message());
-    if (size > kMaxJsonBytes)
-      reject(fmt::format("it has {} bytes; at most {} are read", size, kMaxJsonBytes));
-    chunk = static_cast<std::size_t>(size) + 1;  // one more: so that the end is seen
-  }
-  std::string text;
-  // A pipe, or a file that grows, is read up to the limit and one chunk more, which the parser then refuses.
-  while (stream && text.size() <= kMaxJsonBytes) {
-    const std::size_t before = text.size();
-    text.resize(before + chunk);
-    stream.read(text.data() + before, static_cast<std::streamsize>(chunk));
-    text.resize(before + static_cast<std::size_t>(stream.gcount()));
-  }
+  const std::uintmax_t size = std::filesystem::file_size(path, failure);
+  if (failure) reject(failure.message());
+  if (size > kMaxJsonBytes) reject(fmt::format("it has {} bytes; at most {} are read", size, kMaxJsonBytes));
+  const std::string text = textIn(stream, static_cast<std::size_t>(size) + 1);  // so that the end is seen
   if (stream.bad()) reject(std::strerror(errno));
   return text;
 }
@@ -380,6 +384,10 @@ SceneFile parseScene(std::string text, std::string name) {
     problems.raise();
   }
   return file;
+}
+
+SceneFile readScene(std::istream& stream, std::string name) {
+  return parseScene(textIn(stream, std::size_t{1} << 16), std::move(name));
 }
 
 SceneFile readSceneFile(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -21,8 +22,11 @@ inline constexpr std::size_t kMostSceneParameters = 4096;
 /// Memory: the text, 16 bytes per JSON value while reading, then about 600 bytes per node.
 [[nodiscard]] SceneFile parseScene(std::string text, std::string name);
 
-/// The description in a file. Throws Error(Scene) also for one that does not exist, is a directory, cannot be
-/// read or is larger than 1 GiB.
+/// The description in a stream, such as standard input, up to its end.
+[[nodiscard]] SceneFile readScene(std::istream& stream, std::string name);
+
+/// The description in a file. Throws Error(Scene) also for one that does not exist, is no regular file,
+/// cannot be read or is larger than 1 GiB.
 [[nodiscard]] SceneFile readSceneFile(const std::filesystem::path& path);
 
 }  // namespace luxo

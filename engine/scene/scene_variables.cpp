@@ -115,7 +115,15 @@ SceneVariables::SceneVariables(const SceneFile& file, std::span<const ParameterO
     if (const ParameterOverride* o = overrideOf(parameters[k])) rejectFormula(*o, formula);
     for (const Diagnostic& diagnostic : formula.diagnostics) problems.add(parameters[k].value, diagnostic);
   };
-  const std::vector<std::size_t> order = parameterOrder(parameters, problems, reject);
+  // Of a circle that an override closes the file knows nothing.
+  const auto rejectCircle = [&](std::span<const std::size_t> members, const std::string& message,
+                                const std::string& hint) {
+    for (const std::size_t k : members)
+      if (const ParameterOverride* o = overrideOf(parameters[k]))
+        throw Error(ErrorKind::Usage, fmt::format("'{}': {}", shown(*o), message), hint);
+    problems.add(parameters[members.front()].value.place(), message, hint);
+  };
+  const std::vector<std::size_t> order = parameterOrder(parameters, problems, reject, rejectCircle);
   for (const std::size_t k : order) names_.push_back(parameters[k].name.text);
 
   const auto initial = std::make_shared<std::vector<double>>(names_.size());

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "formula/tape.h"
 #include "scene/formula_set.h"
 #include "surface/bezier.h"
 #include "surface/catalogue.h"
@@ -35,6 +37,25 @@ std::string shown(const Interval& range) {
 
 /// Whether a hole leaves nothing of a range that could be seen.
 bool covers(const Interval& hole, const Interval& range) { return hole.width() >= 0.999 * range.width(); }
+
+/// The values of three formulas that depend neither on u nor on v; what they give is judged by snapshots.
+Animated<Vec3> uniformOf(const FormulaSet& formulas) {
+  const auto valueOf = [tape =
+                            Tape(formulas.graph(), formulas.values())](std::span<const double> parameters) {
+    std::array<double, 3> c{};
+    tape.evaluatePoint(0, 0, parameters, c);
+    return Vec3(c[0], c[1], c[2]);
+  };
+  const std::vector<Animated<double>>& parameters = formulas.parameters();
+  if (parameters.empty()) return valueOf({});
+  const bool moves = std::ranges::any_of(parameters, &Animated<double>::movesWithTime);
+  return {[valueOf, parameters](const Moment& moment) {
+            std::vector<double> values;
+            for (const Animated<double>& parameter : parameters) values.push_back(parameter.at(moment));
+            return valueOf(values);
+          },
+          moves ? DependsOn::Both : DependsOn::Parameters};
+}
 
 /// Whether Su and Sv are parallel, up to rounding, wherever they exist: curves, seen from nowhere.
 bool lacksArea(const Surface& surface, std::span<const double> parameters) {
@@ -85,7 +106,7 @@ Surface ShapeBuilder::buildShape(const std::string&, const NamedShape& shape) {
   FilePlace suspect = shape.type.place;
   for (const NamedShape::Argument& argument : shape.arguments) {
     SurfaceArgument& made = arguments.emplace_back(SurfaceArgument{argument.name.text, {}});
-    for (const Quantity& value : argument.values) made.components.push_back(formulas_.number(value, kAny));
+    for (const Quantity& value : argument.values) made.components.push_back(formulas_.number(value));
     const auto known = std::ranges::find(entry->arguments, argument.name.text, &CatalogueArgument::name);
     if (known == entry->arguments.end()) continue;
     for (std::size_t i = 0; i < argument.values.size(); ++i)
@@ -196,15 +217,18 @@ Surface ShapeBuilder::buildShape(const std::string& name, const BezierShape& sha
   return bezier(patches, {.name = name});
 }
 
-std::optional<ShapeBuilder::MovingPattern> ShapeBuilder::buildPattern(const Quantity3& color) {
-  if (std::ranges::none_of(color, &Quantity::isFormula)) return std::nullopt;
+ShapeBuilder::MovingColor ShapeBuilder::buildColor(const Quantity3& color) {
+  if (std::ranges::none_of(color, &Quantity::isFormula)) return {.uniform = formulas_.vector(color, kLight)};
   const FormulaSet formulas({.formulas = {color.begin(), color.end()}}, variables_);
   formulas.reportTo(problems_);
-  if (!formulas.ok()) return MovingPattern{};
-  if (!formulas.varies()) return std::nullopt;
+  if (!formulas.ok()) return {};
   const std::vector<Expr>& c = formulas.values();
-  return MovingPattern{Pattern(formulas.graph(), {c[0], c[1], c[2]}, formulas.parameters().size()),
-                       formulas.parameters()};
+  for (std::size_t i = 0; i < color.size(); ++i)
+    if (c[i].isConstant() && !formulas_.accept(color[i], c[i].constant(), kLight)) return {};
+  // What u and v are in is not always what depends on them: 0.5 + 0 * v.
+  if (!formulas.varies()) return {.uniform = uniformOf(formulas)};
+  return {.pattern = Pattern(formulas.graph(), {c[0], c[1], c[2]}, formulas.parameters().size()),
+          .parameters = formulas.parameters()};
 }
 
 void ShapeBuilder::warn(const SurfaceDesc& desc, const Surface& surface) {

@@ -25,12 +25,14 @@ class ShapeBuilder {
   /// the parameters' initial values.
   [[nodiscard]] Surface build(const SurfaceDesc& surface);
 
-  struct MovingPattern {
-    Pattern pattern;
-    std::vector<Animated<double>> parameters;
+  /// A colour that may use u and v.
+  struct MovingColor {
+    Pattern pattern;                                ///< of one that really depends on them
+    std::vector<Animated<double>> parameters = {};  ///< of the pattern
+    Animated<Vec3> uniform = Vec3(0);               ///< of any other
   };
-  /// The pattern of a colour that uses u or v; nothing for another.
-  [[nodiscard]] std::optional<MovingPattern> buildPattern(const Quantity3& color);
+  /// Constants are held against kLight.
+  [[nodiscard]] MovingColor buildColor(const Quantity3& color);
 
  private:
   class Formulas;

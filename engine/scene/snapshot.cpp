@@ -22,33 +22,40 @@ constexpr double kFocusTolerance = 1e-9;
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-[[noreturn]] void reject(const Node& node, const Moment& moment, const std::string& what,
-                         std::string hint = {}) {
-  throw Error(ErrorKind::Scene, fmt::format("node '{}' at time {}: {}", node.name, moment.time, what),
-              std::move(hint));
-}
+/// A node at a moment, and what messages call it.
+struct NodeThen {
+  const Scene& scene;
+  NodeId id;
+  const Moment& moment;
 
-Vec3 finiteAt(const Node& node, std::string_view name, const Animated<Vec3>& value, const Moment& moment) {
-  const Vec3 v = value.at(moment);
-  if (!finite(v))
-    reject(node, moment, fmt::format("{} is ({}, {}, {}); it must be finite", name, v.x, v.y, v.z));
+  [[nodiscard]] const Node& node() const { return scene[id]; }
+  [[noreturn]] void reject(const std::string& what, std::string hint = {}) const {
+    throw Error(ErrorKind::Scene,
+                fmt::format("node {} at time {}: {}", scene.shownName(id), moment.time, what),
+                std::move(hint));
+  }
+};
+
+Vec3 finiteAt(const NodeThen& then, std::string_view name, const Animated<Vec3>& value) {
+  const Vec3 v = value.at(then.moment);
+  if (!finite(v)) then.reject(fmt::format("{} is ({}, {}, {}); it must be finite", name, v.x, v.y, v.z));
   return v;
 }
 
-Mat3 rotationAt(const Node& node, const Moment& moment) {
-  const auto [axis, angle] = node.rotation.at(moment);
+Mat3 rotationAt(const NodeThen& then) {
+  const auto [axis, angle] = then.node().rotation.at(then.moment);
   if (!finite(axis) || !std::isfinite(angle))
-    reject(node, moment,
-           fmt::format("rotation by {} about ({}, {}, {}) is not finite", angle, axis.x, axis.y, axis.z));
+    then.reject(
+        fmt::format("rotation by {} about ({}, {}, {}) is not finite", angle, axis.x, axis.y, axis.z));
   if (axis == Vec3(0) && angle != 0)
-    reject(node, moment, fmt::format("rotation by {} rad about a zero axis", angle),
-           "give an axis that is not zero");
+    then.reject(fmt::format("rotation by {} rad about a zero axis", angle), "give an axis that is not zero");
   return rotation(axis, angle);
 }
 
-Transform parentFromNode(const Node& node, const Moment& moment) {
-  return compose(finiteAt(node, "translation", node.translation, moment), rotationAt(node, moment),
-                 finiteAt(node, "scale", node.scale, moment));
+Transform parentFromNode(const NodeThen& then) {
+  const Node& node = then.node();
+  return compose(finiteAt(then, "translation", node.translation), rotationAt(then),
+                 finiteAt(then, "scale", node.scale));
 }
 
 /// Every node of the scene at one moment; index = NodeId.
@@ -59,17 +66,17 @@ struct Placed {
 
 std::vector<Placed> placeNodes(const Scene& scene, const Moment& moment) {
   std::vector<Placed> placed(scene.nodes().size());
-  for (std::size_t i = 0; i < placed.size(); ++i) {
+  for (std::uint32_t i = 0; i < placed.size(); ++i) {
     const auto& [node, removed, bounds] = scene.nodes()[i];
     if (removed || !node.visible.at(moment)) continue;
     const Placed* parent = node.parent.valid() ? &placed[node.parent.index] : nullptr;
     if (parent && !parent->visible) continue;
-    const Transform local = parentFromNode(node, moment);
+    const NodeThen then{scene, {i}, moment};
+    const Transform local = parentFromNode(then);
     placed[i] = {parent ? parent->worldFromNode * local : local, true};
     const Transform& t = placed[i].worldFromNode;
     if (!finite(t.translation) || !finite(t.linear[0]) || !finite(t.linear[1]) || !finite(t.linear[2]))
-      reject(node, moment, "its place in the world is not finite",
-             "scales or translations above it are too large");
+      then.reject("its place in the world is not finite", "scales or translations above it are too large");
   }
   return placed;
 }
@@ -95,15 +102,15 @@ std::vector<std::uint32_t> numberNodes(const Scene& scene) {
   return number;
 }
 
-SnapshotNode takeNode(const Scene::Entry& entry, const Moment& moment) {
+SnapshotNode takeNode(const NodeThen& then) {
+  const Scene::Entry& entry = then.scene.nodes()[then.id.index];
   const Node& node = entry.node;
   SnapshotNode taken{.surface = node.surface, .material = node.material, .segments = node.segments};
   for (const Animated<double>& parameter : node.surface.parameters()) {
-    taken.parameters.push_back(parameter.at(moment));
+    taken.parameters.push_back(parameter.at(then.moment));
     if (!std::isfinite(taken.parameters.back()))
-      reject(node, moment,
-             fmt::format("parameter {} of its surface '{}' is {}; it must be finite", taken.parameters.size(),
-                         node.surface.name(), taken.parameters.back()));
+      then.reject(fmt::format("parameter {} of its surface '{}' is {}; it must be finite",
+                              taken.parameters.size(), node.surface.name(), taken.parameters.back()));
   }
   taken.boundsObject = entry.constantBounds ? *entry.constantBounds : node.surface.bounds(taken.parameters);
   return taken;
@@ -116,7 +123,7 @@ std::vector<SnapshotNode> takeNodes(const Scene& scene, const std::vector<Placed
   for (std::uint32_t i = 0; i < placed.size(); ++i) {
     const Scene::Entry& entry = scene.nodes()[i];
     if (!placed[i].visible || !entry.node.surface.valid()) continue;
-    SnapshotNode node = takeNode(entry, moment);
+    SnapshotNode node = takeNode({scene, {i}, moment});
     node.id = {i};
     node.number = numbers[i];
     node.worldFromObject = placed[i].worldFromNode;
@@ -138,13 +145,15 @@ std::vector<NodeId> visibleCasters(const Light& light, const Scene& scene,
   return casters;
 }
 
-std::optional<ShadeRule> resolveShadow(const Node& node, const Scene& scene,
-                                       const std::vector<Placed>& placed, const Vec4& light,
-                                       const Moment& moment) {
+std::optional<ShadeRule> resolveShadow(const NodeThen& then, const std::vector<Placed>& placed,
+                                       const Vec4& light) {
+  const Scene& scene = then.scene;
+  const Node& node = then.node();
   if (node.light->shadow == Light::Shadow::None) return std::nullopt;
   const auto unsupported = [&](const std::string& why) {
-    reject(node, moment, "its light's shadow is not supported yet: " + why,
-           "exact shadows need one paraboloid shade named in `casters`, with the point light at its focus");
+    then.reject(
+        "its light's shadow is not supported yet: " + why,
+        "exact shadows need one paraboloid shade named in `casters`, with the point light at its focus");
   };
   if (node.light->shadow == Light::Shadow::Map) unsupported("shadow maps");
   if (light.w == 0) unsupported("an exact shadow of a directional light");
@@ -154,13 +163,14 @@ std::optional<ShadeRule> resolveShadow(const Node& node, const Scene& scene,
 
   const Node& shade = scene[casters[0]];
   const std::optional<Paraboloid> paraboloid = shade.surface.paraboloid();
-  if (!paraboloid) unsupported(fmt::format("its caster '{}' is not a paraboloid", shade.name));
+  const auto shadeName = [&] { return scene.shownName(casters[0]); };
+  if (!paraboloid) unsupported(fmt::format("its caster {} is not a paraboloid", shadeName()));
   const std::optional<ShadeRule> rule =
       shadeRule(*paraboloid, placed[casters[0].index].worldFromNode, casters[0]);
-  if (!rule) unsupported(fmt::format("'{}' is scaled unevenly or sheared, so it has no focus", shade.name));
+  if (!rule) unsupported(fmt::format("{} is scaled unevenly or sheared, so it has no focus", shadeName()));
   const double distance = glm::length(Vec3(light) - rule->focus);
   if (!(distance <= kFocusTolerance * (rule->focalLength + rule->height)))
-    unsupported(fmt::format("it is {} m away from the focus of '{}'", distance, shade.name));
+    unsupported(fmt::format("it is {} m away from the focus of {}", distance, shadeName()));
   return rule;
 }
 
@@ -175,35 +185,37 @@ bool precedes(const SnapshotLight& a, const SnapshotLight& b) {
 }
 
 std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Placed>& placed,
-                                      const Moment& moment) {
+                                      const Moment& moment, std::uint32_t& cutNumbers) {
   std::vector<SnapshotLight> lights;
   for (std::uint32_t i = 0; i < placed.size(); ++i) {
+    const NodeThen then{scene, {i}, moment};
     const Node& node = scene.nodes()[i].node;
     if (!placed[i].visible || !node.light) continue;
     SnapshotLight light{.id = {i},
                         .positionWorld = Vec4(placed[i].worldFromNode.translation, 1),
-                        .radiance = radianceAt(*node.light, moment, node.name),
+                        .radiance = radianceAt(
+                            *node.light, moment, [&] { return scene.shownName({i}); }, &cutNumbers),
                         .attenuation = node.light->attenuation};
-    if (!finite(light.radiance)) reject(node, moment, "its light's color * intensity is not finite");
     if (node.light->type == Light::Type::Directional) {
       const Vec3 towardLight = unit(transformDirection(placed[i].worldFromNode, Vec3(0, 0, 1)));
-      if (towardLight == Vec3(0))
-        reject(node, moment, "its light has no direction: the scale along z is zero");
+      if (towardLight == Vec3(0)) then.reject("its light has no direction: the scale along z is zero");
       light.positionWorld = Vec4(towardLight, 0);
     }
-    light.shade = resolveShadow(node, scene, placed, light.positionWorld, moment);
+    light.shade = resolveShadow(then, placed, light.positionWorld);
     lights.push_back(std::move(light));
   }
   std::ranges::sort(lights, precedes);
   return lights;
 }
 
-std::vector<Material> takeMaterials(const Scene& scene, const Moment& moment) {
+std::vector<Material> takeMaterials(const Scene& scene, const Moment& moment, std::uint32_t& cutNumbers) {
   std::vector<Material> materials;
   materials.reserve(scene.materials().size());
   for (const Animated<Material>& material : scene.materials()) {
     materials.push_back(material.at(moment));
-    if (!material.isConstant()) validate(materials.back());
+    if (material.isConstant()) continue;
+    cutNumbers += cutToRange(materials.back());
+    validate(materials.back());
   }
   return materials;
 }
@@ -211,11 +223,12 @@ std::vector<Material> takeMaterials(const Scene& scene, const Moment& moment) {
 /// Everything but the view.
 Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
   const std::vector<Placed> placed = placeNodes(scene, moment);
-  return {.nodes = takeNodes(scene, placed, moment),
-          .lights = takeLights(scene, placed, moment),
-          .materials = takeMaterials(scene, moment),
-          .background = scene.settings().background,
-          .ambient = scene.settings().ambient};
+  Snapshot snapshot{.nodes = takeNodes(scene, placed, moment),
+                    .background = scene.settings().background,
+                    .ambient = scene.settings().ambient};
+  snapshot.lights = takeLights(scene, placed, moment, snapshot.cutNumbers);
+  snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
+  return snapshot;
 }
 
 /// A scene at one time, with what a Moment of it refers to.

@@ -152,10 +152,13 @@ class Search {
       throw Error(
           ErrorKind::Scene,
           fmt::format(
-              "surface '{}' has no size: over u in [{:.9g}, {:.9g}], v in [{:.9g}, {:.9g}]{} its formula is "
-              "the same point, or not a number, everywhere",
-              stated_.name, d.u.lo, d.u.hi, d.v.lo, d.v.hi,
-              patches_.size() > 1 ? " and its other patches" : ""),
+              "surface '{}' has no {}: over u in [{:.9g}, {:.9g}], v in [{:.9g}, {:.9g}]{} its formula is {} "
+              "everywhere",
+              stated_.name, points_.empty() ? "points" : "size", d.u.lo, d.u.hi, d.v.lo, d.v.hi,
+              patches_.size() > 1 ? " and its other patches" : "",
+              points_.empty() ? "not a number"
+                              : fmt::format("the same point up to rounding, ({:.4g}, {:.4g}, {:.4g}),",
+                                            center_.x, center_.y, center_.z)),
           "check the formula and its domain");
   }
 

@@ -15,8 +15,9 @@ float patternParameterAt(uint k) { return patternParameters[firstPatternParamete
 #include "pattern"
 #undef parameterAt
 
-// A formula without a value is black.
-float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? c : 0.0; }
+// A formula without a value is black. What is above the largest number of a scene (scene/ranges.h) is that, so that no
+// product with a light leaves float's range.
+float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? min(c, 1e18) : 0.0; }
 
 vec3 patternAt(vec2 parameters) {
   // Rounding must not lead across the end of the domain, where a pattern may jump.

@@ -56,6 +56,19 @@ TEST(OptionValues, Size) {
   }
 }
 
+TEST(OptionValues, EndsOfRanges) {
+  const auto px = [](const std::string& text) { return parsePixels("--tolerance", text); };
+  EXPECT_EQ(px("1e-6"), 1e-6);
+  EXPECT_EQ(px("1e6px"), 1e6);
+  expectRefused(ErrorKind::Usage, px, {"0", "-1", "5e-324", "9e-7", "1000001", "1e308"});
+  EXPECT_EQ(parseFps("1e-6"), 1e-6);
+  EXPECT_EQ(parseFps("1e6"), 1e6);
+  expectRefused(ErrorKind::Usage, parseFps, {"0", "-1", "5e-324", "9e-7", "1000001", "1e308"});
+  EXPECT_EQ(parseSamples("1"), 1);
+  EXPECT_EQ(parseSamples("256"), 256);
+  expectRefused(ErrorKind::Usage, parseSamples, {"0", "257"});
+}
+
 TEST(OptionValues, Frames) {
   EXPECT_EQ(parseFrames("7"), (std::vector<int>{7}));
   EXPECT_EQ(parseFrames("1-4"), (std::vector<int>{1, 2, 3, 4}));
@@ -120,7 +133,8 @@ TEST(OptionValues, Names) {
 TEST(OptionValues, SkipsNamedAreOnAndTheOthersOff) {
   EXPECT_EQ(parseSkips("all"), Skips{});
   Skips none = parseSkips("none");
-  for (const bool on : {none.frustum, none.small, none.backface, none.lights, none.unchanged, none.passes, none.hidden})
+  for (const bool on :
+       {none.frustum, none.small, none.backface, none.lights, none.unchanged, none.passes, none.hidden})
     EXPECT_FALSE(on);
   Skips expected = none;
   expected.small = expected.passes = true;

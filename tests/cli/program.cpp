@@ -24,9 +24,9 @@ void redirect(int stream, const std::filesystem::path& path) {
   if (file < 0 || dup2(file, stream) < 0) _exit(99);
 }
 
-void limitFileSize(std::uint64_t bytes) {
+void limitResource(decltype(RLIMIT_FSIZE) resource, std::uint64_t bytes) {
   const rlimit limit{bytes, bytes};
-  if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(97);
+  if (setrlimit(resource, &limit) != 0) _exit(97);
 }
 
 }  // namespace
@@ -42,7 +42,8 @@ RunningProgram::RunningProgram(const Launch& launch) : ownOut_(launch.out.empty(
   if (process_ != 0) return;
   redirect(STDOUT_FILENO, ownOut_ ? streams_ / "out" : launch.out);
   redirect(STDERR_FILENO, streams_ / "err");
-  if (launch.fileSizeLimitBytes) limitFileSize(*launch.fileSizeLimitBytes);
+  if (launch.fileSizeLimitBytes) limitResource(RLIMIT_FSIZE, *launch.fileSizeLimitBytes);
+  if (launch.addressSpaceLimitBytes) limitResource(RLIMIT_AS, *launch.addressSpaceLimitBytes);
   if (chdir(launch.folder.c_str()) == 0) execv(argv[0], argv.data());
   _exit(98);
 }

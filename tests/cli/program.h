@@ -29,6 +29,7 @@ struct Launch {
   std::filesystem::path program = LUXO_PROGRAM;
   std::filesystem::path out = {};  ///< where stdout goes instead of Outcome::out
   std::optional<std::uint64_t> fileSizeLimitBytes = std::nullopt;
+  std::optional<std::uint64_t> addressSpaceLimitBytes = std::nullopt;
 };
 
 /// A program that runs beside the test.

@@ -2,6 +2,7 @@
 // Every way in which `luxo render` refuses: exit code, what is wrong, what to do; and no trace in the folder.
 #include <fmt/format.h>
 #include <sys/mount.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstring>
@@ -42,10 +43,12 @@ TEST_F(RenderRefusals, OptionsAndNames) {
   expectRefused({"--time", "1", "--frames", "1-3"}, 2, "--time and --frames exclude", "(n-1)/fps");
   expectRefused({"--frames", "3-1"}, 2, "'3-1' ends before it begins", "1-250:2,300");
   expectRefused({"--fps", "0"}, 2, "--fps '0'", "--fps 24");
+  expectRefused({"--fps", "5e-324"}, 2, "--fps '5e-324': frames per second are from 1e-06 to", "--fps 24");
   expectRefused({"--shading", "phon"}, 2, "--shading 'phon'", "did you mean 'phong'?");
   expectRefused({"--aov", "normals"}, 2, "--aov 'normals'", "did you mean 'normal'?");
   expectRefused({"--skip", "frustrum"}, 2, "--skip 'frustrum'", "did you mean 'frustum'?");
   expectRefused({"--tolerance", "0"}, 2, "--tolerance '0'", "");
+  expectRefused({"--tolerance", "5e-324"}, 2, "--tolerance '5e-324': must be from 1e-06 to", "0.25");
   expectRefused({"--require-error", "0"}, 2, "--require-error '0'", "");
   expectRefused({"--require-error", "nan"}, 2, "--require-error 'nan'", "");
   for (const char* samples : {"0", "-4", "257", "1000000000", "10000000000000000000000", "4.5"})
@@ -70,6 +73,15 @@ TEST_F(RenderRefusals, WhatComesLater) {
   expectRefused({"--shading", "lod"}, 3, "--shading 'lod' is not supported yet", "exact");
 }
 
+TEST_F(RenderRefusals, ADriverFileOfGarbage) {
+  writeText(folder / "garbage.json", "\x01\x02 no driver");
+  const std::string garbage = (folder / "garbage.json").string();
+  for (const std::string& file : {garbage, std::string("/dev/null"), std::string(LUXO_PROGRAM)}) {
+    const ScopedVariable named("VK_DRIVER_FILES", file.c_str());
+    expectFailure(render({"-o", "a.png"}), 4, "no Vulkan device found", "VK_DRIVER_FILES=" + file);
+  }
+}
+
 TEST_F(RenderRefusals, NoDriver) {
   {
     const ScopedVariable hidden("VK_DRIVER_FILES", "/nonexistent");
@@ -90,8 +102,8 @@ TEST_F(DeviceRefusals, WrongDevice) {
 }
 
 TEST_F(DeviceRefusals, PathsThatCannotBeWritten) {
-  expectRefused({"-o", "missing/####.png", "--frames", "1-3"}, 5, "'missing' is not a folder",
-                "mkdir -p 'missing'");
+  expectRefused({"-o", "missing/####.png", "--frames", "1-3"}, 5,
+                "cannot write 'missing/0001.png': No such file or directory", "mkdir -p 'missing'");
   expectRefused({"-o", "missing/a.png"}, 5, "cannot write 'missing/a.png': No such file or directory",
                 "mkdir -p 'missing'");
   expectRefused({"-o", "kept.png/a.png"}, 5, "cannot write 'kept.png/a.png': Not a directory",
@@ -102,10 +114,72 @@ TEST_F(DeviceRefusals, PathsThatCannotBeWritten) {
   expectRefused({"-o", "/proc/a.png"}, 5, "cannot write '/proc/a.png'", "");
 }
 
-TEST_F(DeviceRefusals, AReportThatCannotBeWrittenIsAFailureToo) {
-  const Outcome outcome = render({"-o", "a.png", "-q", "--report", "missing/report.json"});
-  expectFailure(outcome, 5, "cannot write 'missing/report.json'", "mkdir -p 'missing'");
-  EXPECT_EQ(folder.entries(), 1u);
+TEST_F(RenderRefusals, WhatCannotBeWrittenIsNoticedBeforeAnythingElse) {
+  const ScopedVariable hidden("VK_DRIVER_FILES", "/nonexistent");  // drawing would fail, and say so
+  expectRefused({"--report", "missing/report.json"}, 5, "cannot write 'missing/report.json'",
+                "mkdir -p 'missing'");
+  expectRefused({"-o", "missing/a.png"}, 5, "cannot write 'missing/a.png'", "mkdir -p 'missing'");
+  std::filesystem::create_directory(folder / "folder");
+  expectRefused({"--report", "folder"}, 5, "cannot write 'folder': Is a directory", "add a file name");
+}
+
+TEST_F(RenderRefusals, NoFileIsOverwrittenThatIsStillNeeded) {
+  const ScopedVariable hidden("VK_DRIVER_FILES", "/nonexistent");
+  const std::string help = "choose another name";
+  expectRefused({"--report", "kept.png"}, 2, "--report 'kept.png' would overwrite -o", help);
+  expectRefused({"-o", "new.png", "--report", "./new.png"}, 2, "--report './new.png' would overwrite -o",
+                help);
+  expectRefused({"-o", "f#.png", "--frames", "1-3", "--report", "f3.png"}, 2,
+                "-o 'f3.png' would overwrite the report", help);
+
+  const std::string scene = "{ \"luxo\": 1 }";
+  writeText(folder / "s.png", scene);  // a scene may have any name
+  std::filesystem::create_symlink("s.png", folder / "link");
+  for (const Arguments& outputs : {Arguments{"-o", "s.png"}, Arguments{"-o", "a.png", "--report", "s.png"},
+                                   Arguments{"-o", "a.png", "--report", "link"}}) {
+    Arguments arguments = {"render", "./s.png"};
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    expectFailure(run(folder, arguments), 2, "would overwrite the scene", help);
+    EXPECT_EQ(textOf(folder / "s.png"), scene);
+  }
+}
+
+TEST_F(RenderRefusals, ScenesAreFilesOrStandardInput) {
+  ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
+  for (const char* scene : {"/dev/zero", "/dev/full", "/dev/urandom", "./fifo"})
+    expectFailure(run(folder, {"render", scene, "-o", "a.png"}), 3,
+                  fmt::format("cannot read the scene file '{}': it is no regular file", scene),
+                  "write - to read a scene from standard input");
+  std::filesystem::create_symlink("fifo", folder / "a.png");  // pictures, too
+  expectFailure(run(folder, {"diff", "a.png", "a.png"}), 3, "cannot read 'a.png': it is no regular file");
+}
+
+TEST_F(DeviceRefusals, LittleMemoryIsAnErrorNotACrashAndNoWait) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers map terabytes";
+#endif
+  constexpr std::uint64_t kMiB = 1 << 20;
+  // From too little for the program itself to enough for all.
+  int drawn = 0;
+  for (const std::uint64_t limit : {300, 350, 380, 430, 600}) {
+    Launch launch = rendering({"-o", "a.png"});
+    launch.addressSpaceLimitBytes = limit * kMiB;
+    const Outcome outcome = run(launch);
+    SCOPED_TRACE(fmt::format("{} MiB: {}", limit, outcome.err));
+    EXPECT_TRUE(outcome.code == 0 || outcome.code == 4 || outcome.code == 75) << outcome.code;
+    EXPECT_TRUE(outcome.code == 0 || contains(outcome.err, "error: "));
+    drawn += outcome.code == 0;
+  }
+  EXPECT_GE(drawn, 1);
+  Launch large = rendering({"--size", "8192x8192", "-o", "b.png"});
+  large.addressSpaceLimitBytes = 800 * kMiB;
+  expectFailure(run(large), 2, "a picture of 8192x8192 pixels with 1 samples is more than", "pixels fit");
+}
+
+TEST_F(DeviceRefusals, APictureThatFitsNowhereIsRefusedBeforeWork) {
+  expectRefused({"--size", "16384x16384", "--samples", "4"}, 2,
+                "a picture of 16384x16384 pixels with 4 samples",
+                "pixels fit, or fewer samples; or draw it with --engine reference");
 }
 
 TEST_F(DeviceRefusals, AFileSizeLimitIsAnErrorNotASignal) {

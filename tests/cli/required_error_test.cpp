@@ -41,6 +41,12 @@ TEST(RequiredError, ExactPixelsByTheirResidual) {
             std::string::npos);
 }
 
+TEST(RequiredError, ShowsDigitsThatDiffer) {
+  EXPECT_EQ(missOf({.residualMaxPx = 1.00001e-5}, 1e-5),
+            "the largest residual is 1.00001e-05 px, more than the 1e-05 px required");
+  EXPECT_EQ(missOf({.boundPx = 0.5}, 0.1), "the proven error is 0.5 px, more than the 0.1 px required");
+}
+
 TEST(RequiredError, LostPixelsMissWhateverIsRequired) {
   EXPECT_NE(missOf({.residualMaxPx = 1e-4, .unconvergedPx = 1}, 1e300).find("1 pixels are lost"),
             std::string::npos);

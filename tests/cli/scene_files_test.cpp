@@ -64,6 +64,26 @@ TEST_F(SceneFiles, MistakesAreShownWithTheirPlace) {
   expectBad("", "bad.luxo.json:1:1");
 }
 
+TEST_F(SceneFiles, SizesHaveOneLimit) {
+  for (const char* size : {"16385", "65536"}) {
+    expectBad(waveWith("[64, 48]", fmt::format("[{}, 48]", size)),
+              fmt::format("bad.luxo.json:3:24: this is {}; it must be a whole number from 1 to 16384", size));
+    const std::string wave = waveWith("[64, 48]", fmt::format("[48, {}]", size));
+    writeText(folder / "bad.luxo.json", wave);
+    expectFailure(run(folder, {"render", "bad.luxo.json", "--engine", "reference", "-o", "a.png"}), 3,
+                  "from 1 to 16384");
+  }
+}
+
+TEST_F(SceneFiles, NumbersBeyondFloatAreRefusedWithTheirPlace) {
+  const std::string red = R"("materials": { "red": { "diffuse": [1e39, 0, 0] } }, "surfaces")";
+  expectBad(waveWith("\"surfaces\"", red), "bad.luxo.json:5:39: this is 1e+39; it must be from 0 to 1e18");
+  expectBad(waveWith("\"directional\"", "\"directional\", \"intensity\": 1e38"), "this is 1e+38; it must be");
+  // What a formula gives at a moment is shown with it.
+  expectBad(waveWith("\"directional\"", "\"directional\", \"intensity\": \"sqrt(t-1)\""),
+            "at time 0 this is not a number; it must be from 0 to 1e18");
+}
+
 TEST_F(SceneFiles, DepthAndSizeCrashNothing) {
   expectBad(std::string(1 << 20, '['), "bad.luxo.json:1:");
   expectBad(std::string(100 << 20, 'x'), "bad.luxo.json:1:1");
@@ -73,6 +93,21 @@ TEST_F(SceneFiles, DepthAndSizeCrashNothing) {
   expectBad(
       R"({ "luxo": 1, "surfaces": { "s": { "type": "sphere", "radius": 1e308 } }, "nodes": [ { "surface": "s" } ] })",
       "radius");
+}
+
+TEST_F(SceneFiles, CirclesOfParametersNameTheOption) {
+  writeText(folder / "wave.luxo.json", kWave);
+  for (const char* circle : {"k=k", "k=half", "k=2*half+1"})
+    expectFailure(run(folder, {"render", "wave.luxo.json", "-P", circle, "-o", "a.png"}), 2,
+                  fmt::format("'-P {}': parameters need each other in a circle: ", circle),
+                  "give one of them a value without the others");
+}
+
+TEST_F(SceneFiles, NodesWithoutANameAreNamedByTheirPlace) {
+  expectBad(waveWith("\"rotate\":",
+                     "\"children\": [{}, { \"scale\": [1, 1, 0], \"light\": { \"type\": "
+                     "\"directional\" } }], \"rotate\":"),
+            "node nodes[1].children[1] at time 0: its light has no direction");
 }
 
 TEST_F(SceneFiles, AllMistakesAtOnce) {

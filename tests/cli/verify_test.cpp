@@ -116,6 +116,8 @@ TEST_F(VerifyTest, Refusals) {
   refused({"nosuch"}, 3, "nosuch");
   refused({"sphere", "--shading", "toon"}, 3, "shading 'toon' has no ground truth");
   refused({"sphere", "--shading", "normal"}, 3, "shading 'normal' has no ground truth");
+  refused({"sphere", "-o", "a.png", "--report", "a.png"}, 2, "--report 'a.png' would overwrite -o");
+  refused({"sphere", "-o", "missing/a.png"}, 5, "cannot write 'missing/a.png'");
   refused({"sphere", "--stability"}, 2, "--stability brings its own scenes");
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -14,19 +13,6 @@
 
 namespace luxo::test {
 namespace {
-
-/// What is not right yet, and why.
-const std::map<std::string, std::string>& notYet() {
-  static const std::map<std::string, std::string> kCases = {
-      {"mobius_fov150", "shells at wide fields of view have holes at borders"},
-      {"roll_3_66", "shells of rolls miss what rays see along them"},
-      {"roll_3_79", "shells at wide fields of view have holes at borders"},
-      {"roll_spiral_b", "shells of rolls miss what rays see along them"},
-      {"sines_1_26", "the skip `hidden` hides what is seen"},
-      {"trig2", "the skip `hidden` hides what is seen"},
-  };
-  return kCases;
-}
 
 std::vector<std::string> caseNames() {
   std::vector<std::string> names;
@@ -44,7 +30,6 @@ INSTANTIATE_TEST_SUITE_P(All, Cases, testing::ValuesIn(caseNames()),
                          [](const auto& name) { return name.param; });
 
 TEST_P(Cases, HaveNoPixelSilentlyWrong) {
-  if (const auto known = notYet().find(GetParam()); known != notYet().end()) GTEST_SKIP() << known->second;
   const random::Trial trial =
       random::tryFile(renderer(), std::filesystem::path(LUXO_CASES) / (GetParam() + ".luxo.json"));
   EXPECT_EQ(trial.silentlyWrong, 0U) << trial.wrong.hitMiss << " hit or miss, " << trial.wrong.layer

@@ -3,8 +3,6 @@
 // `luxo verify --random N --seed S` draws as many others as one likes.
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <map>
 #include <string>
 
 #include "random/run.h"
@@ -16,16 +14,6 @@ namespace {
 constexpr std::uint64_t kSeed = 2, kScenes = 60, kParts = 6;
 constexpr PixelSize kSize{32, 24};  // sixty scenes take about a minute of CPU
 
-/// Kinds that are not right yet, or take too long, and why.
-const std::map<std::string, std::string, std::less<>>& notYet() {
-  static const std::map<std::string, std::string, std::less<>> kKinds = {
-      {"sines_closed", "the skip `hidden` hides what is seen; near ones take minutes"},
-      {"kinked", "takes up to minutes: shells of kinks are refined without end"},
-      {"knot", "takes up to half a minute from within"},
-  };
-  return kKinds;
-}
-
 class HardScenes : public PictureTest, public testing::WithParamInterface<std::uint64_t> {};
 
 INSTANTIATE_TEST_SUITE_P(Parts, HardScenes, testing::Range(std::uint64_t{0}, kParts));
@@ -33,7 +21,6 @@ INSTANTIATE_TEST_SUITE_P(Parts, HardScenes, testing::Range(std::uint64_t{0}, kPa
 TEST_P(HardScenes, HaveNoPixelSilentlyWrong) {
   std::uint64_t drawn = 0, hits = 0;
   for (std::uint64_t index = GetParam(); index < kScenes; index += kParts) {
-    if (notYet().contains(random::kindAt(index))) continue;
     const random::RunTotals totals =
         random::runRandom(renderer(), {.count = 1,
                                        .seed = kSeed,

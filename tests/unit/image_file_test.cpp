@@ -121,6 +121,37 @@ TEST(WriteFile, KeepsASymbolicLink) {
   EXPECT_EQ(readFile(folder / "real" / "a"), someBytes(9));
 }
 
+TEST(WriteFile, AReplacedFileKeepsItsMode) {
+  const ScratchFolder folder;
+  for (const unsigned mode : {0600U, 0640U, 0666U, 0755U}) {
+    writeFileAtomically(folder / "a", someBytes(5));
+    std::filesystem::permissions(folder / "a", std::filesystem::perms(mode));
+    writeFileAtomically(folder / "a", someBytes(9));
+    EXPECT_EQ(readFile(folder / "a"), someBytes(9));
+    EXPECT_EQ(static_cast<unsigned>(std::filesystem::status(folder / "a").permissions()), mode);
+  }
+}
+
+TEST(WriteFile, WhatCannotBeWrittenIsKnownBefore) {
+  const ScratchFolder folder;
+  writeFileAtomically(folder / "file", someBytes(5));
+  std::filesystem::create_directory(folder / "sub");
+  for (const char* good : {"file", "new", "sub/new"}) EXPECT_NO_THROW(requireWritable(folder / good));
+  for (const std::string& bad : {std::string("missing/a"), std::string("file/a"), std::string("sub"),
+                                 std::string(300, 'x')})
+    EXPECT_THROW(requireWritable(folder / bad), Error) << bad;
+  EXPECT_NO_THROW(requireWritable("/dev/null"));
+  EXPECT_EQ(folder.entries(), 2u);
+  EXPECT_EQ(readFile(folder / "file"), someBytes(5));
+}
+
+TEST(ReadFile, RefusesWhatHasNoEnd) {
+  const ScratchFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(static_cast<void>(readFile(folder / "pipe")), Error);  // nobody writes there
+  EXPECT_THROW(static_cast<void>(readFile("/dev/zero")), Error);
+}
+
 TEST(WriteFile, WritesToAPipeWithoutReplacingIt) {
   const ScratchFolder folder;
   const std::filesystem::path pipe = folder / "pipe";

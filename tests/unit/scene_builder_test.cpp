@@ -374,6 +374,22 @@ TEST(SceneBuilder, HexadecimalColorsAreSrgb) {
   EXPECT_EQ(material.specular, Vec3(1));
 }
 
+TEST(SceneBuilder, ColoursWhoseFormulasSimplifyAreUniform) {
+  const Scene scene = build(R"_("params": { "k": 0.25 }, "materials": {
+    "a": { "diffuse": ["0.5+0*v", "u^0", "u-u"] }, "b": { "diffuse": ["k+0*v", "0.5t*u^0", "u - u + 1"] },
+    "c": { "diffuse": "0.5 + (u - u)" } })_");
+  const double k = 0.25;
+  const auto materialAt = [&](std::uint32_t id, double time) {
+    return scene[MaterialId{id}].at({time, {&k, 1}});
+  };
+  for (const std::uint32_t id : {1, 2, 3}) EXPECT_FALSE(materialAt(id, 0).diffusePattern.valid()) << id;
+  EXPECT_TRUE(scene[MaterialId{1}].isConstant());
+  EXPECT_EQ(materialAt(1, 0).diffuse, Vec3(0.5, 1, 0));
+  EXPECT_EQ(materialAt(2, 0.5).diffuse, Vec3(0.25, 0.25, 1));
+  EXPECT_TRUE(scene[MaterialId{2}].movesWithTime());
+  EXPECT_EQ(materialAt(3, 0).diffuse, Vec3(0.5));
+}
+
 TEST(SceneBuilder, NamesInAnotherOrderThanUse) {
   const Scene scene = build(R"_("nodes": [
       { "name": "lamp", "light": { "shadow": "exact", "casters": ["shade"] } }, { "name": "shade" } ])_");

@@ -155,6 +155,61 @@ TEST(SceneReader, PointsAtMistakesOfForm) {
   });
 }
 
+/// A number is refused just outside its range, at its place, and taken at its end.
+TEST(SceneReader, RangesOfNumbers) {
+  struct Range {
+    const char* place;  ///< of one number, "@"
+    std::vector<const char*> in, out;
+  };
+  const Range ranges[] = {
+      {R"("render": { "size": [@, 1] })", {"1", "16384"}, {"0", "-1", "16385", "65536", "1e300"}},
+      {R"("render": { "size": [1, @] })", {"1", "16384"}, {"0", "16385", "\"2^16\""}},
+      {R"("render": { "samples": @ })", {"1", "256"}, {"0", "257"}},
+      {R"("render": { "fps": @ })", {"1e-6", "1e6"}, {"5e-324", "0.99e-6", "1.01e6", "-1"}},
+      {R"("render": { "tolerance": @ })", {"1e-6", "1e6"}, {"5e-324", "0", "0.99e-6", "1.01e6", "1e308"}},
+      {R"("render": { "background": [@, 0, 0] })", {"0", "1e18"}, {"-5e-324", "1.01e18", "1e39", "1e308"}},
+      {R"("render": { "ambient": @ })", {"0", "1e18"}, {"-1", "1e39"}},
+      {R"("materials": { "m": { "diffuse": [0, 0, @] } })", {"0", "1e18"}, {"-1", "1e39", "\"1e39\""}},
+      {R"("materials": { "m": { "diffuse": ["u", 0, @] } })", {"0", "1e18"}, {"-1", "1e39", "\"1e39\""}},
+      {R"("materials": { "m": { "diffuse": [0, "@+0*u", 0] } })", {"0", "1e18"}, {"-1", "1e39"}},
+      {R"("materials": { "m": { "ambient": @ } })", {"0", "1e18"}, {"-1", "1e39"}},
+      {R"("materials": { "m": { "specular": @ } })", {"0", "1e18"}, {"-1", "1e39"}},
+      {R"("materials": { "m": { "shininess": @ } })", {"0", "1e18"}, {"-1", "1e39"}},
+      {R"("materials": { "m": { "opacity": @ } })", {"0", "1"}, {"-5e-324", "1.0001"}},
+      {R"("nodes": [{ "light": { "color": [@, 1, 1] } }])", {"0", "1e18"}, {"-1", "1e38", "1e39"}},
+      {R"("nodes": [{ "light": { "intensity": @ } }])", {"0", "1e18"}, {"-1", "1e38", "1e39"}},
+      {R"("nodes": [{ "translate": [@, 0, 0] }])", {"-1e18", "1e18"}, {"-1.01e18", "1.01e18", "1e308"}},
+      {R"("nodes": [{ "scale": [1, @, 1] }])", {"-1e18", "0", "1e18"}, {"1.01e18", "1e308"}},
+      {R"("camera": { "eye": [@, 0, 5] })", {"-1e18", "1e18"}, {"1.01e18"}},
+      {R"("camera": { "look_at": [@, 0, 0] })", {"-1e18", "1e18"}, {"1.01e18"}},
+      {R"("camera": { "near": @ })", {"1e-18", "1e18"}, {"0", "5e-324", "1.01e18"}},
+      {R"("camera": { "fov_y": @ })", {"1e-9", "3.14159"}, {"0", "5e-324", "3.1416"}},
+      {R"("camera": { "type": "orthographic", "height": @ })", {"1e-18", "1e18"}, {"0", "5e-324", "1e19"}},
+      {R"("surfaces": { "s": { "type": "sphere", "radius": @ } })", {"1e-12", "1e12"}, {"5e-324", "1e13"}},
+  };
+  for (const auto& [place, in, out] : ranges) {
+    const auto with = [where = std::string(place)](const std::string& number) {
+      std::string text = where;
+      return "{ \"luxo\": 1,\n" + text.replace(text.find('@'), 1, number) + " }";
+    };
+    for (const char* number : in) {
+      SCOPED_TRACE(with(number));
+      EXPECT_NO_THROW(static_cast<void>(buildScene(parseScene(with(number), "s"))));
+    }
+    for (const char* number : out) {
+      SCOPED_TRACE(with(number));
+      try {
+        static_cast<void>(buildScene(parseScene(with(number), "s")));
+        ADD_FAILURE() << "taken";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Scene);
+        EXPECT_TRUE(std::string(error.what()).starts_with("s:2:")) << error.what();
+        EXPECT_NE(std::string(error.what()).find("must be"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
 TEST(SceneReader, PointsAtMistakesOfMeaning) {
   expectAll({
       {scene("\"nodes\": [{ \"surface\": \"bal\" }], \"surfaces\": { \"ball\": { \"type\": \"sphere\" } }"),
@@ -173,11 +228,13 @@ TEST(SceneReader, PointsAtMistakesOfMeaning) {
       {scene("\"nodes\": [{ \"rotate\": { \"axis\": [0, 0, 0], \"angle\": 1 } }]"), "2:23",
        "a rotation about a zero axis"},
       {scene("\"nodes\": [{ \"light\": { \"intensity\": -1 } }]"), "2:37",
-       "this is -1; it must be finite and not negative"},
+       "this is -1; it must be from 0 to 1e18"},
       {scene("\"materials\": { \"m\": { \"opacity\": \"1 + 1\" } }"), "2:35",
        "this is 2; it must be from 0 to 1"},
       {scene("\"materials\": { \"m\": { \"diffuse\": [0, \"-1\", 0] } }"), "2:39",
-       "this is -1; it must be finite and not negative"},
+       "this is -1; it must be from 0 to 1e18"},
+      {scene("\"materials\": { \"m\": { \"diffuse\": [0, \"1/(u-u)\", \"v\"] } }"), "2:39",
+       "this is inf; it must be from 0 to 1e18"},
       {scene("\"materials\": { \"m\": { \"ambient\": [\"u\", 0, 0] } }"), "2:36", "'u' is not known here",
        "diffuse"},
       {scene("\"surfaces\": { \"s\": { \"type\": \"sphere\", \"radius\": 0 } }"), "2:50",
@@ -189,13 +246,13 @@ TEST(SceneReader, PointsAtMistakesOfMeaning) {
       {scene("\"surfaces\": { \"s\": { \"type\": \"sphere\", \"segments\": [0, 4] } }"), "2:53",
        "this is 0; it must be a whole number from 1"},
       {scene("\"camera\": { \"fov_y\": \"180deg\" }"), "2:23", "this is 3.14159"},
-      {scene("\"camera\": { \"fov_y\": 50 }"), "2:22", "this is 50 radians; it must be above 0 and below pi",
+      {scene("\"camera\": { \"fov_y\": 50 }"), "2:22", "this is 50 radians; it must be from 1e-9 to below pi",
        "write \"50deg\""},
       {scene("\"camera\": { \"type\": \"orthographic\", \"height\": 0 }"), "2:47",
-       "this is 0; it must be finite and above 0"},
+       "this is 0; it must be from 1e-18 to 1e18"},
       {scene("\"render\": { \"size\": [1.5, 1] }"), "2:22", "this is 1.5; it must be a whole number from 1"},
       {scene("\"render\": { \"time\": \"t\" }"), "2:22", "this is read once: it cannot depend on t"},
-      {scene("\"render\": { \"fps\": 0 }"), "2:20", "this is 0; it must be finite and above 0"},
+      {scene("\"render\": { \"fps\": 0 }"), "2:20", "this is 0; it must be from 1e-6 to 1e6"},
       {scene("\"params\": { \"k\": { \"value\": 13, \"range\": [1, 12] } }"), "2:29",
        "parameter 'k' is 13, outside its range from 1 to 12"},
       {scene("\"params\": { \"k\": { \"value\": 1, \"range\": [2, 1] } }"), "2:42",

@@ -228,5 +228,28 @@ TEST(Snapshot, OtherShadowsAreNotSupportedYet) {
   reject(two, {"2 nodes"});
 }
 
+TEST(Snapshot, CutsOffWhatFormulasMakeTooBrightAndCountsIt) {
+  const auto bright = [](double t) { return 1e17 * t; };
+  Scene scene;
+  scene.add(Animated<Material>([=](double t) {
+    return Material{.diffuse = {bright(t), 0.5, 0}, .specular = Vec3(bright(t)), .shininess = bright(t)};
+  }));
+  scene.add(Node{.light = Light{.color = [](double t) { return Vec3(t, 1, 1); }, .intensity = bright}});
+  const Snapshot within = takeSnapshot(scene, 1, {64, 48}), beyond = takeSnapshot(scene, 100, {64, 48});
+  EXPECT_EQ(within.cutNumbers, 0u);
+  EXPECT_EQ(within.materials[1].diffuse, Vec3(1e17, 0.5, 0));
+  EXPECT_EQ(beyond.materials[1].diffuse, Vec3(kMostSceneNumber, 0.5, 0));
+  EXPECT_EQ(beyond.materials[1].shininess, kMostSceneNumber);
+  EXPECT_EQ(beyond.lights[0].radiance, Vec3(kMostSceneNumber));
+  EXPECT_EQ(beyond.cutNumbers, 7u);  // diffuse, 3 of specular, shininess, intensity, the product with red
+
+  Scene still;
+  test::expectSceneError([&] { still.add(Material{.name = "lit", .diffuse = Vec3(1e39)}); },
+                         {"lit", "1e+18"});
+  test::expectSceneError(
+      [&] { still.add(Node{.name = "sun", .light = Light{.color = Vec3(1e10), .intensity = 1e10}}); },
+      {"sun", "color * intensity", "1e+18"});
+}
+
 }  // namespace
 }  // namespace luxo

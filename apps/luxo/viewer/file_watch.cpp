@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <system_error>
 
 #include "base/log.h"
 
@@ -41,7 +42,11 @@ FileWatch::FileWatch(const std::filesystem::path& file, std::function<void()> no
         fmt::format("cannot watch '{}' for changes: {}", file.string(), std::strerror(errno)));
     return;
   }
-  listener_ = std::thread([this] { listen(); });
+  try {
+    listener_ = std::thread([this] { listen(); });
+  } catch (const std::system_error& error) {
+    log(LogLevel::Warning, fmt::format("cannot watch '{}' for changes: {}", file.string(), error.what()));
+  }
 }
 
 FileWatch::~FileWatch() {

@@ -39,8 +39,11 @@ std::string nodesText(const FrameCounts& count) {
 }
 
 std::string errorText(const FrameError& error) {
-  return std::isfinite(error.boundPx) ? fmt::format("at most {:.2g} px", error.boundPx)
-                                      : std::string("no bound from so close");
+  // Where surfaces are found in every pixel, nothing may be a mesh.
+  const bool meshes = !error.residualMaxPx || error.boundPx > 0;
+  if (meshes && !std::isfinite(error.boundPx)) return "no bound from so close";
+  const double most = std::max(error.residualMaxPx.value_or(0), meshes ? error.boundPx : 0);
+  return fmt::format("at most {:.2g} px", most);
 }
 
 // Of the overlay's letters at content scale 1, a little generously.

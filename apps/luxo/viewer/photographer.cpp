@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "background.h"
 #include "image/format.h"
 
 namespace luxo {
@@ -33,9 +34,8 @@ Photographer::Outcome save(const Image& image, const std::filesystem::path& file
 void Photographer::take(const Snapshot& snapshot, const DrawOptions& options) {
   if (writing_.valid()) writing_.wait();
   if (!renderer_) renderer_ = std::make_unique<Renderer>(*context_);
-  writing_ = std::async(std::launch::async, [image = renderer_->render(snapshot, options).image] {
-    return save(image, nextFreeFile());
-  });
+  writing_ = inBackground(
+      [image = renderer_->render(snapshot, options).image] { return save(image, nextFreeFile()); });
 }
 
 std::optional<Photographer::Outcome> Photographer::poll() {

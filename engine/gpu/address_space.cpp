@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/address_space.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <limits>
+
+namespace luxo::gpu {
+
+std::uint64_t addressSpaceLeft() {
+  constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kAll;
+  std::uint64_t pages = 0;
+  if (!(std::ifstream("/proc/self/statm") >> pages)) return kAll;
+  const std::uint64_t used = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return limit.rlim_cur > used ? limit.rlim_cur - used : 0;
+}
+
+}  // namespace luxo::gpu

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a limit on addresses (ulimit -v) leaves this process.
+#pragma once
+
+#include <cstdint>
+
+namespace luxo::gpu {
+
+/// Bytes that this process may still map; the most there is where nothing limits it. Cost: a system call, and
+/// where there is a limit a small file.
+[[nodiscard]] std::uint64_t addressSpaceLeft();
+
+/// What a driver that draws on the processor takes, once it is loaded, beside its pictures: threads' stacks
+/// and its compiler, which ends the process where an allocation fails. Of it, what is left to do once the
+/// device is open. Measured with lavapipe 22.3 on two cores: the lamp needs 86 MiB, the teapot 44 more and
+/// its pixels.
+inline constexpr std::uint64_t kDriverBytes = std::uint64_t{160} << 20;
+inline constexpr std::uint64_t kCompilerBytes = std::uint64_t{112} << 20;
+
+}  // namespace luxo::gpu

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the numbers of scenes and of command lines may be, ends included: one limit each, wherever a number
+// comes from.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "math/interval.h"
+#include "math/vec.h"
+
+namespace luxo {
+
+/// The longest side of a picture in pixels: what images of every driver that luxo was tried on hold, and the
+/// least that Vulkan's roadmap of 2022 asks for is half of it.
+inline constexpr int kMostPictureSide = 16384;
+
+/// The most samples per pixel that anything takes.
+inline constexpr int kMostSamples = 256;
+
+/// The largest number of a scene that devices compute with in float: lengths in metres, factors of light. Its
+/// square, and three hundred of these together, are still within float's range, 3.4e38, and so are products
+/// of a light and a colour.
+inline constexpr double kMostSceneNumber = 1e18;
+
+/// Pixels. The least is a thousandth of what float positions in the largest picture can say, 2^-10; the most
+/// is sixty of the largest pictures.
+inline constexpr Interval kToleranceRange{1e-6, 1e6};
+
+/// Frames per second, from one in eleven days: frame 2^31 is still at a time that is exact to a second.
+inline constexpr Interval kFpsRange{1e-6, 1e6};
+
+/// Whether each component is a factor of light that pixels can be computed with: from 0 to kMostSceneNumber.
+[[nodiscard]] inline bool isColor(const Vec3& color) {
+  const Interval range{0, kMostSceneNumber};
+  return range.contains(color.x) && range.contains(color.y) && range.contains(color.z);
+}
+
+/// What a formula gives at a moment, cut off at kMostSceneNumber. 1 where something was cut off; what is not
+/// finite is left as it is, for whoever knows what to call it.
+[[nodiscard]] inline std::uint32_t cutToRange(double& value) {
+  if (!(value > kMostSceneNumber && value <= std::numeric_limits<double>::max())) return 0;
+  value = kMostSceneNumber;
+  return 1;
+}
+[[nodiscard]] inline std::uint32_t cutToRange(Vec3& color) {
+  return cutToRange(color.x) + cutToRange(color.y) + cutToRange(color.z);
+}
+
+}  // namespace luxo
