@@ -138,7 +138,7 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   take(request.aov, t.aov, parseAov);
   take(request.skips, t.skip, parseSkips);
   take(request.requireErrorPx, t.requireError,
-       [](const std::string& text) { return parsePixels("--require-error", text); });
+       [](const std::string& text) { return parsePixels("--require-error", text, kErrorRange); });
   if (t.report) request.report = *t.report;
   if (t.device.empty()) refuse("--device is empty", "auto, cpu, gpu, a number or a part of the name");
   request.device = t.device;
