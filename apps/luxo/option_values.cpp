@@ -153,12 +153,12 @@ int parseSamples(const std::string& text) {
   return *samples;
 }
 
-double parsePixels(std::string_view option, const std::string& text) {
+double parsePixels(std::string_view option, const std::string& text, const Interval& range) {
   const bool unit = text.size() > 2 && text.ends_with("px");
   const double pixels =
       numberIn(option, text, std::string_view(text).substr(0, text.size() - (unit ? 2 : 0)));
-  if (!kToleranceRange.contains(pixels))
-    refuse(option, text, fmt::format("must be from {} to {} pixels", kToleranceRange.lo, kToleranceRange.hi),
+  if (!range.contains(pixels))
+    refuse(option, text, fmt::format("must be from {} to {} pixels", range.lo, range.hi),
            fmt::format("as in {} 0.25", option));
   return pixels;
 }

@@ -38,8 +38,12 @@ inline constexpr int kMaxFrames = 1'000'000;
 /// 1..kMostSamples.
 [[nodiscard]] int parseSamples(const std::string& text);
 
-/// A length in pixels, in kToleranceRange: `0.25` or `0.25px`.
-[[nodiscard]] double parsePixels(std::string_view option, const std::string& text);
+/// Pixels: errors that may be required, down to what doubles say of the largest picture.
+inline constexpr Interval kErrorRange{1e-12, 1e6};
+
+/// A length in pixels, in `range`: `0.25` or `0.25px`.
+[[nodiscard]] double parsePixels(std::string_view option, const std::string& text,
+                                 const Interval& range = kToleranceRange);
 
 [[nodiscard]] Shading parseShading(const std::string& text);
 [[nodiscard]] Output parseAov(const std::string& text);

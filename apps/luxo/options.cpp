@@ -146,7 +146,7 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   take(request.audit, t.audit, parseAudit);
   if (t.sample) request.sample = parseSample(*t.sample);
   take(request.requireErrorPx, t.requireError,
-       [](const std::string& text) { return parsePixels("--require-error", text); });
+       [](const std::string& text) { return parsePixels("--require-error", text, kErrorRange); });
   if (t.report) request.report = *t.report;
   if (t.device.empty()) refuse("--device is empty", "auto, cpu, gpu, a number or a part of the name");
   request.device = t.device;

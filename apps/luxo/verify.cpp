@@ -63,7 +63,8 @@ std::uint64_t parseCount(const std::string& text) {
 VerifyRequest requestOf(const VerifyOptions& options) {
   VerifyRequest request{options.scene->request(RenderTarget::Window), std::nullopt, std::nullopt};
   if (options.pixels) request.pixels = parseCount(*options.pixels);
-  if (options.requireError) request.mostErrorPx = parsePixels("--require-error", *options.requireError);
+  if (options.requireError)
+    request.mostErrorPx = parsePixels("--require-error", *options.requireError, kErrorRange);
   if (!options.heat.empty() && !options.random->asked()) static_cast<void>(requireImageFormat(options.heat));
   return request;
 }

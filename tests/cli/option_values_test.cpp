@@ -61,6 +61,8 @@ TEST(OptionValues, EndsOfRanges) {
   EXPECT_EQ(px("1e-6"), 1e-6);
   EXPECT_EQ(px("1e6px"), 1e6);
   expectRefused(ErrorKind::Usage, px, {"0", "-1", "5e-324", "9e-7", "1000001", "1e308"});
+  EXPECT_EQ(parsePixels("--require-error", "1e-12", kErrorRange), 1e-12);
+  EXPECT_THROW(static_cast<void>(parsePixels("--require-error", "9e-13", kErrorRange)), Error);
   EXPECT_EQ(parseFps("1e-6"), 1e-6);
   EXPECT_EQ(parseFps("1e6"), 1e6);
   expectRefused(ErrorKind::Usage, parseFps, {"0", "-1", "5e-324", "9e-7", "1000001", "1e308"});
