@@ -14,20 +14,20 @@ Vec3 radianceAt(const Light& light, const Moment& moment, const std::function<st
   double intensity = light.intensity.at(moment);
   std::uint32_t cut = 0;
   if (cutNumbers && !light.color.isConstant()) cut += cutToRange(color);
-  if (cutNumbers && !light.intensity.isConstant()) cut += cutToRange(intensity);
+  if (cutNumbers && !light.intensity.isConstant()) cut += cutToRange(intensity, kMostLight);
   if (!isColor(color))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: color is ({}, {}, {}); it must be from 0 to {}", nodeName(),
                             color.x, color.y, color.z, kMostSceneNumber));
-  if (!isColor(Vec3(intensity)))
+  if (!isColor(Vec3(intensity), kMostLight))
     throw Error(ErrorKind::Scene, fmt::format("light of node {}: intensity is {}; it must be from 0 to {}",
-                                              nodeName(), intensity, kMostSceneNumber));
+                                              nodeName(), intensity, kMostLight));
   Vec3 radiance = color * intensity;
-  if (cutNumbers && !(light.color.isConstant() && light.intensity.isConstant())) cut += cutToRange(radiance);
-  if (!isColor(radiance))
+  if (cutNumbers && !(light.color.isConstant() && light.intensity.isConstant())) cut += cutToRange(radiance, kMostLight);
+  if (!isColor(radiance, kMostLight))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: color * intensity is ({}, {}, {}); it must be at most {}",
-                            nodeName(), radiance.x, radiance.y, radiance.z, kMostSceneNumber));
+                            nodeName(), radiance.x, radiance.y, radiance.z, kMostLight));
   if (cutNumbers) *cutNumbers += cut;
   return radiance;
 }

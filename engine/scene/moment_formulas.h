@@ -38,6 +38,7 @@ inline constexpr Allowed kAboveZero{
 inline constexpr Allowed kPlace{{-kMostSceneNumber, kMostSceneNumber}, "finite, from -1e18 to 1e18"};
 inline constexpr Allowed kLength{{1 / kMostSceneNumber, kMostSceneNumber}, "from 1e-18 to 1e18"};
 inline constexpr Allowed kLight{{0, kMostSceneNumber}, "from 0 to 1e18", false, true};
+inline constexpr Allowed kIntensity{{0, kMostLight}, "from 0 to 1e30", false, true};
 inline constexpr Allowed kFraction{{0, 1}, "from 0 to 1"};
 
 class MomentFormulas {

@@ -225,7 +225,7 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
 Light SceneConstruction::light(const LightDesc& desc) {
   return {.type = desc.type,
           .color = formulas_.vector(desc.color, kLight),
-          .intensity = formulas_.number(desc.intensity, kLight),
+          .intensity = formulas_.number(desc.intensity, kIntensity),
           .attenuation = desc.attenuation,
           .shadow = desc.shadow};
 }

@@ -220,6 +220,16 @@ std::vector<Material> takeMaterials(const Scene& scene, const Moment& moment, st
   return materials;
 }
 
+/// Lights stay so far below float's range that what colours reflect of them is within it.
+void cutLights(Snapshot& snapshot) {
+  double brightest = 1;
+  for (const Material& material : snapshot.materials)
+    for (const Vec3& color : {material.diffuse, material.specular})
+      brightest = std::max({brightest, color.x, color.y, color.z});
+  for (SnapshotLight& light : snapshot.lights)
+    snapshot.cutNumbers += cutToRange(light.radiance, kMostReflected / brightest);
+}
+
 /// Everything but the view.
 Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
   const std::vector<Placed> placed = placeNodes(scene, moment);
@@ -228,6 +238,7 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
                     .ambient = scene.settings().ambient};
   snapshot.lights = takeLights(scene, placed, moment, snapshot.cutNumbers);
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
+  cutLights(snapshot);
   return snapshot;
 }
 

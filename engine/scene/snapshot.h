@@ -49,7 +49,7 @@ struct Snapshot {
   std::vector<SnapshotLight> lights;
   std::vector<Material> materials;  ///< index = MaterialId
   Vec3 background{0}, ambient{0};
-  /// Colours, lights and shininesses that formulas made larger than kMostSceneNumber, and that were cut off
+  /// Colours, lights and shininesses that formulas made larger than the ranges (scene/ranges.h), and that were cut off
   /// there, so that no pixel leaves float's range.
   std::uint32_t cutNumbers = 0;
 

@@ -81,7 +81,7 @@ TEST_F(SceneFiles, NumbersBeyondFloatAreRefusedWithTheirPlace) {
   expectBad(waveWith("\"directional\"", "\"directional\", \"intensity\": 1e38"), "this is 1e+38; it must be");
   // What a formula gives at a moment is shown with it.
   expectBad(waveWith("\"directional\"", "\"directional\", \"intensity\": \"sqrt(t-1)\""),
-            "at time 0 this is not a number; it must be from 0 to 1e18");
+            "at time 0 this is not a number; it must be from 0 to 1e30");
 }
 
 TEST_F(SceneFiles, DepthAndSizeCrashNothing) {
