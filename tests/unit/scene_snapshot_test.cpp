@@ -240,15 +240,15 @@ TEST(Snapshot, CutsOffWhatFormulasMakeTooBrightAndCountsIt) {
   EXPECT_EQ(within.materials[1].diffuse, Vec3(1e17, 0.5, 0));
   EXPECT_EQ(beyond.materials[1].diffuse, Vec3(kMostSceneNumber, 0.5, 0));
   EXPECT_EQ(beyond.materials[1].shininess, kMostSceneNumber);
-  EXPECT_EQ(beyond.lights[0].radiance, Vec3(kMostSceneNumber));
-  EXPECT_EQ(beyond.cutNumbers, 7u);  // diffuse, 3 of specular, shininess, intensity, the product with red
+  EXPECT_EQ(beyond.lights[0].radiance, Vec3(kMostReflected / kMostSceneNumber));
+  EXPECT_EQ(beyond.cutNumbers, 8u);  // diffuse, 3 of specular, shininess, 3 of the light they reflect
 
   Scene still;
   test::expectSceneError([&] { still.add(Material{.name = "lit", .diffuse = Vec3(1e39)}); },
                          {"lit", "1e+18"});
   test::expectSceneError(
-      [&] { still.add(Node{.name = "sun", .light = Light{.color = Vec3(1e10), .intensity = 1e10}}); },
-      {"sun", "color * intensity", "1e+18"});
+      [&] { still.add(Node{.name = "sun", .light = Light{.color = Vec3(1e16), .intensity = 1e16}}); },
+      {"sun", "color * intensity", "1e+30"});
 }
 
 }  // namespace
