@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an audit says of depths that are right, of another layer, off by a little, or beside an outline.
+#include "reference/audit.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "scene/scene.h"
+#include "scene/snapshot.h"
+#include "surface/library.h"
+
+namespace luxo::reference {
+namespace {
+
+constexpr std::array<std::uint32_t, 1> kNodes{0};
+constexpr double kNothing = std::numeric_limits<double>::infinity(), kRounding = 1e-7;
+
+/// A picture of 100 x 100 pixels, 100 of them a metre wide at the origin, 10 m away: parallel rays along -z.
+Snapshot pictureOf(const Surface& surface, const Rotation& rotation = {}) {
+  Scene scene;
+  scene.add(Node{.rotation = rotation, .surface = surface});
+  scene.add(Camera{.eye = Vec3(0, 0, 10), .projection = Projection::Orthographic, .height = 1});
+  return takeSnapshot(scene, 0, {100, 100});
+}
+
+TEST(Audit, TellsLayersAndMisses) {
+  const Snapshot snapshot = pictureOf(sphere(0.4));
+  const Caster caster(snapshot);
+  const auto judged = [&](const Vec2& pixel, double depth) {
+    return judge(caster, kNodes, pixel, depth, kRounding);
+  };
+  const Vec2 inside(60.5, 50.5), outside(95.5, 50.5);
+  const double x = 0.105, y = -0.005, z = std::sqrt(0.16 - x * x - y * y);
+  EXPECT_EQ(judged(inside, 10 - z), Judgement::Right);
+  EXPECT_EQ(judged(inside, 10 + z), Judgement::Wrong) << "the far side";
+  EXPECT_EQ(judged(inside, kNothing), Judgement::Wrong);
+  EXPECT_EQ(judged(outside, kNothing), Judgement::Right);
+  EXPECT_EQ(judged(outside, 10), Judgement::Wrong) << "nothing is there";
+}
+
+// The sphere's outline is 40 pixels from the middle.
+TEST(Audit, NextToAnOutlineEitherSideIsRight) {
+  const Snapshot snapshot = pictureOf(sphere(0.4));
+  const Caster caster(snapshot);
+  const auto judged = [&](double right, double depth) {
+    return judge(caster, kNodes, Vec2(50 + right, 50), depth, kRounding);
+  };
+  EXPECT_EQ(judged(40 - 0.005, kNothing), Judgement::Right);
+  EXPECT_EQ(judged(40 - 0.02, kNothing), Judgement::Wrong);
+  const double justInside = 10 - std::sqrt(0.16 - 0.39997 * 0.39997);
+  EXPECT_EQ(judged(40 + 0.005, justInside), Judgement::Right);
+  EXPECT_EQ(judged(40 + 0.02, justInside), Judgement::Wrong);
+}
+
+// Of a plane at 60 degrees a hundredth of a pixel across is as much as tan 60 of it in depth.
+TEST(Audit, APointMayBeAThousandthOfAPixelOff) {
+  const Snapshot snapshot = pictureOf(rectangle(0.8, 0.8), {{1, 0, 0}, kPi / 2 - kPi / 3});
+  const Caster caster(snapshot);
+  const Vec2 pixel(50.5, 60.5);
+  const auto first = caster.firstOf(kNodes, caster.rayThrough(pixel.x, pixel.y));
+  ASSERT_TRUE(first.hit);
+  const double depth = 10 - first.hit->position.z, perPixel = 0.01 * std::tan(kPi / 3);
+  EXPECT_EQ(judge(caster, kNodes, pixel, depth + 0.5e-3 * perPixel, kRounding), Judgement::Right);
+  EXPECT_EQ(judge(caster, kNodes, pixel, depth + 5e-3 * perPixel, kRounding), Judgement::Wrong);
+  EXPECT_EQ(judge(caster, kNodes, pixel, depth + 5e-3 * perPixel, 1e-3), Judgement::Right) << "rounding";
+}
+
+}  // namespace
+}  // namespace luxo::reference
