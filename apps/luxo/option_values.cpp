@@ -173,8 +173,7 @@ Shading parseShading(const std::string& text) {
 }
 
 Output parseAov(const std::string& text) {
-  static const Names kKnown = {"color", "depth", "position", "normal",
-                               "uv",    "id",    "residual", "certificate"};
+  static const Names kKnown = {"color", "depth", "position", "normal", "uv", "id", "residual", "certificate"};
   const auto found = std::find(kKnown.begin(), kKnown.end(), text);
   if (found == kKnown.end()) refuseName("--aov", text, kKnown, "output");
   static constexpr Output kOutputs[] = {Output::Color, Output::Depth, Output::Position, Output::Normal,

@@ -55,7 +55,8 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   if (files) {
     add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
         "NAME=FROM:TO:STEP");
-    add("--aov", t.aov, "what to write: color depth position normal uv id residual certificate (color)", "NAME");
+    add("--aov", t.aov, "what to write: color depth position normal uv id residual certificate (color)",
+        "NAME");
     add("--sample", t.sample, "the sample of each pixel that --aov is of, from 0 (the pixel's centre)", "I");
     add("--report", t.report, "times, counts and errors of each frame, as JSON; - is stdout", "FILE");
   }
@@ -64,8 +65,8 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
       "LIST");
   if (files)
     add("--audit", t.audit,
-        "pixels of exact shading that are cast by the reference and compared: all, none, or at least so many (one in "
-        "4096, at least 64)",
+        "pixels of exact shading that are cast by the reference and compared: all, none, or at least so many "
+        "(one in 4096, at least 64)",
         "N");
   if (files)
     add("--require-error", t.requireError,

@@ -205,8 +205,9 @@ class Run {
                           settings_.size.height, millisecondsSince(processStart()), qualityOf(frame),
                           report_.device.name));
     if (frame.cutNumbers > 0)
-      printNote(fmt::format("{} colours or lights are above their range at time {}, and are cut off at its end",
-                            frame.cutNumbers, frame.time));
+      printNote(
+          fmt::format("{} colours or lights are above their range at time {}, and are cut off at its end",
+                      frame.cutNumbers, frame.time));
     const FrameError& error = frame.statistics.error;
     if (!frame.reference && error.boundPx > error.tolerancePx && std::isfinite(error.boundPx))
       printNote(

@@ -73,8 +73,8 @@ std::vector<Measurement> badFormulas(StressContext& context) {
       for (int x = 0; x < ids.width(); ++x) {
         if (ids.pixel(x, y)[0] == number) continue;
         ++kept;
-        // Where the shell of the bad surface tells nothing, points of the others are found by rays, not by searches:
-        // no colour of 8 bits may tell.
+        // Where the shell of the bad surface tells nothing, points of the others are found by rays, not by
+        // searches: no colour of 8 bits may tell.
         changed += glm::distance(colorAt(picture.image, x, y), colorAt(expected, x, y)) > 0.5 / 255;
       }
     std::int64_t notFinite = samplesNotFinite(picture.image);

@@ -40,7 +40,7 @@ struct VisibleNode {
   std::uint32_t firstLight = 0, lightCount = 0;  ///< range of VisibleList::lights
   bool mirrored = false;                         ///< the transform turns counter-clockwise into clockwise
   bool twoSided = false;                         ///< the normal turns toward the viewer
-  bool hideBackFaces = false;  ///< the material says so
+  bool hideBackFaces = false;                    ///< the material says so
   /// Closed, opaque, and seen from outside: if it also bounds a solid (boundsSolid()), front faces hide its
   /// back faces.
   bool closedFromOutside = false;

@@ -45,8 +45,8 @@ MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shadin
   return desc;
 }
 
-/// How far what is drawn of a shade may lie inside its true wall, metres: its mesh; a shade that is found in every
-/// pixel is the true wall. It does not depend on whether the shade is seen, as what it lights may be.
+/// How far what is drawn of a shade may lie inside its true wall, metres: its mesh; a shade that is found in
+/// every pixel is the true wall. It does not depend on whether the shade is seen, as what it lights may be.
 double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& options) {
   const auto node = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
                                  [&](const SnapshotNode& n) { return n.id == shade; });
@@ -432,8 +432,7 @@ class DrawLister {
       if (number++ % stride != 0) return;
       const SnapshotNode& node = snapshot_.nodes[list_.instanceNodes[batch.firstInstance]];
       Vec3 middle(0);
-      for (std::uint32_t k = 0; k < 3; ++k)
-        middle += batch.hull->positions[list_.hullIndices[i + k]] / 3.0;
+      for (std::uint32_t k = 0; k < 3; ++k) middle += batch.hull->positions[list_.hullIndices[i + k]] / 3.0;
       const Vec3 eye = eyeFromWorldPoint(snapshot_.view, transformPoint(node.worldFromObject, middle));
       if (snapshot_.view.perspective() && !(-eye.z > snapshot_.view.near)) return;
       const Vec2 pixel = glm::floor(pixelFromEye(snapshot_.view, eye));

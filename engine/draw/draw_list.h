@@ -103,9 +103,10 @@ struct Geometry {
   HiddenTriangles hidden;
 };
 
-/// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer counts, and a
-/// hull does not keep them apart; what is infinitely large has no hull.
-[[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options);
+/// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer counts,
+/// and a hull does not keep them apart; what is infinitely large has no hull.
+[[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node,
+                                const DrawOptions& options);
 
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMostLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,

@@ -88,7 +88,8 @@ double nearestSeen(const View& view, const SnapshotNode& node) {
 
 PixelRect overlap(const PixelRect& a, const PixelRect& b) {
   const PixelPlace low{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)};
-  return {low, {std::max(low.x, std::min(a.high.x, b.high.x)), std::max(low.y, std::min(a.high.y, b.high.y))}};
+  return {low,
+          {std::max(low.x, std::min(a.high.x, b.high.x)), std::max(low.y, std::min(a.high.y, b.high.y))}};
 }
 
 PixelRect pixelsOf(const View& view, const Box& world) {
@@ -96,7 +97,8 @@ PixelRect pixelsOf(const View& view, const Box& world) {
   if (world.empty()) return {};
   Vec2 low(std::numeric_limits<double>::infinity()), high = -low;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 point((corner & 1) != 0 ? world.max.x : world.min.x, (corner & 2) != 0 ? world.max.y : world.min.y,
+    const Vec3 point((corner & 1) != 0 ? world.max.x : world.min.x,
+                     (corner & 2) != 0 ? world.max.y : world.min.y,
                      (corner & 4) != 0 ? world.max.z : world.min.z);
     const Vec3 eye = eyeFromWorldPoint(view, point);
     if (!std::isfinite(glm::dot(eye, Vec3(1))) || (view.perspective() && !(-eye.z > view.near))) return all;

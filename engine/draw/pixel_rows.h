@@ -50,7 +50,8 @@ struct PixelRect {
 
 [[nodiscard]] PixelRect overlap(const PixelRect& a, const PixelRect& b);
 
-/// The pixels that show any of a box, and a pixel around them; all of the picture where it reaches past the eye.
+/// The pixels that show any of a box, and a pixel around them; all of the picture where it reaches past the
+/// eye.
 [[nodiscard]] PixelRect pixelsOf(const View& view, const Box& world);
 
 }  // namespace luxo

@@ -17,7 +17,8 @@ constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kDepthRounding = 0x1p-21;
 constexpr std::size_t kRaysForAllCores = 8;
-constexpr std::size_t kFinest = std::numeric_limits<std::uint32_t>::max();  // rays that are worth the finest cells
+constexpr std::size_t kFinest =
+    std::numeric_limits<std::uint32_t>::max();  // rays that are worth the finest cells
 
 /// Point k of the sequence of M. Roberts (2018), in the unit square.
 Vec2 spread(std::uint64_t k) {
@@ -39,14 +40,16 @@ double depthOf(const View& view, float inBuffer) {
 
 /// Upper bound of the distances that points of a node's pixels are computed from.
 double reachOf(const View& view, const SnapshotNode& node) {
-  const Vec3 world = glm::max(glm::abs(node.boundsWorld.min - view.eye), glm::abs(node.boundsWorld.max - view.eye));
+  const Vec3 world =
+      glm::max(glm::abs(node.boundsWorld.min - view.eye), glm::abs(node.boundsWorld.max - view.eye));
   const Vec3 object = glm::max(glm::abs(node.boundsObject.min), glm::abs(node.boundsObject.max));
   return glm::length(world) + glm::length(object) * largestStretch(node.worldFromObject.linear);
 }
 
 }  // namespace
 
-std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit, std::span<const PixelPlace> outlines) {
+std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
+                                      std::span<const PixelPlace> outlines) {
   std::vector<PixelPlace> pixels;
   if (audit.extent == AuditExtent::None) return pixels;
   const auto width = static_cast<std::uint64_t>(size.width), height = static_cast<std::uint64_t>(size.height);
@@ -85,7 +88,8 @@ Vec2 CertifiedRays::sampled(PixelPlace pixel) const {
   return Vec2(pixel.x + 0.5, pixel.y + 0.5) + caster_->snapshot().view.sampleOffsetPx;
 }
 
-std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto& pixelAt, std::size_t worth) {
+std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto& pixelAt,
+                                                   std::size_t worth) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<reference::Ray> rays;
   rays.reserve(count);
@@ -111,7 +115,8 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   // What few cells leave undecided many may not.
   std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
   if (!chosen.empty()) {
-    static_cast<void>(prepare(chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, kFinest));
+    static_cast<void>(prepare(
+        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, kFinest));
     cast(chosen);
   }
 
@@ -137,11 +142,12 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
     if (points.runs.empty() || points.runs.back().found != node)
       points.runs.push_back({node, static_cast<std::uint32_t>(points.vertices.size()), 0});
     points.runs.back().vertexCount += 3;
-    points.vertices.insert(points.vertices.end(), 3,
-                           {.position = Vec3f(hit.position - view.eye),
-                            .normal = Vec3f(hit.normal),
-                            .parameters = Vec2f(hit.u, hit.v),
-                            .place = Vec3f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth))});
+    points.vertices.insert(
+        points.vertices.end(), 3,
+        {.position = Vec3f(hit.position - view.eye),
+         .normal = Vec3f(hit.normal),
+         .parameters = Vec2f(hit.u, hit.v),
+         .place = Vec3f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth))});
   }
   return points;
 }

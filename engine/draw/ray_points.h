@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pixels show where searches leave it open, by rays in double precision: their points, to be drawn with the
-// renderer's own light; and whether a picture shows what it should.
+// What pixels show where searches leave it open, by rays in double precision: their points, to be drawn with
+// the renderer's own light; and whether a picture shows what it should.
 //
-// A pixel in doubt gets all that is to be known of it: the nearest point of all surfaces whose points are found (of
-// meshes and what is seen through nothing), or that there is none. What was drawn there before does not matter.
+// A pixel in doubt gets all that is to be known of it: the nearest point of all surfaces whose points are
+// found (of meshes and what is seen through nothing), or that there is none. What was drawn there before does
+// not matter.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +20,13 @@
 
 namespace luxo {
 
-/// A vertex of the triangle that draws a point (shaders/lib/placed_vertex.glsl); three that are equal draw it.
+/// A vertex of the triangle that draws a point (shaders/lib/placed_vertex.glsl); three that are equal draw
+/// it.
 struct RayPoint {
-  Vec3f position;    ///< relative to the eye, metres
-  Vec3f normal;      ///< unit; toward the viewer where two-sided
+  Vec3f position;  ///< relative to the eye, metres
+  Vec3f normal;    ///< unit; toward the viewer where two-sided
   Vec2f parameters;
-  Vec3f place;       ///< of the sample in the target, pixels; its depth as in the depth buffer
+  Vec3f place;  ///< of the sample in the target, pixels; its depth as in the depth buffer
 };
 
 /// Pushed to those shaders.
@@ -59,12 +61,13 @@ struct AuditResult {
   std::uint64_t failed = 0, undecided = 0;
 };
 
-/// Pixels that tell whether a picture is right, for its size alone: spread evenly, the same every time, one in 4,096
-/// and at least 64, or as many as asked for. Ascending by row.
+/// Pixels that tell whether a picture is right, for its size alone: spread evenly, the same every time, one
+/// in 4,096 and at least 64, or as many as asked for. Ascending by row.
 [[nodiscard]] std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
                                                     std::span<const PixelPlace> outlines);
 
-/// Casts rays of one picture after the other, and keeps what it casts them against. Single-threaded; all cores work.
+/// Casts rays of one picture after the other, and keeps what it casts them against. Single-threaded; all
+/// cores work.
 class CertifiedRays {
  public:
   /// `snapshot` must outlive what is asked of it. Cost: copies of its shapes' handles.

@@ -24,7 +24,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one drew.
+/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
+/// drew.
 void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
   for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu,
                           &FrameTimes::rays, &FrameTimes::rayTrees})
@@ -59,8 +60,8 @@ void readPositions(const std::byte* texels, int width, const Vec3& eye, float* o
   }
 }
 
-/// What the values of pixels tell, by the bits of floats, so that a compiler may take many at once: the order of
-/// positive floats is that of their bits, and from those of infinity on they are no numbers.
+/// What the values of pixels tell, by the bits of floats, so that a compiler may take many at once: the order
+/// of positive floats is that of their bits, and from those of infinity on they are no numbers.
 struct Measured {
   static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U;
   std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
@@ -86,13 +87,15 @@ void addMeanAlphas(const std::byte* texels, int width, Measured& measured) {
 }
 
 void addColors(std::span<const float> row, Measured& measured) {
-  const auto magnitude = [](float value) { return std::bit_cast<std::uint32_t>(value) & Measured::kMagnitude; };
+  const auto magnitude = [](float value) {
+    return std::bit_cast<std::uint32_t>(value) & Measured::kMagnitude;
+  };
   std::uint32_t largest = 0;
   for (const float value : row) largest = std::max(largest, magnitude(value));
   if (largest < Measured::kInfinity) return;
   for (std::size_t i = 0; i < row.size(); i += 3)
-    measured.nonfinite += std::max({magnitude(row[i]), magnitude(row[i + 1]), magnitude(row[i + 2])}) >=
-                          Measured::kInfinity;
+    measured.nonfinite +=
+        std::max({magnitude(row[i]), magnitude(row[i + 1]), magnitude(row[i + 2])}) >= Measured::kInfinity;
 }
 
 /// Of a frame that shows what the one before it showed: everything that was done for that one is not done.
@@ -170,7 +173,8 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
       if (!goesOn(static_cast<double>(k) / options.samples)) return std::nullopt;
       sampled.view = sampledAt(snapshot.view, offsets[static_cast<std::size_t>(k)]);
       FrameStatistics pass;
-      draw(sampled, one, pass, [&](VkCommandBuffer commands) { recordReadback(commands, painter_.target()); });
+      draw(sampled, one, pass,
+           [&](VkCommandBuffer commands) { recordReadback(commands, painter_.target()); });
       accumulate(k, k + 1 == options.samples, pass);
       addPass(statistics, pass);
     }
@@ -184,9 +188,8 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
 }
 
 bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) const {
-  const bool found = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
-    return findsSurface(snapshot, node, options);
-  });
+  const bool found = std::ranges::any_of(
+      snapshot.nodes, [&](const SnapshotNode& node) { return findsSurface(snapshot, node, options); });
   const bool auxiliary = options.output != Output::Color;
   const bool native = options.samples == 1 || (options.samples == 4 && !found);
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
@@ -195,7 +198,8 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
 
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
                     const Recording& then) {
-  // What a failed audit leads to: nothing is skipped; then all shells are finer, too; then rays find everything.
+  // What a failed audit leads to: nothing is skipped; then all shells are finer, too; then rays find
+  // everything.
   enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
   DrawOptions tried = options;
   SearchCare care;
@@ -256,7 +260,8 @@ void Renderer::resolve(bool all, FrameStatistics& statistics, const Recording& t
   } else {
     // A point that is not certified matters where it is seen.
     for (const ScenePainter::Doubt& doubt : painter_.doubts())
-      if (doubt.lost || alphaAt(readback_.row(static_cast<std::uint32_t>(doubt.pixel.y)).data(), doubt.pixel.x) < 0)
+      if (doubt.lost ||
+          alphaAt(readback_.row(static_cast<std::uint32_t>(doubt.pixel.y)).data(), doubt.pixel.x) < 0)
         pixels.push_back(doubt.pixel);
   }
   if (pixels.empty()) return;
@@ -267,8 +272,8 @@ void Renderer::resolve(bool all, FrameStatistics& statistics, const Recording& t
   statistics.error.uncertifiedPx = points.undecided;
   statistics.error.unconvergedPx = points.unknown;
   if (points.empty()) return;
-  submit([&](VkCommandBuffer commands) { painter_.recordRays(frames_, commands, points, statistics); }, statistics,
-         then);
+  submit([&](VkCommandBuffer commands) { painter_.recordRays(frames_, commands, points, statistics); },
+         statistics, then);
 }
 
 void Renderer::submit(const Recording& record, FrameStatistics& statistics, const Recording& then) {
@@ -284,7 +289,8 @@ void Renderer::submit(const Recording& record, FrameStatistics& statistics, cons
 
 void Renderer::accumulate(int before, bool complete, FrameStatistics& statistics) {
   submit([&](VkCommandBuffer commands) { accumulator_->add(frames_, commands, painter_.target(), before); },
-         statistics, [&](VkCommandBuffer commands) {
+         statistics,
+         [&](VkCommandBuffer commands) {
            if (complete) recordReadback(commands, accumulator_->mean());
          });
 }

@@ -66,15 +66,17 @@ class Renderer {
   };
 
   /// Whether the device takes that many samples in one pass. Where surfaces are searched for each sample is a
-  /// picture of its own, with its own certificates and audit: no slower, as searches run once per sample anyway.
+  /// picture of its own, with its own certificates and audit: no slower, as searches run once per sample
+  /// anyway.
   [[nodiscard]] bool inOnePass(const Snapshot& snapshot, const DrawOptions& options) const;
-  /// Draws one sample of each pixel into the painter's target, then does what `then` records, and waits for both.
-  /// What searches leave in doubt is found by rays, and what an audit finds wrong is drawn anew.
+  /// Draws one sample of each pixel into the painter's target, then does what `then` records, and waits for
+  /// both. What searches leave in doubt is found by rays, and what an audit finds wrong is drawn anew.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
             const Recording& then);
-  /// The part of that without rays, with that care; again with more where searches lost more than rays find soon.
-  void search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care, FrameStatistics& statistics,
-              const Recording& then);
+  /// The part of that without rays, with that care; again with more where searches lost more than rays find
+  /// soon.
+  void search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care,
+              FrameStatistics& statistics, const Recording& then);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
   void resolve(bool all, FrameStatistics& statistics, const Recording& then);
   /// Runs what `record` records and `then`, and waits.

@@ -177,7 +177,8 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   using enum gpu::Use;
   store_.dropUnused();
   Uploads& uploads = care.completes ? completion_ : uploads_;
-  upload(list, guarded(list.view, guardOf(color_.extent(), context_->limits())), !options.skips.unchanged, uploads);
+  upload(list, guarded(list.view, guardOf(color_.extent(), context_->limits())), !options.skips.unchanged,
+         uploads);
   clearTally(list);
   clearDoubts(list.exact());
   chooseProbes();
@@ -196,17 +197,17 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
 
 ScenePainter::Bindings ScenePainter::bind(gpu::FrameRing& frames, const Uploads& uploads,
                                           const gpu::Buffer& instances) {
-  Bindings bindings{.scene = frames.descriptors().write(
-                        pipelines_.sceneLayout(), {uploads.view.buffer,
-                                                   instances,
-                                                   {uploads.lights.buffer, 0, sizeof(shared::LightSet)}})};
+  Bindings bindings{
+      .scene = frames.descriptors().write(
+          pipelines_.sceneLayout(),
+          {uploads.view.buffer, instances, {uploads.lights.buffer, 0, sizeof(shared::LightSet)}})};
   if (!list_.patternParameters.empty())
     bindings.pattern =
         frames.descriptors().write(pipelines_.patternLayout(), {uploads.patternParameters.buffer});
   if (list_.exact()) {
-    bindings.exact = frames.descriptors().write(
-        pipelines_.exactLayout(), {uploads.exactInstances.buffer, uploads.exactPatches.buffer,
-                                   uploads.exactParameters.buffer, tally_, doubts_});
+    bindings.exact = frames.descriptors().write(pipelines_.exactLayout(),
+                                                {uploads.exactInstances.buffer, uploads.exactPatches.buffer,
+                                                 uploads.exactParameters.buffer, tally_, doubts_});
     bindings.hullIndices = uploads.hullIndices.buffer;
   }
   return bindings;
@@ -229,8 +230,10 @@ void ScenePainter::recordPasses(VkCommandBuffer commands, const Bindings& bindin
     vkCmdEndRendering(commands);
     ++statistics.count.passes;
   };
-  const auto firstMesh = std::ranges::find_if(list_.opaque, [](const DrawBatch& batch) { return !batch.hull; });
-  const std::span<const DrawBatch> found(list_.opaque.begin(), firstMesh), meshes(firstMesh, list_.opaque.end());
+  const auto firstMesh =
+      std::ranges::find_if(list_.opaque, [](const DrawBatch& batch) { return !batch.hull; });
+  const std::span<const DrawBatch> found(list_.opaque.begin(), firstMesh),
+      meshes(firstMesh, list_.opaque.end());
   const bool begins = !completes && !(rays && list_.onlyFound());
   if (rays && !begins)
     pass("rays", {}, VK_ATTACHMENT_LOAD_OP_LOAD, rays);
@@ -250,8 +253,8 @@ void ScenePainter::recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, 
   std::vector<shared::InstanceData> instances;
   for (const RayPoints::Run& run : points.runs) instances.push_back(list_.found[run.found].instance);
   if (instances.empty()) instances.resize(1);  // something to bind
-  write(rayInstances_, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "instances of rays",
-        false);
+  write(rayInstances_, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        "instances of rays", false);
   if (!points.vertices.empty())
     write(rayVertices_, std::as_bytes(std::span(points.vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
           "points of rays", false);
@@ -267,7 +270,8 @@ void ScenePainter::paintRays(VkCommandBuffer commands, const RayDraws& rays, Fra
   for (const PixelPlace& pixel : rays.points.misses) {
     if (!empty.empty()) {
       VkRect2D& last = empty.back().rect;
-      if (last.offset.y == pixel.y && last.offset.x + static_cast<std::int32_t>(last.extent.width) == pixel.x) {
+      if (last.offset.y == pixel.y &&
+          last.offset.x + static_cast<std::int32_t>(last.extent.width) == pixel.x) {
         ++last.extent.width;
         continue;
       }
@@ -314,8 +318,8 @@ void ScenePainter::chooseProbes() {
   // A region for each of many pixels takes longer than all pixels at once.
   constexpr std::size_t kMostRegions = 4096;
   probesAll_ = probed_.size() > kMostRegions;
-  const VkDeviceSize bytes =
-      sizeof(float) * (probesAll_ ? VkDeviceSize{extent.width} * extent.height : VkDeviceSize{probed_.size()});
+  const VkDeviceSize bytes = sizeof(float) * (probesAll_ ? VkDeviceSize{extent.width} * extent.height
+                                                         : VkDeviceSize{probed_.size()});
   if (bytes > 0 && (!probes_ || probes_.size() < bytes))
     probes_ = gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = "probes"});
 }
@@ -344,9 +348,8 @@ std::vector<DepthProbe> ScenePainter::probes() {
   const std::span<const std::byte> depths = probes_.read();
   for (std::size_t i = 0; i < probed_.size(); ++i) {
     const auto [x, y] = probed_[i];
-    const std::size_t place = probesAll_ ? static_cast<std::size_t>(y) * depth_.extent().width +
-                                               static_cast<std::size_t>(x)
-                                         : i;
+    const std::size_t place =
+        probesAll_ ? static_cast<std::size_t>(y) * depth_.extent().width + static_cast<std::size_t>(x) : i;
     DepthProbe probe{.pixel = probed_[i]};
     std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
     probes.push_back(probe);
@@ -380,8 +383,8 @@ std::vector<ScenePainter::Doubt> ScenePainter::doubts() {
   for (const PixelRect& rect : list_.byRays)
     for (std::int32_t y = rect.low.y; y < rect.high.y; ++y)
       for (std::int32_t x = rect.low.x; x < rect.high.x; ++x) {
-        const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                  static_cast<std::size_t>(x);
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
         words[pixel / shared::kDoubtsPerWord] |= shared::kLostHere
                                                  << shared::kDoubtBits * (pixel % shared::kDoubtsPerWord);
       }
@@ -414,12 +417,12 @@ void ScenePainter::prepareTargets(VkExtent2D extent, VkSampleCountFlagBits sampl
                 *context_,
                 {.extent = extent, .format = format_.color, .usage = kPicture, .name = "color resolved"})
           : gpu::Texture();
-  depth_ = gpu::Texture(*context_, {.extent = extent,
-                                    .format = format_.depth,
-                                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
-                                             VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                                    .samples = samples,
-                                    .name = "depth"});
+  depth_ = gpu::Texture(
+      *context_, {.extent = extent,
+                  .format = format_.depth,
+                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                  .samples = samples,
+                  .name = "depth"});
 }
 
 void ScenePainter::upload(const DrawList& list, const shared::ViewData& view, bool always, Uploads& uploads) {
@@ -492,8 +495,8 @@ void ScenePainter::write(Mirror& mirror, std::span<const std::byte> bytes, VkBuf
   mirror.bytes.assign(bytes.begin(), bytes.end());
 }
 
-void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings, std::span<const DrawBatch> batches,
-                         FrameStatistics& statistics) {
+void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings,
+                         std::span<const DrawBatch> batches, FrameStatistics& statistics) {
   for (const DrawBatch& batch : batches) {
     const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
     const bool withParameters = readsParameters(batch.state);

@@ -33,15 +33,15 @@ class ScenePainter {
   void record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& scene,
               const DrawOptions& options, FrameStatistics& statistics, const SearchCare& care = {});
 
-  /// Records that the last recording's picture gets these points, found in its doubtful pixels; where something is
-  /// drawn over what is found, that is drawn again. Nothing may have been recorded since.
+  /// Records that the last recording's picture gets these points, found in its doubtful pixels; where
+  /// something is drawn over what is found, that is drawn again. Nothing may have been recorded since.
   void recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, const RayPoints& points,
                   FrameStatistics& statistics);
 
   /// Of the last recording, which has to be complete.
   [[nodiscard]] LostPixels lostPixels();
-  /// Pixels in which searches lost a surface, or found what they could not certify, in any layer; and those that are
-  /// left to rays from the start. By rows.
+  /// Pixels in which searches lost a surface, or found what they could not certify, in any layer; and those
+  /// that are left to rays from the start. By rows.
   struct Doubt {
     PixelPlace pixel;
     bool lost;  ///< or left to rays
@@ -90,8 +90,8 @@ class ScenePainter {
   [[nodiscard]] Bindings bind(gpu::FrameRing& frames, const Uploads& uploads, const gpu::Buffer& instances);
   void clearDoubts(bool searches);
   void chooseProbes();
-  /// The passes of a frame: what is found, meshes, what is seen through. With `rays` what is found is there already,
-  /// if nothing was drawn over it.
+  /// The passes of a frame: what is found, meshes, what is seen through. With `rays` what is found is there
+  /// already, if nothing was drawn over it.
   void recordPasses(VkCommandBuffer commands, const Bindings& bindings, bool completes, const RayDraws* rays,
                     FrameStatistics& statistics);
   void recordProbes(VkCommandBuffer commands);
@@ -112,12 +112,12 @@ class ScenePainter {
   Uploads uploads_, completion_;  ///< what completes a picture does not overwrite what the next begins with
   gpu::Buffer tally_;             ///< of the last recording: by slot, then by instance
   std::vector<std::uint32_t> tallyNodes_;
-  DrawList list_;                ///< of the last recording
-  DrawOptions options_;          ///< its, as far as the device is able
+  DrawList list_;        ///< of the last recording
+  DrawOptions options_;  ///< its, as far as the device is able
   VkClearColorValue background_{};
-  gpu::Buffer doubts_;           ///< two bits a pixel
+  gpu::Buffer doubts_;  ///< two bits a pixel
   std::vector<PixelPlace> probed_;
-  gpu::Buffer probes_;           ///< their depths, or those of all pixels
+  gpu::Buffer probes_;  ///< their depths, or those of all pixels
   bool probesAll_ = false;
   Mirror rayVertices_, rayInstances_;
   bool completable_ = false;

@@ -38,13 +38,13 @@ struct FrameError {
   /// the point of the surface that it shows, as the shader measured it. Nothing: no node has it.
   std::optional<double> residualMaxPx;
   bool found = false;  ///< points of some node are found in its pixels: what follows applies
-  /// Of all samples: pixels whose point was not found although no miss was certain, or was found by an audit to
-  /// be wrong, after all refinement; and pixels that show a point which is not proven, neither by the search that
-  /// found it nor by a ray.
+  /// Of all samples: pixels whose point was not found although no miss was certain, or was found by an audit
+  /// to be wrong, after all refinement; and pixels that show a point which is not proven, neither by the
+  /// search that found it nor by a ray.
   std::uint64_t unconvergedPx = 0, uncertifiedPx = 0;
   std::uint64_t resolvedByRaysPx = 0;  ///< pixels whose point, or miss, was found by a certified ray
-  /// Pixels that were audited; those that were found wrong, in any attempt; those of the last attempt that the
-  /// reference cannot decide.
+  /// Pixels that were audited; those that were found wrong, in any attempt; those of the last attempt that
+  /// the reference cannot decide.
   std::uint64_t auditedPx = 0, auditFailedPx = 0, auditUndecidedPx = 0;
   std::uint64_t nonfinitePx = 0;  ///< pixels with a value that is no finite number
 };

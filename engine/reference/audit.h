@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a pixel shows what its ray sees: hit or miss, the layer, the point, told by the depth it shows.
 //
-// A pixel is right where the truth shows that depth within kPointPx of its centre, and where an outline (a border, a
-// fold, another layer, another node) passes within kSilhouettePx: there it may be on either side (verification.h).
+// A pixel is right where the truth shows that depth within kPointPx of its centre, and where an outline (a
+// border, a fold, another layer, another node) passes within kSilhouettePx: there it may be on either side
+// (verification.h).
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,8 @@ enum class Judgement {
 };
 
 /// Of the point of the picture plane at `pixel` (pixel coordinates, x right, y down), at which only `nodes`
-/// (ascending, opaque) count and the picture shows `depth`: metres along the view axis, +infinity where it shows
-/// none of them, known within `rounding` metres. Cost: a ray; some hundred where they disagree.
+/// (ascending, opaque) count and the picture shows `depth`: metres along the view axis, +infinity where it
+/// shows none of them, known within `rounding` metres. Cost: a ray; some hundred where they disagree.
 [[nodiscard]] Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
                               double depth, double rounding);
 

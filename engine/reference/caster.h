@@ -54,9 +54,10 @@ class Caster {
   /// `nodes`: ascending.
   [[nodiscard]] First firstOf(std::span<const std::uint32_t> nodes, const Ray& ray) const;
 
-  /// Builds the cells of those of the nodes whose bounds some of the rays meet, as for `worth` times as many; no
-  /// other call at the same time.
-  void prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes, std::size_t worth = 1) const;
+  /// Builds the cells of those of the nodes whose bounds some of the rays meet, as for `worth` times as many;
+  /// no other call at the same time.
+  void prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes,
+                  std::size_t worth = 1) const;
 
   /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
   /// was not decided.

@@ -8,8 +8,8 @@
 namespace luxo::reference {
 namespace {
 
-// Measured on the teapot: 16,384 cells take 140 ms of two cores, 1,024 take 10, and a ray of a quarter that takes 7 us
-// with the many takes 40 with the few.
+// Measured on the teapot: 16,384 cells take 140 ms of two cores, 1,024 take 10, and a ray of a quarter that
+// takes 7 us with the many takes 40 with the few.
 constexpr std::size_t kManyCells = 1U << 14, kFewCells = 1U << 10, kFewRays = 512;
 
 std::vector<ClosedForm> closedFormsOf(const Surface& surface, std::span<const double> parameters) {

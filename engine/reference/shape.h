@@ -26,8 +26,8 @@ class Shape {
   /// The cells. Cost, on the first call: building them, unless prepareFor() has.
   [[nodiscard]] const CellTree& cells() const;
   /// Builds the cells that so many more rays are best cast against: few rays find their way through few large
-  /// cells sooner than many small ones are built, but leave more of them undecided. Nothing where a closed form
-  /// answers. No other call at the same time.
+  /// cells sooner than many small ones are built, but leave more of them undecided. Nothing where a closed
+  /// form answers. No other call at the same time.
   void prepareFor(std::size_t rays) const;
   [[nodiscard]] bool hasClosedForm() const { return !forms_.empty(); }
   [[nodiscard]] std::span<const ClosedForm> closedForms() const { return forms_; }

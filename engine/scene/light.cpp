@@ -23,7 +23,8 @@ Vec3 radianceAt(const Light& light, const Moment& moment, const std::function<st
     throw Error(ErrorKind::Scene, fmt::format("light of node {}: intensity is {}; it must be from 0 to {}",
                                               nodeName(), intensity, kMostLight));
   Vec3 radiance = color * intensity;
-  if (cutNumbers && !(light.color.isConstant() && light.intensity.isConstant())) cut += cutToRange(radiance, kMostLight);
+  if (cutNumbers && !(light.color.isConstant() && light.intensity.isConstant()))
+    cut += cutToRange(radiance, kMostLight);
   if (!isColor(radiance, kMostLight))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: color * intensity is ({}, {}, {}); it must be at most {}",

@@ -22,8 +22,8 @@ inline constexpr int kMostSamples = 256;
 /// square, and three hundred of these together, are still within float's range, 3.4e38.
 inline constexpr double kMostSceneNumber = 1e18;
 
-/// The largest light, color * intensity, in a scene whose colours are at most 1: it falls with the square of a
-/// distance, of which 1e12 is one in this scale.
+/// The largest light, color * intensity, in a scene whose colours are at most 1: it falls with the square of
+/// a distance, of which 1e12 is one in this scale.
 inline constexpr double kMostLight = 1e30;
 /// The largest product of a light and a colour: three hundred together are still within float's range.
 inline constexpr double kMostReflected = 1e36;

@@ -49,8 +49,8 @@ struct Snapshot {
   std::vector<SnapshotLight> lights;
   std::vector<Material> materials;  ///< index = MaterialId
   Vec3 background{0}, ambient{0};
-  /// Colours, lights and shininesses that formulas made larger than the ranges (scene/ranges.h), and that were cut off
-  /// there, so that no pixel leaves float's range.
+  /// Colours, lights and shininesses that formulas made larger than the ranges (scene/ranges.h), and that
+  /// were cut off there, so that no pixel leaves float's range.
   std::uint32_t cutNumbers = 0;
 
   /// Whether both make the same picture at the same quality. The time itself is not compared. Cost: linear.

@@ -148,8 +148,8 @@ class Builder {
     joined_ = std::move(spans.joined);
   }
 
-  /// Of the surface that triangles around a pinched vertex stand for nothing is farther from it than they are, and
-  /// the deviation.
+  /// Of the surface that triangles around a pinched vertex stand for nothing is farther from it than they
+  /// are, and the deviation.
   template <class Predicate>
   void addPinches(Hull& hull, const Predicate& pinched) const {
     std::map<std::uint32_t, Hull::Pinch> pinches;
@@ -159,8 +159,8 @@ class Builder {
         Hull::Pinch& pinch = pinches[frame_.pointOf(v)];
         pinch.center = mesh_.positions[v];
         for (const std::uint32_t other : frame_.corners(t))
-          pinch.reach =
-              std::max(pinch.reach, glm::distance(mesh_.positions[v], mesh_.positions[other]) + frame_.bound(t));
+          pinch.reach = std::max(pinch.reach,
+                                 glm::distance(mesh_.positions[v], mesh_.positions[other]) + frame_.bound(t));
       }
     for (const auto& [point, pinch] : pinches) hull.pinches.push_back(pinch);
   }

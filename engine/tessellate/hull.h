@@ -111,8 +111,8 @@ struct Hull {
   /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the
   /// mesh tells; infinite of what is mostly flat. Object units.
   double medianRadius = 0;
-  /// Where no direction leads out of the triangles around a vertex, and the shell may leave out some of the surface
-  /// near it: these boxes hold what they leave out. Object space.
+  /// Where no direction leads out of the triangles around a vertex, and the shell may leave out some of the
+  /// surface near it: these boxes hold what they leave out. Object space.
   struct Pinch {
     Vec3 center{0};
     double reach = 0;
@@ -146,9 +146,9 @@ struct HullDesc {
   double mostTriangles = std::numeric_limits<double>::infinity();
 };
 
-/// Pure: equal input gives equal bits. Nothing where it would have more triangles than desc.mostTriangles. Cost: that
-/// of up to seven meshes, the more the coarser they are.
+/// Pure: equal input gives equal bits. Nothing where it would have more triangles than desc.mostTriangles.
+/// Cost: that of up to seven meshes, the more the coarser they are.
 [[nodiscard]] std::optional<Hull> makeHull(const Surface& surface, std::span<const double> parameters,
-                            const CurvatureMap& map, const HullDesc& desc);
+                                           const CurvatureMap& map, const HullDesc& desc);
 
 }  // namespace luxo

@@ -90,7 +90,8 @@ std::shared_ptr<const Hull> MeshCache::hull(const Surface& surface, std::span<co
   MapEntry& map = mapOf(surface, key.shape);
   double& least = map.leastTriangles[key.tolerance];
   if (least >= mostTriangles) return nullptr;
-  auto hull = makeHull(surface, parameters, map.map, {.tolerance = key.tolerance, .mostTriangles = mostTriangles});
+  auto hull =
+      makeHull(surface, parameters, map.map, {.tolerance = key.tolerance, .mostTriangles = mostTriangles});
   if (!hull) {
     least = mostTriangles;
     return nullptr;

@@ -29,7 +29,7 @@ Snapshot pyramid(PixelSize size) {
       { "surface": "roof", "material": "checks" },
       { "surface": "ball", "translate": [0.9, 0.7, 0.6] } ],
     "camera": { "eye": [1.2, 2.1, 2.6], "look_at": [0, 0.2, 0], "fov_y": "45deg" } })json",
-                                           "pyramid")),
+                                            "pyramid")),
                       0, size);
 }
 

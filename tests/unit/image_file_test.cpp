@@ -137,8 +137,8 @@ TEST(WriteFile, WhatCannotBeWrittenIsKnownBefore) {
   writeFileAtomically(folder / "file", someBytes(5));
   std::filesystem::create_directory(folder / "sub");
   for (const char* good : {"file", "new", "sub/new"}) EXPECT_NO_THROW(requireWritable(folder / good));
-  for (const std::string& bad : {std::string("missing/a"), std::string("file/a"), std::string("sub"),
-                                 std::string(300, 'x')})
+  for (const std::string& bad :
+       {std::string("missing/a"), std::string("file/a"), std::string("sub"), std::string(300, 'x')})
     EXPECT_THROW(requireWritable(folder / bad), Error) << bad;
   EXPECT_NO_THROW(requireWritable("/dev/null"));
   EXPECT_EQ(folder.entries(), 2u);

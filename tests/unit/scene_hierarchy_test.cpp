@@ -210,7 +210,8 @@ TEST(Scene, BadConstantsAreRefusedWhenAdded) {
         scene.add(Node{.name = "n", .segments = Segments{0, 4}});
       },
       {"n", "segments", "0 x 4"});
-  expectSceneError([&] { scene.set(RenderSettings{.tolerance = 0}); }, {"tolerance", "from 1e-06 to 1000000"});
+  expectSceneError([&] { scene.set(RenderSettings{.tolerance = 0}); },
+                   {"tolerance", "from 1e-06 to 1000000"});
   expectSceneError([&] { scene.set(RenderSettings{.ambient = Vec3(-1)}); }, {"ambient"});
   EXPECT_TRUE(scene.nodes().empty());
 }
