@@ -2,10 +2,9 @@
 // From a snapshot to the sorted list of what the picture needs. Nothing here needs a mesh: bounds come from
 // formulas.
 //
-// Every skip is a proof: switching any of them off never changes a bit of the image, or, of back faces that are
-// searched for, more than draw/options.h says. Margins cover what
-// happens later in single precision: 2^-20 of the distance to the eye for vertices, 1/32 pixel for their
-// snap to the raster.
+// Every skip is a proof: switching any of them off never changes a bit of the image, or, of back faces that
+// are searched for, more than draw/options.h says. Margins cover what happens later in single precision:
+// 2^-20 of the distance to the eye for vertices, 1/32 pixel for their snap to the raster.
 #pragma once
 
 #include <cstdint>
