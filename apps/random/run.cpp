@@ -26,11 +26,11 @@ void requireKind(const std::string& kind) {
               didYouMean(kind, names, fmt::format("the kinds are {}", listed(names))));
 }
 
-Trial tryJson(Renderer& renderer, const Json& json, const Skips& skips) {
+Trial tryJson(Renderer& renderer, const RunRequest& request, const Json& json) {
   const Scene scene = sceneOf(json);
   const RenderSettings& settings = scene.settings();
   return tryScene(renderer, takeSnapshot(scene, settings.time, settings.size),
-                  {.samples = settings.samples, .skips = skips});
+                  {.samples = settings.samples, .skips = request.skips, .goesOn = request.goesOn});
 }
 
 Json lineOf(const RunRequest& request, std::uint64_t index, const std::string& kind,
@@ -77,7 +77,7 @@ void keep(Renderer& renderer, const RunRequest& request, std::uint64_t index, co
           const Trial& trial) {
   const Failure failure = [&](const Json& candidate) -> std::optional<Trial> {
     try {
-      Trial found = tryJson(renderer, candidate, request.skips);
+      Trial found = tryJson(renderer, request, candidate);
       return found.silentlyWrong > 0 ? std::optional(std::move(found)) : std::nullopt;
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::Scene) throw;
@@ -110,12 +110,12 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
         line["time"] = sight.time;
         line["view"] = sight.json;
         trial = tryScene(renderer, takeSnapshot(*request.scene, sight.time, sight.size, cameraOf(sight.json)),
-                         {.samples = sight.samples, .skips = request.skips});
+                         {.samples = sight.samples, .skips = request.skips, .goesOn = request.goesOn});
         describe(line, trial);
       } else {
         const HardScene hard = hardScene(request.seed, index, request.options);
         line = lineOf(request, index, hard.kind, hard.camera);
-        trial = tryJson(renderer, hard.json, request.skips);
+        trial = tryJson(renderer, request, hard.json);
         describe(line, trial);
         if (trial.silentlyWrong > 0 && !request.findings.empty()) {
           request.print(line.dump() + "\n");
@@ -123,6 +123,7 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
           keep(renderer, request, index, hard.json, trial);
         }
       }
+      if (!trial.complete) break;
       add(totals, trial);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::Scene) throw;

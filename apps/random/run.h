@@ -21,7 +21,7 @@ struct RunRequest {
   std::filesystem::path findings;                 ///< a folder for what fails, shrunk; empty: nowhere
   const Scene* scene = nullptr;                   ///< this one from random cameras, instead of random scenes
   std::function<void(const std::string&)> print;  ///< takes a line of JSON, with its end
-  std::function<bool()> goesOn = [] { return true; };  ///< asked between scenes
+  std::function<bool()> goesOn = [] { return true; };  ///< asked now and then
 };
 
 struct RunTotals {

@@ -39,8 +39,12 @@ Vec3 colorAt(const Image& image, std::uint32_t pixel) {
 /// What samples show, each held against the truth at its place; and what the truth is there.
 class Samples {
  public:
-  Samples(Renderer& renderer, const Snapshot& snapshot, DrawOptions options, Trial& trial)
-      : renderer_(renderer), snapshot_(snapshot), options_(options), trial_(trial) {
+  Samples(Renderer& renderer, const Snapshot& snapshot, const TrialOptions& options, Trial& trial)
+      : renderer_(renderer),
+        snapshot_(snapshot),
+        options_{.shading = Shading::Exact, .skips = options.skips},
+        goesOn_(options.goesOn),
+        trial_(trial) {
     const auto count = static_cast<std::size_t>(snapshot.view.size.width) *
                        static_cast<std::size_t>(snapshot.view.size.height);
     mean_.assign(count, Vec3(0));
@@ -57,7 +61,9 @@ class Samples {
     Verification v;
     {
       const Stopwatch watch(trial_.referenceSeconds);
-      truth = caster_.cast(snapshot);
+      truth = caster_.cast(snapshot, {.progress = [&](double) { return goesOn_(); }});
+      trial_.complete &= truth.complete;
+      if (!trial_.complete) return;
       // Twice as far as matters: near enough to be told from what is away from outlines.
       v = verify(snapshot, truth, measured, {.farthestPx = 2 * kSilhouettePx, .worst = 0, .flip = false});
     }
@@ -153,6 +159,7 @@ class Samples {
   Renderer& renderer_;
   const Snapshot& snapshot_;
   DrawOptions options_;
+  const std::function<bool()>& goesOn_;
   Trial& trial_;
   ReferenceCaster caster_;
   std::vector<Vec3> mean_;
@@ -163,12 +170,15 @@ class Samples {
 
 Trial tryScene(Renderer& renderer, const Snapshot& snapshot, const TrialOptions& options) {
   Trial trial{.size = snapshot.view.size, .samples = options.samples};
-  Samples samples(renderer, snapshot, {.shading = Shading::Exact, .skips = options.skips}, trial);
+  Samples samples(renderer, snapshot, options, trial);
   if (options.samples == 1) {
     samples.judge(Vec2(0), 1);
     return trial;
   }
-  for (const Vec2& offset : samplePattern(4)) samples.judge(offset, 0.25);
+  for (const Vec2& offset : samplePattern(4)) {
+    samples.judge(offset, 0.25);
+    if (!trial.complete) return trial;
+  }
   Picture resolved;
   {
     const Stopwatch watch(trial.pictureSeconds);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,11 +26,13 @@ struct Trial {
   /// Wrong, beyond what the report counts as unconverged or uncertified.
   std::uint64_t silentlyWrong = 0;
   double pictureSeconds = 0, referenceSeconds = 0;  ///< of all processors
+  bool complete = true;  ///< false: it was stopped
 };
 
 struct TrialOptions {
   int samples = 1;  ///< 1 or 4
   Skips skips = {};
+  std::function<bool()> goesOn = [] { return true; };  ///< asked now and then
 };
 
 /// Draws colour, (u, v) and numbers, at every sample's place, in exact shading, and casts the reference at

@@ -21,7 +21,7 @@ namespace {
 using reference::Caster;
 using reference::Ray;
 
-constexpr int kRaysBetweenReports = 1024;
+constexpr int kRaysBetweenReports = 64;
 
 void requireLight(const Snapshot& snapshot) {
   for (const SnapshotNode& node : snapshot.nodes) {

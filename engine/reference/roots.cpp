@@ -15,7 +15,9 @@ namespace {
 constexpr double kSmallest = 1e-13;   // of the domain
 constexpr double kOnTheEdge = 1e-12;  // of the domain: how far outside a root may be found
 constexpr double kSamePoint = 1e-9;   // of the distance
-constexpr int kMostCells = 20'000;    // per ray
+// Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024 cells
+// at most, all but 4 of a million 512.
+constexpr int kMostCells = 4096, kMostInDoubt = 512;
 constexpr int kNewtonSteps = 6;       // from inside a proven cell: quadratic from the first
 constexpr double kNarrower = 0.75;    // a narrowing worth repeating
 
@@ -59,7 +61,9 @@ class Search {
       if (size == before + 2 && stack[before].nearest < stack[before + 1].nearest)
         std::swap(stack[before], stack[before + 1]);  // the nearer one is looked at first
     }
-    Roots roots{.nearest = found_, .certified = undecided_ == kNever || (found_ && undecided_ > found_->t)};
+    Roots roots{.nearest = found_,
+                .certified = undecided_ == kNever || (found_ && undecided_ > found_->t),
+                .cells = cells_};
     // An undecided part is within rounding of the ray: taken for a hit, but not for a proven one.
     if (doubtful_ && (!found_ || doubtful_->t < found_->t)) roots.nearest = doubtful_;
     return roots;
@@ -76,7 +80,8 @@ class Search {
     while (!parts_.empty()) {
       const Domain part = parts_.back();
       parts_.pop_back();
-      if (++cells_ > kMostCells) {
+      // With a part undecided only a nearer root can make the answer certain.
+      if (++cells_ > (undecided_ == kNever ? kMostCells : kMostInDoubt)) {
         undecided_ = std::min(undecided_, query_.nearest);
         parts_.clear();
         return;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "reference/roots.h"
+#include "surface/catalogue.h"
 #include "surface/library.h"
 
 namespace luxo::reference {
@@ -143,6 +144,22 @@ TEST(ReferenceRoots, OnlyTheAskedRangeCounts) {
   EXPECT_NEAR(nearestRoot(tree, functions, {5, 100, Facing::Both, false}).nearest->t, 5 + half, 1e-12);
   EXPECT_FALSE(nearestRoot(tree, functions, {0, 3, Facing::Both, false}).nearest);
   EXPECT_FALSE(nearestRoot(tree, functions, {7, 100, Facing::Both, false}).nearest);
+}
+
+// Beside the rim of a supertoroid (exponent 0.38) a parameter's last bit is worth 1e-6 of the size: no number of
+// cells decides a ray there, and the search has to end by itself (it took 20,000 cells, half an hour a picture).
+TEST(ReferenceRoots, WhatCannotBeDecidedEnds) {
+  const CellTree tree(
+      makeSurface("supertoroid", {{.name = "exponents", .components = {0.3796, 0.9032}}}), {});
+  const Vec3 eye{2.15260764, 0.82355424, -0.36882863}, target{1.33230655, -0.32995402, -0.37100425};
+  const Vec3 right = unit(glm::cross(target - eye, Vec3(-0.9619, -0.2603, -0.08416)));
+  int undecided = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Roots roots = cast(tree, {eye, unit(unit(target - eye) + (i - 20) * 1e-4 * right)});
+    undecided += roots.certified ? 0 : 1;
+    EXPECT_LE(roots.cells, 4096 + 1);
+  }
+  EXPECT_GT(undecided, 0);
 }
 
 }  // namespace
