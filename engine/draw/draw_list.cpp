@@ -7,12 +7,14 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
 #include "base/error.h"
 #include "draw/exact_data.h"
 #include "draw/hull_view.h"
+#include "draw/near_section.h"
 #include "math/transform.h"
 
 namespace luxo {
@@ -365,6 +367,10 @@ class DrawLister {
                                            node.parameters.size(), number);
       batch.state.equation = batch.hull->patchData[part.patch].equation.has_value();
       batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
+      // A quadric's roots are all known at once.
+      const std::optional<Equation>& equation = batch.hull->patchData[part.patch].equation;
+      if (inside && !(equation && equation->form() == Equation::Form::Quadric))
+        addNearSection(node, *batch.hull, part);
       batch.half = Half::Near;
       addHullDraws(item, batch, view, part.firstIndex, part.frontCount);
       batch.half = Half::Far;
@@ -378,6 +384,21 @@ class DrawLister {
       }
     }
     return batch.hull->origin;
+  }
+
+  /// What is seen where rays begin inside the hull is found by rays.
+  void addNearSection(const SnapshotNode& node, const Hull& hull, const Hull::Part& part) {
+    const auto before = static_cast<std::ptrdiff_t>(list_.byRays.size());
+    appendNearSection(snapshot_.view, node, hull, part, list_.byRays);
+    const auto added = list_.byRays.begin() + before;
+    const PixelRect all{{0, 0}, {snapshot_.view.size.width, snapshot_.view.size.height}};
+    const auto pixels =
+        std::accumulate(added, list_.byRays.end(), std::uint64_t{0},
+                        [](std::uint64_t sum, const PixelRect& rect) { return sum + rect.count(); });
+    // Of prisms that all are across the picture one is enough.
+    if (pixels <= 4 * all.count()) return;
+    list_.byRays.erase(added, list_.byRays.end());
+    list_.byRays.push_back(all);
   }
 
   /// Adds the draws of some of a hull's triangles: of those seen flat, and of those that a ray may graze.

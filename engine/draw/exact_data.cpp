@@ -53,14 +53,18 @@ struct Rounding {
 };
 
 /// Of what has the size of the distance, and of the object; and how far the next u and v that there are may
-/// be from a root: a search that cannot come within its tolerance of one must not take it for a miss. Of
-/// parallel rays there is no distance with room to spare for both what rounding a point and what rounding its
-/// place in the picture leaves.
+/// be from a root: a search that cannot come within its tolerance of one must not take it for a miss.
+///
+/// At the corner of a picture whose rays are `aslant` times as long as their depth an error moves a point by
+/// that many times more pixels, and what has the size of the distance is that many times larger. Of parallel
+/// rays there is no distance with room to spare for both what rounding a point and what rounding its place in
+/// the picture leaves.
 Rounding roundingPx(const View& view, const SnapshotNode& node, const Hull& hull, GlslNumber number) {
-  const double rounding = roundingOf(number) * view.pixelsPerUnit;
+  const double aslant = view.perspective() ? std::hypot(1.0, glm::length(view.halfExtent)) : 1;
+  const double rounding = roundingOf(number) * view.pixelsPerUnit * aslant;
   const double nextParameters =
       rounding / kTimesRounded * hull.parameterReach * largestStretch(node.worldFromObject.linear);
-  if (view.perspective()) return {rounding, rounding * reach(node) + nextParameters};
+  if (view.perspective()) return {rounding * aslant, rounding * reach(node) + nextParameters};
   return {rounding * (glm::length(view.halfExtent) + 2 * reach(node)) + nextParameters, 0};
 }
 
@@ -245,7 +249,8 @@ bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& v
   const double reaches = 2 * hull.offset * visible.stretch;
   // Parallel rays begin on the near plane, which is as far away as the scene.
   if (!view.perspective()) return visible.nearestDepth <= view.near + reaches;
-  const double margin = reaches + 2 * view.near;
+  // The corners of the near plane are the farthest of it.
+  const double margin = reaches + 2 * view.near * std::hypot(1.0, glm::length(view.halfExtent));
   const Box& box = node.boundsWorld;
   for (int i = 0; i < 3; ++i)
     if (!(view.eye[i] >= box.min[i] - margin && view.eye[i] <= box.max[i] + margin)) return false;

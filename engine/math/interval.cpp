@@ -12,6 +12,8 @@ namespace luxo {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnderflows = 0x1p-960;  // products below may lose digits
+constexpr double kLarge = 1e300;
 
 /// The double `steps` above x, at most infinity; above minus infinity, which only an overflow makes of an
 /// upper end, come the finite numbers. Doubles of one sign are ordered as their bit patterns are.
@@ -25,6 +27,13 @@ double up(double x, int steps = 1) {
 }
 
 double down(double x, int steps = 1) { return -up(-x, steps); }
+
+/// The next doubles, of finite numbers other than 0.
+double above(double x) {
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  return std::bit_cast<double>(bits + ((bits >> 63) | 1));
+}
+double below(double x) { return -above(-x); }
 
 /// A correctly rounded result.
 struct Rounded {
@@ -50,7 +59,7 @@ int digits(double x) {
 /// Whether a product is exact for its factors are short, and it neither overflows nor loses digits.
 bool isExact(double a, double b, double product) {
   const double size = std::abs(product);
-  return digits(a) + digits(b) <= 53 && size > 0x1p-960 && size < kInfinity;
+  return digits(a) + digits(b) <= 53 && size > kUnderflows && size < kInfinity;
 }
 
 Rounded multiply(double a, double b) {
@@ -114,6 +123,15 @@ Interval anyWave(const Interval& x) { return bounded(x) ? Interval(-1, 1) : Inte
 Interval operator-(const Interval& x) { return {-x.hi, -x.lo}; }
 
 Interval operator+(const Interval& x, const Interval& y) {
+  const double least = x.lo + y.lo, most = x.hi + y.hi;
+  if (std::abs(x.lo) < kLarge && std::abs(x.hi) < kLarge && std::abs(y.lo) < kLarge &&
+      std::abs(y.hi) < kLarge) {
+    // Knuth's TwoSum: the error of a sum is a double (TAOCP 2, 4.2.2), and 0 is never in error.
+    const double partLo = least - x.lo, partHi = most - x.hi;
+    const double lost = (x.lo - (least - partLo)) + (y.lo - partLo);
+    const double gained = (x.hi - (most - partHi)) + (y.hi - partHi);
+    return {lost < 0 ? below(least) : least, gained > 0 ? above(most) : most};
+  }
   const Rounded lo = add(x.lo, y.lo), hi = add(x.hi, y.hi);
   if (std::isnan(lo.value) || std::isnan(hi.value)) return Interval::everything();
   return {lo.lower(), hi.upper()};
@@ -122,6 +140,21 @@ Interval operator+(const Interval& x, const Interval& y) {
 Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
 Interval operator*(const Interval& x, const Interval& y) {
+  const double ll = x.lo * y.lo, lh = x.lo * y.hi, hl = x.hi * y.lo, hh = x.hi * y.hi;
+  const double lo = std::min(std::min(ll, lh), std::min(hl, hh));
+  const double hi = std::max(std::max(ll, lh), std::max(hl, hh));
+  // The usual case, without a branch: signs are hard to foresee. Infinite operands make the first sum
+  // infinite or NaN.
+  if ((x.hi - x.lo) + (y.hi - y.lo) < kLarge && lo > -kLarge && hi < kLarge && std::abs(lo) > kUnderflows &&
+      std::abs(hi) > kUnderflows) {
+    const int xLo = digits(x.lo), xHi = digits(x.hi), yLo = digits(y.lo), yHi = digits(y.hi);
+    // Whether some product that is the end was rounded.
+    const auto rounded = [&](double end) {
+      return ((ll == end) & (xLo + yLo > 53)) | ((lh == end) & (xLo + yHi > 53)) |
+             ((hl == end) & (xHi + yLo > 53)) | ((hh == end) & (xHi + yHi > 53));
+    };
+    return {rounded(lo) ? below(lo) : lo, rounded(hi) ? above(hi) : hi};
+  }
   // Somewhere 0 times infinity, or anything at all.
   if ((!bounded(x) && y.contains(0)) || (!bounded(y) && x.contains(0)) || unknown(x, y))
     return Interval::everything();

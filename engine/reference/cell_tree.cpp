@@ -37,6 +37,10 @@ Enclosure enclose(std::span<const Interval> outputs, std::size_t first) {
   return enclose(outputs[first], outputs[first + 1], outputs[first + 2]);
 }
 
+Enclosure enclose(const Box& b) {
+  return enclose(Interval(b.min.x, b.max.x), Interval(b.min.y, b.max.y), Interval(b.min.z, b.max.z));
+}
+
 /// Of a cell whose points are all within `reach` of the middle's: the smaller ball.
 void sharpen(Enclosure& all, const Enclosure& middle, double reach) {
   const Vec3 radius = (middle.radius + reach) * (1 + 8 * kEpsilon);
@@ -87,6 +91,27 @@ BoundedPatch::BoundedPatch(const Surface& surface, std::uint32_t patch, std::spa
 }
 
 CellBounds BoundedPatch::bound(const Domain& cell) const {
+  CellBounds bounds = function_->bounder.tangents ? boundByFamily(cell) : boundByIntervals(cell);
+  if (!bounds.smooth) return bounds;
+  // The mean value form is the sharper one on small cells.
+  const double hu = 0.5 * cell.u.width() * (1 + 4 * kEpsilon), hv = 0.5 * cell.v.width() * (1 + 4 * kEpsilon);
+  const Vec3 reach = bounds.middle.radius + (glm::abs(bounds.du.center) + bounds.du.radius) * hu +
+                     (glm::abs(bounds.dv.center) + bounds.dv.radius) * hv;
+  if (!bounds.position.finite() || glm::length(reach) < glm::length(bounds.position.radius))
+    bounds.position = {bounds.middle.center, reach * (1 + 8 * kEpsilon)};
+  return bounds;
+}
+
+CellBounds BoundedPatch::boundByFamily(const Domain& cell) const {
+  const TangentBounds b = function_->bounder.tangents(cell.u, cell.v, values_);
+  return {.position = enclose(b.position),
+          .middle = enclose(b.middle),
+          .du = enclose(b.du),
+          .dv = enclose(b.dv),
+          .smooth = true};
+}
+
+CellBounds BoundedPatch::boundByIntervals(const Domain& cell) const {
   std::array<Interval, 9> over, middle;
   function_->tangents.bound(cell.u, cell.v, values_, over);
   function_->tangents.bound(cell.u.mid(), cell.v.mid(), values_, middle);
@@ -96,18 +121,13 @@ CellBounds BoundedPatch::bound(const Domain& cell) const {
                     .dv = enclose(over, 6)};
   bounds.smooth = bounds.du.finite() && bounds.dv.finite() && bounds.middle.finite() &&
                   !mayBeKinked(*function_, cell, values_);
-  if (!bounds.smooth) return bounds;
-  // The mean value form is the sharper one on small cells.
-  const double hu = 0.5 * cell.u.width() * (1 + 4 * kEpsilon), hv = 0.5 * cell.v.width() * (1 + 4 * kEpsilon);
-  if (function_->bounder.second) {
+  if (bounds.smooth && function_->bounder.second) {
+    const double hu = 0.5 * cell.u.width() * (1 + 4 * kEpsilon),
+                 hv = 0.5 * cell.v.width() * (1 + 4 * kEpsilon);
     const auto [uu, uv, vv] = function_->bounder.second(cell.u, cell.v, values_);
     sharpen(bounds.du, enclose(middle, 3), uu * hu + uv * hv);
     sharpen(bounds.dv, enclose(middle, 6), uv * hu + vv * hv);
   }
-  const Vec3 reach = bounds.middle.radius + (glm::abs(bounds.du.center) + bounds.du.radius) * hu +
-                     (glm::abs(bounds.dv.center) + bounds.dv.radius) * hv;
-  if (!bounds.position.finite() || glm::length(reach) < glm::length(bounds.position.radius))
-    bounds.position = {bounds.middle.center, reach * (1 + 8 * kEpsilon)};
   return bounds;
 }
 

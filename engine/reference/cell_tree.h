@@ -33,7 +33,7 @@ class BoundedPatch {
  public:
   BoundedPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters);
 
-  /// Two or three interval evaluations.
+  /// Two or three interval evaluations, unless the family of the formula bounds itself.
   [[nodiscard]] CellBounds bound(const Domain& cell) const;
 
   /// S, Su, Sv.
@@ -47,6 +47,9 @@ class BoundedPatch {
   [[nodiscard]] const Domain& extended() const { return extended_; }
 
  private:
+  [[nodiscard]] CellBounds boundByFamily(const Domain& cell) const;
+  [[nodiscard]] CellBounds boundByIntervals(const Domain& cell) const;
+
   const SurfaceFunction* function_;
   std::vector<double> values_;  // of variables 2, 3, ...
   Domain domain_, extended_;

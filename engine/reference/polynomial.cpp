@@ -7,14 +7,17 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "math/rounding.h"
 
 namespace luxo::reference {
 namespace {
 
-constexpr int kMostParts = 400;          // of the line: a touching pair of roots takes fewer than 200
-constexpr int kNewtonSteps = 60;         // quadratic from the first few
-constexpr double kOffMiddle = 0.4871;    // cuts fall beside the places where symmetric rays have their roots
-constexpr double kUpward = 1 + 0x1p-48;  // makes up for the rounding of the few operations before it
+constexpr int kMostParts = 400;           // of the line: a touching pair of roots takes fewer than 200
+constexpr int kNewtonSteps = 60;          // quadratic from the first few
+constexpr double kOffMiddle = 0.4871;     // cuts fall beside the places where symmetric rays have their roots
+constexpr int kExpansionSteps = 10;       // roundings of any term on its way through an expansion of degree 4
+constexpr double kUnderflow = 0x1p-1000;  // far above what twenty operations that underflow lose
+constexpr double kUpward = 1 + 0x1p-48;   // makes up for the rounding of the few operations before it
 
 double least(const Interval& x) { return x.contains(0) ? 0 : std::min(std::abs(x.lo), std::abs(x.hi)); }
 
@@ -56,7 +59,16 @@ RealRoots quadraticRoots(const Interval& c0, const Interval& c1, const Interval&
 /// Cuts the line until every part has no root, or one that Newton's method in intervals proves.
 class Isolation {
  public:
-  Isolation(std::span<const Interval> coefficients, double reach) : c_(coefficients), reach_(reach) {}
+  Isolation(std::span<const Interval> coefficients, double reach)
+      : degree_(coefficients.size() - 1), reach_(reach) {
+    for (std::size_t i = 0; i <= degree_; ++i) {
+      c_[i] = coefficients[i].mid();
+      off_[i] = (std::max(coefficients[i].hi - c_[i], c_[i] - coefficients[i].lo) +
+                 roundingGamma(kExpansionSteps) * std::abs(c_[i])) *
+                    kUpward +
+                kUnderflow;
+    }
+  }
 
   RealRoots run() {
     std::array<Interval, 128> parts;
@@ -83,20 +95,24 @@ class Isolation {
     Interval slope;  ///< over the whole part
   };
 
-  /// The Taylor series around the middle, by Horner's scheme.
+  /// The Taylor series around the middle, by Horner's scheme. What that rounds away is at most gamma of the
+  /// same scheme over absolute values (N. Higham 2002, 5.1), so it joins what the coefficients are off by.
   [[nodiscard]] Expansion expand(const Interval& part) const {
     const double middle = part.mid(), half = std::max(part.hi - middle, middle - part.lo) * kUpward;
-    std::array<Interval, 5> b;
-    std::ranges::copy(c_, b.begin());
-    const std::size_t degree = c_.size() - 1;
-    for (std::size_t i = 0; i < degree; ++i)
-      for (std::size_t j = degree; j-- > i;) b[j] = b[j] + middle * b[j + 1];
+    std::array<double, 5> b = c_, off = off_;
+    for (std::size_t i = 0; i < degree_; ++i)
+      for (std::size_t j = degree_; j-- > i;) {
+        b[j] += middle * b[j + 1];
+        off[j] += std::abs(middle) * off[j + 1];
+      }
     double change = 0, bend = 0, power = 1;  // half^(i - 1)
-    for (std::size_t i = 1; i <= degree; ++i, power *= half) {
-      change += b[i].magnitude() * power * half;
-      if (i > 1) bend += static_cast<double>(i) * b[i].magnitude() * power;
+    for (std::size_t i = 1; i <= degree_; ++i, power *= half) {
+      const double magnitude = std::abs(b[i]) + off[i];
+      change += magnitude * power * half;
+      if (i > 1) bend += static_cast<double>(i) * magnitude * power;
     }
-    return {b[0], change * kUpward, b[1] + Interval(-bend * kUpward, bend * kUpward)};
+    const double off0 = off[0] * kUpward, off1 = (off[1] + bend) * kUpward;
+    return {b[0] + Interval(-off0, off0), change * kUpward, b[1] + Interval(-off1, off1)};
   }
 
   /// Whether the part has no root, or one that was found.
@@ -124,7 +140,8 @@ class Isolation {
     return true;
   }
 
-  std::span<const Interval> c_;
+  std::array<double, 5> c_{}, off_{};  ///< the coefficients are within off_ of c_
+  std::size_t degree_;
   double reach_;
   RealRoots roots_;
 };

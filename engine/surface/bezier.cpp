@@ -47,20 +47,30 @@ ExprPoint bezierPosition(Graph& graph) {
 template <int M, int N>
 using Net = std::array<std::array<Vec3, M>, N>;
 
-/// Control points of the part over [a, b] of a Bezier curve: blossoms, from corner cutting only, so that
-/// every intermediate value is a mean of control points.
+/// Control points of the part over [a, b] of a Bezier curve: blossoms (L. Ramshaw 1987), from corner cutting
+/// only, so that every intermediate value is a mean of control points.
 template <int M>
 std::array<Vec3, M> part(const std::array<Vec3, M>& curve, double a, double b) {
-  std::array<Vec3, M> result;
-  for (int k = 0; k < M; ++k) {
-    std::array<Vec3, M> cut = curve;
-    for (int level = M - 1; level > 0; --level) {
-      const double t = level <= k ? b : a;
-      for (int i = 0; i < level; ++i) cut[i] += t * (cut[i + 1] - cut[i]);
+  std::array<std::array<Vec3, M>, M>
+      cut;  // [k]: the blossoms whose arguments so far are b in k places, else a
+  cut[0] = curve;
+  for (int level = 1; level < M; ++level)
+    for (int k = level; k >= 0; --k) {
+      const std::array<Vec3, M>& from = cut[std::max(k - 1, 0)];
+      const double t = k == 0 ? a : b;
+      for (int i = 0; i < M - level; ++i) cut[k][i] = from[i] + t * (from[i + 1] - from[i]);
     }
-    result[k] = cut[0];
-  }
+  std::array<Vec3, M> result;
+  for (int k = 0; k < M; ++k) result[k] = cut[k][0];
   return result;
+}
+
+/// The point at t, likewise.
+template <int M>
+Vec3 pointAt(std::array<Vec3, M> curve, double t) {
+  for (int level = M - 1; level > 0; --level)
+    for (int i = 0; i < level; ++i) curve[i] += t * (curve[i + 1] - curve[i]);
+  return curve[0];
 }
 
 template <int M, int N>
@@ -105,13 +115,40 @@ Interval local(const Interval& u, std::span<const double> inputs) {
   return {u.lo - inputs[48], u.hi - inputs[48]};
 }
 
+Box widened(const Box& box, double by) { return {box.min - by, box.max + by}; }
+
+/// By the convex hull property: every point of the part.
+template <int M, int N>
+Box boxAround(const Net<M, N>& net, const Interval& u, const Interval& v, double magnitude) {
+  Box box;
+  for (const auto& row : part<M, N>(net, u, v))
+    for (const Vec3& p : row) box.add(p);
+  return widened(box, kNetRounding * magnitude);
+}
+
 Box boundPosition(const Interval& u, const Interval& v, std::span<const double> inputs) {
   const Net<4, 4> net = netOf(inputs);
-  Box box;
-  for (const auto& row : part<4, 4>(net, local(u, inputs), v))
-    for (const Vec3& p : row) box.add(p);
-  const Vec3 slack(kNetRounding * longest<4, 4>(net));
-  return {box.min - slack, box.max + slack};
+  return boxAround<4, 4>(net, local(u, inputs), v, longest<4, 4>(net));
+}
+
+TangentBounds boundTangents(const Interval& u, const Interval& v, std::span<const double> inputs) {
+  const Net<4, 4> p = netOf(inputs);
+  Net<3, 4> du;
+  Net<4, 3> dv;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 3; ++i) du[j][i] = 3.0 * (p[j][i + 1] - p[j][i]);
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 4; ++i) dv[j][i] = 3.0 * (p[j + 1][i] - p[j][i]);
+  const Interval s = local(u, inputs);
+  const double size = longest<4, 4>(p), magnitude = 6 * size;
+  std::array<Vec3, 4> column;
+  for (int j = 0; j < 4; ++j) column[j] = pointAt<4>(p[j], local(u.mid(), inputs).lo);
+  Box middle;
+  middle.add(pointAt<4>(column, v.mid()));
+  return {.position = boxAround<4, 4>(p, s, v, size),
+          .middle = widened(middle, kNetRounding * size),
+          .du = boxAround<3, 4>(du, s, v, magnitude),
+          .dv = boxAround<4, 3>(dv, s, v, magnitude)};
 }
 
 std::array<double, 3> boundSecond(const Interval& u, const Interval& v, std::span<const double> inputs) {
@@ -136,7 +173,9 @@ std::shared_ptr<const SurfaceFunction> bezierFunction() {
   static const std::shared_ptr<const SurfaceFunction> function = [] {
     Graph graph;
     const ExprPoint position = bezierPosition(graph);
-    return compileSurface(graph, position, {.position = boundPosition, .second = boundSecond}, kLowerU);
+    return compileSurface(graph, position,
+                          {.position = boundPosition, .tangents = boundTangents, .second = boundSecond},
+                          kLowerU);
   }();
   return function;
 }

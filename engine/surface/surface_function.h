@@ -16,9 +16,17 @@
 
 namespace luxo {
 
-/// Rigorous bounds over a rectangle of parameters. `inputs` are the values of variables 2, 3, ...
+/// Of a rectangle of parameters.
+struct TangentBounds {
+  Box position, middle;  ///< of S everywhere, and in the middle of the rectangle
+  Box du, dv;
+};
+
+/// Rigorous bounds over a rectangle of parameters, which may reach a millionth beyond the patch's domain.
+/// `inputs` are the values of variables 2, 3, ...
 struct SurfaceBounder {
   std::function<Box(const Interval& u, const Interval& v, std::span<const double> inputs)> position;
+  std::function<TangentBounds(const Interval& u, const Interval& v, std::span<const double> inputs)> tangents;
   /// Of |Suu|, |Suv|, |Svv|.
   std::function<std::array<double, 3>(const Interval& u, const Interval& v, std::span<const double> inputs)>
       second;

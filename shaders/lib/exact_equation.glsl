@@ -163,8 +163,9 @@ int findPoint(out Found found) {
   found.depth = depthOf(found.S);
   // Of the nearest point of the surface.
   f = offsetOf(ray, found.S - e.half_ * (0.5 * e.c / max(dot(e.half_, e.half_), kSmallest)));
-  found.residual = float(max(abs(f.x), abs(f.y)) / widthAt(found.depth));
-  // Newton-Kantorovich, of one variable.
-  found.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p);
+  real off = max(abs(f.x), abs(f.y));
+  found.residual = float(off / widthAt(found.depth));
+  // Newton-Kantorovich, of one variable. A quadric's one step need not come within the tolerance.
+  found.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p) && off <= toleranceAt(found.depth);
   return result;
 }

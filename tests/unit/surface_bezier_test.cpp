@@ -91,12 +91,20 @@ TEST(Bezier, BoundsHoldEveryPartAndAreTight) {
     const Box box = s.boundPosition(k, cell, {});
     const Surface::CellBounds bounds = s.boundCell(k, cell, {});
     EXPECT_FALSE(bounds.kinked);
+    const TangentBounds all =
+        f.bounder.tangents(cell.u, cell.v, std::vector<double>(s.patches()[k].constants));
     double longest[3] = {0, 0, 0};
+    const Vec3 middle = s.position(k, cell.u.mid(), cell.v.mid());
+    EXPECT_TRUE(all.middle.contains(middle));
+    EXPECT_LT(glm::length(all.middle.extent()), 1e-12);
     for (int i = 0; i <= 8; ++i)
       for (int j = 0; j <= 8; ++j) {
         const double u = std::min(cell.u.hi, cell.u.lo + cell.u.width() * i / 8);
         const double v = std::min(cell.v.hi, cell.v.lo + cell.v.width() * j / 8);
         ASSERT_TRUE(box.contains(s.position(k, u, v)));
+        const SurfacePoints at = s.evaluate(k, {&u, 1}, {&v, 1}, {});
+        ASSERT_TRUE(all.position.contains(at.position[0]));
+        ASSERT_TRUE(all.du.contains(at.du[0]) && all.dv.contains(at.dv[0]));
         const auto second = f.second.evaluate({&u, 1}, {&v, 1}, PatchInputs(s.patches()[k], {}));
         for (int m = 0; m < 3; ++m)
           longest[m] = std::max(
@@ -107,6 +115,11 @@ TEST(Bezier, BoundsHoldEveryPartAndAreTight) {
     // On small parts the hull is nearly the part itself: its gap shrinks with the square of the size.
     const bool small = cell.u.width() < 0.2 && cell.v.width() < 0.2;
     for (int m = 0; m < 3 && small; ++m) EXPECT_LE(proven[m], 1.25 * longest[m] + 0.5) << m;
+    // A mean value of the second derivatives; the hull is wider by as much again, at most.
+    const double du = proven[0] * cell.u.width() + proven[1] * cell.v.width();
+    const double dv = proven[1] * cell.u.width() + proven[2] * cell.v.width();
+    EXPECT_LE(glm::length(all.du.extent()), 4 * du + 1e-10);
+    EXPECT_LE(glm::length(all.dv.extent()), 4 * dv + 1e-10);
   }
 }
 
