@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "base/assert.h"
+#include "tessellate/parallel.h"
 
 namespace luxo {
 namespace {
@@ -43,6 +44,9 @@ int channelsOf(Output output) {
              : 3;
 }
 
+constexpr int kBandRows = 32;                         // of a picture that is read on all cores,
+constexpr std::int64_t kPixelsForAllCores = 1 << 16;  // as is worth from 0.1 ms
+
 template <int kChannels>
 void readChannels(const std::byte* texels, int width, float* out) {
   for (int x = 0; x < width; ++x)
@@ -67,6 +71,10 @@ struct Measured {
   std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
   std::uint32_t nonfinite = 0;
 
+  void add(const Measured& other) {
+    residual = std::max(residual, other.residual);
+    nonfinite += other.nonfinite;
+  }
   void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }
 };
 
@@ -86,16 +94,22 @@ void addMeanAlphas(const std::byte* texels, int width, Measured& measured) {
   for (int x = 0; x < width; ++x) measured.add(Accumulator::alphaOf(alphaAt(texels, x)));
 }
 
-void addColors(std::span<const float> row, Measured& measured) {
-  const auto magnitude = [](float value) {
-    return std::bit_cast<std::uint32_t>(value) & Measured::kMagnitude;
+void addColors(const std::byte* texels, int width, Measured& measured) {
+  const auto bitsAt = [texels](int i) {
+    std::uint32_t bits;
+    std::memcpy(&bits, texels + sizeof bits * static_cast<std::size_t>(i), sizeof bits);
+    return bits;
   };
-  std::uint32_t largest = 0;
-  for (const float value : row) largest = std::max(largest, magnitude(value));
-  if (largest < Measured::kInfinity) return;
-  for (std::size_t i = 0; i < row.size(); i += 3)
-    measured.nonfinite +=
-        std::max({magnitude(row[i]), magnitude(row[i + 1]), magnitude(row[i + 2])}) >= Measured::kInfinity;
+  // From infinity on a magnitude reaches the sign's place.
+  std::uint32_t any = 0;
+  for (int i = 0; i < 4 * width; ++i)
+    any |= (bitsAt(i) & Measured::kMagnitude) + (0x80000000U - Measured::kInfinity);
+  if ((any & ~Measured::kMagnitude) == 0) return;
+  for (int x = 0; x < width; ++x) {
+    std::uint32_t largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & Measured::kMagnitude);
+    measured.nonfinite += largest >= Measured::kInfinity;
+  }
 }
 
 /// Of a frame that shows what the one before it showed: everything that was done for that one is not done.
@@ -203,7 +217,7 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
   enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
   DrawOptions tried = options;
   SearchCare care;
-  std::uint64_t failed = 0, resolved = 0;
+  std::uint64_t failed = 0;
   for (int trial = Usual;; ++trial) {
     if (trial >= WithoutSkips) tried.skips = Skips::none();
     if (trial == WithFinerShells)
@@ -212,7 +226,6 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     if (!painter_.searches()) return;
     rays_.begin(snapshot, tried);
     resolve(trial == ByRays, statistics, then);
-    resolved = std::max(resolved, statistics.error.resolvedByRaysPx);
     const Stopwatch watch;
     const double trees = rays_.treesMs();
     const std::vector<DepthProbe> probes = painter_.probes();
@@ -313,22 +326,29 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
   // A view of the residuals has them as its colour.
   const bool certifies =
       output == Output::Color && options.shading != Shading::Residual && painter_.searches();
-  Measured measured;
   Image image(width, height, channels);
-  for (int y = 0; y < height; ++y) {
+  const auto readRow = [&](int y, Measured& measured) {
     const std::byte* texels = readback_.row(static_cast<std::uint32_t>(y)).data();
     if (certifies && averaged)
       addMeanAlphas(texels, width, measured);
     else if (certifies)
       addAlphas(texels, width, measured);
+    if (output == Output::Color) addColors(texels, width, measured);
     if (output == Output::Position)
       readPositions(texels, width, snapshot.view.eye, image.row(y).data());
     else if (channels == 3)
       readChannels<3>(texels, width, image.row(y).data());
     else
       readChannels<1>(texels, width, image.row(y).data());
-    if (output == Output::Color) addColors(image.row(y), measured);
-  }
+  };
+  std::vector<Measured> bands(static_cast<std::size_t>((height + kBandRows - 1) / kBandRows));
+  forEachIndex(bands.size(), static_cast<std::int64_t>(width) * height >= kPixelsForAllCores,
+               [&](std::size_t band) {
+                 const int first = static_cast<int>(band) * kBandRows;
+                 for (int y = first; y < std::min(first + kBandRows, height); ++y) readRow(y, bands[band]);
+               });
+  Measured measured;
+  for (const Measured& band : bands) measured.add(band);
   error.found = painter_.searches();
   if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);
   error.nonfinitePx = measured.nonfinite;
