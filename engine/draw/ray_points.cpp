@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "reference/audit.h"
 #include "tessellate/parallel.h"
@@ -73,7 +74,9 @@ std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
   return pixels;
 }
 
-void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options) {
+void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
+                          std::function<bool()> goesOn) {
+  goesOn_ = std::move(goesOn);
   treesMs_ = rounding_ = 0;
   nodes_.clear();
   caster_.emplace(snapshot, shapes_, reference::Cells::WhereRaysGo);
@@ -106,8 +109,9 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   std::vector<reference::Caster::First> seen(pixels.size());
   const auto cast = [&](std::span<const std::size_t> chosen) {
-    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores,
-                 [&](std::size_t k) { seen[chosen[k]] = caster_->firstOf(nodes_, rays[chosen[k]]); });
+    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
+      if (goesOn_()) seen[chosen[k]] = caster_->firstOf(nodes_, rays[chosen[k]]);
+    });
   };
   std::vector<std::size_t> chosen(pixels.size());
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
@@ -158,6 +162,7 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes) {
   const double ofBuffer = view.perspective() ? 0 : kDepthRounding * (view.far - view.near);
   std::vector<reference::Judgement> judged(probes.size());
   forEachIndex(probes.size(), probes.size() >= kRaysForAllCores, [&](std::size_t i) {
+    if (!goesOn_()) return;
     judged[i] = reference::judge(*caster_, nodes_, sampled(probes[i].pixel), depthOf(view, probes[i].depth),
                                  rounding_ + ofBuffer);
   });

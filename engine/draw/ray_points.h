@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -70,8 +71,11 @@ struct AuditResult {
 /// cores work.
 class CertifiedRays {
  public:
-  /// `snapshot` must outlive what is asked of it. Cost: copies of its shapes' handles.
-  void begin(const Snapshot& snapshot, const DrawOptions& options);
+  /// `snapshot` must outlive what is asked of it. `goesOn` is asked before every ray, from any thread: once
+  /// it says no, what follows is not looked at and answers mean nothing. Cost: copies of its shapes' handles.
+  void begin(
+      const Snapshot& snapshot, const DrawOptions& options,
+      std::function<bool()> goesOn = [] { return true; });
 
   /// Cost: some 10 us a pixel and core, a hundredfold where surfaces are grazed.
   [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found);
@@ -87,6 +91,7 @@ class CertifiedRays {
 
   reference::ShapeCache shapes_;
   std::optional<reference::Caster> caster_;
+  std::function<bool()> goesOn_;
   std::vector<std::uint32_t> nodes_;  ///< whose points are found, ascending
   double rounding_ = 0;               ///< what single precision leaves of a depth, metres
   double treesMs_ = 0;

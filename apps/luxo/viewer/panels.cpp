@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "draw/exact_data.h"
 #include "scene/shading.h"
 
 namespace luxo {
@@ -40,10 +41,19 @@ std::string nodesText(const FrameCounts& count) {
 
 std::string errorText(const FrameError& error) {
   // Where surfaces are found in every pixel, nothing may be a mesh.
+  if (error.found && !error.residualMaxPx && error.boundPx == 0)  // residuals are not read back
+    return fmt::format("searched to {:.2g} px", kExactTolerancePx);
   const bool meshes = !error.residualMaxPx || error.boundPx > 0;
   if (meshes && !std::isfinite(error.boundPx)) return "no bound from so close";
   const double most = std::max(error.residualMaxPx.value_or(0), meshes ? error.boundPx : 0);
   return fmt::format("at most {:.2g} px", most);
+}
+
+std::string auditText(const Status::Audit& audit) {
+  const std::string found = audit.byRays > 0 ? fmt::format("; {} by rays", audit.byRays) : "";
+  if (audit.wrong > 0)
+    return fmt::format("{} of {} px were wrong, mended{}", audit.wrong, audit.pixels, found);
+  return fmt::format("{} px, all right{}", audit.pixels, found);
 }
 
 // Of the overlay's letters at content scale 1, a little generously.
@@ -76,6 +86,7 @@ Panel numbersPanel(const Status& status, const Controls& controls) {
       {"error", errorText(status.statistics.error)},
       {"time", fmt::format("{:.3f} s{}", status.seconds, controls.playback().playing() ? "" : ", paused")},
   };
+  if (status.audit.pixels > 0) panel.rows.push_back({"audit", auditText(status.audit)});
   if (controls.ownCamera()) panel.rows.push_back({"camera", "yours; R gives it back"});
   panel.rows.push_back({"H", "keys"});
   return panel;

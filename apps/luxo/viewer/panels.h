@@ -26,6 +26,10 @@ struct Status {
   double seconds = 0;
   FrameStatistics statistics;  ///< of the picture that is shown
   FrameMeter::Reading reading;
+  /// Of the samples that have joined the mean that is shown.
+  struct Audit {
+    std::uint64_t pixels = 0, wrong = 0, byRays = 0;
+  } audit;
 };
 
 [[nodiscard]] window::Panel numbersPanel(const Status& status, const Controls& controls);

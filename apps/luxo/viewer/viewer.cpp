@@ -22,6 +22,7 @@
 #include "gpu/frame.h"
 #include "scene/snapshot.h"
 #include "validation.h"
+#include "viewer/certifier.h"
 #include "viewer/controls.h"
 #include "viewer/file_watch.h"
 #include "viewer/frame_meter.h"
@@ -38,8 +39,8 @@ namespace {
 using window::SwapchainStatus;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kForever = 3600;      // seconds between two looks at a window that nothing happens to
-constexpr double kWhileSaving = 0.02;  // ... that waits for a file
+constexpr double kForever = 3600;       // seconds between two looks at a window that nothing happens to
+constexpr double kWhileWorking = 0.02;  // ... that waits for a file, or for rays
 constexpr double kMessageSeconds = 4, kAlertSeconds = 12;
 
 double millisecondsSince(Clock::time_point start) {
@@ -114,7 +115,7 @@ class Viewer {
     };
     if (!visible_) return kForever;
     if (dirty_ || controls_.playback().playing()) return until(nextFrame_);
-    double seconds = photographer_.busy() ? kWhileSaving : kForever;
+    double seconds = photographer_.busy() || certifier_.busy() ? kWhileWorking : kForever;
     if (message_) seconds = std::min(seconds, until(messageEnd_));
     return seconds;
   }
@@ -255,8 +256,13 @@ class Viewer {
       return;
     const double evaluated = millisecondsSince(start);
 
-    if (repaint) finishLastPicture();
-    if (refines) catchUp();
+    if (repaint) {
+      certifier_.cancel();
+      certified_.reset();
+      finishLastPicture();
+    }
+    // The mean is worth showing once it has as many samples as the picture before it.
+    if (refines && (!samplePass() || !catchesUp())) return;
     const VkCommandBuffer commands = frames_.begin();
     const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
     if (acquired != SwapchainStatus::Ready) {
@@ -269,11 +275,13 @@ class Viewer {
       if (changed) care_.beginPicture();
       care_.completes = false;
       painter_.record(frames_, commands, snapshot, draw, status_.statistics, care_);
+      status_.statistics.error.found = painter_.searches();
       incomplete_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
       shown_ = std::move(snapshot);
       drawn_ = draw;
       refined_ = 0;
+      status_.audit = {};
       ++pictures_;
     } else if (completes) {
       FrameStatistics more;
@@ -303,29 +311,56 @@ class Viewer {
     }
     if (!refines) return;
     dirty_ |= refined_ < kMostSamples;
-    if (refined_ == kMostSamples) log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
+    if (refined_ < kMostSamples) return;
+    const Status::Audit& audit = status_.audit;
+    log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
+    log(LogLevel::Debug,
+        fmt::format("audited {} px, {} wrong, {} by rays", audit.pixels, audit.wrong, audit.byRays));
+  }
+
+  // Draws one more sample per pixel, and lets rays find what that leaves in doubt. Whether it is ready to
+  // join the mean: later, if not.
+  [[nodiscard]] bool samplePass() {
+    if (certified_) return true;
+    if (!certifier_.busy()) {
+      Snapshot sampled = shown_;
+      sampled.view = sampledAt(shown_.view, pattern_[static_cast<std::size_t>(refined_)]);
+      DrawOptions one = *drawn_;
+      one.samples = 1;
+      FrameStatistics ignored;
+      care_.completes = false;
+      painter_.record(frames_, frames_.begin(), sampled, one, ignored, care_);
+      frames_.wait(frames_.submit());
+      if (!painter_.searches()) {
+        certified_.emplace();
+        return true;
+      }
+      certifier_.begin(sampled, one, painter_);
+    }
+    certified_ = certifier_.poll();
+    return certified_.has_value();
+  }
+
+  // Where the mean lacks more samples than this one, that joins it unseen.
+  [[nodiscard]] bool catchesUp() {
+    if (refined_ + 1 >= drawn_->samples) return true;
+    refine(frames_.begin());
+    frames_.submit();
+    dirty_ = true;
+    return false;
   }
 
   // One more sample per pixel joins the mean.
   void refine(VkCommandBuffer commands) {
     if (!accumulator_) accumulator_.emplace(context_);
-    Snapshot sampled = shown_;
-    sampled.view = sampledAt(shown_.view, pattern_[static_cast<std::size_t>(refined_)]);
-    DrawOptions one = *drawn_;
-    one.samples = 1;
     FrameStatistics ignored;
-    care_.completes = false;
-    painter_.record(frames_, commands, sampled, one, ignored, care_);
+    if (!certified_->points.empty()) painter_.recordRays(frames_, commands, certified_->points, ignored);
     accumulator_->add(frames_, commands, painter_.target(), refined_);
+    status_.audit.pixels += certified_->audited;
+    status_.audit.wrong += certified_->failed;
+    status_.audit.byRays += certified_->points.resolved;
+    certified_.reset();
     ++refined_;
-  }
-
-  // The mean is worth showing once it has as many samples as the picture before it.
-  void catchUp() {
-    while (refined_ + 1 < drawn_->samples) {
-      refine(frames_.begin());
-      frames_.submit();
-    }
   }
 
   // A moment that the scene does not allow (a value out of its range) keeps the last one on the screen.
@@ -415,6 +450,7 @@ class Viewer {
   std::optional<Accumulator> accumulator_;  // made when first needed
   window::Presenter presenter_;
   Photographer photographer_;
+  Certifier certifier_;
 
   Controls controls_;
   Sliders sliders_;
@@ -438,6 +474,7 @@ class Viewer {
 
   // What is seen: the painter's picture, or, while nothing moves, the mean of so many with one sample each.
   int refined_ = 0;
+  std::optional<Certifier::Outcome> certified_;  // of the sample that joins the mean next
   std::vector<Vec2> pattern_ = samplePattern(kMostSamples);
   Snapshot shown_;
   std::optional<DrawOptions> drawn_;

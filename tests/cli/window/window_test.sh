@@ -327,6 +327,29 @@ case_smooths() {
   [[ $(submits 'quit after') -eq $smooth ]] || fail "$(($(submits 'quit after') - smooth)) submits after it was smooth"
 }
 
+# While nothing moves, rays find what searches leave in doubt at this swallowtail's edges, and audit the rest: the window
+# shows what a file shows, to a code.
+case_audits() {
+  open_screen
+  cat >"$folder/cusp.luxo.json" <<END
+{ "luxo": 1, "surfaces": { "cusp": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "v^3-u^2*v", "v^2"] } },
+  "nodes": [ { "surface": "cusp" }, { "translate": [3, 6, 4], "light": { "type": "point" } } ],
+  "camera": { "eye": [2, 1.29, 1.79], "look_at": [0, 0, 0.3] } }
+END
+  view cusp.luxo.json --size 240x150
+  keys i
+  keys a
+  await "it becomes smooth" logged 'smooth after' 1
+  window_png shown.png
+  (unset DISPLAY && "$bin/luxo" render "$folder/cusp.luxo.json" -q --size 240x150 --samples 256 -o "$folder/file.png") ||
+    fail "cannot render headless"
+  shown_as file.png
+  local pixels wrong rays
+  read -r pixels wrong rays < <(sed -n 's/^audited \([0-9]*\) px, \([0-9]*\) wrong, \([0-9]*\) by rays$/\1 \2 \3/p' "$folder/log")
+  [[ $pixels -gt 10000 && $wrong -eq 0 && $rays -gt 256 ]] || fail "audited $pixels px, $wrong wrong, $rays by rays"
+  quit
+}
+
 # Window managers hold a press back, but no keys, while they decide what to do about it: what a drag led to may be a
 # later picture.
 other_photo() {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/certifier.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "background.h"
+
+namespace luxo {
+namespace {
+
+std::pair<std::int32_t, std::int32_t> placeOf(const PixelPlace& pixel) { return {pixel.y, pixel.x}; }
+
+}  // namespace
+
+void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, ScenePainter& painter) {
+  cancel();
+  snapshot_ = snapshot;
+  rays_.begin(snapshot_, options, [this] { return !cancelled_; });
+  std::vector<PixelPlace> doubtful;
+  for (const ScenePainter::Doubt& doubt : painter.doubts()) doubtful.push_back(doubt.pixel);
+  working_ = inBackground([this, doubtful = std::move(doubtful), probes = painter.probes(),
+                           found = painter.list().found, size = snapshot.view.size] {
+    Outcome outcome{.points = rays_.resolve(doubtful, found), .audited = probes.size()};
+    // What is resolved need not be right in the depths that were probed before.
+    std::vector<DepthProbe> others;
+    for (const DepthProbe& probe : probes)
+      if (!std::ranges::binary_search(doubtful, placeOf(probe.pixel), {}, placeOf)) others.push_back(probe);
+    const AuditResult audit = rays_.audit(others);
+    outcome.failed = audit.failed;
+    outcome.undecided = audit.undecided;
+    if (audit.failed > 0)
+      outcome.points = rays_.resolve(auditedPixels(size, {.extent = AuditExtent::All}, {}), found);
+    return outcome;
+  });
+}
+
+void Certifier::cancel() {
+  if (!busy()) return;
+  cancelled_ = true;
+  working_.wait();
+  working_ = {};
+  cancelled_ = false;
+}
+
+std::optional<Certifier::Outcome> Certifier::poll() {
+  if (!busy() || working_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+  return working_.get();
+}
+
+}  // namespace luxo
