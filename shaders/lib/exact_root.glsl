@@ -21,6 +21,7 @@ const int kAttempts = 3;        // to find a root, all but the first by a scan; 
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
+const int kFoldSamples = 4;     // places between a root and where the search began
 const float kGrazing = 0.1;     // cosine between the normal and the ray: seen edge-on
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
@@ -375,14 +376,22 @@ int findRoot(Ray ray, out real2 p, out Probe at) {
 }
 
 // Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K a
-// proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near, and where the
-// search began is not far.
+// proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near.
+//
+// And no fold is between it and where the search began, not far away: the ray does not meet the surface before, and there
+// turn back. Where J cannot vanish that near to the root, |1/J| K r < 1, that is so. Elsewhere the area is looked at on the
+// way: one lane in a hundred, and a loop that no pixel of a group is in costs nothing.
 bool certified(Ray ray, real2 p, Probe at) {
   real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
-  real det = ju.x * jv.y - ju.y * jv.x;
+  real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p);
   real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
-  bool proven = (dot(ju, ju) + dot(jv, jv)) * length(at.f) * k <= 0.5 * det * det;
-  return proven && cellsFromStart(p) <= kFarCells;
+  bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
+  bool flat_ = !kSteep || 2.0 * squares * k * k * r * r <= det * det;
+  for (int i = 1; i < kFoldSamples && proven && !flat_; ++i) {
+    real side = area(probeAt(ray, mix(startOfLink().xy, p, real(i) / real(kFoldSamples))));
+    proven = side * det > 0.0;
+  }
+  return proven;
 }
 
 // The parameters as the surface names them.
