@@ -28,6 +28,9 @@ constexpr double kLeastSpacing = 1e-200;
 
 // No hull is nearer to its surface than this part of its size, unless a search was lost.
 constexpr double kFinestHull = 2e-4;
+// Nor farther than this part, however small it is seen: a hull of a few triangles is blind to spikes and
+// rims, and searches from it have lost them (the lecture's pseudospheres, 12 pixels large).
+constexpr double kCoarsestHull = 1.0 / 64;
 
 Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
 
@@ -336,9 +339,9 @@ class DrawLister {
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
-    const double coarsest = kFinestHull * glm::length(node.boundsObject.extent());
-    const double tolerance =
-        std::max(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx, coarsest);
+    const double size = glm::length(node.boundsObject.extent());
+    const double tolerance = std::clamp(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx,
+                                        kFinestHull * size, kCoarsestHull * size);
     const int level = care_.level(v.node);
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
     const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
