@@ -1,25 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interruption.h"
 
+#include <unistd.h>
+
 #include <csignal>
+
+#include "base/temporary_files.h"
+#include "exit_code.h"
 
 namespace luxo {
 namespace {
 
+constexpr unsigned kPatienceSeconds = 2;
+
 volatile std::sig_atomic_t received = 0;
 
-extern "C" void remember(int signal) { received = signal; }
+[[noreturn]] void end() {
+  removeTemporaryFiles();
+  _exit(exit_code::kSignal + received);
+}
+
+extern "C" void remember(int signal) {
+  if (received != 0) end();
+  received = signal;
+  alarm(kPatienceSeconds);
+}
+
+extern "C" void losePatience(int) { end(); }
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
 
 }  // namespace
 
 void rememberInterruptions() {
-  struct sigaction action {};
-  action.sa_handler = remember;
-  // SA_RESETHAND: the second signal meets the default action.
-  action.sa_flags = SA_RESTART | int(SA_RESETHAND);
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  handle(SIGINT, remember);
+  handle(SIGTERM, remember);
+  handle(SIGALRM, losePatience);
 }
 
 int interruptingSignal() { return received; }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/temporary_files.h"
+
 namespace luxo::gpu {
 
 namespace fs = std::filesystem;
@@ -48,6 +50,7 @@ void replaceCacheFile(const fs::path& path, std::span<const std::byte> bytes) {
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);
   const fs::path temporary = fmt::format("{}.{}-{}", path.string(), getpid(), serial++);
+  const TemporaryName name(temporary.string());
   std::ofstream file(temporary, std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   file.close();

@@ -13,10 +13,12 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "base/temporary_files.h"
 
 namespace luxo {
 namespace {
@@ -116,7 +118,8 @@ void writeDirectly(const fs::path& path, std::span<const std::byte> bytes) {
 // A file of our own next to the target; removed again unless it becomes the target.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target) : target_(target), file_(create(target, temporary_)) {}
+  explicit TemporaryFile(const fs::path& target)
+      : target_(target), file_(create(target, temporary_, name_)) {}
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
@@ -137,18 +140,20 @@ class TemporaryFile {
   void becomeTarget() {
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) throwWriteError(target_, errno);
     temporary_.clear();
+    name_.reset();
   }
 
  private:
   // O_EXCL instead of mkstemp, which would force mode 0600 upon the picture. Process and count keep
   // concurrent writers apart; on a shared disk another host may have taken the name, then the next is tried.
-  static int create(const fs::path& target, fs::path& temporary) {
+  static int create(const fs::path& target, fs::path& temporary, std::optional<TemporaryName>& name) {
     static std::atomic<unsigned> count{0};
     for (;;) {
       fs::path candidate = target.parent_path() / fmt::format(".luxo-{}-{}.tmp", ::getpid(), ++count);
       const int fd = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (fd < 0 && errno == EEXIST) continue;
       if (fd < 0) throwWriteError(target, errno);
+      name.emplace(candidate.string());
       temporary = std::move(candidate);
       return fd;
     }
@@ -156,6 +161,7 @@ class TemporaryFile {
 
   const fs::path& target_;
   fs::path temporary_;
+  std::optional<TemporaryName> name_;
   FileDescriptor file_;
 };
 

@@ -6,6 +6,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "base/temporary_files.h"
 
 namespace luxo {
 namespace {
@@ -32,10 +36,26 @@ TEST(Interruption, FirstSignalIsRemembered) {
 TEST(Interruption, SecondSignalEndsTheProcess) {
   const int status = statusOf([] {
     std::raise(SIGINT);
-    std::raise(SIGINT);
+    std::raise(SIGTERM);
   });
-  ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(WTERMSIG(status), SIGINT);
+  EXPECT_EQ(WEXITSTATUS(status), 128 + SIGINT);
+}
+
+// What would go on for ever ends, and takes its temporary files along, but not those that are done.
+TEST(Interruption, WhoTakesTooLongEndsByItself) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "interrupted";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"done", "written"}) std::ofstream(folder / name) << "x";
+  const int status = statusOf([&] {
+    const TemporaryName written((folder / "written").string());
+    { const TemporaryName done((folder / "done").string()); }
+    std::raise(SIGINT);
+    for (;;) pause();
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 128 + SIGINT);
+  EXPECT_TRUE(std::filesystem::exists(folder / "done"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "written"));
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
