@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -170,8 +169,7 @@ int runBench(const BenchOptions& options) {
   std::optional<BenchResult> result;
   {
     gpu::Context context({.device = request.device, .validation = request.validate, .validationLog = log});
-    result = measureAll(context, subjects, plan,
-                        request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1);
+    result = measureAll(context, subjects, plan, request.verbosity == Verbosity::Normal);
   }
   if (!result) return exit_code::kSignal + interruptingSignal();
   requireNoMessage(*log);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <limits>
@@ -57,7 +56,7 @@ class ReferenceEngine : public PictureEngine {
       : output_(request.aov),
         // Geometry is of the pixel's centre and never averaged.
         samples_(request.aov == Output::Color ? settings.samples : 1),
-        showsProgress_(request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1) {
+        showsProgress_(request.verbosity == Verbosity::Normal) {
     requireGroundTruth(settings);
   }
 

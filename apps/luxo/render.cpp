@@ -232,13 +232,19 @@ class Run {
     return quality;
   }
 
-  void showProgress(std::size_t total) const {
-    if (request_.verbosity != Verbosity::Normal || isatty(STDERR_FILENO) == 0) return;
+  /// A line in place on a terminal; elsewhere one every five seconds.
+  void showProgress(std::size_t total) {
+    if (request_.verbosity != Verbosity::Normal) return;
+    const bool onTerminal = isatty(STDERR_FILENO) == 1;
+    if (!onTerminal && millisecondsSince(told_) < 5000) return;
+    told_ = std::chrono::steady_clock::now();
     const std::size_t done = report_.frames.size();
     const double left = (millisecondsSince(processStart()) - report_.startupMs) / 1e3 /
                         static_cast<double>(done) * static_cast<double>(total - done);
-    fmt::print(stderr, "\rframe {} of {}, {:.0f} s left \x1b[K{}", done, total, left,
-               done == total ? "\n" : "");
+    fmt::print(stderr, "{}frame {} of {}, {:.0f} s left {}", onTerminal ? "\r" : "", done, total, left,
+               !onTerminal     ? "\n"
+               : done == total ? "\x1b[K\n"
+                               : "\x1b[K");
   }
 
   void warnAboutClampedValues() const {
@@ -267,6 +273,7 @@ class Run {
   Scene scene_;
   const RenderRequest& request_;
   RenderSettings settings_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();  ///< of progress
   std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
   ParameterId swept_;
   RunReport report_;

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -130,7 +129,7 @@ int verifyScene(const VerifyOptions& options) {
   const auto start = Clock::now();
   ReferencePicture truth;
   {
-    ProgressBar bar(render.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1);
+    ProgressBar bar(render.verbosity == Verbosity::Normal);
     truth =
         castPicture(snapshot, {.pixels = withNeighbours(settings.size, pixels), .progress = [&](double done) {
                                  bar.show(done);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <utility>
 
@@ -24,7 +23,7 @@ class VulkanEngine : public PictureEngine {
                   .validationLog = std::move(validation)}),
         renderer_(context_),
         options_(drawOptions(settings)),
-        showsProgress_(request.verbosity == Verbosity::Normal && isatty(STDERR_FILENO) == 1),
+        showsProgress_(request.verbosity == Verbosity::Normal),
         judged_(request.requireErrorPx.has_value()) {
     requireRoom(request, settings);
     options_.output = request.aov;
