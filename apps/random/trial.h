@@ -26,7 +26,7 @@ struct Trial {
   /// Wrong, beyond what the report counts as unconverged or uncertified.
   std::uint64_t silentlyWrong = 0;
   double pictureSeconds = 0, referenceSeconds = 0;  ///< of all processors
-  bool complete = true;  ///< false: it was stopped
+  bool complete = true;                             ///< false: it was stopped
 };
 
 struct TrialOptions {

@@ -15,11 +15,11 @@ namespace {
 constexpr double kSmallest = 1e-13;   // of the domain
 constexpr double kOnTheEdge = 1e-12;  // of the domain: how far outside a root may be found
 constexpr double kSamePoint = 1e-9;   // of the distance
-// Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024 cells
-// at most, all but 4 of a million 512.
+// Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024
+// cells at most, all but 4 of a million 512.
 constexpr int kMostCells = 4096, kMostInDoubt = 512;
-constexpr int kNewtonSteps = 6;       // from inside a proven cell: quadratic from the first
-constexpr double kNarrower = 0.75;    // a narrowing worth repeating
+constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
+constexpr double kNarrower = 0.75;  // a narrowing worth repeating
 
 class Search {
  public:

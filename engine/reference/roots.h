@@ -54,7 +54,7 @@ struct RootQuery {
 struct Roots {
   std::optional<Root> nearest;  ///< an undecided one counts as a root
   bool certified = true;  ///< nothing undecided lies before the nearest root (before `farthest` if none)
-  int cells = 0;  ///< parts of cells that were looked at: the cost, 4,096 at most
+  int cells = 0;          ///< parts of cells that were looked at: the cost, 4,096 at most
 };
 
 /// Cost: a few dozen box tests and a few cells; at most 4,096 cells, after which the rest is undecided.

@@ -146,11 +146,12 @@ TEST(ReferenceRoots, OnlyTheAskedRangeCounts) {
   EXPECT_FALSE(nearestRoot(tree, functions, {7, 100, Facing::Both, false}).nearest);
 }
 
-// Beside the rim of a supertoroid (exponent 0.38) a parameter's last bit is worth 1e-6 of the size: no number of
-// cells decides a ray there, and the search has to end by itself (it took 20,000 cells, half an hour a picture).
+// Beside the rim of a supertoroid (exponent 0.38) a parameter's last bit is worth 1e-6 of the size: no number
+// of cells decides a ray there, and the search has to end by itself (it took 20,000 cells, half an hour a
+// picture).
 TEST(ReferenceRoots, WhatCannotBeDecidedEnds) {
-  const CellTree tree(
-      makeSurface("supertoroid", {{.name = "exponents", .components = {0.3796, 0.9032}}}), {});
+  const CellTree tree(makeSurface("supertoroid", {{.name = "exponents", .components = {0.3796, 0.9032}}}),
+                      {});
   const Vec3 eye{2.15260764, 0.82355424, -0.36882863}, target{1.33230655, -0.32995402, -0.37100425};
   const Vec3 right = unit(glm::cross(target - eye, Vec3(-0.9619, -0.2603, -0.08416)));
   int undecided = 0;
