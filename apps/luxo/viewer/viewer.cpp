@@ -244,7 +244,8 @@ class Viewer {
 
     Snapshot snapshot = snapshotOrLast();
     const DrawOptions& draw = controls_.drawOptions();
-    const bool coarser = refined_ > 0 && !controls_.refines();
+    const bool refining = refined_ > 0 || certifier_.busy() || certified_;
+    const bool coarser = refining && !controls_.refines();
     const bool changed = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
     const bool completes = !changed && incomplete_ && painter_.completable();
     const bool repaint = changed || (incomplete_ && !completes);
