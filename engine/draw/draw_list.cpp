@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -340,8 +341,11 @@ class DrawLister {
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
     const double size = glm::length(node.boundsObject.extent());
-    const double tolerance = std::clamp(v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx,
-                                        kFinestHull * size, kCoarsestHull * size);
+    // What has collapsed into a point at this moment has no size to go by.
+    const double coarsest =
+        kCoarsestHull * size > kLeastSpacing ? kCoarsestHull * size : std::numeric_limits<double>::infinity();
+    const double wanted = v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx;
+    const double tolerance = std::min(std::max(wanted, kFinestHull * size), coarsest);
     const int level = care_.level(v.node);
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
     const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);

@@ -280,5 +280,18 @@ TEST_P(ShellClaims, HoldForCertifiedRays) {
   EXPECT_TRUE(hidden > 0 || !GetParam().hides);
 }
 
+// At a moment a formula may be a single point; it has a hull, or none, and no more is asked of it.
+TEST(Shells, OfWhatHasCollapsed) {
+  const Scene scene = buildScene(
+      parseScene(R"json({ "luxo": 1, "surfaces": { "s": { "type": "formula", "u": [0, 1], "v": [0, 1],
+        "position": ["(1-t)*u", "(1-t)*v", "(1-t)*sin(u)"] } }, "nodes": [{ "surface": "s" }],
+        "camera": { "eye": [3, 2, 4], "look_at": [0, 0, 0] } })json",
+                 "collapsed"));
+  const Snapshot snapshot = takeSnapshot(scene, 1, kSize);
+  ASSERT_EQ(snapshot.nodes[0].boundsObject.extent(), Vec3(0));
+  Geometry geometry;
+  EXPECT_LE(listDraws(snapshot, cull(snapshot, {.small = false}), {}, geometry).opaque.size(), 4U);
+}
+
 }  // namespace
 }  // namespace luxo
