@@ -31,6 +31,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnset = -1;          // of errors: nothing was compared
 constexpr double kMostSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
 constexpr double kMostTurn = 0.1;      // the same for the sine between their line and the surface
+constexpr double kTouchingUlps = 2;    // of two depths, each of which is rounded up or down
 constexpr double kOtherLight = 1e-4;   // linear: smaller differences are not looked into for a light's shadow
 
 /// What is not a number is wrong without bound.
@@ -185,16 +186,35 @@ class Judge {
       return;
     }
     if (number != truth_.number[i]) {
-      pixel.mismatch = number == 0 ? Mismatch::Missing : Mismatch::WrongNode;
+      pixel.mismatch = number == 0        ? Mismatch::Missing
+                       : showsTouching(i) ? Mismatch::None
+                                          : Mismatch::WrongNode;
       return;
     }
     const Place seen = seenAt(i);
     const auto shown = layers_.at(seen.node, parametersAt(i), seen.position);
     if (!shown || !layers_.same(*shown, seen, truth_.normal[i], seen.pixel)) {
-      pixel.mismatch = Mismatch::WrongLayer;
+      if (!showsTouching(i)) pixel.mismatch = Mismatch::WrongLayer;
       return;
     }
     compareGeometry(pixel, i, seen, *shown, floors);
+  }
+
+  /// Whether what is shown is on the pixel's ray, and no farther from what the truth sees there than the
+  /// depth buffer tells, or, from the surface there, than a point may be off: of layers that touch either is
+  /// right.
+  [[nodiscard]] bool showsTouching(std::uint32_t i) const {
+    const auto node = layers_.nodeOf(measured_.id.samples()[i]);
+    const Vec3& seen = truth_.position[i];
+    const auto shown = node ? layers_.at(*node, parametersAt(i), seen) : std::nullopt;
+    if (!shown) return false;
+    const double off = glm::distance(shown->pixel, centerOf(i));
+    if (!(off <= kPointPx) && !(off <= kPointPx + roundingPx(*shown))) return false;
+    const Vec3 behind = shown->position - seen;
+    if (depthScale_.ulps(glm::dot(behind, snapshot_.view.forward()), truth_.depth[i]) <= kTouchingUlps)
+      return true;
+    const double throughSurface = std::abs(glm::dot(behind, truth_.normal[i]));
+    return throughSurface <= kPointPx * layers_.footprint(seen);
   }
 
   [[nodiscard]] bool anyNan(std::uint32_t i) const {

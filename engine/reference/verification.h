@@ -12,7 +12,8 @@
 // A pixel is wrong (WrongPixels) when it shows a surface where there is none, or none where there is one, or
 // another layer, or a point that is more than kPointPx and what float32 leaves of (u, v) off, or a light that
 // the truth has in shadow (or the other way round): each only away from outlines and borders of shadows by
-// more than kSilhouettePx.
+// more than kSilhouettePx. Layers touch, and either may be shown, whose points on the ray are as near to each
+// other as the depth buffer's rounding, or the one to the other's surface as kPointPx in space.
 #pragma once
 
 #include <cstdint>

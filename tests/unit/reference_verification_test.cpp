@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "image/srgb.h"
+#include "reference/silhouette.h"
 #include "surface/library.h"
 
 namespace luxo {
@@ -247,6 +248,37 @@ TEST(Verify, TheDistanceOfAWrongLayerIsThatOfItsFold) {
   EXPECT_EQ(v.coverage.wrongLayer, 1U);
   EXPECT_EQ(v.coverage.mismatches(), 1U);
   EXPECT_NEAR(v.coverage.farthestPx, x + 0.5 - fold, 0.01 * (x + 0.5 - fold));
+}
+
+/// Mismatches of a picture that shows the lower of two sheets, `apart` metres below the upper one.
+std::uint64_t mismatchesOfTheLower(double apart, const Camera& above) {
+  Scene scene = sceneOf(rectangle(1, 1));
+  scene.add(Node{.translation = Vec3(0, -apart, 0), .surface = rectangle(1, 1)});
+  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, above);
+  const ReferencePicture truth = castPicture(snapshot);
+  MeasuredPicture measured = roundedTo32Bits(truth);
+  for (float& number : measured.id.samples())
+    if (number == 1) number = 2;
+  return verify(snapshot, truth, measured).coverage.mismatches();
+}
+
+TEST(Verify, LayersThatTouchWithinAPointsToleranceAreOne) {
+  const Camera above{.eye = Vec3(0, 5, 0),
+                     .lookAt = Vec3(0),
+                     .up = Vec3(0, 0, -1),
+                     .projection = Projection::Orthographic,
+                     .height = kHeight};
+  EXPECT_EQ(mismatchesOfTheLower(0.9 * kPointPx * kPixel, above), 0U);
+  EXPECT_EQ(mismatchesOfTheLower(1.1 * kPointPx * kPixel, above), 400U);  // 1 metre, 20 pixels
+}
+
+// A float of the depth buffer is 2^-24 to 2^-23 of it: 6e-5 to 1.2e-4 m at 1000 m, where a thousandth of a
+// pixel is 5e-5 m.
+TEST(Verify, LayersThatTheDepthBufferDoesNotTellApartAreOne) {
+  const Camera above{
+      .eye = Vec3(0, 1000, 0), .lookAt = Vec3(0), .up = Vec3(0, 0, -1), .fovY = kHeight / 1000, .near = 0.1};
+  EXPECT_EQ(mismatchesOfTheLower(2 * 0x1p-24 * 1000, above), 0U);
+  EXPECT_GT(mismatchesOfTheLower(5 * 0x1p-24 * 1000, above), 390U);
 }
 
 // A big and a small ball: a pixel of the small one that shows the big one is as wrong as it is far from the
