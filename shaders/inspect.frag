@@ -13,6 +13,7 @@ layout(location = 1) sample in vec3 inNormal;
 layout(location = 2) sample in vec2 inParameters;
 layout(location = 3) flat in vec4 inDomain;
 layout(location = 4) flat in uvec2 inFlagsId;
+layout(location = 5) sample in float inDepth;
 
 layout(location = 0) out vec4 outValue;
 
@@ -20,8 +21,7 @@ void main() {
   vec3 n = unitOrZero(inNormal);
   if ((inFlagsId.x & kTwoSided) != 0 && !seenFromFront(n, towardViewer(view.viewer, inPosition), gl_FrontFacing)) n = -n;
   // Triangles are drawn where their fragments are: they have no residual.
-  Inspected inspected = Inspected(inPosition, n, inParameters, dot(inPosition, view.forward), inFlagsId.y, 0.0,
-                                  kCertificateOfAll);
+  Inspected inspected = Inspected(inPosition, n, inParameters, inDepth, inFlagsId.y, 0.0, kCertificateOfAll);
   vec4 domain = vec4(inDomain.xy, inDomain.xy + inDomain.zw);
   outValue = vec4(inspectedValue(inspected, kQuantity, kAsColor, domain), 1);
 }

@@ -351,7 +351,8 @@ class DrawLister {
     const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
     const double most = static_cast<double>(std::max(pixels.count(), kWorthRays));
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, refined, most);
-    if (!batch.hull || (!batch.hull->proven && batch.hull->pinches.empty())) {
+    const bool leavesOut = !batch.hull || (!batch.hull->proven && batch.hull->pinches.empty());
+    if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.hull))) {
       list_.byRays.push_back(pixels);
       return Vec3(0);
     }

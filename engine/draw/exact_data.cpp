@@ -20,6 +20,8 @@ constexpr double kMostRoundingPx = 6e-4;
 /// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right
 /// to a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
 constexpr double kMostTurn = 4e-5, kSmallPx = 100;
+/// Nearer than this to an outline a pixel may show either side of it.
+constexpr double kOutlinePx = 0.01;
 
 /// What is rounded away of a number, a few times over. Those that a search in double reads have 48 bits.
 constexpr double kTimesRounded = 3;
@@ -139,6 +141,8 @@ shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, con
   const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
   const Transform& world = node.worldFromObject;
+  PixelRows ofHull = pixelRows(view, world);
+  for (Vec4* row : {&ofHull.x, &ofHull.y, &ofHull.depth}) row->w += glm::dot(Vec3(*row), hull.origin);
   const Vec3 middle = number == GlslNumber::Double ? eyeInObject(view, world) : Vec3(0);
   return {
       .x = Vec4f(rows.x),
@@ -157,7 +161,13 @@ shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, con
       .firstPatch = 0,
       .firstSlot = tallySlot(visible.node, 0),
       .origin = Vec3f(hull.origin),
-      .thickness = static_cast<float>(3 * hull.offset * visible.stretch * visible.pixelsPerUnit)};
+      .thickness = static_cast<float>(3 * hull.offset * visible.stretch * visible.pixelsPerUnit),
+      .hullX = Vec4f(ofHull.x),
+      .hullY = Vec4f(ofHull.y),
+      .hullDepth = Vec4f(ofHull.depth),
+      .hullXLow = restOf(ofHull.x),
+      .hullYLow = restOf(ofHull.y),
+      .hullDepthLow = restOf(ofHull.depth)};
 }
 
 }  // namespace
@@ -175,6 +185,12 @@ bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& 
   const double scale = visible.stretch * visible.pixelsPerUnit / (view.perspective() ? depth : 1);
   return glm::length(node.boundsObject.extent()) * scale > kSmallPx &&
          roundingAt(depth) > kMostTurn * hull.medianRadius * scale;
+}
+
+bool losesEdges(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
+  const Rounding rounding = roundingPx(view, node, hull, GlslNumber::Float);
+  const double depth = view.perspective() ? std::max(visible.nearestDepth, nearestSeen(view, node)) : 1;
+  return rounding.everywhere + rounding.near / depth > kOutlinePx;
 }
 
 std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::span<const Vec3> points) {

@@ -31,6 +31,10 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 [[nodiscard]] bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                                const Hull& hull);
 
+/// Whether float may move the hull's vertices by so much that pixels of the surface are beside it.
+[[nodiscard]] bool losesEdges(const View& view, const SnapshotNode& node, const VisibleNode& visible,
+                              const Hull& hull);
+
 /// Where points of the node's object are in the picture, as PixelTriangle has them.
 [[nodiscard]] std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node,
                                           std::span<const Vec3> points);

@@ -151,7 +151,7 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
         {.position = Vec3f(hit.position - view.eye),
          .normal = Vec3f(hit.normal),
          .parameters = Vec2f(hit.u, hit.v),
-         .place = Vec3f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth))});
+         .place = Vec4f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth), depth)});
   }
   return points;
 }

@@ -27,7 +27,7 @@ struct RayPoint {
   Vec3f position;  ///< relative to the eye, metres
   Vec3f normal;    ///< unit; toward the viewer where two-sided
   Vec2f parameters;
-  Vec3f place;  ///< of the sample in the target, pixels; its depth as in the depth buffer
+  Vec4f place;  ///< of the sample in the target, pixels; its depth as in the depth buffer, and in metres
 };
 
 /// Pushed to those shaders.

@@ -508,8 +508,9 @@ void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings,
     if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, bindings.pattern);
     if (batch.hull) {
       pipeline.bindSet(commands, 2, bindings.exact);
-      const float side = batch.half == Half::Far ? -1.0f : 1.0f;
-      pipeline.push(commands, std::as_bytes(std::span(&side, 1)));
+      const HullDraw draw{batch.half == Half::Far ? -1.0f : 1.0f,
+                          guardOf(color_.extent(), context_->limits())};
+      pipeline.push(commands, std::as_bytes(std::span(&draw, 1)));
     }
     gpu::setDepthBias(commands, biasOf(batch));
     vkCmdSetCullMode(commands, cullMode(batch.culling));

@@ -11,6 +11,7 @@
 #include "draw/mesh_store.h"
 #include "draw/ray_points.h"
 #include "gpu/shader_compiler.h"
+#include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
 #include "luxo/shaders/gouraud_frag.h"
 #include "luxo/shaders/gouraud_pattern_vert.h"
@@ -88,7 +89,7 @@ void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipel
   desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, position)},
                      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, normal)},
                      {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayPoint, parameters)},
-                     {3, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, place)}};
+                     {3, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(RayPoint, place)}};
   if (!readsParameters(state)) desc.attributes.erase(desc.attributes.begin() + 2);
   desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   desc.pushConstantBytes = sizeof(RayTarget);
@@ -156,7 +157,9 @@ const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCode&
 void ScenePipelines::describeExact(const DrawState& state, const PassFormat& format,
                                    gpu::GraphicsPipelineDesc& desc) {
   constexpr std::uint32_t kLight = static_cast<std::uint32_t>(Quantity::Certificate) + 1;
-  desc.vertexShader = luxo_exact_vert;
+  desc.vertexShader = state.surface->number == GlslNumber::Double
+                          ? std::span<const std::uint32_t>(luxo_exact_double_vert)
+                          : std::span<const std::uint32_t>(luxo_exact_vert);
   desc.fragmentShader = exactShader(*state.surface, state.pattern);
   desc.bindings = {{0, sizeof(HullVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
   desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(HullVertex, position)},
@@ -173,10 +176,9 @@ void ScenePipelines::describeExact(const DrawState& state, const PassFormat& for
                          state.poles,
                          state.steep,
                          state.equation,
-                         state.surface->number == GlslNumber::Double,
                          format.samples != VK_SAMPLE_COUNT_1_BIT};
   desc.depthClamp = true;
-  desc.pushConstantBytes = sizeof(float);
+  desc.pushConstantBytes = sizeof(HullDraw);
   desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};
 }
 

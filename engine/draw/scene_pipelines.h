@@ -15,6 +15,12 @@
 
 namespace luxo {
 
+/// Pushed to the vertex shaders of hulls.
+struct HullDraw {
+  float side = 1;   ///< of the surface that these triangles lead to: +1 front, -1 back
+  float guard = 1;  ///< how many times as large as the picture the viewport is
+};
+
 /// What the targets of a pass are; part of what a pipeline is made for.
 struct PassFormat {
   VkFormat color = VK_FORMAT_R32G32B32A32_SFLOAT;

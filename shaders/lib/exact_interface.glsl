@@ -38,9 +38,7 @@ bool has(uint flag) { return (linkFlags.x & flag) != 0; }
 layout(constant_id = 5) const uint kParameterCount = 0;
 layout(constant_id = 8) const bool kEquation = false;  // whether the surface is searched for by its equation
 // Whether it is searched for in double.
-#ifdef LUXO_VERTEX
-layout(constant_id = 9) const bool kDouble = false;
-#elif defined(LUXO_DOUBLE)
+#ifdef LUXO_DOUBLE
 const bool kDouble = true;
 #else
 const bool kDouble = false;
@@ -64,7 +62,7 @@ const uint kFloats = kDouble ? 2 : 1;  // of each parameter
 const uint kCarriedParameters = (4 * kRoom - kFirstParameter) / kFloats;
 
 #ifndef LUXO_VERTEX
-layout(constant_id = 10) const bool kManySamples = false;
+layout(constant_id = 9) const bool kManySamples = false;
 
 // llvmpipe takes inputs of a sample times the w of the pixel's centre over that of the sample, and so the 1.
 vec3 startOfLink() { return kManySamples ? linkStart.xyz / linkStart.w : linkStart.xyz; }

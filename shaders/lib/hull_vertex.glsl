@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vertices of a hull around a surface (engine/tessellate/hull.h): where the search for the surface begins.
-#version 460
-#extension GL_GOOGLE_include_directive : require
 #define LUXO_VERTEX
 #include "lib/exact_interface.glsl"
 #include "lib/scene.glsl"
@@ -16,9 +14,32 @@ layout(scalar, set = 2, binding = kBindingExactPatches) readonly buffer ExactPat
 layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
 
 // Which side of the surface these triangles lead to: +1 front, -1 back.
-layout(push_constant) uniform Draw { float side; } draw;
+layout(push_constant) uniform Draw { float side, guard; } draw;
 
 invariant gl_Position;
+
+#ifdef LUXO_DOUBLE
+
+double row(vec4 high, vec4 low) {
+  return dot(dvec4(high) + dvec4(low), dvec4(inPosition, 1));
+}
+
+// Where a view magnifies what float rounds away of a vertex, an edge of a hull would leave out pixels of the surface.
+vec4 clipOfVertex(InstanceData instance, ExactInstance exact) {
+  dvec2 middle = dvec2(row(exact.hullX, exact.hullXLow), row(exact.hullY, exact.hullYLow));
+  double depth = row(exact.hullDepth, exact.hullDepthLow);
+  bool perspective = view.viewer.w != 0.0;
+  double z = perspective ? double(exact.clipDepth.x) : exact.clipDepth.x + exact.clipDepth.y * depth;
+  return vec4(vec2(middle / dvec2(exact.half_.x, -exact.half_.y)) / draw.guard, z, perspective ? depth : 1.0);
+}
+
+#else
+
+vec4 clipOfVertex(InstanceData instance, ExactInstance exact) {
+  return view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
+}
+
+#endif
 
 void pack(uint k, float number) { linkPacked[k / 4][k % 4] = number; }
 
@@ -73,5 +94,5 @@ void main() {
   for (uint k = 0; k < min(kParameterCount, kCarriedParameters); ++k)
     for (uint i = 0; i < kFloats; ++i)
       pack(kFirstParameter + kFloats * k + i, exactParameters[2 * (surfacePatch.firstParameter + k) + i]);
-  gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
+  gl_Position = clipOfVertex(instance, exact);
 }

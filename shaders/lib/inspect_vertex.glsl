@@ -9,6 +9,7 @@ layout(location = 1) sample out vec3 outNormal;
 layout(location = 2) sample out vec2 outParameters;
 layout(location = 3) flat out vec4 outDomain;
 layout(location = 4) flat out uvec2 outFlagsId;
+layout(location = 5) sample out float outDepth;
 
 invariant gl_Position;
 
@@ -17,6 +18,7 @@ void main() {
   outPosition = positionOfVertex(instance);
   outNormal = normalOfVertex(instance);
   outParameters = inParameters;
+  outDepth = depthOfVertex(outPosition);
   outDomain = instance.domain;
   outFlagsId = uvec2(instance.flags, instance.id);
   gl_Position = clipOfVertex(outPosition);

@@ -8,11 +8,12 @@ layout(location = 1) in vec3 inNormal;
 
 #ifdef LUXO_RAY_POINT
 
-layout(location = 3) in vec3 inPlace;  // of the sample, in the target; of its depth, in the depth buffer
+layout(location = 3) in vec4 inPlace;  // of the sample, in the target; its depth in the depth buffer, and in metres
 layout(push_constant) uniform Target { vec2 size; float guard; } target;
 
 vec3 positionOfVertex(InstanceData instance) { return inPosition; }  // relative already
 vec3 normalOfVertex(InstanceData instance) { return inNormal; }
+float depthOfVertex(vec3 relative) { return inPlace.w; }
 
 vec4 clipOfVertex(vec3 relative) {
   const vec2 kCorners[3] = vec2[](vec2(0, -0.25), vec2(-0.25, 0.25), vec2(0.25, 0.25));  // pixels, seen from the front
@@ -24,6 +25,7 @@ vec4 clipOfVertex(vec3 relative) {
 
 vec3 positionOfVertex(InstanceData instance) { return relativeFromObject(instance, inPosition); }
 vec3 normalOfVertex(InstanceData instance) { return unitOrZero(instance.normalFromObject * inNormal); }
+float depthOfVertex(vec3 relative) { return dot(relative, view.forward); }
 vec4 clipOfVertex(vec3 relative) { return view.clipFromRelative * vec4(relative, 1); }
 
 #endif

@@ -120,6 +120,8 @@ struct ExactInstance {
   vec3 origin;     // of the hull's vertices, object space
   // Of a plane: metres of the object in a pixel (perspective: at depth 1). Else:
   float thickness; // farther from the surface than this there is no hull, pixels (perspective: times depth)
+  // In double: pixels and depth, as x, y and depth of what is no plane, of points relative to the hull's origin.
+  vec4 hullX, hullY, hullDepth, hullXLow, hullYLow, hullDepthLow;
 };
 
 // A patch of a surface.
@@ -144,7 +146,7 @@ struct LightSet {
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
 static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
-static_assert(sizeof(ExactInstance) == 180 && sizeof(ExactPatch) == 40);
+static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif
 #endif

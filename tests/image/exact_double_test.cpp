@@ -101,14 +101,61 @@ TEST_F(ExactDouble, PatternsAreShown) {
     }
 }
 
+// From 70 km single precision moves a hull's vertices by most of such a pixel.
+TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
+  Scene scene;
+  scene.set(plainSettings());
+  const double half = 0.5 * kRadius;
+  scene.add(Node{.translation = kCenter,
+                 .surface = rectangle(2 * half, 2 * half),
+                 .material = scene.add(glowing(Vec3(0, 1, 0)))});
+  const Surface sheet =
+      surface([](auto u, auto v) { return point(u, 0.0 * u, v); }, {{-half, half}, {-half, half}});
+  Scene ofFormula;
+  ofFormula.set(plainSettings());
+  ofFormula.add(
+      Node{.translation = kCenter, .surface = sheet, .material = ofFormula.add(glowing(Vec3(0, 1, 0)))});
+  const Vec3 corner = kCenter + Vec3(half, 0, half), eye = Vec3(-40e3, 50e3, 30e3);
+  for (const double height : {1e-1, 1e-2, 1e-3}) {
+    const Camera camera{
+        .eye = eye, .lookAt = corner, .fovY = 2 * std::atan(0.5 * height / glm::length(corner - eye))};
+    const CameraModel model(camera, kSize);
+    const auto inside = [&](const Vec2& pixel) {
+      const Ray ray = model.through(pixel);
+      const Vec3 hit = ray.at(hitPlane(ray, kCenter, Vec3(0, 1, 0)).value()) - kCenter;
+      return std::abs(hit.x) < half && std::abs(hit.z) < half;
+    };
+    for (const Scene* shown : {&scene, &ofFormula}) {
+      SCOPED_TRACE(testing::Message() << height << (shown == &scene ? "" : ", formula"));
+      const Picture picture = draw(*shown, camera, kSize);
+      for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x) {
+          if (const auto truth = settled(inside, centerOf(x, y), 0.02)) {
+            ASSERT_EQ(colorAt(picture.image, x, y).y > 0, *truth) << x << ", " << y;
+          }
+        }
+      EXPECT_EQ(picture.statistics.error.resolvedByRaysPx, 0u);
+    }
+  }
+}
+
 TEST_F(ExactDouble, WithoutItTheReportTellsOfALargerError) {
   const Scene scene = ball(glowing(Vec3(1)));
-  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-4);
+  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-2);
   const FrameError with = draw(scene, camera, kSize).statistics.error;
   const FrameError without = draw(scene, camera, kSize, {.doubles = false}).statistics.error;
-  EXPECT_LE(with.residualMaxPx.value_or(1), 1e-4);
-  // A pixel is 1.6e-6 m, of which 2^-24 of the ball's size is 0.03.
-  EXPECT_GT(without.residualMaxPx.value_or(0), 3e-3);
+  EXPECT_LE(with.residualMaxPx.value_or(1), 1e-5);
+  // A pixel is 1.6e-4 m, of which 2^-24 of the ball's size is 3e-4.
+  EXPECT_GT(without.residualMaxPx.value_or(0), 3e-5);
+  EXPECT_EQ(without.resolvedByRaysPx, 0u);
+}
+
+TEST_F(ExactDouble, WithoutItWhatFloatWouldLoseAtEdgesIsFoundByRays) {
+  const Scene scene = ball(glowing(Vec3(1)));
+  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-4);
+  const FrameError error = draw(scene, camera, kSize, {.doubles = false}).statistics.error;
+  EXPECT_EQ(error.resolvedByRaysPx, static_cast<std::uint64_t>(kSize.width * kSize.height));
+  EXPECT_EQ(error.unconvergedPx, 0u);
 }
 
 }  // namespace
