@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "tessellate/hull_frame.h"
@@ -127,27 +128,46 @@ class Strays {
   /// sides: calls action(triangle) for those it comes to. `reach`: how far it is from the triangle's plane.
   template <typename Action>
   void walk(std::size_t triangle, const Vec3& point, double reach, const Action& action) {
-    if (beside_.empty()) fileTriangles();
-    std::vector<std::size_t> visited{triangle};
-    for (std::size_t i = 0; i < visited.size() && visited.size() < kFarthestWalk; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto beside = beside_.find(edgeOf(visited[i], k, Along::Backward));
-        if (beside == beside_.end()) continue;
-        const auto [other, opposite] = beside->second;
-        if (std::ranges::count(visited, other) > 0) continue;
-        const Vec3 across = unit(outward(frame_, visited[i], k) - outward(frame_, other, opposite));
-        if (glm::dot(across, point - positionOf(frame_, other, opposite + 1)) < -reach) continue;
-        action(other);
-        visited.push_back(other);
+    if (borders_.empty()) joinTriangles();
+    std::array<std::size_t, kFarthestWalk> visited{triangle};
+    std::size_t count = 1;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < 3 && count < kFarthestWalk; ++k) {
+        const Border& border = borders_[3 * visited[i] + k];
+        if (border.other == kNone || glm::dot(border.across, point - border.place) < -reach) continue;
+        if (std::find(visited.begin(), visited.begin() + count, border.other) != visited.begin() + count)
+          continue;
+        action(border.other);
+        visited[count++] = border.other;
       }
   }
 
  private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   enum class Along : char { Forward, Backward };
 
-  void fileTriangles() {
-    for (std::size_t t = 0; t < frame_.mesh().triangleCount(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) beside_[edgeOf(t, k, Along::Forward)] = {t, k};
+  /// The edge opposite to a corner, from a triangle to the one beside it.
+  struct Border {
+    std::size_t other = kNone;
+    Vec3 across{0}, place{0};  // between the directions out of the two; a point of the edge
+  };
+
+  void joinTriangles() {
+    const std::size_t count = frame_.mesh().triangleCount();
+    std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>>
+        beside;                 // the triangle at the left
+    beside.reserve(3 * count);  // of an edge, the corner
+    for (std::size_t t = 0; t < count; ++t)
+      for (std::size_t k = 0; k < 3; ++k) beside[edgeOf(t, k, Along::Forward)] = {t, k};
+    borders_.resize(3 * count);
+    for (std::size_t t = 0; t < count; ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto found = beside.find(edgeOf(t, k, Along::Backward));
+        if (found == beside.end()) continue;
+        const auto [other, opposite] = found->second;
+        borders_[3 * t + k] = {other, unit(outward(frame_, t, k) - outward(frame_, other, opposite)),
+                               positionOf(frame_, other, opposite + 1)};
+      }
   }
 
   /// The points at the ends of an edge.
@@ -159,8 +179,7 @@ class Strays {
   }
 
   const HullFrame& frame_;
-  // The triangle at the left of each edge, and the corner opposite; filled when first asked for.
-  std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>> beside_;
+  std::vector<Border> borders_;  // three for each triangle; filled when first asked for
 };
 
 }  // namespace
