@@ -112,6 +112,19 @@ void addColors(const std::byte* texels, int width, Measured& measured) {
   }
 }
 
+/// The rows that pixels are in, which are sorted by row.
+std::vector<gpu::Readback::Rows> rowsOf(std::span<const PixelPlace> pixels) {
+  std::vector<gpu::Readback::Rows> rows;
+  for (const PixelPlace& pixel : pixels) {
+    const auto y = static_cast<std::uint32_t>(pixel.y);
+    if (rows.empty() || rows.back().first + rows.back().count < y)
+      rows.push_back({y, 1});
+    else
+      rows.back().count = y + 1 - rows.back().first;
+  }
+  return rows;
+}
+
 /// Of a frame that shows what the one before it showed: everything that was done for that one is not done.
 FrameStatistics again(const FrameStatistics& before) {
   FrameStatistics now{.error = before.error};
@@ -175,8 +188,7 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
   shown_.reset();
   if (inOnePass(snapshot, options)) {
     if (!goesOn(0)) return std::nullopt;
-    draw(snapshot, options, statistics,
-         [&](VkCommandBuffer commands) { recordReadback(commands, painter_.target()); });
+    draw(snapshot, options, statistics);
   } else {
     if (!accumulator_) accumulator_.emplace(*context_);
     const std::vector<Vec2> offsets = samplePattern(options.samples);
@@ -187,8 +199,7 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
       if (!goesOn(static_cast<double>(k) / options.samples)) return std::nullopt;
       sampled.view = sampledAt(snapshot.view, offsets[static_cast<std::size_t>(k)]);
       FrameStatistics pass;
-      draw(sampled, one, pass,
-           [&](VkCommandBuffer commands) { recordReadback(commands, painter_.target()); });
+      draw(sampled, one, pass);
       accumulate(k, k + 1 == options.samples, pass);
       addPass(statistics, pass);
     }
@@ -210,8 +221,7 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }
 
-void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
-                    const Recording& then) {
+void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
   // What a failed audit leads to: nothing is skipped; then all shells are finer, too; then rays find
   // everything.
   enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
@@ -222,10 +232,10 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     if (trial >= WithoutSkips) tried.skips = Skips::none();
     if (trial == WithFinerShells)
       for (const FoundNode& node : painter_.list().found) care.refine(node.node);
-    if (trial != ByRays) search(snapshot, tried, care, statistics, then);
+    if (trial != ByRays) search(snapshot, tried, care, statistics);
     if (!painter_.searches()) return;
     rays_.begin(snapshot, tried);
-    resolve(trial == ByRays, statistics, then);
+    resolve(trial == ByRays, statistics);
     const Stopwatch watch;
     const double trees = rays_.treesMs();
     const std::vector<DepthProbe> probes = painter_.probes();
@@ -247,7 +257,7 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
 }
 
 void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care,
-                      FrameStatistics& statistics, const Recording& then) {
+                      FrameStatistics& statistics) {
   // Drawing all of a picture once more takes as long as rays through a sixteenth of it.
   const std::uint64_t few = static_cast<std::uint64_t>(snapshot.view.size.width) *
                             static_cast<std::uint64_t>(snapshot.view.size.height) / 16;
@@ -256,14 +266,15 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Sear
     submit(
         [&](VkCommandBuffer commands) {
           painter_.record(frames_, commands, snapshot, options, attempt, care);
+          recordReadback(commands, painter_.target());
         },
-        attempt, then);
+        attempt);
     addAttempt(attempt, statistics);
     statistics = attempt;
   } while (care.learn(painter_.lostPixels()) && care.lost() > few);
 }
 
-void Renderer::resolve(bool all, FrameStatistics& statistics, const Recording& then) {
+void Renderer::resolve(bool all, FrameStatistics& statistics) {
   const Stopwatch watch;
   std::vector<PixelPlace> pixels;
   const VkExtent2D extent = painter_.target().extent();
@@ -285,14 +296,20 @@ void Renderer::resolve(bool all, FrameStatistics& statistics, const Recording& t
   statistics.error.uncertifiedPx = points.undecided;
   statistics.error.unconvergedPx = points.unknown;
   if (points.empty()) return;
-  submit([&](VkCommandBuffer commands) { painter_.recordRays(frames_, commands, points, statistics); },
-         statistics, then);
+  submit(
+      [&](VkCommandBuffer commands) {
+        painter_.recordRays(frames_, commands, points, statistics);
+        if (painter_.list().onlyFound())
+          readback_.record(commands, painter_.target(), rowsOf(pixels));
+        else
+          recordReadback(commands, painter_.target());
+      },
+      statistics);
 }
 
-void Renderer::submit(const Recording& record, FrameStatistics& statistics, const Recording& then) {
+void Renderer::submit(const Recording& record, FrameStatistics& statistics) {
   const VkCommandBuffer commands = frames_.begin();
   record(commands);
-  then(commands);
   const auto submitted = std::chrono::steady_clock::now();
   const std::uint64_t submission = frames_.submit();
   frames_.wait(submission);
@@ -301,11 +318,12 @@ void Renderer::submit(const Recording& record, FrameStatistics& statistics, cons
 }
 
 void Renderer::accumulate(int before, bool complete, FrameStatistics& statistics) {
-  submit([&](VkCommandBuffer commands) { accumulator_->add(frames_, commands, painter_.target(), before); },
-         statistics,
-         [&](VkCommandBuffer commands) {
-           if (complete) recordReadback(commands, accumulator_->mean());
-         });
+  submit(
+      [&](VkCommandBuffer commands) {
+        accumulator_->add(frames_, commands, painter_.target(), before);
+        if (complete) recordReadback(commands, accumulator_->mean());
+      },
+      statistics);
 }
 
 void Renderer::recordReadback(VkCommandBuffer commands, gpu::Texture& picture) {

@@ -69,18 +69,17 @@ class Renderer {
   /// picture of its own, with its own certificates and audit: no slower, as searches run once per sample
   /// anyway.
   [[nodiscard]] bool inOnePass(const Snapshot& snapshot, const DrawOptions& options) const;
-  /// Draws one sample of each pixel into the painter's target, then does what `then` records, and waits for
-  /// both. What searches leave in doubt is found by rays, and what an audit finds wrong is drawn anew.
-  void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics,
-            const Recording& then);
+  /// Draws one sample of each pixel into the painter's target and reads that back. What searches leave in
+  /// doubt is found by rays, and what an audit finds wrong is drawn anew.
+  void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// The part of that without rays, with that care; again with more where searches lost more than rays find
   /// soon.
   void search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care,
-              FrameStatistics& statistics, const Recording& then);
+              FrameStatistics& statistics);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
-  void resolve(bool all, FrameStatistics& statistics, const Recording& then);
-  /// Runs what `record` records and `then`, and waits.
-  void submit(const Recording& record, FrameStatistics& statistics, const Recording& then);
+  void resolve(bool all, FrameStatistics& statistics);
+  /// Runs what `record` records, and waits.
+  void submit(const Recording& record, FrameStatistics& statistics);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.
   void accumulate(int before, bool complete, FrameStatistics& statistics);
   void recordReadback(VkCommandBuffer commands, gpu::Texture& picture);

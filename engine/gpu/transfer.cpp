@@ -33,14 +33,24 @@ Readback::Readback(Context& context, VkExtent2D extent, VkFormat format, std::ui
 }
 
 void Readback::record(VkCommandBuffer commands, Texture& texture) {
+  const Rows all[] = {{0, extent_.height}};
+  record(commands, texture, all);
+}
+
+void Readback::record(VkCommandBuffer commands, Texture& texture, std::span<const Rows> rows) {
   LUXO_REQUIRE_COMPARE(texture.extent().width, ==, extent_.width);
   LUXO_REQUIRE_COMPARE(texture.extent().height, ==, extent_.height);
   LUXO_REQUIRE(texture.format() == format_ && texture.samples() == VK_SAMPLE_COUNT_1_BIT);
   use(commands, {{texture, Use::TransferSource}, {buffer_, Use::TransferDestination}});
-  const VkBufferImageCopy region{.bufferRowLength = rowPitch_ / bytesPerTexel(format_),
-                                 .imageSubresource = {.aspectMask = aspectOf(format_), .layerCount = 1},
-                                 .imageExtent = {extent_.width, extent_.height, 1}};
-  vkCmdCopyImageToBuffer(commands, texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer_, 1, &region);
+  std::vector<VkBufferImageCopy> regions;
+  for (const auto& [first, count] : rows)
+    regions.push_back({.bufferOffset = VkDeviceSize{first} * rowPitch_,
+                       .bufferRowLength = rowPitch_ / bytesPerTexel(format_),
+                       .imageSubresource = {.aspectMask = aspectOf(format_), .layerCount = 1},
+                       .imageOffset = {0, static_cast<std::int32_t>(first), 0},
+                       .imageExtent = {extent_.width, count, 1}});
+  vkCmdCopyImageToBuffer(commands, texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer_,
+                         static_cast<std::uint32_t>(regions.size()), regions.data());
   use(commands, {{buffer_, Use::HostRead}});
 }
 

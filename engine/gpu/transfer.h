@@ -29,6 +29,13 @@ class Readback {
   /// VK_IMAGE_USAGE_TRANSFER_SRC_BIT.
   void record(VkCommandBuffer commands, Texture& texture);
 
+  /// Of a texture: `count` rows from `first` on.
+  struct Rows {
+    std::uint32_t first = 0, count = 0;
+  };
+  /// The same of these rows alone, one or more: the others stay as they were read before.
+  void record(VkCommandBuffer commands, Texture& texture, std::span<const Rows> rows);
+
   [[nodiscard]] std::uint32_t rowPitch() const noexcept { return rowPitch_; }
   /// Top row first. Require that the submission is complete.
   [[nodiscard]] std::span<const std::byte> bytes() { return buffer_.read(); }

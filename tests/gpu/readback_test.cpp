@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstring>
+#include <span>
 
 namespace luxo::gpu {
 namespace {
@@ -49,6 +50,28 @@ TEST_F(ReadbackTest, GivesBackTheExactFloatsOfAClearedTexture) {
       ASSERT_EQ(std::memcmp(readback.bytes().data() + i, color.data(), 16), 0) << "byte " << i;
     }
   }
+}
+
+TEST_F(ReadbackTest, LeavesRowsAloneThatItIsNotToldToRead) {
+  constexpr VkExtent2D kExtent{3, 7};
+  Texture texture = target(kExtent, VK_FORMAT_R32_SFLOAT);
+  Readback readback(context(), kExtent, texture.format());
+  FrameRing frames(context());
+  const auto record = [&](float value, std::span<const Readback::Rows> rows) {
+    const VkCommandBuffer commands = frames.begin();
+    clear(commands, texture, {.float32 = {value}});
+    readback.record(commands, texture, rows);
+    frames.wait(frames.submit());
+  };
+  const Readback::Rows all[] = {{0, 7}}, some[] = {{1, 2}, {6, 1}};
+  record(1, all);
+  record(2, some);
+  for (std::uint32_t y = 0; y < kExtent.height; ++y)
+    for (std::uint32_t x = 0; x < kExtent.width; ++x) {
+      float value = 0;
+      std::memcpy(&value, readback.row(y).data() + sizeof value * x, sizeof value);
+      EXPECT_EQ(value, y == 1 || y == 2 || y == 6 ? 2 : 1) << x << ", " << y;
+    }
 }
 
 TEST_F(ReadbackTest, LeavesTheGapsBetweenRowsAlone) {
