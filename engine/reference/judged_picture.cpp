@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/judged_picture.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "image/srgb.h"
+#include "math/float32.h"
+#include "reference/caster.h"
+#include "reference/layers.h"
+#include "reference/silhouette.h"
+
+namespace luxo::reference {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMostSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
+constexpr double kMostTurn = 0.1;      // the same for the sine between their line and the surface
+constexpr double kTouchingUlps = 2;    // of two depths, each of which is rounded up or down
+constexpr double kOtherLight = 1e-4;   // linear: smaller differences are not looked into for a light's shadow
+
+/// What is not a number is wrong without bound.
+double errorOf(double value) { return std::isnan(value) ? kInfinity : std::abs(value); }
+
+double degreesBetween(const Vec3& a, const Vec3& b) {
+  if (!(glm::length(a) > 0)) return kInfinity;
+  return errorOf(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / kPi);
+}
+
+/// Of the depth buffer: reversed, float32, infinite for perspective.
+class DepthScale {
+ public:
+  explicit DepthScale(const View& view) : view_(view) {}
+
+  /// `difference` metres at depth `z` in units in the last place of the buffer's value there.
+  [[nodiscard]] double ulps(double difference, double z) const {
+    const double range = view_.far - view_.near;
+    const double value = view_.perspective() ? view_.near / z : (view_.far - z) / range;
+    const double perMetre = view_.perspective() ? view_.near / (z * z) : 1 / range;
+    const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -126) - 23);
+    return errorOf(difference * perMetre / ulp);
+  }
+
+ private:
+  const View& view_;
+};
+
+class Judge {
+ public:
+  Judge(const Snapshot& snapshot, const ReferencePicture& truth, const MeasuredPicture& measured,
+        const VerificationOptions& options)
+      : snapshot_(snapshot),
+        truth_(truth),
+        measured_(measured),
+        options_(options),
+        size_(snapshot.view.size),
+        layers_(snapshot),
+        depthScale_(snapshot.view),
+        chosen_(options.pixels) {
+    requireSizes();
+    if (chosen_.empty()) {
+      chosen_.resize(truth.depth.size());
+      std::iota(chosen_.begin(), chosen_.end(), 0U);
+    }
+    pixels_.resize(chosen_.size());
+  }
+
+  JudgedPicture judged() {
+    std::vector<Floors> floors(chosen_.size() / kStretch + 1);
+    tbb::parallel_for(std::size_t(0), floors.size(), [&](std::size_t stretch) {
+      const std::size_t end = std::min((stretch + 1) * kStretch, chosen_.size());
+      for (std::size_t k = stretch * kStretch; k < end; ++k) judge(k, floors[stretch]);
+    });
+    findSilhouettes();
+    Floors floor;
+    for (const Floors& f : floors) floor.add(f);
+    return {std::move(chosen_), std::move(pixels_), floor};
+  }
+
+ private:
+  static constexpr std::size_t kStretch = 1024;
+
+  void requireSizes() const {
+    const auto require = [&](const Image& image, int channels, const char* name, bool needed) {
+      if (!needed && image.empty()) return;
+      if (image.width() == size_.width && image.height() == size_.height && image.channels() == channels)
+        return;
+      throw Error(
+          ErrorKind::Requirement,
+          fmt::format("cannot verify: '{}' has {} x {} pixels of {} channels, not {} x {} of {}", name,
+                      image.width(), image.height(), image.channels(), size_.width, size_.height, channels));
+    };
+    require(measured_.color, 3, "color", false);
+    require(measured_.depth, 1, "depth", false);
+    require(measured_.position, 3, "position", false);
+    require(measured_.normal, 3, "normal", false);
+    require(measured_.uv, 3, "uv", true);
+    require(measured_.id, 1, "id", true);
+  }
+
+  [[nodiscard]] static Vec3 valueAt(const Image& image, std::uint32_t i) {
+    const std::size_t channels = static_cast<std::size_t>(image.channels());
+    const std::span<const float> samples = image.samples().subspan(i * channels, channels);
+    return channels == 1 ? Vec3(samples[0], 0, 0) : Vec3(samples[0], samples[1], samples[2]);
+  }
+  [[nodiscard]] Vec2 centerOf(std::uint32_t i) const {
+    const auto width = static_cast<std::uint32_t>(size_.width);
+    return Vec2(i % width + 0.5, static_cast<double>(i / width) + 0.5) + snapshot_.view.sampleOffsetPx;
+  }
+  [[nodiscard]] Vec2 parametersAt(std::uint32_t i) const { return Vec2(valueAt(measured_.uv, i)); }
+
+  /// The truth of a pixel that shows a surface.
+  [[nodiscard]] Place seenAt(std::uint32_t i) const {
+    const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
+    const Vec2 parameters = truth_.parameters[i];
+    return {node, snapshot_.nodes[node].surface.patchAt(parameters.x, parameters.y), parameters,
+            truth_.position[i], centerOf(i)};
+  }
+
+  void judge(std::size_t k, Floors& floors) {
+    const std::uint32_t i = chosen_[k];
+    JudgedPixel& pixel = pixels_[k];
+    pixel.nan = anyNan(i);
+    if (!truth_.certified[i]) return;
+    pixel.compared = true;
+    compareColors(pixel, i);
+    const double number = measured_.id.samples()[i];
+    if (truth_.number[i] == 0) {
+      if (number != 0) pixel.mismatch = Mismatch::Extra;
+      return;
+    }
+    if (number != truth_.number[i]) {
+      pixel.mismatch = number == 0        ? Mismatch::Missing
+                       : showsTouching(i) ? Mismatch::None
+                                          : Mismatch::WrongNode;
+      return;
+    }
+    const Place seen = seenAt(i);
+    const auto shown = layers_.at(seen.node, parametersAt(i), seen.position);
+    if (!shown || !layers_.same(*shown, seen, truth_.normal[i], seen.pixel)) {
+      if (!showsTouching(i)) pixel.mismatch = Mismatch::WrongLayer;
+      return;
+    }
+    compareGeometry(pixel, i, seen, *shown, floors);
+  }
+
+  /// Whether what is shown is on the pixel's ray, and no farther from what the truth sees there than the
+  /// depth buffer tells, or, from the surface there, than a point may be off: of layers that touch either is
+  /// right.
+  [[nodiscard]] bool showsTouching(std::uint32_t i) const {
+    const auto node = layers_.nodeOf(measured_.id.samples()[i]);
+    const Vec3& seen = truth_.position[i];
+    const auto shown = node ? layers_.at(*node, parametersAt(i), seen) : std::nullopt;
+    if (!shown) return false;
+    const double off = glm::distance(shown->pixel, centerOf(i));
+    if (!(off <= kPointPx) && !(off <= kPointPx + roundingPx(*shown))) return false;
+    const Vec3 behind = shown->position - seen;
+    if (depthScale_.ulps(glm::dot(behind, snapshot_.view.forward()), truth_.depth[i]) <= kTouchingUlps)
+      return true;
+    const double throughSurface = std::abs(glm::dot(behind, truth_.normal[i]));
+    return throughSurface <= kPointPx * layers_.footprint(seen);
+  }
+
+  [[nodiscard]] bool anyNan(std::uint32_t i) const {
+    for (const Image* image : {&measured_.color, &measured_.depth, &measured_.position, &measured_.normal,
+                               &measured_.uv, &measured_.id}) {
+      if (image->empty()) continue;
+      const Vec3 v = valueAt(*image, i);
+      if (std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)) return true;
+    }
+    return false;
+  }
+
+  void compareGeometry(JudgedPixel& pixel, std::uint32_t i, const Place& seen, const Place& shown,
+                       Floors& floors) const {
+    const double footprint = layers_.footprint(seen.position);
+    pixel.inside = !atSilhouette(i);
+    pixel.position = glm::distance(shown.pixel, seen.pixel);
+    pixel.parameter = glm::distance(shown.position, seen.position) / footprint;
+    Floors floor;
+    pixel.offPoint = !(pixel.position <= kPointPx) && !(pixel.position <= kPointPx + roundingPx(shown));
+    if (const auto best = layers_.at(seen.node, roundedToFloat(seen.parameters), seen.position)) {
+      floor.position = glm::distance(best->pixel, seen.pixel);
+      floor.parameter = glm::distance(best->position, seen.position) / footprint;
+    }
+    if (!measured_.position.empty()) {
+      pixel.point = errorOf(glm::distance(valueAt(measured_.position, i), seen.position) / footprint);
+      floor.point = glm::distance(roundedToFloat(seen.position), seen.position) / footprint;
+    }
+    if (!measured_.depth.empty()) {
+      const double z = truth_.depth[i];
+      pixel.depth = depthScale_.ulps(measured_.depth.samples()[i] - z, z);
+      floor.depth = depthScale_.ulps(roundedToFloat(z) - z, z);
+    }
+    if (!measured_.normal.empty()) {
+      pixel.normal = degreesBetween(valueAt(measured_.normal, i), truth_.normal[i]);
+      floor.normal = degreesBetween(roundedToFloat(truth_.normal[i]), truth_.normal[i]);
+    }
+    floors.add(floor);
+  }
+
+  /// How far on the screen half a unit in the last place of u and of v may move a point, at most about.
+  [[nodiscard]] double roundingPx(const Place& shown) const {
+    double sum = 0;
+    for (const int axis : {0, 1}) {
+      double most = 0;
+      for (const double way : {-0.5, 0.5}) {
+        const auto value = static_cast<float>(shown.parameters[axis]);
+        const double ulp =
+            std::nextafter(std::abs(value), std::numeric_limits<float>::max()) - std::abs(value);
+        Vec2 moved = shown.parameters;
+        moved[axis] += way * ulp;
+        const auto place = layers_.at(shown.node, moved, shown.position);
+        if (place) most = std::max(most, glm::distance(place->pixel, shown.pixel));
+      }
+      sum += most;
+    }
+    return sum;
+  }
+
+  void compareColors(JudgedPixel& pixel, std::uint32_t i) const {
+    if (measured_.color.empty()) return;
+    const Vec3 shown = valueAt(measured_.color, i), seen = valueAt(truth_.color, i);
+    pixel.color = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double difference = errorOf(shown[c] - seen[c]);
+      pixel.color = std::max(pixel.color, difference);
+      pixel.squares += difference * difference;
+      const double coded = errorOf(srgbFromLinear(std::clamp(shown[c], 0.0, 1.0)) -
+                                   srgbFromLinear(std::clamp(seen[c], 0.0, 1.0)));
+      pixel.codedSquares += coded * coded;
+      pixel.differs8 |= encodeSrgb8(static_cast<float>(shown[c])) != encodeSrgb8(static_cast<float>(seen[c]));
+    }
+  }
+
+  /// Whether one of the eight pixels around sees another layer.
+  [[nodiscard]] bool atSilhouette(std::uint32_t i) const {
+    const int x = static_cast<int>(i) % size_.width, y = static_cast<int>(i) / size_.width;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        if ((dx == 0 && dy == 0) || x + dx < 0 || y + dy < 0 || x + dx >= size_.width ||
+            y + dy >= size_.height)
+          continue;
+        if (!continuous(i, static_cast<std::uint32_t>((y + dy) * size_.width + x + dx))) return true;
+      }
+    return false;
+  }
+
+  [[nodiscard]] bool continuous(std::uint32_t i, std::uint32_t j) const {
+    if (truth_.number[i] != truth_.number[j]) return false;
+    const Vec3 step = truth_.position[j] - truth_.position[i];
+    const double length = glm::length(step);
+    if (length < kMostSpacingPx * layers_.footprint(truth_.position[i]) &&
+        std::abs(glm::dot(step, truth_.normal[i])) < kMostTurn * length)
+      return true;
+    return layers_.same(seenAt(j), seenAt(i), truth_.normal[i], centerOf(i));
+  }
+
+  void findSilhouettes() {
+    const bool shadows = std::ranges::any_of(
+        snapshot_.lights, [](const SnapshotLight& light) { return light.shade.has_value(); });
+    const auto mayBeInShadow = [&](const JudgedPixel& pixel) {
+      return shadows && pixel.mismatch == Mismatch::None && pixel.position != kUnset &&
+             pixel.color > kOtherLight;
+    };
+    std::vector<std::size_t> wrong;
+    for (std::size_t k = 0; k < pixels_.size(); ++k)
+      if (pixels_[k].mismatch != Mismatch::None || pixels_[k].offPoint || mayBeInShadow(pixels_[k]))
+        wrong.push_back(k);
+    if (wrong.empty() || !options_.silhouettes) return;
+    const Caster caster(snapshot_);
+    tbb::parallel_for(std::size_t(0), wrong.size(), [&](std::size_t w) {
+      JudgedPixel& pixel = pixels_[wrong[w]];
+      const std::uint32_t i = chosen_[wrong[w]];
+      if (pixel.mismatch != Mismatch::None)
+        pixel.silhouettePx = static_cast<float>(silhouetteDistance(caster, i, pixel.mismatch));
+      else if (pixel.offPoint)
+        pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
+      else
+        pixel.offLight = inAnotherLight(caster, i);
+    });
+  }
+
+  /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.
+  [[nodiscard]] bool seesLayerOf(std::uint32_t i, const Caster::Sight& sight, const Vec2& at) const {
+    if (sight.hits.empty()) return false;
+    const Hit& hit = sight.hits.front();
+    const std::uint32_t patch = snapshot_.nodes[hit.node].surface.patchAt(hit.u, hit.v);
+    return layers_.same(seenAt(i), {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.normal, at);
+  }
+
+  /// From a pixel's centre to where the truth shows another layer; not looked for far beyond kSilhouettePx.
+  [[nodiscard]] double outlineDistance(const Caster& caster, std::uint32_t i) const {
+    return distanceTo(
+        [&](const Vec2& at) { return !seesLayerOf(i, caster.look(caster.rayThrough(at.x, at.y)), at); },
+        centerOf(i), 2 * kSilhouettePx);
+  }
+
+  /// Whether the colour shown is nearer to that with one light's visibility turned round than to the truth,
+  /// and no border of that shadow, and no outline, is near.
+  [[nodiscard]] bool inAnotherLight(const Caster& caster, std::uint32_t i) const {
+    const auto lightsAt = [&](const Ray& ray, const Caster::Sight& sight) {
+      return caster.shadowedLights(sight.hits.front(), -ray.direction);
+    };
+    const Vec2 center = centerOf(i);
+    const Ray ray = caster.rayThrough(center.x, center.y);
+    const auto sight = caster.look(ray);
+    if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
+      return false;  // seen through: no closed form
+    const Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
+    const auto lights = lightsAt(ray, sight);
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      const Vec3 turned = lights[k].visible ? -lights[k].share : lights[k].share;
+      const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+      if (!lights[k].certified || !(size(off - turned) < size(off))) continue;
+      const double border = distanceTo(
+          [&](const Vec2& at) {
+            const Ray other = caster.rayThrough(at.x, at.y);
+            const auto seen = caster.look(other);
+            if (!seesLayerOf(i, seen, at)) return true;
+            const auto there = lightsAt(other, seen);
+            return there.size() != lights.size() || there[k].visible != lights[k].visible;
+          },
+          center, 2 * kSilhouettePx);
+      if (border > kSilhouettePx) return true;
+    }
+    return false;
+  }
+
+  /// From a pixel's centre to where the truth is what the pixel shows.
+  [[nodiscard]] double silhouetteDistance(const Caster& caster, std::uint32_t i, Mismatch mismatch) const {
+    const auto node = layers_.nodeOf(measured_.id.samples()[i]);
+    std::optional<Place> shown;
+    if (mismatch == Mismatch::WrongLayer) {
+      shown = layers_.at(*node, parametersAt(i), truth_.position[i]);
+      if (!shown) return options_.farthestPx;
+    } else if (!node && mismatch != Mismatch::Missing) {
+      return options_.farthestPx;
+    }
+    return distanceTo(
+        [&](const Vec2& at) {
+          const auto sight = caster.look(caster.rayThrough(at.x, at.y));
+          if (mismatch == Mismatch::Missing) return sight.hits.empty();
+          if (sight.hits.empty() || sight.hits.front().node != *node) return false;
+          if (!shown) return true;
+          const Hit& hit = sight.hits.front();
+          const std::uint32_t patch = snapshot_.nodes[hit.node].surface.patchAt(hit.u, hit.v);
+          return layers_.same(*shown, {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.normal, at);
+        },
+        centerOf(i), options_.farthestPx);
+  }
+
+  const Snapshot& snapshot_;
+  const ReferencePicture& truth_;
+  const MeasuredPicture& measured_;
+  const VerificationOptions& options_;
+  PixelSize size_;
+  Layers layers_;
+  DepthScale depthScale_;
+  std::vector<std::uint32_t> chosen_;
+  std::vector<JudgedPixel> pixels_;  // as chosen_
+};
+
+}  // namespace
+
+JudgedPicture judgePixels(const Snapshot& snapshot, const ReferencePicture& truth,
+                          const MeasuredPicture& measured, const VerificationOptions& options) {
+  return Judge(snapshot, truth, measured, options).judged();
+}
+
+}  // namespace luxo::reference
