@@ -12,6 +12,23 @@ namespace {
 
 constexpr std::size_t kMostMaps = 64, kMostSolids = 256;
 
+template <class... Vectors>
+std::size_t bytesIn(const Vectors&... vectors) {
+  return (... + (vectors.size() * sizeof(typename Vectors::value_type)));
+}
+
+std::size_t bytesOf(const Mesh& mesh) {
+  return bytesIn(mesh.positions, mesh.normals, mesh.parameters, mesh.indices);
+}
+
+std::size_t bytesOf(const Hull& hull) {
+  std::size_t bytes = bytesIn(hull.positions, hull.parameters, hull.cells, hull.changes, hull.patches,
+                              hull.indices, hull.cones, hull.spanned, hull.slabs, hull.spanning);
+  for (const Hull::SpannedSlab& slab : hull.spannedSlabs)
+    bytes += bytesIn(slab.tops, slab.walls, slab.bottoms);
+  return bytes;
+}
+
 template <class Entries>
 auto leastRecentlyUsed(Entries& entries) {
   return std::min_element(entries.begin(), entries.end(),
@@ -41,19 +58,19 @@ MeshCache::MapEntry& MeshCache::mapOf(const Surface& surface, const Shape& shape
 }
 
 template <class Make>
-MeshCache::Entry MeshCache::found(const Surface& surface, Key key, const Make& make) {
+const MeshCache::Entry& MeshCache::found(const Surface& surface, Key key, const Make& make) {
   auto entry = entries_.find(key);
   if (entry == entries_.end()) {
     Entry made{.surface = surface, .mesh = nullptr, .hull = nullptr};
     make(key, made);
     ++tessellated_;
-    vertices_ += made.vertices();
+    made.bytes = made.mesh ? bytesOf(*made.mesh) : bytesOf(*made.hull);
+    makeRoom(made.bytes);
+    bytes_ += made.bytes;
     entry = entries_.emplace(std::move(key), std::move(made)).first;
   }
   entry->second.lastUse = ++uses_;
-  Entry copy = entry->second;
-  evict();
-  return copy;
+  return entry->second;
 }
 
 std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<const double> parameters,
@@ -113,11 +130,16 @@ bool MeshCache::boundsSolid(const Surface& surface, std::span<const double> para
   return found->second.isSolid;
 }
 
-void MeshCache::evict() {
-  while (vertices_ > mostVertices_ && entries_.size() > 1) {
-    const auto oldest = leastRecentlyUsed(entries_);
-    vertices_ -= oldest->second.vertices();
-    entries_.erase(oldest);
+void MeshCache::makeRoom(std::size_t bytes) {
+  if (bytes_ + bytes <= mostBytes_) return;
+  std::vector<decltype(entries_)::iterator> idle;
+  for (auto entry = entries_.begin(); entry != entries_.end(); ++entry)
+    if (!entry->second.inUse()) idle.push_back(entry);
+  std::ranges::sort(idle, {}, [](const auto& entry) { return entry->second.lastUse; });
+  for (const auto& entry : idle) {
+    if (bytes_ + bytes <= mostBytes_) return;
+    bytes_ -= entry->second.bytes;
+    entries_.erase(entry);
   }
 }
 

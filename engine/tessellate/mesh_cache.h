@@ -23,11 +23,11 @@ namespace luxo {
 /// What is not positive and finite is its own level.
 [[nodiscard]] double toleranceLevel(double tolerance);
 
-/// Not thread-safe. Keeps the most recently used meshes and hulls within a budget of vertices; one in use
-/// elsewhere stays alive through its own shared pointer.
+/// Not thread-safe. Keeps the meshes and hulls that are in use elsewhere, and, within a budget of bytes for
+/// all, the others that were used most recently.
 class MeshCache {
  public:
-  explicit MeshCache(std::size_t mostVertices = std::size_t{1} << 22) : mostVertices_(mostVertices) {}
+  explicit MeshCache(std::size_t mostBytes = std::size_t{64} << 20) : mostBytes_(mostBytes) {}
 
   /// The mesh for the levels of the tolerance and of the longest edge.
   [[nodiscard]] std::shared_ptr<const Mesh> get(const Surface& surface, std::span<const double> parameters,
@@ -40,6 +40,8 @@ class MeshCache {
   /// boundsSolid(), found once.
   [[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
 
+  /// Of the meshes and hulls that it has.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
   /// Meshes and hulls made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return tessellated_; }
 
@@ -68,11 +70,10 @@ class MeshCache {
     Surface surface;                   ///< keeps the identity in the key alive
     std::shared_ptr<const Mesh> mesh;  ///< or
     std::shared_ptr<const Hull> hull;
+    std::size_t bytes = 0;
     std::uint64_t lastUse = 0;
 
-    [[nodiscard]] std::size_t vertices() const {
-      return mesh ? mesh->positions.size() : hull->positions.size();
-    }
+    [[nodiscard]] bool inUse() const { return mesh.use_count() > 1 || hull.use_count() > 1; }
   };
   struct MapEntry {
     Surface surface;
@@ -90,13 +91,14 @@ class MeshCache {
   MapEntry& mapOf(const Surface& surface, const Shape& shape);
   /// What is there for the key, or what `make` makes: an entry's mesh or its hull.
   template <class Make>
-  Entry found(const Surface& surface, Key key, const Make& make);
-  void evict();
+  const Entry& found(const Surface& surface, Key key, const Make& make);
+  /// Forgets what is not in use, the oldest first, until so many more bytes fit.
+  void makeRoom(std::size_t bytes);
 
   std::map<Key, Entry> entries_;
   std::map<Shape, MapEntry> maps_;
   std::map<Shape, SolidEntry> solids_;
-  std::size_t mostVertices_, vertices_ = 0;
+  std::size_t mostBytes_, bytes_ = 0;
   std::uint64_t uses_ = 0, tessellated_ = 0;
 };
 
