@@ -119,12 +119,11 @@ void appendEquation(const Equation& equation, const Domain& domain, std::vector<
   LUXO_REQUIRE_COMPARE(numbers.size() - first, ==, std::size_t{shared::kEquationNumbers});
 }
 
-const SurfaceCode* ownCode(SurfaceCodes& codes, const Patch& patch, std::size_t parameters,
-                           GlslNumber number) {
+SurfaceCodePtr ownCode(SurfaceCodes& codes, const Patch& patch, std::size_t parameters, GlslNumber number) {
   return codes.get(patch.function, patch.constants.size() + parameters, number);
 }
 
-const SurfaceCode* generalCode(SurfaceCodes& codes, const Patch& patch, GlslNumber number) {
+SurfaceCodePtr generalCode(SurfaceCodes& codes, const Patch& patch, GlslNumber number) {
   return codes.get(patch.general, patch.constants.size() + patch.general->arguments.size(), number);
 }
 
@@ -227,12 +226,12 @@ shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, 
   return instance;
 }
 
-const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull, std::uint32_t patch,
-                          std::size_t parameters, GlslNumber number) {
+SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull, std::uint32_t patch,
+                      std::size_t parameters, GlslNumber number) {
   if (const auto& equation = hull.patchData[patch].equation)
     return codes.get(equation->form(), shared::kEquationNumbers, number);
   const Patch& p = surface.patches()[patch];
-  const SurfaceCode* const own = ownCode(codes, p, parameters, number);
+  const SurfaceCodePtr own = ownCode(codes, p, parameters, number);
   return isGeneral(codes, p, *own) ? generalCode(codes, p, number) : own;
 }
 
@@ -252,7 +251,7 @@ void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const 
       continue;
     }
     const Patch& p = surface.patches()[i];
-    if (const SurfaceCode* const own = ownCode(codes, p, parameters.size(), GlslNumber::Float);
+    if (const SurfaceCodePtr own = ownCode(codes, p, parameters.size(), GlslNumber::Float);
         isGeneral(codes, p, *own)) {
       const std::vector<double> inputs = p.general->inputs(p.constants, parameters);
       numbers.insert(numbers.end(), inputs.begin(), inputs.end());

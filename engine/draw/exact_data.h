@@ -53,8 +53,8 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
                                                   const PlaneRows& plane);
 
 /// What finds a patch of a hull's surface: its equation, or its formula of so many parameters.
-[[nodiscard]] const SurfaceCode* codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
-                                        std::uint32_t patch, std::size_t parameters, GlslNumber number);
+[[nodiscard]] SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
+                                    std::uint32_t patch, std::size_t parameters, GlslNumber number);
 
 /// Appends the patches of a hull, and the numbers that their codes read: of equations, or what formulas read
 /// beyond u and v.

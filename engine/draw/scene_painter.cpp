@@ -176,6 +176,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
                  samples);
   using enum gpu::Use;
   store_.dropUnused();
+  if (!care.completes) pipelines_.beginPicture();
   Uploads& uploads = care.completes ? completion_ : uploads_;
   upload(list, guarded(list.view, guardOf(color_.extent(), context_->limits())), !options.skips.unchanged,
          uploads);

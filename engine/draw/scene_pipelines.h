@@ -3,6 +3,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string_view>
@@ -33,9 +34,17 @@ struct PassFormat {
 /// Whether draws of this state read the mesh's surface parameters.
 [[nodiscard]] bool readsParameters(const DrawState& state);
 
+/// Keeps what pictures use again and again. Of what the last two have not used it keeps so many bytes, the
+/// most recent: a formula that is edited would leave its pipelines behind for ever.
+inline constexpr std::size_t kMostIdlePipelineBytes = std::size_t{64} << 20;
+
 class ScenePipelines {
  public:
   explicit ScenePipelines(gpu::Context& context);
+
+  /// A picture begins. Forgets what is too old, with the shaders that no pipeline has any more; the device
+  /// may still be drawing with it.
+  void beginPicture();
 
   [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const PassFormat& format);
   /// Set 0 of every pipeline: view, instances, lights (shared/scene_data.h).
@@ -47,21 +56,29 @@ class ScenePipelines {
   [[nodiscard]] const gpu::DescriptorLayout& exactLayout();
 
  private:
-  [[nodiscard]] gpu::GraphicsPipeline make(const DrawState& state, const PassFormat& format);
+  struct Made {
+    gpu::GraphicsPipeline pipeline;
+    std::size_t bytes = 0;
+    std::uint64_t lastPicture = 0;  ///< that used it
+  };
+
+  [[nodiscard]] Made make(const DrawState& state, const PassFormat& format);
+  void forgetShaders();
   /// The fragment shader of that name below shaders/pattern, made for a pattern.
   [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Pattern& pattern,
                                                                 std::string_view name);
 
   /// The fragment shader that finds a surface, with a pattern or without.
-  [[nodiscard]] const std::vector<std::uint32_t>& exactShader(const SurfaceCode& surface,
+  [[nodiscard]] const std::vector<std::uint32_t>& exactShader(const SurfaceCodePtr& code,
                                                               const Pattern& pattern);
   void describeExact(const DrawState& state, const PassFormat& format, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
   gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;
-  std::map<std::pair<const SurfaceCode*, Pattern>, std::vector<std::uint32_t>> exactShaders_;
+  std::map<std::pair<SurfaceCodePtr, Pattern>, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
-  std::map<std::pair<DrawState, PassFormat>, gpu::GraphicsPipeline> pipelines_;
+  std::map<std::pair<DrawState, PassFormat>, Made> pipelines_;
+  std::uint64_t picture_ = 0;
 };
 
 }  // namespace luxo

@@ -44,30 +44,40 @@ SurfaceCode planeCode(std::size_t parameters) {
           .number = GlslNumber::Double};
 }
 
-const SurfaceCode* SurfaceCodes::shared(SurfaceCode code) {
-  std::pair key(code.glsl, code.number);
-  return &byText_.try_emplace(std::move(key), std::move(code)).first->second;
+SurfaceCodePtr SurfaceCodes::shared(SurfaceCode code) {
+  std::weak_ptr<const SurfaceCode>& known = byText_[{code.glsl, code.number}];
+  SurfaceCodePtr there = known.lock();
+  if (!there) known = there = std::make_shared<const SurfaceCode>(std::move(code));
+  return there;
 }
 
-const SurfaceCode* SurfaceCodes::get(Equation::Form form, std::size_t parameters, GlslNumber number) {
+void SurfaceCodes::forgetGone() {
+  std::erase_if(byFormula_, [](const auto& entry) { return entry.second.formula.expired(); });
+  std::erase_if(byText_, [](const auto& entry) { return entry.second.expired(); });
+}
+
+SurfaceCodePtr SurfaceCodes::get(Equation::Form form, std::size_t parameters, GlslNumber number) {
   return shared(equationCode(form, parameters, number));
 }
 
 template <class Formula>
-const SurfaceCode* SurfaceCodes::ofFormula(const std::shared_ptr<const Formula>& formula,
-                                           std::size_t parameters, GlslNumber number) {
-  Known& known = byFormula_[{formula.get(), number}];
-  if (known.formula.lock() != formula) known = {formula, shared(surfaceCode(*formula, parameters, number))};
-  return known.code;
+SurfaceCodePtr SurfaceCodes::ofFormula(const std::shared_ptr<const Formula>& formula, std::size_t parameters,
+                                       GlslNumber number) {
+  const auto known = byFormula_.find({formula.get(), number});
+  if (known != byFormula_.end() && known->second.formula.lock() == formula) return known->second.code;
+  forgetGone();
+  SurfaceCodePtr code = shared(surfaceCode(*formula, parameters, number));
+  byFormula_[{formula.get(), number}] = {formula, code};
+  return code;
 }
 
-const SurfaceCode* SurfaceCodes::get(const std::shared_ptr<const SurfaceFunction>& function,
-                                     std::size_t parameters, GlslNumber number) {
+SurfaceCodePtr SurfaceCodes::get(const std::shared_ptr<const SurfaceFunction>& function,
+                                 std::size_t parameters, GlslNumber number) {
   return ofFormula(function, parameters, number);
 }
 
-const SurfaceCode* SurfaceCodes::get(const std::shared_ptr<const GeneralForm>& form, std::size_t parameters,
-                                     GlslNumber number) {
+SurfaceCodePtr SurfaceCodes::get(const std::shared_ptr<const GeneralForm>& form, std::size_t parameters,
+                                 GlslNumber number) {
   return ofFormula(form, parameters, number);
 }
 

@@ -38,30 +38,37 @@ struct SurfaceCode {
 /// The code of all planes that fill a hull, in double.
 [[nodiscard]] SurfaceCode planeCode(std::size_t parameters);
 
-/// Every function's code, made once. Equal formulas share one, whoever made them.
+using SurfaceCodePtr = std::shared_ptr<const SurfaceCode>;
+
+/// Every function's code, made once while the function is there. Equal formulas share one, whoever made them:
+/// codes that are there at the same time are equal where their addresses are.
 class SurfaceCodes {
  public:
-  /// Valid as long as this object; equal code has the same address.
-  [[nodiscard]] const SurfaceCode* get(const std::shared_ptr<const SurfaceFunction>& function,
-                                       std::size_t parameters, GlslNumber number = GlslNumber::Float);
-  [[nodiscard]] const SurfaceCode* get(const std::shared_ptr<const GeneralForm>& form, std::size_t parameters,
-                                       GlslNumber number = GlslNumber::Float);
-  [[nodiscard]] const SurfaceCode* get(Equation::Form form, std::size_t parameters,
-                                       GlslNumber number = GlslNumber::Float);
-  [[nodiscard]] const SurfaceCode* plane(std::size_t parameters) { return shared(planeCode(parameters)); }
+  [[nodiscard]] SurfaceCodePtr get(const std::shared_ptr<const SurfaceFunction>& function,
+                                   std::size_t parameters, GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] SurfaceCodePtr get(const std::shared_ptr<const GeneralForm>& form, std::size_t parameters,
+                                   GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] SurfaceCodePtr get(Equation::Form form, std::size_t parameters,
+                                   GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] SurfaceCodePtr plane(std::size_t parameters) { return shared(planeCode(parameters)); }
+
+  /// Codes that are remembered, whether or not anyone has them still.
+  [[nodiscard]] std::size_t count() const { return byText_.size(); }
 
  private:
   struct Known {
     std::weak_ptr<const void> formula;  ///< another one may get the address of one that is gone
-    const SurfaceCode* code = nullptr;
+    SurfaceCodePtr code;
   };
 
-  const SurfaceCode* shared(SurfaceCode code);
+  SurfaceCodePtr shared(SurfaceCode code);
   template <class Formula>
-  const SurfaceCode* ofFormula(const std::shared_ptr<const Formula>& formula, std::size_t parameters,
-                               GlslNumber number);
+  SurfaceCodePtr ofFormula(const std::shared_ptr<const Formula>& formula, std::size_t parameters,
+                           GlslNumber number);
+  /// Functions and codes that are gone.
+  void forgetGone();
 
-  std::map<std::pair<std::string, GlslNumber>, SurfaceCode> byText_;
+  std::map<std::pair<std::string, GlslNumber>, std::weak_ptr<const SurfaceCode>> byText_;
   std::map<std::pair<const void*, GlslNumber>, Known> byFormula_;
 };
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// One renderer draws scene after scene whose formulas differ, as when a file is edited beside its picture:
+// what it keeps has a bound, and what pictures go on using is there.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "draw/scene_pipelines.h"
+#include "support/picture.h"
+
+namespace luxo::test {
+namespace {
+
+constexpr PixelSize kSize{32, 24};
+
+/// Shaders are compiled into a folder of the test's own.
+class EditsTest : public PictureTest {
+ protected:
+  void TearDown() override {
+    PictureTest::TearDown();
+    std::filesystem::remove_all(directory_);
+  }
+
+  [[nodiscard]] std::uint64_t objects() { return renderer().context().counters().objects; }
+  [[nodiscard]] std::uint64_t pipelinesFor(const Scene& scene) {
+    return draw(scene, Camera{.eye = Vec3(0, 0, 9)}, kSize, {.shading = Shading::Phong})
+        .statistics.count.pipelinesCreated;
+  }
+
+ private:
+  const std::filesystem::path directory_ =
+      std::filesystem::path(testing::TempDir()) / ("luxo-edits-" + std::to_string(getpid()));
+  ScopedVariable variable_{"LUXO_CACHE_DIR", directory_.c_str()};
+};
+
+Material stripes(int edit) {
+  return {.diffusePattern =
+              pattern([edit](auto u, auto) { return point(0.5 + 0.5 * sin((edit + 1.5) * u), 0.5, 0.5); })};
+}
+
+/// Plates side by side, each with a formula of its own.
+Scene plates(int firstEdit, int count) {
+  Scene scene;
+  scene.set(plainSettings());
+  for (int i = 0; i < count; ++i)
+    scene.add(plate(Vec3(0.1 * i - 2, 0, 0), {0.1, 2}, scene.add(stripes(firstEdit + i))));
+  return scene;
+}
+
+/// As many pipelines as fit what is kept of old ones, whatever their shaders.
+constexpr int kMostKept = static_cast<int>(kMostIdlePipelineBytes >> 21);
+
+TEST_F(EditsTest, WhatIsKeptHasABound) {
+  // Each edit makes a shader, a pipeline and its layout.
+  for (int edit = 0; edit < kMostKept; ++edit) ASSERT_EQ(pipelinesFor(plates(edit, 1)), 1u);
+  const std::uint64_t then = objects();
+  for (int edit = kMostKept; edit < 2 * kMostKept; ++edit) ASSERT_EQ(pipelinesFor(plates(edit, 1)), 1u);
+  EXPECT_LE(objects(), then);
+  // The latest are still there, the first is not.
+  EXPECT_EQ(pipelinesFor(plates(2 * kMostKept - 5, 1)), 0u);
+  EXPECT_EQ(pipelinesFor(plates(0, 1)), 1u);
+}
+
+TEST_F(EditsTest, WhatAPictureUsesStays) {
+  const Scene many = plates(0, kMostKept + 4);
+  EXPECT_EQ(pipelinesFor(many), kMostKept + 4u);
+  EXPECT_EQ(pipelinesFor(many), 0u);
+  EXPECT_EQ(pipelinesFor(plates(100, 1)), 1u);
+  EXPECT_EQ(pipelinesFor(many), 0u) << "it was in use a picture ago";
+}
+
+}  // namespace
+}  // namespace luxo::test
