@@ -14,7 +14,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{32, 24};
+constexpr PixelSize kSize{160, 120};
 
 /// Shaders are compiled into a folder of the test's own.
 class EditsTest : public PictureTest {
@@ -26,7 +26,7 @@ class EditsTest : public PictureTest {
 
   [[nodiscard]] std::uint64_t objects() { return renderer().context().counters().objects; }
   [[nodiscard]] std::uint64_t pipelinesFor(const Scene& scene) {
-    return draw(scene, Camera{.eye = Vec3(0, 0, 9)}, kSize, {.shading = Shading::Phong})
+    return draw(scene, Camera{.eye = Vec3(0, 0, 6)}, kSize, {.shading = Shading::Phong})
         .statistics.count.pipelinesCreated;
   }
 
@@ -41,12 +41,17 @@ Material stripes(int edit) {
               pattern([edit](auto u, auto) { return point(0.5 + 0.5 * sin((edit + 1.5) * u), 0.5, 0.5); })};
 }
 
-/// Plates side by side, each with a formula of its own.
+/// Plates of one shape, side by side, each with a formula of its own.
 Scene plates(int firstEdit, int count) {
   Scene scene;
   scene.set(plainSettings());
-  for (int i = 0; i < count; ++i)
-    scene.add(plate(Vec3(0.1 * i - 2, 0, 0), {0.1, 2}, scene.add(stripes(firstEdit + i))));
+  static const Node kPlate = plate(Vec3(0), {0.1, 2}, {});
+  for (int i = 0; i < count; ++i) {
+    Node node = kPlate;
+    node.translation = Vec3(0.1 * i - 2, 0, 0);
+    node.material = scene.add(stripes(firstEdit + i));
+    scene.add(node);
+  }
   return scene;
 }
 

@@ -100,10 +100,18 @@ TEST(MeshCache, ParametersBelongToTheKey) {
   EXPECT_EQ(cache.tessellated(), 2u);
 }
 
-/// Of a plate of n x 1: 2 (n + 1) vertices of a position, a normal and (u, v), 2 n triangles.
-std::size_t bytesOfPlate(int n) {
-  const auto cells = static_cast<std::size_t>(n);
-  return 2 * (cells + 1) * (2 * sizeof(Vec3) + sizeof(Vec2)) + 6 * cells * sizeof(std::uint32_t);
+/// What a cache of one mesh has, of a plate of n x 1.
+std::size_t bytesOfPlate(std::uint32_t n) {
+  MeshCache cache;
+  static_cast<void>(cache.get(rectangle(1, 1), {}, grid(n, 1)));
+  return cache.bytes();
+}
+
+TEST(MeshCache, CountsBytes) {
+  // A cell more has two vertices more, of a position, a normal and (u, v), and two triangles.
+  const std::size_t cell = 2 * (2 * sizeof(Vec3) + sizeof(Vec2)) + 6 * sizeof(std::uint32_t);
+  EXPECT_EQ(bytesOfPlate(99), bytesOfPlate(9) + 90 * cell);
+  EXPECT_GT(bytesOfPlate(1), 10 * cell) << "small meshes have a surface, too";
 }
 
 TEST(MeshCache, ForgetsTheLeastRecentlyUsedBeyondItsBudget) {
