@@ -18,7 +18,7 @@ struct RenderOptions::Texts {
       audit, sample, requireError, sweep, report;
   std::vector<std::string> parameters;
   std::string device = "auto";
-  bool validate = false, list = false, quiet = false, verbose = false;
+  bool hiddenLines = false, validate = false, list = false, quiet = false, verbose = false;
 };
 
 RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarget destination)
@@ -47,6 +47,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
       "PX");
   add("--shading", t.shading,
       "exact flat gouraud phong toon wireframe, or a view: normal uv depth id residual (exact)", "NAME");
+  command.add_flag("--hidden-lines", t.hiddenLines, "wireframe: lines behind surfaces show, too");
   add("--engine", t.engine,
       files ? "vulkan, or reference: the ground truth by rays, needs no device (vulkan)" : "vulkan", "NAME");
   add("--camera", t.camera, "camera of the scene", "NAME");
@@ -138,6 +139,7 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   take(request.tolerancePx, t.tolerance,
        [](const std::string& text) { return parsePixels("--tolerance", text); });
   take(request.shading, t.shading, parseShading);
+  request.hiddenLines = t.hiddenLines;
   take(request.engine, t.engine, parseEngine);
   request.camera = t.camera;
   for (const std::string& text : t.parameters) request.parameters.push_back(parseParameter(text));

@@ -28,6 +28,7 @@ struct RenderRequest {
   std::optional<int> samples = std::nullopt;
   std::optional<double> tolerancePx = std::nullopt;
   std::optional<Shading> shading = std::nullopt;
+  bool hiddenLines = false;  ///< of wireframes, shown even if the scene does not say so
   Engine engine = Engine::Vulkan;
   std::optional<std::string> camera = std::nullopt;
   std::vector<ParameterValue> parameters = {};

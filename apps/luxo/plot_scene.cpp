@@ -182,6 +182,7 @@ RenderDesc renderOf(const RenderRequest& request) {
   render.samples = request.samples.value_or(4);
   if (request.tolerancePx) render.tolerance = *request.tolerancePx;
   if (request.shading) render.shading = *request.shading;
+  render.hiddenLines = request.hiddenLines;
   // Paper, and light from all sides: nothing is black.
   render.background = {0.86, 0.88, 0.9};
   render.ambient = repeated(0.22);

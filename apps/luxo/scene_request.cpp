@@ -19,6 +19,7 @@ RenderSettings settingsOf(const Scene& scene, const RenderRequest& request) {
   settings.samples = request.samples.value_or(settings.samples);
   settings.tolerance = request.tolerancePx.value_or(settings.tolerance);
   settings.shading = request.shading.value_or(settings.shading);
+  settings.hiddenLines |= request.hiddenLines;
   return settings;
 }
 

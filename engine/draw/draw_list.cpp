@@ -230,7 +230,7 @@ class DrawLister {
   DrawList list() && {
     listOpaque();
     listTransparent();
-    std::ranges::stable_partition(list_.opaque, [](const DrawBatch& batch) { return batch.hull != nullptr; });
+    std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
     listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
@@ -256,6 +256,14 @@ class DrawLister {
   static auto kindOf(const DrawBatch& b) {
     return std::tuple(b.state, b.mesh.get(), b.hull.get(), b.firstIndex, b.culling, b.bothSides, b.mirrored,
                       b.lightSet);
+  }
+
+  /// What is searched for comes first. What hides lines comes before all lines, and after all that it must
+  /// not hide.
+  static int placeInOrder(const DrawBatch& batch) {
+    if (batch.hull) return 0;
+    if (batch.state.hidesLines) return 2;
+    return batch.state.shading == Shading::Wireframe ? 3 : 1;
   }
 
   /// Every node joins the first draw of its kind, so that draws stay roughly front to back.
@@ -502,6 +510,10 @@ class DrawLister {
     batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
     batch.instanceCount = static_cast<std::uint32_t>(instances.size());
     for (const Instance& instance : instances) place(instance);
+    if (hidesLines(batch.state)) {
+      batches.push_back(batch);
+      batches.back().state.hidesLines = true;
+    }
     const bool bothSides =
         !batch.hull && batch.bothSides && !batch.flat && batch.state.shading != Shading::Wireframe;
     if (!bothSides) {
@@ -513,6 +525,11 @@ class DrawLister {
       batch.culling = half == Half::Near ? FaceCulling::Back : FaceCulling::Front;
       batches.push_back(batch);
     }
+  }
+
+  [[nodiscard]] bool hidesLines(const DrawState& state) const {
+    return state.shading == Shading::Wireframe && state.output == Output::Color && !state.blended &&
+           !options_.hiddenLines;
   }
 
   void place(const Instance& instance) {

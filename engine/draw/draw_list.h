@@ -27,12 +27,13 @@ struct DrawState {
   Output output = Output::Color;
   std::uint32_t plainLights = 0, shadedLights = 0;
   bool blended = false;
-  Pattern pattern = {};    ///< where light falls on it; none for views of geometry
-  SurfaceCodePtr surface;  ///< what finds a surface in every pixel; null: triangles are drawn
-  bool equation = false;   ///< with it: it is an equation, no formula
-  bool steep = false;      ///< with it: a ray may graze the surface, and meet it more than once
-  bool poles = false;      ///< with that: an edge of a patch is one point
-  bool byRays = false;     ///< points are drawn that rays have found
+  Pattern pattern = {};     ///< where light falls on it; none for views of geometry
+  SurfaceCodePtr surface;   ///< what finds a surface in every pixel; null: triangles are drawn
+  bool equation = false;    ///< with it: it is an equation, no formula
+  bool steep = false;       ///< with it: a ray may graze the surface, and meet it more than once
+  bool poles = false;       ///< with that: an edge of a patch is one point
+  bool byRays = false;      ///< points are drawn that rays have found
+  bool hidesLines = false;  ///< of a wireframe: its triangles, of which only the depth is drawn
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };

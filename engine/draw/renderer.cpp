@@ -142,7 +142,10 @@ FrameStatistics again(const FrameStatistics& before) {
 }  // namespace
 
 DrawOptions drawOptions(const RenderSettings& settings) {
-  return {.shading = settings.shading, .tolerancePx = settings.tolerance, .samples = settings.samples};
+  return {.shading = settings.shading,
+          .tolerancePx = settings.tolerance,
+          .samples = settings.samples,
+          .hiddenLines = settings.hiddenLines};
 }
 
 Renderer::Renderer()

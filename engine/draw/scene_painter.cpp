@@ -117,11 +117,16 @@ void beginPass(VkCommandBuffer commands, const PassTargets& targets, VkAttachmen
   gpu::setViewport(commands, targets.color.extent(), guard);
 }
 
+/// A line is a pixel wide, so that its pixels are up to 0.5 beside the edge it is: that much deeper by the
+/// slope of either triangle at it, along x and along y.
+constexpr float kLineSlope = 1;
+
 /// Vertices snap to 1/256 pixel, so the depth of a facet is uncertain by its slope times 1/512 pixel at its
 /// edges; four times that, and a few units of rounding, keeps the halves of a surface apart wherever they
 /// meet. Each half moves by its own slope, since either may be the steeper one.
 gpu::DepthBias biasOf(const DrawBatch& batch) {
   constexpr float kUnits = 8, kSlope = 1.0f / 128;
+  if (batch.state.hidesLines) return {.constant = -kUnits, .slope = -kLineSlope};
   if (batch.hull || batch.state.blended || batch.half == Half::Whole) return {};
   if (batch.half == Half::Far) return {.constant = -kUnits, .slope = -kSlope};
   return batch.twoSided ? gpu::DepthBias{.constant = kUnits, .slope = kSlope} : gpu::DepthBias{};

@@ -285,6 +285,11 @@ ScenePipelines::Made ScenePipelines::make(const DrawState& state, const PassForm
     desc.attributes.pop_back();
     desc.polygonMode = VK_POLYGON_MODE_LINE;
     desc.specialization.clear();
+    if (state.hidesLines) {
+      desc.fragmentShader = {};
+      desc.polygonMode = VK_POLYGON_MODE_FILL;
+      desc.blend = gpu::Blend::Keep;
+    }
   } else if (state.shading == Shading::Toon) {
     desc.vertexShader = luxo_toon_vert;
     desc.fragmentShader = luxo_toon_frag;

@@ -40,6 +40,7 @@ class ShaderModule {
 };
 
 VkPipelineColorBlendAttachmentState blendState(Blend blend) {
+  if (blend == Blend::Keep) return {};
   VkPipelineColorBlendAttachmentState state{.colorWriteMask =
                                                 VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};

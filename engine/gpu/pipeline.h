@@ -17,6 +17,7 @@ enum class Blend {
   None,
   Alpha,  ///< source over destination, colours not premultiplied; alpha becomes coverage
   Color,  ///< as Alpha, but the destination's alpha stays
+  Keep,   ///< the destination stays: nothing but depth is drawn
   Mean,   ///< the part of the source that vkCmdSetBlendConstants() says, the rest of the destination; the
           ///< larger alpha
 };

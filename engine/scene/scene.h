@@ -63,6 +63,7 @@ struct RenderSettings {
   int samples = 1;         ///< per pixel, 1 to kMostSamples
   double tolerance = 0.5;  ///< pixels, in kToleranceRange
   Shading shading = Shading::Exact;
+  bool hiddenLines = false;  ///< of wireframes, shown
   Vec3 background{0.02, 0.025, 0.03};
   Vec3 ambient{0.1};
 

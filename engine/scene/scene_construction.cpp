@@ -274,7 +274,7 @@ Vec3 SceneConstruction::colorOnce(const Quantity3& color) {
 }
 
 void SceneConstruction::setRender(const RenderDesc& desc) {
-  RenderSettings settings{.shading = desc.shading};
+  RenderSettings settings{.shading = desc.shading, .hiddenLines = desc.hiddenLines};
   const std::optional<int> width = count(desc.size[0], kMostPictureSide),
                            height = count(desc.size[1], kMostPictureSide),
                            samples = count(desc.samples, kMostSamples);

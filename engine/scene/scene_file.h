@@ -226,6 +226,7 @@ struct RenderDesc {
   QuantityPair size{1280, 720};
   Quantity time = {}, fps = 24, samples = 1, tolerance = 0.5;
   Shading shading = Shading::Exact;
+  bool hiddenLines = false;
   Quantity3 background{0.02, 0.025, 0.03}, ambient = repeated(0.1);
 
   friend bool operator==(const RenderDesc&, const RenderDesc&) = default;

@@ -26,8 +26,8 @@ using Names = std::string_view;
 
 inline constexpr std::array<Names, 9> kRootNames = {"luxo",     "$schema", "render", "params", "materials",
                                                     "surfaces", "nodes",   "camera", "cameras"};
-inline constexpr std::array<Names, 8> kRenderNames = {"size",      "time",    "fps",        "samples",
-                                                      "tolerance", "shading", "background", "ambient"};
+inline constexpr std::array<Names, 9> kRenderNames = {
+    "size", "time", "fps", "samples", "tolerance", "shading", "hidden_lines", "background", "ambient"};
 inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
 inline constexpr std::array<Names, 8> kMaterialNames = {
     "diffuse", "ambient", "specular", "shininess", "opacity", "two_sided", "shading", "lecture_specular"};

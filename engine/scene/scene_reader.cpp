@@ -123,6 +123,7 @@ void SceneReader::readRender(const JsonValue& render) {
   values_.read(members["samples"], target.samples);
   values_.read(members["tolerance"], target.tolerance);
   values_.readWord(members["shading"], kShadingNames, target.shading);
+  values_.read(members["hidden_lines"], target.hiddenLines);
   readColor(members["background"], target.background);
   readColor(members["ambient"], target.ambient);
 }

@@ -93,6 +93,7 @@ JsonText written(const RenderDesc& render) {
   members.add("samples", render.samples, usual.samples);
   members.add("tolerance", render.tolerance, usual.tolerance);
   members.addWord("shading", render.shading, usual.shading, kShadingNames);
+  if (render.hiddenLines) members.put("hidden_lines", JsonText::boolean(true));
   members.addColor("background", render.background, usual.background);
   members.addColor("ambient", render.ambient, usual.ambient);
   return members.take();

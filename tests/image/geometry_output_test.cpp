@@ -253,5 +253,79 @@ TEST_F(GeometryOutput, WireframeIsTheEdges) {
   EXPECT_LE(edge, 3 * (6 * 80 + 4 * 40));
 }
 
+/// A sheet of wires, 4 x 4 metres, one metre a cell, white.
+Node sheet(Scene& scene, double z) {
+  Node node =
+      plate(Vec3(0, 0, z), {4, 4}, scene.add(Material{.diffuse = Vec3(1), .shading = Shading::Wireframe}));
+  node.segments = Segments{4, 4};
+  return node;
+}
+
+Camera above() {
+  return {.eye = Vec3(0.3, 0.2, 6),
+          .lookAt = Vec3(0.3, 0.2, 0),
+          .projection = Projection::Orthographic,
+          .height = 2.4};
+}
+
+int litPixels(const Image& image, const Vec3& color) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) count += near(colorAt(image, x, y), color, 1e-6) ? 1 : 0;
+  return count;
+}
+
+// The far sheet is half a cell aside: none of its lines along x or y is where one of the near sheet is.
+TEST_F(GeometryOutput, WiresHideTheLinesBehindThem) {
+  for (const int samples : {1, 4}) {
+    const DrawOptions hiding{.shading = Shading::Wireframe, .samples = samples};
+    DrawOptions showing = hiding;
+    showing.hiddenLines = true;
+    Scene nearSheet, both;
+    for (Scene* scene : {&nearSheet, &both}) scene->set(RenderSettings{.background = Vec3(0)});
+    nearSheet.add(sheet(nearSheet, 0));
+    Node far = sheet(both, -2);
+    far.translation = Vec3(0.5, 0.5, -2);
+    both.add(far);
+    both.add(sheet(both, 0));
+    const Image alone = draw(nearSheet, above(), kSize, hiding).image;
+    EXPECT_TRUE(sameBytes(draw(both, above(), kSize, hiding).image, alone)) << samples;
+    const Image shown = draw(both, above(), kSize, showing).image;
+    EXPECT_FALSE(sameBytes(shown, alone)) << samples;
+    if (samples == 1) {
+      EXPECT_GT(litPixels(shown, Vec3(1)), 5 * litPixels(alone, Vec3(1)) / 4);
+    }
+    EXPECT_TRUE(sameBytes(draw(nearSheet, above(), kSize, showing).image, alone)) << "its own lines all show";
+  }
+}
+
+// Lines of a steep sheet are whole: what hides lines does not hide those of its own triangles.
+TEST_F(GeometryOutput, SteepWiresAreWhole) {
+  for (const double height : {0.5, 2.0, 8.0, 30.0}) {
+    Scene scene;
+    scene.set(RenderSettings{.background = Vec3(0)});
+    scene.add(sheet(scene, 0));
+    const Camera aslant{.eye = Vec3(0.2, -10, height), .lookAt = Vec3(0)};
+    const DrawOptions hiding{.shading = Shading::Wireframe};
+    DrawOptions showing = hiding;
+    showing.hiddenLines = true;
+    EXPECT_TRUE(
+        sameBytes(draw(scene, aslant, kSize, hiding).image, draw(scene, aslant, kSize, showing).image))
+        << height;
+  }
+}
+
+TEST_F(GeometryOutput, WiresHideNothingButLines) {
+  Scene scene;
+  scene.set(plainSettings());
+  scene.add(plate(Vec3(0, 0, -1), {8, 8}, scene.add(glowing({0, 0.5, 0}))));
+  scene.add(sheet(scene, 0));
+  scene.add(sheet(scene, -2));
+  const Image image = draw(scene, above(), kSize, {.shading = Shading::Phong}).image;
+  const int lines = litPixels(image, Vec3(1)), body = litPixels(image, {0, 0.5, 0});
+  EXPECT_EQ(lines + body, kSize.width * kSize.height) << "the solid plate is seen between the near wires";
+  EXPECT_GT(lines, 100);
+}
+
 }  // namespace
 }  // namespace luxo::test
