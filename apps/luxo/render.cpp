@@ -74,6 +74,19 @@ void requireOutputsOf(const std::vector<Job>& jobs, const RenderRequest& request
                     "choose another name");
 }
 
+/// Each stage's own time.
+std::string stagesOf(const FrameTimes& ms) {
+  const std::pair<const char*, double> stages[] = {
+      {"animate", ms.animate}, {"cull", ms.cull},     {"tessellate", ms.tessellate},
+      {"upload", ms.upload},   {"gpu", ms.gpu},       {"rays", ms.rays},
+      {"cells", ms.rayTrees},  {"read", ms.readback}, {"encode", ms.encode}};
+  std::string text;
+  for (const auto& [name, milliseconds] : stages)
+    if (milliseconds >= 0.05)
+      text += fmt::format("{}{} {:.1f}", text.empty() ? "" : ", ", name, milliseconds);
+  return text;
+}
+
 /// Encodes and writes; runs beside the drawing of the next frame. Gives the milliseconds it took.
 double encodeToFile(const Image& image, const std::filesystem::path& file) {
   const auto start = std::chrono::steady_clock::now();
@@ -201,9 +214,14 @@ class Run {
   void announce(const FrameReport& frame) const {
     if (request_.verbosity == Verbosity::Quiet || (oneOfMany_ && request_.verbosity != Verbosity::Verbose))
       return;
+    // Of one picture all that its user has waited for; of several what each has taken.
+    const double milliseconds = oneOfMany_ ? frame.statistics.ms.total : millisecondsSince(processStart());
     printNote(fmt::format("{}  {}x{}  {:.0f} ms  {}  on {}", frame.file.string(), settings_.size.width,
-                          settings_.size.height, millisecondsSince(processStart()), qualityOf(frame),
-                          report_.device.name));
+                          settings_.size.height, milliseconds, qualityOf(frame), report_.device.name));
+    if (request_.verbosity == Verbosity::Verbose)
+      printNote(fmt::format("  ms: {}{}",
+                            oneOfMany_ ? "" : fmt::format("startup {:.1f}, ", report_.startupMs),
+                            stagesOf(frame.statistics.ms)));
     if (frame.cutNumbers > 0)
       printNote(
           fmt::format("{} colours or lights are above their range at time {}, and are cut off at its end",
