@@ -79,6 +79,11 @@ Key keyOf(int key, int scancode) {
       return key::kEscape;
     case GLFW_KEY_SPACE:
       return key::kSpace;
+    case GLFW_KEY_BACKSPACE:
+      return key::kBackspace;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      return key::kEnter;
     default:
       break;
   }
@@ -138,6 +143,10 @@ void Window::listen() {
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     self(window).onKey(key, scancode, action, modifiers);
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int codepoint) {
+    if (codepoint >= ' ' && codepoint <= '~')
+      self(window).events_.inputs.emplace_back(Typed{static_cast<char>(codepoint)});
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
     self(window).onButton(button, action, modifiers);
@@ -242,6 +251,13 @@ void Window::onButton(int button, int action, int modifiers) {
              cursorPx_.y < a.maxPx.y;
     });
     if (button != GLFW_MOUSE_BUTTON_LEFT || area == grabAreas_.end()) return;
+    if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+      dragButton_ = -1;
+      Grab grab = grabOf(*area);
+      grab.pressed = grab.types = true;
+      events_.inputs.emplace_back(grab);
+      return;
+    }
     held_ = *area;
     hold(true);
   } else if (action == GLFW_RELEASE && button == dragButton_) {
@@ -250,10 +266,15 @@ void Window::onButton(int button, int action, int modifiers) {
   }
 }
 
+Grab Window::grabOf(const GrabArea& area) const {
+  const double width = std::max(area.maxPx.x - area.minPx.x, 1.0);
+  return {.key = area.key, .fraction = std::clamp((cursorPx_.x - area.minPx.x) / width, 0.0, 1.0)};
+}
+
 void Window::hold(bool pressed) {
-  const double width = std::max(held_->maxPx.x - held_->minPx.x, 1.0);
-  const double fraction = std::clamp((cursorPx_.x - held_->minPx.x) / width, 0.0, 1.0);
-  events_.inputs.emplace_back(Grab{.key = held_->key, .fraction = fraction, .pressed = pressed});
+  Grab grab = grabOf(*held_);
+  grab.pressed = pressed;
+  events_.inputs.emplace_back(grab);
 }
 
 void Window::drag(const Vec2& movedPx) {

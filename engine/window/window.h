@@ -23,13 +23,19 @@ namespace luxo::window {
 /// A key is the character printed on it on this keyboard, letters in upper case, or one of these.
 using Key = char;
 namespace key {
-inline constexpr Key kNone = 0, kLeft = 1, kRight = 2, kF11 = 3, kEscape = 27, kSpace = ' ';
+inline constexpr Key kNone = 0, kLeft = 1, kRight = 2, kF11 = 3, kBackspace = 8, kEnter = 13, kEscape = 27,
+                     kSpace = ' ';
 }
 
 struct KeyPress {
   Key key = window::key::kNone;
   bool shift = false;
   bool repeated = false;  ///< held down
+};
+
+/// A character was typed, after the key press that typed it.
+struct Typed {
+  char character = 0;  ///< printable, ASCII
 };
 
 /// The cursor moved with a button down, outside of grab areas.
@@ -57,9 +63,10 @@ struct Grab {
   int key = 0;
   double fraction = 0;   ///< 0 at the left side of the area, 1 at the right one, and no more beyond
   bool pressed = false;  ///< the button just went down
+  bool types = false;    ///< with Ctrl: its value is to be typed. It is not held.
 };
 
-using Input = std::variant<KeyPress, Drag, Scroll, Grab>;
+using Input = std::variant<KeyPress, Typed, Drag, Scroll, Grab>;
 
 /// What happened since the last time.
 struct Events {
@@ -117,6 +124,7 @@ class Window {
   void onButton(int button, int action, int modifiers);
   void onCursor(Vec2 position);
   void hold(bool pressed);
+  [[nodiscard]] Grab grabOf(const GrabArea& area) const;
   void drag(const Vec2& movedPx);
   [[nodiscard]] Vec2 pixelsPerUnit() const;
 

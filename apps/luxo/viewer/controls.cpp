@@ -27,12 +27,14 @@ constexpr KeyHelp kKeys[] = {
     {"1  2  3  4  5", "flat, gouraud, phong, normals, exact"},
     {"T", "toon: a drawing with outlines"},
     {"W", "wireframe"},
+    {"L", "hidden lines of wireframes"},
     {"C", "back-face culling"},
     {"M", "4 samples per pixel, or 1"},
     {"A", "smooth edges while nothing moves"},
     {"P", "save a picture here"},
     {"I", "numbers"},
     {"S", "sliders"},
+    {"Ctrl+click", "type a slider's value"},
     {"0", "parameters as in the scene"},
     {"F, F11", "full screen"},
     {"H", "these keys"},
@@ -63,6 +65,7 @@ void Controls::adopt(const ViewedScene& before, const ViewedScene& next, Time no
   moving_ = moves;
   fps_ = next.settings.fps;
   draw_.tolerancePx = next.settings.tolerance;
+  if (next.settings.hiddenLines != before.settings.hiddenLines) draw_.hiddenLines = next.settings.hiddenLines;
   if (next.settings.samples != before.settings.samples) draw_.samples = samplesOfPass(next.settings.samples);
   if (next.settings.shading != before.settings.shading) shade(next.settings.shading);
 }
@@ -112,6 +115,9 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
       break;
     case 'W':
       shade(draw_.shading == Shading::Wireframe ? solidShading_ : Shading::Wireframe);
+      break;
+    case 'L':
+      draw_.hiddenLines = !draw_.hiddenLines;
       break;
     case 'C':
       draw_.cullBackFaces = !draw_.cullBackFaces;

@@ -21,6 +21,13 @@ class Sliders {
 
   /// True when that changed the scene.
   bool obey(const window::Grab& grab, Scene& scene);
+
+  /// Whether a value is being typed: keys and characters belong to it then.
+  [[nodiscard]] bool typing() const { return typing_.has_value(); }
+  void obey(const window::Typed& typed);
+  /// Enter takes the value, a number such as 0.5 or 1/3, and Escape leaves it. True when that changed the
+  /// scene. Throws Error(Usage) for what is no value of the parameter, which goes on being typed.
+  bool obey(const window::KeyPress& key, Scene& scene);
   /// Gives every parameter the value that its scene gave it.
   void reset(Scene& scene);
 
@@ -28,8 +35,17 @@ class Sliders {
   [[nodiscard]] std::optional<window::Panel> panel(const Scene& scene, std::span<const double> values) const;
 
  private:
+  struct Typing {
+    ParameterId parameter;
+    std::string text;
+  };
+
+  void choose(ParameterId id, double value, Scene& scene);
+  [[nodiscard]] static double typedValue(const Typing& typing, const Scene& scene);
+
   std::vector<Animated<double>> given_;  // by the scene; index = ParameterId
   std::map<std::string, double> chosen_;
+  std::optional<Typing> typing_;
 };
 
 }  // namespace luxo

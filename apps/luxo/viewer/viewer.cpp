@@ -97,7 +97,10 @@ class Viewer {
     while (!quit_ && !window_.closing()) {
       react(window_.wait(patience()));
       noticeVisibility();
-      if (visible_ && Clock::now() >= nextFrame_) showNext();
+      const bool shows = visible_ && Clock::now() >= nextFrame_;
+      if (shows) showNext();
+      // What is about to take a while has been said.
+      if (shows || !visible_) takePhotos();
     }
     log(LogLevel::Debug,
         fmt::format("made {} pipelines, read the scene again {} times", pipelines_, readings_));
@@ -114,7 +117,7 @@ class Viewer {
       return std::max(0.0, std::chrono::duration<double>(moment - Clock::now()).count());
     };
     if (!visible_) return kForever;
-    if (dirty_ || controls_.playback().playing()) return until(nextFrame_);
+    if (dirty_ || !wanted_.empty() || controls_.playback().playing()) return until(nextFrame_);
     double seconds = photographer_.busy() || certifier_.busy() ? kWhileWorking : kForever;
     if (message_) seconds = std::min(seconds, until(messageEnd_));
     return seconds;
@@ -143,6 +146,7 @@ class Viewer {
   }
 
   void obey(const window::KeyPress& key) {
+    if (sliders_.typing()) return type(key);
     switch (controls_.press(key, Clock::now())) {
       case Controls::Request::None:
         break;
@@ -150,7 +154,9 @@ class Viewer {
         quit_ = true;
         break;
       case Controls::Request::Photo:
-        if (pictures_ > 0) photographer_.take(snapshotOrLast(), photoOptions());
+        if (pictures_ == 0) break;
+        wanted_.push_back({snapshotOrLast(), photoOptions()});
+        tell({.text = "saving a picture"}, kForever);
         break;
       case Controls::Request::Fullscreen:
         window_.toggleFullscreen();
@@ -164,6 +170,16 @@ class Viewer {
     }
   }
 
+  void type(const window::KeyPress& key) {
+    try {
+      if (sliders_.obey(key, viewed_.scene)) log(LogLevel::Debug, "a parameter is typed");
+    } catch (const Error& error) {
+      tell({.text = error.what(), .alert = true});
+      log(LogLevel::Debug, message_->text);
+    }
+  }
+
+  void obey(const window::Typed& typed) { sliders_.obey(typed); }
   void obey(const window::Grab& grab) {
     if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
   }
@@ -172,6 +188,10 @@ class Viewer {
   void obey(const window::Scroll& scroll) { move(scroll); }
   void move(const auto& gesture) {
     if (size().height > 0) controls_.move(gesture, sceneCamera(), {status_.seconds, parameters_}, size());
+  }
+
+  void takePhotos() {
+    for (const Photo& photo : std::exchange(wanted_, {})) photographer_.take(photo.snapshot, photo.options);
   }
 
   // A picture that has become smooth is saved as smooth, unless it is no longer to be.
@@ -187,10 +207,10 @@ class Viewer {
     log(LogLevel::Debug, message_->text);
   }
 
-  void tell(const Message& message) {
+  void tell(const Message& message) { tell(message, message.alert ? kAlertSeconds : kMessageSeconds); }
+  void tell(const Message& message, double seconds) {
     message_ = message;
-    messageEnd_ = Clock::now() + std::chrono::milliseconds(
-                                     std::lround(1e3 * (message.alert ? kAlertSeconds : kMessageSeconds)));
+    messageEnd_ = Clock::now() + std::chrono::milliseconds(std::lround(1e3 * seconds));
   }
 
   // The file was saved. What cannot be read leaves everything as it is.
@@ -249,12 +269,13 @@ class Viewer {
     const bool changed = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
     const bool completes = !changed && incomplete_ && painter_.completable();
     const bool repaint = changed || (incomplete_ && !completes);
+    // What is said is said at once: a sample may take its time.
+    const bool stale =
+        damaged_ || swapchain_.generation() != shownGeneration_ || (!repaint && panels() != panels_);
     // What is not complete, or may turn out not to be, is not worth a mean.
-    const bool refines =
-        !repaint && !completes && unmeasured_ == 0 && controls_.refines() && refined_ < kMostSamples;
-    if (!repaint && !completes && !refines && !damaged_ && swapchain_.generation() == shownGeneration_ &&
-        panels() == panels_)
-      return;
+    const bool refines = !repaint && !completes && !stale && unmeasured_ == 0 && controls_.refines() &&
+                         refined_ < kMostSamples;
+    if (!repaint && !completes && !refines && !stale) return;
     const double evaluated = millisecondsSince(start);
 
     if (repaint) {
@@ -310,6 +331,7 @@ class Viewer {
       unmeasured_ = submission;
       dirty_ = true;  // how long it took will be known, and shown, and what it lost
     }
+    dirty_ |= stale;  // what it kept from being done is next
     if (!refines) return;
     dirty_ |= refined_ < kMostSamples;
     if (refined_ < kMostSamples) return;
@@ -459,6 +481,11 @@ class Viewer {
   Box framing_;                     // of a scene without a camera, when it came into view
   std::string problem_;             // of the file as it was saved; empty: none
   std::string impossible_;          // why the scene has no picture now; empty: it has
+  struct Photo {
+    Snapshot snapshot;
+    DrawOptions options;
+  };
+  std::vector<Photo> wanted_;  // pictures to save, once that has been said
   std::optional<Message> message_;
   Clock::time_point messageEnd_;
   FrameMeter meter_;

@@ -327,6 +327,33 @@ case_smooths() {
   [[ $(submits 'quit after') -eq $smooth ]] || fail "$(($(submits 'quit after') - smooth)) submits after it was smooth"
 }
 
+# How often the threads of the program have given their cores away, and woken up again.
+wakings() {
+  cat /proc/"$program"/task/*/status | awk '/^voluntary_ctxt_switches/ { sum += $2 } END { print sum }'
+}
+threads() { ls /proc/"$program"/task | wc -l; }
+
+# Paused, smooth and untouched it sleeps: no thread wakes more often than once a second.
+case_idles() {
+  open_screen
+  start --size 240x150
+  keys a
+  await "it moves" logged 'shows' 1
+  keys space
+  await "it pauses" logged 'paused at' 1
+  await "it becomes smooth" logged 'smooth after' 1
+  sleep 5  # what is said goes
+  local before most
+  before=$(wakings)
+  most=$((10 * $(threads)))
+  sleep 10
+  (($(wakings) - before <= most)) || fail "its threads woke $(($(wakings) - before)) times in ten seconds"
+  local smooth
+  smooth=$(submits 'smooth after')
+  quit
+  [[ $(submits 'quit after') -eq $smooth ]] || fail "$(($(submits 'quit after') - smooth)) submits while it was idle"
+}
+
 # While nothing moves, rays find what searches leave in doubt at this swallowtail's edges, and audit the rest: the window
 # shows what a file shows, to a code.
 case_audits() {
@@ -421,6 +448,19 @@ minimise() { xdotool windowminimize "$window" && logged 'hidden' 1; }
 
 case_pictures() {
   open_screen
+  # A picture of 256 samples takes a while. That it is being saved shows at once.
+  start --size 320x180 --time 3
+  keys a i
+  await "it becomes smooth" logged 'smooth after' 1
+  settle
+  shot plain
+  keys p
+  await "P shows that it saves" screen_is_not plain
+  [[ ! -e $folder/luxo-0001.png ]] || fail "the picture is saved before anything is said"
+  await "the picture is there" test -s "$folder/luxo-0001.png"
+  await "P says where it is" logged 'saved luxo-0001.png' 1
+  quit
+
   start --size 640x360 --time 3
   : >"$folder/luxo-0001.png"  # taken
   keys p
@@ -454,14 +494,23 @@ render_wave() {
   (unset DISPLAY && cd "$folder" && "$bin/luxo" render wave.luxo.json -q --size 640x360 "$@") || fail "cannot render: $*"
 }
 
-# Drags the slider KEY to PERCENT of its length.
-drag_slider() {
+# at_slider KEY PERCENT ACTION...: with the pointer there, of its length.
+at_slider() {
   local x0 y0 x1 y1
   read -r x0 y0 x1 y1 < <(sed -n "s/^grab $1 from \([0-9]*\)[.0-9]*,\([0-9]*\)[.0-9]* to \([0-9]*\)[.0-9]*,\([0-9]*\).*/\1 \2 \3 \4/p" \
     "$folder/log" | tail -1)
   [[ -n $x0 ]] || fail "there is no slider $1"
-  xdotool mousemove --window "$window" $(((x0 + x1) / 2)) $(((y0 + y1) / 2)) mousedown 1
-  xdotool mousemove --window "$window" $((x0 + (x1 - x0) * $2 / 100)) $(((y0 + y1) / 2)) mouseup 1
+  xdotool mousemove --window "$window" $((x0 + (x1 - x0) * $2 / 100)) $(((y0 + y1) / 2)) "${@:3}"
+}
+# Drags the slider KEY to PERCENT of its length.
+drag_slider() {
+  at_slider "$1" 50 mousedown 1
+  at_slider "$1" "$2" mouseup 1
+}
+ctrl_click() {
+  xdotool keydown ctrl
+  at_slider "$1" 50 click 1
+  xdotool keyup ctrl
 }
 pipelines() { sed -n 's/^made \([0-9]*\) pipelines.*/\1/p' "$folder/log"; }
 
@@ -485,6 +534,24 @@ case_sliders() {
   keys 0
   photo reset.png
   same reset.png given.png "0 gives the parameters back"
+
+  # A typed value needs no step of the slider; the keys that type it do nothing else, until it is taken or left.
+  ctrl_click 0
+  xdotool type 15.7
+  keys Return
+  await "what is out of range is said" logged 'parameter .k. is 15.7' 1
+  keys BackSpace BackSpace BackSpace BackSpace
+  xdotool type 5/2
+  keys Return
+  await "the value is taken" logged 'a parameter is typed' 1
+  photo typed.png
+  render_wave --time 3 -P k=2.5 -o typed_file.png
+  same typed.png typed_file.png "2.5 lobes"
+  ctrl_click 1
+  xdotool type '0q1'
+  keys Escape
+  photo left.png
+  same left.png typed.png "Escape leaves the value, and nothing else"
   quit
   # Turning read nothing, and made no pipeline beyond those of the first picture.
   grep -q 'read the scene again 0 times' "$folder/log" || fail "turning a parameter read the scene"
