@@ -134,16 +134,20 @@ const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const 
 void ScenePipelines::beginPicture() {
   ++picture_;
   std::vector<decltype(pipelines_)::iterator> idle;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0, used = 0;
   for (auto entry = pipelines_.begin(); entry != pipelines_.end(); ++entry) {
-    if (entry->second.lastPicture + 2 >= picture_) continue;
+    if (entry->second.lastPicture + 2 >= picture_) {
+      used += entry->second.bytes;
+      continue;
+    }
     idle.push_back(entry);
     bytes += entry->second.bytes;
   }
-  if (bytes <= kMostIdlePipelineBytes) return;
+  const std::size_t most = std::max(kMostIdlePipelineBytes, kMostIdlePipelines * used);
+  if (bytes <= most) return;
   std::ranges::stable_sort(idle, {}, [](const auto& entry) { return entry->second.lastPicture; });
   for (const auto& entry : idle) {
-    if (bytes <= kMostIdlePipelineBytes) break;
+    if (bytes <= most) break;
     bytes -= entry->second.bytes;
     pipelines_.erase(entry);
   }

@@ -34,9 +34,10 @@ struct PassFormat {
 /// Whether draws of this state read the mesh's surface parameters.
 [[nodiscard]] bool readsParameters(const DrawState& state);
 
-/// Keeps what pictures use again and again. Of what the last two have not used it keeps so many bytes, the
-/// most recent: a formula that is edited would leave its pipelines behind for ever.
-inline constexpr std::size_t kMostIdlePipelineBytes = std::size_t{64} << 20;
+/// Keeps what pictures use again and again. Of what the last two have not used it keeps the most recent, so
+/// many bytes, or so many times as much as those two use, as pictures of one view's outputs take turns: a
+/// formula that is edited would leave its pipelines behind for ever.
+inline constexpr std::size_t kMostIdlePipelineBytes = std::size_t{64} << 20, kMostIdlePipelines = 3;
 
 class ScenePipelines {
  public:
