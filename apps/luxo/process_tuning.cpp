@@ -39,6 +39,12 @@ void tuneAllocator() {
 #endif
 }
 
+void giveMemoryBack() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 void ignoreFileSizeSignal() { std::signal(SIGXFSZ, SIG_IGN); }
 
 void fitThreadsToProcess() {

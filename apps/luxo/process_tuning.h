@@ -12,6 +12,10 @@ namespace luxo {
 /// thread starts.
 void tuneAllocator();
 
+/// Gives freed memory to the system after all: for when a program rests, or has kept long enough what resizes
+/// and old pictures left in pieces. Cost: some milliseconds, and page faults of what is needed again.
+void giveMemoryBack();
+
 /// A limit on file sizes (ulimit -f) becomes an error of the write instead of a signal that ends the process.
 /// The driver writes its shader cache from threads of its own, where nothing else could keep the signal away.
 void ignoreFileSizeSignal();

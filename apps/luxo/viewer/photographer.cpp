@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -36,6 +37,21 @@ void Photographer::take(const Snapshot& snapshot, const DrawOptions& options) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>(*context_);
   writing_ = inBackground(
       [image = renderer_->render(snapshot, options).image] { return save(image, nextFreeFile()); });
+  taken_ = std::chrono::steady_clock::now();
+}
+
+bool Photographer::rest() {
+  if (secondsToRest().value_or(1) > 0) return false;
+  renderer_.reset();
+  context_->waitIdle();  // which destroys it
+  return true;
+}
+
+std::optional<double> Photographer::secondsToRest() const {
+  constexpr double kKept = 10;
+  if (!renderer_) return std::nullopt;
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - taken_;
+  return std::max(0.0, kKept - since.count());
 }
 
 std::optional<Photographer::Outcome> Photographer::poll() {

@@ -2,6 +2,7 @@
 // Saves what the viewer shows as a picture, at full precision.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -30,6 +31,12 @@ class Photographer {
   /// folder. Waits for the one before, if that is still being written. Throws what Renderer::render() throws.
   void take(const Snapshot& snapshot, const DrawOptions& options);
 
+  /// What it draws with is as large as all that the window is drawn with. It is kept for ten seconds, so that
+  /// pictures in a row are quick; then it goes. True when it just went: waits for the device to be idle.
+  bool rest();
+  /// Seconds until rest() has something to give up; nothing while it has nothing.
+  [[nodiscard]] std::optional<double> secondsToRest() const;
+
   /// Whether a picture's outcome is still to come.
   [[nodiscard]] bool busy() const { return writing_.valid(); }
   /// The outcome of the picture taken last, once.
@@ -37,7 +44,8 @@ class Photographer {
 
  private:
   gpu::Context* context_;
-  std::unique_ptr<Renderer> renderer_;  // made for the first picture
+  std::unique_ptr<Renderer> renderer_;  // made for a picture
+  std::chrono::steady_clock::time_point taken_;
   std::future<Outcome> writing_;
 };
 

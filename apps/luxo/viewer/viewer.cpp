@@ -20,6 +20,7 @@
 #include "exit_code.h"
 #include "gpu/context.h"
 #include "gpu/frame.h"
+#include "process_tuning.h"
 #include "scene/snapshot.h"
 #include "validation.h"
 #include "viewer/certifier.h"
@@ -39,8 +40,10 @@ namespace {
 using window::SwapchainStatus;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kForever = 3600;       // seconds between two looks at a window that nothing happens to
-constexpr double kWhileWorking = 0.02;  // ... that waits for a file, or for rays
+constexpr double kForever = 3600;             // seconds between two looks at a window that nothing happens to
+constexpr double kWhileWorking = 0.02;        // ... that waits for a file, or for rays
+constexpr double kRest = 1;                   // ... or longer, is time for what need not be done at once
+constexpr std::chrono::seconds kTidying{10};  // ... which is done as often all the same
 constexpr double kMessageSeconds = 4, kAlertSeconds = 12;
 
 double millisecondsSince(Clock::time_point start) {
@@ -101,6 +104,7 @@ class Viewer {
       if (shows) showNext();
       // What is about to take a while has been said.
       if (shows || !visible_) takePhotos();
+      tidy();
     }
     log(LogLevel::Debug,
         fmt::format("made {} pipelines, read the scene again {} times", pipelines_, readings_));
@@ -116,11 +120,22 @@ class Viewer {
     const auto until = [](Clock::time_point moment) {
       return std::max(0.0, std::chrono::duration<double>(moment - Clock::now()).count());
     };
-    if (!visible_) return kForever;
+    if (!visible_) return photographer_.secondsToRest().value_or(kForever);
     if (dirty_ || !wanted_.empty() || controls_.playback().playing()) return until(nextFrame_);
     double seconds = photographer_.busy() || certifier_.busy() ? kWhileWorking : kForever;
     if (message_) seconds = std::min(seconds, until(messageEnd_));
-    return seconds;
+    return std::min(seconds, photographer_.secondsToRest().value_or(kForever));
+  }
+
+  // Old pictures and other sizes of the window leave much behind. It goes when there is time, and now and
+  // then while there is none.
+  void tidy() {
+    const bool due =
+        submits() != tidiedSubmits_ && (patience() >= kRest || Clock::now() >= tidied_ + kTidying);
+    if (!photographer_.rest() && !due) return;
+    giveMemoryBack();
+    tidied_ = Clock::now();
+    tidiedSubmits_ = submits();
   }
 
   void noticeVisibility() {
@@ -495,6 +510,8 @@ class Viewer {
   bool dirty_ = true;     // something may differ from what is shown
   bool damaged_ = false;  // the window system asks for the picture again
   Clock::time_point nextFrame_;
+  Clock::time_point tidied_ = Clock::now();
+  std::uint64_t tidiedSubmits_ = 0;
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
   SearchCare care_;
