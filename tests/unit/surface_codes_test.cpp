@@ -2,14 +2,14 @@
 // Codes of surfaces: shared by equal formulas, and forgotten with the last that has them.
 #include <gtest/gtest.h>
 
-#include "surface/surface.h"
+#include "surface/library.h"
 #include "surface/surface_code.h"
 
 namespace luxo {
 namespace {
 
 Surface wave(double k) {
-  return surface({0, 1}, {0, 1}, [k](auto u, auto v) { return point(u, sin(k * u), v); });
+  return surface([k](auto u, auto v) { return point(u, sin(k * u), v); }, {{0, 1}, {0, 1}});
 }
 
 const std::shared_ptr<const SurfaceFunction>& functionOf(const Surface& surface) {
