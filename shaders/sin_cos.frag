@@ -11,5 +11,5 @@ layout(location = 0) out vec4 outValues;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float angle = float(pixel.y * int(kAngleColumns) + pixel.x - int(kAngleColumns * kAngleRows / 2)) * kAngleStep;
-  outValues = vec4(sin(angle), cos(angle), formulaSin(angle), formulaCos(angle));
+  outValues = vec4(sin(angle), cos(angle), formulaSinCos(angle));
 }

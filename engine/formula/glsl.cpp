@@ -12,6 +12,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -178,11 +179,9 @@ class Body {
       case Op::Log:
         return call("formulaLog");
       case Op::Sin:
-        return isTurning(node) ? define(fmt::format("formulaSinTurns({})", turns(node.a)))
-                               : call("formulaSin");
+        return sinCos(node) + ".x";
       case Op::Cos:
-        return isTurning(node) ? define(fmt::format("formulaCosTurns({})", turns(node.a)))
-                               : call("formulaCos");
+        return sinCos(node) + ".y";
       case Op::Tan:
         return call("formulaTan");
       case Op::Sinh:
@@ -224,9 +223,19 @@ class Body {
     return {};
   }
 
-  std::string define(std::string_view expression) {
+  /// Sine and cosine of the node's operand: where one is needed, the other mostly is, too.
+  const std::string& sinCos(const ExprNode& node) {
+    const auto [known, isNew] = sinCos_.try_emplace(node.a);
+    if (isNew)
+      known->second = isTurning(node) ? define(fmt::format("formulaSinCosTurns({})", turns(node.a)), 2)
+                                      : define(fmt::format("formulaSinCos({})", names_[node.a]), 2);
+    return known->second;
+  }
+
+  /// A variable with that value, a number or a vector of so many.
+  std::string define(std::string_view expression, std::size_t size = 1) {
     std::string name = fmt::format("t{}", count_++);
-    fmt::format_to(std::back_inserter(text_), "  {} {} = {};\n", type_, name, expression);
+    fmt::format_to(std::back_inserter(text_), "  {} {} = {};\n", typeOf(number_, size), name, expression);
     return name;
   }
 
@@ -247,17 +256,84 @@ class Body {
   std::string type_;
   std::vector<std::string> names_;
   std::map<std::pair<std::uint32_t, bool>, std::string> turns_;
+  std::map<std::uint32_t, std::string> sinCos_;  ///< by operand
   std::string text_;
   std::size_t count_ = 0;
 };
 
-}  // namespace
-
-std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs,
-                     GlslNumber number) {
+std::vector<std::uint32_t> rootsOf(Graph& graph, std::span<const GlslOutput> outputs) {
   std::vector<std::uint32_t> roots;
   for (const GlslOutput& output : outputs)
     for (const Expr& component : output.components) roots.push_back(graph.nodeOf(component));
+  return roots;
+}
+
+/// In the code of shaders/lib/formula.glsl and double_math.glsl, where all is inlined.
+std::size_t instructionsOf(Op op, GlslNumber number) {
+  const bool single = number == GlslNumber::Float;
+  switch (op) {
+    case Op::Constant:
+    case Op::Variable:
+      return 0;
+    case Op::Sin:
+    case Op::Cos:
+    case Op::Tan:
+      return single ? 45 : 60;
+    case Op::Exp:
+    case Op::Log:
+    case Op::Asin:
+    case Op::Acos:
+    case Op::Atan:
+    case Op::Sinh:
+    case Op::Cosh:
+    case Op::Tanh:
+      return single ? 40 : 70;
+    case Op::Atan2:
+      return single ? 60 : 90;
+    case Op::Raise:
+      return single ? 150 : 250;
+    default:
+      return 2;
+  }
+}
+
+/// S, Su, Sv and, asked for, Suu, Suv, Svv of a position.
+std::vector<ExprPoint> derivativesOf(Graph& graph, const ExprPoint& position, bool second) {
+  const auto derivative = [&](const ExprPoint& p, std::uint32_t variable) {
+    return ExprPoint{graph.derivative(p[0], variable), graph.derivative(p[1], variable),
+                     graph.derivative(p[2], variable)};
+  };
+  std::vector<ExprPoint> all{position, derivative(position, 0), derivative(position, 1)};
+  if (!second) return all;
+  const ExprPoint du = all[1], dv = all[2];
+  all.insert(all.end(), {derivative(du, 0), derivative(du, 1), derivative(dv, 1)});
+  return all;
+}
+
+std::vector<GlslOutput> outputsOf(std::span<const ExprPoint> derivatives) {
+  constexpr std::string_view kNames[] = {"S", "Su", "Sv", "Suu", "Suv", "Svv"};
+  std::vector<GlslOutput> outputs;
+  for (std::size_t i = 0; i < derivatives.size(); ++i) outputs.push_back({kNames[i], derivatives[i]});
+  return outputs;
+}
+
+}  // namespace
+
+std::size_t glslInstructions(Graph& graph, std::span<const GlslOutput> outputs, GlslNumber number) {
+  const std::vector<ExprNode>& nodes = graph.nodes();
+  std::size_t count = 0;
+  std::set<std::uint32_t> angles;  // sine and cosine come together
+  for (const std::uint32_t node : reachable(graph, rootsOf(graph, outputs))) {
+    const Op op = nodes[node].op;
+    const bool turns = op == Op::Sin || op == Op::Cos;
+    if (!turns || angles.insert(nodes[node].a).second) count += instructionsOf(op, number);
+  }
+  return count;
+}
+
+std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs,
+                     GlslNumber number) {
+  const std::vector<std::uint32_t> roots = rootsOf(graph, outputs);
   const std::vector<std::uint32_t> order = reachable(graph, roots);
   if (order.size() > kMostGlslOperations)
     throw Error(ErrorKind::Scene,
@@ -267,7 +343,7 @@ std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOu
   Body body(graph.nodes(), number);
   body.compute(order, roots);
 
-  std::string text = fmt::format("void {0}({1} u, {1} v", name, typeOf(number));
+  std::string text = fmt::format("void {0}(const {1} u, const {1} v", name, typeOf(number));
   for (const GlslOutput& output : outputs)
     fmt::format_to(std::back_inserter(text), ", out {} {}", typeOf(number, output.components.size()),
                    output.name);
@@ -285,16 +361,13 @@ std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOu
 
 std::string emitSurfaceGlsl(Graph& graph, std::string_view name, const ExprPoint& position,
                             bool secondDerivatives, GlslNumber number) {
-  const auto derivative = [&](const ExprPoint& p, std::uint32_t variable) {
-    return ExprPoint{graph.derivative(p[0], variable), graph.derivative(p[1], variable),
-                     graph.derivative(p[2], variable)};
-  };
-  const ExprPoint du = derivative(position, 0), dv = derivative(position, 1);
-  std::vector<GlslOutput> outputs{{"S", position}, {"Su", du}, {"Sv", dv}};
-  if (!secondDerivatives) return emitGlsl(graph, name, outputs, number);
-  const ExprPoint duu = derivative(du, 0), duv = derivative(du, 1), dvv = derivative(dv, 1);
-  outputs.insert(outputs.end(), {{"Suu", duu}, {"Suv", duv}, {"Svv", dvv}});
-  return emitGlsl(graph, name, outputs, number);
+  const std::vector<ExprPoint> derivatives = derivativesOf(graph, position, secondDerivatives);
+  return emitGlsl(graph, name, outputsOf(derivatives), number);
+}
+
+std::size_t surfaceGlslInstructions(Graph& graph, const ExprPoint& position, GlslNumber number) {
+  const std::vector<ExprPoint> derivatives = derivativesOf(graph, position, false);
+  return glslInstructions(graph, outputsOf(derivatives), number);
 }
 
 }  // namespace luxo

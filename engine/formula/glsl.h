@@ -32,11 +32,16 @@ struct GlslOutput {
 /// it would take to evaluate such a formula on the processor.
 inline constexpr std::size_t kMostGlslOperations = 20'000;
 
-/// `void name(float u, float v, out ... )`, or of doubles, ending in a newline. Variable 0 is u, variable 1
-/// is v, variable 2 + k is parameterAt(k). Constants are rounded to the number; where the graph has an
-/// infinity or a NaN, so has the code. The text depends on the expressions and the order they were made in,
-/// not on what else their graph holds. Cost: linear in the nodes of the graph. Throws Error(Scene) beyond
-/// kMostGlslOperations.
+/// How many instructions the code of these outputs is for a driver, whose time is proportional to it: an
+/// operation counts as what shaders/lib makes of it. Cost: linear in the nodes of the graph.
+[[nodiscard]] std::size_t glslInstructions(Graph& graph, std::span<const GlslOutput> outputs,
+                                           GlslNumber number);
+
+/// `void name(const float u, const float v, out ... )`, or of doubles, ending in a newline. Variable 0 is u,
+/// variable 1 is v, variable 2 + k is parameterAt(k). Constants are rounded to the number; where the graph
+/// has an infinity or a NaN, so has the code. The text depends on the expressions and the order they were
+/// made in, not on what else their graph holds. Cost: linear in the nodes of the graph. Throws Error(Scene)
+/// beyond kMostGlslOperations.
 [[nodiscard]] std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs,
                                    GlslNumber number = GlslNumber::Float);
 
@@ -45,5 +50,8 @@ inline constexpr std::size_t kMostGlslOperations = 20'000;
 [[nodiscard]] std::string emitSurfaceGlsl(Graph& graph, std::string_view name, const ExprPoint& position,
                                           bool secondDerivatives = false,
                                           GlslNumber number = GlslNumber::Float);
+
+/// Of emitSurfaceGlsl() without second derivatives.
+[[nodiscard]] std::size_t surfaceGlslInstructions(Graph& graph, const ExprPoint& position, GlslNumber number);
 
 }  // namespace luxo

@@ -85,24 +85,14 @@ double formulaLog(double x) {
   return x > 0.0lf ? (x <= kDoubleLargest ? y : doubleInfinity()) : x == 0.0lf ? -doubleInfinity() : doubleNan();
 }
 
-// x = quadrant * pi/2 + r with |r| <= pi/4. Past 1e7 r is wrong by as much as x is by being a double.
-int formulaQuadrant(double x, out double r) {
-  int quadrant;
-  double multiple = nearestInteger(x * 0.63661977236758138lf, quadrant);
-  precise double rest = (x - multiple * 1.570796325802803lf) - multiple * 9.9209357916352214e-10lf;
-  rest -= multiple * 5.1701829817941051e-19lf;
-  r = rest;
-  return quadrant;
-}
-
 // |r| <= pi/4.
-double formulaSinNearZero(double r) {
+double formulaSinNearZero(const double r) {
   double z = r * r;
   double p = 2.7557313621655308e-06lf + z * (-2.5050747802229092e-08lf + z * 1.5896232277358292e-10lf);
   return r + r * z * (-0.1666666666666663lf + z * (0.00833333333332212lf + z * (-0.00019841269829590368lf + z * p)));
 }
 
-double formulaCosNearZero(double r) {
+double formulaCosNearZero(const double r) {
   double z = r * r;
   double p = -2.7557314179475586e-07lf + z * (2.0875700862571598e-09lf - z * 1.1358537423957617e-11lf);
   p = 0.041666666666666595lf + z * (-0.0013888888888873058lf + z * (2.4801587288852439e-05lf + z * p));
@@ -111,26 +101,32 @@ double formulaCosNearZero(double r) {
   return w + (rest + z * z * p);
 }
 
-double formulaSin(double x) {
-  double r;
-  int quadrant = formulaQuadrant(x, r);
-  double y = (quadrant & 1) == 0 ? formulaSinNearZero(r) : formulaCosNearZero(r);
-  return (quadrant & 2) == 0 ? y : -y;
+// x = quadrant * pi/2 + r with |r| <= pi/4. Past 1e7 r is wrong by as much as x is by being a double.
+int formulaQuadrant(const double x, out double r) {
+  int quadrant;
+  double multiple = nearestInteger(x * 0.63661977236758138lf, quadrant);
+  precise double rest = (x - multiple * 1.570796325802803lf) - multiple * 9.9209357916352214e-10lf;
+  rest -= multiple * 5.1701829817941051e-19lf;
+  r = rest;
+  return quadrant;
 }
 
-double formulaCos(double x) {
-  double r;
-  int quadrant = formulaQuadrant(x, r);
-  double y = (quadrant & 1) == 0 ? formulaCosNearZero(r) : formulaSinNearZero(r);
-  return ((quadrant + 1) & 2) == 0 ? y : -y;
-}
-
-double formulaTan(double x) {
+dvec2 formulaSinCos(const double x) {
   double r;
   int quadrant = formulaQuadrant(x, r);
   double s = formulaSinNearZero(r), c = formulaCosNearZero(r);
   bool even = (quadrant & 1) == 0;
-  return (even ? s : -c) / (even ? c : s);
+  double sine = even ? s : c, cosine = even ? c : s, minusSine = -sine, minusCosine = -cosine;
+  return dvec2((quadrant & 2) == 0 ? sine : minusSine, ((quadrant + 1) & 2) == 0 ? cosine : minusCosine);
+}
+
+double formulaTan(const double x) {
+  double r;
+  int quadrant = formulaQuadrant(x, r);
+  double s = formulaSinNearZero(r), c = formulaCosNearZero(r), minusC = -c;
+  bool even = (quadrant & 1) == 0;
+  double above = even ? s : minusC, below = even ? c : s;
+  return above / below;
 }
 
 // |x| <= 1/2.

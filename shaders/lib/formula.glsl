@@ -62,45 +62,36 @@ float formulaLog(float x) {
   return x > 0.0 ? (x <= 3.40282347e38 ? y : formulaInfinity()) : x == 0.0 ? -formulaInfinity() : formulaNan();
 }
 
-// x = quadrant * pi/2 + r with |r| <= pi/4. Past 1e5 r is wrong by as much as x is by being a float.
-int formulaQuadrant(float x, out float r) {
-  float multiple = round(x * 0.636619772);
-  r = ((x - multiple * 1.5) - multiple * 0.0703125) - multiple * 4.83751297e-4;
-  r = (r - multiple * 7.54953362e-8) - multiple * 2.56334407e-12;
-  return int(multiple);
-}
-
 // |r| <= pi/4.
-float formulaSinNearZero(float r) {
+float formulaSinNearZero(const float r) {
   float z = r * r;
   return r + r * z * (-0.166666538 + z * (0.00833213702 - z * 0.000195120287));
 }
 
-float formulaCosNearZero(float r) {
+float formulaCosNearZero(const float r) {
   float z = r * r;
   return 1.0 - (0.5 * z - z * z * (0.0416666456 + z * (-0.00138872839 + z * 2.44294388e-5)));
 }
 
-float formulaSinIn(int quadrant, float r) {
-  float y = (quadrant & 1) == 0 ? formulaSinNearZero(r) : formulaCosNearZero(r);
-  return (quadrant & 2) == 0 ? y : -y;
+// Sine and cosine of quadrant * pi/2 + r: both are made of the same two numbers. Operands of ?: are names, so that nothing
+// branches.
+vec2 formulaSinCosIn(const int quadrant, const float r) {
+  float s = formulaSinNearZero(r), c = formulaCosNearZero(r);
+  bool even = (quadrant & 1) == 0;
+  float sine = even ? s : c, cosine = even ? c : s, minusSine = -sine, minusCosine = -cosine;
+  return vec2((quadrant & 2) == 0 ? sine : minusSine, ((quadrant + 1) & 2) == 0 ? cosine : minusCosine);
 }
 
-float formulaCosIn(int quadrant, float r) {
-  float y = (quadrant & 1) == 0 ? formulaCosNearZero(r) : formulaSinNearZero(r);
-  return ((quadrant + 1) & 2) == 0 ? y : -y;
+// x = quadrants * pi/2 + r with |r| <= pi/4. Past 1e5 r is wrong by as much as x is by being a float.
+float formulaQuadrants(const float x) { return round(x * 0.636619772); }
+float formulaInQuadrant(const float x, const float quadrants) {
+  float r = ((x - quadrants * 1.5) - quadrants * 0.0703125) - quadrants * 4.83751297e-4;
+  return (r - quadrants * 7.54953362e-8) - quadrants * 2.56334407e-12;
 }
 
-float formulaSin(float x) {
-  float r;
-  int quadrant = formulaQuadrant(x, r);
-  return formulaSinIn(quadrant, r);
-}
-
-float formulaCos(float x) {
-  float r;
-  int quadrant = formulaQuadrant(x, r);
-  return formulaCosIn(quadrant, r);
+vec2 formulaSinCos(const float x) {
+  float quadrants = formulaQuadrants(x);
+  return formulaSinCosIn(int(quadrants), formulaInQuadrant(x, quadrants));
 }
 
 // times * x without its whole part. `times` has 12 bits at most, and so have both parts of x: products are exact.
@@ -111,30 +102,18 @@ float formulaTurns(float x, float times) {
 }
 
 // Of angles in turns, of which a float has as many as of radians, and whole ones to take away without rounding.
-int formulaQuadrantOfTurns(float turns, out float r) {
+vec2 formulaSinCosTurns(const float turns) {
   float quarters = 4.0 * (turns - round(turns));
   float whole = round(quarters), part = quarters - whole;
-  r = part * kHalfPi + part * kHalfPiRest;
-  return int(whole);
+  return formulaSinCosIn(int(whole), part * kHalfPi + part * kHalfPiRest);
 }
 
-float formulaSinTurns(float turns) {
-  float r;
-  int quadrant = formulaQuadrantOfTurns(turns, r);
-  return formulaSinIn(quadrant, r);
-}
-
-float formulaCosTurns(float turns) {
-  float r;
-  int quadrant = formulaQuadrantOfTurns(turns, r);
-  return formulaCosIn(quadrant, r);
-}
-
-float formulaTan(float x) {
-  float r;
-  int quadrant = formulaQuadrant(x, r);
+float formulaTan(const float x) {
+  float quadrants = formulaQuadrants(x), r = formulaInQuadrant(x, quadrants);
   float s = formulaSinNearZero(r), c = formulaCosNearZero(r);
-  return (quadrant & 1) == 0 ? s / c : -c / s;
+  bool even = (int(quadrants) & 1) == 0;
+  float minusC = -c, above = even ? s : minusC, below = even ? c : s;
+  return above / below;
 }
 
 // |x| <= 1/2.
