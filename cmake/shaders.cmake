@@ -5,7 +5,7 @@
 find_program(LUXO_GLSLANG glslangValidator REQUIRED)
 find_program(LUXO_SPIRV_VAL spirv-val REQUIRED)
 find_package(SPIRV-Tools REQUIRED)
-find_package(SPIRV-Tools-opt REQUIRED)
+find_package(TBB REQUIRED)
 
 function(luxo_shaders target)
   set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders)
@@ -58,7 +58,7 @@ function(luxo_exact_shaders target source)
   set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders/exact_shaders.h)
   add_executable(luxo_exact_shaders ${source})
   target_include_directories(luxo_exact_shaders PRIVATE ${PROJECT_BINARY_DIR}/generated)
-  target_link_libraries(luxo_exact_shaders PRIVATE luxo_lamp luxo_scenes luxo_gpu SPIRV-Tools-opt)
+  target_link_libraries(luxo_exact_shaders PRIVATE luxo_lamp luxo_scenes luxo_gpu SPIRV-Tools TBB::tbb)
   luxo_warnings(luxo_exact_shaders)
   add_dependencies(luxo_exact_shaders ${target}_sources)
   add_custom_command(

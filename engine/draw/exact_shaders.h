@@ -12,9 +12,10 @@
 namespace luxo {
 
 /// The fragment shader that finds this surface and shows the pattern, if there is one; empty for what is not
-/// built in. Looked up by the formulas themselves: one that has changed never meets an older shader. Cost:
-/// microseconds.
+/// built in. A formula has one for where no ray may graze it, too, which is not `steep`. Looked up by the
+/// formulas themselves: one that has changed never meets an older shader. Cost: microseconds.
 [[nodiscard]] std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface,
-                                                                const Pattern& pattern = {});
+                                                                const Pattern& pattern = {},
+                                                                bool steep = true);
 
 }  // namespace luxo

@@ -182,6 +182,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   using enum gpu::Use;
   store_.dropUnused();
   if (!care.completes) pipelines_.beginPicture();
+  preparePipelines();
   Uploads& uploads = care.completes ? completion_ : uploads_;
   upload(list, guarded(list.view, guardOf(color_.extent(), context_->limits())), !options.skips.unchanged,
          uploads);
@@ -199,6 +200,13 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   statistics.count.pipelinesCreated += after.pipelinesCreated - before.pipelinesCreated;
   statistics.count.shadersCompiled += after.shadersCompiled - before.shadersCompiled;
   statistics.ms.upload += watch.lap();
+}
+
+void ScenePainter::preparePipelines() {
+  std::vector<DrawState> states;
+  for (const auto* batches : {&list_.opaque, &list_.transparent})
+    for (const DrawBatch& batch : *batches) states.push_back(batch.state);
+  pipelines_.prepare(states, format_);
 }
 
 ScenePainter::Bindings ScenePainter::bind(gpu::FrameRing& frames, const Uploads& uploads,

@@ -87,6 +87,7 @@ class ScenePainter {
   };
 
   void prepareTargets(VkExtent2D extent, VkSampleCountFlagBits samples);
+  void preparePipelines();
   [[nodiscard]] Bindings bind(gpu::FrameRing& frames, const Uploads& uploads, const gpu::Buffer& instances);
   void clearDoubts(bool searches);
   void chooseProbes();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/scene_pipelines.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -8,6 +10,7 @@
 
 #include "base/error.h"
 #include "draw/exact_shaders.h"
+#include "draw/exact_source.h"
 #include "draw/mesh_store.h"
 #include "draw/ray_points.h"
 #include "gpu/shader_compiler.h"
@@ -103,6 +106,10 @@ std::size_t bytesOf(const gpu::GraphicsPipelineDesc& desc) {
   return kAlways + kPerByte * (desc.vertexShader.size_bytes() + desc.fragmentShader.size_bytes());
 }
 
+std::tuple<SurfaceCodePtr, Pattern, bool> exactShaderKey(const DrawState& state) {
+  return {state.surface, state.pattern, state.steep};
+}
+
 /// States that make the same pipeline become equal: an auxiliary output is the same under every shading.
 DrawState canonical(DrawState state) {
   if (state.output != Output::Color) state.shading = Shading::Phong;
@@ -123,12 +130,25 @@ ScenePipelines::ScenePipelines(gpu::Context& context)
                              {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC}}) {}
 
 const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const PassFormat& format) {
-  const DrawState state = canonical(wanted);
-  auto found = pipelines_.find({state, format});
-  if (found == pipelines_.end())
-    found = pipelines_.emplace(std::pair{state, format}, make(state, format)).first;
-  found->second.lastPicture = picture_;
-  return found->second.pipeline;
+  prepare({&wanted, 1}, format);
+  Made& made = pipelines_.at({canonical(wanted), format});
+  made.lastPicture = picture_;
+  return made.pipeline;
+}
+
+void ScenePipelines::prepare(std::span<const DrawState> wanted, const PassFormat& format) {
+  std::vector<DrawState> states;
+  for (const DrawState& state : wanted)
+    if (!pipelines_.contains({canonical(state), format})) states.push_back(canonical(state));
+  if (states.empty()) return;
+  std::ranges::sort(states);
+  states.erase(std::ranges::unique(states).begin(), states.end());
+  compileExactShaders(states);
+  std::vector<gpu::GraphicsPipelineDesc> descs;
+  for (const DrawState& state : states) descs.push_back(describe(state, format));
+  std::vector<gpu::GraphicsPipeline> made = gpu::GraphicsPipeline::makeAll(*context_, descs);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    pipelines_.emplace(std::pair{states[i], format}, Made{std::move(made[i]), bytesOf(descs[i]), picture_});
 }
 
 void ScenePipelines::beginPicture() {
@@ -159,9 +179,8 @@ void ScenePipelines::forgetShaders() {
     return std::ranges::any_of(pipelines_, [&](const auto& entry) { return uses(entry.first.first); });
   };
   std::erase_if(exactShaders_, [&](const auto& shader) {
-    return !isUsed([&](const DrawState& state) {
-      return state.surface == shader.first.first && state.pattern == shader.first.second;
-    });
+    return !isUsed(
+        [&](const DrawState& state) { return state.surface && exactShaderKey(state) == shader.first; });
   });
   std::erase_if(patternShaders_, [&](const auto& shader) {
     return !isUsed([&](const DrawState& state) { return state.pattern == shader.first.first; });
@@ -181,25 +200,31 @@ const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   return exactLayout_;
 }
 
-const std::vector<std::uint32_t>& ScenePipelines::exactShader(const SurfaceCodePtr& code,
-                                                              const Pattern& pattern) {
-  const SurfaceCode& surface = *code;
-  const auto found = exactShaders_.find({code, pattern});
-  if (found != exactShaders_.end()) return found->second;
-  if (const auto builtIn = builtInExactShader(surface, pattern); !builtIn.empty())
-    return exactShaders_.emplace(std::pair{code, pattern}, std::vector(builtIn.begin(), builtIn.end()))
-        .first->second;
-  std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
-  sources.push_back({"surface", surface.glsl});
-  if (pattern.valid()) sources.push_back({"pattern", pattern.glsl()});
-  const bool inDouble = surface.number == GlslNumber::Double;
-  const std::string_view name = pattern.valid()
-                                    ? (inDouble ? "exact/pattern_double.frag" : "exact/pattern.frag")
-                                    : (inDouble ? "exact/surface_double.frag" : "exact/surface.frag");
-  const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
-  auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources});
-  context_->counted().shadersCompiled += shader.compiled;
-  return exactShaders_.emplace(std::pair{code, pattern}, std::move(shader.spirv)).first->second;
+void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
+  struct Missing {
+    ExactShaderKey key;
+    gpu::ShaderCompiler::Result shader;
+  };
+  std::vector<Missing> missing;
+  for (const DrawState& state : states) {
+    const ExactShaderKey key = exactShaderKey(state);
+    if (state.surface && !exactShaders_.contains(key) &&
+        std::ranges::none_of(missing, [&](const Missing& m) { return m.key == key; }))
+      missing.push_back({key, {}});
+  }
+  tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+    const auto& [surface, pattern, steep] = missing[i].key;
+    if (const auto builtIn = builtInExactShader(*surface, pattern, steep); !builtIn.empty()) {
+      missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
+      return;
+    }
+    const std::string_view patternText = pattern.valid() ? std::string_view(pattern.glsl()) : "";
+    missing[i].shader = gpu::ShaderCompiler().compile(ExactSource(*surface, patternText, steep).desc());
+  });
+  for (Missing& m : missing) {
+    context_->counted().shadersCompiled += m.shader.compiled;
+    exactShaders_.emplace(std::move(m.key), std::move(m.shader.spirv));
+  }
 }
 
 void ScenePipelines::describeExact(const DrawState& state, const PassFormat& format,
@@ -208,7 +233,7 @@ void ScenePipelines::describeExact(const DrawState& state, const PassFormat& for
   desc.vertexShader = state.surface->number == GlslNumber::Double
                           ? std::span<const std::uint32_t>(luxo_exact_double_vert)
                           : std::span<const std::uint32_t>(luxo_exact_vert);
-  desc.fragmentShader = exactShader(state.surface, state.pattern);
+  desc.fragmentShader = exactShaders_.at(exactShaderKey(state));
   desc.bindings = {{0, sizeof(HullVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
   desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(HullVertex, position)},
                      {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(HullVertex, parameters)},
@@ -222,7 +247,7 @@ void ScenePipelines::describeExact(const DrawState& state, const PassFormat& for
                          inspection && inspection->asColor,
                          state.surface->parameters,
                          state.poles,
-                         state.steep,
+                         0,
                          state.equation,
                          format.samples != VK_SAMPLE_COUNT_1_BIT};
   desc.depthClamp = true;
@@ -242,7 +267,7 @@ const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& p
   return patternShaders_.emplace(std::pair{pattern, name}, std::move(shader.spirv)).first->second;
 }
 
-ScenePipelines::Made ScenePipelines::make(const DrawState& state, const PassFormat& format) {
+gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const PassFormat& format) {
   gpu::GraphicsPipelineDesc desc{
       .name = nameOf(state.shading),
       .vertexShader = luxo_surface_vert,
@@ -309,7 +334,7 @@ ScenePipelines::Made ScenePipelines::make(const DrawState& state, const PassForm
     }
   }
   if (state.byRays) describeRayPoints(state, inspectionOf(state).has_value(), desc);
-  return {.pipeline = {*context_, desc}, .bytes = bytesOf(desc)};
+  return desc;
 }
 
 }  // namespace luxo

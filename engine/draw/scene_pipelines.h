@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -48,6 +50,8 @@ class ScenePipelines {
   void beginPicture();
 
   [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const PassFormat& format);
+  /// Makes those of the states that are not made yet, on all cores.
+  void prepare(std::span<const DrawState> states, const PassFormat& format);
   /// Set 0 of every pipeline: view, instances, lights (shared/scene_data.h).
   [[nodiscard]] const gpu::DescriptorLayout& sceneLayout() const { return sceneLayout_; }
   /// Set 1 of pipelines with a pattern: the parameters. Made when first asked for.
@@ -63,20 +67,20 @@ class ScenePipelines {
     std::uint64_t lastPicture = 0;  ///< that used it
   };
 
-  [[nodiscard]] Made make(const DrawState& state, const PassFormat& format);
   void forgetShaders();
+  [[nodiscard]] gpu::GraphicsPipelineDesc describe(const DrawState& state, const PassFormat& format);
   /// The fragment shader of that name below shaders/pattern, made for a pattern.
   [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Pattern& pattern,
                                                                 std::string_view name);
 
-  /// The fragment shader that finds a surface, with a pattern or without.
-  [[nodiscard]] const std::vector<std::uint32_t>& exactShader(const SurfaceCodePtr& code,
-                                                              const Pattern& pattern);
+  /// Has the fragment shaders that find these states' surfaces, with their patterns or without.
+  void compileExactShaders(std::span<const DrawState> states);
   void describeExact(const DrawState& state, const PassFormat& format, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
   gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;
-  std::map<std::pair<SurfaceCodePtr, Pattern>, std::vector<std::uint32_t>> exactShaders_;
+  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool>;  ///< the latter: steep
+  std::map<ExactShaderKey, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, PassFormat>, Made> pipelines_;
   std::uint64_t picture_ = 0;

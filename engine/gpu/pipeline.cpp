@@ -6,9 +6,11 @@
 #include "gpu/result.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <array>
 #include <string>
+#include <utility>
 
 namespace luxo::gpu {
 namespace {
@@ -87,7 +89,7 @@ void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc)
   LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
 }
 
-VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, VkPipelineLayout layout) {
+VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& desc, VkPipelineLayout layout) {
   std::vector<VkSpecializationMapEntry> entries;
   for (std::uint32_t id = 0; id < desc.specialization.size(); ++id) {
     entries.push_back({.constantID = id, .offset = id * 4, .size = 4});
@@ -174,12 +176,35 @@ VkPipeline createPipeline(Context& context, const GraphicsPipelineDesc& desc, Vk
 }  // namespace
 
 GraphicsPipeline::GraphicsPipeline(Context& context, const GraphicsPipelineDesc& desc)
-    : pushConstantBytes_(desc.pushConstantBytes), depthBias_(desc.depthBias) {
-  requireConsistent(context, desc);
-  layout_ = createLayout(context, desc);
-  pipeline_ = {context, createPipeline(context, desc, layout_)};
-  setName(context, static_cast<VkPipeline>(pipeline_), desc.name);
-  ++context.counted().pipelinesCreated;
+    : GraphicsPipeline(std::move(makeAll(context, {&desc, 1}).front())) {}
+
+std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
+                                                        std::span<const GraphicsPipelineDesc> descs) {
+  std::vector<GraphicsPipeline> pipelines(descs.size());
+  for (std::size_t i = 0; i < descs.size(); ++i) {
+    requireConsistent(context, descs[i]);
+    pipelines[i].pushConstantBytes_ = descs[i].pushConstantBytes;
+    pipelines[i].depthBias_ = descs[i].depthBias;
+    pipelines[i].layout_ = createLayout(context, descs[i]);
+  }
+  // What is counted, and named, is for one thread.
+  std::vector<VkPipeline> created(descs.size(), VK_NULL_HANDLE);
+  const auto keep = [&] {
+    for (std::size_t i = 0; i < descs.size(); ++i)
+      if (created[i] != VK_NULL_HANDLE) pipelines[i].pipeline_ = {context, created[i]};
+  };
+  try {
+    tbb::parallel_for(std::size_t{0}, descs.size(), [&](std::size_t i) {
+      created[i] = createPipeline(context, descs[i], pipelines[i].layout_);
+    });
+  } catch (...) {
+    keep();
+    throw;
+  }
+  keep();
+  for (std::size_t i = 0; i < descs.size(); ++i) setName(context, created[i], descs[i].name);
+  context.counted().pipelinesCreated += descs.size();
+  return pipelines;
 }
 
 void GraphicsPipeline::bind(VkCommandBuffer commands) const {

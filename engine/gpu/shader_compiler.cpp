@@ -4,6 +4,7 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "gpu/cache_file.h"
+#include "gpu/shader_optimizer.h"
 
 #include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>
@@ -66,6 +67,9 @@ std::string contentName(const ShaderDesc& desc) {
   ContentHash hash;
   hash.add(fmt::format("{}.{}.{} {}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR, GLSLANG_VERSION_PATCH,
                        static_cast<int>(desc.stage)));
+  hash.add(optimizerVersion());
+  hash.add(desc.preamble);
+  hash.add(desc.sharedFunction);
   std::vector<const ShaderSource*> open{&desc.source};
   std::set<std::string_view> seen;
   for (std::size_t i = 0; i < open.size(); ++i) {
@@ -194,19 +198,20 @@ void startGlslang() {
   static const Glslang started;
 }
 
-std::vector<std::uint32_t> compileNow(const ShaderDesc& desc) {
+std::vector<std::uint32_t> translate(const ShaderDesc& desc) {
   // Its first use of each language version is not safe from several threads.
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   startGlslang();
 
   const EShLanguage language = languageOf(desc.stage);
-  const std::string name(desc.source.name);
+  const std::string name(desc.source.name), preamble(desc.preamble);
   const char* const text = desc.source.text.data();
   const char* const names = name.c_str();
   const int size = static_cast<int>(desc.source.text.size());
   glslang::TShader shader(language);
   shader.setStringsWithLengthsAndNames(&text, &size, &names, 1);
+  shader.setPreamble(preamble.c_str());
   shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
@@ -220,6 +225,10 @@ std::vector<std::uint32_t> compileNow(const ShaderDesc& desc) {
   std::vector<std::uint32_t> words;
   glslang::GlslangToSpv(*program.getIntermediate(language), words);
   return words;
+}
+
+std::vector<std::uint32_t> compileNow(const ShaderDesc& desc) {
+  return optimized(translate(desc), desc.sharedFunction);
 }
 
 }  // namespace

@@ -23,12 +23,14 @@ struct ShaderDesc {
   ShaderSource source;  ///< with its #version
   ShaderStage stage = ShaderStage::Fragment;
   std::span<const ShaderSource> includes =
-      {};  ///< all that it may include; those it does not use cost nothing
+      {};                                ///< all that it may include; those it does not use cost nothing
+  std::string_view preamble = {};        ///< read after the #version: lines of #define
+  std::string_view sharedFunction = {};  ///< of optimized()
 };
 
-/// Keeps on disk what it compiled, by content: the source, what it includes and the compiler's version. A
-/// shader that was compiled once, by whatever program, is read back without starting the compiler. The files
-/// may be deleted or damaged at any time. Safe from any thread.
+/// Keeps on disk what it compiled and optimised, by content: the source, what it includes and the compiler's
+/// version. A shader that was compiled once, by whatever program, is read back without starting the compiler.
+/// The files may be deleted or damaged at any time. Safe from any thread.
 class ShaderCompiler {
  public:
   /// At most this many files are kept; then those unused for longest go.
@@ -43,8 +45,9 @@ class ShaderCompiler {
     bool compiled = false;             ///< false: it was on disk
   };
 
-  /// From disk 0.1 ms. Compiled 0.5 ms and more with the size; the first one of a process 65 to 90 ms. Throws
-  /// Error(Scene) with every message of the compiler, its file, line and the line itself.
+  /// Optimised (shader_optimizer.h). From disk 0.1 ms. Compiled and optimised 1 ms and more with the size,
+  /// exact shaders 100 to 200 ms; the first one of a process 65 to 90 ms longer. Throws Error(Scene) with
+  /// every message of the compiler, its file, line and the line itself.
   [[nodiscard]] Result compile(const ShaderDesc& desc) const;
 
  private:

@@ -4,6 +4,7 @@
 //
 //     luxo_exact_shaders HEADER
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -13,14 +14,12 @@
 #include <iterator>
 #include <set>
 #include <spirv-tools/libspirv.hpp>
-#include <spirv-tools/optimizer.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
-#include "gpu/shader_compiler.h"
-#include "luxo/shaders/sources.h"
+#include "draw/exact_source.h"
 #include "luxo_grandpa/lamp.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
@@ -35,26 +34,32 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-/// GLSL of a surface, and of its pattern if it has one.
+/// GLSL of a surface, and of its pattern if it has one; whether rays may graze it.
 struct Formulas {
   std::string surface, pattern;
   GlslNumber number;
+  bool steep;
 
   friend auto operator<=>(const Formulas&, const Formulas&) = default;
 };
 
 constexpr GlslNumber kNumbers[] = {GlslNumber::Float, GlslNumber::Double};
 
+void addFormula(std::set<Formulas>& all, const SurfaceCode& code, const std::string& pattern) {
+  for (const bool steep : {false, true}) all.insert({code.glsl, pattern, code.number, steep});
+}
+
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
                 const std::string& pattern) {
   const auto equations = equationsOf(surface, parameters);
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     for (const GlslNumber number : kNumbers)
-      all.insert({equations[i] ? equationCode(equations[i]->form(), 0, number).glsl
-                               : surfaceCode(*surface.patches()[i].function, 0, number).glsl,
-                  pattern, number});
+      if (equations[i])
+        all.insert({equationCode(equations[i]->form(), 0, number).glsl, pattern, number, true});
+      else
+        addFormula(all, surfaceCode(*surface.patches()[i].function, 0, number), pattern);
   if (equations.size() == 1 && equations[0] && equations[0]->isPlane())
-    all.insert({planeCode(0).glsl, pattern, GlslNumber::Double});
+    all.insert({planeCode(0).glsl, pattern, GlslNumber::Double, true});
 }
 
 /// What finds a named surface whatever its arguments.
@@ -62,8 +67,7 @@ void addGeneralForms(std::set<Formulas>& all, const Surface& surface) {
   const auto equations = equationsOf(surface, {});
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     if (const auto& general = surface.patches()[i].general; general && !equations[i])
-      for (const GlslNumber number : kNumbers)
-        all.insert({surfaceCode(*general, 0, number).glsl, {}, number});
+      for (const GlslNumber number : kNumbers) addFormula(all, surfaceCode(*general, 0, number), {});
 }
 
 /// The structure of a superquadric's formula depends on which of its exponents are at most 1, and which 2.
@@ -99,20 +103,6 @@ std::set<Formulas> builtInFormulas() {
   return all;
 }
 
-/// Without names and without functions that nobody calls; what it computes stays as it is.
-Words slimmed(const Words& words) {
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
-  optimizer.RegisterPass(spvtools::CreateStripDebugInfoPass())
-      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
-      .RegisterPass(spvtools::CreateCompactIdsPass());
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);  // here it would know nothing of scalar layouts
-  Words result;
-  if (!optimizer.Run(words.data(), words.size(), &result, options))
-    throw Error(ErrorKind::Internal, "cannot slim a shader");
-  return result;
-}
-
 void validate(const Words& words) {
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
   std::string messages;
@@ -126,35 +116,40 @@ void validate(const Words& words) {
 }
 
 Words compile(const Formulas& formulas) {
-  const auto& [surface, pattern, number] = formulas;
-  std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
-  sources.push_back({"surface", surface});
-  sources.push_back({"pattern", pattern});
-  const std::string name = fmt::format("exact/{}{}.frag", pattern.empty() ? "surface" : "pattern",
-                                       number == GlslNumber::Double ? "_double" : "");
-  const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
-  const gpu::ShaderCompiler compiler{std::filesystem::path()};
-  Words words = slimmed(compiler.compile({.source = *source, .includes = sources}).spirv);
+  const SurfaceCode surface{.glsl = formulas.surface, .number = formulas.number};
+  const ExactSource source(surface, formulas.pattern, formulas.steep);
+  Words words = gpu::ShaderCompiler(std::filesystem::path()).compile(source.desc()).spirv;
   validate(words);
   return words;
 }
 
+/// On all cores: most of it is the optimiser's work.
+std::vector<Words> compile(const std::vector<Formulas>& all) {
+  std::vector<Words> shaders(all.size());
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { shaders[i] = compile(all[i]); });
+  return shaders;
+}
+
 std::string table() {
+  const std::set<Formulas> known = builtInFormulas();
+  const std::vector<Formulas> all(known.begin(), known.end());
+  const std::vector<Words> shaders = compile(all);
   std::string arrays, entries;
-  int index = 0;
-  for (const Formulas& formulas : builtInFormulas()) {
+  for (std::size_t index = 0; index < all.size(); ++index) {
+    const Formulas& formulas = all[index];
+    const Words& words = shaders[index];
     arrays += fmt::format("inline constexpr std::uint32_t kExactShader{}[] = {{\n", index);
-    const Words words = compile(formulas);
     for (std::size_t i = 0; i < words.size(); ++i)
       arrays += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
     arrays += "};\n";
-    entries += fmt::format("    {{R\"luxo({})luxo\", R\"luxo({})luxo\", {}, kExactShader{}}},\n",
-                           formulas.surface, formulas.pattern, formulas.number == GlslNumber::Double, index);
-    ++index;
+    entries += fmt::format("    {{R\"luxo({})luxo\", R\"luxo({})luxo\", {}, {}, kExactShader{}}},\n",
+                           formulas.surface, formulas.pattern, formulas.number == GlslNumber::Double,
+                           formulas.steep, index);
   }
   return fmt::format(
       "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"
-      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble;\n  std::span<const "
+      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, steep;\n  "
+      "std::span<const "
       "std::uint32_t> "
       "spirv;\n}};\n\n"
       "/// By formulas.\ninline constexpr ExactShader kExactShaders[] = {{\n{}}};\n\n}}  // namespace "

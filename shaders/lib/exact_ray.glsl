@@ -14,7 +14,11 @@ const float kFarCells = 2.0;    // a root farther from the start is not certain 
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
 
-layout(constant_id = 7) const bool kSteep = true;  // whether rays may graze the surface
+#ifdef LUXO_FLAT
+const bool kSteep = false;
+#else
+const bool kSteep = true;  // whether rays may graze the surface
+#endif
 
 // f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
 struct Ray {

@@ -167,12 +167,11 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
 // The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
   p = startOfLink().xy;
-  at = probeAt(ray, p);
   bool wasGood = false;
-  for (int i = 0; i < kPlainSteps; ++i) {
-    p += newtonStep(at, area(at));
+  for (int i = 0;; ++i) {
     at = probeAt(ray, p);
-    if (ends(converged(at), offset(at) <= kFine * tolerance(at), wasGood)) break;
+    if (i > 0 && ends(converged(at), offset(at) <= kFine * tolerance(at), wasGood) || i == kPlainSteps) break;
+    p += newtonStep(at, area(at));
   }
   bool root = cellsFromStart(p) <= kFarCells && converged(at) && area(at) * hullSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
@@ -386,10 +385,12 @@ bool certified(Ray ray, real2 p, Probe at) {
   real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p);
   real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
-  bool flat_ = !kSteep || 2.0 * squares * k * k * r * r <= det * det;
-  for (int i = 1; i < kFoldSamples && proven && !flat_; ++i) {
-    real side = area(probeAt(ray, mix(startOfLink().xy, p, real(i) / real(kFoldSamples))));
-    proven = side * det > 0.0;
+  if (kSteep) {
+    bool flat_ = 2.0 * squares * k * k * r * r <= det * det;
+    for (int i = 1; i < kFoldSamples && proven && !flat_; ++i) {
+      real side = area(probeAt(ray, mix(startOfLink().xy, p, real(i) / real(kFoldSamples))));
+      proven = side * det > 0.0;
+    }
   }
   return proven;
 }

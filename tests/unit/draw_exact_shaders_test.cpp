@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "draw/exact_source.h"
+#include "support/spirv.h"
 #include "surface/catalogue.h"
 
 namespace luxo {
@@ -52,6 +54,41 @@ TEST(ExactShaders, OtherFormulasHaveNone) {
   // What comes before all and what comes after all in the table.
   EXPECT_TRUE(builtInExactShader({.glsl = ""}).empty());
   EXPECT_TRUE(builtInExactShader({.glsl = "~"}).empty());
+}
+
+/// The sum of so many sines, each of another multiple of u.
+Surface sines(int count) {
+  return luxo::surface(
+      [count](auto u, auto v) {
+        auto sum = sin(u);
+        for (int k = 2; k <= count; ++k) sum = sum + sin(static_cast<double>(k) * u);
+        return point(u, sum, v);
+      },
+      {});
+}
+
+std::vector<std::uint32_t> compiledFor(int count, bool steep, GlslNumber number = GlslNumber::Float) {
+  const SurfaceCode code = surfaceCode(*sines(count).patches()[0].function, 0, number);
+  return gpu::ShaderCompiler(std::filesystem::path()).compile(ExactSource(code, {}, steep).desc()).spirv;
+}
+
+TEST(ExactShaders, HaveAFormulaOnceForEveryLoopThatNeedsIt) {
+  constexpr std::uint32_t kRound = 1;
+  const auto added = [](bool steep) {
+    return test::callsOf(compiledFor(30, steep), kRound) - test::callsOf(compiledFor(20, steep), kRound);
+  };
+  EXPECT_EQ(added(false), 10u) << "where rays do not graze: one loop";
+  EXPECT_EQ(added(true), 3 * 10u) << "the approach, the scan, and what certifies";
+}
+
+TEST(ExactShaders, GrowLinearlyWithTheFormula) {
+  for (const GlslNumber number : {GlslNumber::Float, GlslNumber::Double}) {
+    const auto size = [&](int count) {
+      return static_cast<double>(test::instructionsIn(compiledFor(count, true, number)));
+    };
+    const double few = size(10), some = size(20), many = size(40);
+    EXPECT_NEAR(many - some, 2 * (some - few), 0.01 * (many - some));
+  }
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the fragment shader that finds a surface is compiled from, when luxo is built (shaders/exact/emit.cpp)
+// and when a scene has a formula of its own.
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/shader_compiler.h"
+#include "luxo/shaders/sources.h"
+#include "surface/surface_code.h"
+
+namespace luxo {
+
+/// Refers to the texts it is given.
+class ExactSource {
+ public:
+  /// `pattern` is the pattern's GLSL, if there is one; not `steep`: no ray may graze the surface.
+  ExactSource(const SurfaceCode& surface, std::string_view pattern, bool steep)
+      : name_(pattern.empty() ? "exact/surface.frag" : "exact/pattern.frag"),
+        includes_(std::begin(kShaderSources), std::end(kShaderSources)) {
+    includes_.push_back({"surface", surface.glsl});
+    includes_.push_back({"pattern", pattern});
+    if (surface.number == GlslNumber::Double) preamble_ += "#define LUXO_DOUBLE\n";
+    if (!steep) preamble_ += "#define LUXO_FLAT\n";
+  }
+
+  /// Valid as long as this object.
+  [[nodiscard]] gpu::ShaderDesc desc() const {
+    return {.source = *std::ranges::find(kShaderSources, name_, &gpu::ShaderSource::name),
+            .includes = includes_,
+            .preamble = preamble_,
+            .sharedFunction = "surfaceAt"};
+  }
+
+ private:
+  std::string_view name_;
+  std::string preamble_;
+  std::vector<gpu::ShaderSource> includes_;
+};
+
+}  // namespace luxo
