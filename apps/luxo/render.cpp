@@ -233,6 +233,10 @@ class Run {
                       "the most triangles "
                       "it may have, or is kinked or cut off; look at `luxo inspect`",
                       error.tolerancePx));
+    if (const std::uint64_t nodes = frame.statistics.count.tooLarge; nodes > 0)
+      printNote(fmt::format("{} too large for a shader: the processor finds {} points by rays",
+                            nodes == 1 ? "a formula is" : fmt::format("the formulas of {} nodes are", nodes),
+                            nodes == 1 ? "its" : "their"));
     if (error.unconvergedPx > 0)
       printNote(
           fmt::format("{} pixels are lost: their point of the surface was not found", error.unconvergedPx));

@@ -47,6 +47,7 @@ Json frameJson(const FrameReport& frame) {
         {"culled_backface", drawn(count.culledBackface)},
         {"culled_lights", drawn(count.culledLights)},
         {"culled_hidden", drawn(count.culledHidden)},
+        {"too_large", drawn(count.tooLarge)},
         {"draw_calls", drawn(count.drawCalls)},
         {"instances", drawn(count.instances)},
         {"triangles", drawn(count.triangles)},

@@ -371,8 +371,13 @@ class DrawLister {
     // What a formula rounds away nobody knows but by what is lost.
     const bool inDouble =
         !plane && options_.doubles && (level > 0 || needsDouble(snapshot_.view, node, v, *batch.hull));
-    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
+    if (isTooLarge(geometry_.codes, node.surface, *batch.hull, node.parameters.size(), number)) {
+      ++list_.tooLarge;
+      list_.byRays.push_back(pixels);
+      return Vec3(0);
+    }
+    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.hull, *plane)
                                 : exactInstance(snapshot_.view, node, v, *batch.hull, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.hull);

@@ -91,7 +91,8 @@ struct DrawList {
   std::vector<PixelPlace> outlines;              ///< some of the pixels that searches graze
   std::vector<DrawBatch> transparent;            ///< strictly back to front
   std::uint64_t culledHidden = 0;                ///< triangles of hulls that are behind others
-  double boundPx = 0;                            ///< largest proven error of a drawn mesh on the screen
+  std::uint64_t tooLarge = 0;  ///< nodes found by rays: their formulas are too large for shaders
+  double boundPx = 0;          ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
   [[nodiscard]] bool onlyFound() const;  ///< nothing is a mesh

@@ -235,6 +235,13 @@ SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& h
   return isGeneral(codes, p, *own) ? generalCode(codes, p, number) : own;
 }
 
+bool isTooLarge(SurfaceCodes& codes, const Surface& surface, const Hull& hull, std::size_t parameters,
+                GlslNumber number) {
+  return std::ranges::any_of(hull.parts, [&](const Hull::Part& part) {
+    return codeOf(codes, surface, hull, part.patch, parameters, number)->isTooLarge();
+  });
+}
+
 void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const double> parameters,
                    const Hull& hull, std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers) {
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i) {

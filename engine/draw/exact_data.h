@@ -56,6 +56,10 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 [[nodiscard]] SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
                                     std::uint32_t patch, std::size_t parameters, GlslNumber number);
 
+/// Whether some formula of the surface is too large for a shader (surface_code.h).
+[[nodiscard]] bool isTooLarge(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
+                              std::size_t parameters, GlslNumber number);
+
 /// Appends the patches of a hull, and the numbers that their codes read: of equations, or what formulas read
 /// beyond u and v.
 void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const double> parameters,

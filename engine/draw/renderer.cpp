@@ -135,7 +135,8 @@ FrameStatistics again(const FrameStatistics& before) {
                .culledSmall = c.culledSmall,
                .culledBackface = c.culledBackface,
                .culledLights = c.culledLights,
-               .culledHidden = c.culledHidden};
+               .culledHidden = c.culledHidden,
+               .tooLarge = c.tooLarge};
   return now;
 }
 

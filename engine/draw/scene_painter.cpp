@@ -172,6 +172,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   background_ = backgroundOf(snapshot, options.output);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.culledHidden = list.culledHidden;
+  statistics.count.tooLarge = list.tooLarge;
   statistics.count.tessellated += geometry_.meshes.tessellated() - tessellatedBefore;
   statistics.ms.tessellate += watch.lap();
 

@@ -26,6 +26,7 @@ struct FrameCounts {
   std::uint64_t tessellated = 0;  ///< meshes made for this frame
   std::uint64_t pipelinesCreated = 0;
   std::uint64_t shadersCompiled = 0;  ///< of patterns that no run before this one has drawn
+  std::uint64_t tooLarge = 0;  ///< nodes whose formulas are too large for shaders: rays find their points
   std::uint64_t passes = 0, shadowPasses = 0;
 };
 

@@ -10,7 +10,11 @@ namespace {
 
 SurfaceCode codeOf(Graph& graph, const std::vector<Expr>& position, std::size_t parameters,
                    GlslNumber number) {
-  return {.glsl = emitSurfaceGlsl(graph, "surfaceAt", {position[0], position[1], position[2]}, false, number),
+  const ExprPoint point{position[0], position[1], position[2]};
+  const std::size_t instructions = surfaceGlslInstructions(graph, point, number);
+  return {.glsl = instructions > kMostInstructions
+                      ? std::string()
+                      : emitSurfaceGlsl(graph, "surfaceAt", point, false, number),
           .parameters = static_cast<std::uint32_t>(parameters),
           .number = number};
 }
@@ -23,7 +27,7 @@ SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters,
   const std::uint32_t origin = *function.originOfU - 2;
   const std::vector<Expr> position = function.position.expressions(graph, {{*function.originOfU, 0}});
   SurfaceCode code = codeOf(graph, position, std::min<std::size_t>(parameters, origin), number);
-  code.glsl = fmt::format("#define LUXO_ORIGIN_OF_U {}\n{}", origin, code.glsl);
+  if (!code.isTooLarge()) code.glsl = fmt::format("#define LUXO_ORIGIN_OF_U {}\n{}", origin, code.glsl);
   return code;
 }
 

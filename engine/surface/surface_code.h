@@ -23,10 +23,17 @@ struct SurfaceCode {
   std::string glsl;
   std::uint32_t parameters = 0;  ///< how many it may read to find a point; its name may take one more
   GlslNumber number = GlslNumber::Float;
+
+  /// There is no code: surfaces must be found in another way.
+  [[nodiscard]] bool isTooLarge() const { return glsl.empty(); }
 };
 
-/// The code of a formula, or of a general form, that reads at most `parameters` variables beyond u and v.
-/// Cost: tens of microseconds for usual formulas. Throws Error(Scene) for one too large for a shader.
+/// Formulas of more instructions are too large for exact shaders. Those of a sum of 100 sines, 5300, take a
+/// driver and us 3 s of processor time: at this limit it is about 12 s, on two cores 7.
+inline constexpr std::size_t kMostInstructions = 20'000;
+
+/// The code of a formula, or of a general form, that reads at most `parameters` variables beyond u and v. It
+/// is empty where the formula is too large. Cost: tens of microseconds for usual formulas.
 [[nodiscard]] SurfaceCode surfaceCode(const SurfaceFunction& function, std::size_t parameters,
                                       GlslNumber number = GlslNumber::Float);
 [[nodiscard]] SurfaceCode surfaceCode(const GeneralForm& form, std::size_t parameters,

@@ -91,5 +91,10 @@ TEST(ExactShaders, GrowLinearlyWithTheFormula) {
   }
 }
 
+TEST(ExactShaders, FormulasTooLargeHaveNone) {
+  EXPECT_FALSE(surfaceCode(*sines(300).patches()[0].function, 0).isTooLarge());
+  EXPECT_TRUE(surfaceCode(*sines(500).patches()[0].function, 0).isTooLarge());
+}
+
 }  // namespace
 }  // namespace luxo
