@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <string_view>
@@ -12,11 +13,16 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "plot_camera.h"
+#include "scene/fitted_camera.h"
+#include "scene/scene_builder.h"
+#include "scene_request.h"
 
 namespace luxo {
 namespace {
 
 constexpr const char* kSourceName = "plot";
+constexpr std::size_t kMostSwept = 32;
 constexpr const char* kPositionHint = "give three formulas of u and v, as in \"[cos(u), v, sin(u)]\"";
 constexpr const char* kRangeHint = "give from:to, as in 0:tau";
 constexpr const char* kDefinitionHint = "give name=formula, as in -L k=3";
@@ -197,18 +203,49 @@ MaterialDesc materialOf() {
           .twoSided = TwoSided::Yes};
 }
 
-/// Seen from the fitted camera's direction, (1, 0.8, 1.5): the main light from above on the left, a weak one
-/// from the right. A light shines along its node's -Z.
-std::vector<NodeDesc> lightsOf() {
-  const auto light = [](const char* name, Quantity turn, Quantity tilt, double intensity, Quantity3 color) {
+/// The main light from above on the viewer's left, a weak one from the right. A light shines along its node's
+/// -Z.
+std::vector<NodeDesc> lightsOf(double azimuthDegrees) {
+  const auto light = [&](const char* name, double turn, Quantity tilt, double intensity, Quantity3 color) {
     return NodeDesc{.name = name,
-                    .rotate = {{.axis = {0, 1, 0}, .angle = std::move(turn)},
+                    .rotate = {{.axis = {0, 1, 0}, .angle = fmt::format("{:.0f}deg", azimuthDegrees + turn)},
                                {.axis = {1, 0, 0}, .angle = std::move(tilt)}},
                     .light = LightDesc{
                         .type = Light::Type::Directional, .color = std::move(color), .intensity = intensity}};
   };
-  return {light("key light", "-15deg", "-50deg", 0.9, {1, 0.97, 0.92}),
-          light("fill light", "100deg", "-10deg", 0.25, {0.85, 0.92, 1})};
+  return {light("key light", -49, "-50deg", 0.9, {1, 0.97, 0.92}),
+          light("fill light", 66, "-10deg", 0.25, {0.85, 0.92, 1})};
+}
+
+/// Of so many digits that a picture is where it was to a tenth of a pixel.
+Quantity3 rounded(const Vec3& p, double distance) {
+  const double step = std::pow(10, std::floor(std::log10(distance)) - 4);
+  const auto one = [&](double x) { return std::stod(fmt::format("{:.12g}", std::round(x / step) * step)); };
+  return {one(p.x), one(p.y), one(p.z)};
+}
+
+/// The plot at every value that is swept over, or at most kMostSwept of them, as one.
+Snapshot allOf(Scene scene, const RenderRequest& request) {
+  const RenderSettings& settings = scene.settings();
+  Snapshot all = takeSnapshot(scene, settings.time, settings.size, Camera{});
+  if (!request.sweep) return all;
+  const std::vector<double>& values = request.sweep->values;
+  const ParameterId swept = sweptParameter(scene, *request.sweep);
+  for (std::size_t k = 0; k < values.size(); k += 1 + values.size() / kMostSwept) {
+    scene.setParameter(swept, values[k]);
+    const Snapshot one = takeSnapshot(scene, settings.time, settings.size, Camera{});
+    all.nodes.insert(all.nodes.end(), one.nodes.begin(), one.nodes.end());
+  }
+  return all;
+}
+
+CameraDesc cameraOf(const Snapshot& snapshot, PixelSize size, const Vec3& direction) {
+  const Camera camera = fitCamera(snapshot, size, direction);
+  const Vec3 eye = camera.eye.at(0), lookAt = camera.lookAt.at(0);
+  const double distance = glm::length(eye - lookAt);
+  CameraDesc desc{.eye = rounded(eye, distance), .lookAt = rounded(lookAt, distance)};
+  if (camera.near.at(0) < 0.1) desc.near = std::stod(fmt::format("{:.1g}", 0.9 * camera.near.at(0)));
+  return desc;
 }
 
 }  // namespace
@@ -235,9 +272,15 @@ SceneFile plotScene(const PlotDesc& plot, const RenderRequest& request) {
   file.render = renderOf(request);
   file.materials = {materialOf()};
   file.surfaces = {{.name = "plot", .shape = std::move(shape)}};
-  file.nodes = lightsOf();
-  file.nodes.insert(file.nodes.begin(), NodeDesc{.name = "plot", .surface = "plot", .material = "enamel"});
+  file.nodes = {NodeDesc{.name = "plot", .surface = "plot", .material = "enamel"}};
   file.source = typed.source();
+
+  const Scene unlit = buildScene(file);
+  const Snapshot snapshot = allOf(unlit, request);
+  const Vec3 direction = showingDirection(snapshot);
+  file.camera = cameraOf(snapshot, unlit.settings().size, direction);
+  const std::vector<NodeDesc> lights = lightsOf(azimuthOf(direction));
+  file.nodes.insert(file.nodes.end(), lights.begin(), lights.end());
   return file;
 }
 

@@ -18,10 +18,11 @@ struct PlotDesc {
   std::vector<std::string> definitions{};  ///< "name=formula"
 };
 
-/// The surface in two lights, enamelled on both sides, for a fitted camera. A definition that needs u or v
+/// The surface in two lights, enamelled on both sides, and a camera that is fitted to all that the request
+/// sweeps over, from where the surface shows itself. A definition that needs u or v
 /// (itself or through another one) belongs to the surface; every other one is a parameter of the scene, whose
-/// value the request may replace. The scene's settings are what the request asks for. Errors in the formulas
-/// are found when the scene is built and point into the text as typed; Error(Usage): text of another shape, a
+/// value the request may replace. The scene's settings are what the request asks for. Error(Scene):
+/// the formulas have errors; it points into the text as typed. Error(Usage): text of another shape, a
 /// parameter that is not defined.
 [[nodiscard]] SceneFile plotScene(const PlotDesc& plot, const RenderRequest& request);
 

@@ -26,6 +26,7 @@
 #include "process_tuning.h"
 #include "report.h"
 #include "required_error.h"
+#include "scene/fitted_camera.h"
 #include "scene_request.h"
 #include "validation.h"
 #include "verbs.h"
@@ -166,7 +167,8 @@ class Run {
       const std::vector<double> values = scene_.parametersAt(job.time);
       for (std::size_t i = 0; i < values.size(); ++i)
         report_.frames[index].parameters.emplace_back(scene_.parameters()[i].name, values[i]);
-      Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, camera);
+      Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, cameraAt(camera));
+      if (index == 0) tellOfNoLight(snapshot);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
       const double animate = millisecondsSince(start);
@@ -181,6 +183,23 @@ class Run {
                            return encodeToFile(image, file);
                          })};
     });
+  }
+
+  /// The one that is asked for, or the scene's; where it has none one that is fitted to it at its default
+  /// time, and to each value that is swept over.
+  const Camera& cameraAt(CameraId camera) {
+    if (camera.valid()) return scene_[camera];
+    if (!scene_.cameras().empty()) return scene_.cameras().front();
+    if (!fitted_ || swept_.valid())
+      fitted_ =
+          fitCamera(takeSnapshot(scene_, scene_.settings().time, settings_.size, Camera{}), settings_.size);
+    return *fitted_;
+  }
+
+  void tellOfNoLight(const Snapshot& snapshot) const {
+    if (snapshot.lights.empty() && !showsData(settings_.shading) && request_.aov == Output::Color &&
+        request_.verbosity != Verbosity::Quiet)
+      printNote("the scene has no light: all there is to see is its ambient light");
   }
 
   void finishPending() {
@@ -298,6 +317,7 @@ class Run {
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();  ///< of progress
   std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
   ParameterId swept_;
+  std::optional<Camera> fitted_;  ///< to a scene without a camera
   RunReport report_;
   std::optional<Pending> pending_;
   bool oneOfMany_ = false;

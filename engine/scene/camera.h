@@ -5,7 +5,6 @@
 #include <string>
 
 #include "math/animated.h"
-#include "math/bounds.h"
 #include "math/vec.h"
 
 namespace luxo {
@@ -35,10 +34,5 @@ struct Camera {
 
   [[nodiscard]] bool movesWithTime() const;
 };
-
-/// The camera of a scene that names none: from direction (1, 0.8, 1.5) with a field of view of 40 degrees, so
-/// far away that the sphere around `bounds` fits a picture of that size. Empty bounds count as the unit cube
-/// around the origin. Throws Error(Scene) for infinite bounds.
-[[nodiscard]] Camera fitCamera(const Box& bounds, PixelSize size = {});
 
 }  // namespace luxo

@@ -11,6 +11,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "scene/fitted_camera.h"
 
 namespace luxo {
 
@@ -286,8 +287,8 @@ Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, Ca
     return now.seen(std::move(snapshot), scene[camera.valid() ? camera : CameraId{0}], size);
   const double fitTime = scene.settings().time;
   const bool sameMoment = timeSeconds == fitTime || !scene.movesWithTime();
-  const Box framing = framingOf(sameMoment ? snapshot : Instant(scene, fitTime).unseen());
-  return now.seen(std::move(snapshot), fitCamera(framing, size), size);
+  const Camera fitted = fitCamera(sameMoment ? snapshot : Instant(scene, fitTime).unseen(), size);
+  return now.seen(std::move(snapshot), fitted, size);
 }
 
 Box framingOf(const Snapshot& snapshot) {

@@ -58,17 +58,17 @@ struct Snapshot {
 };
 
 /// Evaluates the scene with its parameters' values then: one linear pass, parents before children. No id: the
-/// scene's first camera, or where it has none fitCamera() around the scene at its default time (so that an
-/// animation does not make the camera breathe). Throws Error(Scene) naming the node or camera, the value and
-/// the time: values that are not finite, a zero axis with an angle, a bad camera, a shadow that is not
-/// supported yet (Light::Shadow).
+/// scene's first camera, or where it has none fitCamera() (scene/fitted_camera.h) around the scene at its
+/// default time (so that an animation does not make the camera breathe), which takes longer: of many moments,
+/// fit it once. Throws Error(Scene) naming the node or camera, the value and the time: values that are not
+/// finite, a zero axis with an angle, a bad camera, a shadow that is not supported yet (Light::Shadow).
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
                                     CameraId camera = {});
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
                                     const Camera& camera);
 
-/// A finite box to look at: the surfaces' bounds, and where those are infinite their framing(). A fitted
-/// camera shows it, and an orthographic view clips what lies outside its depth range.
+/// A finite box: the surfaces' bounds, and where those are infinite their framing(). An orthographic view
+/// clips what lies outside its depth range.
 [[nodiscard]] Box framingOf(const Snapshot& snapshot);
 
 /// What differs between two moments of one scene: consumers upload only that.

@@ -2,10 +2,14 @@
 // luxo plot: from one formula to a picture, and to the scene file that draws the same.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "cli/program.h"
+#include "image/format.h"
+#include "math/vec.h"
 #include "plot_scene.h"
 
 namespace luxo::test {
@@ -88,6 +92,61 @@ TEST_F(PlotPictures, TheSceneFileDrawsTheSameBytes) {
   const Outcome rendered = run(folder, {"render", "plot.luxo.json", "-q", "-o", "b.pfm"});
   ASSERT_EQ(rendered.code, 0) << rendered.err;
   EXPECT_TRUE(textOf(folder / "a.pfm") == textOf(folder / "b.pfm"));
+}
+
+TEST_F(PlotPictures, TheSurfaceFillsThePicture) {
+  for (const char* formula : {"[u, 0.3*u*v, -v]", "[cos(u)*(3 + cos(v)), sin(v), -sin(u)*(3 + cos(v))]",
+                              "[u, v, u*v]", "[u, 3*exp(-4*u^2 - 4*v^2), -v]"}) {
+    SCOPED_TRACE(formula);
+    const Outcome outcome = run(folder, {"plot", formula, "--u=-4:4", "--v=-4:4", "--size", "320x180",
+                                         "--aov", "id", "-q", "-o", "a.pfm"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Image ids = loadImage(folder / "a.pfm");
+    int left = ids.width(), right = -1, top = ids.height(), bottom = -1;
+    for (int y = 0; y < ids.height(); ++y)
+      for (int x = 0; x < ids.width(); ++x)
+        if (ids.pixel(x, y)[0] > 0) {
+          left = std::min(left, x), right = std::max(right, x);
+          top = std::min(top, y), bottom = std::max(bottom, y);
+        }
+    const double across = (right - left + 1.0) / ids.width(), down = (bottom - top + 1.0) / ids.height();
+    EXPECT_GT(std::max(across, down), 0.82);
+    EXPECT_LT(std::max(across, down), 0.87) << "a pixel is half a percent of the height";
+    EXPECT_NEAR(left, ids.width() - 1 - right, 3);
+    EXPECT_NEAR(top, ids.height() - 1 - bottom, 3);
+  }
+}
+
+TEST_F(PlotPictures, ASweepIsSeenFromOnePlaceWhichShowsAllOfIt) {
+  const Outcome emitted = run(folder, {"plot", "[u, k*u*v, -v]", "--u=-1:1", "--v=-1:1", "-L", "k=1",
+                                       "--sweep", "k=1:9:4", "--emit"});
+  ASSERT_EQ(emitted.code, 0) << emitted.err;
+  const Outcome largest =
+      run(folder, {"plot", "[u, k*u*v, -v]", "--u=-1:1", "--v=-1:1", "-L", "k=9", "--emit"});
+  const auto distance = [](const std::string& scene) {
+    const auto camera = nlohmann::json::parse(scene)["camera"];
+    return std::hypot(camera["eye"][0].get<double>(), camera["eye"][1].get<double>(),
+                      camera["eye"][2].get<double>());
+  };
+  EXPECT_NEAR(distance(emitted.out), distance(largest.out), 0.3 * distance(largest.out));
+  EXPECT_GT(distance(emitted.out), 8);
+}
+
+TEST_F(PlotPictures, AWaveIsSeenFromWhereItDoesNotHideItself) {
+  const auto cameraOf = [&](const std::string& formula) {
+    const Outcome emitted = run(folder, {"plot", formula, "--u=-1:1", "--v=-1:1", "--emit"});
+    EXPECT_EQ(emitted.code, 0) << emitted.err;
+    const auto camera = nlohmann::json::parse(emitted.out)["camera"];
+    const auto at = [&](int i) {
+      return camera["eye"][i].get<double>() - camera["look_at"][i].get<double>();
+    };
+    return Vec3(at(0), at(1), at(2));
+  };
+  // Two walls: along them, not across.
+  const Vec3 eye = cameraOf("[u, 2*exp(-50*(u-0.4)^2) + 2*exp(-50*(u+0.4)^2), -v]");
+  EXPECT_LT(std::abs(eye.x), 0.7 * std::abs(eye.z));
+  const Vec3 other = cameraOf("[u, 2*exp(-50*(v-0.4)^2) + 2*exp(-50*(v+0.4)^2), -v]");
+  EXPECT_LT(std::abs(other.z), 0.7 * std::abs(other.x));
 }
 
 TEST_F(PlotPictures, TheReportOfAPoleHasNoBound) {

@@ -210,30 +210,5 @@ TEST(View, ExtremeButLegalValuesStayFinite) {
   expectNear(viewAt(far, 0, {10, 10}).forward(), {-1, 0, 0}, 1e-15);
 }
 
-TEST(FitCamera, ShowsEveryCornerInAnyShapeOfPicture) {
-  const Box box{Vec3(2, -1, 3), Vec3(5, 0, 11)};
-  for (const PixelSize size : {PixelSize{1280, 720}, {720, 1280}, {100, 100}, {16, 1000}}) {
-    const Camera camera = fitCamera(box, size);
-    const View view = viewAt(camera, 0, size);
-    const Vec3 direction = unit(camera.eye.at(0) - camera.lookAt.at(0));
-    expectNear(direction, unit(Vec3(1, 0.8, 1.5)), 1e-14);
-    EXPECT_DOUBLE_EQ(camera.fovY.at(0), radians(40));
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 corner(i & 1 ? 5 : 2, i & 2 ? 0 : -1, i & 4 ? 11 : 3);
-      const Vec3 eye = eyeFromWorldPoint(view, corner);
-      const Vec2 pixel = pixelFromEye(view, eye);
-      EXPECT_GT(-eye.z, view.near);
-      EXPECT_TRUE(pixel.x >= 0 && pixel.x <= size.width && pixel.y >= 0 && pixel.y <= size.height);
-    }
-  }
-}
-
-TEST(FitCamera, NothingAndPointsAndHugeScenesWork) {
-  EXPECT_NO_THROW((void)viewAt(fitCamera({}), 0, {10, 10}));
-  EXPECT_NO_THROW((void)viewAt(fitCamera({Vec3(7), Vec3(7)}), 0, {10, 10}));
-  EXPECT_NO_THROW((void)viewAt(fitCamera({Vec3(1e9), Vec3(1e9)}), 0, {10, 10}));
-  expectSceneError([] { (void)fitCamera({Vec3(-kInfinity), Vec3(kInfinity)}); }, {"infinite"});
-}
-
 }  // namespace
 }  // namespace luxo

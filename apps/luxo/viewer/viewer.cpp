@@ -21,6 +21,7 @@
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "process_tuning.h"
+#include "scene/fitted_camera.h"
 #include "scene/snapshot.h"
 #include "validation.h"
 #include "viewer/certifier.h"
@@ -249,17 +250,22 @@ class Viewer {
   // A scene comes into view.
   void look() {
     const Scene& scene = viewed_.scene;
+    fitted_.reset();
     if (scene.cameras().empty())
-      framing_ = framingOf(takeSnapshot(scene, scene.settings().time, viewed_.settings.size));
+      fitted_ = {takeSnapshot(scene, scene.settings().time, viewed_.settings.size, Camera{}), {0, 0}, {}};
     sliders_.adopt(viewed_.scene);
   }
 
   // Where the scene has none, one that stands still while sliders move: turning a parameter shows what it
   // does.
-  [[nodiscard]] Camera sceneCamera() const {
+  [[nodiscard]] Camera sceneCamera() {
     if (viewed_.camera.valid()) return viewed_.scene[viewed_.camera];
-    if (!viewed_.scene.cameras().empty()) return viewed_.scene.cameras().front();
-    return fitCamera(framing_, size());
+    if (!fitted_) return viewed_.scene.cameras().front();
+    if (fitted_->size != size()) {
+      fitted_->size = size();
+      fitted_->camera = fitCamera(fitted_->scene, fitted_->size);
+    }
+    return fitted_->camera;
   }
 
   [[nodiscard]] Snapshot snapshotNow() {
@@ -493,7 +499,13 @@ class Viewer {
   Controls controls_;
   Sliders sliders_;
   std::vector<double> parameters_;  // at the moment that is shown
-  Box framing_;                     // of a scene without a camera, when it came into view
+  // Of a scene without a camera: what it was when it came into view, and the camera for a size of the window.
+  struct Fitted {
+    Snapshot scene;
+    PixelSize size;
+    Camera camera;
+  };
+  std::optional<Fitted> fitted_;
   std::string problem_;             // of the file as it was saved; empty: none
   std::string impossible_;          // why the scene has no picture now; empty: it has
   struct Photo {
