@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "formula/expression.h"
 #include "math/interval.h"
+#include "math/partial_interval.h"
 
 namespace luxo {
 
@@ -48,7 +49,7 @@ inline void sinCos(double x, double& sine, double& cosine) {
   cosine = c;
 }
 
-/// The value of one operation; `Number` is double or Interval.
+/// The value of one operation; `Number` is double, Interval or PartialInterval.
 template <class Number>
 [[nodiscard]] Number operate(Op op, const Number& x, const Number& y, const Number& z, int exponent) {
   using number::min, number::max, number::sign, number::less, number::lessEqual, number::equal,

@@ -13,6 +13,7 @@
 
 #include "formula/expression.h"
 #include "math/interval.h"
+#include "math/partial_interval.h"
 
 namespace luxo {
 
@@ -58,6 +59,10 @@ class Tape {
   /// Allocates nothing.
   void bound(const Interval& u, const Interval& v, std::span<const double> parameters,
              std::span<Interval> bounds) const;
+  /// The same of formulas that are not defined all over the rectangle: intervals that hold what they give
+  /// where they are, and whether they are anywhere. sin(x) / x is bounded around 0, too.
+  void boundWhereDefined(const Interval& u, const Interval& v, std::span<const double> parameters,
+                         std::span<PartialInterval> bounds) const;
 
   /// The outputs as expressions again, in any graph: to make something else of a formula that was compiled.
   /// Variables that are known take those values. Cost: linear.
@@ -72,7 +77,8 @@ class Tape {
   /// Values are numbered: constants, then variables, then results in order of evaluation.
   struct Step {
     Op op = Op::Constant;
-    bool paired = false;  ///< a sine that gives the cosine of its operand as the next value
+    bool paired = false;    ///< a sine that gives the cosine of its operand as the next value
+    bool cardinal = false;  ///< a quotient sin(b) / b
     int exponent = 0;
     std::uint32_t result = 0;
     std::uint32_t a = 0, b = 0, c = 0;

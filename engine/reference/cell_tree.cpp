@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kMargin = 1e-6;           // of the domain, on every side
 constexpr double kFineEnough = 1.0 / 512;  // of the surface's size
+/// Sizes: what a pole reaches beyond is as thin as a millionth of them.
+constexpr double kEndless = 1e6;
 constexpr double kEpsilon = 0x1p-52;
 constexpr std::size_t kWorthAThread = 512;  // cells
 
@@ -82,11 +84,13 @@ bool Enclosure::finite() const {
   return true;
 }
 
-BoundedPatch::BoundedPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters)
+BoundedPatch::BoundedPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters,
+                           double farthest)
     : function_(surface.patches()[patch].function.get()),
       values_(surface.patches()[patch].constants),
       domain_(surface.patches()[patch].domain),
-      extended_(extend(domain_)) {
+      extended_(extend(domain_)),
+      farthest_(farthest) {
   values_.insert(values_.end(), parameters.begin(), parameters.end());
 }
 
@@ -119,6 +123,13 @@ CellBounds BoundedPatch::boundByIntervals(const Domain& cell) const {
                     .middle = enclose(middle, 0),
                     .du = enclose(over, 3),
                     .dv = enclose(over, 6)};
+  if (!bounds.position.finite()) {
+    Box box = boundPosition(*function_, cell, values_);
+    box.min = glm::max(box.min, Vec3(-farthest_));
+    box.max = glm::min(box.max, Vec3(farthest_));
+    bounds.empty = box.empty();
+    if (!bounds.empty) bounds.position = enclose(box);
+  }
   bounds.smooth = bounds.du.finite() && bounds.dv.finite() && bounds.middle.finite() &&
                   !mayBeKinked(*function_, cell, values_);
   if (bounds.smooth && function_->bounder.second) {
@@ -138,9 +149,16 @@ BoundedPatch::Point BoundedPatch::at(double u, double v) const {
 }
 
 CellTree::CellTree(const Surface& surface, std::span<const double> parameters, std::size_t mostCells)
-    : surface_(surface), parameters_(parameters.begin(), parameters.end()) {
+    : surface_(surface),
+      parameters_(parameters.begin(), parameters.end()),
+      size_(glm::length(surface.framing(parameters).extent())) {
+  const Box framing = surface_.framing(parameters_);
+  const double farthest =
+      framing.empty()
+          ? 0
+          : glm::length(glm::max(glm::abs(framing.min), glm::abs(framing.max))) + kEndless * size_;
   for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch)
-    patches_.emplace_back(surface_, patch, parameters_);
+    patches_.emplace_back(surface_, patch, parameters_, farthest);
   cut(mostCells);
   std::vector<std::uint32_t> all(cells_.size());
   std::iota(all.begin(), all.end(), 0U);
@@ -149,7 +167,7 @@ CellTree::CellTree(const Surface& surface, std::span<const double> parameters, s
 }
 
 void CellTree::cut(std::size_t mostCells) {
-  const double fine = kFineEnough * glm::length(surface_.framing(parameters_).extent());
+  const double fine = kFineEnough * size_;
   // Of every round: what is cut no further goes to cells_, what was cut in two to the next round.
   std::vector<Cell> open;
   for (std::uint32_t patch = 0; patch < patches_.size(); ++patch) {
@@ -158,6 +176,7 @@ void CellTree::cut(std::size_t mostCells) {
   }
   while (!open.empty()) {
     const auto bends = [](const Cell& cell) { return bending(cell.bounds, cell.domain); };
+    std::erase_if(open, [](const Cell& cell) { return cell.bounds.empty; });
     const auto rest = std::stable_partition(open.begin(), open.end(),
                                             [&](const Cell& cell) { return !(bends(cell) <= fine); });
     cells_.insert(cells_.end(), rest, open.end());

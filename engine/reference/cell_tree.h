@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,12 +27,15 @@ struct CellBounds {
   Enclosure middle;     ///< of the point in the middle
   Enclosure du, dv;     ///< of the tangents at every point
   bool smooth = false;  ///< du and dv are finite and the formula has no kink here
+  bool empty = false;   ///< the formula has no value anywhere in it, and the others say nothing
 };
 
 /// The formula of one patch at given parameter values, and its proven bounds.
 class BoundedPatch {
  public:
-  BoundedPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters);
+  /// What is farther from the origin than `farthest` does not count: poles have no end.
+  BoundedPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters,
+               double farthest = std::numeric_limits<double>::max());
 
   /// Two or three interval evaluations, unless the family of the formula bounds itself.
   [[nodiscard]] CellBounds bound(const Domain& cell) const;
@@ -53,6 +57,7 @@ class BoundedPatch {
   const SurfaceFunction* function_;
   std::vector<double> values_;  // of variables 2, 3, ...
   Domain domain_, extended_;
+  double farthest_;
 };
 
 struct Cell {
@@ -71,8 +76,8 @@ using Halves = std::array<Domain, 2>;
 class CellTree {
  public:
   /// Cells are split in rounds, those that bend most first, until none bends by more than 1/512 of the
-  /// surface's size or there are `mostCells`. In parallel; the tree does not depend on the number of threads.
-  /// Cost: a few interval evaluations per cell.
+  /// surface's size or there are `mostCells`. Those in which it has no points are left out. In parallel; the
+  /// tree does not depend on the number of threads. Cost: a few interval evaluations per cell.
   CellTree(const Surface& surface, std::span<const double> parameters, std::size_t mostCells = 1U << 14);
 
   /// A node of the hierarchy: its two children stand behind it, or it is one cell.
@@ -84,6 +89,7 @@ class CellTree {
 
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] std::span<const double> parameters() const { return parameters_; }
+  [[nodiscard]] double size() const { return size_; }  ///< of the surface, finite: Surface::framing()
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< the first is the root
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   [[nodiscard]] const BoundedPatch& patch(std::uint32_t index) const { return patches_[index]; }
@@ -94,6 +100,7 @@ class CellTree {
 
   Surface surface_;
   std::vector<double> parameters_;
+  double size_;
   std::vector<BoundedPatch> patches_;
   std::vector<Cell> cells_;
   std::vector<Node> nodes_;

@@ -19,6 +19,7 @@ constexpr double kSamePoint = 1e-9;   // of the distance
 // cells at most, all but 4 of a million 512.
 constexpr int kMostCells = 4096, kMostInDoubt = 512;
 constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
+constexpr double kLong = 100;       // of the surface's size: what nearly has no end
 constexpr double kNarrower = 0.75;  // a narrowing worth repeating
 
 class Search {
@@ -28,7 +29,7 @@ class Search {
         ray_(ray),
         query_(query),
         farthest_(query.farthest),
-        size_(glm::length(tree.nodes()[0].half)) {}
+        size_(std::min(glm::length(tree.nodes()[0].half), tree.size())) {}
 
   Roots run() {
     struct Visit {
@@ -40,8 +41,7 @@ class Search {
     const auto push = [&](std::uint32_t node) {
       const CellTree::Node& n = tree_.nodes()[node];
       const Enclosure box{n.center, n.half};
-      if (value(ray_.across1, box, ray_.offset1).excludesZero()) return;
-      if (value(ray_.across2, box, ray_.offset2).excludesZero()) return;
+      if (misses(box)) return;
       const Ball t = value(ray_.along, box, ray_.start);
       if (t.hi() < query_.nearest || t.lo() > farthest_) return;
       stack[size++] = {node, t.lo()};
@@ -72,6 +72,27 @@ class Search {
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
+  /// Whether the ray passes by all of a box.
+  [[nodiscard]] bool misses(const Enclosure& box) const {
+    if (value(ray_.across1, box, ray_.offset1).excludesZero() ||
+        value(ray_.across2, box, ray_.offset2).excludesZero())
+      return true;
+    // Of what is long along one axis: the combinations of both offsets that do not depend on it.
+    for (int axis = 0; axis < 3; ++axis) {
+      if (box.radius[axis] < kLong * size_) continue;
+      Enclosure rest = box;
+      rest.center[axis] = rest.radius[axis] = 0;
+      const double a1 = ray_.across1[axis], a2 = ray_.across2[axis];
+      const auto excluded = [&](double part1, double part2) {
+        Vec3 across = part1 * ray_.across1 + part2 * ray_.across2;
+        across[axis] = 0;
+        return value(across, rest, part1 * ray_.offset1 + part2 * ray_.offset2).excludesZero();
+      };
+      if (a1 == 0 && a2 == 0 ? excluded(1, 0) || excluded(0, 1) : excluded(a2, -a1)) return true;
+    }
+    return false;
+  }
+
   /// Everything in one cell of the tree, in parts where need be.
   void search(const Cell& cell) {
     patch_ = cell.patch;
@@ -91,11 +112,9 @@ class Search {
   }
 
   void look(Domain d, const CellBounds& b) {
+    if (b.empty) return;
     const Ball t = value(ray_.along, b.position, ray_.start);
-    if (value(ray_.across1, b.position, ray_.offset1).excludesZero() ||
-        value(ray_.across2, b.position, ray_.offset2).excludesZero() || t.hi() < query_.nearest ||
-        t.lo() > farthest_)
-      return;
+    if (misses(b.position) || t.hi() < query_.nearest || t.lo() > farthest_) return;
     const double hu = 0.5 * d.u.width(), hv = 0.5 * d.v.width();
     const Domain& whole = tree_.patch(patch_).domain();
     double cutU = glm::length(b.du.center + b.du.radius) * hu,

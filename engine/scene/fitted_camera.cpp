@@ -105,8 +105,9 @@ class FrameProof {
   void look(const Cell& cell) {
     const Patch& patch = cell.node->surface.patches()[cell.patch];
     const PatchInputs inputs(patch, cell.node->parameters);
-    const Box box =
-        transformBounds(cell.node->worldFromObject, boundPosition(*patch.function, cell.domain, inputs));
+    const Box here = boundPosition(*patch.function, cell.domain, inputs);
+    if (here.empty()) return;
+    const Box box = transformBounds(cell.node->worldFromObject, here);
     Reach bound;
     for (int side = 0; side < kFrameSides; ++side) bound[side] = reachOf(box, seen_.frame.normals[side]);
     ++looked_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/assert.h"
@@ -55,6 +56,22 @@ Animated<Vec3> uniformOf(const FormulaSet& formulas) {
             return valueOf(values);
           },
           moves ? DependsOn::Both : DependsOn::Parameters};
+}
+
+bool isTiny(const Interval& part, const Interval& whole) { return part.width() <= 1e-6 * whole.width(); }
+
+/// Whether the formula has a value somewhere inside of a rectangle that was found to hold a hole.
+bool hasPoints(const Surface& surface, std::span<const double> parameters, const Domain& rectangle) {
+  constexpr int kSamples = 33;
+  std::vector<double> u, v;
+  for (int i = 0; i < kSamples; ++i) {
+    const double part = (i + 0.5) / kSamples;
+    u.push_back(rectangle.u.lo + part * rectangle.u.width());
+    v.push_back(rectangle.v.lo + part * rectangle.v.width());
+  }
+  const std::uint32_t patch = surface.patchAt(rectangle.u.mid(), rectangle.v.mid());
+  const SurfacePoints points = surface.evaluateGrid(patch, u, v, parameters);
+  return std::ranges::any_of(points.position, [](const Vec3& p) { return std::isfinite(glm::dot(p, p)); });
 }
 
 /// Whether Su and Sv are parallel, up to rounding, wherever they exist: curves, seen from nowhere.
@@ -239,11 +256,16 @@ void ShapeBuilder::warn(const SurfaceDesc& desc, const Surface& surface) {
   const Domain& whole = surface.domain();
   for (const Domain& hole : surface.holes(parameters)) {
     const bool all = covers(hole.u, whole.u) && covers(hole.v, whole.v);
+    const bool inParts = hasPoints(surface, parameters, hole);
+    const char* what = isTiny(hole.u, whole.u) && isTiny(hole.v, whole.v) ? "lacks a point"
+                       : !all                                             ? "has a hole"
+                       : inParts                                          ? "ends inside of its rectangle"
+                                                                          : "has no points";
     warnings_->push_back(
         {where,
-         fmt::format("surface '{}' has {}: its formula has no value in u {}, v {}", desc.name.text,
-                     all ? "no points" : "a hole", shown(hole.u), shown(hole.v)),
-         all ? "check the formula and its ranges" : "the rest of it is drawn"});
+         fmt::format("surface '{}' {}: its formula has no value in {}u {}, v {}", desc.name.text, what,
+                     inParts ? "parts of " : "", shown(hole.u), shown(hole.v)),
+         all && !inParts ? "check the formula and its ranges" : "the rest of it is drawn"});
   }
   if (lacksArea(surface, parameters))
     warnings_->push_back(

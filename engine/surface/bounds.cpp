@@ -57,6 +57,10 @@ double boundLength(const SurfaceFunction& function, double PartialBounds::*which
   return open.top().bound;
 }
 
+Box boxOf(const std::array<Interval, 3>& p) {
+  return {{p[0].lo, p[1].lo, p[2].lo}, {p[0].hi, p[1].hi, p[2].hi}};
+}
+
 /// How a guard meets its critical values (0, or the integers) over a cell.
 enum class Meeting { None, Touches, Passes };
 
@@ -97,10 +101,22 @@ Box boundPosition(const SurfaceFunction& function, const Domain& cell, std::span
   if (function.bounder.position) return function.bounder.position(cell.u, cell.v, inputs);
   std::array<Interval, 3> p;
   function.position.bound(cell.u, cell.v, inputs, p);
-  Box box;
-  box.add(Vec3(p[0].lo, p[1].lo, p[2].lo));
-  box.add(Vec3(p[0].hi, p[1].hi, p[2].hi));
-  return box;
+  const Box box = boxOf(p);
+  if (isFinite(box)) return box;
+  std::array<PartialInterval, 3> parts;
+  function.position.boundWhereDefined(cell.u, cell.v, inputs, parts);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (parts[i].defined == PartialInterval::Defined::Nowhere) return {};
+    p[i] = parts[i].range;
+  }
+  return boxOf(p);
+}
+
+bool definedAllOver(const SurfaceFunction& function, const Domain& cell, std::span<const double> inputs) {
+  if (function.bounder.position) return true;
+  std::array<Interval, 3> p;
+  function.position.bound(cell.u, cell.v, inputs, p);
+  return isFinite(boxOf(p));
 }
 
 Box boundPosition(const SurfaceFunction& function, const Domain& domain, std::span<const double> inputs,

@@ -8,14 +8,19 @@
 
 namespace luxo {
 
-/// Box that holds S over a cell of a patch; infinite where nothing could be proven. `inputs` as in
-/// PatchInputs. Cost: one interval evaluation.
+/// Box that holds S over a cell of a patch wherever the formula has a value; empty where it is proven to have
+/// none, infinite where nothing could be proven. `inputs` as in PatchInputs. Cost: one interval evaluation,
+/// or two.
 [[nodiscard]] Box boundPosition(const SurfaceFunction& function, const Domain& cell,
                                 std::span<const double> inputs);
 
 /// Box that holds S over the domain: the hull of the boxes of cells x cells rectangles.
 [[nodiscard]] Box boundPosition(const SurfaceFunction& function, const Domain& domain,
                                 std::span<const double> inputs, int cells);
+
+/// Whether the formula is proven to have a value all over a cell. Cost: one interval evaluation.
+[[nodiscard]] bool definedAllOver(const SurfaceFunction& function, const Domain& cell,
+                                  std::span<const double> inputs);
 
 /// Bounds of |Suu|, |Suv|, |Svv| over a cell. Cost: one interval evaluation.
 [[nodiscard]] PartialBounds boundSecond(const SurfaceFunction& function, const Domain& cell,

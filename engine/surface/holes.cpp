@@ -37,7 +37,7 @@ class HoleSearch {
         taken_(kSide * kSide) {}
 
   std::vector<Domain> run() {
-    if (isFinite(boundPosition(function_, domain_, inputs_))) return {};
+    if (definedAllOver(function_, domain_, inputs_)) return {};
     findUndefinedPoints();
     findUnboundedCells();
     std::vector<Domain> holes;
@@ -94,7 +94,7 @@ class HoleSearch {
   /// Where the formula grows without bound inside a cell, from one end of it to the other. Intervals alone
   /// prove no hole: they also give up where a root or a quotient stays just defined.
   [[nodiscard]] std::optional<Domain> unboundedPart(const Domain& cell) const {
-    if (isFinite(boundPosition(function_, cell, inputs_))) return {};
+    if (definedAllOver(function_, cell, inputs_)) return {};
     const std::optional<Domain> first = followUnbounded(cell, false), last = followUnbounded(cell, true);
     return first && last ? hull(*first, *last) : first ? first : last;
   }
@@ -107,9 +107,9 @@ class HoleSearch {
       (splitU ? lower.u.hi : lower.v.hi) = (splitU ? upper.u.lo : upper.v.lo) =
           splitU ? cell.u.mid() : cell.v.mid();
       const Domain &first = preferUpper ? upper : lower, &second = preferUpper ? lower : upper;
-      if (!isFinite(boundPosition(function_, first, inputs_)))
+      if (!definedAllOver(function_, first, inputs_))
         cell = first;
-      else if (!isFinite(boundPosition(function_, second, inputs_)))
+      else if (!definedAllOver(function_, second, inputs_))
         cell = second;
       else
         return {};

@@ -136,12 +136,13 @@ class Surface {
   /// constants.
   [[nodiscard]] CellBounds boundCell(std::uint32_t patch, const Domain& cell,
                                      std::span<const double> parameters) const;
-  /// Box that provably holds the surface over the cell; infinite where nothing could be proven.
+  /// Box that provably holds the surface over the cell; empty where it has no points there, infinite where
+  /// nothing could be proven.
   [[nodiscard]] Box boundPosition(std::uint32_t patch, const Domain& cell,
                                   std::span<const double> parameters) const;
 
   /// Box that provably holds the whole surface; looser than the tightest by a few percent. Infinite where
-  /// that cannot be proven: a formula that is unbounded or has holes.
+  /// that cannot be proven: a formula that is unbounded.
   [[nodiscard]] Box bounds(std::span<const double> parameters) const;
   /// Finite box to look at: bounds() where that is finite, else one around most of the finite points of a
   /// sampling, those near a pole of the formula left out.

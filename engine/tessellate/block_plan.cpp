@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/assert.h"
+#include "surface/bounds.h"
 #include "tessellate/parallel.h"
 
 namespace luxo {
@@ -258,8 +259,9 @@ Vec2 curveLengths(const Surface& surface, std::uint32_t patch, std::span<const d
 /// Splits tiles without a bound until the box around each is smaller than the tolerance, the largest first.
 class UnprovenPlanner {
  public:
-  UnprovenPlanner(const Surface& surface, std::span<const double> parameters, double tolerance)
-      : surface_(surface), parameters_(parameters), tolerance_(tolerance) {}
+  UnprovenPlanner(const Surface& surface, std::span<const double> parameters, double tolerance,
+                  double openSize)
+      : surface_(surface), parameters_(parameters), tolerance_(tolerance), openSize_(openSize) {}
 
   void add(std::uint32_t patch, const Tile& tile, const PatchLimits& limits) {
     file(look(patch, tile, limits));
@@ -284,6 +286,7 @@ class UnprovenPlanner {
     const PatchLimits* limits = nullptr;
     Curvature curvature;  ///< in parts of the tile's sides
     double diameter = 0;  ///< of the box around it, 0 where the curvature is proven
+    bool open = false;
 
     bool operator<(const Part& other) const {
       const auto key = [](const Part& p) {
@@ -298,8 +301,12 @@ class UnprovenPlanner {
     const Domain cell = domainOf(tile, domain);
     Part part{patch, tile, &limits, inPartsOf(tile, curvatureOf(surface_, patch, domain, cell, parameters_))};
     if (part.curvature.proven()) return part;
-    part.diameter = glm::length(surface_.boundPosition(patch, cell, parameters_).extent());
+    const Box box = surface_.boundPosition(patch, cell, parameters_);
+    if (box.empty()) return part;  // nothing is there
+    part.diameter = glm::length(box.extent());
     if (!std::isfinite(part.diameter)) part.diameter = kInfinity;
+    const Patch& p = surface_.patches()[patch];
+    part.open = openSize_ > 0 && !definedAllOver(*p.function, cell, PatchInputs(p, parameters_));
     return part;
   }
 
@@ -324,7 +331,8 @@ class UnprovenPlanner {
         range->most = std::max(range->least, std::floor(range->most / kRoughening));
       const Segments n = fewestSegments(part.curvature, limits, tolerance_);
       proven_.push_back({part.patch, part.tile, n, part.curvature.deviation(1.0 / n.u, 1.0 / n.v)});
-    } else if (part.diameter > tolerance_ && splittable(part)) {
+    } else if (part.diameter > (part.open ? std::max(openSize_, tolerance_) : tolerance_) &&
+               splittable(part)) {
       open_.push(part);
     } else {
       done_.push_back(blockOf(part));
@@ -341,7 +349,7 @@ class UnprovenPlanner {
     const Limits limits = part.limits->of(part.tile);
     Segments n{static_cast<std::uint32_t>(limits.u.least), static_cast<std::uint32_t>(limits.v.least)};
     if (std::isinf(part.diameter)) n = {std::max(n.u, kUnboundedSegments), std::max(n.v, kUnboundedSegments)};
-    return {part.patch, part.tile, n, part.diameter};
+    return {part.patch, part.tile, n, part.open ? 0 : part.diameter, part.open};
   }
 
   /// Whether the formula has a value at any of a few points of the tile.
@@ -355,7 +363,7 @@ class UnprovenPlanner {
 
   const Surface& surface_;
   std::span<const double> parameters_;
-  double tolerance_;
+  double tolerance_, openSize_;
   std::priority_queue<Part> open_;
   std::vector<Block> proven_, done_;
 };
@@ -396,7 +404,7 @@ Segments leastSegments(const Topology& topology, std::uint32_t patch) {
 }
 
 std::vector<Block> planBlocks(const Surface& surface, std::span<const double> parameters,
-                              const CurvatureMap& map, const MeshDesc& desc) {
+                              const CurvatureMap& map, const MeshDesc& desc, double openSize) {
   const double tolerance = affordableTolerance(surface, map, desc.tolerance);
   std::vector<PatchLimits> limits;
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
@@ -416,7 +424,7 @@ std::vector<Block> planBlocks(const Surface& surface, std::span<const double> pa
   });
 
   std::vector<Block> blocks;
-  UnprovenPlanner rest(surface, parameters, tolerance);
+  UnprovenPlanner rest(surface, parameters, tolerance, openSize);
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
     blocks.insert(blocks.end(), plans[patch].blocks.begin(), plans[patch].blocks.end());
     for (const Tile& tile : plans[patch].unproven) rest.add(patch, tile, limits[patch]);

@@ -19,7 +19,8 @@ struct Block {
   std::uint32_t patch = 0;
   Tile tile;
   Segments segments;
-  double bound = 0;  ///< proven deviation of its triangles
+  double bound = 0;   ///< proven deviation of its triangles
+  bool open = false;  ///< the formula may have no value somewhere in it, and it gets no triangles
 };
 
 /// The fewest segments of a patch, alone and with what it is joined to, that make no triangle of two corners:
@@ -29,9 +30,11 @@ struct Block {
 /// Blocks that cover every patch once. Nearly the fewest triangles within the tolerance that kd-splits at the
 /// middle give; where the surface bends evenly, one block. Tiles without a bound on the second derivatives
 /// (kinks, singular edges) are split until the box around them is smaller than the tolerance, as far as a
-/// budget goes. Also keeps to a budget of triangles: then `bound` is above the tolerance.
+/// budget goes. Also keeps to a budget of triangles: then `bound` is above the tolerance. With `openSize`
+/// blocks in which the formula may have no value are open, and need not be smaller than that.
 [[nodiscard]] std::vector<Block> planBlocks(const Surface& surface, std::span<const double> parameters,
-                                            const CurvatureMap& map, const MeshDesc& desc);
+                                            const CurvatureMap& map, const MeshDesc& desc,
+                                            double openSize = 0);
 
 /// One block per patch: `segments` of each, or the least that work.
 [[nodiscard]] std::vector<Block> uniformBlocks(const Surface& surface, std::span<const double> parameters,

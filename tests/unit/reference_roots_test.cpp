@@ -124,6 +124,72 @@ TEST(ReferenceRoots, PolesAndSeams) {
 }
 
 // A unit square flattened into a plane by a singular transform is still where it was put.
+TEST(ReferenceRoots, AFormulaThatEndsInsideOfItsRectangleEndsThere) {
+  // Half a ball over a square: the rays that meet the whole ball above y = 0 meet it, and no others.
+  const Surface dome =
+      surface([](auto u, auto v) { return point(u, sqrt(1.0 - u * u - v * v), -v); }, {{-2, 2}, {-2, 2}});
+  const CellTree tree(dome, {});
+  EXPECT_LT(tree.size(), 4);
+  RandomRays rays(11);
+  int hits = 0, nearTheRim = 0, undecided = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Ray ray = rays.next(5, 1.2);
+    const double b = glm::dot(ray.origin, ray.direction), d = b * b - glm::dot(ray.origin, ray.origin) + 1;
+    std::optional<double> expected;
+    bool close = std::abs(d) < 1e-6;
+    for (const double t : {-b - std::sqrt(d), -b + std::sqrt(d)}) {
+      const double y = (ray.origin + t * ray.direction).y;
+      close = close || std::abs(y) < 2e-6;  // as high as 1e-13 of the square are wide there
+      nearTheRim += std::abs(y) < 1e-2;
+      if (d > 0 && y > 0 && !expected) expected = t;
+    }
+    if (close) continue;
+    const Roots found = cast(tree, ray);
+    undecided += !found.certified;
+    if (!found.certified) continue;
+    ASSERT_EQ(found.nearest.has_value(), expected.has_value()) << i;
+    if (expected) EXPECT_NEAR(found.nearest->t, *expected, 1e-9), ++hits;
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(nearTheRim, 20);
+  EXPECT_LE(undecided, 2) << "rays along the rim, a ten-thousandth above it";
+}
+
+TEST(ReferenceRoots, AFormulaThatGoesDownWithoutEndIsMet) {
+  const Surface well =
+      surface([](auto u, auto v) { return point(u, log(1.0 - u * u - v * v), -v); }, {{-2, 2}, {-2, 2}});
+  const CellTree tree(well, {});
+  for (double x = -0.97; x < 1; x += 0.03) {  // from above, and from the side
+    const Roots down = cast(tree, {Vec3(x, 5, 0.1), Vec3(0, -1, 0)});
+    ASSERT_EQ(down.nearest.has_value(), x * x + 0.01 < 1);
+    EXPECT_TRUE(down.certified);
+    EXPECT_NEAR(down.nearest->t, 5 - std::log(1 - x * x - 0.01), 1e-9);
+    const double y = 4 * x - 4.5, z = 0.137, u = std::sqrt(1 - std::exp(y) - z * z);
+    const Roots across = cast(tree, {Vec3(-7, y, z), Vec3(1, 0, 0)});
+    ASSERT_TRUE(across.nearest);
+    EXPECT_TRUE(across.certified);
+    EXPECT_NEAR(across.nearest->t, 7 - u, 1e-9);
+  }
+  EXPECT_FALSE(cast(tree, {Vec3(1.5, 5, 0.1), Vec3(0, -1, 0)}).nearest);
+}
+
+TEST(ReferenceRoots, ARemovablePointIsThere) {
+  const Surface hat = surface(
+      [](auto u, auto v) {
+        const auto r = sqrt(u * u + v * v);
+        return point(u, sin(r) / r, -v);
+      },
+      {{-8, 8}, {-8, 8}});
+  const CellTree tree(hat, {});
+  for (const double x : {1e-9, 1e-6, 1e-3, 0.1, 1.0, 3.0}) {
+    const Roots down = cast(tree, {Vec3(x, 5, 0), Vec3(0, -1, 0)});
+    ASSERT_TRUE(down.nearest && down.certified) << x;
+    EXPECT_NEAR(down.nearest->t, 5 - std::sin(x) / x, 1e-9);
+  }
+  const Roots besides = cast(tree, {Vec3(-20, 1.001, 0), Vec3(1, 0, 0)});
+  EXPECT_TRUE(besides.certified && !besides.nearest) << "just over the top";
+}
+
 TEST(ReferenceRoots, SingularTransforms) {
   const CellTree tree(sphere(1), {});
   const Transform flat{Mat3(2, 0, 0, 0, 3, 0, 0, 0, 0), {0, 0, -1}};

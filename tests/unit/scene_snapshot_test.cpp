@@ -123,7 +123,7 @@ TEST(Snapshot, CameraIsTheNamedOneTheFirstOneOrAFittedOne) {
   EXPECT_TRUE(still == snap(bare, 7).view);
   const Vec2 middle =
       pixelFromEye(still, eyeFromWorldPoint(still, Vec3(0)));  // where the ball is at that time
-  EXPECT_NEAR(middle.x, 50, 0.5);  // samples of a ball are not as even as it is
+  EXPECT_NEAR(middle.x, 50, 0.5);                              // samples of a ball are not as even as it is
   EXPECT_NEAR(middle.y, 50, 0.5);
 }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Formulas that have no value in parts of their rectangle: the surface ends where they do, in a curve.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "support/verified_picture.h"
+
+namespace luxo::test {
+namespace {
+
+using DomainBorderTest = VerifiedPictureTest;
+
+constexpr PixelSize kSize{200, 150};
+
+Scene plotted(const std::string& height, double half) {
+  return buildScene(parseScene(R"({ "luxo": 1, "surfaces": { "s": { "type": "formula", "u": [)" +
+                                   std::to_string(-half) + ", " + std::to_string(half) + R"(], "v": [)" +
+                                   std::to_string(-half) + ", " + std::to_string(half) +
+                                   R"(], "position": ["u", ")" + height + R"(", "-v"] } },
+    "nodes": [ { "translate": [3, 6, 4], "light": {} }, { "surface": "s" } ],
+    "camera": { "eye": [1.4, 1.9, 2.4], "look_at": [0, 0.2, 0], "fov_y": "45deg" } })",
+                               "border"));
+}
+
+TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
+  const Scene scene = plotted("sqrt(1 - u^2 - v^2)", 2);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const Verified found = expectTheTruth(snapshot, 5000);
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+  EXPECT_GT(found.statistics.error.resolvedByRaysPx, 100U) << "along the rim";
+  EXPECT_LT(found.statistics.error.resolvedByRaysPx, 8000U) << "and nowhere else";
+
+  // What a ray meets of the whole ball above y = 0, but where a thousandth of a pixel makes a difference.
+  const CameraModel camera(scene.cameras()[0], kSize);
+  const auto isHit = [&](const Vec2& pixel) {
+    const Ray ray = camera.through(pixel);
+    const auto depths = hitSphere(ray, Vec3(0), 1);
+    return depths && (ray.at(depths->first).y > 0 || ray.at(depths->second).y > 0);
+  };
+  const Image id = renderer().render(snapshot, {.output = Output::Id}).image;
+  int settledPixels = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const auto expected = settled(isHit, centerOf(x, y), 1e-3);
+      if (!expected) continue;
+      ++settledPixels;
+      ASSERT_EQ(id.pixel(x, y)[0] > 0, *expected) << x << ", " << y;
+    }
+  EXPECT_GT(settledPixels, kSize.width * kSize.height - 10);
+}
+
+TEST_F(DomainBorderTest, ARemovablePointIsFilled) {
+  const Snapshot snapshot = takeSnapshot(plotted("sin(8*sqrt(u^2 + v^2))/(8*sqrt(u^2 + v^2))", 1), 0, kSize);
+  const Verified found = expectTheTruth(snapshot, 5000);
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  // Of the square seen from above nothing is missing: no ray through it finds a way down.
+  const Image id = renderer().render(snapshot, {.output = Output::Id}).image;
+  const Camera camera{.eye = Vec3(0.01, 4, 0.02), .lookAt = Vec3(0.01, 0, 0.02), .fovY = radians(20)};
+  const Image above =
+      renderer()
+          .render(takeSnapshot(plotted("sin(8*sqrt(u^2 + v^2))/(8*sqrt(u^2 + v^2))", 1), 0, kSize, camera),
+                  {.output = Output::Id})
+          .image;
+  for (const float number : above.samples()) ASSERT_GT(number, 0);
+}
+
+}  // namespace
+}  // namespace luxo::test

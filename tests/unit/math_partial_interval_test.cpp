@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Intervals of what is not defined everywhere: they hold what there is, and say so where there is nothing.
+#include "math/partial_interval.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "formula/expression.h"
+#include "formula/tape.h"
+
+namespace luxo {
+namespace {
+
+using Defined = PartialInterval::Defined;
+
+/// Formulas of u and v with holes and borders of every kind.
+std::vector<Expr> formulas(Graph& graph) {
+  const Expr u = graph.variable(0), v = graph.variable(1), r = sqrt(u * u + v * v);
+  return {sqrt(u),
+          log(u + v),
+          u / v,
+          asin(u),
+          acos(u * v),
+          pow(u, 1.5),
+          pow(u, v),
+          pow(u, -2),
+          sqrt(sqrt(u) - v),
+          log(sin(u)) + sqrt(v),
+          sin(r) / r,
+          select(less(u, v), sqrt(u), log(v)),
+          select(less(sqrt(u), v), u, 1.0 / v),
+          min(sqrt(u), v),
+          max(log(u), v),
+          abs(sqrt(1.0 - u * u)) * tan(v),
+          atan2(sqrt(u), log(v)),
+          exp(sqrt(u)) - cosh(asin(v)),
+          floor(sqrt(u)) + sign(log(v)),
+          tanh(acos(u)) - sinh(v) + cos(sqrt(u)) * atan(u)};
+}
+
+TEST(PartialInterval, HoldsAllValuesThatThereAre) {
+  Graph graph;
+  const std::vector<Expr> outputs = formulas(graph);
+  const Tape tape(graph, outputs);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-2, 2), part(0, 1);
+  std::vector<std::array<int, 3>> seen(outputs.size());
+  for (int i = 0; i < 3000; ++i) {
+    const double size = std::exp(-8 * part(random)), u = place(random), v = place(random);
+    const Interval us(u, u + size), vs(v, v + size);
+    std::vector<PartialInterval> bounds(outputs.size());
+    tape.boundWhereDefined(us, vs, {}, bounds);
+    for (const PartialInterval& b : bounds) ++seen[&b - bounds.data()][static_cast<std::size_t>(b.defined)];
+    for (int k = 0; k < 20; ++k) {
+      std::vector<double> values(outputs.size());
+      tape.evaluatePoint(u + part(random) * size, v + part(random) * size, {}, values);
+      for (std::size_t f = 0; f < values.size(); ++f) {
+        const PartialInterval& b = bounds[f];
+        if (std::isfinite(values[f])) {
+          ASSERT_NE(b.defined, Defined::Nowhere) << f;
+          ASSERT_TRUE(b.range.contains(values[f])) << f << ": " << values[f];
+        } else {
+          ASSERT_FALSE(b.defined == Defined::Everywhere && std::isfinite(b.range.magnitude())) << f;
+        }
+      }
+    }
+  }
+  for (std::size_t f = 0; f < seen.size(); ++f) {
+    EXPECT_GT(seen[f][1], 0) << f << " has borders";
+    EXPECT_GT(seen[f][2], 0) << f << " has places without";
+  }
+  for (const std::size_t f : {0, 1, 3, 5, 8, 9}) EXPECT_GT(seen[f][0], 100) << f << " is known to be nowhere";
+}
+
+TEST(PartialInterval, IsAsSharpAsWhatThereIs) {
+  Graph graph;
+  const std::vector<Expr> outputs = formulas(graph);
+  const Tape tape(graph, outputs);
+  std::vector<PartialInterval> b(outputs.size());
+  tape.boundWhereDefined({-1, 0.25}, {-1, 0.25}, {}, b);
+  EXPECT_NEAR(b[0].range.lo, 0, 1e-15);
+  EXPECT_NEAR(b[0].range.hi, 0.5, 1e-15);
+  EXPECT_NEAR(b[1].range.hi, std::log(0.5), 1e-15);
+  EXPECT_NEAR(b[10].range.hi, 1, 1e-15);
+  EXPECT_NEAR(b[10].range.lo, std::sin(std::sqrt(2)) / std::sqrt(2), 1e-15);
+}
+
+}  // namespace
+}  // namespace luxo
