@@ -30,7 +30,7 @@ Coverage coverageOf(const Snapshot& snapshot) {
   Coverage coverage;
   for (const SnapshotNode& node : snapshot.nodes)
     for (std::uint32_t patch = 0; patch < node.surface.patchCount(); ++patch) {
-      const int perSide = std::max(30, 1001 / static_cast<int>(std::sqrt(node.surface.patchCount())));
+      const int perSide = std::max(30, 301 / static_cast<int>(std::sqrt(node.surface.patchCount())));
       const Domain& domain = node.surface.patchDomain(patch);
       std::vector<double> us, vs;
       for (int k = 0; k < perSide; ++k) {
