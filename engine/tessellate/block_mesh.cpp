@@ -371,10 +371,7 @@ Mesh meshOfBlocks(const Surface& surface, std::span<const double> parameters, st
   Triangulator triangulator(surface, parameters, blocks, net, points, mesh);
   if (firstIndices) firstIndices->assign(1, 0);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (blocks[b].open)
-      ++mesh.dropped;
-    else
-      triangulator.add(b, firstInner[b]);
+    triangulator.add(b, firstInner[b]);
     if (firstIndices) firstIndices->push_back(mesh.indices.size());
   }
   // Derivatives may be known where the formula has no value: log(-1) + u is straight.

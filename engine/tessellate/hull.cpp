@@ -29,8 +29,7 @@ constexpr double kSlack = 1.1;
 /// Parts of the hull's size: what single precision rounds away, and the thickness of what is flat.
 constexpr double kRounding = 1e-6, kThinnest = 1e-4;
 
-/// Of the surface's size: where its formula ends rays find what is closer to the border than that, as many as
-/// a finer hull, with many more triangles, would save.
+/// Of the surface's size: no closer is it looked where a formula ends.
 constexpr double kOpen = 1.0 / 24;
 
 constexpr int kMostRefinements = 6;
@@ -163,8 +162,8 @@ class Builder {
         Hull::Pinch& pinch = pinches[frame_.pointOf(v)];
         pinch.center = mesh_.positions[v];
         for (const std::uint32_t other : frame_.corners(t))
-          pinch.reach = glm::max(
-              pinch.reach, Vec3(glm::distance(mesh_.positions[v], mesh_.positions[other]) + frame_.bound(t)));
+          pinch.reach = std::max(pinch.reach,
+                                 glm::distance(mesh_.positions[v], mesh_.positions[other]) + frame_.bound(t));
       }
     for (const auto& [point, pinch] : pinches) hull.pinches.push_back(pinch);
   }
@@ -444,22 +443,6 @@ void dropFalseEquations(Hull& hull, const HullFrame& frame) {
     for (HullPatch& patch : hull.patchData) patch.equation.reset();
 }
 
-/// What there is of the surface in blocks in which the formula may have no value. Walls of the shell stand
-/// beside them.
-void addBorders(const Surface& surface, std::span<const double> parameters, const std::vector<Block>& blocks,
-                double size, Hull& hull) {
-  for (const Block& block : blocks) {
-    if (!block.open) continue;
-    const Domain cell = domainOf(block.tile, surface.patchDomain(block.patch));
-    const Box box = surface.boundPosition(block.patch, cell, parameters);
-    if (box.empty()) continue;
-    const Vec3 reach = 0.5 * box.extent() * (1 + kRounding) + kRounding * size;
-    const bool finite = std::isfinite(glm::dot(reach, Vec3(1)));
-    hull.pinches.push_back(
-        {finite ? box.center() : Vec3(0), finite ? reach : Vec3(std::numeric_limits<double>::infinity())});
-  }
-}
-
 }  // namespace
 
 std::optional<Hull> makeHull(const Surface& surface, std::span<const double> parameters,
@@ -473,6 +456,7 @@ std::optional<Hull> makeHull(const Surface& surface, std::span<const double> par
   const double size = box.empty() ? 0 : glm::length(box.extent());
   std::vector<Block> blocks =
       planBlocks(surface, parameters, map, {.tolerance = desc.tolerance}, kOpen * size);
+  if (std::ranges::any_of(blocks, &Block::open)) return std::nullopt;
   std::ranges::stable_sort(blocks, {}, &Block::patch);
   // A top and a bottom of two triangles a cell.
   const auto tooMany = [&] {
@@ -498,7 +482,6 @@ std::optional<Hull> makeHull(const Surface& surface, std::span<const double> par
   }
   dropFalseEquations(hull, *frame);
   Builder(surface, map, *frame, desc).build(hull);
-  addBorders(surface, parameters, blocks, size, hull);
   return hull;
 }
 

@@ -111,17 +111,18 @@ struct Hull {
   /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the
   /// mesh tells; infinite of what is mostly flat. Object units.
   double medianRadius = 0;
-  /// Where no direction leads out of the triangles around a vertex, and where the formula ends within a
-  /// patch, the shell may leave out some of the surface: these boxes hold what it leaves out. Object space.
+  /// Where no direction leads out of the triangles around a vertex, and the shell may leave out some of the
+  /// surface near it: these boxes hold what they leave out. Object space.
   struct Pinch {
-    Vec3 center{0}, reach{0};
+    Vec3 center{0};
+    double reach = 0;
 
-    [[nodiscard]] Box box() const { return {center - reach, center + reach}; }
+    [[nodiscard]] Box box() const { return {center - Vec3(reach), center + Vec3(reach)}; }
   };
   std::vector<Pinch> pinches;
-  /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing (borders of the
-  /// formula's domain), or turn so sharply that no direction leads out (pinch points): the hull is then as
-  /// good as one can be made. Where a surface is thinner than the tolerance, slabs of its parts overlap.
+  /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing, or turn so
+  /// sharply that no direction leads out (pinch points): the hull is then as good as one can be made. Where a
+  /// surface is thinner than the tolerance, slabs of its parts overlap.
   bool proven = true;
   bool spansProven = true;  ///< what is said of `spanned` is so
   Vec3 origin{0};           ///< what the device's single precision is relative to, as in Mesh

@@ -33,8 +33,7 @@ TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
   const Verified found = expectTheTruth(snapshot, 5000);
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
-  EXPECT_GT(found.statistics.error.resolvedByRaysPx, 100U) << "along the rim";
-  EXPECT_LT(found.statistics.error.resolvedByRaysPx, 8000U) << "and nowhere else";
+  EXPECT_GT(found.statistics.error.resolvedByRaysPx, 5000U) << "no shell ends where the formula does";
 
   // What a ray meets of the whole ball above y = 0, but where a thousandth of a pixel makes a difference.
   const CameraModel camera(scene.cameras()[0], kSize);
