@@ -18,6 +18,8 @@ constexpr double kSamePoint = 1e-9;   // of the distance
 // Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024
 // cells at most, all but 4 of a million 512.
 constexpr int kMostCells = 4096, kMostInDoubt = 512;
+/// Where a formula ends: a ray along the rim of a dome looks at more cells the steeper that is.
+constexpr int kMostCellsAtBorders = 1 << 16;
 constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
 constexpr double kLong = 100;       // of the surface's size: what nearly has no end
 constexpr double kNarrower = 0.75;  // a narrowing worth repeating
@@ -102,7 +104,7 @@ class Search {
       const Domain part = parts_.back();
       parts_.pop_back();
       // With a part undecided only a nearer root can make the answer certain.
-      if (++cells_ > (undecided_ == kNever ? kMostCells : kMostInDoubt)) {
+      if (++cells_ > (undecided_ == kNever ? mostCells_ : kMostInDoubt)) {
         undecided_ = std::min(undecided_, query_.nearest);
         parts_.clear();
         return;
@@ -112,7 +114,10 @@ class Search {
   }
 
   void look(Domain d, const CellBounds& b) {
-    if (b.empty) return;
+    if (b.empty) {
+      mostCells_ = kMostCellsAtBorders;
+      return;
+    }
     const Ball t = value(ray_.along, b.position, ray_.start);
     if (misses(b.position) || t.hi() < query_.nearest || t.lo() > farthest_) return;
     const double hu = 0.5 * d.u.width(), hv = 0.5 * d.v.width();
@@ -239,7 +244,7 @@ class Search {
   double undecided_ = kNever;  // nearest t that an undecided part may have
   std::uint32_t patch_ = 0;
   std::vector<Domain> parts_;
-  int cells_ = 0;
+  int cells_ = 0, mostCells_ = kMostCells;
 };
 
 /// Two unit vectors that complete `w`, unit, to a right-handed system (T. Duff et al. 2017).

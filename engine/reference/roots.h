@@ -57,7 +57,8 @@ struct Roots {
   int cells = 0;          ///< parts of cells that were looked at: the cost, 4,096 at most
 };
 
-/// Cost: a few dozen box tests and a few cells; at most 4,096 cells, after which the rest is undecided.
+/// Cost: a few dozen box tests and a few cells; at most 4,096 cells, or 65,536 where
+/// the formula ends, after which the rest is undecided.
 [[nodiscard]] Roots nearestRoot(const CellTree& tree, const RayFunctions& ray, const RootQuery& query);
 
 }  // namespace luxo::reference

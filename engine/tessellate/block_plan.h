@@ -20,7 +20,7 @@ struct Block {
   Tile tile;
   Segments segments;
   double bound = 0;   ///< proven deviation of its triangles
-  bool open = false;  ///< the formula may have no value somewhere in it, and is no smaller for it
+  bool open = false;  ///< the formula may have no value somewhere in it
 };
 
 /// The fewest segments of a patch, alone and with what it is joined to, that make no triangle of two corners:

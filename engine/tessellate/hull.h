@@ -146,8 +146,9 @@ struct HullDesc {
   double mostTriangles = std::numeric_limits<double>::infinity();
 };
 
-/// Pure: equal input gives equal bits. Nothing where it would have more triangles than desc.mostTriangles.
-/// Cost: that of up to seven meshes, the more the coarser they are.
+/// Pure: equal input gives equal bits. Nothing where it would have more triangles than desc.mostTriangles,
+/// and where the formula ends within a patch. Cost: that of up to seven meshes, the more the coarser they
+/// are.
 [[nodiscard]] std::optional<Hull> makeHull(const Surface& surface, std::span<const double> parameters,
                                            const CurvatureMap& map, const HullDesc& desc);
 
