@@ -59,15 +59,15 @@ TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
 }
 
 TEST_F(DomainBorderTest, ARemovablePointIsFilled) {
-  const Snapshot snapshot = takeSnapshot(plotted("sin(8*sqrt(u^2 + v^2))/(8*sqrt(u^2 + v^2))", 1), 0, kSize);
+  const Snapshot snapshot = takeSnapshot(plotted("sin(sqrt(u^2 + v^2))/sqrt(u^2 + v^2)", 1), 0, kSize);
   const Verified found = expectTheTruth(snapshot, 5000);
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   // Of the square seen from above nothing is missing: no ray through it finds a way down.
   const Image id = renderer().render(snapshot, {.output = Output::Id}).image;
-  const Camera camera{.eye = Vec3(0.01, 4, 0.02), .lookAt = Vec3(0.01, 0, 0.02), .fovY = radians(20)};
+  const Camera camera{.eye = Vec3(0.01, 4, 0.02), .lookAt = Vec3(0.01, 0, 0.02), .fovY = radians(15)};
   const Image above =
       renderer()
-          .render(takeSnapshot(plotted("sin(8*sqrt(u^2 + v^2))/(8*sqrt(u^2 + v^2))", 1), 0, kSize, camera),
+          .render(takeSnapshot(plotted("sin(sqrt(u^2 + v^2))/sqrt(u^2 + v^2)", 1), 0, kSize, camera),
                   {.output = Output::Id})
           .image;
   for (const float number : above.samples()) ASSERT_GT(number, 0);
