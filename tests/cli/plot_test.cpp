@@ -117,19 +117,18 @@ TEST_F(PlotPictures, TheSurfaceFillsThePicture) {
   }
 }
 
-TEST_F(PlotPictures, ASweepIsSeenFromOnePlaceWhichShowsAllOfIt) {
-  const Outcome emitted = run(folder, {"plot", "[u, k*u*v, -v]", "--u=-1:1", "--v=-1:1", "-L", "k=1",
-                                       "--sweep", "k=1:9:4", "--emit"});
-  ASSERT_EQ(emitted.code, 0) << emitted.err;
-  const Outcome largest =
-      run(folder, {"plot", "[u, k*u*v, -v]", "--u=-1:1", "--v=-1:1", "-L", "k=9", "--emit"});
-  const auto distance = [](const std::string& scene) {
-    const auto camera = nlohmann::json::parse(scene)["camera"];
-    return std::hypot(camera["eye"][0].get<double>(), camera["eye"][1].get<double>(),
-                      camera["eye"][2].get<double>());
+TEST_F(Plot, ASweepIsSeenFromOnePlaceWhichShowsAllOfIt) {
+  const auto distanceOf = [](const std::string& k, std::vector<double> swept) {
+    RenderRequest request;
+    if (!swept.empty()) request.sweep = Sweep{"k", std::move(swept)};
+    const SceneFile file = plotScene(
+        {.position = "[u, k*u*v, -v]", .u = "-1:1", .v = "-1:1", .definitions = {"k=" + k}}, request);
+    const Quantity3& eye = file.camera->eye;
+    return std::hypot(eye[0].number(), eye[1].number(), eye[2].number());
   };
-  EXPECT_NEAR(distance(emitted.out), distance(largest.out), 0.3 * distance(largest.out));
-  EXPECT_GT(distance(emitted.out), 8);
+  EXPECT_LT(distanceOf("1", {}), 8);
+  EXPECT_GT(distanceOf("9", {}), 15);
+  EXPECT_GT(distanceOf("1", {1, 5, 9}), 15);
 }
 
 TEST_F(PlotPictures, AWaveIsSeenFromWhereItDoesNotHideItself) {
