@@ -103,7 +103,12 @@ TEST(RenderOptions, WhatIsNotSaidStaysOpen) {
   EXPECT_EQ(request.skips, Skips{});
   EXPECT_EQ(request.device, "auto");
   EXPECT_FALSE(request.validate);
+  EXPECT_FALSE(request.hiddenLines);
   EXPECT_EQ(request.verbosity, Verbosity::Normal);
+}
+
+TEST(RenderOptions, HiddenLinesAreAskedFor) {
+  EXPECT_TRUE(parse({"lamp", "-o", "a.png", "--hidden-lines"}).hiddenLines);
 }
 
 TEST(RenderOptions, NegativeTimeIsAValueNotAnOption) {
