@@ -516,8 +516,9 @@ void formula(float u, float v, out vec4 result) {
         EXPECT_NEAR(got[k][i], wanted[which][k], 2e-6) << which << " at point " << i;
     }
   }
-  EXPECT_THAT(emitSurfaceGlsl(graph, "torus", torus),
-              testing::HasSubstr("void torus(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv)"));
+  EXPECT_THAT(
+      emitSurfaceGlsl(graph, "torus", torus),
+      testing::HasSubstr("void torus(const float u, const float v, out vec3 S, out vec3 Su, out vec3 Sv)"));
 }
 
 }  // namespace
