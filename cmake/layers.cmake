@@ -18,7 +18,7 @@ set(LUXO_LAYER_draw base math formula surface scene cull tessellate gpu image re
 set(LUXO_LAYER_window base math gpu)
 
 # Third-party headers that only the named folders may include: "<header regex>" -> folders.
-set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "GLFW/" "imgui" "glm/" "png\\.h" "Imf" "tbb/")
+set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "GLFW/" "imgui" "glm/" "png\\.h" "Imf" "tbb/" "spirv-tools/")
 set(LUXO_EXCLUSIVE_vulkan/ gpu)
 set(LUXO_EXCLUSIVE_glslang/ gpu)
 set(LUXO_EXCLUSIVE_GLFW/ window)
@@ -26,4 +26,5 @@ set(LUXO_EXCLUSIVE_imgui window)
 set(LUXO_EXCLUSIVE_glm/ math)
 set(LUXO_EXCLUSIVE_png\\.h image)
 set(LUXO_EXCLUSIVE_Imf image)
-set(LUXO_EXCLUSIVE_tbb/ tessellate reference)
+set(LUXO_EXCLUSIVE_tbb/ tessellate gpu reference draw)
+set(LUXO_EXCLUSIVE_spirv-tools/ gpu)
