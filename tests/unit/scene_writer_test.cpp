@@ -266,6 +266,14 @@ class RandomScene {
   test::Random random_;
 };
 
+TEST(SceneWriter, HiddenLinesReadBackTheSame) {
+  SceneFile file;
+  file.render.hiddenLines = true;
+  EXPECT_NE(writeScene(file).find("\"hidden_lines\": true"), std::string::npos) << writeScene(file);
+  EXPECT_TRUE(readBack(file).render.hiddenLines);
+  EXPECT_FALSE(readBack(SceneFile{}).render.hiddenLines);
+}
+
 TEST(SceneWriter, RandomDescriptionsReadBackTheSame) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     const SceneFile file = RandomScene(seed).make();
