@@ -268,7 +268,10 @@ Camera fitCamera(const Snapshot& snapshot, PixelSize size, const Vec3& direction
   for (const SnapshotNode& node : snapshot.nodes)
     if (isFinite(node.boundsObject)) proof.add(node);
 
-  const Reach proven = proof.proven();
+  Reach proven = proof.proven();
+  // What interval bounds cannot tell from a spike of any height, as of sin(r)/(r + 1e-9), is not looked for.
+  for (int side = 0; side < kFrameSides; ++side)
+    if (proven[side] > reach[side] + kWorthSeeing * outOfSides()) proven = reach;
   const double front = proven[kFront];
   // Not on the thing itself, be it a point or a line toward the eye.
   double out = std::max(outOfSides(), front + std::max(0.1 * (front - back), 1e-6 * largest + 1e-12));

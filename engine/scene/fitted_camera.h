@@ -14,7 +14,8 @@ inline constexpr Vec3 kFittedDirection{1, 0.8, 1.5};
 /// reach from edge to edge over 85 % of the picture's width or height, whichever they fill first, and have as
 /// much room on the left as on the right, and above as below. What surfaces are found to be by sampling is
 /// then proven, by interval bounds of ever smaller parts of them: they reach no farther than to 86 %, or,
-/// where that takes too much work, not out of the picture. Of a surface that is unbounded or not defined
+/// where that takes too much work, not out of the picture; but where nearly all of a picture would be left
+/// for what bounds do not exclude, nothing is proven. Of a surface that is unbounded or not defined
 /// everywhere (Surface::framing) most is shown, and nothing proven. Nothing to see counts as the unit cube
 /// around the origin. Cost: a millisecond for a surface, at most some ten for many or difficult ones.
 [[nodiscard]] Camera fitCamera(const Snapshot& snapshot, PixelSize size,

@@ -117,6 +117,17 @@ TEST(FittedCamera, WhatIsThinnerThanAnySamplingIsInThePicture) {
   EXPECT_LT(tip.y, 0.09 * size.height) << "as high as it, and no higher";
 }
 
+// Around r = 0 interval bounds tell nothing but that it is below 3e9.
+TEST(FittedCamera, WhatBoundsDoNotExcludeIsNotLookedFor) {
+  expectFits(sceneOf(surface(
+                 [](auto x, auto y) {
+                   const auto r = 6.0 * sqrt(x * x + y * y);
+                   return point(x, 3.0 * sin(r) / (r + 1e-9), -y);
+                 },
+                 {{-2, 2}, {-2, 2}})),
+             "sin(r) / (r + 1e-9)");
+}
+
 TEST(FittedCamera, BordersAndPolesAreSeen) {
   const Surface dome =
       surface([](auto u, auto v) { return point(u, sqrt(1.0 - u * u - v * v), -v); }, {{-2, 2}, {-2, 2}});
