@@ -168,12 +168,12 @@ class Run {
       for (std::size_t i = 0; i < values.size(); ++i)
         report_.frames[index].parameters.emplace_back(scene_.parameters()[i].name, values[i]);
       Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, cameraAt(camera));
-      if (index == 0) tellOfNoLight(snapshot);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
       const double animate = millisecondsSince(start);
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();
+      if (index == 0) tellOfNoLight(snapshot);
       picture->statistics.ms.animate = animate;
       picture->statistics.ms.total += animate;
       report_.frames[index].statistics = picture->statistics;

@@ -17,7 +17,9 @@ constexpr double kOnTheEdge = 1e-12;  // of the domain: how far outside a root m
 constexpr double kSamePoint = 1e-9;   // of the distance
 // Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024
 // cells at most, all but 4 of a million 512.
-constexpr int kMostCells = 4096, kMostInDoubt = 512;
+constexpr int kMostCells = 4096;
+/// Of each cell of the tree, once something is undecided: what is behind that is to be found all the same.
+constexpr int kMostInDoubt = 64;
 /// Where a formula ends: a ray along the rim of a dome looks at more cells the steeper that is.
 constexpr int kMostCellsAtBorders = 1 << 16;
 constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
@@ -100,11 +102,12 @@ class Search {
     patch_ = cell.patch;
     parts_.clear();
     look(cell.domain, cell.bounds);
+    int inDoubt = 0;
     while (!parts_.empty()) {
       const Domain part = parts_.back();
       parts_.pop_back();
-      // With a part undecided only a nearer root can make the answer certain.
-      if (++cells_ > (undecided_ == kNever ? mostCells_ : kMostInDoubt)) {
+      ++cells_;
+      if (undecided_ == kNever ? cells_ > mostCells_ : ++inDoubt > kMostInDoubt) {
         undecided_ = std::min(undecided_, query_.nearest);
         parts_.clear();
         return;

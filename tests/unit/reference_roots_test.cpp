@@ -193,6 +193,29 @@ TEST(ReferenceRoots, ARemovablePointIsThere) {
   EXPECT_TRUE(besides.certified && !besides.nearest) << "just over the top";
 }
 
+// Around the axis bounds exclude nothing up to a height of 1e9, and what a ray there meets stays open; what
+// is behind it is found all the same.
+TEST(ReferenceRoots, WhatIsBehindAnUndecidedPlaceIsFound) {
+  const auto height = [](double x) { return 3 * std::sin(6 * x) / (6 * x + 1e-9); };
+  const Surface ripple = surface(
+      [](auto x, auto y) {
+        const auto r = 6.0 * sqrt(x * x + y * y);
+        return point(x, 3.0 * sin(r) / (r + 1e-9), -y);
+      },
+      {{-6, 6}, {-6, 6}});
+  const CellTree tree(ripple, {});
+  for (const double above : {3.05, 3.2, 3.5}) {
+    const Vec3 eye(2, 2 * above, 0);
+    const Ray ray{eye, unit(Vec3(0, above, 0) - eye)};  // just over the tip, which is 3 high
+    const Roots roots = cast(tree, ray);
+    EXPECT_FALSE(roots.certified);
+    ASSERT_TRUE(roots.nearest) << above;
+    const Vec3 hit = ray.origin + roots.nearest->t * ray.direction;
+    EXPECT_LT(hit.x, -0.5);
+    EXPECT_NEAR(hit.y, height(-hit.x), 1e-9);
+  }
+}
+
 TEST(ReferenceRoots, SingularTransforms) {
   const CellTree tree(sphere(1), {});
   const Transform flat{Mat3(2, 0, 0, 0, 3, 0, 0, 0, 0), {0, 0, -1}};

@@ -416,10 +416,10 @@ TEST(Hull, TightBendsAreFinerThanTheTolerance) {
   expectAHull(wire, {}, hull);
 }
 
-TEST(Hull, MissingTrianglesAreToldOf) {
+TEST(Hull, AFormulaThatEndsInsideOfItsRectangleHasNone) {
   const Surface holed =
       surface([](auto u, auto v) { return point(u, sqrt(u * u + v * v - 0.25), v); }, {{-1, 1}, {-1, 1}});
-  EXPECT_FALSE(hullOf(holed, 0.05).proven);
+  EXPECT_FALSE(makeHull(holed, {}, CurvatureMap(holed, {}), {.tolerance = 0.05}).has_value());
 }
 
 TEST(Hull, EqualInputGivesEqualBits) {
