@@ -462,8 +462,9 @@ TEST(SceneBuilder, WarnsOfSurfacesThatCannotBeSeen) {
       {R"_("u", "v", "sqrt(0.2 - (u - 0.5)^2 - (v - 0.5)^2)")_",  // a disk, in a square that is larger
        {"2:1 surface 's' ends inside of its rectangle: its formula has no value in parts of u 0..1, v 0..1 "
         "(the rest of it is drawn)"}},
-      {R"_("u", "v", "sqrt((u - 0.5)^2 + (v - 0.5)^2 - 0.1)")_",
-       {"2:1 surface 's' has a hole: its formula has no value in u 0.", "(the rest of it is drawn)"}},
+      {R"_("u", "v", "sqrt((u - 0.5)^2 + (v - 0.5)^2 - 0.1)")_",  // outside of a disk of radius 0.3162
+       {"2:1 surface 's' has a hole: its formula has no value in parts of u 0.1838..0.8162, v 0.1838..0.8162 "
+        "(the rest of it is drawn)"}},
       {R"_("2u - 1", "2v - 1", "sin(u - 0.5)/(u - 0.5) + v")_",
        {"2:1 surface 's' has a hole: its formula has no value in u 0.5, v 0..1 (the rest of it is drawn)"}},
       {R"_("u", "v", "1/(u - 0.5)")_",
