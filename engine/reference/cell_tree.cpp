@@ -160,6 +160,7 @@ CellTree::CellTree(const Surface& surface, std::span<const double> parameters, s
   for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch)
     patches_.emplace_back(surface_, patch, parameters_, farthest);
   cut(mostCells);
+  if (cells_.empty()) return;
   std::vector<std::uint32_t> all(cells_.size());
   std::iota(all.begin(), all.end(), 0U);
   nodes_.resize(2 * all.size() - 1);

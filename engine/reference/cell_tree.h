@@ -90,7 +90,7 @@ class CellTree {
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] std::span<const double> parameters() const { return parameters_; }
   [[nodiscard]] double size() const { return size_; }  ///< of the surface, finite: Surface::framing()
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< the first is the root
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< the first is the root, if any
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   [[nodiscard]] const BoundedPatch& patch(std::uint32_t index) const { return patches_[index]; }
 

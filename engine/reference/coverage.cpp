@@ -174,6 +174,7 @@ class PixelCut {
     Candidates found;
     for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
       const CellTree& tree = *bodies_[i].tree;
+      if (tree.nodes().empty()) continue;
       const Beam beam(view_, bodies_[i].worldFromObject, square);
       std::vector<std::uint32_t> stack{0};
       while (!stack.empty()) {

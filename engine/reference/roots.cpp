@@ -272,6 +272,7 @@ RayFunctions::RayFunctions(const Ray& ray, const Transform& worldFromObject) {
 }
 
 Roots nearestRoot(const CellTree& tree, const RayFunctions& ray, const RootQuery& query) {
+  if (tree.nodes().empty()) return {};  // no point has a value
   return Search(tree, ray, query).run();
 }
 

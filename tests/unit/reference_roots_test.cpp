@@ -7,6 +7,9 @@
 #include <random>
 
 #include "reference/roots.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "scene/snapshot.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
 
@@ -214,6 +217,19 @@ TEST(ReferenceRoots, WhatIsBehindAnUndecidedPlaceIsFound) {
     EXPECT_LT(hit.x, -0.5);
     EXPECT_NEAR(hit.y, height(-hit.x), 1e-9);
   }
+}
+
+TEST(ReferenceRoots, OfAFormulaWithoutAnyValueNothingIsMet) {
+  const Scene scene = buildScene(parseScene(
+      R"_({"luxo": 1, "surfaces": {"s": {"type": "formula", "position": ["u", "sqrt(1 - t - u^2)", "v"],
+          "u": [-1, 1], "v": [-1, 1]}}, "nodes": [{"surface": "s"}]})_",
+      "ended.luxo.json"));
+  const Snapshot ended = takeSnapshot(scene, 3, {8, 8});
+  ASSERT_EQ(ended.nodes.size(), 1U);
+  const CellTree tree(ended.nodes[0].surface, ended.nodes[0].parameters);
+  const Roots roots = cast(tree, {Vec3(0, 5, 0), Vec3(0, -1, 0)});
+  EXPECT_FALSE(roots.nearest);
+  EXPECT_TRUE(roots.certified);
 }
 
 TEST(ReferenceRoots, SingularTransforms) {
