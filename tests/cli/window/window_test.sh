@@ -649,10 +649,12 @@ case_soak() {
     sleep 0.05
     rm -f "$folder"/luxo-*.png
   done
-  keys r
-  xdotool windowsize "$window" 1000 600 windowfocus --sync "$window"
+  timeout 5 xdotool windowsize "$window" 1000 600
   takes_at_most 25 "$begin"
-  quit
+  # The window may have ended up minimised: no key would reach it.
+  kill "$program"
+  wait "$program"
+  return 0
 }
 
 # Formula after formula takes no more than twice what the first takes. What is kept is full after some twenty: five hundred
