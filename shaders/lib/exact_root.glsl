@@ -22,7 +22,6 @@ const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
 const int kFoldSamples = 4;     // places between a root and where the search began
-const float kGrazing = 0.1;     // cosine between the normal and the ray: seen edge-on
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
 const real kBesidePole = 1e-8;
@@ -240,8 +239,9 @@ real ahead(Sample s, real way) {
 }
 
 // Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a
-// root that a scan has found is `polished`: it stays near, and what it does not find is not there.
-int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
+// root that a scan has found is `polished`: it stays near, and what it does not find is not there. But where the ray has
+// `crossed` the surface between two places of the scan a root is there, if not the patch's: one that is not found is lost.
+int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) {
   // The gradient is that of det, per unit of u and v, along the last step that was long enough to tell.
   real2 way = real2(0), gradient = real2(0);
   real det = 0.0, first = 0.0;
@@ -258,44 +258,45 @@ int approach(Ray ray, bool polished, inout real2 p, out Probe at) {
     outside = inside || i == 0 ? 0 : outside + 1;
     bool last = i == (polished ? kPolishSteps : kNearSteps), good = root && inside;
     if (ends(good, offset(at) <= kFine * tolerance(at), wasGood) || (good && last)) result = kFound;
-    else if (polished && !good && (root || misses == 2)) result = kMissed;
+    else if (polished && !good && (root || misses == 2 && !crossed)) result = kMissed;
     else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
     if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
     real2 next = nearDomain(foldStep(p, at, det, polished ? kScanStep : kBoldCells, gradient, missed), 1.0);
     way = (next - p) / linkCellHalf.xy;
     p = next;
   }
-  // What had seemed to be a root and is not even near the ray, or the patch, is none. Nor is a place that is seen edge-on:
-  // there the ray passes by, nearest to the surface. How it is seen is told by its normal, which no choice of parameters
-  // changes: cells may be a thousand times longer than wide on the screen (rolls, wide angles), so that their area is
-  // nearly none however they face the ray, and what is not found there is lost, not missed.
+  // What had seemed to be a root and is not even near the ray, or the patch, is none.
   bool isFar = !(offset(at) <= kNearPixels * widthAt(at.depth)) || cellsBeyond(p) > kNearCells;
-  bool edgeOn = abs(det) < kGrazing * length(cross(at.Su, at.Sv)) * length(cross(ray.across1, ray.across2));
-  return polished && result == kLost && (isFar || edgeOn) ? kMissed : result;
+  return polished && !crossed && result == kLost && isFar ? kMissed : result;
 }
 
 // Walks along the points of the surface to which the ray's are nearest, first against the ray, then along it, and ends
 // at the nearest place, farther away than `after`, where the ray meets the surface: `best`, at depth `after`, on
 // `wantedSide`. That is the side that the hull is seen from, or, where the ray has run past a border before, the other.
-// Found, or missed; or lost where the ray still nears the surface, in its hull, when the scan is over. With edges to pass,
-// rays run out over them far more often than they meet the surface there: these have missed.
+// Found, or missed, or lost. A miss has to be explained: the ray was outside of the surface from the first place to the last,
+// or it came in beyond a border, or through a root that is known to be none. What ends inside without that has passed a root
+// unseen: lost. So is what still nears the surface, in its hull, when the scan is over; but with edges to pass, rays run
+// out over them far more often than they meet the surface there: these have missed.
 //
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well, and what a long one has passed is walked again with shorter ones.
-int scan(Ray ray, inout real after, out real2 best) {
+int scan(Ray ray, inout real after, out real2 best, out bool crossed) {
   real2 p = besideEdges(startOfLink().xy);
   real nearest = 1e30, length_ = kScanStep, most = kScanMost;
   real sense = dot(rowDepth.xyz, cross(ray.across1, ray.across2)) < 0.0 ? 1.0 : -1.0;
   Sample first, last;
-  bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false;
+  bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false, explained = true;
   best = p;
+  crossed = false;
   for (int steps = 0; steps <= kBackward + kForward; ++steps) {
     Probe at = probeAt(ray, p);
     Sample now = sampleAt(ray, p, at, sense);
     bool back = steps <= kBackward, again = false, turned = false;
     if (steps == 0) {
       first = now;
-      passedBorder = now.g > 0.0 && seesPastBorder();  // or it would not begin behind the surface
+      // Behind the surface it begins where it has come in past a border, or where the root is behind the start.
+      explained = now.g <= 0.0 || cellsBeyond(p) > -kNearCells;
+      passedBorder = now.g > 0.0 && seesPastBorder();
       // Where the ray begins outside and nears the surface, nothing is behind.
       if (now.g < 0.0 && now.slope > 0.0) steps = kBackward;
     } else {
@@ -308,13 +309,17 @@ int scan(Ray ray, inout real after, out real2 best) {
       real depth = mix(last.depth, now.depth, part);
       bool isRoot = where >= 0.0 || falls;
       again = (isRoot || turned) && isLong(length_);
-      if (isRoot && !again && cellsBeyond(candidate) < 0.02 && depth < nearest && depth > after) {
+      // Where the candidate is, is an estimate: whether it is the patch's is for the steps to decide that begin there.
+      if (isRoot && !again && cellsBeyond(candidate) < kNearCells && depth < nearest && depth > after) {
         nearest = depth;
         best = candidate;
+        crossed = falls || (back ? now.g <= 0.0 && last.g > 0.0 : now.g > 0.0 && last.g <= 0.0);
         wantedSide = falls ? -hullSide() : hullSide();
       } else if (isRoot && !again) {
         passedBorder = seesPastBorder();
+        explained = true;
       }
+      if (!isRoot && !back && !again && last.g <= 0.0 && now.g > 0.0) explained = false;
     }
     // Beyond the hull and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
     bool leavesSlab = abs(now.g) > max(abs(last.g), linkClip.z);
@@ -330,7 +335,7 @@ int scan(Ray ray, inout real after, out real2 best) {
     p = last.p + (steps < kBackward ? -length_ : length_) * last.way * linkCellHalf.xy;
   }
   after = nearest;
-  return nearest < 1e30 ? kFound : nears ? kLost : kMissed;
+  return nearest < 1e30 ? kFound : nears || !explained ? kLost : kMissed;
 }
 
 // The point where rays may graze the surface.
@@ -349,20 +354,20 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   wantedSide = hullSide();
   real after = -1e30, heldDepth = 1e30;
   real2 held = p;
-  bool passed = false, takesHeld = false;
+  bool passed = false, takesHeld = false, crossed = false;
   for (int attempt = 0; attempt <= kAttempts; ++attempt) {
-    result = approach(ray, attempt > 0, p, at);
+    result = approach(ray, attempt > 0, crossed, p, at);
     bool holds = attempt == 0 && result == kFound && cellsFromStart(p) > kFarCells;
     if (holds) held = p, heldDepth = at.depth;
     // What is past a border, or farther away than a root that is none, is mostly another fragment's.
     passed = passed || result == kMissed;
-    if (result == kLost && passed) result = kMissed;
+    if (result == kLost && passed && !crossed) result = kMissed;
     bool ended = result == kFound ? !holds : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
     if (ended || takesHeld) break;
     if (attempt > 0) after = max(after, at.depth);
-    result = attempt + 1 < kAttempts ? scan(ray, after, p) : kMissed;
+    result = attempt + 1 < kAttempts ? scan(ray, after, p, crossed) : kLost;
     takesHeld = heldDepth < 1e30 && (result != kFound || after >= heldDepth);
-    if (takesHeld) p = held, wantedSide = hullSide();
+    if (takesHeld) p = held, wantedSide = hullSide(), crossed = false;
     else if (result != kFound) break;
   }
   return result;
