@@ -17,6 +17,7 @@
 #include "draw/hull_view.h"
 #include "draw/near_section.h"
 #include "math/transform.h"
+#include "surface/spread.h"
 
 namespace luxo {
 namespace {
@@ -209,9 +210,9 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
 /// Parts of hulls that are seen where rays graze: every so many of the picture's triangles.
 constexpr std::size_t kMostOutlines = 64;
 
-/// Shells of more triangles than pixels, and than this, are not made: a ray in each of those pixels takes no
-/// longer than making it. (Some 10 us a triangle, measured from the teapot to sums of sines.)
-constexpr std::uint64_t kWorthRays = 20'000;
+/// Shells of more triangles than one for so many pixels, and than that many, are not made: rays in all of
+/// those pixels take no longer. (Measured on oscillating graphs: a triangle 30 to 70 us, a ray 1.2 to 5.)
+constexpr std::uint64_t kPixelsPerTriangle = 12, kWorthRays = 20'000;
 
 /// Turns visible nodes into draws.
 class DrawLister {
@@ -346,6 +347,12 @@ class DrawLister {
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
   /// the origin of the hull's vertices.
   Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
+    const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
+    // No shell holds what has no end.
+    if (!isFinite(node.boundsObject)) {
+      list_.byRays.push_back(pixels);
+      return Vec3(0);
+    }
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
     const double size = glm::length(node.boundsObject.extent());
@@ -356,8 +363,7 @@ class DrawLister {
     const double tolerance = std::min(std::max(wanted, kFinestHull * size), coarsest);
     const int level = care_.level(v.node);
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
-    const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
-    const double most = static_cast<double>(std::max(pixels.count(), kWorthRays));
+    const double most = static_cast<double>(std::max(pixels.count() / kPixelsPerTriangle, kWorthRays));
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, refined, most);
     const bool leavesOut = !batch.hull || (!batch.hull->proven && batch.hull->pinches.empty());
     if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.hull))) {
@@ -559,8 +565,7 @@ class DrawLister {
 bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Material& material = snapshot.materials[node.material.index];
   const Shading shading = material.shadingIn(options.shading);
-  return (shading == Shading::Exact || shading == Shading::Residual) && !material.transparent() &&
-         std::isfinite(glm::dot(node.boundsObject.extent(), Vec3(1)));
+  return (shading == Shading::Exact || shading == Shading::Residual) && !material.transparent();
 }
 
 bool DrawList::onlyFound() const {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "reference/audit.h"
+#include "surface/spread.h"
 #include "tessellate/parallel.h"
 
 namespace luxo {
@@ -39,11 +40,13 @@ double depthOf(const View& view, float inBuffer) {
   return view.perspective() ? view.near / inBuffer : view.far - inBuffer * (view.far - view.near);
 }
 
-/// Upper bound of the distances that points of a node's pixels are computed from.
+/// Upper bound of the distances that points of a node's pixels are computed from; of a surface without end,
+/// those of most of it.
 double reachOf(const View& view, const SnapshotNode& node) {
-  const Vec3 world =
-      glm::max(glm::abs(node.boundsWorld.min - view.eye), glm::abs(node.boundsWorld.max - view.eye));
-  const Vec3 object = glm::max(glm::abs(node.boundsObject.min), glm::abs(node.boundsObject.max));
+  const Box box = isFinite(node.boundsObject) ? node.boundsObject : node.surface.framing(node.parameters);
+  const Box placed = transformBounds(node.worldFromObject, box);
+  const Vec3 world = glm::max(glm::abs(placed.min - view.eye), glm::abs(placed.max - view.eye));
+  const Vec3 object = glm::max(glm::abs(box.min), glm::abs(box.max));
   return glm::length(world) + glm::length(object) * largestStretch(node.worldFromObject.linear);
 }
 

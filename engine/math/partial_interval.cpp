@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "math/vec.h"
 
 namespace luxo {
 namespace {
@@ -32,6 +35,13 @@ PartialInterval compared(const Interval& result, const PartialInterval& x, const
   return {defined == Defined::Everywhere ? result : hull(result, Interval(0))};
 }
 
+bool hasGap(const PartialInterval& x) { return x.gap.lo < x.gap.hi; }
+
+PartialInterval withGap(PartialInterval x, const Interval& gap) {
+  if (x.defined != Defined::Nowhere && gap.lo < gap.hi) x.gap = gap;
+  return x;
+}
+
 bool isInteger(const Interval& x) { return x.lo == x.hi && std::floor(x.lo) == x.lo; }
 
 }  // namespace
@@ -42,21 +52,55 @@ PartialInterval::PartialInterval(double number)
 PartialInterval::PartialInterval(const Interval& some, Defined where)
     : range(where == Defined::Nowhere ? Interval::everything() : some), defined(where) {}
 
-PartialInterval operator-(const PartialInterval& x) { return total(-x.range, x); }
+std::optional<Interval> PartialInterval::within(double distance) const {
+  Interval near(std::max(range.lo, -distance), std::min(range.hi, distance));
+  if (hasGap(*this)) {
+    if (near.hi > gap.lo && near.hi < gap.hi) near.hi = gap.lo;
+    if (near.lo > gap.lo && near.lo < gap.hi) near.lo = gap.hi;
+  }
+  if (defined == Defined::Nowhere || near.lo > near.hi) return std::nullopt;
+  return near;
+}
+
+PartialInterval operator-(const PartialInterval& x) { return withGap(total(-x.range, x), -x.gap); }
+
 PartialInterval operator+(const PartialInterval& x, const PartialInterval& y) {
-  return total(x.range + y.range, x, y);
+  PartialInterval sum = total(x.range + y.range, x, y);
+  if (hasGap(y)) return hasGap(x) ? sum : y + x;
+  return hasGap(x) ? withGap(sum, {(x.gap.lo + y.range).hi, (x.gap.hi + y.range).lo}) : sum;
 }
+
 PartialInterval operator-(const PartialInterval& x, const PartialInterval& y) {
-  return total(x.range - y.range, x, y);
+  return hasGap(x) || hasGap(y) ? x + -y : total(x.range - y.range, x, y);
 }
+
 PartialInterval operator*(const PartialInterval& x, const PartialInterval& y) {
-  return total(x.range * y.range, x, y);
+  if (hasGap(y) && !hasGap(x)) return y * x;
+  PartialInterval product = total(x.range * y.range, x, y);
+  if (!hasGap(x) || y.range.contains(0)) return product;
+  if (y.range.hi < 0) return -x * -y;
+  return withGap(product, {(x.gap.lo * y.range).hi, (x.gap.hi * y.range).lo});
 }
 
 PartialInterval operator/(const PartialInterval& x, const PartialInterval& y) {
   if (y.range == Interval(0)) return kNothing;
-  return {x.range / y.range,
-          std::min({x.defined, y.defined, y.range.contains(0) ? Defined::Somewhere : Defined::Everywhere})};
+  const Defined both = std::min(x.defined, y.defined);
+  if (!y.range.contains(0)) {
+    if (hasGap(x)) return x * PartialInterval(Interval(1) / y.range, y.defined);
+    return {x.range / y.range, both};
+  }
+  const PartialInterval anything(Interval::everything(), std::min(both, Defined::Somewhere));
+  if (anything.defined == Defined::Nowhere || x.range.contains(0)) return anything;
+  if (x.range.hi < 0) return -x / -y;
+  // Of a positive number: what is left of the pole is below the one, what is right of it above the other.
+  const auto least = [&](double end) {
+    return std::isfinite(end) ? Interval(x.range.lo) / Interval(end) : Interval(0);
+  };
+  const double below = y.range.lo < 0 ? least(y.range.lo).hi : -kInfinity;
+  const double above = y.range.hi > 0 ? least(y.range.hi).lo : kInfinity;
+  if (below == -kInfinity) return {Interval(above, kInfinity), anything.defined};
+  if (above == kInfinity) return {Interval(-kInfinity, below), anything.defined};
+  return withGap(anything, {below, above});
 }
 
 PartialInterval integerPower(const PartialInterval& x, int exponent) {
@@ -101,7 +145,12 @@ void sinCos(const PartialInterval& x, PartialInterval& sine, PartialInterval& co
   sine = sin(angle);
   cosine = cos(angle);
 }
-PartialInterval tan(const PartialInterval& x) { return total(tan(x.range), x); }
+PartialInterval tan(const PartialInterval& x) {
+  const PartialInterval result = total(tan(x.range), x);
+  // It rises from pole to pole: across a single one it falls.
+  if (std::isfinite(result.range.magnitude()) || !(x.range.width() < kPi)) return result;
+  return withGap(result, {tan(Interval(x.range.hi)).hi, tan(Interval(x.range.lo)).lo});
+}
 PartialInterval sinh(const PartialInterval& x) { return total(sinh(x.range), x); }
 PartialInterval cosh(const PartialInterval& x) { return total(cosh(x.range), x); }
 PartialInterval tanh(const PartialInterval& x) { return total(tanh(x.range), x); }

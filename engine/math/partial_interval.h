@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "math/interval.h"
 
@@ -20,11 +21,18 @@ struct PartialInterval {
 
   Interval range;
   Defined defined = Defined::Everywhere;
+  /// No value is between these, both excluded, if the first is the lower one: beside a pole a quotient and a
+  /// tangent are far above or far below (W. Kahan's exterior intervals, 1968). Only what moves or stretches
+  /// all numbers keeps it.
+  Interval gap{0, 0};
 
   PartialInterval() = default;
   PartialInterval(double number);  ///< NOLINT: a number is one; Nowhere if it is not finite
   PartialInterval(const Interval& all) : range(all) {}  // NOLINT: an interval is one
   PartialInterval(const Interval& some, Defined where);
+
+  /// What of the values is within a distance of 0; nothing if none is.
+  [[nodiscard]] std::optional<Interval> within(double distance) const;
 };
 
 [[nodiscard]] PartialInterval operator-(const PartialInterval& x);

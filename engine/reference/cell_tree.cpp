@@ -124,9 +124,7 @@ CellBounds BoundedPatch::boundByIntervals(const Domain& cell) const {
                     .du = enclose(over, 3),
                     .dv = enclose(over, 6)};
   if (!bounds.position.finite()) {
-    Box box = boundPosition(*function_, cell, values_);
-    box.min = glm::max(box.min, Vec3(-farthest_));
-    box.max = glm::min(box.max, Vec3(farthest_));
+    const Box box = boundPosition(*function_, cell, values_, farthest_);
     bounds.empty = box.empty();
     if (!bounds.empty) bounds.position = enclose(box);
   }

@@ -23,7 +23,6 @@ constexpr int kMostInDoubt = 64;
 /// Where a formula ends: a ray along the rim of a dome looks at more cells the steeper that is.
 constexpr int kMostCellsAtBorders = 1 << 16;
 constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
-constexpr double kLong = 100;       // of the surface's size: what nearly has no end
 constexpr double kNarrower = 0.75;  // a narrowing worth repeating
 
 class Search {
@@ -45,7 +44,7 @@ class Search {
     const auto push = [&](std::uint32_t node) {
       const CellTree::Node& n = tree_.nodes()[node];
       const Enclosure box{n.center, n.half};
-      if (misses(box)) return;
+      if (ray_.misses(box)) return;
       const Ball t = value(ray_.along, box, ray_.start);
       if (t.hi() < query_.nearest || t.lo() > farthest_) return;
       stack[size++] = {node, t.lo()};
@@ -76,27 +75,6 @@ class Search {
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  /// Whether the ray passes by all of a box.
-  [[nodiscard]] bool misses(const Enclosure& box) const {
-    if (value(ray_.across1, box, ray_.offset1).excludesZero() ||
-        value(ray_.across2, box, ray_.offset2).excludesZero())
-      return true;
-    // Of what is long along one axis: the combinations of both offsets that do not depend on it.
-    for (int axis = 0; axis < 3; ++axis) {
-      if (box.radius[axis] < kLong * size_) continue;
-      Enclosure rest = box;
-      rest.center[axis] = rest.radius[axis] = 0;
-      const double a1 = ray_.across1[axis], a2 = ray_.across2[axis];
-      const auto excluded = [&](double part1, double part2) {
-        Vec3 across = part1 * ray_.across1 + part2 * ray_.across2;
-        across[axis] = 0;
-        return value(across, rest, part1 * ray_.offset1 + part2 * ray_.offset2).excludesZero();
-      };
-      if (a1 == 0 && a2 == 0 ? excluded(1, 0) || excluded(0, 1) : excluded(a2, -a1)) return true;
-    }
-    return false;
-  }
-
   /// Everything in one cell of the tree, in parts where need be.
   void search(const Cell& cell) {
     patch_ = cell.patch;
@@ -122,7 +100,7 @@ class Search {
       return;
     }
     const Ball t = value(ray_.along, b.position, ray_.start);
-    if (misses(b.position) || t.hi() < query_.nearest || t.lo() > farthest_) return;
+    if (ray_.misses(b.position) || t.hi() < query_.nearest || t.lo() > farthest_) return;
     const double hu = 0.5 * d.u.width(), hv = 0.5 * d.v.width();
     const Domain& whole = tree_.patch(patch_).domain();
     double cutU = glm::length(b.du.center + b.du.radius) * hu,
@@ -269,6 +247,34 @@ RayFunctions::RayFunctions(const Ray& ray, const Transform& worldFromObject) {
   offset1 = glm::dot(n1, from);
   offset2 = glm::dot(n2, from);
   start = glm::dot(ray.direction, from);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double part1 = across2[axis], part2 = -across1[axis];
+    const auto combined = [&](double a1, double a2) { return part1 * a1 + part2 * a2; };
+    const auto products = [&](double a1, double a2) { return std::abs(part1 * a1) + std::abs(part2 * a2); };
+    Beside& beside = beside_[axis];
+    for (int k = 0; k < 2; ++k) {
+      const int other = (axis + 1 + k) % 3;
+      beside.slopes[k] = combined(across1[other], across2[other]);
+      beside.rounding[k] = products(across1[other], across2[other]);
+    }
+    beside.offset = combined(offset1, offset2);
+    beside.offsetRounding = products(offset1, offset2);
+  }
+}
+
+bool RayFunctions::misses(const Enclosure& box) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Beside& b = beside_[axis];
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    const double center = b.slopes[0] * box.center[j] + b.slopes[1] * box.center[k] + b.offset;
+    const double radius = std::abs(b.slopes[0]) * box.radius[j] + std::abs(b.slopes[1]) * box.radius[k];
+    // Two products and a sum make each slope and the offset; two products and two sums, these. No slope is
+    // larger than its products.
+    const double rounding = b.rounding[0] * (std::abs(box.center[j]) + box.radius[j]) +
+                            b.rounding[1] * (std::abs(box.center[k]) + box.radius[k]) + b.offsetRounding;
+    if (std::abs(center) > radius + 8 * kEpsilon * rounding) return true;
+  }
+  return false;
 }
 
 Roots nearestRoot(const CellTree& tree, const RayFunctions& ray, const RootQuery& query) {

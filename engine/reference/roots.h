@@ -9,6 +9,7 @@
 // within rounding.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -34,6 +35,18 @@ struct RayFunctions {
   [[nodiscard]] double f1(const Vec3& p) const { return glm::dot(across1, p) + offset1; }
   [[nodiscard]] double f2(const Vec3& p) const { return glm::dot(across2, p) + offset2; }
   [[nodiscard]] double t(const Vec3& p) const { return glm::dot(along, p) + start; }
+
+  /// Whether the line passes by all of a box. Exact but for rounding: a line and a box are parted by a plane
+  /// along one of the box's axes, or not at all (S. Gottschalk et al., "OBBTree", 1996).
+  [[nodiscard]] bool misses(const Enclosure& box) const;
+
+ private:
+  /// The combination of f1 and f2 that does not depend on one of the axes, as a function of the two others.
+  struct Beside {
+    std::array<double, 2> slopes, rounding;  ///< what products may have rounded away is 2^-53 of `rounding`
+    double offset, offsetRounding;
+  };
+  std::array<Beside, 3> beside_;
 };
 
 struct Root {

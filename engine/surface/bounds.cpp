@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -97,7 +98,8 @@ bool jumpsAtEdge(const SurfaceFunction& function, const Domain& cell, std::span<
 
 }  // namespace
 
-Box boundPosition(const SurfaceFunction& function, const Domain& cell, std::span<const double> inputs) {
+Box boundPosition(const SurfaceFunction& function, const Domain& cell, std::span<const double> inputs,
+                  double farthest) {
   if (function.bounder.position) return function.bounder.position(cell.u, cell.v, inputs);
   std::array<Interval, 3> p;
   function.position.bound(cell.u, cell.v, inputs, p);
@@ -106,8 +108,9 @@ Box boundPosition(const SurfaceFunction& function, const Domain& cell, std::span
   std::array<PartialInterval, 3> parts;
   function.position.boundWhereDefined(cell.u, cell.v, inputs, parts);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (parts[i].defined == PartialInterval::Defined::Nowhere) return {};
-    p[i] = parts[i].range;
+    const std::optional<Interval> near = parts[i].within(farthest);
+    if (!near) return {};
+    p[i] = *near;
   }
   return boxOf(p);
 }

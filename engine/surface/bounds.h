@@ -2,6 +2,7 @@
 // Proven bounds of a surface, by interval evaluation on rectangles.
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "surface/surface.h"
@@ -9,10 +10,11 @@
 namespace luxo {
 
 /// Box that holds S over a cell of a patch wherever the formula has a value; empty where it is proven to have
-/// none, infinite where nothing could be proven. `inputs` as in PatchInputs. Cost: one interval evaluation,
-/// or two.
+/// none, infinite where nothing could be proven. Where it is not bounded, what has a coordinate above
+/// `farthest` does not count. `inputs` as in PatchInputs. Cost: one interval evaluation, or two.
 [[nodiscard]] Box boundPosition(const SurfaceFunction& function, const Domain& cell,
-                                std::span<const double> inputs);
+                                std::span<const double> inputs,
+                                double farthest = std::numeric_limits<double>::infinity());
 
 /// Box that holds S over the domain: the hull of the boxes of cells x cells rectangles.
 [[nodiscard]] Box boundPosition(const SurfaceFunction& function, const Domain& domain,

@@ -58,6 +58,20 @@ TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
   EXPECT_GT(settledPixels, kSize.width * kSize.height - 10);
 }
 
+/// No shell holds what has no end, and no bounds tell where to look: rays find it, at poles as elsewhere.
+TEST_F(DomainBorderTest, WhatHasNoEndIsFound) {
+  for (const char* height : {"log(1 - u^2 - v^2)", "1/u", "sin(8*sqrt(u^2 + v^2))/(8*sqrt(u^2 + v^2))",
+                             "u*log(u + v)", "tan(2*u)"}) {
+    const Verified found = verified(takeSnapshot(plotted(height, 2), 0, kSize));
+    EXPECT_EQ(found.verification.wrong.total(), 0U) << height;
+    EXPECT_GT(found.verification.coverage.both, 2000U) << height;
+    // Along a pole's own plane every height is met at once.
+    EXPECT_LT(found.verification.coverage.undecided, 300U) << height;
+    EXPECT_EQ(found.statistics.error.boundPx, 0) << height;
+    EXPECT_EQ(found.statistics.error.auditFailedPx, 0U) << height;
+  }
+}
+
 TEST_F(DomainBorderTest, ARemovablePointIsFilled) {
   const Snapshot snapshot = takeSnapshot(plotted("sin(sqrt(u^2 + v^2))/sqrt(u^2 + v^2)", 1), 0, kSize);
   const Verified found = expectTheTruth(snapshot, 5000);

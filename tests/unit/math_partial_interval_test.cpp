@@ -38,7 +38,11 @@ std::vector<Expr> formulas(Graph& graph) {
           atan2(sqrt(u), log(v)),
           exp(sqrt(u)) - cosh(asin(v)),
           floor(sqrt(u)) + sign(log(v)),
-          tanh(acos(u)) - sinh(v) + cos(sqrt(u)) * atan(u)};
+          tanh(acos(u)) - sinh(v) + cos(sqrt(u)) * atan(u),
+          (3.0 - (u - 5.0) / v) * (1.0 + v * v),
+          2.0 - 0.5 * pow(u - v, -3) + v,
+          tan(3.0 * u) / (v - 0.1),
+          u + 1.0 / (tan(4.0 * v) - 1.0)};
 }
 
 TEST(PartialInterval, HoldsAllValuesThatThereAre) {
@@ -48,6 +52,7 @@ TEST(PartialInterval, HoldsAllValuesThatThereAre) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-2, 2), part(0, 1);
   std::vector<std::array<int, 3>> seen(outputs.size());
+  std::vector<int> gaps(outputs.size());
   for (int i = 0; i < 3000; ++i) {
     const double size = std::exp(-8 * part(random)), u = place(random), v = place(random);
     const Interval us(u, u + size), vs(v, v + size);
@@ -62,6 +67,9 @@ TEST(PartialInterval, HoldsAllValuesThatThereAre) {
         if (std::isfinite(values[f])) {
           ASSERT_NE(b.defined, Defined::Nowhere) << f;
           ASSERT_TRUE(b.range.contains(values[f])) << f << ": " << values[f];
+          ASSERT_TRUE(values[f] <= b.gap.lo || values[f] >= b.gap.hi || b.gap.lo >= b.gap.hi)
+              << f << ": " << values[f];
+          gaps[f] += b.gap.lo < b.gap.hi;
         } else {
           ASSERT_FALSE(b.defined == Defined::Everywhere && std::isfinite(b.range.magnitude())) << f;
         }
@@ -73,6 +81,7 @@ TEST(PartialInterval, HoldsAllValuesThatThereAre) {
     EXPECT_GT(seen[f][2], 0) << f << " has places without";
   }
   for (const std::size_t f : {0, 1, 3, 5, 8, 9}) EXPECT_GT(seen[f][0], 100) << f << " is known to be nowhere";
+  for (const std::size_t f : {20, 21, 22, 23}) EXPECT_GT(gaps[f], 100) << f << " has poles";
 }
 
 TEST(PartialInterval, IsAsSharpAsWhatThereIs) {
@@ -86,6 +95,17 @@ TEST(PartialInterval, IsAsSharpAsWhatThereIs) {
   EXPECT_NEAR(b[1].range.hi, std::log(0.5), 1e-15);
   EXPECT_NEAR(b[10].range.hi, 1, 1e-15);
   EXPECT_NEAR(b[10].range.lo, std::sin(std::sqrt(2)) / std::sqrt(2), 1e-15);
+}
+
+TEST(PartialInterval, BesidePolesNothingIsNearZero) {
+  const PartialInterval one(1.0), across(Interval(-0.25, 0.125)), right(Interval(0, 0.125));
+  EXPECT_FALSE((one / across).within(3.9));
+  EXPECT_EQ((one / across).within(6)->hi, -4);
+  EXPECT_EQ((one / across).within(9)->hi, 9) << "on both sides";
+  EXPECT_EQ((-one / right).within(100)->hi, -8);
+  EXPECT_FALSE((PartialInterval(Interval(2, 3)) - 2.0 * (one / across)).within(4.9)) << "-13 .. 10";
+  EXPECT_FALSE(tan(PartialInterval(Interval(1.5, 1.6))).within(14));
+  EXPECT_TRUE(tan(PartialInterval(Interval(1.5, 1.6))).within(15));
 }
 
 }  // namespace

@@ -232,6 +232,35 @@ TEST(ReferenceRoots, OfAFormulaWithoutAnyValueNothingIsMet) {
   EXPECT_TRUE(roots.certified);
 }
 
+// A line through a point of a box meets it; one moved aside, across an edge and across the line, by more than
+// the box reaches does not.
+TEST(RayFunctions, TellBoxesThatTheyMissWhateverTheirShape) {
+  std::mt19937_64 random(7);  // NOLINT: the same numbers every time
+  std::uniform_real_distribution<double> number(-1, 1), size(-9, 3);
+  const auto vector = [&] { return Vec3(number(random), number(random), number(random)); };
+  const auto turned = [&] { return unit(vector()); };
+  for (int i = 0; i < 20'000; ++i) {
+    const Transform placed{rotation(turned(), 3 * number(random)) * std::exp2(number(random)),
+                           5.0 * vector()};
+    const Enclosure box{3.0 * vector(), glm::pow(Vec3(10), Vec3(size(random), size(random), size(random)))};
+    const Vec3 inside = box.center + 0.999 * vector() * box.radius, direction = turned();
+    const auto misses = [&](const Vec3& through) {
+      const Vec3 world = transformPoint(placed, through);
+      return RayFunctions({world - 7.0 * unit(placed.linear * direction), unit(placed.linear * direction)},
+                          placed)
+          .misses(box);
+    };
+    EXPECT_FALSE(misses(inside)) << i;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 edge(0);
+      edge[axis] = 1;
+      const Vec3 aside = unit(glm::cross(direction, edge));
+      const double reach = glm::dot(glm::abs(aside), box.radius);
+      EXPECT_TRUE(misses(box.center + aside * (1.001 * reach + 1e-12))) << i << " " << axis;
+    }
+  }
+}
+
 TEST(ReferenceRoots, SingularTransforms) {
   const CellTree tree(sphere(1), {});
   const Transform flat{Mat3(2, 0, 0, 0, 3, 0, 0, 0, 0), {0, 0, -1}};
