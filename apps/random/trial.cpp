@@ -12,6 +12,7 @@ namespace luxo::random {
 namespace {
 
 constexpr double kSameColor = 2e-3;  // linear: half an 8-bit step of dark colours, 20 times what float leaves
+constexpr double kCosineRounding = 0x1p-20;  // what a dozen operations of single precision leave of a cosine
 double processorSeconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -137,7 +138,8 @@ class Samples {
     return true;
   }
 
-  /// Adds a quarter of the least and the most of the colours within kSilhouettePx of a sample.
+  /// Adds a quarter of the least and the most of the colours within kSilhouettePx of a sample, and with
+  /// lights in the plane of what is seen on either side of it.
   void addColorsAround(const reference::Caster& caster, std::uint32_t i, const Vec2& offset, Vec3& least,
                        Vec3& most) const {
     const auto width = static_cast<std::uint32_t>(snapshot_.view.size.width);
@@ -148,9 +150,13 @@ class Samples {
       const reference::Ray ray =
           caster.rayThrough(at.x + radius * std::cos(angle), at.y + radius * std::sin(angle));
       bool certified = true;
-      const Vec3 color = caster.color(ray, caster.look(ray), certified);
-      lo = k == 0 ? color : glm::min(lo, color);
-      hi = k == 0 ? color : glm::max(hi, color);
+      const reference::Caster::Sight sight = caster.look(ray);
+      for (const double tilt : {-kCosineRounding, kCosineRounding}) {
+        const Vec3 color = caster.color(ray, sight, certified, tilt);
+        const bool isFirst = k == 0 && tilt < 0;
+        lo = isFirst ? color : glm::min(lo, color);
+        hi = isFirst ? color : glm::max(hi, color);
+      }
     }
     least += lo / 4.0;
     most += hi / 4.0;

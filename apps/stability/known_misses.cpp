@@ -22,11 +22,6 @@ constexpr KnownMiss kMisses[] = {
     {"ST-05", "error on the device: scherk",
      "the tangent grows without limit toward its poles, where the rounding of an angle counts most"},
     {"ST-05", "error on the device: boy", kProducts},  // both of that name
-    {"ST-05", "error on the device: cross_cap", kProducts},
-    {"ST-05", "error on the device: twisted_torus", kProducts},
-    {"ST-27", "longest gap",
-     "the 256 samples lie closer than the tube is wide, so it is searches that miss: a tube far thinner than "
-     "the hull of two pixels is a few cells around, each turning too far for a scan"},
     {"ST-21", "flat, slanted, vertices to 2^20 px",
      "a float vertex a million pixels away is rounded to 1/16 pixel: clipping in double would not be"},
 };

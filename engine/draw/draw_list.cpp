@@ -210,9 +210,12 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
 /// Parts of hulls that are seen where rays graze: every so many of the picture's triangles.
 constexpr std::size_t kMostOutlines = 64;
 
-/// Shells of more triangles than one for so many pixels, and than that many, are not made: rays in all of
-/// those pixels take no longer. (Measured on oscillating graphs: a triangle 30 to 70 us, a ray 1.2 to 5.)
-constexpr std::uint64_t kPixelsPerTriangle = 12, kWorthRays = 20'000;
+/// Shells of more triangles than pixels, and than this, are not made: rays in all of those pixels take no
+/// longer. (Some 10 us a triangle, measured from the teapot to sums of sines; a ray 1 to 5.)
+constexpr std::uint64_t kWorthRays = 20'000;
+
+/// Of a mesh that is seen until rays have found what it stands for: times the tolerance.
+constexpr double kStandInTolerance = 8;
 
 /// Turns visible nodes into draws.
 class DrawLister {
@@ -329,14 +332,17 @@ class DrawLister {
       item.found = batch.state;
       item.found->byRays = true;
       if (shading == Shading::Exact) item.found->shading = Shading::Phong;
-      origin = addHull(item, batch, node, v);
+      const std::optional<Vec3> hullOrigin = addHull(item, batch, node, v);
+      if (hullOrigin) {
+        origin = *hullOrigin;
+      } else if (options_.standIns && shading == Shading::Exact) {
+        batch.state.shading = Shading::Phong;
+        MeshDesc desc = meshDescOf(node, v, Shading::Phong, snapshot_.view);
+        desc.tolerance *= kStandInTolerance;
+        origin = addMesh(item, batch, node, v, desc);
+      }
     } else {
-      batch.mesh =
-          geometry_.meshes.get(node.surface, node.parameters, meshDescOf(node, v, shading, snapshot_.view));
-      list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
-      batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
-      origin = batch.mesh->origin;
-      if (!care_.completes) item.batches.push_back(batch);
+      origin = addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
     }
     item.instance.data = instanceOf(snapshot_, node, v, origin, lights.shadeOf, batch.bothSides);
     if (batch.state.pattern.valid())
@@ -344,14 +350,24 @@ class DrawLister {
     return item;
   }
 
+  /// Returns the origin of the mesh's vertices.
+  Vec3 addMesh(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v,
+               const MeshDesc& desc) {
+    batch.mesh = geometry_.meshes.get(node.surface, node.parameters, desc);
+    list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
+    batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
+    if (!care_.completes) item.batches.push_back(batch);
+    return batch.mesh->origin;
+  }
+
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
-  /// the origin of the hull's vertices.
-  Vec3 addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
+  /// the origin of the hull's vertices; nothing where all of it is left to rays.
+  std::optional<Vec3> addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
     const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
     // No shell holds what has no end.
     if (!isFinite(node.boundsObject)) {
       list_.byRays.push_back(pixels);
-      return Vec3(0);
+      return std::nullopt;
     }
     // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
     // must be small enough for a search that begins in them.
@@ -363,12 +379,12 @@ class DrawLister {
     const double tolerance = std::min(std::max(wanted, kFinestHull * size), coarsest);
     const int level = care_.level(v.node);
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
-    const double most = static_cast<double>(std::max(pixels.count() / kPixelsPerTriangle, kWorthRays));
+    const double most = static_cast<double>(std::max(pixels.count(), kWorthRays));
     batch.hull = geometry_.meshes.hull(node.surface, node.parameters, refined, most);
     const bool leavesOut = !batch.hull || (!batch.hull->proven && batch.hull->pinches.empty());
     if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.hull))) {
       list_.byRays.push_back(pixels);
-      return Vec3(0);
+      return std::nullopt;
     }
     for (const Hull::Pinch& pinch : batch.hull->pinches)
       list_.byRays.push_back(
@@ -381,7 +397,7 @@ class DrawLister {
     if (isTooLarge(geometry_.codes, node.surface, *batch.hull, node.parameters.size(), number)) {
       ++list_.tooLarge;
       list_.byRays.push_back(pixels);
-      return Vec3(0);
+      return std::nullopt;
     }
     const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.hull, *plane)

@@ -105,8 +105,8 @@ struct Geometry {
   HiddenTriangles hidden;
 };
 
-/// Whether every pixel of a node finds its point of the surface. Of what is seen through every layer counts,
-/// and a hull does not keep them apart; what is infinitely large has no hull.
+/// Whether every pixel of a node finds its point of the surface, by a search or by a ray. Of what is seen
+/// through every layer counts, and a hull does not keep them apart.
 [[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node,
                                 const DrawOptions& options);
 

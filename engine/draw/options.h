@@ -54,9 +54,12 @@ struct DrawOptions {
   /// Per pixel, 1 to kMostSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1,
   /// in the pixel's centre; they are never averaged.
   int samples = 1;
-  /// Wireframes: lines behind surfaces of wires show, too. Else a surface of wires hides what lines are behind
-  /// it, and nothing but lines; one that is seen through hides none.
+  /// Wireframes: lines behind surfaces of wires show, too. Else a surface of wires hides what lines are
+  /// behind it, and nothing but lines; one that is seen through hides none.
   bool hiddenLines = false;
+  /// Exact shading, of a ScenePainter's pictures that no rays complete: coarse meshes stand in for surfaces
+  /// that are left to these.
+  bool standIns = false;
   bool cullBackFaces = true;  ///< off: both faces of everything are rasterised, for looking at meshes
   Skips skips;
 

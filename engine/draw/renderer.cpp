@@ -230,6 +230,7 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
   // everything.
   enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
   DrawOptions tried = options;
+  tried.standIns = false;
   SearchCare care;
   std::uint64_t failed = 0;
   for (int trial = Usual;; ++trial) {

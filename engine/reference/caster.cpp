@@ -162,13 +162,13 @@ Vec3 Caster::diffuseAt(const Hit& hit) const {
              : material.diffuse;
 }
 
-Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer) const {
+Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer, double tilt) const {
   const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
   const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
   const double distance = glm::length(toLight);
   if (!(distance > 0)) return Vec3(0);
   const Vec3 l = toLight / distance;
-  const double cosine = glm::dot(hit.normal, l);
+  const double cosine = glm::dot(hit.normal, l) + tilt;
   if (cosine <= 0 && !material.lectureSpecular) return Vec3(0);
   const Vec3 h = unit(l + toViewer);
   const double nh = std::clamp(glm::dot(hit.normal, h), 0.0, 1.0);
@@ -178,11 +178,11 @@ Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toV
   return reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
 }
 
-Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const {
+Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
   const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
   Vec3 sum = material.ambient.value_or(diffuseAt(hit)) * snapshot_.ambient;
   for (const SnapshotLight& light : snapshot_.lights) {
-    const Vec3 share = shareOf(light, hit, toViewer);
+    const Vec3 share = shareOf(light, hit, toViewer, tilt);
     if (share != Vec3(0) && lit(light, hit, certified)) sum += share;
   }
   return sum;
@@ -200,11 +200,11 @@ std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3&
   return lights;
 }
 
-Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified) const {
+Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified, double tilt) const {
   Vec3 color = snapshot_.background;
   for (auto hit = sight.hits.rbegin(); hit != sight.hits.rend(); ++hit) {
     const double opacity = bodies_[hit->node].opacity;
-    color = opacity * illuminated(*hit, -ray.direction, certified) + (1 - opacity) * color;
+    color = opacity * illuminated(*hit, -ray.direction, certified, tilt) + (1 - opacity) * color;
   }
   return color;
 }

@@ -60,8 +60,9 @@ class Caster {
                   std::size_t worth = 1) const;
 
   /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
-  /// was not decided.
-  [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified) const;
+  /// was not decided. `tilt` is added to every cosine between a normal and the direction to a light: of a
+  /// light in a surface's own plane rounding decides whether it shines there.
+  [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified, double tilt = 0) const;
 
   /// A light that may be in shadow at a hit: what it adds where it is seen (of an opaque surface), and
   /// whether it is.
@@ -96,9 +97,10 @@ class Caster {
   [[nodiscard]] Hit hitAt(const Ray& ray, std::uint32_t node, const Root& root) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const;
   /// What a light adds to a hit that sees it.
-  [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer) const;
+  [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer,
+                             double tilt = 0) const;
   [[nodiscard]] Vec3 diffuseAt(const Hit& hit) const;
-  [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified) const;
+  [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const;
   [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, bool& certified) const;
 
   const Snapshot& snapshot_;

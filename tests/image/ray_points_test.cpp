@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "cull/cull.h"
+#include "draw/draw_list.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "support/verified_picture.h"
@@ -59,6 +61,25 @@ TEST_F(RayPointsTest, CertificatesSayWhoFoundThePoint) {
       }
     }
   EXPECT_GT(ofRoof, 5000U);
+}
+
+// What a window shows until rays are done is a coarse mesh of what they find, and else nothing is drawn
+// twice.
+TEST(StandIns, AreMeshesOfWhatIsLeftToRays) {
+  const Snapshot snapshot = pyramid({240, 180});
+  const auto list = [&](const DrawOptions& options) {
+    Geometry geometry;
+    return listDraws(snapshot, cull(snapshot), options, geometry);
+  };
+  const auto meshes = [](const DrawList& draws) {
+    return std::ranges::count_if(draws.opaque, [](const DrawBatch& b) { return b.mesh != nullptr; });
+  };
+  const DrawList found = list(DrawOptions{}), stoodIn = list(DrawOptions{.standIns = true});
+  EXPECT_EQ(meshes(found), 0);
+  EXPECT_EQ(meshes(stoodIn), 2) << "both sides of the roof, not the ball";
+  EXPECT_EQ(stoodIn.byRays.size(), found.byRays.size());
+  EXPECT_GT(stoodIn.boundPx, 0.5) << "it says how far off it may be";
+  EXPECT_EQ(meshes(list(DrawOptions{.shading = Shading::Phong, .standIns = true})), 3);
 }
 
 // As many pixels as a picture has, at least 64 of them, each once, the same every time, outlines among them.

@@ -45,6 +45,7 @@ constexpr double kForever = 3600;             // seconds between two looks at a 
 constexpr double kWhileWorking = 0.02;        // ... that waits for a file, or for rays
 constexpr double kRest = 1;                   // ... or longer, is time for what need not be done at once
 constexpr std::chrono::seconds kTidying{10};  // ... which is done as often all the same
+constexpr double kQuickTolerancePx = 4;       // of the mesh that is seen until there is more
 constexpr double kMessageSeconds = 4, kAlertSeconds = 12;
 
 double millisecondsSince(Clock::time_point start) {
@@ -284,7 +285,7 @@ class Viewer {
     measureLastPicture();
 
     Snapshot snapshot = snapshotOrLast();
-    const DrawOptions& draw = controls_.drawOptions();
+    const DrawOptions draw = optionsOfNext();
     const bool refining = refined_ > 0 || certifier_.busy() || certified_;
     const bool coarser = refining && !controls_.refines();
     const bool changed = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
@@ -362,6 +363,17 @@ class Viewer {
         fmt::format("audited {} px, {} wrong, {} by rays", audit.pixels, audit.wrong, audit.byRays));
   }
 
+  // Nothing stays black while it waits for rays; and the first picture is one of coarse meshes, while shells
+  // and shaders of an exact one may take seconds to make.
+  [[nodiscard]] DrawOptions optionsOfNext() const {
+    DrawOptions options = controls_.drawOptions();
+    options.standIns = true;
+    if (pictures_ > 0 || options.shading != Shading::Exact) return options;
+    options.shading = Shading::Phong;
+    options.tolerancePx = std::max(options.tolerancePx, kQuickTolerancePx);
+    return options;
+  }
+
   // Draws one more sample per pixel, and lets rays find what that leaves in doubt. Whether it is ready to
   // join the mean: later, if not.
   [[nodiscard]] bool samplePass() {
@@ -371,6 +383,7 @@ class Viewer {
       sampled.view = sampledAt(shown_.view, pattern_[static_cast<std::size_t>(refined_)]);
       DrawOptions one = *drawn_;
       one.samples = 1;
+      one.standIns = false;
       FrameStatistics ignored;
       care_.completes = false;
       painter_.record(frames_, frames_.begin(), sampled, one, ignored, care_);
@@ -506,8 +519,8 @@ class Viewer {
     Camera camera;
   };
   std::optional<Fitted> fitted_;
-  std::string problem_;             // of the file as it was saved; empty: none
-  std::string impossible_;          // why the scene has no picture now; empty: it has
+  std::string problem_;     // of the file as it was saved; empty: none
+  std::string impossible_;  // why the scene has no picture now; empty: it has
   struct Photo {
     Snapshot snapshot;
     DrawOptions options;

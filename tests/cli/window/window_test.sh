@@ -637,6 +637,7 @@ case_soak() {
   RANDOM=7
   while ((SECONDS < end)); do
     kill -0 "$program" || fail "it did not survive"
+    xdotool windowmap "$window"  # a drag may have minimised it
     case $((RANDOM % 10)) in
       0) xdotool windowsize "$window" $((RANDOM % 1200 + 100)) $((RANDOM % 750 + 100)) ;;
       1 | 2)
@@ -649,9 +650,9 @@ case_soak() {
     sleep 0.05
     rm -f "$folder"/luxo-*.png
   done
+  xdotool windowmap "$window"
   timeout 5 xdotool windowsize "$window" 1000 600
   takes_at_most 25 "$begin"
-  # The window may have ended up minimised: no key would reach it.
   kill "$program"
   wait "$program"
   return 0
