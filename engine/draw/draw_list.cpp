@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/draw_list.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,9 +10,9 @@
 #include <optional>
 #include <tuple>
 
-#include "base/error.h"
 #include "draw/exact_data.h"
 #include "draw/hull_view.h"
+#include "draw/light_sets.h"
 #include "draw/near_section.h"
 #include "math/transform.h"
 #include "surface/spread.h"
@@ -51,92 +49,6 @@ MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shadin
                                     (visible.stretch * visible.pixelsPerUnit));
   return desc;
 }
-
-/// How far what is drawn of a shade may lie inside its true wall, metres: its mesh; a shade that is found in
-/// every pixel is the true wall. It does not depend on whether the shade is seen, as what it lights may be.
-double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& options) {
-  const auto node = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
-                                 [&](const SnapshotNode& n) { return n.id == shade; });
-  if (node == snapshot.nodes.end() || findsSurface(snapshot, *node, options)) return 0;
-  if (node->segments)
-    return deviationBound(node->surface, node->parameters, *node->segments) *
-           largestStretch(node->worldFromObject.linear);
-  const View& view = snapshot.view;
-  const Sphere sphere = sphereAround(node->boundsWorld);
-  const double depth = glm::dot(sphere.center - view.eye, view.forward()) + sphere.radius;
-  return options.tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
-}
-
-/// Collects the distinct sets of lights; equal sets share one entry.
-class LightSets {
- public:
-  LightSets(const Snapshot& snapshot, const DrawOptions& options, std::vector<shared::LightSet>& sets)
-      : snapshot_(snapshot), options_(options), sets_(sets) {
-    indexOf({});  // draws without light have a set to bind
-  }
-
-  struct Choice {
-    std::uint32_t index = 0, plain = 0, shaded = 0;
-    std::uint32_t shadeOf = 0;  ///< 1 + which of the shaded lights the node is the shade of; 0: none
-  };
-
-  Choice choose(std::span<const std::uint32_t> lights, const SnapshotNode& node) {
-    if (lights.size() > shared::kMostLights)
-      throw Error(ErrorKind::Scene,
-                  fmt::format("{} lights reach one node (number {}); at most {} may", lights.size(),
-                              node.number, shared::kMostLights),
-                  "use fewer lights");
-    std::vector<std::uint32_t> order(lights.begin(), lights.end());
-    const auto firstShaded = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t light) {
-      return !snapshot_.lights[light].shade.has_value();
-    });
-    Choice choice;
-    choice.plain = static_cast<std::uint32_t>(firstShaded - order.begin());
-    choice.shaded = static_cast<std::uint32_t>(order.end() - firstShaded);
-    for (std::uint32_t i = 0; i < choice.shaded; ++i)
-      if (snapshot_.lights[order[choice.plain + i]].shade->caster == node.id) choice.shadeOf = i + 1;
-    choice.index = indexOf(order);
-    return choice;
-  }
-
- private:
-  std::uint32_t indexOf(const std::vector<std::uint32_t>& order) {
-    const auto [entry, isNew] = known_.try_emplace(order, static_cast<std::uint32_t>(sets_.size()));
-    if (isNew) sets_.push_back(build(order));
-    return entry->second;
-  }
-
-  [[nodiscard]] shared::LightSet build(const std::vector<std::uint32_t>& order) const {
-    shared::LightSet set{};
-    std::size_t shade = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const SnapshotLight& light = snapshot_.lights[order[i]];
-      const Vec3 position =
-          light.directional() ? Vec3(light.positionWorld) : Vec3(light.positionWorld) - snapshot_.view.eye;
-      set.lights[i] = {.position = Vec4f(toFloat(position), light.positionWorld.w),
-                       .radiance = toFloat(light.radiance),
-                       .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
-      if (light.shade) set.shades[shade++] = shadeData(*light.shade);
-    }
-    return set;
-  }
-
-  /// A point is inside the paraboloid if it is nearer to the focus than to the directrix plane, which is
-  /// twice the focal length behind the focus. What protrudes between the true wall and its mesh is seen from
-  /// outside and must not be lit from inside: the difference of the two distances grows by at most two per
-  /// metre from the wall.
-  [[nodiscard]] shared::ShadeData shadeData(const ShadeRule& rule) const {
-    const double inside = 2 * rule.focalLength;
-    return {.axis = toFloat(rule.axis),
-            .cosRim = static_cast<float>(rule.cosRim),
-            .reach = static_cast<float>(inside - 2 * wallError(snapshot_, rule.caster, options_))};
-  }
-
-  const Snapshot& snapshot_;
-  const DrawOptions& options_;
-  std::vector<shared::LightSet>& sets_;
-  std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
-};
 
 bool ambientFollowsPattern(const Material& material) {
   return material.diffusePattern.valid() && !material.ambient;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/light_sets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "draw/draw_list.h"
+#include "math/transform.h"
+#include "tessellate/tessellator.h"
+
+namespace luxo {
+namespace {
+
+/// How far what is drawn of a shade may lie inside its true wall, metres: its mesh; a shade that is found in
+/// every pixel is the true wall. It does not depend on whether the shade is seen, as what it lights may be.
+double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& options) {
+  const auto node = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
+                                 [&](const SnapshotNode& n) { return n.id == shade; });
+  if (node == snapshot.nodes.end() || findsSurface(snapshot, *node, options)) return 0;
+  if (node->segments)
+    return deviationBound(node->surface, node->parameters, *node->segments) *
+           largestStretch(node->worldFromObject.linear);
+  const View& view = snapshot.view;
+  const Sphere sphere = sphereAround(node->boundsWorld);
+  const double depth = glm::dot(sphere.center - view.eye, view.forward()) + sphere.radius;
+  return options.tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
+}
+
+}  // namespace
+
+LightSets::LightSets(const Snapshot& snapshot, const DrawOptions& options,
+                     std::vector<shared::LightSet>& sets)
+    : snapshot_(snapshot), options_(options), sets_(sets) {
+  indexOf({});
+}
+
+LightSets::Choice LightSets::choose(std::span<const std::uint32_t> lights, const SnapshotNode& node) {
+  if (lights.size() > shared::kMostLights)
+    throw Error(ErrorKind::Scene,
+                fmt::format("{} lights reach one node (number {}); at most {} may", lights.size(),
+                            node.number, shared::kMostLights),
+                "use fewer lights");
+  std::vector<std::uint32_t> order(lights.begin(), lights.end());
+  const auto firstShaded = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t light) {
+    return !snapshot_.lights[light].shade.has_value();
+  });
+  Choice choice;
+  choice.plain = static_cast<std::uint32_t>(firstShaded - order.begin());
+  choice.shaded = static_cast<std::uint32_t>(order.end() - firstShaded);
+  for (std::uint32_t i = 0; i < choice.shaded; ++i)
+    if (snapshot_.lights[order[choice.plain + i]].shade->caster == node.id) choice.shadeOf = i + 1;
+  choice.index = indexOf(order);
+  return choice;
+}
+
+std::uint32_t LightSets::indexOf(const std::vector<std::uint32_t>& order) {
+  const auto [entry, isNew] = known_.try_emplace(order, static_cast<std::uint32_t>(sets_.size()));
+  if (isNew) sets_.push_back(build(order));
+  return entry->second;
+}
+
+shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const {
+  shared::LightSet set{};
+  std::size_t shade = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const SnapshotLight& light = snapshot_.lights[order[i]];
+    const Vec3 position =
+        light.directional() ? Vec3(light.positionWorld) : Vec3(light.positionWorld) - snapshot_.view.eye;
+    set.lights[i] = {.position = Vec4f(Vec3f(position), light.positionWorld.w),
+                     .radiance = Vec3f(light.radiance),
+                     .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
+    if (light.shade) set.shades[shade++] = shadeData(*light.shade);
+  }
+  return set;
+}
+
+/// A point is inside the paraboloid if it is nearer to the focus than to the directrix plane, which is
+/// twice the focal length behind the focus. What protrudes between the true wall and its mesh is seen from
+/// outside and must not be lit from inside: the difference of the two distances grows by at most two per
+/// metre from the wall.
+shared::ShadeData LightSets::shadeData(const ShadeRule& rule) const {
+  const double inside = 2 * rule.focalLength;
+  return {.axis = Vec3f(rule.axis),
+          .cosRim = static_cast<float>(rule.cosRim),
+          .reach = static_cast<float>(inside - 2 * wallError(snapshot_, rule.caster, options_))};
+}
+
+}  // namespace luxo

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lights that reach a node, as shaders read them: those with a shadow last.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "draw/options.h"
+#include "scene/snapshot.h"
+#include "shared/scene_data.h"
+
+namespace luxo {
+
+/// Collects the distinct sets of lights of a picture; equal sets share one entry.
+class LightSets {
+ public:
+  /// All three must outlive this. The first set has no light: draws without any have one to bind.
+  LightSets(const Snapshot& snapshot, const DrawOptions& options, std::vector<shared::LightSet>& sets);
+
+  struct Choice {
+    std::uint32_t index = 0, plain = 0, shaded = 0;
+    std::uint32_t shadeOf = 0;  ///< 1 + which of the shaded lights the node is the shade of; 0: none
+  };
+
+  /// The set of the lights (indices into Snapshot::lights) that reach a node. Throws Error(Scene) when these
+  /// are more than a shader takes (shared::kMostLights).
+  [[nodiscard]] Choice choose(std::span<const std::uint32_t> lights, const SnapshotNode& node);
+
+ private:
+  std::uint32_t indexOf(const std::vector<std::uint32_t>& order);
+  [[nodiscard]] shared::LightSet build(const std::vector<std::uint32_t>& order) const;
+  [[nodiscard]] shared::ShadeData shadeData(const ShadeRule& rule) const;
+
+  const Snapshot& snapshot_;
+  const DrawOptions& options_;
+  std::vector<shared::LightSet>& sets_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
+};
+
+}  // namespace luxo
