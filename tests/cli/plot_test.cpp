@@ -148,12 +148,19 @@ TEST_F(PlotPictures, AWaveIsSeenFromWhereItDoesNotHideItself) {
   EXPECT_LT(std::abs(other.z), 0.7 * std::abs(other.x));
 }
 
-TEST_F(PlotPictures, TheReportOfAPoleHasNoBound) {
-  const Outcome outcome = plot("[u, 1/u, v]", {"--size", "32x24", "--report", "r.json", "-q", "-o", "a.png"});
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto report = nlohmann::json::parse(textOf(folder / "r.json"));
-  EXPECT_TRUE(report["frames"][0]["error"]["bound_px"].is_null()) << report["frames"][0]["error"];
-  EXPECT_EQ(report["frames"][0]["error"]["tolerance_px"], 0.5);
+TEST_F(PlotPictures, OfAPoleAMeshHasNoBoundAndAnExactPictureNeedsNone) {
+  const auto errorOf = [&](const char* shading) {
+    const Outcome outcome = plot(
+        "[u, 1/u, v]", {"--size", "32x24", "--shading", shading, "--report", "r.json", "-q", "-o", "a.png"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(textOf(folder / "r.json"))["frames"][0]["error"];
+  };
+  EXPECT_TRUE(errorOf("phong")["bound_px"].is_null());
+  EXPECT_EQ(errorOf("phong")["tolerance_px"], 0.5);
+  const auto exact = errorOf("exact");
+  EXPECT_EQ(exact["bound_px"], 0);
+  EXPECT_EQ(exact["audit_failed_px"], 0);
+  EXPECT_GT(exact["resolved_by_rays_px"], 100);
 }
 
 }  // namespace
