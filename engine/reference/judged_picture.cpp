@@ -25,7 +25,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
 constexpr double kMostTurn = 0.1;      // the same for the sine between their line and the surface
 constexpr double kTouchingUlps = 2;    // of two depths, each of which is rounded up or down
-constexpr double kOtherLight = 1e-4;   // linear: smaller differences are not looked into for a light's shadow
+constexpr double kFloatRounding = 0x1p-24;  // of a number: the nearest float is no farther
+constexpr double kOtherLight = 1e-4;  // linear: smaller differences are not looked into for a light's shadow
 
 /// What is not a number is wrong without bound.
 double errorOf(double value) { return std::isnan(value) ? kInfinity : std::abs(value); }
@@ -146,10 +147,17 @@ class Judge {
     const Place seen = seenAt(i);
     const auto shown = layers_.at(seen.node, parametersAt(i), seen.position);
     if (!shown || !layers_.same(*shown, seen, truth_.normal[i], seen.pixel)) {
-      if (!showsTouching(i)) pixel.mismatch = Mismatch::WrongLayer;
+      if (!tellsTheTruthRounded(i) && !showsTouching(i)) pixel.mismatch = Mismatch::WrongLayer;
       return;
     }
     compareGeometry(pixel, i, seen, *shown, floors);
+  }
+
+  /// Whether the parameters are the truth's but for the output's single precision. At a rim that is
+  /// infinitely steep that moves a point by pixels, or out of the domain.
+  [[nodiscard]] bool tellsTheTruthRounded(std::uint32_t i) const {
+    const Vec2 off = glm::abs(parametersAt(i) - truth_.parameters[i]);
+    return glm::all(glm::lessThanEqual(off, kFloatRounding * glm::abs(truth_.parameters[i])));
   }
 
   /// Whether what is shown is on the pixel's ray, and no farther from what the truth sees there than the

@@ -38,6 +38,8 @@ TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
   EXPECT_GT(found.statistics.error.resolvedByRaysPx, 5000U) << "no shell ends where the formula does";
+  // Four pixels of this size are so near to the rim that v, rounded to float, is outside of the domain.
+  EXPECT_EQ(verified(takeSnapshot(scene, 0, {800, 600})).verification.wrong.total(), 0U);
 
   // What a ray meets of the whole ball above y = 0, but where a thousandth of a pixel makes a difference.
   const CameraModel camera(scene.cameras()[0], kSize);
