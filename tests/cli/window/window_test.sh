@@ -625,7 +625,7 @@ takes_at_most() {
   ((10 * now <= $1 * $2)) || fail "it grew from $2 MB to $now MB"
 }
 
-# Minutes of keys, drags and sizes of all kinds leave little behind. Measured with validation: 162 MB became 277, most of it
+# Minutes of keys, drags and sizes of all kinds leave little behind. Measured with validation: 160 MB became 253, most of it
 # pipelines of the shadings seen last; before anything was given back 136 MB became 500 in half that time, without validation.
 case_soak() {
   open_screen
