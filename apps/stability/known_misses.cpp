@@ -26,8 +26,6 @@ constexpr KnownMiss kMisses[] = {
      "of small pictures: the 256 samples lie closer than the tube is wide, so it is searches that miss: a "
      "tube "
      "far thinner than the hull of two pixels is a few cells around, each turning too far for a scan"},
-    {"ST-21", "flat, slanted, vertices to 2^20 px",
-     "a float vertex a million pixels away is rounded to 1/16 pixel: clipping in double would not be"},
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <optional>
 #include <tuple>
 
+#include "draw/clipped_mesh.h"
 #include "draw/exact_data.h"
 #include "draw/hull_view.h"
 #include "draw/light_sets.h"
@@ -267,6 +268,9 @@ class DrawLister {
                const MeshDesc& desc) {
     batch.mesh = geometry_.meshes.get(node.surface, node.parameters, desc);
     list_.boundPx = std::max(list_.boundPx, boundPx(snapshot_.view, v, batch.mesh->bound));
+    // Curved surfaces have short edges; and of a wireframe all edges are seen.
+    if (batch.flat && batch.state.shading != Shading::Wireframe)
+      batch.mesh = clippedMesh(snapshot_.view, node, v, batch.mesh);
     batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
     if (!care_.completes) item.batches.push_back(batch);
     return batch.mesh->origin;
