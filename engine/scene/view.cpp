@@ -17,9 +17,10 @@ namespace {
 /// turns the picture by up to 1e-7 rad, a ten-thousandth of a pixel.
 constexpr double kParallelSine = 1e-9;
 
-/// Room left at both ends of a fitted depth range, relative to it: far more than single precision rounds
-/// away.
-constexpr double kDepthRoom = 1e-3;
+/// Room left at both ends of a fitted depth range, relative to it: shells reach out of what they hold by a
+/// few hundredths of its size, and where the near plane cuts a shell searches are not certain. The depth
+/// buffer loses an eighth of its precision.
+constexpr double kDepthRoom = 1.0 / 16;
 
 [[noreturn]] void reject(const Camera& camera, const std::string& what, std::string hint = {}) {
   throw Error(ErrorKind::Scene, fmt::format("camera '{}': {}", camera.name, what), std::move(hint));

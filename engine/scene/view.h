@@ -43,7 +43,7 @@ struct View {
 };
 
 /// Evaluates a camera. `sceneBounds` (world) only fits the depth range of an orthographic view: from the near
-/// plane, or the nearest point if that is farther, to the farthest point, with 0.1 % to spare. Throws
+/// plane, or the nearest point if that is farther, to the farthest point, with a sixteenth to spare. Throws
 /// Error(Scene) saying which value is out of range: eye equal to look_at, anything not finite, fov_y outside
 /// 0..180 degrees, near or height not above 0, a size below 1x1, infinite bounds for an orthographic camera.
 [[nodiscard]] View viewAt(const Camera& camera, const Moment& moment, PixelSize size,

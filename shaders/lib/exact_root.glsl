@@ -21,7 +21,7 @@ const int kAttempts = 3;        // to find a root, all but the first by a scan; 
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
-const int kFoldSamples = 4;     // places between a root and where the search began
+const int kWalkSteps = 32;      // from where a search began to its root: half of them leave 20 pixels more of the teapot to rays
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
 const real kBesidePole = 1e-8;
@@ -186,8 +186,10 @@ struct Sample {
   real2 way;      // unit, along the curve, cells
 };
 
+// Which way along the curve leads away from the viewer.
+real senseOf(Ray ray) { return dot(rowDepth.xyz, cross(ray.across1, ray.across2)) < 0.0 ? 1.0 : -1.0; }
+
 // The sample next to p, a Newton step away: there the offset along the fold, across the normal on the screen, vanishes.
-// `sense` tells which way along the curve leads away from the viewer.
 Sample sampleAt(Ray ray, real2 p, Probe at, real sense) {
   real3 n = cross(at.Su, at.Sv);
   real2 normal = real2(dot(ray.across1, n), dot(ray.across2, n));
@@ -283,7 +285,7 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
 int scan(Ray ray, inout real after, out real2 best, out bool crossed) {
   real2 p = besideEdges(startOfLink().xy);
   real nearest = 1e30, length_ = kScanStep, most = kScanMost;
-  real sense = dot(rowDepth.xyz, cross(ray.across1, ray.across2)) < 0.0 ? 1.0 : -1.0;
+  real sense = senseOf(ray);
   Sample first, last;
   bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false, explained = true;
   best = p;
@@ -382,20 +384,30 @@ int findRoot(Ray ray, out real2 p, out Probe at) {
 // Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K a
 // proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near.
 //
-// And no fold is between it and where the search began, not far away: the ray does not meet the surface before, and there
-// turn back. Where J cannot vanish that near to the root, |1/J| K r < 1, that is so. Elsewhere the area is looked at on the
-// way: one lane in a hundred, and a loop that no pixel of a group is in costs nothing.
+// And the ray has not met the surface before, between where it entered the hull and the root. That is so of a root behind
+// that place, which hides whatever is farther on, and where J cannot vanish that near to the root, |1/J| K r < 1. Elsewhere
+// the way there is walked, along the curve of points to which the ray's are nearest; its bend counts for another K. Between
+// places d cells apart at which the ray is h and h' above the surface it is above it if sqrt(h) + sqrt(h') >= d sqrt(K): so
+// from one place a step of sqrt(h / K) passes nothing, if the ray is above the surface where it ends, or that is the root.
+// One lane in a hundred, and a loop that no pixel of a group is in costs nothing.
 bool certified(Ray ray, real2 p, Probe at) {
   real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
   real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p);
   real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
   if (kSteep) {
-    bool flat_ = 2.0 * squares * k * k * r * r <= det * det;
-    for (int i = 1; i < kFoldSamples && proven && !flat_; ++i) {
-      real side = area(probeAt(ray, mix(startOfLink().xy, p, real(i) / real(kFoldSamples))));
-      proven = side * det > 0.0;
+    bool behind = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
+    bool first = behind || 2.0 * squares * k * k * r * r <= det * det;
+    real side = det * hullSide() > 0.0 ? 1.0 : -1.0, left = r;
+    for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
+      real2 q = mix(p, startOfLink().xy, left / r);
+      real height = -side * sampleAt(ray, q, probeAt(ray, q), senseOf(ray)).g;
+      proven = height > 0.0;
+      real step_ = sqrt(max(height, 0.0) / k);
+      first = step_ >= left;
+      left -= step_;
     }
+    proven = proven && first;
   }
   return proven;
 }

@@ -63,9 +63,10 @@ TEST(View, OrthographicFitsItsDepthAroundTheScene) {
   camera.height = 4;
   const View view = viewAt(camera, 0, {200, 100}, {Vec3(-1, -1, -1), Vec3(1, 1, 1)});
   EXPECT_DOUBLE_EQ(view.pixelsPerUnit, 25);
-  // The scene lies at depths 4 to 6; 0.1 % of the larger of its depth, 2, and the height, 4, is to spare.
-  EXPECT_NEAR(view.near, 3.996, 1e-12);
-  EXPECT_NEAR(view.far, 6.004, 1e-12);
+  // The scene lies at depths 4 to 6; a sixteenth of the larger of its depth, 2, and the height, 4, is to
+  // spare.
+  EXPECT_NEAR(view.near, 3.75, 1e-12);
+  EXPECT_NEAR(view.far, 6.25, 1e-12);
   const auto clip = [&](const Vec3& world) {
     return view.clipFromEye * Vec4(eyeFromWorldPoint(view, world), 1);
   };
