@@ -20,7 +20,11 @@ std::string counted(std::uint64_t count, const char* thing) {
 }
 
 std::string pictureText(const Status& status, const DrawOptions& draw) {
-  return fmt::format("{} × {}, {}, {}{}", status.size.width, status.size.height, nameOf(draw.shading),
+  const std::string shading =
+      status.shading == draw.shading
+          ? std::string(nameOf(draw.shading))
+          : fmt::format("{} until {} is ready", nameOf(status.shading), nameOf(draw.shading));
+  return fmt::format("{} × {}, {}, {}{}", status.size.width, status.size.height, shading,
                      counted(static_cast<std::uint64_t>(status.samples), "sample"),
                      draw.cullBackFaces ? "" : ", no culling");
 }
@@ -49,7 +53,7 @@ std::string errorText(const FrameError& error) {
   return fmt::format("at most {:.2g} px", most);
 }
 
-std::string auditText(const Status::Audit& audit) {
+std::string auditText(const ProgressiveMean::Audit& audit) {
   const std::string found = audit.byRays > 0 ? fmt::format("; {} by rays", audit.byRays) : "";
   if (audit.wrong > 0)
     return fmt::format("{} of {} px were wrong, mended{}", audit.wrong, audit.pixels, found);

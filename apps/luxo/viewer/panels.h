@@ -9,6 +9,7 @@
 #include "scene/camera.h"
 #include "viewer/controls.h"
 #include "viewer/frame_meter.h"
+#include "viewer/progressive_mean.h"
 #include "window/overlay.h"
 
 namespace luxo {
@@ -22,14 +23,12 @@ struct Message {
 struct Status {
   std::string title, device;
   PixelSize size;
-  int samples = 1;  ///< per pixel, of the picture that is shown
+  int samples = 1;                   ///< per pixel, of the picture that is shown
+  Shading shading = Shading::Exact;  ///< of the picture that is shown
   double seconds = 0;
   FrameStatistics statistics;  ///< of the picture that is shown
   FrameMeter::Reading reading;
-  /// Of the samples that have joined the mean that is shown.
-  struct Audit {
-    std::uint64_t pixels = 0, wrong = 0, byRays = 0;
-  } audit;
+  ProgressiveMean::Audit audit;
 };
 
 [[nodiscard]] window::Panel numbersPanel(const Status& status, const Controls& controls);

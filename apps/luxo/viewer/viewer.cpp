@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "base/log.h"
-#include "draw/accumulation.h"
 #include "draw/scene_painter.h"
 #include "exit_code.h"
 #include "gpu/context.h"
@@ -24,12 +23,12 @@
 #include "scene/fitted_camera.h"
 #include "scene/snapshot.h"
 #include "validation.h"
-#include "viewer/certifier.h"
 #include "viewer/controls.h"
 #include "viewer/file_watch.h"
 #include "viewer/frame_meter.h"
 #include "viewer/panels.h"
 #include "viewer/photographer.h"
+#include "viewer/progressive_mean.h"
 #include "viewer/sliders.h"
 #include "window/presenter.h"
 #include "window/swapchain.h"
@@ -91,6 +90,7 @@ class Viewer {
         painter_(context_, Precision::Half),
         presenter_(context_, swapchain_.format()),
         photographer_(context_),
+        mean_(context_),
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
         watch_(options.file, [this] { window_.wake(); }) {
     status_.title = options.title;
@@ -124,7 +124,7 @@ class Viewer {
     };
     if (!visible_) return photographer_.secondsToRest().value_or(kForever);
     if (dirty_ || !wanted_.empty() || controls_.playback().playing()) return until(nextFrame_);
-    double seconds = photographer_.busy() || certifier_.busy() ? kWhileWorking : kForever;
+    double seconds = photographer_.busy() || mean_.casting() ? kWhileWorking : kForever;
     if (message_) seconds = std::min(seconds, until(messageEnd_));
     return std::min(seconds, photographer_.secondsToRest().value_or(kForever));
   }
@@ -214,7 +214,7 @@ class Viewer {
   // A picture that has become smooth is saved as smooth, unless it is no longer to be.
   [[nodiscard]] DrawOptions photoOptions() const {
     DrawOptions options = controls_.drawOptions();
-    if (controls_.refines()) options.samples = std::max(options.samples, refined_);
+    if (controls_.refines()) options.samples = std::max(options.samples, mean_.samples());
     return options;
   }
 
@@ -286,8 +286,7 @@ class Viewer {
 
     Snapshot snapshot = snapshotOrLast();
     const DrawOptions draw = optionsOfNext();
-    const bool refining = refined_ > 0 || certifier_.busy() || certified_;
-    const bool coarser = refining && !controls_.refines();
+    const bool coarser = mean_.begun() && !controls_.refines();
     const bool changed = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
     const bool completes = !changed && incomplete_ && painter_.completable();
     const bool repaint = changed || (incomplete_ && !completes);
@@ -295,18 +294,17 @@ class Viewer {
     const bool stale =
         damaged_ || swapchain_.generation() != shownGeneration_ || (!repaint && panels() != panels_);
     // What is not complete, or may turn out not to be, is not worth a mean.
-    const bool refines = !repaint && !completes && !stale && unmeasured_ == 0 && controls_.refines() &&
-                         refined_ < kMostSamples;
+    const bool refines =
+        !repaint && !completes && !stale && unmeasured_ == 0 && controls_.refines() && !mean_.complete();
     if (!repaint && !completes && !refines && !stale) return;
     const double evaluated = millisecondsSince(start);
 
     if (repaint) {
-      certifier_.cancel();
-      certified_.reset();
+      mean_.reset();
       finishLastPicture();
     }
     // The mean is worth showing once it has as many samples as the picture before it.
-    if (refines && (!samplePass() || !catchesUp())) return;
+    if (refines && (!mean_.prepare(frames_, painter_, care_, shown_, *drawn_) || !catchesUp())) return;
     const VkCommandBuffer commands = frames_.begin();
     const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
     if (acquired != SwapchainStatus::Ready) {
@@ -324,8 +322,6 @@ class Viewer {
       pipelines_ += status_.statistics.count.pipelinesCreated;
       shown_ = std::move(snapshot);
       drawn_ = draw;
-      refined_ = 0;
-      status_.audit = {};
       ++pictures_;
     } else if (completes) {
       FrameStatistics more;
@@ -334,9 +330,11 @@ class Viewer {
       pipelines_ += more.count.pipelinesCreated;
       incomplete_ = false;
     } else if (refines) {
-      refine(commands);
+      mean_.join(frames_, commands, painter_);
     }
-    status_.samples = refined_ > 0 ? refined_ : draw.samples;
+    status_.samples = mean_.samples() > 0 ? mean_.samples() : draw.samples;
+    status_.audit = mean_.audit();
+    status_.shading = drawn_->shading;
     status_.size = size();
     panels_ = panels();
     showPanels(commands);
@@ -355,9 +353,9 @@ class Viewer {
     }
     dirty_ |= stale;  // what it kept from being done is next
     if (!refines) return;
-    dirty_ |= refined_ < kMostSamples;
-    if (refined_ < kMostSamples) return;
-    const Status::Audit& audit = status_.audit;
+    dirty_ |= !mean_.complete();
+    if (!mean_.complete()) return;
+    const ProgressiveMean::Audit& audit = status_.audit;
     log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
     log(LogLevel::Debug,
         fmt::format("audited {} px, {} wrong, {} by rays", audit.pixels, audit.wrong, audit.byRays));
@@ -374,50 +372,13 @@ class Viewer {
     return options;
   }
 
-  // Draws one more sample per pixel, and lets rays find what that leaves in doubt. Whether it is ready to
-  // join the mean: later, if not.
-  [[nodiscard]] bool samplePass() {
-    if (certified_) return true;
-    if (!certifier_.busy()) {
-      Snapshot sampled = shown_;
-      sampled.view = sampledAt(shown_.view, pattern_[static_cast<std::size_t>(refined_)]);
-      DrawOptions one = *drawn_;
-      one.samples = 1;
-      one.standIns = false;
-      FrameStatistics ignored;
-      care_.completes = false;
-      painter_.record(frames_, frames_.begin(), sampled, one, ignored, care_);
-      frames_.wait(frames_.submit());
-      if (!painter_.searches()) {
-        certified_.emplace();
-        return true;
-      }
-      certifier_.begin(sampled, one, painter_);
-    }
-    certified_ = certifier_.poll();
-    return certified_.has_value();
-  }
-
   // Where the mean lacks more samples than this one, that joins it unseen.
   [[nodiscard]] bool catchesUp() {
-    if (refined_ + 1 >= drawn_->samples) return true;
-    refine(frames_.begin());
+    if (mean_.samples() + 1 >= drawn_->samples) return true;
+    mean_.join(frames_, frames_.begin(), painter_);
     frames_.submit();
     dirty_ = true;
     return false;
-  }
-
-  // One more sample per pixel joins the mean.
-  void refine(VkCommandBuffer commands) {
-    if (!accumulator_) accumulator_.emplace(context_);
-    FrameStatistics ignored;
-    if (!certified_->points.empty()) painter_.recordRays(frames_, commands, certified_->points, ignored);
-    accumulator_->add(frames_, commands, painter_.target(), refined_);
-    status_.audit.pixels += certified_->audited;
-    status_.audit.wrong += certified_->failed;
-    status_.audit.byRays += certified_->points.resolved;
-    certified_.reset();
-    ++refined_;
   }
 
   // A moment that the scene does not allow (a value out of its range) keeps the last one on the screen.
@@ -436,7 +397,7 @@ class Viewer {
   }
 
   void showPanels(VkCommandBuffer commands) {
-    gpu::Texture& picture = refined_ > 0 ? accumulator_->mean() : painter_.target();
+    gpu::Texture& picture = mean_.samples() > 0 ? mean_.picture() : painter_.target();
     std::vector<window::GrabArea> areas =
         presenter_.record(frames_, commands, picture, swapchain_, window_.contentScale(), panels_);
     if (areas == areas_) return;
@@ -504,10 +465,9 @@ class Viewer {
   window::Swapchain swapchain_;
   gpu::FrameRing frames_;
   ScenePainter painter_;
-  std::optional<Accumulator> accumulator_;  // made when first needed
   window::Presenter presenter_;
   Photographer photographer_;
-  Certifier certifier_;
+  ProgressiveMean mean_;  // is seen, while nothing moves, instead of the painter's picture
 
   Controls controls_;
   Sliders sliders_;
@@ -542,10 +502,6 @@ class Viewer {
   SearchCare care_;
   bool incomplete_ = false;  // the last picture lacks what was lost in it
 
-  // What is seen: the painter's picture, or, while nothing moves, the mean of so many with one sample each.
-  int refined_ = 0;
-  std::optional<Certifier::Outcome> certified_;  // of the sample that joins the mean next
-  std::vector<Vec2> pattern_ = samplePattern(kMostSamples);
   Snapshot shown_;
   std::optional<DrawOptions> drawn_;
   std::vector<window::Panel> panels_;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/progressive_mean.h"
+
+namespace luxo {
+
+bool ProgressiveMean::complete() const { return joined_ >= kMostSamples; }
+
+void ProgressiveMean::reset() {
+  certifier_.cancel();
+  next_.reset();
+  joined_ = 0;
+  audit_ = {};
+}
+
+bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, SearchCare& care,
+                              const Snapshot& shown, const DrawOptions& drawn) {
+  if (next_) return true;
+  if (!certifier_.busy()) {
+    Snapshot sampled = shown;
+    sampled.view = sampledAt(shown.view, pattern_[static_cast<std::size_t>(joined_)]);
+    DrawOptions one = drawn;
+    one.samples = 1;
+    one.standIns = false;
+    FrameStatistics ignored;
+    care.completes = false;
+    painter.record(frames, frames.begin(), sampled, one, ignored, care);
+    frames.wait(frames.submit());
+    if (!painter.searches()) {
+      next_.emplace();
+      return true;
+    }
+    certifier_.begin(sampled, one, painter);
+  }
+  next_ = certifier_.poll();
+  return next_.has_value();
+}
+
+void ProgressiveMean::join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter) {
+  if (!accumulator_) accumulator_.emplace(context_);
+  FrameStatistics ignored;
+  if (!next_->points.empty()) painter.recordRays(frames, commands, next_->points, ignored);
+  accumulator_->add(frames, commands, painter.target(), joined_);
+  audit_.pixels += next_->audited;
+  audit_.wrong += next_->failed;
+  audit_.byRays += next_->points.resolved;
+  next_.reset();
+  ++joined_;
+}
+
+}  // namespace luxo
