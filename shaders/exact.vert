@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices of hulls whose surfaces are searched for in single precision.
+// Vertices of shells whose surfaces are searched for in single precision.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/hull_vertex.glsl"
+#include "lib/shell_vertex.glsl"

@@ -4,9 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/inspection.glsl"
 
-layout(constant_id = 0) const uint kQuantity = kPosition;
-layout(constant_id = 1) const bool kAsColor = false;
-layout(constant_id = 2) const uint kCertificateOfAll = kUncertified;
+layout(constant_id = kConstantQuantity) const uint kQuantity = kPosition;
+layout(constant_id = kConstantAsColor) const bool kAsColor = false;
+layout(constant_id = kConstantCertificate) const uint kCertificateOfAll = kUncertified;
 
 layout(location = 0) sample in vec3 inPosition;
 layout(location = 1) sample in vec3 inNormal;

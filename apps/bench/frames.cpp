@@ -112,7 +112,7 @@ class Frames {
     // Of sRGB codes / 255. The mean tells a wrong picture from wrong edges: here as if one pixel in 10,000
     // were black in one and white in the other; a lamp dimmer by a tenth makes 1.6e-3. Edges and
     // sparks own the root mean square.
-    constexpr double kMostMean = 1e-4, kMostRmse = 0.0075;
+    constexpr double kMaxMean = 1e-4, kMaxRmse = 0.0075;
     const FrameDesc desc{.size = size};
     Renderer renderer(context_);
     StraightforwardFrames theirs(context_, desc);
@@ -133,7 +133,7 @@ class Frames {
       state.counters["theirs_triangles"] = theirs.path().triangles();
       state.counters["ours_draws"] = static_cast<double>(counts.drawCalls);
       state.counters["theirs_draws"] = theirs.path().drawCalls();
-      if (!(rmse < kMostRmse && mean < kMostMean))
+      if (!(rmse < kMaxRmse && mean < kMaxMean))
         state.SkipWithError("the two paths do not draw the same picture");
     }
   }

@@ -18,7 +18,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kUsualTolerancePx = DrawOptions{}.tolerancePx, kUsualHullPx = DrawOptions{}.hullTolerancePx;
+constexpr double kUsualTolerancePx = DrawOptions{}.tolerancePx,
+                 kUsualShellPx = DrawOptions{}.shellTolerancePx;
 
 /// How the work is shared out in time, roughly: where each part ends.
 constexpr double kTruthEnd = 0.3, kFirstEnd = 0.4, kTimedEnd = 0.7;
@@ -26,7 +27,7 @@ constexpr double kTruthEnd = 0.3, kFirstEnd = 0.4, kTimedEnd = 0.7;
 /// Frames that are drawn whenever they are asked for, though they show what they showed before.
 DrawOptions optionsOf(const BenchWay& way) {
   DrawOptions options{.shading = way.shading, .samples = way.samples, .skips = {.unchanged = false}};
-  (way.shading == Shading::Exact ? options.hullTolerancePx : options.tolerancePx) = way.tolerancePx;
+  (way.shading == Shading::Exact ? options.shellTolerancePx : options.tolerancePx) = way.tolerancePx;
   return options;
 }
 
@@ -253,15 +254,15 @@ BenchPlan fullPlan() {
   return planOf({{Shading::Flat, {0.5, 0.05}},
                  {Shading::Gouraud, {0.5, 0.05}},
                  {Shading::Phong, {2, 1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01}},
-                 {Shading::Exact, {kUsualHullPx, 0.5 * kUsualHullPx}}},
+                 {Shading::Exact, {kUsualShellPx, 0.5 * kUsualShellPx}}},
                 {{Shading::Flat, {0.5}},
                  {Shading::Gouraud, {0.5}},
                  {Shading::Phong, {2, 0.5, 0.1}},
-                 {Shading::Exact, {kUsualHullPx}}});
+                 {Shading::Exact, {kUsualShellPx}}});
 }
 
 BenchPlan quickPlan() {
-  const Tolerances few = {{Shading::Phong, {1, 0.5, 0.1}}, {Shading::Exact, {kUsualHullPx}}};
+  const Tolerances few = {{Shading::Phong, {1, 0.5, 0.1}}, {Shading::Exact, {kUsualShellPx}}};
   BenchPlan plan = planOf(few, few);
   plan.runs = 5;
   plan.enoughMs = 400;
@@ -271,7 +272,7 @@ BenchPlan quickPlan() {
 }
 
 bool isPictured(const BenchWay& way) {
-  return way.samples == 1 && ((way.shading == Shading::Exact && way.tolerancePx == kUsualHullPx) ||
+  return way.samples == 1 && ((way.shading == Shading::Exact && way.tolerancePx == kUsualShellPx) ||
                               (way.shading == Shading::Phong && way.tolerancePx == kUsualTolerancePx));
 }
 

@@ -19,7 +19,7 @@ namespace luxo {
 /// One way to draw a scene.
 struct BenchWay {
   Shading shading = Shading::Phong;
-  double tolerancePx = 0.5;  ///< of the mesh; of the hull where the shading is exact
+  double tolerancePx = 0.5;  ///< of the mesh; of the shell where the shading is exact
   int samples = 1;
 };
 
@@ -85,7 +85,7 @@ struct BenchPlan {
   int areaSamples = 16;               ///< rays in each of these
 };
 
-/// Phong meshes from 2 px to 0.01 px, flat and Gouraud ones, exact hulls of the usual size and half of it;
+/// Phong meshes from 2 px to 0.01 px, flat and Gouraud ones, exact shells of the usual size and half of it;
 /// with 4 samples those whose colours are not yet as good as 4 samples can be.
 [[nodiscard]] BenchPlan fullPlan();
 /// A few of these, for a first look.

@@ -83,7 +83,7 @@ std::string machineTable(const BenchResult& result) {
 
 std::string nameOf(const BenchWay& way) {
   return fmt::format("{} {} px{}", nameOf(way.shading), way.tolerancePx,
-                     way.shading == Shading::Exact ? " hull" : "");
+                     way.shading == Shading::Exact ? " shell" : "");
 }
 
 std::string rowsTable(const BenchScene& scene) {

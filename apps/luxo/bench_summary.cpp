@@ -27,7 +27,7 @@ BenchShading summaryOf(const BenchScene& scene, Shading shading) {
   }
   for (std::size_t i = 0; i < kTargetErrorsPx.size(); ++i)
     summary.msOfError[i] = costOfError(largest, kTargetErrorsPx[i]);
-  // A hull's size is not what its picture's error comes from.
+  // A shell's size is not what its picture's error comes from.
   if (shading != Shading::Exact) {
     summary.errorPerTriangles = powerOf(triangles);
     summary.errorPerMs = powerOf(typical);

@@ -34,7 +34,7 @@ struct BenchShading {
   std::optional<double> errorPerTriangles, errorPerMs;
 };
 
-/// The usual ways to draw a scene: a hull and a mesh of the usual tolerance, one sample.
+/// The usual ways to draw a scene: a shell and a mesh of the usual tolerance, one sample.
 struct ExactAndMesh {
   BenchRow exact, mesh;
 

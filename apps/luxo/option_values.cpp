@@ -112,7 +112,7 @@ double parseNumber(std::string_view option, const std::string& text) { return nu
 
 PixelSize parseSize(const std::string& text) {
   const std::string hint =
-      fmt::format("give width x height in pixels, each from 1 to {}, as in 1280x720", kMostPictureSide);
+      fmt::format("give width x height in pixels, each from 1 to {}, as in 1280x720", kMaxPictureSide);
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) refuse("--size", text, "not a size", hint);
   const auto side = [&](const std::string& digits, const char* name) {
@@ -120,7 +120,7 @@ PixelSize parseSize(const std::string& text) {
     if (!value) refuse("--size", text, fmt::format("the {} '{}' is not a whole number", name, digits), hint);
     if (*value < 1)
       refuse("--size", text, fmt::format("a picture with a {} of {} has no pixels", name, *value), hint);
-    if (*value > kMostPictureSide)
+    if (*value > kMaxPictureSide)
       refuse("--size", text, fmt::format("a {} of {} is more than pictures have", name, *value), hint);
     return int(*value);
   };
@@ -147,9 +147,9 @@ double parseFps(const std::string& text) {
 
 int parseSamples(const std::string& text) {
   const auto samples = wholeNumber<int>(text);
-  if (!samples || *samples < 1 || *samples > kMostSamples)
+  if (!samples || *samples < 1 || *samples > kMaxSamples)
     refuse("--samples", text, "not a number of samples",
-           fmt::format("give a number from 1 to {}", kMostSamples));
+           fmt::format("give a number from 1 to {}", kMaxSamples));
   return *samples;
 }
 
@@ -220,7 +220,7 @@ Audit parseAudit(const std::string& text) {
 
 int parseSample(const std::string& text) {
   const auto sample = wholeNumber<int>(text);
-  if (!sample || *sample < 0 || *sample >= kMostSamples)
+  if (!sample || *sample < 0 || *sample >= kMaxSamples)
     refuse("--sample", text, "not the number of a sample", "they count from 0 to one less than --samples");
   return *sample;
 }

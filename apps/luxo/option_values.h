@@ -25,7 +25,7 @@ inline constexpr int kMaxFrames = 1'000'000;
 /// One finite number, or a fraction of two: `0.25`, `1e-3`, `1/255`.
 [[nodiscard]] double parseNumber(std::string_view option, const std::string& text);
 
-/// `1280x720`, each side 1..kMostPictureSide.
+/// `1280x720`, each side 1..kMaxPictureSide.
 [[nodiscard]] PixelSize parseSize(const std::string& text);
 
 /// `1-250:2,300`: single frames and ranges with an optional step, 0 or above. In the order given, repetitions
@@ -35,7 +35,7 @@ inline constexpr int kMaxFrames = 1'000'000;
 /// Frames per second, in kFpsRange.
 [[nodiscard]] double parseFps(const std::string& text);
 
-/// 1..kMostSamples.
+/// 1..kMaxSamples.
 [[nodiscard]] int parseSamples(const std::string& text);
 
 /// Pixels: errors that may be required, down to what doubles say of the largest picture.

@@ -22,7 +22,7 @@ namespace luxo {
 namespace {
 
 constexpr const char* kSourceName = "plot";
-constexpr std::size_t kMostSwept = 32;
+constexpr std::size_t kMaxSwept = 32;
 constexpr const char* kPositionHint = "give three formulas of u and v, as in \"[cos(u), v, sin(u)]\"";
 constexpr const char* kRangeHint = "give from:to, as in 0:tau";
 constexpr const char* kDefinitionHint = "give name=formula, as in -L k=3";
@@ -224,14 +224,14 @@ Quantity3 rounded(const Vec3& p, double distance) {
   return {one(p.x), one(p.y), one(p.z)};
 }
 
-/// The plot at every value that is swept over, or at most kMostSwept of them, as one.
+/// The plot at every value that is swept over, or at most kMaxSwept of them, as one.
 Snapshot allOf(Scene scene, const RenderRequest& request) {
   const RenderSettings& settings = scene.settings();
   Snapshot all = takeSnapshot(scene, settings.time, settings.size, Camera{});
   if (!request.sweep) return all;
   const std::vector<double>& values = request.sweep->values;
   const ParameterId swept = sweptParameter(scene, *request.sweep);
-  for (std::size_t k = 0; k < values.size(); k += 1 + values.size() / kMostSwept) {
+  for (std::size_t k = 0; k < values.size(); k += 1 + values.size() / kMaxSwept) {
     scene.setParameter(swept, values[k]);
     const Snapshot one = takeSnapshot(scene, settings.time, settings.size, Camera{});
     all.nodes.insert(all.nodes.end(), one.nodes.begin(), one.nodes.end());

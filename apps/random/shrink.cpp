@@ -18,7 +18,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 constexpr int kSmallestSide = 6;  // pixels
-constexpr int kMostHalvings = 8;  // of a domain's side in one round
+constexpr int kMaxHalvings = 8;   // of a domain's side in one round
 
 /// Every formula and number of surfaces, nodes and the camera.
 void visit(Json& json, const std::function<void(Json&)>& leaf) {
@@ -264,7 +264,7 @@ class Shrinker {
       for (const char* key : {"u", "v"}) {
         if (!surface.contains(key)) continue;
         bool smaller = true;
-        for (int halvings = 0; smaller && halvings < kMostHalvings && !spent(); ++halvings) {
+        for (int halvings = 0; smaller && halvings < kMaxHalvings && !spent(); ++halvings) {
           smaller = false;
           const Json& range = scene_["surfaces"][name][key];
           const double lo = numberOf(range[0]), hi = numberOf(range[1]);

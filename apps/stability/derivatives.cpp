@@ -211,7 +211,7 @@ std::vector<DerivativeErrors> measure(Differentiator& differentiator, std::size_
   return errors;
 }
 
-constexpr double kMostInDouble = 1e-13, kMostUlps = 8;
+constexpr double kMaxInDouble = 1e-13, kMaxUlps = 8;
 
 std::size_t pointsOf(const StressContext& context) {
   return static_cast<std::size_t>(context.of(1'000'000, 10'000));
@@ -223,10 +223,10 @@ std::vector<Measurement> exactDerivatives(StressContext& context) {
   const DerivativeErrors& worst = *std::ranges::max_element(all, {}, &DerivativeErrors::inDouble);
   std::vector<Measurement> measurements = {
       atMost(fmt::format("error in double over the largest tangent, worst surface ({})", worst.surface),
-             worst.inDouble, kMostInDouble)};
+             worst.inDouble, kMaxInDouble)};
   for (const DerivativeErrors& one : all)
     measurements.push_back(
-        atMost(fmt::format("error on the device: {}", one.surface), one.inFloat, kMostUlps, "ulp"));
+        atMost(fmt::format("error on the device: {}", one.surface), one.inFloat, kMaxUlps, "ulp"));
   return measurements;
 }
 
@@ -237,9 +237,8 @@ std::vector<Measurement> finiteDifferences(StressContext& context) {
     return static_cast<double>(
         std::ranges::count_if(all, [&](const DerivativeErrors& one) { return one.*error > most; }));
   };
-  return {
-      atLeast("surfaces that fail ST-05 in double", missed(&DerivativeErrors::inDouble, kMostInDouble), 1),
-      atLeast("surfaces that fail ST-05 on the device", missed(&DerivativeErrors::inFloat, kMostUlps), 1)};
+  return {atLeast("surfaces that fail ST-05 in double", missed(&DerivativeErrors::inDouble, kMaxInDouble), 1),
+          atLeast("surfaces that fail ST-05 on the device", missed(&DerivativeErrors::inFloat, kMaxUlps), 1)};
 }
 
 /// A random rectangle of a random patch, down to a 256th of its sides.

@@ -81,7 +81,7 @@ double distanceToBorder(const Ceiling& ceiling, const View& view, const Vec2& pi
 }
 
 std::vector<Measurement> rims(StressContext& context) {
-  constexpr double kMostPx = 0.01;
+  constexpr double kMaxPx = 0.01;
   const Ceiling ceilings[] = {{.name = "circle on a perpendicular plane"},
                               {.name = "ellipse on a tilted plane", .tiltAxis = {1, 0, -0.4}, .tilt = -0.45}};
   std::vector<Measurement> result;
@@ -105,10 +105,10 @@ std::vector<Measurement> rims(StressContext& context) {
         if ((image.pixel(x, y)[0] > 0) == expected) continue;
         const double distance = distanceToBorder(ceiling, snapshot.view, centerOf(x, y));
         farthest = std::max(farthest, distance);
-        wrong += distance > kMostPx;
+        wrong += distance > kMaxPx;
       }
     result.push_back(none(ceiling.name + ": pixels misclassified farther than 0.01 px", wrong, "pixels"));
-    result.push_back(atMost(ceiling.name + ": farthest misclassified pixel", farthest, kMostPx, "px"));
+    result.push_back(atMost(ceiling.name + ": farthest misclassified pixel", farthest, kMaxPx, "px"));
     result.push_back(atLeast(ceiling.name + ": lit pixels", lit, context.of(30000, 2000), "pixels"));
     result.push_back(atLeast(ceiling.name + ": dark pixels", dark, context.of(30000, 2000), "pixels"));
   }

@@ -15,7 +15,7 @@
 namespace luxo {
 namespace {
 
-constexpr double kMostDegrees = 0.01;
+constexpr double kMaxDegrees = 0.01;
 
 /// Pixels of a picture of an odd side have one centre in the very middle, where the singular point is; an
 /// even one has none.
@@ -69,7 +69,7 @@ std::vector<Measurement> spherePoles(StressContext& context) {
         raise(worst, degreesBetween(colorAt(out.normal, x, y), truth));
       });
     }
-  return {atMost("normals within 3 px of the poles", worst, kMostDegrees, "deg"), none("NaN samples", nans)};
+  return {atMost("normals within 3 px of the poles", worst, kMaxDegrees, "deg"), none("NaN samples", nans)};
 }
 
 // ST-02. From above the apex a cone's normal depends on the direction around the middle alone, and its
@@ -93,7 +93,7 @@ std::vector<Measurement> coneApex(StressContext& context) {
       if (covered ? distance > outline + 0.01 : distance < outline - 0.01) ++wrong;
     });
   }
-  return {atMost("normals from 1 px off the apex", worst, kMostDegrees, "deg"), none("NaN samples", nans),
+  return {atMost("normals from 1 px off the apex", worst, kMaxDegrees, "deg"), none("NaN samples", nans),
           none("coverage wrong beyond 0.01 px", wrong, "pixels")};
 }
 
@@ -144,7 +144,7 @@ std::vector<Measurement> teapotCollapses(StressContext& context) {
         raise(worst, degreesBetween(colorAt(out.normal, x, y), truth));
       });
     }
-  return {atMost("normals at the collapsed rows", worst, kMostDegrees, "deg"), none("NaN samples", nans),
+  return {atMost("normals at the collapsed rows", worst, kMaxDegrees, "deg"), none("NaN samples", nans),
           none("pixels darker than 0.9 of their neighbours", dark, "pixels"), none("holes", empty, "pixels")};
 }
 

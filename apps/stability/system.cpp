@@ -136,9 +136,10 @@ std::vector<Measurement> culling(StressContext& context) {
           none("pixels that differ with back faces drawn", withBackFaces, "pixels")};
 }
 
-/// The same pictures from hulls of 2, 4 and 8 pixels. Within 1e-3 px of an edge a pixel may show either side.
-std::vector<Measurement> hulls(StressContext& context) {
-  constexpr double kMostPx = 1e-3;
+/// The same pictures from shells of 2, 4 and 8 pixels. Within 1e-3 px of an edge a pixel may show either
+/// side.
+std::vector<Measurement> shells(StressContext& context) {
+  constexpr double kMaxPx = 1e-3;
   double farthest = 0;
   int codes = 0;
   std::int64_t moved = 0, compared = 0;
@@ -148,21 +149,21 @@ std::vector<Measurement> hulls(StressContext& context) {
     struct Drawn {
       Image color, position, id;
     };
-    const auto draw = [&](double hullPx) {
+    const auto draw = [&](double shellPx) {
       const auto output = [&](Output what) {
-        return context.draw(snapshot, {.output = what, .hullTolerancePx = hullPx}).image;
+        return context.draw(snapshot, {.output = what, .shellTolerancePx = shellPx}).image;
       };
       return Drawn{output(Output::Color), output(Output::Position), output(Output::Id)};
     };
     const Drawn expected = draw(4);
-    for (const double hullPx : {2.0, 8.0}) {
-      const Drawn other = draw(hullPx);
+    for (const double shellPx : {2.0, 8.0}) {
+      const Drawn other = draw(shellPx);
       for (int y = 0; y < expected.id.height(); ++y)
         for (int x = 0; x < expected.id.width(); ++x) {
           const float id = expected.id.pixel(x, y)[0];
           const bool sameNode = other.id.pixel(x, y)[0] == id;
           const int difference = codeDifference(expected.color, other.color, x, y);
-          if ((!sameNode || difference > 1) && nearEdge(caster, x, y, kMostPx)) continue;
+          if ((!sameNode || difference > 1) && nearEdge(caster, x, y, kMaxPx)) continue;
           moved += !sameNode;
           codes = std::max(codes, difference);
           if (id == 0 || !sameNode) continue;
@@ -173,15 +174,15 @@ std::vector<Measurement> hulls(StressContext& context) {
         }
     }
   }
-  return {atMost("distance between points from different hulls", farthest, kMostPx, "px"),
-          atMost("difference of colours from different hulls", codes, 1, "of 255"),
+  return {atMost("distance between points from different shells", farthest, kMaxPx, "px"),
+          atMost("difference of colours from different shells", codes, 1, "of 255"),
           none("pixels that show another node, farther than 1e-3 px from an edge", moved, "pixels"),
           atLeast("pixels compared", compared, context.of(2000000, 100000), "pixels")};
 }
 
 std::vector<Measurement> determinism(StressContext& context) {
   std::vector<Measurement> result = threads(context);
-  for (const auto& part : {culling(context), hulls(context)})
+  for (const auto& part : {culling(context), shells(context)})
     result.insert(result.end(), part.begin(), part.end());
   return result;
 }

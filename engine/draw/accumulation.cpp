@@ -80,7 +80,7 @@ Accumulator::Accumulator(gpu::Context& context)
                           .fragmentShader = luxo_average_frag,
                           .colorFormats = {kFormat},
                           .blend = gpu::Blend::Mean,
-                          .specialization = {std::bit_cast<std::uint32_t>(kUncertain)},
+                          .specialization = {{0, std::bit_cast<std::uint32_t>(kUncertain)}},
                           .setLayouts = {layout_}}) {}
 
 void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Texture& picture, int before) {

@@ -12,9 +12,9 @@
 
 #include "draw/clipped_mesh.h"
 #include "draw/exact_data.h"
-#include "draw/hull_view.h"
 #include "draw/light_sets.h"
 #include "draw/near_section.h"
+#include "draw/shell_view.h"
 #include "math/transform.h"
 #include "surface/spread.h"
 
@@ -27,11 +27,11 @@ constexpr double kVertexSpacingPx = 12;
 // Object units: where extreme scales round the above to 0.
 constexpr double kLeastSpacing = 1e-200;
 
-// No hull is nearer to its surface than this part of its size, unless a search was lost.
-constexpr double kFinestHull = 2e-4;
-// Nor farther than this part, however small it is seen: a hull of a few triangles is blind to spikes and
+// No shell is nearer to its surface than this part of its size, unless a search was lost.
+constexpr double kFinestShell = 2e-4;
+// Nor farther than this part, however small it is seen: a shell of a few triangles is blind to spikes and
 // rims, and searches from it have lost them (the lecture's pseudospheres, 12 pixels large).
-constexpr double kCoarsestHull = 1.0 / 64;
+constexpr double kCoarsestShell = 1.0 / 64;
 
 Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
 
@@ -120,8 +120,8 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
   return options.cullBackFaces && (visible.hideBackFaces || hidden()) ? FaceCulling::Back : FaceCulling::None;
 }
 
-/// Parts of hulls that are seen where rays graze: every so many of the picture's triangles.
-constexpr std::size_t kMostOutlines = 64;
+/// Parts of shells that are seen where rays graze: every so many of the picture's triangles.
+constexpr std::size_t kMaxOutlines = 64;
 
 /// Shells of more triangles than pixels, and than this, are not made: rays in all of those pixels take no
 /// longer. (Some 10 us a triangle, measured from the teapot to sums of sines; a ray 1 to 5.)
@@ -134,12 +134,12 @@ constexpr double kStandInTolerance = 8;
 class DrawLister {
  public:
   DrawLister(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-             Geometry& geometry, const SearchCare& care)
+             Geometry& geometry, const SearchRefinement& refinement)
       : snapshot_(snapshot),
         visible_(visible),
         options_(options),
         geometry_(geometry),
-        care_(care),
+        refinement_(refinement),
         lightSets_(snapshot, options, list_.lightSets) {
     list_.view = viewData(snapshot, visible);
   }
@@ -171,14 +171,14 @@ class DrawLister {
 
   /// What instances must have in common to be drawn at once.
   static auto kindOf(const DrawBatch& b) {
-    return std::tuple(b.state, b.mesh.get(), b.hull.get(), b.firstIndex, b.culling, b.bothSides, b.mirrored,
+    return std::tuple(b.state, b.mesh.get(), b.shell.get(), b.firstIndex, b.culling, b.bothSides, b.mirrored,
                       b.lightSet);
   }
 
   /// What is searched for comes first. What hides lines comes before all lines, and after all that it must
   /// not hide.
   static int placeInOrder(const DrawBatch& batch) {
-    if (batch.hull) return 0;
+    if (batch.shell) return 0;
     if (batch.state.hidesLines) return 2;
     return batch.state.shading == Shading::Wireframe ? 3 : 1;
   }
@@ -245,9 +245,9 @@ class DrawLister {
       item.found = batch.state;
       item.found->byRays = true;
       if (shading == Shading::Exact) item.found->shading = Shading::Phong;
-      const std::optional<Vec3> hullOrigin = addHull(item, batch, node, v);
-      if (hullOrigin) {
-        origin = *hullOrigin;
+      const std::optional<Vec3> shellOrigin = addShell(item, batch, node, v);
+      if (shellOrigin) {
+        origin = *shellOrigin;
       } else if (options_.standIns && shading == Shading::Exact) {
         batch.state.shading = Shading::Phong;
         MeshDesc desc = meshDescOf(node, v, Shading::Phong, snapshot_.view);
@@ -272,83 +272,83 @@ class DrawLister {
     if (batch.flat && batch.state.shading != Shading::Wireframe)
       batch.mesh = clippedMesh(snapshot_.view, node, v, batch.mesh);
     batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
-    if (!care_.completes) item.batches.push_back(batch);
+    if (!refinement_.completes) item.batches.push_back(batch);
     return batch.mesh->origin;
   }
 
   /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
-  /// the origin of the hull's vertices; nothing where all of it is left to rays.
-  std::optional<Vec3> addHull(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
+  /// the origin of the shell's vertices; nothing where all of it is left to rays.
+  std::optional<Vec3> addShell(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
     const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
     // No shell holds what has no end.
     if (!isFinite(node.boundsObject)) {
       list_.byRays.push_back(pixels);
       return std::nullopt;
     }
-    // A look at a small part of a large surface needs no finer hull than one at all of it: only its cells
+    // A look at a small part of a large surface needs no finer shell than one at all of it: only its cells
     // must be small enough for a search that begins in them.
     const double size = glm::length(node.boundsObject.extent());
     // What has collapsed into a point at this moment has no size to go by.
-    const double coarsest =
-        kCoarsestHull * size > kLeastSpacing ? kCoarsestHull * size : std::numeric_limits<double>::infinity();
-    const double wanted = v.toleranceObject / options_.tolerancePx * options_.hullTolerancePx;
-    const double tolerance = std::min(std::max(wanted, kFinestHull * size), coarsest);
-    const int level = care_.level(v.node);
+    const double coarsest = kCoarsestShell * size > kLeastSpacing ? kCoarsestShell * size
+                                                                  : std::numeric_limits<double>::infinity();
+    const double wanted = v.toleranceObject / options_.tolerancePx * options_.shellTolerancePx;
+    const double tolerance = std::min(std::max(wanted, kFinestShell * size), coarsest);
+    const int level = refinement_.level(v.node);
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
     const double most = static_cast<double>(std::max(pixels.count(), kWorthRays));
-    batch.hull = geometry_.meshes.hull(node.surface, node.parameters, refined, most);
-    const bool leavesOut = !batch.hull || (!batch.hull->proven && batch.hull->pinches.empty());
-    if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.hull))) {
+    batch.shell = geometry_.meshes.shell(node.surface, node.parameters, refined, most);
+    const bool leavesOut = !batch.shell || (!batch.shell->proven && batch.shell->pinches.empty());
+    if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.shell))) {
       list_.byRays.push_back(pixels);
       return std::nullopt;
     }
-    for (const Hull::Pinch& pinch : batch.hull->pinches)
+    for (const Shell::Pinch& pinch : batch.shell->pinches)
       list_.byRays.push_back(
           overlap(pixels, pixelsOf(snapshot_.view, transformBounds(node.worldFromObject, pinch.box()))));
-    const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.hull) : std::nullopt;
+    const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.shell) : std::nullopt;
     // What a formula rounds away nobody knows but by what is lost.
     const bool inDouble =
-        !plane && options_.doubles && (level > 0 || needsDouble(snapshot_.view, node, v, *batch.hull));
+        !plane && options_.doubles && (level > 0 || needsDouble(snapshot_.view, node, v, *batch.shell));
     const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
-    if (isTooLarge(geometry_.codes, node.surface, *batch.hull, node.parameters.size(), number)) {
+    if (isTooLarge(geometry_.codes, node.surface, *batch.shell, node.parameters.size(), number)) {
       ++list_.tooLarge;
       list_.byRays.push_back(pixels);
       return std::nullopt;
     }
-    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.hull);
-    item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.hull, *plane)
-                                : exactInstance(snapshot_.view, node, v, *batch.hull, number);
-    item.instance.exact.firstPatch = patchesOf(node, *batch.hull);
-    const HullView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
-    for (const Hull::Part& part : batch.hull->parts) {
+    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.shell);
+    item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.shell, *plane)
+                                : exactInstance(snapshot_.view, node, v, *batch.shell, number);
+    item.instance.exact.firstPatch = patchesOf(node, *batch.shell);
+    const ShellView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
+    for (const Shell::Part& part : batch.shell->parts) {
       batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
-                                  : codeOf(geometry_.codes, node.surface, *batch.hull, part.patch,
+                                  : codeOf(geometry_.codes, node.surface, *batch.shell, part.patch,
                                            node.parameters.size(), number);
-      batch.state.equation = batch.hull->patchData[part.patch].equation.has_value();
+      batch.state.equation = batch.shell->patchData[part.patch].equation.has_value();
       batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
       // A quadric's roots are all known at once.
-      const std::optional<Equation>& equation = batch.hull->patchData[part.patch].equation;
+      const std::optional<Equation>& equation = batch.shell->patchData[part.patch].equation;
       if (inside && !(equation && equation->form() == Equation::Form::Quadric))
-        addNearSection(node, *batch.hull, part);
+        addNearSection(node, *batch.shell, part);
       batch.half = Half::Near;
-      addHullDraws(item, batch, view, part.firstIndex, part.frontCount);
+      addShellDraws(item, batch, view, part.firstIndex, part.frontCount);
       batch.half = Half::Far;
       if (inside && snapshot_.view.perspective()) {
         // From inside the slab its faces are seen from behind. A ray leaves it by the bottom behind the outer
         // side, or, having dipped into that, by the top.
         if (!batch.bothSides) batch.culling = FaceCulling::Front;
-        addHullDraws(item, batch, view, part.firstIndex, part.count);
+        addShellDraws(item, batch, view, part.firstIndex, part.count);
       } else if (batch.bothSides) {
-        addHullDraws(item, batch, view, part.wallIndex(), part.frontCount);
+        addShellDraws(item, batch, view, part.wallIndex(), part.frontCount);
       }
     }
-    return batch.hull->origin;
+    return batch.shell->origin;
   }
 
-  /// What is seen where rays begin inside the hull is found by rays.
-  void addNearSection(const SnapshotNode& node, const Hull& hull, const Hull::Part& part) {
+  /// What is seen where rays begin inside the shell is found by rays.
+  void addNearSection(const SnapshotNode& node, const Shell& shell, const Shell::Part& part) {
     const auto before = static_cast<std::ptrdiff_t>(list_.byRays.size());
-    appendNearSection(snapshot_.view, node, hull, part, list_.byRays);
+    appendNearSection(snapshot_.view, node, shell, part, list_.byRays);
     const auto added = list_.byRays.begin() + before;
     const PixelRect all{{0, 0}, {snapshot_.view.size.width, snapshot_.view.size.height}};
     const auto pixels =
@@ -360,25 +360,26 @@ class DrawLister {
     list_.byRays.push_back(all);
   }
 
-  /// Adds the draws of some of a hull's triangles: of those seen flat, and of those that a ray may graze.
-  void addHullDraws(Item& item, DrawBatch batch, const HullView& view, std::uint32_t firstIndex,
-                    std::uint32_t count) {
-    const Hull& hull = *batch.hull;
-    std::vector<std::uint32_t>& all = list_.hullIndices;
-    std::array<std::vector<std::uint32_t>, 2> steep;  // where no edge is a point, and where one is
+  /// Adds the draws of some of a shell's triangles: of those seen flat, and of those that a ray may graze.
+  void addShellDraws(Item& item, DrawBatch batch, const ShellView& view, std::uint32_t firstIndex,
+                     std::uint32_t count) {
+    const Shell& shell = *batch.shell;
+    std::vector<std::uint32_t>& all = list_.shellIndices;
+    std::array<std::vector<std::uint32_t>, 2> grazing;  // where no edge is a point, and where one is
     const std::uint32_t node = item.instance.node;
     const std::size_t first = all.size();
     for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
-      const Seen seen = view.seen(hull, i, batch.half == Half::Far ? -1 : 1);
-      const std::uint32_t slot = tallySlot(node, hull.indices[i]);
-      const bool lost = seen == Seen::Flat && care_.lostInFlat(slot);
-      const bool again = care_.refined(node) || (lost && care_.lostJustNow(slot));
-      if (seen == Seen::Away || (care_.completes && !again)) continue;
+      const Seen seen = view.seen(shell, i, batch.half == Half::Far ? -1 : 1);
+      const std::uint32_t slot = feedbackSlot(node, shell.indices[i]);
+      const bool lost = seen == Seen::Transversal && refinement_.lostTransversal(slot);
+      const bool again = refinement_.refined(node) || (lost && refinement_.lostJustNow(slot));
+      if (seen == Seen::Away || (refinement_.completes && !again)) continue;
       // By its equation a surface is found where it is grazed as it is elsewhere.
-      const bool isFlat = seen == Seen::Flat && !lost && !batch.state.equation;
-      const HullPatch& patch = hull.patchData[hull.patches[hull.indices[i]]];
-      std::vector<std::uint32_t>& indices = isFlat ? all : steep[!batch.state.equation && patch.hasPole()];
-      indices.insert(indices.end(), hull.indices.begin() + i, hull.indices.begin() + i + 3);
+      const bool isTransversal = seen == Seen::Transversal && !lost && !batch.state.equation;
+      const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
+      std::vector<std::uint32_t>& indices =
+          isTransversal ? all : grazing[!batch.state.equation && patch.hasPole()];
+      indices.insert(indices.end(), shell.indices.begin() + i, shell.indices.begin() + i + 3);
     }
     const auto add = [&](std::size_t from) {
       if (from == all.size()) return;
@@ -387,32 +388,32 @@ class DrawLister {
       item.batches.push_back(batch);
     };
     add(first);
-    batch.state.steep = true;
+    batch.state.grazing = true;
     for (const bool poles : {false, true}) {
       const std::size_t from = all.size();
-      all.insert(all.end(), steep[poles].begin(), steep[poles].end());
+      all.insert(all.end(), grazing[poles].begin(), grazing[poles].end());
       batch.state.poles = poles;
       add(from);
     }
   }
 
-  /// Evenly chosen of all steep triangles, so that where outlines are dense many are.
+  /// Evenly chosen of all grazing triangles, so that where outlines are dense many are.
   void listOutlines() {
-    std::size_t steep = 0;
-    const auto forEachSteep = [&](const auto& action) {
+    std::size_t grazing = 0;
+    const auto forEachGrazing = [&](const auto& action) {
       for (const DrawBatch& batch : list_.opaque)
-        if (batch.hull && batch.state.steep)
+        if (batch.shell && batch.state.grazing)
           for (std::uint32_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3)
             action(batch, i);
     };
-    forEachSteep([&](const DrawBatch&, std::uint32_t) { ++steep; });
-    const std::size_t stride = std::max<std::size_t>(steep / kMostOutlines, 1);
+    forEachGrazing([&](const DrawBatch&, std::uint32_t) { ++grazing; });
+    const std::size_t stride = std::max<std::size_t>(grazing / kMaxOutlines, 1);
     std::size_t number = 0;
-    forEachSteep([&](const DrawBatch& batch, std::uint32_t i) {
+    forEachGrazing([&](const DrawBatch& batch, std::uint32_t i) {
       if (number++ % stride != 0) return;
       const SnapshotNode& node = snapshot_.nodes[list_.instanceNodes[batch.firstInstance]];
       Vec3 middle(0);
-      for (std::uint32_t k = 0; k < 3; ++k) middle += batch.hull->positions[list_.hullIndices[i + k]] / 3.0;
+      for (std::uint32_t k = 0; k < 3; ++k) middle += batch.shell->positions[list_.shellIndices[i + k]] / 3.0;
       const Vec3 eye = eyeFromWorldPoint(snapshot_.view, transformPoint(node.worldFromObject, middle));
       if (snapshot_.view.perspective() && !(-eye.z > snapshot_.view.near)) return;
       const Vec2 pixel = glm::floor(pixelFromEye(snapshot_.view, eye));
@@ -423,12 +424,12 @@ class DrawLister {
   }
 
   /// Where the patches of a surface start; nodes with the same surface and parameters share them.
-  std::uint32_t patchesOf(const SnapshotNode& node, const Hull& hull) {
+  std::uint32_t patchesOf(const SnapshotNode& node, const Shell& shell) {
     const auto [entry, isNew] =
         firstPatchOf_.try_emplace(std::pair{node.surface.identity(), node.parameters},
                                   static_cast<std::uint32_t>(list_.exactPatches.size()));
     if (isNew)
-      appendPatches(geometry_.codes, node.surface, node.parameters, hull, list_.exactPatches,
+      appendPatches(geometry_.codes, node.surface, node.parameters, shell, list_.exactPatches,
                     list_.exactParameters);
     return entry->second;
   }
@@ -458,7 +459,7 @@ class DrawLister {
       batches.back().state.hidesLines = true;
     }
     const bool bothSides =
-        !batch.hull && batch.bothSides && !batch.flat && batch.state.shading != Shading::Wireframe;
+        !batch.shell && batch.bothSides && !batch.flat && batch.state.shading != Shading::Wireframe;
     if (!bothSides) {
       batches.push_back(std::move(batch));
       return;
@@ -485,7 +486,7 @@ class DrawLister {
   const VisibleList& visible_;
   const DrawOptions& options_;
   Geometry& geometry_;
-  const SearchCare& care_;
+  const SearchRefinement& refinement_;
   DrawList list_;
   LightSets lightSets_;
   std::map<std::pair<const void*, std::vector<double>>, std::uint32_t> firstPatchOf_;
@@ -502,12 +503,12 @@ bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const Draw
 
 bool DrawList::onlyFound() const {
   return transparent.empty() &&
-         std::ranges::all_of(opaque, [](const DrawBatch& batch) { return batch.hull != nullptr; });
+         std::ranges::all_of(opaque, [](const DrawBatch& batch) { return batch.shell != nullptr; });
 }
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                   Geometry& geometry, const SearchCare& care) {
-  return DrawLister(snapshot, visible, options, geometry, care).list();
+                   Geometry& geometry, const SearchRefinement& refinement) {
+  return DrawLister(snapshot, visible, options, geometry, refinement).list();
 }
 
 }  // namespace luxo

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cull/cull.h"
-#include "draw/hidden_triangles.h"
+#include "draw/occlusion_culling.h"
 #include "draw/options.h"
 #include "draw/pixel_rows.h"
-#include "draw/search_care.h"
+#include "draw/search_refinement.h"
 #include "draw/statistics.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
@@ -30,7 +30,7 @@ struct DrawState {
   Pattern pattern = {};     ///< where light falls on it; none for views of geometry
   SurfaceCodePtr surface;   ///< what finds a surface in every pixel; null: triangles are drawn
   bool equation = false;    ///< with it: it is an equation, no formula
-  bool steep = false;       ///< with it: a ray may graze the surface, and meet it more than once
+  bool grazing = false;     ///< with it: a ray may graze the surface, and meet it more than once
   bool poles = false;       ///< with that: an edge of a patch is one point
   bool byRays = false;      ///< points are drawn that rays have found
   bool hidesLines = false;  ///< of a wireframe: its triangles, of which only the depth is drawn
@@ -46,12 +46,12 @@ enum class FaceCulling { None, Back, Front };
 /// alike.
 enum class Half { Whole, Near, Far };
 
-/// One indexed draw: consecutive instances of one mesh, or triangles of one hull, in one state.
+/// One indexed draw: consecutive instances of one mesh, or triangles of one shell, in one state.
 struct DrawBatch {
   DrawState state;
   std::shared_ptr<const Mesh> mesh;              ///< null where the surface is found in every pixel
-  std::shared_ptr<const Hull> hull;              ///< then not null
-  std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of DrawList::hullIndices
+  std::shared_ptr<const Shell> shell;            ///< then not null
+  std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of DrawList::shellIndices
   FaceCulling culling = FaceCulling::None;
   Half half = Half::Whole;
   bool flat = false;       ///< lies in one plane: its sides never meet
@@ -62,7 +62,7 @@ struct DrawBatch {
   std::uint32_t firstInstance = 0, instanceCount = 0;
 
   [[nodiscard]] std::size_t vertexCount() const {
-    return hull ? hull->positions.size() : mesh->positions.size();
+    return shell ? shell->positions.size() : mesh->positions.size();
   }
 };
 
@@ -78,19 +78,19 @@ struct DrawList {
   shared::ViewData view;
   std::vector<shared::InstanceData> instances;
   std::vector<shared::ExactInstance>
-      exactInstances;                            ///< as instances; of those without a hull nothing is read
+      exactInstances;                            ///< as instances; of those without a shell nothing is read
   std::vector<std::uint32_t> instanceNodes;      ///< as instances: indices into Snapshot::nodes
-  std::vector<std::uint32_t> hullIndices;        ///< not empty when a draw has a hull
-  std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a hull
+  std::vector<std::uint32_t> shellIndices;       ///< not empty when a draw has a shell
+  std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a shell
   std::vector<double> exactParameters;           ///< of formulas and equations; see ExactPatch
   std::vector<shared::LightSet> lightSets;       ///< never empty
   std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
-  std::vector<DrawBatch> opaque;                 ///< grouped, those with hulls first, roughly front to back
+  std::vector<DrawBatch> opaque;                 ///< grouped, those with shells first, roughly front to back
   std::vector<FoundNode> found;                  ///< ascending
   std::vector<PixelRect> byRays;                 ///< where no shell tells what is seen
   std::vector<PixelPlace> outlines;              ///< some of the pixels that searches graze
   std::vector<DrawBatch> transparent;            ///< strictly back to front
-  std::uint64_t culledHidden = 0;                ///< triangles of hulls that are behind others
+  std::uint64_t culledHidden = 0;                ///< triangles of shells that are behind others
   std::uint64_t tooLarge = 0;  ///< nodes found by rays: their formulas are too large for shaders
   double boundPx = 0;          ///< largest proven error of a drawn mesh on the screen
 
@@ -102,16 +102,17 @@ struct DrawList {
 struct Geometry {
   MeshCache meshes;
   SurfaceCodes codes;
-  HiddenTriangles hidden;
+  OcclusionCulling hidden;
 };
 
 /// Whether every pixel of a node finds its point of the surface, by a search or by a ray. Of what is seen
-/// through every layer counts, and a hull does not keep them apart.
+/// through every layer counts, and a shell does not keep them apart.
 [[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node,
                                 const DrawOptions& options);
 
-/// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMostLights).
+/// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMaxLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,
-                                 const DrawOptions& options, Geometry& geometry, const SearchCare& care = {});
+                                 const DrawOptions& options, Geometry& geometry,
+                                 const SearchRefinement& refinement = {});
 
 }  // namespace luxo

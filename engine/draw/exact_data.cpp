@@ -10,16 +10,21 @@
 #include "base/assert.h"
 #include "draw/exact_shaders.h"
 #include "draw/pixel_rows.h"
+#include "gpu/device.h"
 
 namespace luxo {
 namespace {
 
+// What a shell proves of a search holds as far as a certified root is from its start.
+static_assert(shared::kFarCells + 1 <= kSearchedCells);
+static_assert(4 * shared::kVaryings <= gpu::kVaryingComponents);
+
 /// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
 /// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3.
-constexpr double kMostRoundingPx = 6e-4;
+constexpr double kMaxRoundingPx = 6e-4;
 /// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right
 /// to a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
-constexpr double kMostTurn = 4e-5, kSmallPx = 100;
+constexpr double kMaxTurn = 4e-5, kSmallPx = 100;
 /// Nearer than this to an outline a pixel may show either side of it.
 constexpr double kOutlinePx = 0.01;
 
@@ -63,18 +68,18 @@ struct Rounding {
 /// that many times more pixels, and what has the size of the distance is that many times larger. Of parallel
 /// rays there is no distance with room to spare for both what rounding a point and what rounding its place in
 /// the picture leaves.
-Rounding roundingPx(const View& view, const SnapshotNode& node, const Hull& hull, GlslNumber number) {
+Rounding roundingPx(const View& view, const SnapshotNode& node, const Shell& shell, GlslNumber number) {
   const double aslant =
       view.perspective() ? std::max(std::hypot(1.0, glm::length(view.halfExtent)) / kUsualSlant, 1.0) : 1;
   const double rounding = roundingOf(number) * view.pixelsPerUnit * aslant;
   const double nextParameters =
-      rounding / kTimesRounded * hull.parameterReach * largestStretch(node.worldFromObject.linear);
+      rounding / kTimesRounded * shell.parameterReach * largestStretch(node.worldFromObject.linear);
   if (view.perspective()) return {rounding * aslant, rounding * reach(node) + nextParameters};
   return {rounding * (glm::length(view.halfExtent) + 2 * reach(node)) + nextParameters, 0};
 }
 
 /// Edges that are points are edges of u or of v, never of both.
-std::uint32_t flagsOf(const HullPatch& patch) {
+std::uint32_t flagsOf(const ShellPatch& patch) {
   const bool ofU = patch.collapsedUMin || patch.collapsedUMax;
   const std::optional<Equation>& equation = patch.equation;
   return (patch.orientation < 0 ? shared::kInward : 0) | (patch.wrapsU ? shared::kWrapsU : 0) |
@@ -135,13 +140,13 @@ bool isGeneral(SurfaceCodes& codes, const Patch& patch, const SurfaceCode& own) 
 
 /// All but firstPatch.
 shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                 const Hull& hull, GlslNumber number, const PixelRows& rows) {
-  const Rounding rounding = roundingPx(view, node, hull, number);
+                                 const Shell& shell, GlslNumber number, const PixelRows& rows) {
+  const Rounding rounding = roundingPx(view, node, shell, number);
   const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
   const Transform& world = node.worldFromObject;
-  PixelRows ofHull = pixelRows(view, world);
-  for (Vec4* row : {&ofHull.x, &ofHull.y, &ofHull.depth}) row->w += glm::dot(Vec3(*row), hull.origin);
+  PixelRows ofShell = pixelRows(view, world);
+  for (Vec4* row : {&ofShell.x, &ofShell.y, &ofShell.depth}) row->w += glm::dot(Vec3(*row), shell.origin);
   const Vec3 middle = number == GlslNumber::Double ? eyeInObject(view, world) : Vec3(0);
   return {
       .x = Vec4f(rows.x),
@@ -158,36 +163,36 @@ shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, con
       .facing = visible.mirrored ? 1.0f : -1.0f,
       .tolerance = static_cast<float>(std::max(finest, rounding.everywhere)),
       .firstPatch = 0,
-      .firstSlot = tallySlot(visible.node, 0),
-      .origin = Vec3f(hull.origin),
-      .thickness = static_cast<float>(3 * hull.offset * visible.stretch * visible.pixelsPerUnit),
-      .hullX = Vec4f(ofHull.x),
-      .hullY = Vec4f(ofHull.y),
-      .hullDepth = Vec4f(ofHull.depth),
-      .hullXLow = restOf(ofHull.x),
-      .hullYLow = restOf(ofHull.y),
-      .hullDepthLow = restOf(ofHull.depth)};
+      .firstSlot = feedbackSlot(visible.node, 0),
+      .origin = Vec3f(shell.origin),
+      .thickness = static_cast<float>(3 * shell.offset * visible.stretch * visible.pixelsPerUnit),
+      .shellX = Vec4f(ofShell.x),
+      .shellY = Vec4f(ofShell.y),
+      .shellDepth = Vec4f(ofShell.depth),
+      .shellXLow = restOf(ofShell.x),
+      .shellYLow = restOf(ofShell.y),
+      .shellDepthLow = restOf(ofShell.depth)};
 }
 
 }  // namespace
 
-std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex) {
-  return (node * 0x9e3779b1U + vertex) % shared::kTallySlots;
+std::uint32_t feedbackSlot(std::uint32_t node, std::uint32_t vertex) {
+  return (node * 0x9e3779b1U + vertex) % shared::kFeedbackSlots;
 }
 
-bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
-  const Rounding rounding = roundingPx(view, node, hull, GlslNumber::Float);
+bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
+  const Rounding rounding = roundingPx(view, node, shell, GlslNumber::Float);
   const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
-  const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMostRoundingPx; };
+  const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMaxRoundingPx; };
   if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
   const double depth = std::max(visible.centerDepth, view.near);
   const double scale = visible.stretch * visible.pixelsPerUnit / (view.perspective() ? depth : 1);
   return glm::length(node.boundsObject.extent()) * scale > kSmallPx &&
-         roundingAt(depth) > kMostTurn * hull.medianRadius * scale;
+         roundingAt(depth) > kMaxTurn * shell.medianRadius * scale;
 }
 
-bool losesEdges(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
-  const Rounding rounding = roundingPx(view, node, hull, GlslNumber::Float);
+bool losesEdges(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
+  const Rounding rounding = roundingPx(view, node, shell, GlslNumber::Float);
   const double depth = view.perspective() ? std::max(visible.nearestDepth, nearestSeen(view, node)) : 1;
   return rounding.everywhere + rounding.near / depth > kOutlinePx;
 }
@@ -206,46 +211,47 @@ std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::spa
 }
 
 shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                    const Hull& hull, GlslNumber number) {
-  return instanceOf(view, node, visible, hull, number, pixelRows(view, node.worldFromObject));
+                                    const Shell& shell, GlslNumber number) {
+  return instanceOf(view, node, visible, shell, number, pixelRows(view, node.worldFromObject));
 }
 
-std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, const Hull& hull) {
+std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, const Shell& shell) {
   const bool isPlane =
-      hull.patchData.size() == 1 && hull.patchData[0].equation && hull.patchData[0].equation->isPlane();
+      shell.patchData.size() == 1 && shell.patchData[0].equation && shell.patchData[0].equation->isPlane();
   return isPlane ? planeRows(view, node.worldFromObject) : std::nullopt;
 }
 
 shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                    const Hull& hull, const PlaneRows& plane) {
+                                    const Shell& shell, const PlaneRows& plane) {
   const Vec4 depth = pixelRows(view, node.worldFromObject).depth;
   const PixelRows rows{
       .x = Vec4(plane.x, depth.x), .y = Vec4(plane.z, depth.z), .depth = Vec4(plane.w, depth.w)};
-  shared::ExactInstance instance = instanceOf(view, node, visible, hull, GlslNumber::Double, rows);
+  shared::ExactInstance instance = instanceOf(view, node, visible, shell, GlslNumber::Double, rows);
   instance.thickness = static_cast<float>(1 / (visible.pixelsPerUnit * visible.stretch));
   return instance;
 }
 
-SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull, std::uint32_t patch,
+SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Shell& shell, std::uint32_t patch,
                       std::size_t parameters, GlslNumber number) {
-  if (const auto& equation = hull.patchData[patch].equation)
+  if (const auto& equation = shell.patchData[patch].equation)
     return codes.get(equation->form(), shared::kEquationNumbers, number);
   const Patch& p = surface.patches()[patch];
   const SurfaceCodePtr own = ownCode(codes, p, parameters, number);
   return isGeneral(codes, p, *own) ? generalCode(codes, p, number) : own;
 }
 
-bool isTooLarge(SurfaceCodes& codes, const Surface& surface, const Hull& hull, std::size_t parameters,
+bool isTooLarge(SurfaceCodes& codes, const Surface& surface, const Shell& shell, std::size_t parameters,
                 GlslNumber number) {
-  return std::ranges::any_of(hull.parts, [&](const Hull::Part& part) {
-    return codeOf(codes, surface, hull, part.patch, parameters, number)->isTooLarge();
+  return std::ranges::any_of(shell.parts, [&](const Shell::Part& part) {
+    return codeOf(codes, surface, shell, part.patch, parameters, number)->isTooLarge();
   });
 }
 
 void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const double> parameters,
-                   const Hull& hull, std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers) {
+                   const Shell& shell, std::vector<shared::ExactPatch>& patches,
+                   std::vector<double>& numbers) {
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i) {
-    const HullPatch& patch = hull.patchData[i];
+    const ShellPatch& patch = shell.patchData[i];
     const Domain& domain = patch.domain;
     const Vec4 corners(domain.u.lo - patch.originOfU, domain.v.lo, domain.u.hi - patch.originOfU,
                        domain.v.hi);
@@ -270,8 +276,8 @@ void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const 
   }
 }
 
-bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Hull& hull) {
-  const double reaches = 2 * hull.offset * visible.stretch;
+bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
+  const double reaches = 2 * shell.offset * visible.stretch;
   // Parallel rays begin on the near plane, which is as far away as the scene.
   if (!view.perspective()) return visible.nearestDepth <= view.near + reaches;
   // The corners of the near plane are the farthest of it.

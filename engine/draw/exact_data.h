@@ -12,7 +12,7 @@
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
 #include "surface/surface_code.h"
-#include "tessellate/hull.h"
+#include "tessellate/shell.h"
 
 namespace luxo {
 
@@ -23,17 +23,17 @@ inline constexpr double kExactTolerancePx = 1e-4;
 inline constexpr double kDoubleTolerancePx = 1e-5;
 
 /// Where searches are counted that are lost in triangles of a node, index into Snapshot::nodes, whose first
-/// vertex is that one of the hull.
-[[nodiscard]] std::uint32_t tallySlot(std::uint32_t node, std::uint32_t vertex);
+/// vertex is that one of the shell.
+[[nodiscard]] std::uint32_t feedbackSlot(std::uint32_t node, std::uint32_t vertex);
 
 /// Whether float would round away more of a point's place on the screen than a picture may lack, or so much
 /// that the normal there is another: of what bends sharply, most of it, and is not small.
 [[nodiscard]] bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                               const Hull& hull);
+                               const Shell& shell);
 
-/// Whether float may move the hull's vertices by so much that pixels of the surface are beside it.
+/// Whether float may move the shell's vertices by so much that pixels of the surface are beside it.
 [[nodiscard]] bool losesEdges(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                              const Hull& hull);
+                              const Shell& shell);
 
 /// Where points of the node's object are in the picture, as PixelTriangle has them.
 [[nodiscard]] std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node,
@@ -41,32 +41,34 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 
 /// All of the instance but firstPatch, for a search in those numbers.
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
-                                                  const VisibleNode& visible, const Hull& hull,
+                                                  const VisibleNode& visible, const Shell& shell,
                                                   GlslNumber number);
 
-/// Where pixels are on the plane that a hull is around; nothing of a hull of anything else.
-[[nodiscard]] std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, const Hull& hull);
+/// Where pixels are on the plane that a shell is around; nothing of a shell of anything else.
+[[nodiscard]] std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node,
+                                               const Shell& shell);
 
 /// The same as above of such a plane, which is found in double.
 [[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
-                                                  const VisibleNode& visible, const Hull& hull,
+                                                  const VisibleNode& visible, const Shell& shell,
                                                   const PlaneRows& plane);
 
-/// What finds a patch of a hull's surface: its equation, or its formula of so many parameters.
-[[nodiscard]] SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
+/// What finds a patch of a shell's surface: its equation, or its formula of so many parameters.
+[[nodiscard]] SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Shell& shell,
                                     std::uint32_t patch, std::size_t parameters, GlslNumber number);
 
 /// Whether some formula of the surface is too large for a shader (surface_code.h).
-[[nodiscard]] bool isTooLarge(SurfaceCodes& codes, const Surface& surface, const Hull& hull,
+[[nodiscard]] bool isTooLarge(SurfaceCodes& codes, const Surface& surface, const Shell& shell,
                               std::size_t parameters, GlslNumber number);
 
-/// Appends the patches of a hull, and the numbers that their codes read: of equations, or what formulas read
+/// Appends the patches of a shell, and the numbers that their codes read: of equations, or what formulas read
 /// beyond u and v.
 void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const double> parameters,
-                   const Hull& hull, std::vector<shared::ExactPatch>& patches, std::vector<double>& numbers);
+                   const Shell& shell, std::vector<shared::ExactPatch>& patches,
+                   std::vector<double>& numbers);
 
-/// Whether the eye may be inside the hull, or so near that the near plane may be.
+/// Whether the eye may be inside the shell, or so near that the near plane may be.
 [[nodiscard]] bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                              const Hull& hull);
+                              const Shell& shell);
 
 }  // namespace luxo

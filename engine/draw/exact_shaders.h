@@ -12,10 +12,10 @@
 namespace luxo {
 
 /// The fragment shader that finds this surface and shows the pattern, if there is one; empty for what is not
-/// built in. A formula has one for where no ray may graze it, too, which is not `steep`. Looked up by the
+/// built in. A formula has one for where no ray may graze it, too, which is not `grazing`. Looked up by the
 /// formulas themselves: one that has changed never meets an older shader. Cost: microseconds.
 [[nodiscard]] std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface,
                                                                 const Pattern& pattern = {},
-                                                                bool steep = true);
+                                                                bool grazing = true);
 
 }  // namespace luxo

@@ -18,14 +18,14 @@ namespace luxo {
 /// Refers to the texts it is given.
 class ExactSource {
  public:
-  /// `pattern` is the pattern's GLSL, if there is one; not `steep`: no ray may graze the surface.
-  ExactSource(const SurfaceCode& surface, std::string_view pattern, bool steep)
+  /// `pattern` is the pattern's GLSL, if there is one; not `grazing`: no ray may graze the surface.
+  ExactSource(const SurfaceCode& surface, std::string_view pattern, bool grazing)
       : name_(pattern.empty() ? "exact/surface.frag" : "exact/pattern.frag"),
         includes_(std::begin(kShaderSources), std::end(kShaderSources)) {
     includes_.push_back({"surface", surface.glsl});
     includes_.push_back({"pattern", pattern});
     if (surface.number == GlslNumber::Double) preamble_ += "#define LUXO_DOUBLE\n";
-    if (!steep) preamble_ += "#define LUXO_FLAT\n";
+    if (!grazing) preamble_ += "#define LUXO_TRANSVERSAL\n";
   }
 
   /// Valid as long as this object.

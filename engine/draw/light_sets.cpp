@@ -37,10 +37,10 @@ LightSets::LightSets(const Snapshot& snapshot, const DrawOptions& options,
 }
 
 LightSets::Choice LightSets::choose(std::span<const std::uint32_t> lights, const SnapshotNode& node) {
-  if (lights.size() > shared::kMostLights)
+  if (lights.size() > shared::kMaxLights)
     throw Error(ErrorKind::Scene,
                 fmt::format("{} lights reach one node (number {}); at most {} may", lights.size(),
-                            node.number, shared::kMostLights),
+                            node.number, shared::kMaxLights),
                 "use fewer lights");
   std::vector<std::uint32_t> order(lights.begin(), lights.end());
   const auto firstShaded = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t light) {

@@ -25,7 +25,7 @@ class LightSets {
   };
 
   /// The set of the lights (indices into Snapshot::lights) that reach a node. Throws Error(Scene) when these
-  /// are more than a shader takes (shared::kMostLights).
+  /// are more than a shader takes (shared::kMaxLights).
   [[nodiscard]] Choice choose(std::span<const std::uint32_t> lights, const SnapshotNode& node);
 
  private:

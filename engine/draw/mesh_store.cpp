@@ -27,15 +27,15 @@ std::vector<Vec3f> interleaved(const Mesh& mesh) {
   return vertices;
 }
 
-std::vector<HullVertex> verticesOf(const Hull& hull) {
-  std::vector<HullVertex> vertices;
-  vertices.reserve(hull.positions.size());
-  for (std::size_t i = 0; i < hull.positions.size(); ++i) {
-    const Vec2 origin(hull.patchData[hull.patches[i]].originOfU, 0);
-    vertices.push_back({.position = Vec3f(hull.positions[i] - hull.origin),
-                        .parameters = Vec2f(hull.parameters[i] - origin),
-                        .cell = Vec3f(hull.cells[i].x, hull.cells[i].y, hull.changes[i]),
-                        .patch = hull.patches[i]});
+std::vector<ShellVertex> verticesOf(const Shell& shell) {
+  std::vector<ShellVertex> vertices;
+  vertices.reserve(shell.positions.size());
+  for (std::size_t i = 0; i < shell.positions.size(); ++i) {
+    const Vec2 origin(shell.patchData[shell.patches[i]].originOfU, 0);
+    vertices.push_back({.position = Vec3f(shell.positions[i] - shell.origin),
+                        .parameters = Vec2f(shell.parameters[i] - origin),
+                        .cell = Vec3f(shell.cells[i].x, shell.cells[i].y, shell.changes[i]),
+                        .patch = shell.patches[i]});
   }
   return vertices;
 }
@@ -71,12 +71,12 @@ const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool w
   return device;
 }
 
-const DeviceMesh& MeshStore::get(const std::shared_ptr<const Hull>& hull) {
-  Entry& entry = entries_[hull.get()];
-  if (entry.source.lock() != hull) {
-    entry = {.source = hull, .device = {}};
+const DeviceMesh& MeshStore::get(const std::shared_ptr<const Shell>& shell) {
+  Entry& entry = entries_[shell.get()];
+  if (entry.source.lock() != shell) {
+    entry = {.source = shell, .device = {}};
     entry.device.vertices =
-        upload(*context_, verticesOf(*hull), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "hull vertices");
+        upload(*context_, verticesOf(*shell), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "shell vertices");
   }
   return entry.device;
 }

@@ -8,22 +8,22 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
-#include "tessellate/hull.h"
 #include "tessellate/mesh.h"
+#include "tessellate/shell.h"
 
 namespace luxo {
 
 /// One mesh as the shaders read it: float, object space relative to the mesh's origin.
 struct DeviceMesh {
-  gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex; or HullVertex
+  gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex; or ShellVertex
   gpu::Buffer parameters;  ///< (u, v): 8 bytes a vertex; empty until a view of geometry needs it
   gpu::Buffer indices;
   VkIndexType indexType = VK_INDEX_TYPE_UINT16;
   std::uint32_t indexCount = 0;
 };
 
-/// One hull as the shaders read it: float, object space relative to the hull's origin.
-struct HullVertex {
+/// One shell as the shaders read it: float, object space relative to the shell's origin.
+struct ShellVertex {
   Vec3f position;
   Vec2f parameters;
   Vec3f cell;  ///< extent in u and v; how much derivatives change over it, object units
@@ -35,7 +35,7 @@ class MeshStore {
   explicit MeshStore(gpu::Context& context) : context_(&context) {}
 
   [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Mesh>& mesh, bool withParameters);
-  [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Hull>& hull);
+  [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Shell>& shell);
 
   /// Drops the meshes that are gone. The device may still be drawing them: destruction is deferred.
   void dropUnused();

@@ -38,8 +38,8 @@ class Surround {
 
 }  // namespace
 
-void appendNearSection(const View& view, const SnapshotNode& node, const Hull& hull, const Hull::Part& part,
-                       std::vector<PixelRect>& rects) {
+void appendNearSection(const View& view, const SnapshotNode& node, const Shell& shell,
+                       const Shell::Part& part, std::vector<PixelRect>& rects) {
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   const double slack = kPlaneDepth * std::max(view.near, -view.near);
   const auto inPicture = [&](const Vec3& corner) {
@@ -50,7 +50,7 @@ void appendNearSection(const View& view, const SnapshotNode& node, const Hull& h
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (std::uint32_t k = 0; k < 6; ++k) {
       const std::uint32_t face = k < 3 ? part.firstIndex : part.bottomIndex();
-      const Vec4 corner(hull.positions[hull.indices[face + i + k % 3]], 1);
+      const Vec4 corner(shell.positions[shell.indices[face + i + k % 3]], 1);
       corners[k] = {glm::dot(rows.x, corner), glm::dot(rows.y, corner), glm::dot(rows.depth, corner)};
       nearest = std::min(nearest, corners[k].z);
       farthest = std::max(farthest, corners[k].z);

@@ -43,15 +43,15 @@ struct DrawOptions {
   Shading shading = Shading::Exact;  ///< of materials that do not say otherwise
   Output output = Output::Color;
   double tolerancePx = 0.5;  ///< how far a mesh may be from its surface on the screen
-  /// Exact shading: how far the hull in which the search for a surface begins is from it, about. No error of
-  /// the picture: coarser hulls have fewer triangles and start the search farther off.
-  double hullTolerancePx = 3;
+  /// Exact shading: how far the shell in which the search for a surface begins is from it, about. No error of
+  /// the picture: coarser shells have fewer triangles and start the search farther off.
+  double shellTolerancePx = 3;
   /// Exact shading: where a view magnifies what float rounds away, shaders compute in double, if the device
   /// can.
   bool doubles = true;
   /// Exact shading: what certified rays look at once more. Quality, not a skip.
   Audit audit;
-  /// Per pixel, 1 to kMostSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1,
+  /// Per pixel, 1 to kMaxSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1,
   /// in the pixel's centre; they are never averaged.
   int samples = 1;
   /// Wireframes: lines behind surfaces of wires show, too. Else a surface of wires hides what lines are

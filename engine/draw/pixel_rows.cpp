@@ -12,7 +12,7 @@ namespace luxo {
 namespace {
 
 /// What an inverse may be off by.
-constexpr double kMostOffPx = 1e-6;
+constexpr double kMaxOffPx = 1e-6;
 
 /// Row `row` of clipFromEye as a linear function of the object's points.
 Vec4 clipRow(const View& view, const Transform& eyeFromObject, int row) {
@@ -53,7 +53,7 @@ std::optional<PlaneRows> planeRows(const View& view, const Transform& worldFromO
     for (const double down : {-0.5, 0.5}) {
       const Vec2 pixel(right * view.size.width, down * view.size.height);
       const Vec3 off = error * Vec3(pixel, 1);
-      if (!(glm::length(Vec2(off) - pixel * off.z) <= kMostOffPx)) return std::nullopt;
+      if (!(glm::length(Vec2(off) - pixel * off.z) <= kMaxOffPx)) return std::nullopt;
     }
   const Mat3 byRow = glm::transpose(planeFromPixel);
   return PlaneRows{byRow[0], byRow[1], byRow[2]};

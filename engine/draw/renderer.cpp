@@ -176,7 +176,7 @@ Picture Renderer::render(const Snapshot& snapshot, const DrawOptions& options) {
 std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOptions& options,
                                         const std::function<bool(double)>& goesOn) {
   LUXO_REQUIRE_COMPARE(options.samples, >=, 1);
-  LUXO_REQUIRE_COMPARE(options.samples, <=, kMostSamples);
+  LUXO_REQUIRE_COMPARE(options.samples, <=, kMaxSamples);
   const auto start = std::chrono::steady_clock::now();
   Picture picture;
   FrameStatistics& statistics = picture.statistics;
@@ -231,13 +231,13 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
   enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
   DrawOptions tried = options;
   tried.standIns = false;
-  SearchCare care;
+  SearchRefinement refinement;
   std::uint64_t failed = 0;
   for (int trial = Usual;; ++trial) {
     if (trial >= WithoutSkips) tried.skips = Skips::none();
     if (trial == WithFinerShells)
-      for (const FoundNode& node : painter_.list().found) care.refine(node.node);
-    if (trial != ByRays) search(snapshot, tried, care, statistics);
+      for (const FoundNode& node : painter_.list().found) refinement.refine(node.node);
+    if (trial != ByRays) search(snapshot, tried, refinement, statistics);
     if (!painter_.searches()) return;
     rays_.begin(snapshot, tried);
     resolve(trial == ByRays, statistics);
@@ -261,7 +261,7 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
   }
 }
 
-void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care,
+void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, SearchRefinement refinement,
                       FrameStatistics& statistics) {
   // Drawing all of a picture once more takes as long as rays through a sixteenth of it.
   const std::uint64_t few = static_cast<std::uint64_t>(snapshot.view.size.width) *
@@ -270,13 +270,13 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Sear
     FrameStatistics attempt;
     submit(
         [&](VkCommandBuffer commands) {
-          painter_.record(frames_, commands, snapshot, options, attempt, care);
+          painter_.record(frames_, commands, snapshot, options, attempt, refinement);
           recordReadback(commands, painter_.target());
         },
         attempt);
     addAttempt(attempt, statistics);
     statistics = attempt;
-  } while (care.learn(painter_.lostPixels()) && care.lost() > few);
+  } while (refinement.learn(painter_.lostPixels()) && refinement.lost() > few);
 }
 
 void Renderer::resolve(bool all, FrameStatistics& statistics) {

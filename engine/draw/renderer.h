@@ -72,9 +72,9 @@ class Renderer {
   /// Draws one sample of each pixel into the painter's target and reads that back. What searches leave in
   /// doubt is found by rays, and what an audit finds wrong is drawn anew.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
-  /// The part of that without rays, with that care; again with more where searches lost more than rays find
-  /// soon.
-  void search(const Snapshot& snapshot, const DrawOptions& options, SearchCare care,
+  /// The part of that without rays, with that refinement; again with more where searches lost more than rays
+  /// find soon.
+  void search(const Snapshot& snapshot, const DrawOptions& options, SearchRefinement refinement,
               FrameStatistics& statistics);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
   void resolve(bool all, FrameStatistics& statistics);

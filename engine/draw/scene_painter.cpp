@@ -127,7 +127,7 @@ constexpr float kLineSlope = 1;
 gpu::DepthBias biasOf(const DrawBatch& batch) {
   constexpr float kUnits = 8, kSlope = 1.0f / 128;
   if (batch.state.hidesLines) return {.constant = -kUnits, .slope = -kLineSlope};
-  if (batch.hull || batch.state.blended || batch.half == Half::Whole) return {};
+  if (batch.shell || batch.state.blended || batch.half == Half::Whole) return {};
   if (batch.half == Half::Far) return {.constant = -kUnits, .slope = -kSlope};
   return batch.twoSided ? gpu::DepthBias{.constant = kUnits, .slope = kSlope} : gpu::DepthBias{};
 }
@@ -149,7 +149,8 @@ ScenePainter::ScenePainter(gpu::Context& context, Precision precision)
 }
 
 void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& scene,
-                          const DrawOptions& options, FrameStatistics& statistics, const SearchCare& care) {
+                          const DrawOptions& options, FrameStatistics& statistics,
+                          const SearchRefinement& refinement) {
   const bool auxiliary = options.output != Output::Color;
   const VkSampleCountFlagBits samples =
       auxiliary ? VK_SAMPLE_COUNT_1_BIT
@@ -158,7 +159,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   const std::uint64_t tessellatedBefore = geometry_.meshes.tessellated();
   Stopwatch watch;
 
-  const Snapshot& snapshot = evenScale_.of(scene);
+  const Snapshot& snapshot = scaleNormalization_.of(scene);
   const VisibleList visible = cull(snapshot, cullOptions(options, samples));
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();
@@ -167,7 +168,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   options_.doubles = options.doubles && context_->features().float64;
   options_.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
   options_.samples = samples;
-  list_ = listDraws(snapshot, visible, options_, geometry_, care);
+  list_ = listDraws(snapshot, visible, options_, geometry_, refinement);
   const DrawList& list = list_;
   background_ = backgroundOf(snapshot, options.output);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
@@ -182,18 +183,18 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
                  samples);
   using enum gpu::Use;
   store_.dropUnused();
-  if (!care.completes) pipelines_.beginPicture();
+  if (!refinement.completes) pipelines_.beginPicture();
   preparePipelines();
-  Uploads& uploads = care.completes ? completion_ : uploads_;
+  Uploads& uploads = refinement.completes ? completion_ : uploads_;
   upload(list, guarded(list.view, guardOf(color_.extent(), context_->limits())), !options.skips.unchanged,
          uploads);
-  clearTally(list);
+  clearFeedback(list);
   clearDoubts(list.exact());
   chooseProbes();
   const Bindings bindings = bind(frames, uploads, uploads.instances.buffer);
-  if (list.exact()) gpu::use(commands, {{tally_, StorageWrite}, {doubts_, StorageWrite}});
-  recordPasses(commands, bindings, care.completes, nullptr, statistics);
-  if (list.exact()) gpu::use(commands, {{tally_, HostRead}, {doubts_, HostRead}});
+  if (list.exact()) gpu::use(commands, {{feedback_, StorageWrite}, {doubts_, StorageWrite}});
+  recordPasses(commands, bindings, refinement.completes, nullptr, statistics);
+  if (list.exact()) gpu::use(commands, {{feedback_, HostRead}, {doubts_, HostRead}});
   completable_ = list.transparent.empty();
 
   const gpu::Counters after = context_->counters();
@@ -222,8 +223,8 @@ ScenePainter::Bindings ScenePainter::bind(gpu::FrameRing& frames, const Uploads&
   if (list_.exact()) {
     bindings.exact = frames.descriptors().write(pipelines_.exactLayout(),
                                                 {uploads.exactInstances.buffer, uploads.exactPatches.buffer,
-                                                 uploads.exactParameters.buffer, tally_, doubts_});
-    bindings.hullIndices = uploads.hullIndices.buffer;
+                                                 uploads.exactParameters.buffer, feedback_, doubts_});
+    bindings.shellIndices = uploads.shellIndices.buffer;
   }
   return bindings;
 }
@@ -246,7 +247,7 @@ void ScenePainter::recordPasses(VkCommandBuffer commands, const Bindings& bindin
     ++statistics.count.passes;
   };
   const auto firstMesh =
-      std::ranges::find_if(list_.opaque, [](const DrawBatch& batch) { return !batch.hull; });
+      std::ranges::find_if(list_.opaque, [](const DrawBatch& batch) { return !batch.shell; });
   const std::span<const DrawBatch> found(list_.opaque.begin(), firstMesh),
       meshes(firstMesh, list_.opaque.end());
   const bool begins = !completes && !(rays && list_.onlyFound());
@@ -275,9 +276,9 @@ void ScenePainter::recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, 
           "points of rays", false);
   const Bindings ofRays = bind(frames, uploads_, rayInstances_.buffer);
   const RayDraws rays{.points = points, .pattern = ofRays.pattern, .scene = ofRays.scene};
-  if (list_.exact()) gpu::use(commands, {{tally_, StorageWrite}, {doubts_, StorageWrite}});
+  if (list_.exact()) gpu::use(commands, {{feedback_, StorageWrite}, {doubts_, StorageWrite}});
   recordPasses(commands, bind(frames, uploads_, uploads_.instances.buffer), false, &rays, statistics);
-  if (list_.exact()) gpu::use(commands, {{tally_, HostRead}, {doubts_, HostRead}});
+  if (list_.exact()) gpu::use(commands, {{feedback_, HostRead}, {doubts_, HostRead}});
 }
 
 void ScenePainter::paintRays(VkCommandBuffer commands, const RayDraws& rays, FrameStatistics& statistics) {
@@ -331,8 +332,8 @@ void ScenePainter::chooseProbes() {
   probed_ = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)}, options_.audit,
                           list_.outlines);
   // A region for each of many pixels takes longer than all pixels at once.
-  constexpr std::size_t kMostRegions = 4096;
-  probesAll_ = probed_.size() > kMostRegions;
+  constexpr std::size_t kMaxRegions = 4096;
+  probesAll_ = probed_.size() > kMaxRegions;
   const VkDeviceSize bytes = sizeof(float) * (probesAll_ ? VkDeviceSize{extent.width} * extent.height
                                                          : VkDeviceSize{probed_.size()});
   if (bytes > 0 && (!probes_ || probes_.size() < bytes))
@@ -458,39 +459,39 @@ void ScenePainter::upload(const DrawList& list, const shared::ViewData& view, bo
   const auto store = [&](Mirror& mirror, const auto& elements, const char* name) {
     write(mirror, std::as_bytes(std::span(elements)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
   };
-  if (!list.hullIndices.empty())
-    write(uploads.hullIndices, std::as_bytes(std::span(list.hullIndices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-          "hull indices", always);
+  if (!list.shellIndices.empty())
+    write(uploads.shellIndices, std::as_bytes(std::span(list.shellIndices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+          "shell indices", always);
   store(uploads.exactInstances, list.exactInstances, "exact instances");
   store(uploads.exactPatches, list.exactPatches, "patches");
   store(uploads.exactParameters, inPairs(list.exactParameters), "parameters of formulas");
 }
 
-void ScenePainter::clearTally(const DrawList& list) {
-  tallyNodes_.clear();
+void ScenePainter::clearFeedback(const DrawList& list) {
+  feedbackNodes_.clear();
   if (!list.exact()) return;
-  tallyNodes_ = list.instanceNodes;
-  const VkDeviceSize bytes = (shared::kTallySlots + tallyNodes_.size()) * sizeof(std::uint32_t);
-  if (!tally_ || tally_.size() < bytes) {
-    tally_ = gpu::Buffer(*context_, {.size = 2 * bytes,
-                                     .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                     .memory = gpu::MemoryUse::Readback,
-                                     .name = "tally"});
+  feedbackNodes_ = list.instanceNodes;
+  const VkDeviceSize bytes = (shared::kFeedbackSlots + feedbackNodes_.size()) * sizeof(std::uint32_t);
+  if (!feedback_ || feedback_.size() < bytes) {
+    feedback_ = gpu::Buffer(*context_, {.size = 2 * bytes,
+                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                        .memory = gpu::MemoryUse::Readback,
+                                        .name = "feedback"});
   } else {
     context_->timeline().wait(context_->timeline().submitted());
   }
-  std::ranges::fill(tally_.mapped(), std::byte{0});
-  tally_.flush();
+  std::ranges::fill(feedback_.mapped(), std::byte{0});
+  feedback_.flush();
 }
 
 LostPixels ScenePainter::lostPixels() {
-  if (tallyNodes_.empty()) return {};
-  std::vector<std::uint32_t> counts(shared::kTallySlots + tallyNodes_.size());
-  std::memcpy(counts.data(), tally_.read().data(), counts.size() * sizeof(std::uint32_t));
-  const auto firstInstance = counts.begin() + shared::kTallySlots;
-  LostPixels lost{.inFlat = {counts.begin(), firstInstance}, .inSteep = {}};
-  for (std::size_t i = 0; i < tallyNodes_.size(); ++i)
-    lost.inSteep[tallyNodes_[i]] += firstInstance[static_cast<std::ptrdiff_t>(i)];
+  if (feedbackNodes_.empty()) return {};
+  std::vector<std::uint32_t> counts(shared::kFeedbackSlots + feedbackNodes_.size());
+  std::memcpy(counts.data(), feedback_.read().data(), counts.size() * sizeof(std::uint32_t));
+  const auto firstInstance = counts.begin() + shared::kFeedbackSlots;
+  LostPixels lost{.transversal = {counts.begin(), firstInstance}, .grazing = {}};
+  for (std::size_t i = 0; i < feedbackNodes_.size(); ++i)
+    lost.grazing[feedbackNodes_[i]] += firstInstance[static_cast<std::ptrdiff_t>(i)];
   return lost;
 }
 
@@ -515,16 +516,16 @@ void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings,
   for (const DrawBatch& batch : batches) {
     const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
     const bool withParameters = readsParameters(batch.state);
-    const DeviceMesh& mesh = batch.hull ? store_.get(batch.hull) : store_.get(batch.mesh, withParameters);
+    const DeviceMesh& mesh = batch.shell ? store_.get(batch.shell) : store_.get(batch.mesh, withParameters);
     const auto lightOffset = static_cast<std::uint32_t>(batch.lightSet * lightStride_);
 
     pipeline.bind(commands);
     pipeline.bindSet(commands, 0, bindings.scene, {&lightOffset, 1});
     if (batch.state.pattern.valid()) pipeline.bindSet(commands, 1, bindings.pattern);
-    if (batch.hull) {
+    if (batch.shell) {
       pipeline.bindSet(commands, 2, bindings.exact);
-      const HullDraw draw{batch.half == Half::Far ? -1.0f : 1.0f,
-                          guardOf(color_.extent(), context_->limits())};
+      const ShellDraw draw{batch.half == Half::Far ? -1.0f : 1.0f,
+                           guardOf(color_.extent(), context_->limits())};
       pipeline.push(commands, std::as_bytes(std::span(&draw, 1)));
     }
     gpu::setDepthBias(commands, biasOf(batch));
@@ -533,8 +534,8 @@ void ScenePainter::paint(VkCommandBuffer commands, const Bindings& bindings,
     const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};
     constexpr VkDeviceSize kOffsets[] = {0, 0};
     vkCmdBindVertexBuffers(commands, 0, withParameters ? 2 : 1, streams, kOffsets);
-    if (batch.hull)
-      vkCmdBindIndexBuffer(commands, bindings.hullIndices, 0, VK_INDEX_TYPE_UINT32);
+    if (batch.shell)
+      vkCmdBindIndexBuffer(commands, bindings.shellIndices, 0, VK_INDEX_TYPE_UINT32);
     else
       vkCmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
     vkCmdDrawIndexed(commands, batch.indexCount, batch.instanceCount, batch.firstIndex, 0,

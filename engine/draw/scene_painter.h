@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "draw/draw_list.h"
-#include "draw/even_scale.h"
 #include "draw/mesh_store.h"
 #include "draw/options.h"
 #include "draw/ray_points.h"
+#include "draw/scale_normalization.h"
 #include "draw/scene_pipelines.h"
 #include "draw/statistics.h"
 #include "gpu/frame.h"
@@ -31,7 +31,8 @@ class ScenePainter {
   /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
   /// is in target() once the recording has been submitted and is complete. Throws Error(Scene).
   void record(gpu::FrameRing& frames, VkCommandBuffer commands, const Snapshot& scene,
-              const DrawOptions& options, FrameStatistics& statistics, const SearchCare& care = {});
+              const DrawOptions& options, FrameStatistics& statistics,
+              const SearchRefinement& refinement = {});
 
   /// Records that the last recording's picture gets these points, found in its doubtful pixels; where
   /// something is drawn over what is found, that is drawn again. Nothing may have been recorded since.
@@ -69,14 +70,14 @@ class ScenePainter {
   /// A draw list on the device.
   struct Uploads {
     Mirror view, instances, lights, patternParameters, exactInstances, exactPatches, exactParameters,
-        hullIndices;
+        shellIndices;
   };
 
   struct Bindings {
     VkDescriptorSet scene = VK_NULL_HANDLE;
     VkDescriptorSet pattern = VK_NULL_HANDLE;  ///< where a draw has a pattern
-    VkDescriptorSet exact = VK_NULL_HANDLE;    ///< where a draw has a hull
-    VkBuffer hullIndices = VK_NULL_HANDLE;     ///< where a draw has a hull
+    VkDescriptorSet exact = VK_NULL_HANDLE;    ///< where a draw has a shell
+    VkBuffer shellIndices = VK_NULL_HANDLE;    ///< where a draw has a shell
   };
 
   /// What rays have found, on the device.
@@ -98,7 +99,7 @@ class ScenePainter {
   void recordProbes(VkCommandBuffer commands);
   void paintRays(VkCommandBuffer commands, const RayDraws& rays, FrameStatistics& statistics);
   void upload(const DrawList& list, const shared::ViewData& view, bool always, Uploads& uploads);
-  void clearTally(const DrawList& list);
+  void clearFeedback(const DrawList& list);
   void write(Mirror& mirror, std::span<const std::byte> bytes, VkBufferUsageFlags usage, const char* name,
              bool always);
   void paint(VkCommandBuffer commands, const Bindings& bindings, std::span<const DrawBatch> batches,
@@ -106,13 +107,13 @@ class ScenePainter {
 
   gpu::Context* context_;
   PassFormat format_;
-  EvenScale evenScale_;
+  ScaleNormalization scaleNormalization_;
   ScenePipelines pipelines_;
   Geometry geometry_;
   MeshStore store_;
   Uploads uploads_, completion_;  ///< what completes a picture does not overwrite what the next begins with
-  gpu::Buffer tally_;             ///< of the last recording: by slot, then by instance
-  std::vector<std::uint32_t> tallyNodes_;
+  gpu::Buffer feedback_;          ///< of the last recording: by slot, then by instance
+  std::vector<std::uint32_t> feedbackNodes_;
   DrawList list_;        ///< of the last recording
   DrawOptions options_;  ///< its, as far as the device is able
   VkClearColorValue background_{};

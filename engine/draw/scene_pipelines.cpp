@@ -36,11 +36,8 @@
 namespace luxo {
 namespace {
 
-// The numbers inspect.frag knows its quantities by.
-enum class Quantity : std::uint32_t { Position, Normal, Parameters, Depth, Id, Residual, Certificate };
-
 struct Inspection {
-  Quantity quantity;
+  std::uint32_t quantity;
   bool asColor;
 };
 
@@ -48,40 +45,37 @@ struct Inspection {
 std::optional<Inspection> inspectionOf(const DrawState& state) {
   switch (state.output) {
     case Output::Position:
-      return Inspection{Quantity::Position, false};
+      return Inspection{shared::kPosition, false};
     case Output::Normal:
-      return Inspection{Quantity::Normal, false};
+      return Inspection{shared::kNormal, false};
     case Output::Uv:
-      return Inspection{Quantity::Parameters, false};
+      return Inspection{shared::kParameters, false};
     case Output::Depth:
-      return Inspection{Quantity::Depth, false};
+      return Inspection{shared::kDepth, false};
     case Output::Id:
-      return Inspection{Quantity::Id, false};
+      return Inspection{shared::kId, false};
     case Output::Residual:
-      return Inspection{Quantity::Residual, false};
+      return Inspection{shared::kResidual, false};
     case Output::Certificate:
-      return Inspection{Quantity::Certificate, false};
+      return Inspection{shared::kCertificate, false};
     case Output::Color:
       break;
   }
   switch (state.shading) {
     case Shading::Normal:
-      return Inspection{Quantity::Normal, true};
+      return Inspection{shared::kNormal, true};
     case Shading::Uv:
-      return Inspection{Quantity::Parameters, true};
+      return Inspection{shared::kParameters, true};
     case Shading::Depth:
-      return Inspection{Quantity::Depth, true};
+      return Inspection{shared::kDepth, true};
     case Shading::Id:
-      return Inspection{Quantity::Id, true};
+      return Inspection{shared::kId, true};
     case Shading::Residual:
-      return Inspection{Quantity::Residual, true};
+      return Inspection{shared::kResidual, true};
     default:
       return std::nullopt;
   }
 }
-
-/// As inspection.glsl knows certificates.
-enum class Certificate : std::uint32_t { ByRay = 2, None = 3 };
 
 /// Points that rays have found replace what is there.
 void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipelineDesc& desc) {
@@ -107,7 +101,7 @@ std::size_t bytesOf(const gpu::GraphicsPipelineDesc& desc) {
 }
 
 std::tuple<SurfaceCodePtr, Pattern, bool> exactShaderKey(const DrawState& state) {
-  return {state.surface, state.pattern, state.steep};
+  return {state.surface, state.pattern, state.grazing};
 }
 
 /// States that make the same pipeline become equal: an auxiliary output is the same under every shading.
@@ -119,7 +113,7 @@ DrawState canonical(DrawState state) {
 }  // namespace
 
 bool readsParameters(const DrawState& state) {
-  if (state.surface) return false;  // a hull has them among its vertices
+  if (state.surface) return false;  // a shell has them among its vertices
   return inspectionOf(state).has_value() || state.pattern.valid();
 }
 
@@ -163,7 +157,7 @@ void ScenePipelines::beginPicture() {
     idle.push_back(entry);
     bytes += entry->second.bytes;
   }
-  const std::size_t most = std::max(kMostIdlePipelineBytes, kMostIdlePipelines * used);
+  const std::size_t most = std::max(kMaxIdlePipelineBytes, kMaxIdlePipelines * used);
   if (bytes <= most) return;
   std::ranges::stable_sort(idle, {}, [](const auto& entry) { return entry->second.lastPicture; });
   for (const auto& entry : idle) {
@@ -196,7 +190,8 @@ const gpu::DescriptorLayout& ScenePipelines::patternLayout() {
 const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   if (exactLayout_.bindings().empty())
     exactLayout_ = gpu::DescriptorLayout(
-        *context_, std::vector<gpu::DescriptorBinding>(5, {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+        *context_, std::vector<gpu::DescriptorBinding>(shared::kExactBindings,
+                                                       {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
   return exactLayout_;
 }
 
@@ -213,13 +208,13 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
       missing.push_back({key, {}});
   }
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-    const auto& [surface, pattern, steep] = missing[i].key;
-    if (const auto builtIn = builtInExactShader(*surface, pattern, steep); !builtIn.empty()) {
+    const auto& [surface, pattern, grazing] = missing[i].key;
+    if (const auto builtIn = builtInExactShader(*surface, pattern, grazing); !builtIn.empty()) {
       missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
       return;
     }
     const std::string_view patternText = pattern.valid() ? std::string_view(pattern.glsl()) : "";
-    missing[i].shader = gpu::ShaderCompiler().compile(ExactSource(*surface, patternText, steep).desc());
+    missing[i].shader = gpu::ShaderCompiler().compile(ExactSource(*surface, patternText, grazing).desc());
   });
   for (Missing& m : missing) {
     context_->counted().shadersCompiled += m.shader.compiled;
@@ -229,29 +224,27 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
 
 void ScenePipelines::describeExact(const DrawState& state, const PassFormat& format,
                                    gpu::GraphicsPipelineDesc& desc) {
-  constexpr std::uint32_t kLight = static_cast<std::uint32_t>(Quantity::Certificate) + 1;
   desc.vertexShader = state.surface->number == GlslNumber::Double
                           ? std::span<const std::uint32_t>(luxo_exact_double_vert)
                           : std::span<const std::uint32_t>(luxo_exact_vert);
   desc.fragmentShader = exactShaders_.at(exactShaderKey(state));
-  desc.bindings = {{0, sizeof(HullVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
-  desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(HullVertex, position)},
-                     {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(HullVertex, parameters)},
-                     {2, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(HullVertex, cell)},
-                     {3, 0, VK_FORMAT_R32_UINT, offsetof(HullVertex, patch)}};
+  desc.bindings = {{0, sizeof(ShellVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
+  desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(ShellVertex, position)},
+                     {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ShellVertex, parameters)},
+                     {2, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(ShellVertex, cell)},
+                     {3, 0, VK_FORMAT_R32_UINT, offsetof(ShellVertex, patch)}};
   const auto inspection = inspectionOf(state);
-  desc.specialization = {state.plainLights,
-                         state.shadedLights,
-                         0,
-                         inspection ? static_cast<std::uint32_t>(inspection->quantity) : kLight,
-                         inspection && inspection->asColor,
-                         state.surface->parameters,
-                         state.poles,
-                         0,
-                         state.equation,
-                         format.samples != VK_SAMPLE_COUNT_1_BIT};
+  desc.specialization = {{shared::kConstantPlainLights, state.plainLights},
+                         {shared::kConstantShadedLights, state.shadedLights},
+                         {shared::kConstantQuantity, inspection ? inspection->quantity : shared::kLight},
+                         {shared::kConstantAsColor, inspection && inspection->asColor},
+                         {shared::kConstantParameterCount, state.surface->parameters},
+                         {shared::kConstantPoles, state.poles},
+                         {shared::kConstantEquation, state.equation},
+                         {shared::kConstantManySamples, format.samples != VK_SAMPLE_COUNT_1_BIT}};
   desc.depthClamp = true;
-  desc.pushConstantBytes = sizeof(HullDraw);
+  desc.pushConstantBytes = sizeof(ShellDraw);
+  static_assert(shared::kSetScene == 0 && shared::kSetPattern == 1 && shared::kSetExact == 2);
   desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};
 }
 
@@ -280,7 +273,8 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
       .depthFormat = format.depth,
       .depthWrite = !state.blended,
       .blend = state.blended && state.output == Output::Color ? gpu::Blend::Color : gpu::Blend::None,
-      .specialization = {state.plainLights, state.shadedLights},
+      .specialization = {{shared::kConstantPlainLights, state.plainLights},
+                         {shared::kConstantShadedLights, state.shadedLights}},
       .setLayouts = {sceneLayout_},
   };
   if (readsParameters(state)) {
@@ -293,8 +287,10 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   } else if (const auto inspection = inspectionOf(state)) {
     desc.vertexShader = luxo_inspect_vert;
     desc.fragmentShader = luxo_inspect_frag;
-    desc.specialization = {static_cast<std::uint32_t>(inspection->quantity), inspection->asColor,
-                           static_cast<std::uint32_t>(state.byRays ? Certificate::ByRay : Certificate::None)};
+    desc.specialization = {
+        {shared::kConstantQuantity, inspection->quantity},
+        {shared::kConstantAsColor, inspection->asColor},
+        {shared::kConstantCertificate, state.byRays ? shared::kByRay : shared::kUncertified}};
     // Geometry is not seen through: the nearest surface counts, transparent or not.
     desc.depthWrite = true;
     desc.blend = gpu::Blend::None;
@@ -327,7 +323,7 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
       desc.fragmentShader = patternShader(state.pattern, "pattern/toon.frag");
     }
   } else {
-    desc.specialization.push_back(state.shading == Shading::Flat);
+    desc.specialization.push_back({shared::kConstantFacetNormal, state.shading == Shading::Flat});
     if (state.pattern.valid()) {
       desc.vertexShader = luxo_surface_pattern_vert;
       desc.fragmentShader = patternShader(state.pattern, "pattern/surface.frag");

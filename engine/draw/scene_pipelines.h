@@ -18,8 +18,8 @@
 
 namespace luxo {
 
-/// Pushed to the vertex shaders of hulls.
-struct HullDraw {
+/// Pushed to the vertex shaders of shells.
+struct ShellDraw {
   float side = 1;   ///< of the surface that these triangles lead to: +1 front, -1 back
   float guard = 1;  ///< how many times as large as the picture the viewport is
 };
@@ -39,7 +39,7 @@ struct PassFormat {
 /// Keeps what pictures use again and again. Of what the last two have not used it keeps the most recent, so
 /// many bytes, or so many times as much as those two use, as pictures of one view's outputs take turns: a
 /// formula that is edited would leave its pipelines behind for ever.
-inline constexpr std::size_t kMostIdlePipelineBytes = std::size_t{64} << 20, kMostIdlePipelines = 3;
+inline constexpr std::size_t kMaxIdlePipelineBytes = std::size_t{64} << 20, kMaxIdlePipelines = 3;
 
 class ScenePipelines {
  public:
@@ -56,8 +56,8 @@ class ScenePipelines {
   [[nodiscard]] const gpu::DescriptorLayout& sceneLayout() const { return sceneLayout_; }
   /// Set 1 of pipelines with a pattern: the parameters. Made when first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& patternLayout();
-  /// Set 2 of pipelines that find the surface: exact instances, patches, parameters, tally. Made when first
-  /// asked for.
+  /// Set 2 of pipelines that find the surface: exact instances, patches, parameters, feedback. Made when
+  /// first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& exactLayout();
 
  private:
@@ -79,7 +79,7 @@ class ScenePipelines {
 
   gpu::Context* context_;
   gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;
-  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool>;  ///< the latter: steep
+  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool>;  ///< the latter: grazing
   std::map<ExactShaderKey, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, PassFormat>, Made> pipelines_;

@@ -79,9 +79,9 @@ Expr Graph::intern(const ExprNode& node) {
     const std::uint32_t known = table_[place].next - 1;
     if (table_[place].hash == key && same(nodes_[known], node)) return {this, known};
   }
-  if (nodes_.size() == kMostNodes)
+  if (nodes_.size() == kMaxNodes)
     throw Error(ErrorKind::Scene,
-                fmt::format("the formula and its derivatives need more than {} operations", kMostNodes),
+                fmt::format("the formula and its derivatives need more than {} operations", kMaxNodes),
                 "split the surface, or simplify the formula");
   nodes_.push_back(node);
   table_[place] = {key, static_cast<std::uint32_t>(nodes_.size())};

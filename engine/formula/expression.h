@@ -160,7 +160,7 @@ struct Kink {
 class Graph {
  public:
   /// Most nodes of one graph; whatever would add more throws Error(Scene). At most 56 bytes each.
-  static constexpr std::size_t kMostNodes = std::size_t{1} << 22;
+  static constexpr std::size_t kMaxNodes = std::size_t{1} << 22;
 
   Graph() = default;
   Graph(const Graph&) = delete;

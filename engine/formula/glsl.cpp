@@ -96,21 +96,21 @@ class Body {
   /// How many turns the constant is as an angle, if so many 16ths that a shader multiplies by them without
   /// rounding.
   [[nodiscard]] static std::optional<double> turnsOf(double angle) {
-    constexpr double kParts = 16, kMostParts = 4096;
+    constexpr double kParts = 16, kMaxParts = 4096;
     const double turns = std::round(kParts * angle / (2 * std::numbers::pi)) / kParts;
     const bool exact = std::abs(turns * 2 * std::numbers::pi - angle) <= 1e-15 * std::abs(angle);
-    return exact && std::abs(turns) * kParts < kMostParts ? std::optional(turns) : std::nullopt;
+    return exact && std::abs(turns) * kParts < kMaxParts ? std::optional(turns) : std::nullopt;
   }
 
   /// The terms of a sum of a few; whether each of them is a constant number of turns, or something times such
   /// a number.
   bool collectTerms(std::uint32_t node, std::vector<std::uint32_t>& terms) const {
-    constexpr std::size_t kMostTerms = 8;
+    constexpr std::size_t kMaxTerms = 8;
     const ExprNode& n = nodes_[node];
     if (n.op == Op::Add || n.op == Op::Subtract) return collectTerms(n.a, terms) && collectTerms(n.b, terms);
     const bool isProduct = n.op == Op::Multiply && nodes_[n.a].op == Op::Constant;
     const ExprNode& constant = isProduct ? nodes_[n.a] : n;
-    if (constant.op != Op::Constant || !turnsOf(constant.value) || terms.size() == kMostTerms) return false;
+    if (constant.op != Op::Constant || !turnsOf(constant.value) || terms.size() == kMaxTerms) return false;
     terms.push_back(node);
     return true;
   }
@@ -335,10 +335,10 @@ std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOu
                      GlslNumber number) {
   const std::vector<std::uint32_t> roots = rootsOf(graph, outputs);
   const std::vector<std::uint32_t> order = reachable(graph, roots);
-  if (order.size() > kMostGlslOperations)
+  if (order.size() > kMaxGlslOperations)
     throw Error(ErrorKind::Scene,
                 fmt::format("cannot make a shader of a formula with {} operations; {} are the most",
-                            order.size(), kMostGlslOperations),
+                            order.size(), kMaxGlslOperations),
                 "simplify the formula");
   Body body(graph.nodes(), number);
   body.compute(order, roots);

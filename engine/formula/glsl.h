@@ -30,7 +30,7 @@ struct GlslOutput {
 
 /// Operations in one GLSL function; a formula that needs more is an error. A driver compiles far longer than
 /// it would take to evaluate such a formula on the processor.
-inline constexpr std::size_t kMostGlslOperations = 20'000;
+inline constexpr std::size_t kMaxGlslOperations = 20'000;
 
 /// How many instructions the code of these outputs is for a driver, whose time is proportional to it: an
 /// operation counts as what shaders/lib makes of it. Cost: linear in the nodes of the graph.
@@ -41,7 +41,7 @@ inline constexpr std::size_t kMostGlslOperations = 20'000;
 /// variable 1 is v, variable 2 + k is parameterAt(k). Constants are rounded to the number; where the graph
 /// has an infinity or a NaN, so has the code. The text depends on the expressions and the order they were
 /// made in, not on what else their graph holds. Cost: linear in the nodes of the graph. Throws Error(Scene)
-/// beyond kMostGlslOperations.
+/// beyond kMaxGlslOperations.
 [[nodiscard]] std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs,
                                    GlslNumber number = GlslNumber::Float);
 

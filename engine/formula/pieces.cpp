@@ -13,10 +13,10 @@
 namespace luxo {
 namespace {
 
-constexpr double kNarrow = 0x1p-50;        // of the range: a cut is known to this
-constexpr double kMargin = 1e-9;           // of a side: how far inside an edge a piece is looked at
-constexpr int kMostEvaluations = 20'000;   // per guard
-constexpr std::size_t kMostChoices = 256;  // looked at one by one, each at the cost of the formula
+constexpr double kNarrow = 0x1p-50;       // of the range: a cut is known to this
+constexpr double kMargin = 1e-9;          // of a side: how far inside an edge a piece is looked at
+constexpr int kMaxEvaluations = 20'000;   // per guard
+constexpr std::size_t kMaxChoices = 256;  // looked at one by one, each at the cost of the formula
 
 bool dependsOnlyOn(const Graph& graph, std::uint32_t root, std::uint32_t axis) {
   for (const std::uint32_t i : reachable(graph, {root}))
@@ -34,7 +34,7 @@ class ZeroFinder {
   std::optional<std::vector<double>> find(const Interval& range) {
     std::vector<Interval> open{range}, narrow;
     for (int evaluations = 0; !open.empty(); ++evaluations) {
-      if (evaluations == kMostEvaluations) return std::nullopt;
+      if (evaluations == kMaxEvaluations) return std::nullopt;
       const Interval x = open.back();
       open.pop_back();
       if (!mayCross(x)) continue;
@@ -168,7 +168,7 @@ class Resolver {
 
   Interval bound(Expr x) {
     if (x.isConstant()) return x.constant();
-    if (++choices_ > kMostChoices) return Interval::everything();
+    if (++choices_ > kMaxChoices) return Interval::everything();
     std::unordered_map<std::uint32_t, Interval> values;
     const std::uint32_t root = graph_.nodeOf(x);
     for (const std::uint32_t i : reachable(graph_, {root})) {
@@ -208,7 +208,7 @@ std::vector<double> kinkLines(Graph& graph, std::span<const Expr> roots, std::ui
     if (line - range.lo > close && range.hi - line > close &&
         (distinct.empty() || line - distinct.back() > close))
       distinct.push_back(line);
-  return distinct.size() <= kMostCuts ? distinct : std::vector<double>{};
+  return distinct.size() <= kMaxCuts ? distinct : std::vector<double>{};
 }
 
 std::vector<Expr> pieceOf(Graph& graph, std::span<const Expr> roots, const Interval& u, const Interval& v) {

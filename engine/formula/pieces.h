@@ -14,10 +14,10 @@
 namespace luxo {
 
 /// More cuts than this are not made: a formula such as floor(1000 u) stays in one piece, with its kinks.
-inline constexpr std::size_t kMostCuts = 32;
+inline constexpr std::size_t kMaxCuts = 32;
 
 /// Where, strictly inside `range`, the roots are kinked in variable `axis` (0 or 1) whatever the value of
-/// every other variable is: ascending, to the last bit but one. Empty when there are more than kMostCuts.
+/// every other variable is: ascending, to the last bit but one. Empty when there are more than kMaxCuts.
 /// Cost: about 100 interval evaluations per cut.
 [[nodiscard]] std::vector<double> kinkLines(Graph& graph, std::span<const Expr> roots, std::uint32_t axis,
                                             const Interval& range);

@@ -231,8 +231,8 @@ std::string hintForValue(std::string_view name, const std::vector<std::string>& 
   if (const std::string call = asCall(name, values, false); !call.empty()) return meant(call);
   if (name.size() <= kLongestTypo)
     if (const std::string closest = closestName(name, values); !closest.empty()) return meant(closest);
-  constexpr std::size_t kMostListed = 16;
-  return values.size() <= kMostListed ? "known here: " + listed(values) : std::string();
+  constexpr std::size_t kMaxListed = 16;
+  return values.size() <= kMaxListed ? "known here: " + listed(values) : std::string();
 }
 
 std::string hintForFunction(std::string_view name, const std::vector<std::string>& values) {

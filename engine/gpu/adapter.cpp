@@ -65,6 +65,7 @@ std::string missingFeature(VkPhysicalDevice device) {
   vkGetPhysicalDeviceFeatures2(device, &features);
   const std::pair<VkBool32, const char*> required[] = {
       {features.features.sampleRateShading, "sampleRateShading"},
+      {features.features.fragmentStoresAndAtomics, "fragmentStoresAndAtomics"},
       {features13.dynamicRendering, "dynamicRendering"},
       {features13.synchronization2, "synchronization2"},
       {features12.timelineSemaphore, "timelineSemaphore"},
@@ -73,6 +74,16 @@ std::string missingFeature(VkPhysicalDevice device) {
   for (const auto& [present, name] : required) {
     if (!present) return fmt::format("it lacks the feature {}", name);
   }
+  return {};
+}
+
+std::string tooLow(const VkPhysicalDeviceLimits& limits) {
+  const std::pair<std::uint32_t, const char*> needed[] = {
+      {limits.maxVertexOutputComponents, "maxVertexOutputComponents"},
+      {limits.maxFragmentInputComponents, "maxFragmentInputComponents"}};
+  for (const auto& [limit, name] : needed)
+    if (limit < kVaryingComponents)
+      return fmt::format("its limit {} is {}, below {}", name, limit, kVaryingComponents);
   return {};
 }
 
@@ -110,8 +121,9 @@ std::string firstMissing(VkInstance instance, const CanPresent& canPresent, Adap
   if (canPresent && !hasExtension(adapter.device, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) {
     return "it lacks the extension VK_KHR_swapchain";
   }
-  const std::string feature = missingFeature(adapter.device);
-  return feature.empty() ? missingFormat(adapter.device) : feature;
+  std::string missing = missingFeature(adapter.device);
+  if (missing.empty()) missing = tooLow(adapter.properties.limits);
+  return missing.empty() ? missingFormat(adapter.device) : missing;
 }
 
 Adapter describe(VkInstance instance, VkPhysicalDevice device, const CanPresent& canPresent) {

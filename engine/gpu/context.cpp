@@ -37,7 +37,6 @@ Features featuresOf(const Adapter& adapter) {
   vkGetPhysicalDeviceFeatures(adapter.device, &supported);
   return {.fillModeNonSolid = supported.fillModeNonSolid == VK_TRUE,
           .independentBlend = supported.independentBlend == VK_TRUE,
-          .fragmentStoresAndAtomics = supported.fragmentStoresAndAtomics == VK_TRUE,
           .depthClamp = supported.depthClamp == VK_TRUE,
           .float64 = supported.shaderFloat64 == VK_TRUE,
           .timestamps = hasTimestamps(adapter)};
@@ -117,15 +116,14 @@ void Context::createDevice(bool presents) {
                                               .scalarBlockLayout = VK_TRUE,
                                               .hostQueryReset = VK_TRUE,
                                               .timelineSemaphore = VK_TRUE};
-  const VkPhysicalDeviceFeatures2 features{
-      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
-      .pNext = &features12,
-      .features = {.independentBlend = features_.independentBlend,
-                   .sampleRateShading = VK_TRUE,
-                   .depthClamp = features_.depthClamp,
-                   .fillModeNonSolid = features_.fillModeNonSolid,
-                   .fragmentStoresAndAtomics = features_.fragmentStoresAndAtomics,
-                   .shaderFloat64 = features_.float64}};
+  const VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
+                                           .pNext = &features12,
+                                           .features = {.independentBlend = features_.independentBlend,
+                                                        .sampleRateShading = VK_TRUE,
+                                                        .depthClamp = features_.depthClamp,
+                                                        .fillModeNonSolid = features_.fillModeNonSolid,
+                                                        .fragmentStoresAndAtomics = VK_TRUE,
+                                                        .shaderFloat64 = features_.float64}};
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                       .queueFamilyIndex = adapter_.queueFamily,

@@ -39,12 +39,11 @@ struct ContextDesc {
 
 /// What only some devices can; what every device must can is required of it instead.
 struct Features {
-  bool fillModeNonSolid = false;          ///< lines and points from triangles
-  bool independentBlend = false;          ///< blending that differs between the attachments of a pipeline
-  bool fragmentStoresAndAtomics = false;  ///< storage buffers written by fragment shaders
-  bool depthClamp = false;                ///< triangles are drawn that lie before the near plane
-  bool float64 = false;                   ///< shaders compute in double
-  bool timestamps = false;                ///< FrameRing measures device time
+  bool fillModeNonSolid = false;  ///< lines and points from triangles
+  bool independentBlend = false;  ///< blending that differs between the attachments of a pipeline
+  bool depthClamp = false;        ///< triangles are drawn that lie before the near plane
+  bool float64 = false;           ///< shaders compute in double
+  bool timestamps = false;        ///< FrameRing measures device time
 };
 
 /// Live objects and totals since the start.

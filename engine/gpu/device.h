@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,10 @@ struct DeviceInfo {
 
   [[nodiscard]] bool usable() const noexcept { return missing.empty(); }
 };
+
+/// What vertices hand to fragments, 32 bits each: a device has to have room for so many. Vulkan promises 64,
+/// devices have 124 or more.
+inline constexpr std::uint32_t kVaryingComponents = 120;
 
 /// Every device in the driver's order, which is what a device number counts. Starts and stops Vulkan (about
 /// 20 ms); empty when no driver works, and then noDriverHint() says what to try.

@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -91,13 +92,16 @@ void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc)
 
 VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& desc, VkPipelineLayout layout) {
   std::vector<VkSpecializationMapEntry> entries;
-  for (std::uint32_t id = 0; id < desc.specialization.size(); ++id) {
-    entries.push_back({.constantID = id, .offset = id * 4, .size = 4});
-  }
-  const VkSpecializationInfo specialization{.mapEntryCount = count(entries),
-                                            .pMapEntries = entries.data(),
-                                            .dataSize = desc.specialization.size() * 4,
-                                            .pData = desc.specialization.data()};
+  for (std::uint32_t i = 0; i < desc.specialization.size(); ++i)
+    entries.push_back({.constantID = desc.specialization[i].id,
+                       .offset = static_cast<std::uint32_t>(i * sizeof(SpecializationConstant) +
+                                                            offsetof(SpecializationConstant, bits)),
+                       .size = sizeof(SpecializationConstant::bits)});
+  const VkSpecializationInfo specialization{
+      .mapEntryCount = count(entries),
+      .pMapEntries = entries.data(),
+      .dataSize = desc.specialization.size() * sizeof(SpecializationConstant),
+      .pData = desc.specialization.data()};
   const auto stage = [&](VkShaderStageFlagBits bit, VkShaderModule module) {
     return VkPipelineShaderStageCreateInfo{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                                            .stage = bit,

@@ -30,6 +30,10 @@ struct DepthBias {
 
 /// For dynamic rendering. Viewport, scissor, cull mode, front face and depth bias are
 /// always dynamic (see below); so are the blend constants of Blend::Mean.
+struct SpecializationConstant {
+  std::uint32_t id = 0, bits = 0;
+};
+
 struct GraphicsPipelineDesc {
   std::string_view name;
   std::span<const std::uint32_t> vertexShader;    ///< SPIR-V, entry `main`
@@ -54,8 +58,8 @@ struct GraphicsPipelineDesc {
 
   Blend blend = Blend::None;  ///< of the first attachment; the others are always overwritten
 
-  std::vector<std::uint32_t>
-      specialization;                   ///< the bits of the constants with ids 0, 1, ..., in both stages
+  /// Of both stages; one that a shader does not have is left out of it.
+  std::vector<SpecializationConstant> specialization;
   std::uint32_t pushConstantBytes = 0;  ///< at most 128 everywhere; seen by both stages
   std::vector<VkDescriptorSetLayout> setLayouts;
 };

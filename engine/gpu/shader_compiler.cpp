@@ -113,7 +113,7 @@ void prune(const fs::path& directory) {
   for (fs::directory_iterator entry(directory, error), end; !error && entry != end; entry.increment(error))
     if (entry->path().extension() == kSuffix)
       files.emplace_back(entry->last_write_time(error), entry->path());
-  if (files.size() <= ShaderCompiler::kMostFiles) return;
+  if (files.size() <= ShaderCompiler::kMaxFiles) return;
   std::ranges::sort(files);
   for (std::size_t i = 0; i < files.size() / 2; ++i) fs::remove(files[i].second, error);
 }

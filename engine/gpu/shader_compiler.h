@@ -34,7 +34,7 @@ struct ShaderDesc {
 class ShaderCompiler {
  public:
   /// At most this many files are kept; then those unused for longest go.
-  static constexpr std::size_t kMostFiles = 512;
+  static constexpr std::size_t kMaxFiles = 512;
 
   ShaderCompiler();  ///< in cacheDirectory()
   /// An empty `directory` keeps nothing.

@@ -15,7 +15,7 @@ namespace {
 /// A wait looks at the device this often.
 constexpr std::uint64_t kLookNs = 1'000'000'000;
 /// Looks in a row at which no thread of this process has worked, and looks at all on a device beside it.
-constexpr int kMostIdleLooks = 10, kMostLooks = 600;
+constexpr int kMaxIdleLooks = 10, kMaxLooks = 600;
 /// Less than this in a second is what waiting and looking take themselves: measured, 0.1 ms. A driver that
 /// draws gets more even where fifty processes share a core.
 constexpr double kIdleSeconds = 0.002;
@@ -98,7 +98,7 @@ void Timeline::wait(std::uint64_t number) {
     idle = now - worked < kIdleSeconds ? idle + 1 : 0;
     worked = now;
     ++looks;
-    standsStill_ = ofProcess_ ? idle >= kMostIdleLooks : looks >= kMostLooks;
+    standsStill_ = ofProcess_ ? idle >= kMaxIdleLooks : looks >= kMaxLooks;
     if (standsStill_)
       throw Error(ErrorKind::Retry, "the Vulkan device does nothing with what it was given",
                   ofProcess_ ? "its driver could not start its threads: allow more processes (ulimit -u) or "

@@ -21,7 +21,7 @@ namespace luxo {
 }
 
 /// A damaged header must not ask for more memory than the largest picture luxo renders, 16384 x 16384.
-inline constexpr double kMostPixels = 16384.0 * 16384.0;
+inline constexpr double kMaxPixels = 16384.0 * 16384.0;
 
 /// Refuses sizes that no honest file of this length can hold, before anything is allocated. `bytesPerPixel`
 /// is the least that a pixel takes after the format's best compression.
@@ -30,7 +30,7 @@ inline void requirePlausibleSize(std::string_view name, std::string_view format,
   if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide)
     throwBadImage(name, format,
                   fmt::format("its size, {} x {}, is not within 1..{}", width, height, kMaxImageSide));
-  if (double(width) * double(height) > kMostPixels)
+  if (double(width) * double(height) > kMaxPixels)
     throwBadImage(name, format, fmt::format("{} x {} pixels are more than luxo reads", width, height));
   if (double(width) * double(height) * bytesPerPixel > double(bytes))
     throwBadImage(

@@ -33,9 +33,9 @@ double largestStretch(const Mat3& linear) {
   // and the lengths of orthogonal columns are the singular values. Unlike the roots of the characteristic
   // polynomial, the lengths stay accurate when stretches are equal.
   Mat3 a = linear / scale;
-  constexpr int kMostSweeps = 16;  // convergence is quadratic: six are usual
+  constexpr int kMaxSweeps = 16;  // convergence is quadratic: six are usual
   bool turned = true;
-  for (int sweep = 0; turned && sweep < kMostSweeps; ++sweep) {
+  for (int sweep = 0; turned && sweep < kMaxSweeps; ++sweep) {
     turned = false;
     for (int p = 0; p < 2; ++p)
       for (int q = p + 1; q < 3; ++q) {

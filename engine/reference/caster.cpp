@@ -11,7 +11,7 @@
 namespace luxo::reference {
 namespace {
 
-constexpr int kMostLayers = 1024;  // of transparent surfaces behind each other
+constexpr int kMaxLayers = 1024;  // of transparent surfaces behind each other
 
 // x^n for 0 <= x <= 1 with 0^0 = 1.
 double highlight(double x, double n) { return x > 0 || n == 0 ? std::pow(x, n) : 0; }
@@ -112,7 +112,7 @@ void Caster::prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t
 void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const {
   const Body& body = bodies_[node];
   RootQuery query{nearest, farthest, body.facing, body.mirrored};
-  for (int layer = 0; layer < kMostLayers; ++layer) {
+  for (int layer = 0; layer < kMaxLayers; ++layer) {
     const Roots roots = body.shape.nearestRoot(ray, query);
     sight.certified &= roots.certified;
     if (!roots.nearest) return;

@@ -18,9 +18,9 @@ constexpr double kOutward = 1 + 1e-12;  // beams are a little wider than their s
 constexpr double kSmallest = 1e-13;     // side of a cell, of the domain
 constexpr double kInflation = 2;        // a rectangle's size over that of what the beam sees of it
 constexpr int kNewtonSteps = 8;
-constexpr double kNearEnough = 0.05;     // of the rectangle
-constexpr int kMostTrials = 3;           // proofs per square: most cells lead to the same point
-constexpr int kMostCandidates = 20'000;  // cells of one square, after which it stays undecided
+constexpr double kNearEnough = 0.05;    // of the rectangle
+constexpr int kMaxTrials = 3;           // proofs per square: most cells lead to the same point
+constexpr int kMaxCandidates = 20'000;  // cells of one square, after which it stays undecided
 
 /// A square of the picture, in pixels.
 struct Square {
@@ -208,8 +208,8 @@ class PixelCut {
       open.pop_back();
       const Beam& beam = beams[c.body];
       if (misses(beam, c)) continue;
-      if (trials < kMostTrials && covers(beam, c, trials)) return Verdict::Covered;
-      const auto parts = looked < kMostCandidates ? cut(beam, c) : std::nullopt;
+      if (trials < kMaxTrials && covers(beam, c, trials)) return Verdict::Covered;
+      const auto parts = looked < kMaxCandidates ? cut(beam, c) : std::nullopt;
       if (!parts) {
         remaining.push_back(c);
         continue;

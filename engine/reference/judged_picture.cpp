@@ -22,9 +22,9 @@ namespace luxo::reference {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMostSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
-constexpr double kMostTurn = 0.1;      // the same for the sine between their line and the surface
-constexpr double kTouchingUlps = 2;    // of two depths, each of which is rounded up or down
+constexpr double kMaxSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
+constexpr double kMaxTurn = 0.1;      // the same for the sine between their line and the surface
+constexpr double kTouchingUlps = 2;   // of two depths, each of which is rounded up or down
 constexpr double kFloatRounding = 0x1p-24;  // of a number: the nearest float is no farther
 constexpr double kOtherLight = 1e-4;  // linear: smaller differences are not looked into for a light's shadow
 
@@ -266,8 +266,8 @@ class Judge {
     if (truth_.number[i] != truth_.number[j]) return false;
     const Vec3 step = truth_.position[j] - truth_.position[i];
     const double length = glm::length(step);
-    if (length < kMostSpacingPx * layers_.footprint(truth_.position[i]) &&
-        std::abs(glm::dot(step, truth_.normal[i])) < kMostTurn * length)
+    if (length < kMaxSpacingPx * layers_.footprint(truth_.position[i]) &&
+        std::abs(glm::dot(step, truth_.normal[i])) < kMaxTurn * length)
       return true;
     return layers_.same(seenAt(j), seenAt(i), truth_.normal[i], centerOf(i));
   }

@@ -12,8 +12,8 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr double kSlack = 1e-3;        // of a domain: what interpolation may overshoot an edge by
 constexpr double kSamePointPx = 0.02;  // closer in space: one point, whatever the parameters say
 constexpr double kNeighbourhoodPx = 1e-3;
-constexpr double kMostGrazing = 0.02;  // cosine below which a surface is not taken for its tangent plane
-constexpr int kSteps = 8;              // of a path along the surface
+constexpr double kMaxGrazing = 0.02;  // cosine below which a surface is not taken for its tangent plane
+constexpr int kSteps = 8;             // of a path along the surface
 
 bool holds(const Domain& domain, const Vec2& parameters) {
   const auto within = [](const Interval& range, double x) {
@@ -111,7 +111,7 @@ bool Layers::same(const Place& shown, const Place& seen, const Vec3& normal, con
   // Across an edge of patches, whose parameters have nothing in common: as far as the tangent plane leads.
   const Vec3 toViewer =
       snapshot_.view.perspective() ? unit(snapshot_.view.eye - seen.position) : -snapshot_.view.forward();
-  return between <= radius / std::max(std::abs(glm::dot(normal, toViewer)), kMostGrazing);
+  return between <= radius / std::max(std::abs(glm::dot(normal, toViewer)), kMaxGrazing);
 }
 
 }  // namespace luxo::reference

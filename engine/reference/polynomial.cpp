@@ -12,7 +12,7 @@
 namespace luxo::reference {
 namespace {
 
-constexpr int kMostParts = 400;           // of the line: a touching pair of roots takes fewer than 200
+constexpr int kMaxParts = 400;            // of the line: a touching pair of roots takes fewer than 200
 constexpr int kNewtonSteps = 60;          // quadratic from the first few
 constexpr double kOffMiddle = 0.4871;     // cuts fall beside the places where symmetric rays have their roots
 constexpr int kExpansionSteps = 10;       // roundings of any term on its way through an expansion of degree 4
@@ -76,7 +76,7 @@ class Isolation {
     parts[static_cast<std::size_t>(size++)] = {-reach_ * kUpward, reach_ * kUpward};
     for (int looked = 0; size > 0 && roots_.decided; ++looked) {
       const Interval part = parts[static_cast<std::size_t>(--size)];
-      if (looked == kMostParts || size + 2 > static_cast<int>(parts.size()) ||
+      if (looked == kMaxParts || size + 2 > static_cast<int>(parts.size()) ||
           part.width() < std::numeric_limits<double>::epsilon() * reach_) {
         roots_.decided = false;
       } else if (!settle(part)) {

@@ -17,11 +17,11 @@ constexpr double kOnTheEdge = 1e-12;  // of the domain: how far outside a root m
 constexpr double kSamePoint = 1e-9;   // of the distance
 // Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024
 // cells at most, all but 4 of a million 512.
-constexpr int kMostCells = 4096;
+constexpr int kMaxCells = 4096;
 /// Of each cell of the tree, once something is undecided: what is behind that is to be found all the same.
-constexpr int kMostInDoubt = 64;
+constexpr int kMaxInDoubt = 64;
 /// Where a formula ends: a ray along the rim of a dome looks at more cells the steeper that is.
-constexpr int kMostCellsAtBorders = 1 << 16;
+constexpr int kMaxCellsAtBorders = 1 << 16;
 constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
 constexpr double kNarrower = 0.75;  // a narrowing worth repeating
 
@@ -85,7 +85,7 @@ class Search {
       const Domain part = parts_.back();
       parts_.pop_back();
       ++cells_;
-      if (undecided_ == kNever ? cells_ > mostCells_ : ++inDoubt > kMostInDoubt) {
+      if (undecided_ == kNever ? cells_ > mostCells_ : ++inDoubt > kMaxInDoubt) {
         undecided_ = std::min(undecided_, query_.nearest);
         parts_.clear();
         return;
@@ -96,7 +96,7 @@ class Search {
 
   void look(Domain d, const CellBounds& b) {
     if (b.empty) {
-      mostCells_ = kMostCellsAtBorders;
+      mostCells_ = kMaxCellsAtBorders;
       return;
     }
     const Ball t = value(ray_.along, b.position, ray_.start);
@@ -225,7 +225,7 @@ class Search {
   double undecided_ = kNever;  // nearest t that an undecided part may have
   std::uint32_t patch_ = 0;
   std::vector<Domain> parts_;
-  int cells_ = 0, mostCells_ = kMostCells;
+  int cells_ = 0, mostCells_ = kMaxCells;
 };
 
 /// Two unit vectors that complete `w`, unit, to a right-handed system (T. Duff et al. 2017).

@@ -13,10 +13,10 @@ namespace {
 constexpr std::size_t kManyCells = 1U << 14, kFewCells = 1U << 10, kFewRays = 512;
 // Of waves that a ray passes by in dozens, [u, sin(10*u*v), -v] on +-3, a ray takes 35 us with 2^14 cells, 12
 // with 2^17, which take half a second and 40 MB, and 9 with 2^19.
-constexpr std::size_t kMostCells = 1U << 17, kManyRays = 1U << 16;
+constexpr std::size_t kMaxCells = 1U << 17, kManyRays = 1U << 16;
 
 std::size_t cellsWorth(std::size_t rays) {
-  return rays <= kFewRays ? kFewCells : rays <= kManyRays ? kManyCells : kMostCells;
+  return rays <= kFewRays ? kFewCells : rays <= kManyRays ? kManyCells : kMaxCells;
 }
 
 std::vector<ClosedForm> closedFormsOf(const Surface& surface, std::span<const double> parameters) {

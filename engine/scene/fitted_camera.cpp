@@ -20,10 +20,10 @@ constexpr double kFill = 0.85;
 /// count as seen.
 constexpr double kProven = 0.01;
 /// Interval evaluations of a fit, 1 to 5 us each; a torus takes 200, 25 Gaussians on a square 1,500.
-constexpr int kMostCells = 8192;
+constexpr int kMaxCells = 8192;
 /// Samples of all surfaces together, and of one along a side. One with poles or borders has more: nothing but
 /// samples tells where it ends.
-constexpr int kSamples = 1 << 16, kMostPerSide = 33, kMostPerOpenSide = 257;
+constexpr int kSamples = 1 << 16, kMaxPerSide = 33, kMaxPerOpenSide = 257;
 /// How much farther out than nine of ten points what is worth looking at may lie.
 constexpr double kWorthSeeing = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -113,7 +113,7 @@ class FrameProof {
     ++looked_;
     if (!farther(bound)) return keep(bound);
     const Vec2 lean = sharpen(cell, patch, inputs, bound);
-    if (!farther(bound) || looked_ >= kMostCells) return keep(bound);
+    if (!farther(bound) || looked_ >= kMaxCells) return keep(bound);
     Domain lower = cell.domain, upper = cell.domain;
     if (lean.x >= lean.y)
       lower.u.hi = upper.u.lo = cell.domain.u.mid();
@@ -222,7 +222,7 @@ Depth depthOf(const std::vector<Vec3>& points, const Vec3& outward) {
 
 std::vector<Vec3> pointsToSee(const SnapshotNode& node, int perSide) {
   const bool open = !isFinite(node.boundsObject);
-  const int most = open ? kMostPerOpenSide : kMostPerSide;
+  const int most = open ? kMaxPerOpenSide : kMaxPerSide;
   const int samples =
       std::clamp(perSide, 3, std::max(3, most / static_cast<int>(std::sqrt(node.surface.patchCount()))));
   std::vector<Vec3> points;

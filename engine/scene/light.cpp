@@ -14,21 +14,21 @@ Vec3 radianceAt(const Light& light, const Moment& moment, const std::function<st
   double intensity = light.intensity.at(moment);
   std::uint32_t cut = 0;
   if (cutNumbers && !light.color.isConstant()) cut += cutToRange(color);
-  if (cutNumbers && !light.intensity.isConstant()) cut += cutToRange(intensity, kMostLight);
+  if (cutNumbers && !light.intensity.isConstant()) cut += cutToRange(intensity, kMaxLight);
   if (!isColor(color))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: color is ({}, {}, {}); it must be from 0 to {}", nodeName(),
-                            color.x, color.y, color.z, kMostSceneNumber));
-  if (!isColor(Vec3(intensity), kMostLight))
+                            color.x, color.y, color.z, kMaxSceneNumber));
+  if (!isColor(Vec3(intensity), kMaxLight))
     throw Error(ErrorKind::Scene, fmt::format("light of node {}: intensity is {}; it must be from 0 to {}",
-                                              nodeName(), intensity, kMostLight));
+                                              nodeName(), intensity, kMaxLight));
   Vec3 radiance = color * intensity;
   if (cutNumbers && !(light.color.isConstant() && light.intensity.isConstant()))
-    cut += cutToRange(radiance, kMostLight);
-  if (!isColor(radiance, kMostLight))
+    cut += cutToRange(radiance, kMaxLight);
+  if (!isColor(radiance, kMaxLight))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: color * intensity is ({}, {}, {}); it must be at most {}",
-                            nodeName(), radiance.x, radiance.y, radiance.z, kMostLight));
+                            nodeName(), radiance.x, radiance.y, radiance.z, kMaxLight));
   if (cutNumbers) *cutNumbers += cut;
   return radiance;
 }

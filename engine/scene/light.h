@@ -37,7 +37,7 @@ struct Light {
 };
 
 /// color * intensity then. Throws Error(Scene) naming the node and the value: both, and their product, must
-/// be from 0 to kMostLight, the color to kMostSceneNumber (scene/ranges.h). With `cutNumbers`, what formulas
+/// be from 0 to kMaxLight, the color to kMaxSceneNumber (scene/ranges.h). With `cutNumbers`, what formulas
 /// give beyond that is cut off there, and how many numbers that were is added.
 [[nodiscard]] Vec3 radianceAt(const Light& light, const Moment& moment,
                               const std::function<std::string()>& nodeName,

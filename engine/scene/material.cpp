@@ -23,7 +23,7 @@ namespace {
 void requireColor(const Material& material, std::string_view value, const Vec3& color) {
   if (!isColor(color))
     reject(material, value, fmt::format("({}, {}, {})", color.x, color.y, color.z),
-           fmt::format("from 0 to {}", kMostSceneNumber));
+           fmt::format("from 0 to {}", kMaxSceneNumber));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void validate(const Material& material) {
   requireColor(material, "specular", material.specular);
   if (!isColor(Vec3(material.shininess)))
     reject(material, "shininess", fmt::format("{}", material.shininess),
-           fmt::format("from 0 to {}", kMostSceneNumber));
+           fmt::format("from 0 to {}", kMaxSceneNumber));
   if (!(material.opacity >= 0 && material.opacity <= 1))
     reject(material, "opacity", fmt::format("{}", material.opacity), "from 0 to 1");
   if (material.patternParameters.size() != material.diffusePattern.parameterCount())

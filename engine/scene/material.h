@@ -44,10 +44,10 @@ struct Material {
 };
 
 /// Throws Error(Scene) naming the material and the value: colours and shininess must be from 0 to
-/// kMostSceneNumber (scene/ranges.h), opacity from 0 to 1.
+/// kMaxSceneNumber (scene/ranges.h), opacity from 0 to 1.
 void validate(const Material& material);
 
-/// Cuts off colours and shininess at kMostSceneNumber and gives how many numbers that were.
+/// Cuts off colours and shininess at kMaxSceneNumber and gives how many numbers that were.
 [[nodiscard]] std::uint32_t cutToRange(Material& material);
 
 }  // namespace luxo

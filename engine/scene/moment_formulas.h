@@ -35,10 +35,10 @@ inline constexpr Allowed kAny{.words = ""};  ///< infinities and NaN included
 inline constexpr Allowed kAboveZero{
     {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()}, "finite and above 0"};
 /// What devices compute with in float (scene/ranges.h).
-inline constexpr Allowed kPlace{{-kMostSceneNumber, kMostSceneNumber}, "finite, from -1e18 to 1e18"};
-inline constexpr Allowed kLength{{1 / kMostSceneNumber, kMostSceneNumber}, "from 1e-18 to 1e18"};
-inline constexpr Allowed kLight{{0, kMostSceneNumber}, "from 0 to 1e18", false, true};
-inline constexpr Allowed kIntensity{{0, kMostLight}, "from 0 to 1e30", false, true};
+inline constexpr Allowed kPlace{{-kMaxSceneNumber, kMaxSceneNumber}, "finite, from -1e18 to 1e18"};
+inline constexpr Allowed kLength{{1 / kMaxSceneNumber, kMaxSceneNumber}, "from 1e-18 to 1e18"};
+inline constexpr Allowed kLight{{0, kMaxSceneNumber}, "from 0 to 1e18", false, true};
+inline constexpr Allowed kIntensity{{0, kMaxLight}, "from 0 to 1e30", false, true};
 inline constexpr Allowed kFraction{{0, 1}, "from 0 to 1"};
 
 class MomentFormulas {

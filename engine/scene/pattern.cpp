@@ -36,7 +36,7 @@ std::size_t Pattern::parameterCount() const { return valid() ? content_->paramet
 Vec3 Pattern::colorAt(double u, double v, std::span<const double> parameters) const {
   LUXO_REQUIRE(valid() && parameters.size() == content_->parameterCount);
   const auto value = content_->color.evaluate({&u, 1}, {&v, 1}, parameters);
-  const auto orBlack = [](double c) { return c > 0 && std::isfinite(c) ? std::min(c, kMostSceneNumber) : 0; };
+  const auto orBlack = [](double c) { return c > 0 && std::isfinite(c) ? std::min(c, kMaxSceneNumber) : 0; };
   return {orBlack(value[0][0]), orBlack(value[1][0]), orBlack(value[2][0])};
 }
 

@@ -34,7 +34,7 @@ class Pattern {
   [[nodiscard]] std::size_t parameterCount() const;
 
   /// Linear RGB. A component that is not a positive finite number is 0: a formula without a value is black;
-  /// one above kMostSceneNumber (scene/ranges.h) is that.
+  /// one above kMaxSceneNumber (scene/ranges.h) is that.
   [[nodiscard]] Vec3 colorAt(double u, double v, std::span<const double> parameters = {}) const;
 
   /// `void patternColor(float u, float v, out vec3 color)` (formula/glsl.h).

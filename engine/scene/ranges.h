@@ -13,20 +13,20 @@ namespace luxo {
 
 /// The longest side of a picture in pixels: what images of every driver that luxo was tried on hold, and the
 /// least that Vulkan's roadmap of 2022 asks for is half of it.
-inline constexpr int kMostPictureSide = 16384;
+inline constexpr int kMaxPictureSide = 16384;
 
 /// The most samples per pixel that anything takes.
-inline constexpr int kMostSamples = 256;
+inline constexpr int kMaxSamples = 256;
 
 /// The largest number of a scene that devices compute with in float: lengths in metres, factors of light. Its
 /// square, and three hundred of these together, are still within float's range, 3.4e38.
-inline constexpr double kMostSceneNumber = 1e18;
+inline constexpr double kMaxSceneNumber = 1e18;
 
 /// The largest light, color * intensity, in a scene whose colours are at most 1: it falls with the square of
 /// a distance, of which 1e12 is one in this scale.
-inline constexpr double kMostLight = 1e30;
+inline constexpr double kMaxLight = 1e30;
 /// The largest product of a light and a colour: three hundred together are still within float's range.
-inline constexpr double kMostReflected = 1e36;
+inline constexpr double kMaxReflected = 1e36;
 
 /// Pixels. The least is a thousandth of what float positions in the largest picture can say, 2^-10; the most
 /// is sixty of the largest pictures.
@@ -36,19 +36,19 @@ inline constexpr Interval kToleranceRange{1e-6, 1e6};
 inline constexpr Interval kFpsRange{1e-6, 1e6};
 
 /// Whether each component is a factor of light that pixels can be computed with: from 0 to `most`.
-[[nodiscard]] inline bool isColor(const Vec3& color, double most = kMostSceneNumber) {
+[[nodiscard]] inline bool isColor(const Vec3& color, double most = kMaxSceneNumber) {
   const Interval range{0, most};
   return range.contains(color.x) && range.contains(color.y) && range.contains(color.z);
 }
 
 /// What a formula gives at a moment, cut off at `most`. 1 where something was cut off; what is not
 /// finite is left as it is, for whoever knows what to call it.
-[[nodiscard]] inline std::uint32_t cutToRange(double& value, double most = kMostSceneNumber) {
+[[nodiscard]] inline std::uint32_t cutToRange(double& value, double most = kMaxSceneNumber) {
   if (!(value > most && value <= std::numeric_limits<double>::max())) return 0;
   value = most;
   return 1;
 }
-[[nodiscard]] inline std::uint32_t cutToRange(Vec3& color, double most = kMostSceneNumber) {
+[[nodiscard]] inline std::uint32_t cutToRange(Vec3& color, double most = kMaxSceneNumber) {
   return cutToRange(color.x, most) + cutToRange(color.y, most) + cutToRange(color.z, most);
 }
 

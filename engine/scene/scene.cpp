@@ -44,22 +44,22 @@ void validate(const RenderSettings& s) {
   };
   const auto color = [&](std::string_view name, const Vec3& c) {
     if (!isColor(c))
-      reject(name, fmt::format("({}, {}, {})", c.x, c.y, c.z), fmt::format("from 0 to {}", kMostSceneNumber));
+      reject(name, fmt::format("({}, {}, {})", c.x, c.y, c.z), fmt::format("from 0 to {}", kMaxSceneNumber));
   };
   const auto within = [&](std::string_view name, double value, const Interval& range) {
     if (!range.contains(value))
       reject(name, fmt::format("{}", value), fmt::format("from {} to {}", range.lo, range.hi));
   };
   for (const int side : {s.size.width, s.size.height})
-    if (side < 1 || side > kMostPictureSide)
+    if (side < 1 || side > kMaxPictureSide)
       reject("size", fmt::format("{}x{}", s.size.width, s.size.height),
-             fmt::format("from 1 to {} pixels on each side", kMostPictureSide));
+             fmt::format("from 1 to {} pixels on each side", kMaxPictureSide));
   color("background", s.background);
   color("ambient", s.ambient);
   if (!std::isfinite(s.time)) reject("time", fmt::format("{}", s.time), "finite");
   within("fps", s.fps, kFpsRange);
-  if (s.samples < 1 || s.samples > kMostSamples)
-    reject("samples", fmt::format("{}", s.samples), fmt::format("from 1 to {}", kMostSamples));
+  if (s.samples < 1 || s.samples > kMaxSamples)
+    reject("samples", fmt::format("{}", s.samples), fmt::format("from 1 to {}", kMaxSamples));
   within("tolerance", s.tolerance, kToleranceRange);
 }
 

@@ -57,10 +57,10 @@ struct Node {
 
 /// What the picture is when nobody asks otherwise. Ranges: scene/ranges.h.
 struct RenderSettings {
-  PixelSize size = {1280, 720};  ///< each side 1 to kMostPictureSide
+  PixelSize size = {1280, 720};  ///< each side 1 to kMaxPictureSide
   double time = 0;
   double fps = 24;         ///< in kFpsRange
-  int samples = 1;         ///< per pixel, 1 to kMostSamples
+  int samples = 1;         ///< per pixel, 1 to kMaxSamples
   double tolerance = 0.5;  ///< pixels, in kToleranceRange
   Shading shading = Shading::Exact;
   bool hiddenLines = false;  ///< of wireframes, shown

@@ -42,10 +42,10 @@ class Named {
       problems.add(name.place, {});
       return nullptr;
     }
-    constexpr std::size_t kMostToCompare = 1000;
+    constexpr std::size_t kMaxToCompare = 1000;
     std::vector<std::string> names;
     for (const auto& [known, thing] : things_)
-      if (names.size() < kMostToCompare) names.emplace_back(known);
+      if (names.size() < kMaxToCompare) names.emplace_back(known);
     std::ranges::sort(names);
     constexpr std::size_t kFew = 12;
     problems.add(name.place, fmt::format("there is no {} '{}'", kind_, name.text),
@@ -193,7 +193,7 @@ std::optional<int> SceneConstruction::count(const Quantity& quantity, double mos
 
 std::optional<Segments> SceneConstruction::segments(const std::optional<QuantityPair>& written) {
   if (!written) return std::nullopt;
-  const std::optional<int> u = count((*written)[0], kMostSegments), v = count((*written)[1], kMostSegments);
+  const std::optional<int> u = count((*written)[0], kMaxSegments), v = count((*written)[1], kMaxSegments);
   if (!u || !v) return std::nullopt;
   return Segments{static_cast<std::uint32_t>(*u), static_cast<std::uint32_t>(*v)};
 }
@@ -275,9 +275,9 @@ Vec3 SceneConstruction::colorOnce(const Quantity3& color) {
 
 void SceneConstruction::setRender(const RenderDesc& desc) {
   RenderSettings settings{.shading = desc.shading, .hiddenLines = desc.hiddenLines};
-  const std::optional<int> width = count(desc.size[0], kMostPictureSide),
-                           height = count(desc.size[1], kMostPictureSide),
-                           samples = count(desc.samples, kMostSamples);
+  const std::optional<int> width = count(desc.size[0], kMaxPictureSide),
+                           height = count(desc.size[1], kMaxPictureSide),
+                           samples = count(desc.samples, kMaxSamples);
   if (width && height) settings.size = {*width, *height};
   if (samples) settings.samples = *samples;
   settings.time = formulas_.once(desc.time).value_or(0);

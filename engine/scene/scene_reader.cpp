@@ -129,8 +129,8 @@ void SceneReader::readRender(const JsonValue& render) {
 }
 
 void SceneReader::readParameter(const JsonValue& value, const FileName& name) {
-  if (file_.parameters.size() >= kMostSceneParameters) {
-    problems_.add(name.place, fmt::format("the scene has more than {} parameters", kMostSceneParameters));
+  if (file_.parameters.size() >= kMaxSceneParameters) {
+    problems_.add(name.place, fmt::format("the scene has more than {} parameters", kMaxSceneParameters));
     return;
   }
   parameterNames_.insert(name.text);
@@ -186,8 +186,8 @@ bool SceneReader::takesNode(const JsonValue& value) {
     const SceneMembers rejected(value, keys::kNode, problems_);
     return false;
   }
-  if (file_.nodes.size() < kMostSceneNodes) return true;
-  problems_.add(value.where(), fmt::format("the scene has more than {} nodes", kMostSceneNodes));
+  if (file_.nodes.size() < kMaxSceneNodes) return true;
+  problems_.add(value.where(), fmt::format("the scene has more than {} nodes", kMaxSceneNodes));
   return false;
 }
 
@@ -247,9 +247,9 @@ void SceneReader::readColor(const JsonValue& value, Quantity3& target) {
     values_.readColor(value, target);
     return;
   }
-  constexpr std::size_t kMostToCompare = 100;
+  constexpr std::size_t kMaxToCompare = 100;
   std::vector<std::string> names;
-  if (parameterNames_.size() <= kMostToCompare) names.assign(parameterNames_.begin(), parameterNames_.end());
+  if (parameterNames_.size() <= kMaxToCompare) names.assign(parameterNames_.begin(), parameterNames_.end());
   problems_.add(value.where(), fmt::format("'{}' is no colour and no parameter", word),
                 didYouMean(word, names, R"(write a colour as "#rrggbb" or [r, g, b])"));
 }

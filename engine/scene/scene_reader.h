@@ -14,8 +14,8 @@
 namespace luxo {
 
 /// Limits of one file, each an error of its own; those of its text are in scene/json.h.
-inline constexpr std::size_t kMostSceneNodes = std::size_t{1} << 22;
-inline constexpr std::size_t kMostSceneParameters = 4096;
+inline constexpr std::size_t kMaxSceneNodes = std::size_t{1} << 22;
+inline constexpr std::size_t kMaxSceneParameters = 4096;
 
 /// The description in a text; `name` is what messages call it. Throws Error(Scene) whose what() shows every
 /// error (20 of them, and how many more), those of its formulas and references included. Linear in the text.

@@ -228,7 +228,7 @@ void cutLights(Snapshot& snapshot) {
     for (const Vec3& color : {material.diffuse, material.specular})
       brightest = std::max({brightest, color.x, color.y, color.z});
   for (SnapshotLight& light : snapshot.lights)
-    snapshot.cutNumbers += cutToRange(light.radiance, kMostReflected / brightest);
+    snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
 /// Everything but the view.

@@ -6,7 +6,7 @@
 namespace luxo {
 
 /// No side of a patch is ever cut into more pieces, except at kinks.
-inline constexpr std::uint32_t kMostSegments = 1024;
+inline constexpr std::uint32_t kMaxSegments = 1024;
 
 /// How many pieces each parameter direction of a surface is cut into.
 struct Segments {

@@ -33,7 +33,7 @@ struct Surface::Description {
 namespace {
 
 constexpr int kPositionCells = 16;
-constexpr int kMostRectangles = 512;
+constexpr int kMaxRectangles = 512;
 constexpr int kFramingSamples = 33;
 /// How much farther out than nine of ten points what is worth looking at may lie.
 constexpr double kWorthSeeing = 4;
@@ -69,7 +69,7 @@ Box boundsOf(const std::vector<Patch>& patches, std::span<const double> paramete
 
 PartialBounds partialsOf(const std::vector<Patch>& patches, bool revolution,
                          std::span<const double> parameters) {
-  const int rectangles = std::max(16, kMostRectangles / static_cast<int>(patches.size()));
+  const int rectangles = std::max(16, kMaxRectangles / static_cast<int>(patches.size()));
   PartialBounds all;
   for (const Patch& patch : patches) {
     // Turning about the axis changes no length: one meridian has them all.

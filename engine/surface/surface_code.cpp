@@ -12,9 +12,8 @@ SurfaceCode codeOf(Graph& graph, const std::vector<Expr>& position, std::size_t 
                    GlslNumber number) {
   const ExprPoint point{position[0], position[1], position[2]};
   const std::size_t instructions = surfaceGlslInstructions(graph, point, number);
-  return {.glsl = instructions > kMostInstructions
-                      ? std::string()
-                      : emitSurfaceGlsl(graph, "surfaceAt", point, false, number),
+  return {.glsl = instructions > kMaxInstructions ? std::string()
+                                                  : emitSurfaceGlsl(graph, "surfaceAt", point, false, number),
           .parameters = static_cast<std::uint32_t>(parameters),
           .number = number};
 }

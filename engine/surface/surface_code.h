@@ -30,7 +30,7 @@ struct SurfaceCode {
 
 /// Formulas of more instructions are too large for exact shaders. Those of a sum of 100 sines, 5300, take a
 /// driver and us 3 s of processor time: at this limit it is about 12 s, on two cores 7.
-inline constexpr std::size_t kMostInstructions = 20'000;
+inline constexpr std::size_t kMaxInstructions = 20'000;
 
 /// The code of a formula, or of a general form, that reads at most `parameters` variables beyond u and v. It
 /// is empty where the formula is too large. Cost: tens of microseconds for usual formulas.
@@ -42,7 +42,7 @@ inline constexpr std::size_t kMostInstructions = 20'000;
 /// The code of all surfaces with an equation of that form, which reads `parameters` numbers of it.
 [[nodiscard]] SurfaceCode equationCode(Equation::Form form, std::size_t parameters,
                                        GlslNumber number = GlslNumber::Float);
-/// The code of all planes that fill a hull, in double.
+/// The code of all planes that fill a shell, in double.
 [[nodiscard]] SurfaceCode planeCode(std::size_t parameters);
 
 using SurfaceCodePtr = std::shared_ptr<const SurfaceCode>;

@@ -24,7 +24,7 @@ constexpr double kLeastSaving = 0.04;
 
 /// Where no bound of the second derivatives exists, tiles become as small as the tolerance: as many and as
 /// small as this; fewer on a surface that moves, which is planned for every frame.
-constexpr std::size_t kMostUnprovenTiles = 4096, kMostUnprovenTilesMoving = 512;
+constexpr std::size_t kMaxUnprovenTiles = 4096, kMaxUnprovenTilesMoving = 512;
 constexpr std::uint32_t kDeepestUnproven = 16;
 /// Beside a singularity surfaces bend without limit: there cells stay this much larger than elsewhere.
 constexpr double kRoughening = 4;
@@ -41,13 +41,13 @@ constexpr double kFew = 4;  // along a patch: never too many
 constexpr std::size_t kPatchesForAllCores = 8;
 
 /// `longestEdge` asks for no more segments than this along a patch.
-constexpr double kMostSpacingSegments = 128;
+constexpr double kMaxSpacingSegments = 128;
 
 /// The next integer, where a number a rounding error above an integer counts as that.
 double roundUp(double segments) { return std::ceil(segments * (1 - 1e-12)); }
 
 struct Range {
-  double least = 1, most = kMostSegments;
+  double least = 1, most = kMaxSegments;
 };
 
 /// Cells of one tile: how many there may be, and how many rows (columns) of them lose half their triangles at
@@ -119,7 +119,7 @@ class PatchLimits {
   [[nodiscard]] Limits of(const Tile& tile) const {
     const auto collapsed = [&](Side side) { return collapsed_[static_cast<std::size_t>(side)]; };
     const auto range = [](double least, double width) {
-      return Range{std::max(1.0, roundUp(least * width)), std::max(1.0, kMostSegments * width)};
+      return Range{std::max(1.0, roundUp(least * width)), std::max(1.0, kMaxSegments * width)};
     };
     return {.u = range(least_.x, tile.widthU()),
             .v = range(least_.y, tile.widthV()),
@@ -268,7 +268,7 @@ class UnprovenPlanner {
   }
 
   void plan(std::vector<Block>& blocks) && {
-    const std::size_t most = surface_.parameters().empty() ? kMostUnprovenTiles : kMostUnprovenTilesMoving;
+    const std::size_t most = surface_.parameters().empty() ? kMaxUnprovenTiles : kMaxUnprovenTilesMoving;
     while (!open_.empty() && open_.size() + done_.size() < most) {
       const Part part = open_.top();
       open_.pop();
@@ -379,7 +379,7 @@ double affordableTolerance(const Surface& surface, const CurvatureMap& map, doub
         if (c.proven()) need += c.density() * tile.widthU() * tile.widthV();
       }
   // Below the tolerance by what rounding adds to a mesh's bound.
-  return std::max(tolerance * (1 - 1e-6), need / (2 * kMostTriangles));
+  return std::max(tolerance * (1 - 1e-6), need / (2 * kMaxTriangles));
 }
 
 }  // namespace
@@ -409,7 +409,7 @@ std::vector<Block> planBlocks(const Surface& surface, std::span<const double> pa
   std::vector<PatchLimits> limits;
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
     const Vec2 lengths = curveLengths(surface, patch, parameters);
-    const Vec2 spacing = glm::clamp(lengths / desc.longestEdge, Vec2(1), Vec2(kMostSpacingSegments));
+    const Vec2 spacing = glm::clamp(lengths / desc.longestEdge, Vec2(1), Vec2(kMaxSpacingSegments));
     limits.emplace_back(surface, patch, spacing, lengths, tolerance);
   }
 
@@ -440,8 +440,8 @@ std::vector<Block> uniformBlocks(const Surface& surface, std::span<const double>
   std::vector<Block> blocks;
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
     const Segments least = leastSegments(surface.topology(), patch);
-    const Segments n{std::clamp(segments.u, least.u, kMostSegments),
-                     std::clamp(segments.v, least.v, kMostSegments)};
+    const Segments n{std::clamp(segments.u, least.u, kMaxSegments),
+                     std::clamp(segments.v, least.v, kMaxSegments)};
     const Domain& domain = surface.patchDomain(patch);
     const double du = domain.u.width(), dv = domain.v.width();
     const Curvature c{m.uu * du * du, mixedCounts ? m.uv * du * dv : 0, m.vv * dv * dv};

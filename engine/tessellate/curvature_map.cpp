@@ -12,12 +12,12 @@ namespace luxo {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kMostLevels = 5;     // of the map
+constexpr std::uint32_t kMaxLevels = 5;      // of the map
 constexpr std::uint32_t kDeepestLevel = 10;  // of what is looked at to make it
 /// Half a turn is bounded no better than a whole one, nor is a quarter: that says nothing about the eighth.
 constexpr std::uint32_t kBlindLevels = 3;
 /// A surface that moves has a map for every frame.
-constexpr std::size_t kMostLeaves = 2048, kMostLeavesMoving = 256, kFewestLeaves = 16;
+constexpr std::size_t kMaxLeaves = 2048, kMaxLeavesMoving = 256, kFewestLeaves = 16;
 constexpr std::uint32_t kPatchesForAllCores = 8;
 constexpr double kWild = 1e6;         // times what the others have
 constexpr double kGoodEnough = 0.04;  // more triangles than sharper bounds would give
@@ -202,11 +202,11 @@ Curvature curvatureOf(const Surface& surface, std::uint32_t patch, const Domain&
 
 CurvatureMap::CurvatureMap(const Surface& surface, std::span<const double> parameters) {
   // Many patches are small ones: the tiles of all of them together stay about as many.
-  std::uint32_t levels = kMostLevels;
+  std::uint32_t levels = kMaxLevels;
   for (std::uint32_t patches = surface.patchCount(); patches > 4 && levels > 1; patches /= 4) --levels;
   levelU_ = surface.revolution() ? 0 : levels;
   levelV_ = levels;
-  const std::size_t most = surface.parameters().empty() ? kMostLeaves : kMostLeavesMoving;
+  const std::size_t most = surface.parameters().empty() ? kMaxLeaves : kMaxLeavesMoving;
   const std::size_t mostLeaves = std::max(kFewestLeaves, 2 * most / (1 + surface.patchCount()));
   tiles_.resize(surface.patchCount());
   forEachIndex(surface.patchCount(), surface.patchCount() >= kPatchesForAllCores, [&](std::size_t p) {

@@ -22,8 +22,8 @@ struct Mesh {
   /// triangle from its own point of the surface. Infinite where nothing could be proven, and where triangles
   /// are missing.
   double bound = 0;
-  /// What the device's single precision is relative to: 0, or the middle of a surface that is farther from the
-  /// origin than it is large.
+  /// What the device's single precision is relative to: 0, or the middle of a surface that is farther from
+  /// the origin than it is large.
   Vec3 origin{0};
   /// Triangles that are missing because the formula has no finite value at a corner.
   std::uint64_t dropped = 0;

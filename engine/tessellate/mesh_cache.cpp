@@ -10,10 +10,10 @@
 namespace luxo {
 namespace {
 
-constexpr std::size_t kMostMaps = 64, kMostSolids = 256;
+constexpr std::size_t kMaxMaps = 64, kMaxSolids = 256;
 
 /// What comes with any mesh: the surface with its compiled formulas, and what a device has of it. Measured:
-/// an edited formula of some ten operations left 100 KB behind, half of them its hull.
+/// an edited formula of some ten operations left 100 KB behind, half of them its shell.
 constexpr std::size_t kEntryBytes = std::size_t{64} << 10;
 
 template <class... Vectors>
@@ -25,10 +25,10 @@ std::size_t bytesOf(const Mesh& mesh) {
   return bytesIn(mesh.positions, mesh.normals, mesh.parameters, mesh.indices);
 }
 
-std::size_t bytesOf(const Hull& hull) {
-  std::size_t bytes = bytesIn(hull.positions, hull.parameters, hull.cells, hull.changes, hull.patches,
-                              hull.indices, hull.cones, hull.spanned, hull.slabs, hull.spanning);
-  for (const Hull::SpannedSlab& slab : hull.spannedSlabs)
+std::size_t bytesOf(const Shell& shell) {
+  std::size_t bytes = bytesIn(shell.positions, shell.parameters, shell.cells, shell.changes, shell.patches,
+                              shell.indices, shell.cones, shell.occluder, shell.slabs, shell.occluding);
+  for (const Shell::OccluderSlab& slab : shell.occluderSlabs)
     bytes += bytesIn(slab.tops, slab.walls, slab.bottoms);
   return bytes;
 }
@@ -54,7 +54,7 @@ MeshCache::MapEntry& MeshCache::mapOf(const Surface& surface, const Shape& shape
   auto found = maps_.find(shape);
   if (found == maps_.end()) {
     // Of an animated surface every frame has its own.
-    if (maps_.size() >= kMostMaps) maps_.erase(leastRecentlyUsed(maps_));
+    if (maps_.size() >= kMaxMaps) maps_.erase(leastRecentlyUsed(maps_));
     found = maps_.emplace(shape, MapEntry{surface, CurvatureMap(surface, shape.parameters), {}}).first;
   }
   found->second.lastUse = ++uses_;
@@ -65,10 +65,10 @@ template <class Make>
 const MeshCache::Entry& MeshCache::found(const Surface& surface, Key key, const Make& make) {
   auto entry = entries_.find(key);
   if (entry == entries_.end()) {
-    Entry made{.surface = surface, .mesh = nullptr, .hull = nullptr};
+    Entry made{.surface = surface, .mesh = nullptr, .shell = nullptr};
     make(key, made);
     ++tessellated_;
-    made.bytes = kEntryBytes + (made.mesh ? bytesOf(*made.mesh) : bytesOf(*made.hull));
+    made.bytes = kEntryBytes + (made.mesh ? bytesOf(*made.mesh) : bytesOf(*made.shell));
     makeRoom(made.bytes);
     bytes_ += made.bytes;
     entry = entries_.emplace(std::move(key), std::move(made)).first;
@@ -96,37 +96,39 @@ std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<con
       .mesh;
 }
 
-std::shared_ptr<const Hull> MeshCache::hull(const Surface& surface, std::span<const double> parameters,
-                                            double tolerance, double mostTriangles) {
+std::shared_ptr<const Shell> MeshCache::shell(const Surface& surface, std::span<const double> parameters,
+                                              double tolerance, double mostTriangles) {
   Key key{.shape = {surface.identity(), {parameters.begin(), parameters.end()}},
           .tolerance = toleranceLevel(tolerance),
-          .isHull = true};
-  const auto tooMany = [&](const std::shared_ptr<const Hull>& hull) {
-    return static_cast<double>(hull->triangleCount()) > mostTriangles;
+          .isShell = true};
+  const auto tooMany = [&](const std::shared_ptr<const Shell>& shell) {
+    return static_cast<double>(shell->triangleCount()) > mostTriangles;
   };
   if (const auto known = entries_.find(key); known != entries_.end()) {
     known->second.lastUse = ++uses_;
-    return tooMany(known->second.hull) ? nullptr : known->second.hull;
+    return tooMany(known->second.shell) ? nullptr : known->second.shell;
   }
   MapEntry& map = mapOf(surface, key.shape);
   double& least = map.leastTriangles[key.tolerance];
   if (least >= mostTriangles) return nullptr;
-  auto hull =
-      makeHull(surface, parameters, map.map, {.tolerance = key.tolerance, .mostTriangles = mostTriangles});
-  if (!hull) {
+  auto shell =
+      makeShell(surface, parameters, map.map, {.tolerance = key.tolerance, .mostTriangles = mostTriangles});
+  if (!shell) {
     least = mostTriangles;
     return nullptr;
   }
   return found(surface, std::move(key),
-               [&](const Key&, Entry& entry) { entry.hull = std::make_shared<const Hull>(std::move(*hull)); })
-      .hull;
+               [&](const Key&, Entry& entry) {
+                 entry.shell = std::make_shared<const Shell>(std::move(*shell));
+               })
+      .shell;
 }
 
 bool MeshCache::boundsSolid(const Surface& surface, std::span<const double> parameters) {
   Shape shape{surface.identity(), {parameters.begin(), parameters.end()}};
   auto found = solids_.find(shape);
   if (found == solids_.end()) {
-    if (solids_.size() >= kMostSolids) solids_.erase(leastRecentlyUsed(solids_));
+    if (solids_.size() >= kMaxSolids) solids_.erase(leastRecentlyUsed(solids_));
     found =
         solids_.emplace(std::move(shape), SolidEntry{surface, luxo::boundsSolid(surface, parameters)}).first;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes and hulls by (surface, parameter values, level of detail): what was tessellated once is not
+// Meshes and shells by (surface, parameter values, level of detail): what was tessellated once is not
 // tessellated again.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 #include "surface/surface.h"
 #include "tessellate/curvature_map.h"
-#include "tessellate/hull.h"
 #include "tessellate/mesh.h"
+#include "tessellate/shell.h"
 #include "tessellate/tessellator.h"
 
 namespace luxo {
@@ -23,7 +23,7 @@ namespace luxo {
 /// What is not positive and finite is its own level.
 [[nodiscard]] double toleranceLevel(double tolerance);
 
-/// Not thread-safe. Keeps the meshes and hulls that are in use elsewhere, and, within a budget of bytes for
+/// Not thread-safe. Keeps the meshes and shells that are in use elsewhere, and, within a budget of bytes for
 /// all, the others that were used most recently.
 class MeshCache {
  public:
@@ -33,16 +33,16 @@ class MeshCache {
   [[nodiscard]] std::shared_ptr<const Mesh> get(const Surface& surface, std::span<const double> parameters,
                                                 const MeshDesc& desc);
 
-  /// The hull for the level of the tolerance; null where it has more than so many triangles.
-  [[nodiscard]] std::shared_ptr<const Hull> hull(const Surface& surface, std::span<const double> parameters,
-                                                 double tolerance, double mostTriangles);
+  /// The shell for the level of the tolerance; null where it has more than so many triangles.
+  [[nodiscard]] std::shared_ptr<const Shell> shell(const Surface& surface, std::span<const double> parameters,
+                                                   double tolerance, double mostTriangles);
 
   /// boundsSolid(), found once.
   [[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
 
-  /// Of the meshes and hulls that it has.
+  /// Of the meshes and shells that it has.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// Meshes and hulls made so far (not found in the cache).
+  /// Meshes and shells made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return tessellated_; }
 
  private:
@@ -57,11 +57,11 @@ class MeshCache {
     Shape shape;
     Segments uniform;  ///< 0 x 0: none
     double tolerance = 0, longestEdge = 0;
-    bool isHull = false;
+    bool isShell = false;
 
     friend bool operator<(const Key& a, const Key& b) {
       const auto order = [](const Key& k) {
-        return std::tie(k.shape, k.uniform.u, k.uniform.v, k.tolerance, k.longestEdge, k.isHull);
+        return std::tie(k.shape, k.uniform.u, k.uniform.v, k.tolerance, k.longestEdge, k.isShell);
       };
       return order(a) < order(b);
     }
@@ -69,16 +69,16 @@ class MeshCache {
   struct Entry {
     Surface surface;                   ///< keeps the identity in the key alive
     std::shared_ptr<const Mesh> mesh;  ///< or
-    std::shared_ptr<const Hull> hull;
+    std::shared_ptr<const Shell> shell;
     std::size_t bytes = 0;
     std::uint64_t lastUse = 0;
 
-    [[nodiscard]] bool inUse() const { return mesh.use_count() > 1 || hull.use_count() > 1; }
+    [[nodiscard]] bool inUse() const { return mesh.use_count() > 1 || shell.use_count() > 1; }
   };
   struct MapEntry {
     Surface surface;
     CurvatureMap map;
-    std::map<double, double> leastTriangles;  ///< of hulls, by tolerance: they have more
+    std::map<double, double> leastTriangles;  ///< of shells, by tolerance: they have more
     std::uint64_t lastUse = 0;
   };
 
@@ -89,7 +89,7 @@ class MeshCache {
   };
 
   MapEntry& mapOf(const Surface& surface, const Shape& shape);
-  /// What is there for the key, or what `make` makes: an entry's mesh or its hull.
+  /// What is there for the key, or what `make` makes: an entry's mesh or its shell.
   template <class Make>
   const Entry& found(const Surface& surface, Key key, const Make& make);
   /// Forgets what is not in use, the oldest first, until so many more bytes fit.

@@ -32,9 +32,9 @@ namespace luxo {
 
 class CurvatureMap;
 
-/// About the most triangles of a mesh. A tolerance that would need more, or more than kMostSegments along a
+/// About the most triangles of a mesh. A tolerance that would need more, or more than kMaxSegments along a
 /// patch, is met as far as this allows, and the mesh's bound says so.
-inline constexpr double kMostTriangles = 1 << 21;
+inline constexpr double kMaxTriangles = 1 << 21;
 
 /// What a mesh should be like. Object units.
 struct MeshDesc {

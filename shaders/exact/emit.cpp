@@ -38,7 +38,7 @@ using Words = std::vector<std::uint32_t>;
 struct Formulas {
   std::string surface, pattern;
   GlslNumber number;
-  bool steep;
+  bool grazing;
 
   friend auto operator<=>(const Formulas&, const Formulas&) = default;
 };
@@ -46,7 +46,7 @@ struct Formulas {
 constexpr GlslNumber kNumbers[] = {GlslNumber::Float, GlslNumber::Double};
 
 void addFormula(std::set<Formulas>& all, const SurfaceCode& code, const std::string& pattern) {
-  for (const bool steep : {false, true}) all.insert({code.glsl, pattern, code.number, steep});
+  for (const bool grazing : {false, true}) all.insert({code.glsl, pattern, code.number, grazing});
 }
 
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
@@ -117,7 +117,7 @@ void validate(const Words& words) {
 
 Words compile(const Formulas& formulas) {
   const SurfaceCode surface{.glsl = formulas.surface, .number = formulas.number};
-  const ExactSource source(surface, formulas.pattern, formulas.steep);
+  const ExactSource source(surface, formulas.pattern, formulas.grazing);
   Words words = gpu::ShaderCompiler(std::filesystem::path()).compile(source.desc()).spirv;
   validate(words);
   return words;
@@ -144,11 +144,11 @@ std::string table() {
     arrays += "};\n";
     entries += fmt::format("    {{R\"luxo({})luxo\", R\"luxo({})luxo\", {}, {}, kExactShader{}}},\n",
                            formulas.surface, formulas.pattern, formulas.number == GlslNumber::Double,
-                           formulas.steep, index);
+                           formulas.grazing, index);
   }
   return fmt::format(
       "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"
-      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, steep;\n  "
+      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing;\n  "
       "std::span<const "
       "std::uint32_t> "
       "spirv;\n}};\n\n"

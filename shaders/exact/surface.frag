@@ -4,4 +4,4 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/exact_fragment.glsl"
 
-void main() { show(seenPoint(), linkAmbientShininess.rgb, linkDiffuseOpacity.rgb); }
+void main() { show(seenPoint(), varyingAmbientShininess.rgb, varyingDiffuseOpacity.rgb); }

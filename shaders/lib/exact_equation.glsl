@@ -10,8 +10,8 @@
 
 const float kSettledPart = 0.02;  // of the tube: where the ray is nearest is known once steps are shorter
 const float kStride = 0.25;       // of the tube: the first step of following a ray; each next is twice as long
-const float kMostStride = 0.35;   // of the ring
-const int kMostSteps = 24;
+const float kMaxStride = 0.35;   // of the ring
+const int kMaxSteps = 24;
 
 struct Expansion {
   real c, b, a;
@@ -90,14 +90,14 @@ Expansion expansionAt(real3 p, real3 way) {
 // A ray that leaves, or passes by, may meet the surface farther on as long as it is in the slab: it is followed.
 int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
   real ring = number(kTorusRing), tube = number(kTorusTube), most = sqrt(tube * ring), stride = kStride * tube;
-  real slab = linkClip.z * metre;
+  real slab = varyingClip.z * metre;
   real outsideSlab = slab * (2.0 * tube + (rising < 0.0 ? slab : -min(slab, tube)));  // from |F| on
   real far = 2.0 * toleranceAt(depthOf(p)) * metre * tube, last = 0.0;
   bool wasGood = false, follows = false;
   // Entering, and dipping deeper than the slab, the ray leaves that before it comes out: another fragment's.
   real depth = min(slab, tube), bottom = depth * (2.0 * tube - depth);
   if (rising > 0.0 && e.c > 0.0 && e.b < 0.0 && squareOf(e) > e.a * bottom) return kMissed;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     if (ends(abs(e.c) <= far && e.b * rising > 0.0, abs(e.c) <= kFine * far, wasGood)) return kFound;
     real square = squareOf(e), t = rootOf(e, square, rising);
     bool leaves = e.c * rising < 0.0 && e.b * rising <= 0.0;
@@ -106,18 +106,18 @@ int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, ino
     if ((follows && leaves && abs(e.c) > outsideSlab) || (passes && e.c * rising > 0.0)) return kMissed;
     if (t * last < 0.0 && abs(t) > most) most *= 0.5;  // or it might go to and fro for ever
     last = follows ? stride : clamp(t, -most, most);
-    if (follows) stride = min(2.0 * stride, kMostStride * ring);
+    if (follows) stride = min(2.0 * stride, kMaxStride * ring);
     p += last * way;
     e = expansionAt(p, way);
   }
   return kLost;
 }
 
-real3 startOfSearch() { return real3(startOfLink()); }
+real3 startOfSearch() { return real3(startAtEntry()); }
 
 bool isNear(real3 start, real3 p) {
   real ring = number(kTorusRing), tube = number(kTorusTube);
-  real cell = 2.0 * kPi * max(linkCellHalf.x * (ring + tube), linkCellHalf.y * tube);
+  real cell = 2.0 * kPi * max(varyingCellHalf.x * (ring + tube), varyingCellHalf.y * tube);
   return distance(p, start) <= kFarCells * cell;
 }
 
@@ -132,7 +132,7 @@ real mostBend(Expansion e, real3 p) {
 // Where the outer side faces, from the gradient: by the cofactors of the matrix, which mirrors what the matrix mirrors.
 vec3 outwardOf(vec3 gradient) {
   gradient /= max(max(max(abs(gradient.x), abs(gradient.y)), abs(gradient.z)), kSmallest);
-  vec3 x = linkRelative[0].xyz, y = linkRelative[1].xyz, z = linkRelative[2].xyz;
+  vec3 x = varyingRelative[0].xyz, y = varyingRelative[1].xyz, z = varyingRelative[2].xyz;
   vec3 n = cross(y, z) * gradient.x + cross(z, x) * gradient.y + cross(x, y) * gradient.z;
   return isMirrored() ? -n : n;
 }
@@ -141,7 +141,7 @@ int findPoint(out Found found) {
   readSurface();
   if (isLeftOut()) return kMissed;
   Ray ray = rayOfPixel();
-  // Begins where the ray is nearest to a point: of a torus the hull's, of a quadric the centre, so that it is found to
+  // Begins where the ray is nearest to a point: of a torus the shell's, of a quadric the centre, so that it is found to
   // the same bits whatever the ray comes in by. In metres: a pixel is `metre` wide, times the depth.
   real metre = inversesqrt(max(dot(ray.across1, ray.across1), dot(ray.across2, ray.across2)));
   real3 across1 = ray.across1 * metre, across2 = ray.across2 * metre, along = cross(across1, across2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fragments of a hull: find the surface's point, then show it: lit, or as numbers or colours of its geometry.
+// Fragments of a shell: find the surface's point, then show it: lit, or as numbers or colours of its geometry.
 //
 // Alpha tells how good the point is: of what is lit and opaque its residual in pixels, negative where the root is not
 // certified; of what is transparent its opacity; of numbers and colours 1, or -1 where it is not.
@@ -15,23 +15,23 @@
 #include "lib/illumination.glsl"
 #include "lib/inspection.glsl"
 
-layout(constant_id = 3) const uint kQuantity = kLight;
-layout(constant_id = 4) const bool kAsColor = false;
+layout(constant_id = kConstantQuantity) const uint kQuantity = kLight;
+layout(constant_id = kConstantAsColor) const bool kAsColor = false;
 
-layout(scalar, set = 2, binding = kBindingTally) buffer Tally { uint lost[]; } tally;
-layout(scalar, set = 2, binding = kBindingDoubts) buffer Doubts { uint ofPixels[]; } doubts;
+layout(scalar, set = kSetExact, binding = kBindingFeedback) buffer Feedback { uint lost[]; } feedback;
+layout(scalar, set = kSetExact, binding = kBindingDoubts) buffer Doubts { uint ofPixels[]; } doubts;
 
 layout(location = 0) out vec4 outColor;
 
 LightData lightAt(uint i) {
-  if (i >= kLinkedLights) return lightSet.lights[i];
+  if (i >= kVaryingLights) return lightSet.lights[i];
   uint first = kLightNumbers * i;
-  return LightData(vec4(packed3(first), has(kPointLight << 2 * i)), packed3(first + 3),
-                   has(kInverseSquare << 2 * i) ? 1 : 0);
+  return LightData(vec4(packed3(first), has(kPointLight << kFlagsOfLight * i)), packed3(first + 3),
+                   has(kInverseSquare << kFlagsOfLight * i) ? 1 : 0);
 }
 
 ShadeData shadeAt(uint i) {
-  if (i >= kLinkedShades) return lightSet.shades[i];
+  if (i >= kVaryingShades) return lightSet.shades[i];
   uint first = kFirstShade + kShadeNumbers * i;
   return ShadeData(packed3(first), packed(first + 3), packed(first + 4));
 }
@@ -46,7 +46,7 @@ struct Seen {
 };
 
 void doubtPixel(uint why) {
-  uint width = uint(2.0 * linkCellHalf.z), pixel = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x);
+  uint width = uint(2.0 * varyingCellHalf.z), pixel = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x);
   atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], why << kDoubtBits * (pixel % kDoubtsPerWord));
 }
 
@@ -54,7 +54,7 @@ void doubtPixel(uint why) {
 Seen seenPoint() {
   Found found;
   int result = findPoint(found);
-  if (result == kLost) atomicAdd(tally.lost[kSteep ? kTallySlots + linkFlags.w : uint(linkClip.w)], 1);
+  if (result == kLost) atomicAdd(feedback.lost[kGrazing ? kFeedbackSlots + varyingFlags.w : uint(varyingClip.w)], 1);
   if (result == kLost || result == kFound && !found.certified)
     doubtPixel(result == kLost ? kLostHere : kUncertifiedHere);
   if (result != kFound || !inDepthRange(found.depth)) discard;
@@ -64,7 +64,7 @@ Seen seenPoint() {
   Seen seen;
   seen.parameters = found.parameters;
   seen.position = relativePosition(found.S);
-  vec3 toViewer = linkViewerSecond.xyz - (has(kPerspective) ? seen.position : vec3(0));
+  vec3 toViewer = varyingViewerSecond.xyz - (has(kPerspective) ? seen.position : vec3(0));
   seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
   vec3 outward = unitOrZero(found.outward);
   seen.normal = found.front || !has(kTwoSided) ? outward : -outward;
@@ -75,12 +75,12 @@ Seen seenPoint() {
 
 void show(Seen seen, vec3 ambient, vec3 diffuse) {
   if (kQuantity == kLight) {
-    Material material = Material(ambient, diffuse, linkSpecularTolerance.xyz, linkAmbientShininess.w, linkFlags.x);
-    bool opaque = linkDiffuseOpacity.w == 0.0;
+    Material material = Material(ambient, diffuse, varyingSpecularTolerance.xyz, varyingAmbientShininess.w, varyingFlags.x);
+    bool opaque = varyingDiffuseOpacity.w == 0.0;
     outColor = vec4(illuminated(material, seen.position, seen.normal, seen.viewer),
-                    opaque ? seen.residual : linkDiffuseOpacity.w);
+                    opaque ? seen.residual : varyingDiffuseOpacity.w);
   } else {
-    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[linkFlags.w].id,
+    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[varyingFlags.w].id,
                                     seen.residual, seen.residual < 0.0 ? kUncertified : kBySearch);
     outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), seen.residual < 0.0 ? -1 : 1);
   }

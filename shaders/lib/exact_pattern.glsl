@@ -3,7 +3,7 @@
 #include "lib/exact_fragment.glsl"
 #include "lib/pattern.glsl"
 
-uint firstPatternParameter() { return linkFlags.z; }
+uint firstPatternParameter() { return varyingFlags.z; }
 vec4 patternBounds() {
   vec4 domain = domainOfNames();
   vec2 margin = 1e-6 * (domain.zw - domain.xy);
@@ -13,5 +13,5 @@ vec4 patternBounds() {
 void main() {
   Seen seen = seenPoint();
   vec3 color = patternAt(seen.parameters);
-  show(seen, has(kPatternAmbient) ? color * linkAmbientShininess.rgb : linkAmbientShininess.rgb, color);
+  show(seen, has(kPatternAmbient) ? color * varyingAmbientShininess.rgb : varyingAmbientShininess.rgb, color);
 }

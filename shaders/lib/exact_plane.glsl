@@ -14,18 +14,18 @@ bool isInside(real3 S, real margin) {
 
 int findPoint(out Found found) {
   readSurface();
-  real3 pixel = real3(gl_FragCoord.xy - linkCellHalf.zw, 1);
+  real3 pixel = real3(gl_FragCoord.xy - varyingCellHalf.zw, 1);
   real perW = 1.0 / dot(rowDepth.xyz, pixel);
   found.S = real3(dot(rowX.xyz, pixel) * perW, 0, dot(rowY.xyz, pixel) * perW);
   found.depth = rowX.w * found.S.x + rowY.w * found.S.z + rowDepth.w;
   found.parameters = vec2(parameterOf(found.S, kUOf), parameterOf(found.S, kVOf));
-  vec3 upward = cross(linkRelative[2].xyz, linkRelative[0].xyz);
+  vec3 upward = cross(varyingRelative[2].xyz, varyingRelative[0].xyz);
   bool outerIsUp = has(kRisesOutward) != isMirrored();
   found.outward = outerIsUp ? upward : -upward;
   found.front = has(kFromAbove) == outerIsUp;
   // No more than this is rounded.
   found.residual = float(toleranceAt(found.depth)) / float(widthAt(found.depth));
   found.certified = true;
-  real metres = toleranceAt(found.depth) * linkClip.z;
+  real metres = toleranceAt(found.depth) * varyingClip.z;
   return isInside(found.S, metres) && (found.front || has(kShowsBack)) ? kFound : kMissed;
 }

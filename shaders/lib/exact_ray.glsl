@@ -10,14 +10,13 @@
 #include "lib/exact_surface.glsl"
 
 const float kFine = 0.2;        // of the tolerance
-const float kFarCells = 2.0;    // a root farther from the start is not certain to be the nearest
 const float kSmallest = 1e-37;
 const float kPi = 3.14159265;
 
-#ifdef LUXO_FLAT
-const bool kSteep = false;
+#ifdef LUXO_TRANSVERSAL
+const bool kGrazing = false;
 #else
-const bool kSteep = true;  // whether rays may graze the surface
+const bool kGrazing = true;  // whether rays may graze the surface
 #endif
 
 // f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
@@ -27,7 +26,7 @@ struct Ray {
 };
 
 Ray rayOfPixel() {
-  real2 q = gl_FragCoord.xy - linkCellHalf.zw;
+  real2 q = gl_FragCoord.xy - varyingCellHalf.zw;
   real4 w = has(kPerspective) ? rowDepth : real4(0, 0, 0, 1);
   real4 a = rowX - q.x * w, b = rowY - q.y * w;
   return Ray(a.xyz, b.xyz, a.w, b.w);
@@ -44,12 +43,12 @@ real widthAt(real depth) { return has(kPerspective) ? depth : 1.0; }
 
 // The largest offset of a point that is found there. What single precision leaves of an offset is part of it.
 real toleranceAt(real depth) {
-  return linkSpecularTolerance.w * widthAt(depth) + (has(kPerspective) ? linkClip.y : 0.0);
+  return varyingSpecularTolerance.w * widthAt(depth) + (has(kPerspective) ? varyingClip.y : 0.0);
 }
 
 // Orthographic: linear; perspective: near / depth. Before the near plane above 1.
 real inDepthBuffer(real depth) {
-  return has(kPerspective) ? linkClip.x / depth : linkClip.x + linkClip.y * depth;
+  return has(kPerspective) ? varyingClip.x / depth : varyingClip.x + varyingClip.y * depth;
 }
 bool inDepthRange(real depth) {
   real z = inDepthBuffer(depth);
@@ -78,5 +77,5 @@ struct Found {
 };
 
 vec3 relative(vec3 object) {
-  return linkRelative[0].xyz * object.x + linkRelative[1].xyz * object.y + linkRelative[2].xyz * object.z;
+  return varyingRelative[0].xyz * object.x + varyingRelative[1].xyz * object.y + varyingRelative[2].xyz * object.z;
 }

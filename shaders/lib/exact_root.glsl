@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The point of a surface that a pixel sees: Newton's method on the pixel's ray, from where it enters the hull.
+// The point of a surface that a pixel sees: Newton's method on the pixel's ray, from where it enters the shell.
 //
 // Newton's method on the offset f(u, v) of S(u, v) finds nearly every pixel in two steps. Where the ray grazes the
 // surface the offset folds: two roots lie close to each other or have just vanished, and Newton's step, which knows only
@@ -8,16 +8,16 @@
 const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
 const float kBoldCells = 4.0;   // how many cells a step may lead
-const float kScanStep = 0.35;   // cells: the shortest step of a scan,
-const float kScanGrowth = 1.6;  // how many times as long the next one is where the surface bends steadily,
-const float kScanMost = 4.0;    // and the longest
+const float kTraceStep = 0.35;   // cells: the shortest step of a trace,
+const float kTraceGrowth = 1.6;  // how many times as long the next one is where the surface bends steadily,
+const float kTraceMax = 4.0;    // and the longest
 const float kSteady = 0.1;      // of the offset: what the slopes at both ends of a step say of it may be wrong by that
 const int kBackward = 2, kForward = 40;  // steps against the ray, if any, and, at most, along it
-const float kMoreSteps = 4.0;   // after a scan: a root that is not farther off is not given up
-const float kBeyond = 1.0;      // cells beyond the domain that a scan looks at
+const float kMoreSteps = 4.0;   // after a trace: a root that is not farther off is not given up
+const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
-const float kBesideEdge = 0.02;  // cells: a scan begins no nearer to an edge
-const int kAttempts = 3;        // to find a root, all but the first by a scan; one more takes what is held
+const float kBesideEdge = 0.02;  // cells: a trace begins no nearer to an edge
+const int kAttempts = 3;        // to find a root, all but the first by a trace; one more takes what is held
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
@@ -57,15 +57,15 @@ bool converged(Probe at) { return widthAt(at.depth) > 0.0 && offset(at) <= toler
 // The area that a unit of u and v takes on the screen, signed.
 real area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
 
-// The sign of that area on the side of the surface that the hull is seen from; and on the side searched for: that one, or,
+// The sign of that area on the side of the surface that the shell is seen from; and on the side searched for: that one, or,
 // past a border, the other.
-real hullSide() { return gl_FrontFacing != has(kNegative) ? 1.0 : -1.0; }
+real shellSide() { return gl_FrontFacing != has(kNegative) ? 1.0 : -1.0; }
 real wantedSide;
 
 // Whether a ray that runs past a border of the surface may see its other side.
 bool seesPastBorder() { return has(kShowsBack) && has(kBordered); }
 
-layout(constant_id = 6) const bool kPoles = true;  // whether an edge of a patch is one point
+layout(constant_id = kConstantPoles) const bool kPoles = true;  // whether an edge of a patch is one point
 
 // The angle of a direction, to half a hundredth: small ones far better.
 real angleOf(real2 q) {
@@ -80,7 +80,7 @@ real angleOf(real2 q) {
 // p moved by delta, at most that many cells. Beside an edge (of v, say) that is one point u is an angle around it: there
 // the step is straight in the tangent plane, or it would run around the point.
 real2 moved(real2 p, real2 delta, Probe at, real most) {
-  real2 cell = linkCellHalf.xy;
+  real2 cell = varyingCellHalf.xy;
   real size = max(abs(delta.x) / cell.x, abs(delta.y) / cell.y);
   real2 straight = p + delta * min(1.0, most / max(size, kSmallest));
   if (!kPoles) return straight;
@@ -109,7 +109,7 @@ real2 moved(real2 p, real2 delta, Probe at, real most) {
 
 // A cell beyond the domain and no farther: formulas need not exist there.
 real2 nearDomain(real2 p, real cells) {
-  real2 margin = linkCellHalf.xy * cells;
+  real2 margin = varyingCellHalf.xy * cells;
   real2 low = patchDomain.xy - margin, high = patchDomain.zw + margin;
   return real2(has(kWrapsU) ? p.x : clamp(p.x, low.x, high.x),
               has(kWrapsV) ? p.y : clamp(p.y, low.y, high.y));
@@ -117,13 +117,13 @@ real2 nearDomain(real2 p, real cells) {
 
 // An edge may be a cusp: there the surface has no normal, beside it one.
 real2 besideEdges(real2 p) {
-  real2 margin = linkCellHalf.xy * kBesideEdge, inside = clamp(p, patchDomain.xy + margin, patchDomain.zw - margin);
+  real2 margin = varyingCellHalf.xy * kBesideEdge, inside = clamp(p, patchDomain.xy + margin, patchDomain.zw - margin);
   return real2(has(kWrapsU) ? p.x : inside.x, has(kWrapsV) ? p.y : inside.y);
 }
 
 // How many cells p is beyond the domain; below 0 inside.
 real cellsBeyond(real2 p) {
-  real2 beyond = max(patchDomain.xy - p, p - patchDomain.zw) / linkCellHalf.xy;
+  real2 beyond = max(patchDomain.xy - p, p - patchDomain.zw) / varyingCellHalf.xy;
   return max(has(kWrapsU) ? -1.0 : beyond.x, has(kWrapsV) ? -1.0 : beyond.y);
 }
 
@@ -136,7 +136,7 @@ bool inDomain(real2 p, Probe at) {
 }
 
 real cellsFromStart(real2 p) {
-  real2 way = abs(p - startOfLink().xy) / linkCellHalf.xy;
+  real2 way = abs(p - startAtEntry().xy) / varyingCellHalf.xy;
   return max(way.x, way.y);
 }
 
@@ -159,28 +159,28 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
   real part = missed ? -1.0 / k : rightSide ? 2.0 / (1.0 + root) : k != 0.0 ? (-1.0 - root) / k : -0.5;
   delta *= part;
   // A vanishing area gives no direction.
-  if (!(abs(delta.x) + abs(delta.y) < 1e30)) delta = 0.25 * linkCellHalf.xy;
+  if (!(abs(delta.x) + abs(delta.y) < 1e30)) delta = 0.25 * varyingCellHalf.xy;
   return moved(p, delta, at, most);
 }
 
 // The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
-  p = startOfLink().xy;
+  p = startAtEntry().xy;
   bool wasGood = false;
   for (int i = 0;; ++i) {
     at = probeAt(ray, p);
     if (i > 0 && ends(converged(at), offset(at) <= kFine * tolerance(at), wasGood) || i == kPlainSteps) break;
     p += newtonStep(at, area(at));
   }
-  bool root = cellsFromStart(p) <= kFarCells && converged(at) && area(at) * hullSide() > 0.0;
+  bool root = cellsFromStart(p) <= kFarCells && converged(at) && area(at) * shellSide() > 0.0;
   return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
 
-// A place on the curve along which a scan looks for roots: the points of the surface to which those of the ray are
+// A place on the curve along which a trace looks for roots: the points of the surface to which those of the ray are
 // nearest.
 struct Sample {
   real2 p;
-  real g, slope;  // how far behind the surface the ray is, as the hull's side sees it, and how that grows along the curve,
+  real g, slope;  // how far behind the surface the ray is, as the shell's side sees it, and how that grows along the curve,
                   // per cell
   real depth;
   real2 way;      // unit, along the curve, cells
@@ -195,22 +195,22 @@ Sample sampleAt(Ray ray, real2 p, Probe at, real sense) {
   real2 normal = real2(dot(ray.across1, n), dot(ray.across2, n));
   real largest = max(abs(normal.x), abs(normal.y));
   normal = largest > 0.0 ? normalize(normal / largest) : real2(0, 1);
-  real2 along = real2(normal.y, -normal.x), across = normal * (hullSide() * sense);
-  real2 a = at.fu * linkCellHalf.x, b = at.fv * linkCellHalf.y;
+  real2 along = real2(normal.y, -normal.x), across = normal * (shellSide() * sense);
+  real2 a = at.fu * varyingCellHalf.x, b = at.fv * varyingCellHalf.y;
   real2 rate = real2(dot(along, a), dot(along, b));
   real perRate = inversesqrt(max(dot(rate, rate), kSmallest));
   real2 correction = rate * (-dot(along, at.f) * perRate * perRate);
   correction *= min(1.0, 0.5 / max(length(correction), kSmallest));
   Sample s;
   s.way = real2(-rate.y, rate.x) * (perRate * sense);
-  s.p = p + correction * linkCellHalf.xy;
+  s.p = p + correction * varyingCellHalf.xy;
   s.g = dot(across, at.f + a * correction.x + b * correction.y);
   s.slope = dot(across, a * s.way.x + b * s.way.y);
   s.depth = at.depth;
   return s;
 }
 
-bool isLong(real way) { return way > 2.0 * kScanStep; }
+bool isLong(real way) { return way > 2.0 * kTraceStep; }
 
 // Where between two samples g changes its sign, 0 to 1: by the parabola through both with the slope of the first.
 real crossing(Sample low, Sample high, real way) {
@@ -241,8 +241,8 @@ real ahead(Sample s, real way) {
 }
 
 // Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a
-// root that a scan has found is `polished`: it stays near, and what it does not find is not there. But where the ray has
-// `crossed` the surface between two places of the scan a root is there, if not the patch's: one that is not found is lost.
+// root that a trace has found is `polished`: it stays near, and what it does not find is not there. But where the ray has
+// `crossed` the surface between two places of the trace a root is there, if not the patch's: one that is not found is lost.
 int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) {
   // The gradient is that of det, per unit of u and v, along the last step that was long enough to tell.
   real2 way = real2(0), gradient = real2(0);
@@ -254,7 +254,7 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
     real before = det, length2 = dot(way, way);
     det = area(at);
     if (i == 0) first = det;
-    if (length2 > 1e-6) gradient = (det - before) / length2 * way / linkCellHalf.xy;
+    if (length2 > 1e-6) gradient = (det - before) / length2 * way / varyingCellHalf.xy;
     bool inside = inDomain(p, at), root = converged(at) && det * wantedSide > 0.0;
     misses = missed && length2 < kSettled * kSettled ? misses + 1 : 0;
     outside = inside || i == 0 ? 0 : outside + 1;
@@ -263,8 +263,8 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
     else if (polished && !good && (root || misses == 2 && !crossed)) result = kMissed;
     else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
     if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
-    real2 next = nearDomain(foldStep(p, at, det, polished ? kScanStep : kBoldCells, gradient, missed), 1.0);
-    way = (next - p) / linkCellHalf.xy;
+    real2 next = nearDomain(foldStep(p, at, det, polished ? kTraceStep : kBoldCells, gradient, missed), 1.0);
+    way = (next - p) / varyingCellHalf.xy;
     p = next;
   }
   // What had seemed to be a root and is not even near the ray, or the patch, is none.
@@ -274,17 +274,17 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
 
 // Walks along the points of the surface to which the ray's are nearest, first against the ray, then along it, and ends
 // at the nearest place, farther away than `after`, where the ray meets the surface: `best`, at depth `after`, on
-// `wantedSide`. That is the side that the hull is seen from, or, where the ray has run past a border before, the other.
+// `wantedSide`. That is the side that the shell is seen from, or, where the ray has run past a border before, the other.
 // Found, or missed, or lost. A miss has to be explained: the ray was outside of the surface from the first place to the last,
 // or it came in beyond a border, or through a root that is known to be none. What ends inside without that has passed a root
-// unseen: lost. So is what still nears the surface, in its hull, when the scan is over; but with edges to pass, rays run
+// unseen: lost. So is what still nears the surface, in its shell, when the trace is over; but with edges to pass, rays run
 // out over them far more often than they meet the surface there: these have missed.
 //
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well, and what a long one has passed is walked again with shorter ones.
-int scan(Ray ray, inout real after, out real2 best, out bool crossed) {
-  real2 p = besideEdges(startOfLink().xy);
-  real nearest = 1e30, length_ = kScanStep, most = kScanMost;
+int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
+  real2 p = besideEdges(startAtEntry().xy);
+  real nearest = 1e30, length_ = kTraceStep, most = kTraceMax;
   real sense = senseOf(ray);
   Sample first, last;
   bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false, explained = true;
@@ -316,25 +316,25 @@ int scan(Ray ray, inout real after, out real2 best, out bool crossed) {
         nearest = depth;
         best = candidate;
         crossed = falls || (back ? now.g <= 0.0 && last.g > 0.0 : now.g > 0.0 && last.g <= 0.0);
-        wantedSide = falls ? -hullSide() : hullSide();
+        wantedSide = falls ? -shellSide() : shellSide();
       } else if (isRoot && !again) {
         passedBorder = seesPastBorder();
         explained = true;
       }
       if (!isRoot && !back && !again && last.g <= 0.0 && now.g > 0.0) explained = false;
     }
-    // Beyond the hull and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
-    bool leavesSlab = abs(now.g) > max(abs(last.g), linkClip.z);
+    // Beyond the shell and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
+    bool leavesSlab = abs(now.g) > max(abs(last.g), varyingClip.z);
     bool leaves = !back && !again && (leavesSlab || turned || cellsBeyond(now.p) > kBeyond);
-    nears = endless && !leaves && now.g < 0.0 && -now.g < min(linkClip.z, kMoreSteps * length_ * now.slope);
+    nears = endless && !leaves && now.g < 0.0 && -now.g < min(varyingClip.z, kMoreSteps * length_ * now.slope);
     if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
-    if (again) most = max(0.25 * length_, kScanStep);
+    if (again) most = max(0.25 * length_, kTraceStep);
     bool steady = !back && abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope)) < kSteady * abs(now.g);
-    length_ = again ? most : steady ? min(kScanGrowth * length_, most) : kScanStep;
+    length_ = again ? most : steady ? min(kTraceGrowth * length_, most) : kTraceStep;
     if (!again) last = steps == kBackward ? first : now;
     // A formula need not exist far beyond the domain.
-    if (cellsBeyond(last.p + length_ * last.way * linkCellHalf.xy) > kBeyond) length_ = min(length_, 2.0 * kScanStep);
-    p = last.p + (steps < kBackward ? -length_ : length_) * last.way * linkCellHalf.xy;
+    if (cellsBeyond(last.p + length_ * last.way * varyingCellHalf.xy) > kBeyond) length_ = min(length_, 2.0 * kTraceStep);
+    p = last.p + (steps < kBackward ? -length_ : length_) * last.way * varyingCellHalf.xy;
   }
   after = nearest;
   return nearest < 1e30 ? kFound : nears || !explained ? kLost : kMissed;
@@ -342,18 +342,18 @@ int scan(Ray ray, inout real after, out real2 best, out bool crossed) {
 
 // The point where rays may graze the surface.
 //
-// Newton's method from where the ray enters the hull finds most. Where folds lie close to each other or to an edge, it
-// may find the wrong root or none. There a scan begins: along a fold the surface is flat on the screen, so one direction
+// Newton's method from where the ray enters the shell finds most. Where folds lie close to each other or to an edge, it
+// may find the wrong root or none. There a trace begins: along a fold the surface is flat on the screen, so one direction
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
-// The scan takes the nearest of its roots, and Newton's method goes on from there. Where that one turns out to be none, or
+// The trace takes the nearest of its roots, and Newton's method goes on from there. Where that one turns out to be none, or
 // none of the patch, there is another attempt farther away. A root far from the start may have others before it: it is
-// held until a scan has found none.
+// held until a trace has found none.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
-  p = startOfLink().xy;
+  p = startAtEntry().xy;
   int result = kLost;
   // A CPU device skips no branch, but leaves a loop when no pixel is left in it; and it runs the body of each at least
-  // once. So each formula stands once in a loop of its own, and a scan costs those that need none a single step.
-  wantedSide = hullSide();
+  // once. So each formula stands once in a loop of its own, and a trace costs those that need none a single step.
+  wantedSide = shellSide();
   real after = -1e30, heldDepth = 1e30;
   real2 held = p;
   bool passed = false, takesHeld = false, crossed = false;
@@ -367,9 +367,9 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
     bool ended = result == kFound ? !holds : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
     if (ended || takesHeld) break;
     if (attempt > 0) after = max(after, at.depth);
-    result = attempt + 1 < kAttempts ? scan(ray, after, p, crossed) : kLost;
+    result = attempt + 1 < kAttempts ? traceCurve(ray, after, p, crossed) : kLost;
     takesHeld = heldDepth < 1e30 && (result != kFound || after >= heldDepth);
-    if (takesHeld) p = held, wantedSide = hullSide(), crossed = false;
+    if (takesHeld) p = held, wantedSide = shellSide(), crossed = false;
     else if (result != kFound) break;
   }
   return result;
@@ -378,29 +378,29 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
 // Finds the point; p and at are its own when found.
 int findRoot(Ray ray, out real2 p, out Probe at) {
   if (isLeftOut()) return kMissed;
-  return kSteep ? findGrazedRoot(ray, p, at) : findPlainRoot(ray, p, at);
+  return kGrazing ? findGrazedRoot(ray, p, at) : findPlainRoot(ray, p, at);
 }
 
 // Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K a
 // proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near.
 //
-// And the ray has not met the surface before, between where it entered the hull and the root. That is so of a root behind
+// And the ray has not met the surface before, between where it entered the shell and the root. That is so of a root behind
 // that place, which hides whatever is farther on, and where J cannot vanish that near to the root, |1/J| K r < 1. Elsewhere
 // the way there is walked, along the curve of points to which the ray's are nearest; its bend counts for another K. Between
 // places d cells apart at which the ray is h and h' above the surface it is above it if sqrt(h) + sqrt(h') >= d sqrt(K): so
 // from one place a step of sqrt(h / K) passes nothing, if the ray is above the surface where it ends, or that is the root.
 // One lane in a hundred, and a loop that no pixel of a group is in costs nothing.
 bool certified(Ray ray, real2 p, Probe at) {
-  real2 ju = at.fu * linkCellHalf.x, jv = at.fv * linkCellHalf.y;
+  real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
   real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p);
-  real k = linkViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
+  real k = varyingViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
-  if (kSteep) {
+  if (kGrazing) {
     bool behind = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
     bool first = behind || 2.0 * squares * k * k * r * r <= det * det;
-    real side = det * hullSide() > 0.0 ? 1.0 : -1.0, left = r;
+    real side = det * shellSide() > 0.0 ? 1.0 : -1.0, left = r;
     for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
-      real2 q = mix(p, startOfLink().xy, left / r);
+      real2 q = mix(p, startAtEntry().xy, left / r);
       real height = -side * sampleAt(ray, q, probeAt(ray, q), senseOf(ray)).g;
       proven = height > 0.0;
       real step_ = sqrt(max(height, 0.0) / k);

@@ -15,7 +15,7 @@
 #define real4 vec4
 #endif
 
-layout(scalar, set = 2, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
+layout(scalar, set = kSetExact, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
 // A CPU device reads a buffer slowly: parameters that are not carried are read once, not whenever the formula is.
 const uint kHeldParameters = 64;
 const uint kNotCarried = kParameterCount > kCarriedParameters ? kParameterCount - kCarriedParameters : 0;
@@ -23,7 +23,7 @@ const uint kHeld = kNotCarried < kHeldParameters ? kNotCarried : kHeldParameters
 real heldParameters[kHeldParameters];
 
 real parameterFromBuffer(uint k) {
-  uint first = 2 * (linkFlags.y + k);
+  uint first = 2 * (varyingFlags.y + k);
 #ifdef LUXO_DOUBLE
   return real(exactParameters[first]) + real(exactParameters[first + 1]);
 #else
@@ -42,33 +42,33 @@ real carriedParameter(uint k) { return pair(kFirstParameter + 2 * k); }
 // Relative to the eye.
 vec3 relativePosition(real3 S) {
   vec3 p = vec3(S - real3(pair(kMiddle), pair(kMiddle + 2), pair(kMiddle + 4)));
-  return linkRelative[0].xyz * p.x + linkRelative[1].xyz * p.y + linkRelative[2].xyz * p.z +
-         vec3(linkRelative[0].w, linkRelative[1].w, linkRelative[2].w);
+  return varyingRelative[0].xyz * p.x + varyingRelative[1].xyz * p.y + varyingRelative[2].xyz * p.z +
+         vec3(varyingRelative[0].w, varyingRelative[1].w, varyingRelative[2].w);
 }
 
 #else
 
-#define rowX linkX
-#define rowY linkY
-#define rowDepth linkDepth
-#define patchDomain linkDomain
+#define rowX varyingX
+#define rowY varyingY
+#define rowDepth varyingDepth
+#define patchDomain varyingDomain
 
 float carriedParameter(uint k) { return packed(kFirstParameter + k); }
 
 // Relative to the eye.
 vec3 relativePosition(vec3 S) {
-  return linkRelative[0].xyz * S.x + linkRelative[1].xyz * S.y + linkRelative[2].xyz * S.z +
-         vec3(linkRelative[0].w, linkRelative[1].w, linkRelative[2].w);
+  return varyingRelative[0].xyz * S.x + varyingRelative[1].xyz * S.y + varyingRelative[2].xyz * S.z +
+         vec3(varyingRelative[0].w, varyingRelative[1].w, varyingRelative[2].w);
 }
 
 #endif
 
 void readSurface() {
 #ifdef LUXO_DOUBLE
-  rowX = real4(linkX) + real4(packed4(kFirstRowLow));
-  rowY = real4(linkY) + real4(packed4(kFirstRowLow + 4));
-  rowDepth = real4(linkDepth) + real4(packed4(kFirstRowLow + 8));
-  if (!kEquation) patchDomain = real4(linkDomain) + real4(packed4(kFirstDomainLow));
+  rowX = real4(varyingX) + real4(packed4(kFirstRowLow));
+  rowY = real4(varyingY) + real4(packed4(kFirstRowLow + 4));
+  rowDepth = real4(varyingDepth) + real4(packed4(kFirstRowLow + 8));
+  if (!kEquation) patchDomain = real4(varyingDomain) + real4(packed4(kFirstDomainLow));
 #endif
   for (uint k = 0; k < kHeld; ++k) heldParameters[k] = parameterFromBuffer(kCarriedParameters + k);
 }
@@ -84,7 +84,7 @@ real surfaceParameterAt(uint k) {
 // their point like the others, unless what a CPU device reads from buffers for them is 0: where that is worth a read they
 // are left out, by what they read of their instance, whose id is never 0.
 const bool kLeavesOut = kDouble || kHeld > 0;
-bool isLeftOut() { return kLeavesOut && instances[linkFlags.w].id == 0; }
+bool isLeftOut() { return kLeavesOut && instances[varyingFlags.w].id == 0; }
 
 // The formula: void surfaceAt(real u, real v, out real3 S, out real3 Su, out real3 Sv).
 #define parameterAt surfaceParameterAt
@@ -99,4 +99,4 @@ real originOfU() { return 0.0; }
 #endif
 
 // The patch's lowest u and v, highest u and v, as the surface calls them.
-vec4 domainOfNames() { return linkDomain + vec4(originOfU(), 0, originOfU(), 0); }
+vec4 domainOfNames() { return varyingDomain + vec4(originOfU(), 0, originOfU(), 0); }

@@ -25,7 +25,7 @@ struct Material {
 const float kTiny = 1e-37;
 
 // An inverse-square light as near as 1e-15 metres gets no brighter: its product with any radiance is still a number.
-const float kMostAttenuation = 1e30;
+const float kMaxAttenuation = 1e30;
 
 // log2(1 - x) for x in 0..0.15, to 1e-8, all digits of small x included: by interpolation in Chebyshev's points.
 float log2OfOneLess(float x) {
@@ -53,7 +53,7 @@ vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v)
   bool shines = cosine > 0.0 || ((material.flags & kLectureSpecular) != 0 && squared > 0.0);
   vec3 reflectance = material.diffuse * max(cosine, 0.0) +
                      (shines ? material.specular * highlight(n, h, material.shininess) : vec3(0));
-  return reflectance * light.radiance * (light.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMostAttenuation) : 1.0);
+  return reflectance * light.radiance * (light.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMaxAttenuation) : 1.0);
 }
 
 // What a light in the focus of a paraboloid shade lights: all inside the paraboloid, whose points are nearer to the

@@ -2,8 +2,6 @@
 // Geometry as numbers (auxiliary outputs) or as colours (debug views).
 #include "lib/scene.glsl"
 
-const uint kPosition = 0, kNormal = 1, kParameters = 2, kDepth = 3, kId = 4, kResidual = 5, kCertificate = 6, kLight = 7;
-
 struct Inspected {
   vec3 position, normal;
   vec2 parameters;
@@ -12,9 +10,6 @@ struct Inspected {
   float residual;  // pixels; negative: not certified
   uint certificate;
 };
-
-// Values of a certificate: by the search that found the point, by a ray cast in double, or none.
-const uint kBySearch = 1, kByRay = 2, kUncertified = 3;
 
 // Colours of neighbouring numbers lie a golden angle apart on the hue circle: any few nodes are told apart.
 vec3 colorOfId(uint id) {

@@ -3,7 +3,8 @@
 // costs nothing. The shaded ones are the last.
 #ifndef LUXO_LIB_LIGHT_COUNTS_GLSL
 #define LUXO_LIB_LIGHT_COUNTS_GLSL
+#include "shared/scene_data.h"
 
-layout(constant_id = 0) const uint kPlainLights = 0;
-layout(constant_id = 1) const uint kShadedLights = 0;
+layout(constant_id = kConstantPlainLights) const uint kPlainLights = 0;
+layout(constant_id = kConstantShadedLights) const uint kShadedLights = 0;
 #endif

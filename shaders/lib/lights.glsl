@@ -6,8 +6,6 @@
 #define LUXO_LIB_LIGHTS_GLSL
 #include "shared/scene_data.h"
 
-layout(scalar, set = 0, binding = kBindingLights) uniform Lights { LightSet lightSet; };
+layout(scalar, set = kSetScene, binding = kBindingLights) uniform Lights { LightSet lightSet; };
 
-const uint kCarriedLights = 2;
-const uint kCarriedShades = 1;
 #endif

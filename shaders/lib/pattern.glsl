@@ -3,7 +3,7 @@
 #include "lib/formula.glsl"
 #include "shared/scene_data.h"
 
-layout(scalar, set = 1, binding = 0) readonly buffer PatternParameters { float patternParameters[]; };
+layout(scalar, set = kSetPattern, binding = 0) readonly buffer PatternParameters { float patternParameters[]; };
 
 // The including shader says where the material's parameters start, and the lowest and highest u and v inside the surface.
 uint firstPatternParameter();

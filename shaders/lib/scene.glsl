@@ -4,8 +4,8 @@
 #define LUXO_LIB_SCENE_GLSL
 #include "shared/scene_data.h"
 
-layout(scalar, set = 0, binding = kBindingView) uniform View { ViewData view; };
-layout(scalar, set = 0, binding = kBindingInstances) readonly buffer Instances { InstanceData instances[]; };
+layout(scalar, set = kSetScene, binding = kBindingView) uniform View { ViewData view; };
+layout(scalar, set = kSetScene, binding = kBindingInstances) readonly buffer Instances { InstanceData instances[]; };
 
 // From a point toward who sees it: unit.
 vec3 towardViewer(vec4 viewer, vec3 position) {

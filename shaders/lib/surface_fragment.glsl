@@ -8,7 +8,7 @@
 #include "lib/lights.glsl"
 #include "lib/scene.glsl"
 
-layout(constant_id = 2) const bool kFacetNormal = false;
+layout(constant_id = kConstantFacetNormal) const bool kFacetNormal = false;
 
 layout(location = 0) sample in vec3 inPosition;
 layout(location = 1) sample in vec3 inNormal;

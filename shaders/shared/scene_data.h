@@ -16,28 +16,68 @@ using mat3 = Mat3f;
 using mat4 = Mat4f;
 using uint = std::uint32_t;
 #define LUXO_CONSTANT inline constexpr uint
+#define LUXO_NUMBER inline constexpr float
 #else
 #extension GL_EXT_scalar_block_layout : require
 #define LUXO_CONSTANT const uint
+#define LUXO_NUMBER const float
 #endif
 
-// Bindings of descriptor set 0.
+// Descriptor sets: of all draws; of draws with a pattern; of draws that find the surface itself in every pixel.
+LUXO_CONSTANT kSetScene = 0;
+LUXO_CONSTANT kSetPattern = 1;
+LUXO_CONSTANT kSetExact = 2;
+
+// Bindings of kSetScene.
 LUXO_CONSTANT kBindingView = 0;
 LUXO_CONSTANT kBindingInstances = 1;
 LUXO_CONSTANT kBindingLights = 2;  // dynamic offset: the set of lights that reach the draw
 
-// Bindings of descriptor set 2, of draws that find the surface itself in every pixel.
+// Bindings of kSetExact.
 LUXO_CONSTANT kBindingExactInstances = 0;
 LUXO_CONSTANT kBindingExactPatches = 1;
 LUXO_CONSTANT kBindingExactParameters = 2;
-LUXO_CONSTANT kBindingTally = 3;
+LUXO_CONSTANT kBindingFeedback = 3;
 LUXO_CONSTANT kBindingDoubts = 4;
+LUXO_CONSTANT kExactBindings = 5;
+
+// Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
+// reach a draw costs nothing.
+LUXO_CONSTANT kConstantPlainLights = 0;
+LUXO_CONSTANT kConstantShadedLights = 1;
+LUXO_CONSTANT kConstantFacetNormal = 2;     // of meshes
+LUXO_CONSTANT kConstantQuantity = 3;        // of the next
+LUXO_CONSTANT kConstantAsColor = 4;
+LUXO_CONSTANT kConstantParameterCount = 5;  // of a formula
+LUXO_CONSTANT kConstantPoles = 6;
+LUXO_CONSTANT kConstantCertificate = 7;     // of all points that are not searched for
+LUXO_CONSTANT kConstantEquation = 8;
+LUXO_CONSTANT kConstantManySamples = 9;
+
+// What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views), or its light.
+LUXO_CONSTANT kPosition = 0;
+LUXO_CONSTANT kNormal = 1;
+LUXO_CONSTANT kParameters = 2;
+LUXO_CONSTANT kDepth = 3;
+LUXO_CONSTANT kId = 4;
+LUXO_CONSTANT kResidual = 5;
+LUXO_CONSTANT kCertificate = 6;
+LUXO_CONSTANT kLight = 7;
+
+// Values of a certificate: by the search that found the point, by a ray cast in double, or none.
+LUXO_CONSTANT kBySearch = 1;
+LUXO_CONSTANT kByRay = 2;
+LUXO_CONSTANT kUncertified = 3;
+
+// Cells of a shell: a root that is farther from where its search began is not certified. What a shell says of derivatives
+// has to hold as far, and a cell more (kSearchedCells).
+LUXO_NUMBER kFarCells = 2.0;
 
 LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
 
-// Searches that lose a surface are counted: those in triangles seen flat by slots that vertices of hulls share, of all
+// Searches that lose a surface are counted: those in transversal triangles by slots that vertices of shells share, of all
 // instances, the others after these by instance.
-LUXO_CONSTANT kTallySlots = 16384;
+LUXO_CONSTANT kFeedbackSlots = 16384;
 
 // What is in doubt, two bits a pixel, row by row: a search has lost a surface there; what it has found there is not
 // certified.
@@ -46,7 +86,14 @@ LUXO_CONSTANT kUncertifiedHere = 2;
 LUXO_CONSTANT kDoubtBits = 2;
 LUXO_CONSTANT kDoubtsPerWord = 16;
 
-LUXO_CONSTANT kMostLights = 32;  // that may reach one object
+LUXO_CONSTANT kMaxLights = 32;  // that may reach one object
+
+// So many of them are carried from vertices to fragments; more are read from a buffer, which takes a CPU device longer.
+LUXO_CONSTANT kCarriedLights = 2;
+LUXO_CONSTANT kCarriedShades = 1;
+
+// vec4 that vertices of a shell hand to fragments: more than Vulkan promises, as many as devices have.
+LUXO_CONSTANT kVaryings = 30;
 
 // Instance flags.
 LUXO_CONSTANT kTwoSided = 1;         // the normal turns toward the viewer
@@ -57,7 +104,15 @@ LUXO_CONSTANT kShowsBack = 16;       // not only the outer side is seen
 LUXO_CONSTANT kFromAbove = 32;       // of a plane: seen from where cross(z axis, x axis) of the transform points to
 LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
 
-// Flags of patches, which join those of instances.
+// Flags of draws, which join these.
+LUXO_CONSTANT kBackSide = 1 << 22;     // these triangles, seen from the front, lead to the back of the surface
+LUXO_CONSTANT kNegative = 1 << 23;     // where they are seen from the front, areas of the parameters on it are negative
+LUXO_CONSTANT kPerspective = 1 << 24;
+LUXO_CONSTANT kPointLight = 1 << 25;   // of the first light that is carried; kFlagsOfLight on, of the next
+LUXO_CONSTANT kInverseSquare = 1 << 26;
+LUXO_CONSTANT kFlagsOfLight = 2;
+
+// Flags of patches, which join them all.
 LUXO_CONSTANT kInward = 1 << 16;    // Su x Sv points inward
 LUXO_CONSTANT kWrapsU = 1 << 17;    // the formula goes on beyond the ends of u, which are the same curve
 LUXO_CONSTANT kWrapsV = 1 << 18;
@@ -116,12 +171,12 @@ struct ExactInstance {
   float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
   float tolerance; // largest residual, pixels; see clipDepth
   uint firstPatch;
-  uint firstSlot;  // of its first vertex; kTallySlots in all, after the last follows the first
-  vec3 origin;     // of the hull's vertices, object space
+  uint firstSlot;  // of its first vertex; kFeedbackSlots in all, after the last follows the first
+  vec3 origin;     // of the shell's vertices, object space
   // Of a plane: metres of the object in a pixel (perspective: at depth 1). Else:
-  float thickness; // farther from the surface than this there is no hull, pixels (perspective: times depth)
-  // In double: pixels and depth, as x, y and depth of what is no plane, of points relative to the hull's origin.
-  vec4 hullX, hullY, hullDepth, hullXLow, hullYLow, hullDepthLow;
+  float thickness; // farther from the surface than this there is no shell, pixels (perspective: times depth)
+  // In double: pixels and depth, as x, y and depth of what is no plane, of points relative to the shell's origin.
+  vec4 shellX, shellY, shellDepth, shellXLow, shellYLow, shellDepthLow;
 };
 
 // A patch of a surface.
@@ -139,12 +194,24 @@ struct ShadeData {
 };
 
 struct LightSet {
-  LightData lights[kMostLights];  // the shaded ones last
-  ShadeData shades[kMostLights];  // of the shaded ones, in their order
+  LightData lights[kMaxLights];  // the shaded ones last
+  ShadeData shades[kMaxLights];  // of the shaded ones, in their order
 };
 
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
+#undef LUXO_NUMBER
+// All flags share one word.
+inline constexpr uint kInstanceFlags = kTwoSided | kLectureSpecular | kPatternAmbient | kPlane | kShowsBack | kFromAbove;
+inline constexpr uint kShadeFlags = 0xffu << kShadeShift;
+inline constexpr uint kPatchFlags =
+    kInward | kWrapsU | kWrapsV | kPoleLow | kPoleHigh | kPolesOfU | kRisesOutward | kRadial | kBordered;
+inline constexpr uint kDrawFlags = kBackSide | kNegative | kPerspective;
+inline constexpr uint kLightFlags = ((1u << kFlagsOfLight * kCarriedLights) - 1) * kPointLight;
+static_assert(std::uint64_t{kInstanceFlags} + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
+              (kInstanceFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
+static_assert(kMaxLights < kShadeFlags >> kShadeShift);
+static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared

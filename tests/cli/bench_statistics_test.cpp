@@ -67,7 +67,7 @@ BenchRow rowOf(BenchWay way, std::uint64_t triangles, double ms, double errorPx)
   return row;
 }
 
-constexpr double kHullPx = DrawOptions{}.hullTolerancePx;
+constexpr double kShellPx = DrawOptions{}.shellTolerancePx;
 
 BenchScene exampleScene() {
   return {
@@ -77,8 +77,8 @@ BenchScene exampleScene() {
       .truthMs = 1,
       .truth = Image(2, 3, 3),
       .rows = {rowOf({Shading::Phong, 0.5, 1}, 100, 4, 0.4), rowOf({Shading::Phong, 0.05, 1}, 1'000, 8, 0.04),
-               rowOf({Shading::Exact, kHullPx, 1}, 50, 6, 0.0005),
-               rowOf({Shading::Exact, kHullPx, 4}, 50, 1, 0.0005)},
+               rowOf({Shading::Exact, kShellPx, 1}, 50, 6, 0.0005),
+               rowOf({Shading::Exact, kShellPx, 4}, 50, 1, 0.0005)},
       .pictures = {}};
 }
 

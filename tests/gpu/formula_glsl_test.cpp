@@ -40,8 +40,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kWidth = 256;
 
 // Of whole surfaces, relative to their size: some ten roundings of 6e-8.
-constexpr double kMostSurfaceError = 1e-6;
-constexpr double kMostTangentError = 2e-6;
+constexpr double kMaxSurfaceError = 1e-6;
+constexpr double kMaxTangentError = 2e-6;
 
 constexpr std::string_view kFragment = R"(#version 460
 #extension GL_GOOGLE_include_directive : require
@@ -481,9 +481,9 @@ TEST_F(FormulaGlslTest, SurfacesAgreeWithTheTape) {
     }
     fmt::print("  {:<22} {:>10.1e} {:>10.1e} {:>10.1e}\n", entry.name, errors.of(0), errors.of(1),
                errors.of(2));
-    EXPECT_LE(errors.of(0), kMostSurfaceError) << entry.name;
-    EXPECT_LE(errors.of(1), kMostTangentError) << entry.name;
-    EXPECT_LE(errors.of(2), kMostTangentError) << entry.name;
+    EXPECT_LE(errors.of(0), kMaxSurfaceError) << entry.name;
+    EXPECT_LE(errors.of(1), kMaxTangentError) << entry.name;
+    EXPECT_LE(errors.of(2), kMaxTangentError) << entry.name;
   }
 }
 

@@ -180,7 +180,7 @@ TEST_F(Accumulation, AuxiliaryOutputsAreOfThePixelsCentre) {
 
 TEST_F(Accumulation, CostsAPassPerSample) {
   const Camera camera{.eye = Vec3(0, 0, 4)};
-  // Meshes are drawn once; hulls may be made finer and drawn again.
+  // Meshes are drawn once; shells may be made finer and drawn again.
   const Picture one = draw(busyScene(), camera, {64, 48}, {.shading = Shading::Phong});
   const Picture seven = draw(busyScene(), camera, {64, 48}, {.shading = Shading::Phong, .samples = 7});
   const FrameCounts &a = one.statistics.count, &b = seven.statistics.count;

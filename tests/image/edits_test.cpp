@@ -56,22 +56,22 @@ Scene plates(int firstEdit, int count) {
 }
 
 /// As many pipelines as fit what is kept of old ones, whatever their shaders.
-constexpr int kMostKept = static_cast<int>(kMostIdlePipelineBytes >> 21);
+constexpr int kMaxKept = static_cast<int>(kMaxIdlePipelineBytes >> 21);
 
 TEST_F(EditsTest, WhatIsKeptHasABound) {
   // Each edit makes a shader, a pipeline and its layout.
-  for (int edit = 0; edit < kMostKept; ++edit) ASSERT_EQ(pipelinesFor(plates(edit, 1)), 1u);
+  for (int edit = 0; edit < kMaxKept; ++edit) ASSERT_EQ(pipelinesFor(plates(edit, 1)), 1u);
   const std::uint64_t then = objects();
-  for (int edit = kMostKept; edit < 2 * kMostKept; ++edit) ASSERT_EQ(pipelinesFor(plates(edit, 1)), 1u);
+  for (int edit = kMaxKept; edit < 2 * kMaxKept; ++edit) ASSERT_EQ(pipelinesFor(plates(edit, 1)), 1u);
   EXPECT_LE(objects(), then);
   // The latest are still there, the first is not.
-  EXPECT_EQ(pipelinesFor(plates(2 * kMostKept - 5, 1)), 0u);
+  EXPECT_EQ(pipelinesFor(plates(2 * kMaxKept - 5, 1)), 0u);
   EXPECT_EQ(pipelinesFor(plates(0, 1)), 1u);
 }
 
 TEST_F(EditsTest, WhatAPictureUsesStays) {
-  const Scene many = plates(0, kMostKept + 4);
-  EXPECT_EQ(pipelinesFor(many), kMostKept + 4u);
+  const Scene many = plates(0, kMaxKept + 4);
+  EXPECT_EQ(pipelinesFor(many), kMaxKept + 4u);
   EXPECT_EQ(pipelinesFor(many), 0u);
   EXPECT_EQ(pipelinesFor(plates(100, 1)), 1u);
   EXPECT_EQ(pipelinesFor(many), 0u) << "it was in use a picture ago";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact pictures of what hulls, searches and skips found hardest to prove, every pixel held against certified
-// rays: nothing is missing, no other layer is seen, and what is not found is counted.
+// Exact pictures of what shells, searches and skips found hardest to prove, every pixel held against
+// certified rays: nothing is missing, no other layer is seen, and what is not found is counted.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

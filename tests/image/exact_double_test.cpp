@@ -101,7 +101,7 @@ TEST_F(ExactDouble, PatternsAreShown) {
     }
 }
 
-// From 70 km single precision moves a hull's vertices by most of such a pixel.
+// From 70 km single precision moves a shell's vertices by most of such a pixel.
 TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
   Scene scene;
   scene.set(plainSettings());

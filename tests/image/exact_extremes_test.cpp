@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact shading where a search has a hard time: the eye on a surface and inside its hull, surfaces seen from
+// Exact shading where a search has a hard time: the eye on a surface and inside its shell, surfaces seen from
 // inside, holes in formulas, poles at the silhouette. Pictures are finite, and right wherever the answer is
 // known.
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST_F(ExactExtremes, EyeOnABall) {
     }
 }
 
-TEST_F(ExactExtremes, EyeInsideTheHull) {
+TEST_F(ExactExtremes, EyeInsideTheShell) {
   const Scene scene = glowingScene(sphere(1));
   for (const double height : {0.05, 4e-3, 1e-3, 2e-4, -2e-4, -1e-3, -0.05}) {
     SCOPED_TRACE(height);
@@ -84,8 +84,8 @@ TEST_F(ExactExtremes, EyeInsideTheHull) {
   }
 }
 
-// Along the horizon a ray dips into the ball by less than the hull is thick.
-TEST_F(ExactExtremes, HorizonFromInsideTheHull) {
+// Along the horizon a ray dips into the ball by less than the shell is thick.
+TEST_F(ExactExtremes, HorizonFromInsideTheShell) {
   const Scene scene = glowingScene(sphere(1));
   const Camera camera{.eye = Vec3(0, 0, 1 + 2e-4),
                       .lookAt = Vec3(1, 0, 1 - 2e-2),
@@ -199,7 +199,7 @@ Surface flattenedTorus(const Vec3& undone) {
       {});
 }
 
-// The hull is as fine as that of what is seen, whatever shares of its proportions are the formula's and the
+// The shell is as fine as that of what is seen, whatever shares of its proportions are the formula's and the
 // transform's.
 TEST_F(ExactExtremes, ScalesThatUndoTheFormulas) {
   const Camera camera{.eye = Vec3(2.2, 2.6, 2.9), .fovY = radians(40)};

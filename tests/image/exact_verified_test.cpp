@@ -47,7 +47,7 @@ TEST_P(ExactVerified, EveryPixelIsWithinAThousandth) {
 }
 
 // Formulas of their arguments, in float and, magnified, in double. Along the valleys of the twisted torus
-// rays run in its hull for many cells before they meet it.
+// rays run in its shell for many cells before they meet it.
 TEST_F(VerifiedPictureTest, NamedSurfacesWithOtherArguments) {
   for (const char* name : {"flag", "mobius", "klein_figure8", "dupin_cyclide", "twisted_torus"})
     for (const bool magnified : {false, true}) {
@@ -67,7 +67,7 @@ TEST_F(VerifiedPictureTest, NamedSurfacesWithOtherArguments) {
 
 // Of four samples each finds its own point: where a pass of single samples at the same places shows something
 // else, the truth is with the four. From low beside the teapot, whose outlines are covered by slivers of its
-// hull.
+// shell.
 TEST_F(VerifiedPictureTest, EachOfFourSamplesIsRight) {
   Scene scene = embedded("teapot");
   constexpr PixelSize kSize{400, 300}, kBySamples{1600, 1200};
@@ -112,7 +112,7 @@ TEST_F(VerifiedPictureTest, EachOfFourSamplesIsRight) {
   EXPECT_LE(differ, 4);
 }
 
-// Long steps lead a search along the valley, so that its pixels need no finer hull, and hardly a ray.
+// Long steps lead a search along the valley, so that its pixels need no finer shell, and hardly a ray.
 TEST_F(VerifiedPictureTest, ValleysAlongTheViewAreFoundAtOnce) {
   Scene scene;
   scene.add(Node{.surface = makeSurface("twisted_torus")});
@@ -126,7 +126,7 @@ TEST_F(VerifiedPictureTest, ValleysAlongTheViewAreFoundAtOnce) {
 }
 
 // Where asymptotic directions lie along the view, and at borders of horns, past which their other side is
-// seen by rays that do not leave the hull in between.
+// seen by rays that do not leave the shell in between.
 TEST_F(VerifiedPictureTest, GrazedSaddlesAndTheInsideOfHorns) {
   constexpr const char* kNodes = R"({ "luxo": 1, "materials": { "m": { "diffuse": [0.2, 0.4, 0.6] } },
     "surfaces": { "enneper": { "type": "enneper" }, "scherk": { "type": "scherk" },
@@ -155,7 +155,7 @@ TEST_F(VerifiedPictureTest, GrazedSaddlesAndTheInsideOfHorns) {
 struct Walk {
   const char* scene;
   std::vector<std::uint32_t> cameras;
-  double hullPx = DrawOptions{}.hullTolerancePx;
+  double shellPx = DrawOptions{}.shellTolerancePx;
 };
 
 void PrintTo(const Walk& walk, std::ostream* out) { *out << walk.scene; }
@@ -189,19 +189,19 @@ class ExactFromAnywhere : public VerifiedPictureTest, public testing::WithParamI
 
 // Each of these cameras once saw a pixel of a root that was not the nearest, of none, or of none at once:
 // over waves seen flat, past rims, from so near that float rounds away more than a search may leave, through
-// what was taken to hide it, and where a cell of a hull held more than one fold.
+// what was taken to hide it, and where a cell of a shell held more than one fold.
 INSTANTIATE_TEST_SUITE_P(Scenes, ExactFromAnywhere,
                          testing::Values(Walk{"showcase", {4, 13, 19, 25}}, Walk{"teapot", {2, 14, 52, 58}},
                                          Walk{"catalogue", {2, 28}}, Walk{"catalogue", {2, 9}, 2}),
                          [](const auto& walk) {
-                           return fmt::format("{}_{}px", walk.param.scene, walk.param.hullPx);
+                           return fmt::format("{}_{}px", walk.param.scene, walk.param.shellPx);
                          });
 
 TEST_P(ExactFromAnywhere, TheNearestPointIsShown) {
   const Scene scene = embedded(GetParam().scene);
   for (const std::uint32_t camera : GetParam().cameras) {
     SCOPED_TRACE(camera);
-    const Verified found = verified(snapshotFrom(scene, camera, {400, 300}), GetParam().hullPx);
+    const Verified found = verified(snapshotFrom(scene, camera, {400, 300}), GetParam().shellPx);
     EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
     EXPECT_EQ(found.verification.coverage.beyond, 0U);
     EXPECT_LE(found.verification.positionPx.max, 1e-3);

@@ -11,7 +11,7 @@ namespace luxo::test {
 namespace {
 
 constexpr int kLevels = 13;
-constexpr std::size_t kMostCells = 2000;
+constexpr std::size_t kMaxCells = 2000;
 constexpr int kProofsPerLevel = 8;  // of points: 13 evaluations each at least, some hundred at most
 constexpr int kHalvings = 7;        // of an edge of a rectangle
 constexpr double kAround = 2;       // of a rectangle's sides: its neighbours that may hold the point instead
@@ -42,7 +42,7 @@ class Prover {
   BruteForce run() {
     for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch)
       add({patch, surface_.patchDomain(patch)});
-    for (int level = 0; level < kLevels && !cells_.empty() && 4 * cells_.size() <= kMostCells; ++level) {
+    for (int level = 0; level < kLevels && !cells_.empty() && 4 * cells_.size() <= kMaxCells; ++level) {
       const std::vector<Cell> whole = std::move(cells_);
       cells_.clear();
       for (const Cell& cell : whole) {

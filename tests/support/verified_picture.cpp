@@ -5,10 +5,10 @@
 
 namespace luxo::test {
 
-VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snapshot, double hullPx) {
+VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snapshot, double shellPx) {
   const auto show = [&](Output output) {
     return renderer().render(snapshot,
-                             {.shading = Shading::Exact, .output = output, .hullTolerancePx = hullPx});
+                             {.shading = Shading::Exact, .output = output, .shellTolerancePx = shellPx});
   };
   const Picture color = show(Output::Color);
   return {color.statistics, verify(snapshot, castPicture(snapshot),

@@ -14,7 +14,7 @@ class VerifiedPictureTest : public PictureTest {
     Verification verification;
   };
 
-  [[nodiscard]] Verified verified(const Snapshot& snapshot, double hullPx = DrawOptions{}.hullTolerancePx);
+  [[nodiscard]] Verified verified(const Snapshot& snapshot, double shellPx = DrawOptions{}.shellTolerancePx);
 
   /// What an exact picture promises: nothing lost, every pixel within a thousandth, 110 dB, and coverage
   /// wrong nowhere but within 0.01 px of the silhouette. At least `pixels` of it are on a surface.

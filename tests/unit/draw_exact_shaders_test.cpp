@@ -67,15 +67,15 @@ Surface sines(int count) {
       {});
 }
 
-std::vector<std::uint32_t> compiledFor(int count, bool steep, GlslNumber number = GlslNumber::Float) {
+std::vector<std::uint32_t> compiledFor(int count, bool grazing, GlslNumber number = GlslNumber::Float) {
   const SurfaceCode code = surfaceCode(*sines(count).patches()[0].function, 0, number);
-  return gpu::ShaderCompiler(std::filesystem::path()).compile(ExactSource(code, {}, steep).desc()).spirv;
+  return gpu::ShaderCompiler(std::filesystem::path()).compile(ExactSource(code, {}, grazing).desc()).spirv;
 }
 
 TEST(ExactShaders, HaveAFormulaOnceForEveryLoopThatNeedsIt) {
   constexpr std::uint32_t kRound = 1;
-  const auto added = [](bool steep) {
-    return test::callsOf(compiledFor(30, steep), kRound) - test::callsOf(compiledFor(20, steep), kRound);
+  const auto added = [](bool grazing) {
+    return test::callsOf(compiledFor(30, grazing), kRound) - test::callsOf(compiledFor(20, grazing), kRound);
   };
   EXPECT_EQ(added(false), 10u) << "where rays do not graze: one loop";
   EXPECT_EQ(added(true), 3 * 10u) << "the approach, the scan, and what certifies";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras are put so that their near plane cuts a hull at a known place: its pixel has to be told.
+// Cameras are put so that their near plane cuts a shell at a known place: its pixel has to be told.
 #include "draw/near_section.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "scene/camera.h"
 #include "surface/catalogue.h"
-#include "tessellate/hull.h"
+#include "tessellate/shell.h"
 
 namespace luxo {
 namespace {
@@ -23,7 +23,7 @@ INSTANTIATE_TEST_SUITE_P(Of, NearSection, testing::Values(Projection::Perspectiv
 
 TEST_P(NearSection, HoldsEveryPixelWhoseRayBeginsInThePrisms) {
   const Surface surface = makeSurface("klein");
-  const Hull hull = *makeHull(surface, {}, CurvatureMap(surface, {}), {.tolerance = 0.02});
+  const Shell shell = *makeShell(surface, {}, CurvatureMap(surface, {}), {.tolerance = 0.02});
   const SnapshotNode node{.worldFromObject = {}, .surface = surface};
   std::mt19937 engine(7);
   const auto between = [&](double low, double high) {
@@ -32,10 +32,12 @@ TEST_P(NearSection, HoldsEveryPixelWhoseRayBeginsInThePrisms) {
   const auto direction = [&] { return glm::normalize(Vec3(between(-1, 1), between(-1, 1), between(-1, 1))); };
   for (int k = 0; k < 300; ++k) {
     // A place in a prism.
-    const auto& part = hull.parts[static_cast<std::size_t>(k) % hull.parts.size()];
+    const auto& part = shell.parts[static_cast<std::size_t>(k) % shell.parts.size()];
     const std::uint32_t triangle = 3 * static_cast<std::uint32_t>(between(0, part.faceCount() / 3.0 - 1e-9));
     const auto in = [&](std::uint32_t face, double b, double c) {
-      const auto corner = [&](std::uint32_t i) { return hull.positions[hull.indices[face + triangle + i]]; };
+      const auto corner = [&](std::uint32_t i) {
+        return shell.positions[shell.indices[face + triangle + i]];
+      };
       return (1 - b - c) * corner(0) + b * corner(1) + c * corner(2);
     };
     const double b = between(0, 1), c = between(0, 1 - b), s = between(0, 1);
@@ -61,7 +63,7 @@ TEST_P(NearSection, HoldsEveryPixelWhoseRayBeginsInThePrisms) {
     ASSERT_EQ(view.near, before.near);
 
     std::vector<PixelRect> rects;
-    appendNearSection(view, node, hull, part, rects);
+    appendNearSection(view, node, shell, part, rects);
     EXPECT_TRUE(std::ranges::any_of(rects, [&](const PixelRect& r) {
       return pixel.x >= r.low.x && pixel.x <= r.high.x && pixel.y >= r.low.y && pixel.y <= r.high.y;
     })) << k;
@@ -71,11 +73,11 @@ TEST_P(NearSection, HoldsEveryPixelWhoseRayBeginsInThePrisms) {
 // Far from everything it cuts nothing.
 TEST(NearSection, IsEmptyWhereNothingIsNear) {
   const Surface surface = makeSurface("klein");
-  const Hull hull = *makeHull(surface, {}, CurvatureMap(surface, {}), {.tolerance = 0.02});
+  const Shell shell = *makeShell(surface, {}, CurvatureMap(surface, {}), {.tolerance = 0.02});
   const SnapshotNode node{.worldFromObject = {}, .surface = surface};
   const View view = viewAt({.eye = Vec3(0, 0, 100)}, {}, {64, 48});
   std::vector<PixelRect> rects;
-  for (const Hull::Part& part : hull.parts) appendNearSection(view, node, hull, part, rects);
+  for (const Shell::Part& part : shell.parts) appendNearSection(view, node, shell, part, rects);
   EXPECT_TRUE(rects.empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hulls and skips claim of rays, held against certified rays: of random surfaces that pass through
+// What shells and skips claim of rays, held against certified rays: of random surfaces that pass through
 // themselves, roll up, and are ruled, seen from anywhere outside.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ namespace luxo {
 namespace {
 
 constexpr PixelSize kSize{48, 36};
-/// Of a depth: more than rays and triangles round, far less than hulls are thick.
+/// Of a depth: more than rays and triangles round, far less than shells are thick.
 constexpr double kAlike = 1e-7;
 
 class Random {
@@ -145,7 +145,7 @@ std::vector<Drawn> trianglesOf(const DrawList& list) {
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3)
       all.push_back({batch.half,
                      batch.culling,
-                     {list.hullIndices[i], list.hullIndices[i + 1], list.hullIndices[i + 2]}});
+                     {list.shellIndices[i], list.shellIndices[i + 1], list.shellIndices[i + 2]}});
   std::ranges::sort(all);
   return all;
 }
@@ -240,7 +240,7 @@ TEST_P(ShellClaims, HoldForCertifiedRays) {
       continue;
     }
     const std::vector<Vec3> points =
-        inPicture(snapshot.view, snapshot.nodes[0], whole.opaque[0].hull->positions);
+        inPicture(snapshot.view, snapshot.nodes[0], whole.opaque[0].shell->positions);
     const bool inFront = std::ranges::all_of(points, [&](const Vec3& p) { return p.z > snapshot.view.near; });
     ASSERT_TRUE(inFront) << "camera " << seed;
     const auto onScreen = [&](const Drawn& drawn) {
@@ -280,7 +280,7 @@ TEST_P(ShellClaims, HoldForCertifiedRays) {
   EXPECT_TRUE(hidden > 0 || !GetParam().hides);
 }
 
-// At a moment a formula may be a single point; it has a hull, or none, and no more is asked of it.
+// At a moment a formula may be a single point; it has a shell, or none, and no more is asked of it.
 TEST(Shells, OfWhatHasCollapsed) {
   const Scene scene = buildScene(
       parseScene(R"json({ "luxo": 1, "surfaces": { "s": { "type": "formula", "u": [0, 1], "v": [0, 1],

@@ -123,7 +123,7 @@ TEST(GlslText, HasNoLiteralThatGlslLacks) {
 TEST(GlslText, RefusesFormulasTooLargeForADevice) {
   Graph graph;
   Expr f = graph.variable(0);
-  while (graph.nodes().size() < kMostGlslOperations - 10) f = sin(f + graph.variable(1));
+  while (graph.nodes().size() < kMaxGlslOperations - 10) f = sin(f + graph.variable(1));
   EXPECT_NO_THROW(static_cast<void>(textOf(graph, {f})));
   for (int i = 0; i < 10; ++i) f = sin(f + graph.variable(1));
   try {

@@ -173,7 +173,7 @@ TEST(Limits, TooManyOperationsAreAnError) {
     EXPECT_NE(std::string(error.what()).find("4194304"), std::string::npos) << error.what();
     EXPECT_FALSE(error.hint().empty());
   }
-  EXPECT_EQ(graph.nodes().size(), Graph::kMostNodes);
+  EXPECT_EQ(graph.nodes().size(), Graph::kMaxNodes);
   // What exists goes on working.
   double value;
   Tape(graph, {&f, 1}).evaluatePoint(0.5, 0.5, {}, {&value, 1});

@@ -126,11 +126,11 @@ TEST_F(ShaderCompilerTest, WorksWithoutADisk) {
 
 TEST_F(ShaderCompilerTest, KeepsOnlySoManyFiles) {
   fs::create_directories(directory_ / "shaders");
-  for (std::size_t i = 0; i < ShaderCompiler::kMostFiles; ++i)
+  for (std::size_t i = 0; i < ShaderCompiler::kMaxFiles; ++i)
     std::ofstream(directory_ / "shaders" / (std::to_string(i) + ".spv")) << "old";
   const std::array includes{kOne};
   ASSERT_TRUE(compiler().compile(descOf(includes)).compiled);
-  EXPECT_LE(files().size(), ShaderCompiler::kMostFiles);
+  EXPECT_LE(files().size(), ShaderCompiler::kMaxFiles);
   EXPECT_FALSE(compiler().compile(descOf(includes)).compiled) << "the newest stays";
 }
 

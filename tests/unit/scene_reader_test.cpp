@@ -377,7 +377,7 @@ TEST(SceneReader, NodesAndParametersHaveLimits) {
   for (int i = 0; i < 3'000'000; ++i) fives += "5,";
   const std::string error = errorOf(scene("\"nodes\": [" + fives + "5]"));
   EXPECT_TRUE(error.ends_with("\nand 2999981 more errors"));
-  for (std::size_t i = 0; i <= kMostSceneParameters; ++i) params += fmt::format("\"p{}\": {},", i, i);
+  for (std::size_t i = 0; i <= kMaxSceneParameters; ++i) params += fmt::format("\"p{}\": {},", i, i);
   EXPECT_NE(errorOf(scene("\"params\": { " + params + "\"x-\": 0 }"))
                 .find("the scene has more than 4096 parameters"),
             std::string::npos);

@@ -238,9 +238,9 @@ TEST(Snapshot, CutsOffWhatFormulasMakeTooBrightAndCountsIt) {
   const Snapshot within = takeSnapshot(scene, 1, {64, 48}), beyond = takeSnapshot(scene, 100, {64, 48});
   EXPECT_EQ(within.cutNumbers, 0u);
   EXPECT_EQ(within.materials[1].diffuse, Vec3(1e17, 0.5, 0));
-  EXPECT_EQ(beyond.materials[1].diffuse, Vec3(kMostSceneNumber, 0.5, 0));
-  EXPECT_EQ(beyond.materials[1].shininess, kMostSceneNumber);
-  EXPECT_EQ(beyond.lights[0].radiance, Vec3(kMostReflected / kMostSceneNumber));
+  EXPECT_EQ(beyond.materials[1].diffuse, Vec3(kMaxSceneNumber, 0.5, 0));
+  EXPECT_EQ(beyond.materials[1].shininess, kMaxSceneNumber);
+  EXPECT_EQ(beyond.lights[0].radiance, Vec3(kMaxReflected / kMaxSceneNumber));
   EXPECT_EQ(beyond.cutNumbers, 8u);  // diffuse, 3 of specular, shininess, 3 of the light they reflect
 
   Scene still;

@@ -179,10 +179,10 @@ TEST(Adaptive, StopsAtTheMost) {
     const CurvatureMap map(sample.surface, sample.parameters);
     const std::vector<Block> blocks =
         planBlocks(sample.surface, sample.parameters, map, {.tolerance = 1e-300});
-    EXPECT_LE(triangles(blocks), 1.5 * kMostTriangles) << sample.name;
+    EXPECT_LE(triangles(blocks), 1.5 * kMaxTriangles) << sample.name;
     for (const Block& block : blocks) {
-      EXPECT_LE(block.segments.u, kMostSegments);
-      EXPECT_LE(block.segments.v, kMostSegments);
+      EXPECT_LE(block.segments.u, kMaxSegments);
+      EXPECT_LE(block.segments.v, kMaxSegments);
       EXPECT_TRUE(std::isfinite(block.bound));
     }
   }

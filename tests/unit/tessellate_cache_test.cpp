@@ -150,38 +150,38 @@ TEST(MeshCache, KeepsTheMeshJustAskedForWhateverItsSize) {
   EXPECT_EQ(cache.tessellated(), 1u);
 }
 
-TEST(MeshCache, HullsAreEntriesOfTheirOwn) {
+TEST(MeshCache, ShellsAreEntriesOfTheirOwn) {
   MeshCache cache;
   const Surface ball = sphere(1);
   const auto mesh = cache.get(ball, {}, {.tolerance = 0.01});
-  const auto hull = cache.hull(ball, {}, 0.01, kAny);
+  const auto shell = cache.shell(ball, {}, 0.01, kAny);
   EXPECT_EQ(cache.tessellated(), 2u);
   EXPECT_EQ(cache.get(ball, {}, {.tolerance = 0.01}), mesh);
-  EXPECT_EQ(cache.hull(ball, {}, toleranceLevel(0.01), kAny), hull);
+  EXPECT_EQ(cache.shell(ball, {}, toleranceLevel(0.01), kAny), shell);
   EXPECT_EQ(cache.tessellated(), 2u);
-  EXPECT_NE(cache.hull(ball, {}, 0.02, kAny), hull);
+  EXPECT_NE(cache.shell(ball, {}, 0.02, kAny), shell);
   EXPECT_EQ(cache.tessellated(), 3u);
-  const Hull made = *makeHull(ball, {}, CurvatureMap(ball, {}), {.tolerance = toleranceLevel(0.01)});
-  EXPECT_EQ(hull->positions, made.positions);
-  EXPECT_EQ(hull->indices, made.indices);
+  const Shell made = *makeShell(ball, {}, CurvatureMap(ball, {}), {.tolerance = toleranceLevel(0.01)});
+  EXPECT_EQ(shell->positions, made.positions);
+  EXPECT_EQ(shell->indices, made.indices);
 }
 
-TEST(MeshCache, AHullOfTooManyTrianglesIsNotMade) {
+TEST(MeshCache, AShellOfTooManyTrianglesIsNotMade) {
   MeshCache cache;
   const Surface ball = sphere(1);
-  const auto most = static_cast<double>(cache.hull(ball, {}, 0.01, kAny)->triangleCount());
-  EXPECT_EQ(cache.hull(ball, {}, 0.01, most - 1), nullptr) << "although it is there";
+  const auto most = static_cast<double>(cache.shell(ball, {}, 0.01, kAny)->triangleCount());
+  EXPECT_EQ(cache.shell(ball, {}, 0.01, most - 1), nullptr) << "although it is there";
   MeshCache another;
-  EXPECT_EQ(another.hull(ball, {}, 0.001, most), nullptr);
-  EXPECT_EQ(another.hull(ball, {}, 0.001, 0.5 * most), nullptr);
+  EXPECT_EQ(another.shell(ball, {}, 0.001, most), nullptr);
+  EXPECT_EQ(another.shell(ball, {}, 0.001, 0.5 * most), nullptr);
   EXPECT_EQ(another.tessellated(), 0u);
-  EXPECT_NE(another.hull(ball, {}, 0.001, kAny), nullptr);
+  EXPECT_NE(another.shell(ball, {}, 0.001, kAny), nullptr);
 }
 
-TEST(MeshCache, HullsCountInItsBudget) {
+TEST(MeshCache, ShellsCountInItsBudget) {
   const Surface ball = sphere(1);
   MeshCache cache(1);  // so that the last one asked for remains
-  const auto ask = [&] { static_cast<void>(cache.hull(ball, {}, 0.01, kAny)); };
+  const auto ask = [&] { static_cast<void>(cache.shell(ball, {}, 0.01, kAny)); };
   ask();
   ask();
   EXPECT_EQ(cache.tessellated(), 1u);

@@ -3,7 +3,7 @@
 
 namespace luxo {
 
-bool ProgressiveMean::complete() const { return joined_ >= kMostSamples; }
+bool ProgressiveMean::complete() const { return joined_ >= kMaxSamples; }
 
 void ProgressiveMean::reset() {
   certifier_.cancel();
@@ -12,7 +12,7 @@ void ProgressiveMean::reset() {
   audit_ = {};
 }
 
-bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, SearchCare& care,
+bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, SearchRefinement& refinement,
                               const Snapshot& shown, const DrawOptions& drawn) {
   if (next_) return true;
   if (!certifier_.busy()) {
@@ -22,8 +22,8 @@ bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, Sea
     one.samples = 1;
     one.standIns = false;
     FrameStatistics ignored;
-    care.completes = false;
-    painter.record(frames, frames.begin(), sampled, one, ignored, care);
+    refinement.completes = false;
+    painter.record(frames, frames.begin(), sampled, one, ignored, refinement);
     frames.wait(frames.submit());
     if (!painter.searches()) {
       next_.emplace();

@@ -8,7 +8,7 @@
 
 #include "draw/accumulation.h"
 #include "draw/scene_painter.h"
-#include "draw/search_care.h"
+#include "draw/search_refinement.h"
 #include "gpu/frame.h"
 #include "scene/snapshot.h"
 #include "viewer/certifier.h"
@@ -37,7 +37,7 @@ class ProgressiveMean {
 
   /// Draws one more sample per pixel of what is shown, and lets rays find what that leaves in doubt. Whether
   /// it is ready to join the mean: later, if not.
-  [[nodiscard]] bool prepare(gpu::FrameRing& frames, ScenePainter& painter, SearchCare& care,
+  [[nodiscard]] bool prepare(gpu::FrameRing& frames, ScenePainter& painter, SearchRefinement& refinement,
                              const Snapshot& shown, const DrawOptions& drawn);
   /// What is ready joins the mean.
   void join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter);
@@ -46,7 +46,7 @@ class ProgressiveMean {
   gpu::Context& context_;
   std::optional<Accumulator> accumulator_;  // made when first needed
   Certifier certifier_;
-  std::vector<Vec2> pattern_ = samplePattern(kMostSamples);
+  std::vector<Vec2> pattern_ = samplePattern(kMaxSamples);
   int joined_ = 0;
   std::optional<Certifier::Outcome> next_;  // of the sample that joins next
   Audit audit_;

@@ -304,7 +304,7 @@ class Viewer {
       finishLastPicture();
     }
     // The mean is worth showing once it has as many samples as the picture before it.
-    if (refines && (!mean_.prepare(frames_, painter_, care_, shown_, *drawn_) || !catchesUp())) return;
+    if (refines && (!mean_.prepare(frames_, painter_, refinement_, shown_, *drawn_) || !catchesUp())) return;
     const VkCommandBuffer commands = frames_.begin();
     const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
     if (acquired != SwapchainStatus::Ready) {
@@ -314,9 +314,9 @@ class Viewer {
     const auto recording = Clock::now();
     if (repaint) {
       status_.statistics = {};
-      if (changed) care_.beginPicture();
-      care_.completes = false;
-      painter_.record(frames_, commands, snapshot, draw, status_.statistics, care_);
+      if (changed) refinement_.beginPicture();
+      refinement_.completes = false;
+      painter_.record(frames_, commands, snapshot, draw, status_.statistics, refinement_);
       status_.statistics.error.found = painter_.searches();
       incomplete_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
@@ -325,8 +325,8 @@ class Viewer {
       ++pictures_;
     } else if (completes) {
       FrameStatistics more;
-      care_.completes = true;
-      painter_.record(frames_, commands, shown_, *drawn_, more, care_);
+      refinement_.completes = true;
+      painter_.record(frames_, commands, shown_, *drawn_, more, refinement_);
       pipelines_ += more.count.pipelinesCreated;
       incomplete_ = false;
     } else if (refines) {
@@ -427,7 +427,7 @@ class Viewer {
       return;
     }
     const auto milliseconds = frames_.milliseconds(unmeasured_);
-    if (milliseconds && !care_.completes) meter_.addDevice(*milliseconds);
+    if (milliseconds && !refinement_.completes) meter_.addDevice(*milliseconds);
     unmeasured_ = 0;
     completeLater();
   }
@@ -435,7 +435,7 @@ class Viewer {
   // What the last picture lost will be drawn next; some of it in the pictures to come, too, where it is
   // likely to be lost again.
   void completeLater() {
-    incomplete_ = care_.learn(painter_.lostPixels());
+    incomplete_ = refinement_.learn(painter_.lostPixels());
     dirty_ |= incomplete_;
   }
 
@@ -499,7 +499,7 @@ class Viewer {
   std::uint64_t tidiedSubmits_ = 0;
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
-  SearchCare care_;
+  SearchRefinement refinement_;
   bool incomplete_ = false;  // the last picture lacks what was lost in it
 
   Snapshot shown_;

@@ -4,10 +4,10 @@
 // Every patch is wrapped in a slab of its own. The top is the mesh of the patch with its vertices moved
 // outward, the bottom the same inward, walls join the two along the patch's edges, a little outside of them.
 // A vertex moves the shortest way that brings the planes of all triangles around it, and of all walls,
-// farther away than the surface is proven to be on that side (hull_heights.h): so every triangle's plane lies
-// beyond the part of the surface that the triangle stands for, and whatever ray meets the patch enters its
-// slab before. No walls stand along edges that collapse to a point, nor where the patch is joined to itself
-// and its formula goes on: there the top and the bottom go on too.
+// farther away than the surface is proven to be on that side (shell_heights.h): so every triangle's plane
+// lies beyond the part of the surface that the triangle stands for, and whatever ray meets the patch enters
+// its slab before. No walls stand along edges that collapse to a point, nor where the patch is joined to
+// itself and its formula goes on: there the top and the bottom go on too.
 //
 // A ray that entered the slab starts its search for the surface at the (u, v) of the place it entered by, or,
 // where the surface has an equation, at that place.
@@ -26,8 +26,11 @@
 
 namespace luxo {
 
+/// Cells that a search may lead away, and a cell that its vertex may be away.
+inline constexpr double kSearchedCells = 3;
+
 /// What is the same all over a patch.
-struct HullPatch {
+struct ShellPatch {
   Domain domain;
   double originOfU = 0;  ///< Patch::originOfU
   /// The u (v) edges are one curve and the formula goes on beyond them, by a fifth of the domain at least, as
@@ -45,19 +48,19 @@ struct HullPatch {
   std::optional<Equation> equation = {};
 };
 
-/// The directions in which the surface's outer side faces near a triangle of a hull.
-struct FacingCone {
+/// The directions in which the surface's outer side faces near a triangle of a shell.
+struct NormalCone {
   Vec3f axis{0};   ///< unit, object space, outward
   float sine = 2;  ///< of the angle around it; above 1: any direction
 };
 
 /// Indexed triangle lists in object space, metres, double; counter-clockwise as seen from outside the slab.
-struct Hull {
+struct Shell {
   std::vector<Vec3> positions;
   std::vector<Vec2> parameters;  ///< (u, v) of the point of the surface that the vertex stands for
   std::vector<Vec2> cells;       ///< extents in u and v of the largest triangle around the vertex
-  /// Proven: how much derivatives by u and v, each per cell, change over such a cell anywhere within three
-  /// cells of the vertex; object units.
+  /// Proven: how much derivatives by u and v, each per cell, change over such a cell anywhere within
+  /// kSearchedCells of the vertex; object units.
   std::vector<double> changes;
   std::vector<std::uint32_t> patches;  ///< of each vertex, as in Surface::patches()
 
@@ -76,7 +79,7 @@ struct Hull {
   std::vector<std::uint32_t> indices;
   std::vector<Part> parts;
   /// Of each triangle, those of the bottom as those of the top. Any direction near edges that are points.
-  std::vector<FacingCone> cones;
+  std::vector<NormalCone> cones;
   /// The vertices of slabs that the surface spans from wall to wall: those at walls lie as far inside of its
   /// borders as those of `positions` lie outside of the patch's edges, and where patches go on in each other
   /// there are no walls.
@@ -89,21 +92,21 @@ struct Hull {
   /// within the slab as the patch has it, until it comes to its boundary: by the other face, with the surface
   /// in between, which parts the two faces there; by the same face; or by a wall. Where a Jacobian may vanish
   /// (the prism is turned) it may come from anywhere.
-  std::vector<Vec3> spanned;
+  std::vector<Vec3> occluder;
   std::vector<std::uint32_t> slabs;  ///< of each patch: which of these it is in
   /// Where the triangles of such a slab are in `indices`, but for walls between patches.
-  struct SpannedSlab {
+  struct OccluderSlab {
     std::vector<std::uint32_t> tops, walls, bottoms;
   };
-  std::vector<SpannedSlab> spannedSlabs;  ///< as `slabs` numbers them
-  enum class Spanning : char { Yes, Turned, Joint };
+  std::vector<OccluderSlab> occluderSlabs;  ///< as `slabs` numbers them
+  enum class Occluding : char { Yes, Turned, Joint };
   /// Of each triangle among these vertices: where the surface bends more sharply than the slab is thick, or
   /// is narrower than that, a prism may turn over (that is said of its top and of its bottom), or nearly
   /// vanish; and a wall between patches is not there.
-  std::vector<Spanning> spanning;
-  std::vector<HullPatch> patchData;  ///< of every patch of the surface
+  std::vector<Occluding> occluding;
+  std::vector<ShellPatch> patchData;  ///< of every patch of the surface
 
-  double bound = 0;   ///< proven deviation of the mesh that the hull is made of; see Mesh::bound
+  double bound = 0;   ///< proven deviation of the mesh that the shell is made of; see Mesh::bound
   double offset = 0;  ///< how far vertices were moved, at most
   /// How far a point moves, at most, as far as the mesh tells, when its u and v change by all of themselves:
   /// numbers with n bits round away 2^-n of that. Of patches without equations; object units.
@@ -121,11 +124,11 @@ struct Hull {
   };
   std::vector<Pinch> pinches;
   /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing, or turn so
-  /// sharply that no direction leads out (pinch points): the hull is then as good as one can be made. Where a
-  /// surface is thinner than the tolerance, slabs of its parts overlap.
+  /// sharply that no direction leads out (pinch points): the shell is then as good as one can be made. Where
+  /// a surface is thinner than the tolerance, slabs of its parts overlap.
   bool proven = true;
-  bool spansProven = true;  ///< what is said of `spanned` is so
-  Vec3 origin{0};           ///< what the device's single precision is relative to, as in Mesh
+  bool occluderProven = true;  ///< what is said of `occluder` is so
+  Vec3 origin{0};              ///< what the device's single precision is relative to, as in Mesh
 
   [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
 };
@@ -133,23 +136,23 @@ struct Hull {
 /// A search by an equation may begin so many times as far off as one by a formula: its steps are longer.
 inline constexpr double kEquationTolerance = 2;
 
-struct HullDesc {
-  /// Largest deviation of the mesh under the hull, object units; times kEquationTolerance where all patches
-  /// have equations. The slab is half as thick, mostly less. A few pixels are best: finer hulls have more
+struct ShellDesc {
+  /// Largest deviation of the mesh under the shell, object units; times kEquationTolerance where all patches
+  /// have equations. The slab is half as thick, mostly less. A few pixels are best: finer shells have more
   /// triangles, coarser ones start the search too far off.
   double tolerance = 0;
   /// Largest angle between the direction in which a vertex moves and the normals of the triangles around it,
   /// radians. What turns faster is tessellated more finely, as far as that helps and is not much thinner than
   /// the tolerance; so is what turns by more than a radian within a triangle.
   double mostTurn = 0.8;
-  /// A hull of more is not made.
+  /// A shell of more is not made.
   double mostTriangles = std::numeric_limits<double>::infinity();
 };
 
 /// Pure: equal input gives equal bits. Nothing where it would have more triangles than desc.mostTriangles,
 /// and where the formula ends within a patch. Cost: that of up to seven meshes, the more the coarser they
 /// are.
-[[nodiscard]] std::optional<Hull> makeHull(const Surface& surface, std::span<const double> parameters,
-                                           const CurvatureMap& map, const HullDesc& desc);
+[[nodiscard]] std::optional<Shell> makeShell(const Surface& surface, std::span<const double> parameters,
+                                             const CurvatureMap& map, const ShellDesc& desc);
 
 }  // namespace luxo

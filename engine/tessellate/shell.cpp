@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/hull.h"
+#include "tessellate/shell.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +13,10 @@
 
 #include "base/assert.h"
 #include "tessellate/block_plan.h"
-#include "tessellate/hull_frame.h"
-#include "tessellate/hull_refinement.h"
-#include "tessellate/hull_spans.h"
 #include "tessellate/parallel.h"
+#include "tessellate/shell_frame.h"
+#include "tessellate/shell_occluder.h"
+#include "tessellate/shell_refinement.h"
 
 namespace luxo {
 namespace {
@@ -26,14 +26,14 @@ namespace {
 /// to b (1 - x / L) at least, L being its height: at most b^3 / 2 L^2 too low, which this covers for
 /// triangles higher than 2.3 b.
 constexpr double kSlack = 1.1;
-/// Parts of the hull's size: what single precision rounds away, and the thickness of what is flat.
+/// Parts of the shell's size: what single precision rounds away, and the thickness of what is flat.
 constexpr double kRounding = 1e-6, kThinnest = 1e-4;
 
 /// Of the surface's size: no closer is it looked where a formula ends.
 constexpr double kOpen = 1.0 / 24;
 
-constexpr int kMostRefinements = 6;
-constexpr std::size_t kMostRefinedTriangles = 200'000;
+constexpr int kMaxRefinements = 6;
+constexpr std::size_t kMaxRefinedTriangles = 200'000;
 constexpr std::size_t kPointsForAllCores = 8192;
 
 /// The surface near a triangle turns less than the triangles around it do, times this; at an edge of the
@@ -43,9 +43,6 @@ constexpr double kReach = 1.25, kReachAtEdge = 2, kReachAtBorder = 3;
 constexpr double kInside = 1.5;
 /// A ray runs inside the slab as far as it is thick, and farther where that grows.
 constexpr double kRun = 1.5;
-
-/// Cells that a search may lead away and its vertex be away.
-constexpr double kSearched = 3;
 
 /// Triangles so many times as far from an edge that is a point as they are long do not notice it.
 constexpr double kNearPole = 2;
@@ -68,24 +65,24 @@ double leastRise(double inside, double around, double slope) {
   return high;
 }
 
-/// Turns a frame into a hull.
+/// Turns a frame into a shell.
 class Builder {
  public:
-  Builder(const Surface& surface, const CurvatureMap& map, const HullFrame& frame, const HullDesc& desc)
+  Builder(const Surface& surface, const CurvatureMap& map, const ShellFrame& frame, const ShellDesc& desc)
       : surface_(surface), map_(map), frame_(frame), desc_(desc), mesh_(frame.mesh()) {}
 
-  void build(Hull& hull) {
-    hull.bound = mesh_.bound;
-    hull.origin = mesh_.origin;
-    hull.proven = std::isfinite(mesh_.bound) && mesh_.dropped == 0;
-    moveVertices(hull);
-    setCells(hull);
-    setChanges(hull);
-    hull.medianRadius = medianRadius();
-    hull.parameterReach = parameterReach(hull);
-    findCones(hull);
-    addParts(hull);
-    fileBySlab(hull);
+  void build(Shell& shell) {
+    shell.bound = mesh_.bound;
+    shell.origin = mesh_.origin;
+    shell.proven = std::isfinite(mesh_.bound) && mesh_.dropped == 0;
+    moveVertices(shell);
+    setCells(shell);
+    setChanges(shell);
+    shell.medianRadius = medianRadius();
+    shell.parameterReach = parameterReach(shell);
+    findCones(shell);
+    addParts(shell);
+    fileBySlab(shell);
   }
 
  private:
@@ -93,7 +90,7 @@ class Builder {
   /// planes are as far away as either triangle asks for, and what belongs to one and reaches over the edge a
   /// little is below the other, too; what reaches farther is part of the other's height.
   [[nodiscard]] std::vector<Distances> distances() const {
-    const HullHeights& heights = frame_.heights();
+    const ShellHeights& heights = frame_.heights();
     const double least = std::min(0.1 * desc_.tolerance, kThinnest * frame_.size());
     std::vector<Distances> distances(frame_.pointCount(), {least, least, least, least});
     const auto raise = [&](double& largest, double height) {
@@ -115,7 +112,7 @@ class Builder {
     return distances;
   }
 
-  void moveVertices(Hull& hull) {
+  void moveVertices(Shell& shell) {
     const std::vector<Distances> distances = this->distances();
     struct Moves {
       Vec3 out{0}, in{0};
@@ -131,41 +128,41 @@ class Builder {
       moves[p] = {out.way, in.way, out.leadsOut && in.leadsOut};
     });
     const std::size_t count = mesh_.positions.size();
-    hull.positions.resize(2 * count);
-    hull.parameters.resize(2 * count);
-    hull.patches.resize(2 * count);
+    shell.positions.resize(2 * count);
+    shell.parameters.resize(2 * count);
+    shell.patches.resize(2 * count);
     for (std::uint32_t v = 0; v < count; ++v) {
       const Moves& m = moves[frame_.pointOf(v)];
-      hull.positions[v] = mesh_.positions[v] + m.out;
-      hull.positions[count + v] = mesh_.positions[v] + m.in;
-      hull.parameters[v] = hull.parameters[count + v] = mesh_.parameters[v];
-      hull.patches[v] = hull.patches[count + v] = frame_.patchOf(v);
-      hull.offset = std::max({hull.offset, glm::length(m.out), glm::length(m.in)});
-      hull.proven = hull.proven && m.leadOut;
+      shell.positions[v] = mesh_.positions[v] + m.out;
+      shell.positions[count + v] = mesh_.positions[v] + m.in;
+      shell.parameters[v] = shell.parameters[count + v] = mesh_.parameters[v];
+      shell.patches[v] = shell.patches[count + v] = frame_.patchOf(v);
+      shell.offset = std::max({shell.offset, glm::length(m.out), glm::length(m.in)});
+      shell.proven = shell.proven && m.leadOut;
     }
-    addPinches(hull, [&](std::uint32_t v) { return !moves[frame_.pointOf(v)].leadOut; });
-    HullSpans spans = spansOf(frame_, distances, hull.positions, surface_.patchCount());
-    hull.spanned = std::move(spans.positions);
-    hull.slabs = std::move(spans.slabs);
-    hull.spansProven = hull.proven && spans.proven;
+    addPinches(shell, [&](std::uint32_t v) { return !moves[frame_.pointOf(v)].leadOut; });
+    ShellOccluder spans = occluderOf(frame_, distances, shell.positions, surface_.patchCount());
+    shell.occluder = std::move(spans.positions);
+    shell.slabs = std::move(spans.slabs);
+    shell.occluderProven = shell.proven && spans.proven;
     joined_ = std::move(spans.joined);
   }
 
   /// Of the surface that triangles around a pinched vertex stand for nothing is farther from it than they
   /// are, and the deviation.
   template <class Predicate>
-  void addPinches(Hull& hull, const Predicate& pinched) const {
-    std::map<std::uint32_t, Hull::Pinch> pinches;
+  void addPinches(Shell& shell, const Predicate& pinched) const {
+    std::map<std::uint32_t, Shell::Pinch> pinches;
     for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
       for (const std::uint32_t v : frame_.corners(t)) {
         if (!pinched(v)) continue;
-        Hull::Pinch& pinch = pinches[frame_.pointOf(v)];
+        Shell::Pinch& pinch = pinches[frame_.pointOf(v)];
         pinch.center = mesh_.positions[v];
         for (const std::uint32_t other : frame_.corners(t))
           pinch.reach = std::max(pinch.reach,
                                  glm::distance(mesh_.positions[v], mesh_.positions[other]) + frame_.bound(t));
       }
-    for (const auto& [point, pinch] : pinches) hull.pinches.push_back(pinch);
+    for (const auto& [point, pinch] : pinches) shell.pinches.push_back(pinch);
   }
 
   /// The normal turns along an edge by the edge's length over the radius.
@@ -192,11 +189,11 @@ class Builder {
     return std::numeric_limits<double>::infinity();
   }
 
-  [[nodiscard]] double parameterReach(const Hull& hull) const {
+  [[nodiscard]] double parameterReach(const Shell& shell) const {
     double most = 0;
     for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
       const auto corners = frame_.corners(t);
-      const HullPatch& patch = hull.patchData[frame_.patchOf(corners[0])];
+      const ShellPatch& patch = shell.patchData[frame_.patchOf(corners[0])];
       if (patch.equation) continue;
       const auto from0 = [&](const auto& of, std::size_t k) { return of[corners[k]] - of[corners[0]]; };
       const Vec2 a = from0(mesh_.parameters, 1), b = from0(mesh_.parameters, 2);
@@ -213,57 +210,58 @@ class Builder {
     return most;
   }
 
-  void setCells(Hull& hull) const {
+  void setCells(Shell& shell) const {
     const std::size_t count = mesh_.positions.size();
-    hull.cells.resize(2 * count, Vec2(0));
+    shell.cells.resize(2 * count, Vec2(0));
     for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
       const auto uv = [&](std::size_t k) { return mesh_.parameters[mesh_.indices[3 * t + k]]; };
       const Vec2 low = glm::min(glm::min(uv(0), uv(1)), uv(2)),
                  high = glm::max(glm::max(uv(0), uv(1)), uv(2));
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = mesh_.indices[3 * t + k];
-        hull.cells[v] = hull.cells[count + v] = glm::max(hull.cells[v], high - low);
+        shell.cells[v] = shell.cells[count + v] = glm::max(shell.cells[v], high - low);
       }
     }
   }
 
   /// Where the patch wraps, what is beyond its edge is all that is at the other one.
-  void setChanges(Hull& hull) const {
+  void setChanges(Shell& shell) const {
     const std::size_t count = mesh_.positions.size();
-    hull.changes.resize(2 * count);
+    shell.changes.resize(2 * count);
     for (std::size_t v = 0; v < count; ++v) {
-      const HullPatch& patch = hull.patchData[hull.patches[v]];
+      const ShellPatch& patch = shell.patchData[shell.patches[v]];
       const Vec2 size(patch.domain.u.width(), patch.domain.v.width());
-      const Vec2 at = (hull.parameters[v] - Vec2(patch.domain.u.lo, patch.domain.v.lo)) / size;
-      const Vec2 cell = hull.cells[v] / size;
-      Vec2 low = at - kSearched * cell, high = at + kSearched * cell;
+      const Vec2 at = (shell.parameters[v] - Vec2(patch.domain.u.lo, patch.domain.v.lo)) / size;
+      const Vec2 cell = shell.cells[v] / size;
+      Vec2 low = at - kSearchedCells * cell, high = at + kSearchedCells * cell;
       for (int axis = 0; axis < 2; ++axis)
         if ((axis == 0 ? patch.wrapsU : patch.wrapsV) && (low[axis] < 0 || high[axis] > 1)) {
           low[axis] = 0;
           high[axis] = 1;
         }
-      hull.changes[v] = hull.changes[count + v] =
-          curvatureAround(map_, hull.patches[v], low, high).change(cell.x, cell.y);
+      shell.changes[v] = shell.changes[count + v] =
+          curvatureAround(map_, shell.patches[v], low, high).change(cell.x, cell.y);
     }
   }
 
   /// The directions are those of the surface and the triangles around these vertices with room to spare, as
   /// far as rays run inside the slab, and of all rays that run farther there than the triangles are high.
   /// `inside`: the largest angle between the axis and the normals of what is in the triangle, if known.
-  [[nodiscard]] FacingCone coneOf(const Hull& hull, const Vec3& axis, std::span<const std::uint32_t> vertices,
-                                  double height, double inside) const {
+  [[nodiscard]] NormalCone coneOf(const Shell& shell, const Vec3& axis,
+                                  std::span<const std::uint32_t> vertices, double height,
+                                  double inside) const {
     double least = 1, thickness = 0;
     bool atEdge = false;
     for (const std::uint32_t v : vertices) {
-      if (nearPole(hull, v)) return {};
+      if (nearPole(shell, v)) return {};
       const std::size_t point = frame_.pointOf(v);
       least = std::min(least, glm::dot(axis, mesh_.normals[v]));
       for (const Vec3& facet : frame_.facetsAround(point)) least = std::min(least, glm::dot(axis, facet));
       thickness = std::max(
-          thickness, kRun * glm::distance(hull.positions[v], hull.positions[mesh_.positions.size() + v]));
+          thickness, kRun * glm::distance(shell.positions[v], shell.positions[mesh_.positions.size() + v]));
       atEdge = atEdge || !frame_.wallsAround(point).empty();
     }
-    const bool bordered = hull.patchData[frame_.patchOf(vertices[0])].bordered;
+    const bool bordered = shell.patchData[frame_.patchOf(vertices[0])].bordered;
     const double reach = !atEdge ? kReach : bordered ? kReachAtBorder : kReachAtEdge;
     const double around = std::min(reach * angleOf(least), 0.5 * std::numbers::pi);
     const double rise = leastRise(kInside * inside, around, thickness / height);
@@ -293,23 +291,23 @@ class Builder {
     return heights;
   }
 
-  void findCones(const Hull& hull) {
+  void findCones(const Shell& shell) {
     const std::vector<double> height = heights();
     std::vector<double> lowest(frame_.pointCount(), std::numeric_limits<double>::infinity());
     for (std::size_t t = 0; t < height.size(); ++t) {
       const auto corners = frame_.corners(t);
-      cones_.push_back(coneOf(hull, frame_.facet(t), corners, height[t], turnInside(t)));
+      cones_.push_back(coneOf(shell, frame_.facet(t), corners, height[t], turnInside(t)));
       for (const std::uint32_t v : corners)
         lowest[frame_.pointOf(v)] = std::min(lowest[frame_.pointOf(v)], height[t]);
     }
-    for (const HullFrame::WallEdge& wall : frame_.walls()) {
+    for (const ShellFrame::WallEdge& wall : frame_.walls()) {
       const std::array ends{wall.from, wall.to};
       Vec3 sum(0);
       for (const std::uint32_t v : ends)
         for (const Vec3& facet : frame_.facetsAround(frame_.pointOf(v))) sum += facet;
       const double length = glm::length(sum);
       wallCones_.push_back(
-          coneOf(hull, length > 0 ? sum / length : Vec3(0), ends,
+          coneOf(shell, length > 0 ? sum / length : Vec3(0), ends,
                  std::min(lowest[frame_.pointOf(wall.from)], lowest[frame_.pointOf(wall.to)]),
                  std::numeric_limits<double>::infinity()));
     }
@@ -318,15 +316,15 @@ class Builder {
   /// A prism's Jacobian, times the way from bottom to top, is the way times the area of the triangle between
   /// them: linear across the triangle and quadratic from bottom to top, so that it is positive where its nine
   /// coefficients (Bernstein's) are. And of the areas some part is to be left.
-  [[nodiscard]] Hull::Spanning spanning(const Hull& hull, std::size_t triangle) const {
+  [[nodiscard]] Shell::Occluding occluding(const Shell& shell, std::size_t triangle) const {
     const auto c = frame_.corners(triangle);
     const auto side = [&](const std::vector<Vec3>& points, std::size_t first, std::size_t k) {
       return points[first + c[k]] - points[first + c[0]];
     };
-    const std::vector<Vec3>& spanned = hull.spanned;
+    const std::vector<Vec3>& occluder = shell.occluder;
     const std::size_t count = mesh_.positions.size();
-    const Vec3 a = side(spanned, 0, 1), b = side(spanned, 0, 2), under = side(spanned, count, 1),
-               under2 = side(spanned, count, 2);
+    const Vec3 a = side(occluder, 0, 1), b = side(occluder, 0, 2), under = side(occluder, count, 1),
+               under2 = side(occluder, count, 2);
     const double before = glm::dot(glm::cross(side(mesh_.positions, 0, 1), side(mesh_.positions, 0, 2)),
                                    frame_.facet(triangle));
     bool upright = before > 0;
@@ -334,34 +332,34 @@ class Builder {
                              glm::cross(under, under2)}) {
       upright = upright && glm::dot(area, frame_.facet(triangle)) > kLeastLeft * before;
       for (const std::uint32_t v : c) {
-        const Vec3 way = spanned[v] - spanned[count + v];
+        const Vec3 way = occluder[v] - occluder[count + v];
         upright = upright && glm::dot(area, way) > kUpright * before * glm::length(way);
       }
     }
-    return upright ? Hull::Spanning::Yes : Hull::Spanning::Turned;
+    return upright ? Shell::Occluding::Yes : Shell::Occluding::Turned;
   }
-  [[nodiscard]] Hull::Spanning spanningOfWall(const Hull& hull, std::size_t wall) const {
-    if (joined_[wall]) return Hull::Spanning::Joint;
+  [[nodiscard]] Shell::Occluding occludingOfWall(const Shell& shell, std::size_t wall) const {
+    if (joined_[wall]) return Shell::Occluding::Joint;
     const auto [from, to, triangle] = frame_.walls()[wall];
     const auto count = static_cast<std::uint32_t>(mesh_.positions.size());
-    const Vec3 along = hull.spanned[from] - hull.spanned[to];
+    const Vec3 along = shell.occluder[from] - shell.occluder[to];
     const auto faces = [&](std::uint32_t bottom) {
-      return glm::dot(glm::cross(along, hull.spanned[count + bottom] - hull.spanned[to]),
+      return glm::dot(glm::cross(along, shell.occluder[count + bottom] - shell.occluder[to]),
                       frame_.wallNormal(wall)) > 0;
     };
-    return faces(from) && faces(to) ? Hull::Spanning::Yes : Hull::Spanning::Turned;
+    return faces(from) && faces(to) ? Shell::Occluding::Yes : Shell::Occluding::Turned;
   }
 
-  [[nodiscard]] bool nearPole(const Hull& hull, std::uint32_t vertex) const {
-    const HullPatch& patch = hull.patchData[frame_.patchOf(vertex)];
-    const Vec2 at = mesh_.parameters[vertex], near = kNearPole * hull.cells[vertex];
+  [[nodiscard]] bool nearPole(const Shell& shell, std::uint32_t vertex) const {
+    const ShellPatch& patch = shell.patchData[frame_.patchOf(vertex)];
+    const Vec2 at = mesh_.parameters[vertex], near = kNearPole * shell.cells[vertex];
     return (patch.collapsedUMin && at.x - patch.domain.u.lo < near.x) ||
            (patch.collapsedUMax && patch.domain.u.hi - at.x < near.x) ||
            (patch.collapsedVMin && at.y - patch.domain.v.lo < near.y) ||
            (patch.collapsedVMax && patch.domain.v.hi - at.y < near.y);
   }
 
-  void addParts(Hull& hull) const {
+  void addParts(Shell& shell) const {
     std::vector<bool> done(surface_.patchCount());
     for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch) {
       if (done[patch]) continue;
@@ -369,64 +367,64 @@ class Builder {
       for (std::uint32_t other = patch; other < surface_.patchCount(); ++other)
         if (surface_.patches()[other].function == surface_.patches()[patch].function)
           inPart[other] = done[other] = true;
-      addPart(hull, patch, inPart);
+      addPart(shell, patch, inPart);
     }
   }
 
-  void addPart(Hull& hull, std::uint32_t patch, const std::vector<bool>& inPart) const {
+  void addPart(Shell& shell, std::uint32_t patch, const std::vector<bool>& inPart) const {
     const auto count = static_cast<std::uint32_t>(mesh_.positions.size());
-    std::vector<std::uint32_t>& indices = hull.indices;
+    std::vector<std::uint32_t>& indices = shell.indices;
     const auto size = [&] { return static_cast<std::uint32_t>(indices.size()); };
     const auto forEachTriangle = [&](const auto& action) {
       for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
         if (const auto corners = frame_.corners(t); inPart[frame_.patchOf(corners[0])]) action(t, corners);
     };
-    Hull::Part part{.patch = patch, .firstIndex = size()};
+    Shell::Part part{.patch = patch, .firstIndex = size()};
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {c[0], c[1], c[2]});
-      hull.cones.push_back(cones_[t]);
-      hull.spanning.push_back(spanning(hull, t));
+      shell.cones.push_back(cones_[t]);
+      shell.occluding.push_back(occluding(shell, t));
     });
     for (std::size_t w = 0; w < frame_.walls().size(); ++w) {
-      const HullFrame::WallEdge& wall = frame_.walls()[w];
+      const ShellFrame::WallEdge& wall = frame_.walls()[w];
       if (!inPart[frame_.patchOf(wall.from)]) continue;
       const std::uint32_t a = wall.from, b = wall.to;
       indices.insert(indices.end(), {b, a, count + a, b, count + a, count + b});
-      hull.cones.insert(hull.cones.end(), 2, wallCones_[w]);
-      hull.spanning.insert(hull.spanning.end(), 2, spanningOfWall(hull, w));
+      shell.cones.insert(shell.cones.end(), 2, wallCones_[w]);
+      shell.occluding.insert(shell.occluding.end(), 2, occludingOfWall(shell, w));
     }
     part.frontCount = size() - part.firstIndex;
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {count + c[0], count + c[2], count + c[1]});
-      hull.cones.push_back(cones_[t]);
-      hull.spanning.push_back(spanning(hull, t));
+      shell.cones.push_back(cones_[t]);
+      shell.occluding.push_back(occluding(shell, t));
     });
     part.count = size() - part.firstIndex;
-    if (part.count > 0) hull.parts.push_back(part);
+    if (part.count > 0) shell.parts.push_back(part);
   }
 
-  static void fileBySlab(Hull& hull) {
-    hull.spannedSlabs.resize(hull.slabs.size());
-    for (const Hull::Part& part : hull.parts)
+  static void fileBySlab(Shell& shell) {
+    shell.occluderSlabs.resize(shell.slabs.size());
+    for (const Shell::Part& part : shell.parts)
       for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.count; i += 3) {
-        if (hull.spanning[i / 3] == Hull::Spanning::Joint) continue;
-        Hull::SpannedSlab& slab = hull.spannedSlabs[hull.slabs[hull.patches[hull.indices[i]]]];
+        if (shell.occluding[i / 3] == Shell::Occluding::Joint) continue;
+        Shell::OccluderSlab& slab = shell.occluderSlabs[shell.slabs[shell.patches[shell.indices[i]]]];
         (i < part.wallIndex() ? slab.tops : i < part.bottomIndex() ? slab.walls : slab.bottoms).push_back(i);
       }
   }
 
   const Surface& surface_;
   const CurvatureMap& map_;
-  const HullFrame& frame_;
-  const HullDesc& desc_;
+  const ShellFrame& frame_;
+  const ShellDesc& desc_;
   const Mesh& mesh_;
-  std::vector<FacingCone> cones_, wallCones_;
-  std::vector<bool> joined_;  // of walls; see HullSpans
+  std::vector<NormalCone> cones_, wallCones_;
+  std::vector<bool> joined_;  // of walls; see ShellOccluder
 };
 
 /// The mesh is dense where the formula bends: what a sampling of the whole surface did not notice is seen
 /// there.
-void dropFalseEquations(Hull& hull, const HullFrame& frame) {
+void dropFalseEquations(Shell& shell, const ShellFrame& frame) {
   constexpr double kAgreement = 1e-9;
   const auto isFalse = [&](const Equation& equation, const Vec3& point) {
     const Vec3 unitPoint = point / equation.scale;
@@ -436,20 +434,20 @@ void dropFalseEquations(Hull& hull, const HullFrame& frame) {
   const std::vector<Vec3>& points = frame.mesh().positions;
   bool anyFalse = false;
   for (std::uint32_t v = 0; v < points.size() && !anyFalse; ++v) {
-    const std::optional<Equation>& equation = hull.patchData[frame.patchOf(v)].equation;
+    const std::optional<Equation>& equation = shell.patchData[frame.patchOf(v)].equation;
     anyFalse = equation && isFalse(*equation, points[v]);
   }
   if (anyFalse)
-    for (HullPatch& patch : hull.patchData) patch.equation.reset();
+    for (ShellPatch& patch : shell.patchData) patch.equation.reset();
 }
 
 }  // namespace
 
-std::optional<Hull> makeHull(const Surface& surface, std::span<const double> parameters,
-                             const CurvatureMap& map, const HullDesc& wanted) {
+std::optional<Shell> makeShell(const Surface& surface, std::span<const double> parameters,
+                               const CurvatureMap& map, const ShellDesc& wanted) {
   LUXO_REQUIRE_COMPARE(wanted.tolerance, >, 0.0);
   const std::vector<std::optional<Equation>> equations = equationsOf(surface, parameters);
-  HullDesc desc = wanted;
+  ShellDesc desc = wanted;
   if (std::ranges::all_of(equations, &std::optional<Equation>::has_value))
     desc.tolerance *= kEquationTolerance;
   const Box box = surface.framing(parameters);
@@ -466,23 +464,23 @@ std::optional<Hull> makeHull(const Surface& surface, std::span<const double> par
   };
   if (tooMany()) return std::nullopt;
 
-  Hull hull;
+  Shell shell;
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
-    hull.patchData.push_back(readPatch(surface, patch, parameters, size));
-    hull.patchData.back().originOfU = surface.patches()[patch].originOfU();
-    hull.patchData.back().equation = equations[patch];
+    shell.patchData.push_back(readPatch(surface, patch, parameters, size));
+    shell.patchData.back().originOfU = surface.patches()[patch].originOfU();
+    shell.patchData.back().equation = equations[patch];
   }
 
-  HullLook look(surface, parameters, hull.patchData);
-  auto frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData, look);
-  for (int k = 0; k < kMostRefinements && frame->mesh().triangleCount() < kMostRefinedTriangles; ++k) {
-    if (!refineForHull(surface, parameters, desc, *frame, blocks)) break;
+  ShellLook look(surface, parameters, shell.patchData);
+  auto frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);
+  for (int k = 0; k < kMaxRefinements && frame->mesh().triangleCount() < kMaxRefinedTriangles; ++k) {
+    if (!refineForShell(surface, parameters, desc, *frame, blocks)) break;
     if (tooMany()) return std::nullopt;
-    frame = std::make_unique<HullFrame>(surface, parameters, map, blocks, hull.patchData, look);
+    frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);
   }
-  dropFalseEquations(hull, *frame);
-  Builder(surface, map, *frame, desc).build(hull);
-  return hull;
+  dropFalseEquations(shell, *frame);
+  Builder(surface, map, *frame, desc).build(shell);
+  return shell;
 }
 
 }  // namespace luxo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/hull_spans.h"
+#include "tessellate/shell_occluder.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ class Sets {
 };
 
 /// Pairs of walls that stand back to back, and on no third one, where the surface goes on smoothly.
-std::vector<std::pair<std::size_t, std::size_t>> jointsOf(const HullFrame& frame) {
+std::vector<std::pair<std::size_t, std::size_t>> jointsOf(const ShellFrame& frame) {
   using Place = std::array<double, 3>;
   const double unit = kSamePlace * frame.size();
   const auto placeOf = [&](std::uint32_t vertex) {
@@ -57,10 +57,10 @@ std::vector<std::pair<std::size_t, std::size_t>> jointsOf(const HullFrame& frame
 
 }  // namespace
 
-HullSpans spansOf(const HullFrame& frame, std::span<const Distances> distances,
-                  std::span<const Vec3> positions, std::uint32_t patchCount) {
-  const std::vector<HullFrame::WallEdge>& walls = frame.walls();
-  HullSpans spans;
+ShellOccluder occluderOf(const ShellFrame& frame, std::span<const Distances> distances,
+                         std::span<const Vec3> positions, std::uint32_t patchCount) {
+  const std::vector<ShellFrame::WallEdge>& walls = frame.walls();
+  ShellOccluder spans;
   spans.joined.resize(walls.size());
   Sets points(frame.pointCount()), patches(patchCount);
   for (const auto& [a, b] : jointsOf(frame)) {
@@ -78,7 +78,7 @@ HullSpans spansOf(const HullFrame& frame, std::span<const Distances> distances,
     Vec3 out{0}, in{0};  // where they lead to
   };
   std::map<std::uint32_t, Around> places;
-  for (const HullFrame::WallEdge& wall : walls)
+  for (const ShellFrame::WallEdge& wall : walls)
     for (const std::uint32_t vertex : {wall.from, wall.to}) places[points.of(frame.pointOf(vertex))];
   for (std::uint32_t point = 0; point < frame.pointCount(); ++point) {
     const auto place = places.find(points.of(point));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/hull_refinement.h"
+#include "tessellate/shell_refinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 constexpr double kFineEnough = 1.0 / 64;
 /// Between the normal of a triangle and those of its surface, radians: beyond, a cell may hold more than one
 /// fold, and a search find the second, where the surface leaves the triangle by this part of the tolerance.
-constexpr double kMostBend = 1, kFlatEnough = 1.0 / 16;
+constexpr double kMaxBend = 1, kFlatEnough = 1.0 / 16;
 /// Moved triangles may shrink by this part of their sides: beyond, they turn over.
-constexpr double kMostShrinking = 1;
+constexpr double kMaxShrinking = 1;
 /// Blocks are not cut while more of their triangles than this part are too coarse.
 constexpr double kMostly = 0.4;
 /// Nor are blocks of so few cells where a little more will do.
@@ -33,8 +33,8 @@ struct Coarse {
 
 class Refinement {
  public:
-  Refinement(const Surface& surface, std::span<const double> parameters, const HullDesc& desc,
-             const HullFrame& frame)
+  Refinement(const Surface& surface, std::span<const double> parameters, const ShellDesc& desc,
+             const ShellFrame& frame)
       : surface_(surface), parameters_(parameters), desc_(desc), frame_(frame), mesh_(frame.mesh()) {
     moves_.resize(frame.pointCount());
     forEachIndex(moves_.size(), moves_.size() >= kPointsForAllCores, [&](std::size_t p) {
@@ -60,8 +60,8 @@ class Refinement {
       if (heightOf(t) < kFineEnough * desc_.tolerance || frame_.facet(t) == Vec3(0)) continue;
       const double turn = turnOf(t, block) / desc_.mostTurn;
       const bool bends = heightOf(t) > kFlatEnough * desc_.tolerance;
-      const double bend = bends ? angleOf(frame_.heights().alike[t]) / kMostBend : 0;
-      const double shrinking = std::sqrt(shrinkingOf(t) / kMostShrinking);
+      const double bend = bends ? angleOf(frame_.heights().alike[t]) / kMaxBend : 0;
+      const double shrinking = std::sqrt(shrinkingOf(t) / kMaxShrinking);
       const double excess = std::max({turn, bend, shrinking});
       if (!(excess > 1)) continue;
       Coarse c{.center = centerOf(t, block.patch), .excess = excess};
@@ -180,7 +180,7 @@ class Refinement {
     }
     const auto raised = [](std::uint32_t segments, double excess) {
       const double wanted = std::ceil(segments * std::min(excess, 2.0));
-      return static_cast<std::uint32_t>(std::min<double>(wanted, kMostSegments));
+      return static_cast<std::uint32_t>(std::min<double>(wanted, kMaxSegments));
     };
     const Domain& domain = surface_.patchDomain(block.patch);
     const Domain cell = domainOf(block.tile, domain);
@@ -212,8 +212,8 @@ class Refinement {
 
   const Surface& surface_;
   std::span<const double> parameters_;
-  const HullDesc& desc_;
-  const HullFrame& frame_;
+  const ShellDesc& desc_;
+  const ShellFrame& frame_;
   const Mesh& mesh_;
   std::vector<Vec3> moves_;  // of points, without walls
   std::vector<Block> refined_;
@@ -221,8 +221,8 @@ class Refinement {
 
 }  // namespace
 
-bool refineForHull(const Surface& surface, std::span<const double> parameters, const HullDesc& desc,
-                   const HullFrame& frame, std::vector<Block>& blocks) {
+bool refineForShell(const Surface& surface, std::span<const double> parameters, const ShellDesc& desc,
+                    const ShellFrame& frame, std::vector<Block>& blocks) {
   return Refinement(surface, parameters, desc, frame).refine(blocks);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// More and smaller blocks where a mesh is too coarse to carry a hull.
+// More and smaller blocks where a mesh is too coarse to carry a shell.
 #pragma once
 
 #include <span>
@@ -7,14 +7,14 @@
 
 #include "surface/surface.h"
 #include "tessellate/block_plan.h"
-#include "tessellate/hull_frame.h"
+#include "tessellate/shell_frame.h"
 
 namespace luxo {
 
 /// Cuts blocks, or raises their segments, where triangles turn by more than `desc.mostTurn` away from the
 /// direction in which a corner moves, and where moving would turn them over. What is much thinner than the
 /// tolerance stays as it is. `frame` is that of the blocks. Returns whether anything changed.
-[[nodiscard]] bool refineForHull(const Surface& surface, std::span<const double> parameters,
-                                 const HullDesc& desc, const HullFrame& frame, std::vector<Block>& blocks);
+[[nodiscard]] bool refineForShell(const Surface& surface, std::span<const double> parameters,
+                                  const ShellDesc& desc, const ShellFrame& frame, std::vector<Block>& blocks);
 
 }  // namespace luxo

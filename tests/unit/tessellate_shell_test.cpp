@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hulls are closed, hold the surface, and wrap where the formula goes on.
+// Shells are closed, hold the surface, and wrap where the formula goes on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,13 +18,13 @@
 #include "surface/catalogue.h"
 #include "surface/library.h"
 #include "surface_samples.h"
-#include "tessellate/hull.h"
+#include "tessellate/shell.h"
 
 namespace luxo {
 namespace {
 
-Hull hullOf(const Surface& surface, double tolerance, std::span<const double> parameters = {}) {
-  return *makeHull(surface, parameters, CurvatureMap(surface, parameters), {.tolerance = tolerance});
+Shell shellOf(const Surface& surface, double tolerance, std::span<const double> parameters = {}) {
+  return *makeShell(surface, parameters, CurvatureMap(surface, parameters), {.tolerance = tolerance});
 }
 
 double sizeOf(const Surface& surface, std::span<const double> parameters = {}) {
@@ -33,11 +33,11 @@ double sizeOf(const Surface& surface, std::span<const double> parameters = {}) {
 
 using Triangle = std::array<Vec3, 3>;
 
-std::vector<Triangle> slabOf(const Hull& hull, std::uint32_t patch) {
+std::vector<Triangle> slabOf(const Shell& shell, std::uint32_t patch) {
   std::vector<Triangle> triangles;
-  for (std::size_t i = 0; i < hull.indices.size(); i += 3) {
-    if (hull.patches[hull.indices[i]] != patch) continue;
-    const auto at = [&](std::size_t k) { return hull.positions[hull.indices[i + k]]; };
+  for (std::size_t i = 0; i < shell.indices.size(); i += 3) {
+    if (shell.patches[shell.indices[i]] != patch) continue;
+    const auto at = [&](std::size_t k) { return shell.positions[shell.indices[i + k]]; };
     triangles.push_back({at(0), at(1), at(2)});
   }
   return triangles;
@@ -81,9 +81,9 @@ int openEdges(const std::vector<Triangle>& triangles, double unit = 0) {
 
 /// How many of `count` points of the patch are not within its slab. Every other one is on an edge, where a
 /// wall could cut.
-int pointsOutside(const Surface& surface, std::span<const double> parameters, const Hull& hull,
+int pointsOutside(const Surface& surface, std::span<const double> parameters, const Shell& shell,
                   std::uint32_t patch, int count) {
-  const std::vector<Triangle> slab = slabOf(hull, patch);
+  const std::vector<Triangle> slab = slabOf(shell, patch);
   std::mt19937 random(patch + 1);
   std::uniform_real_distribution<double> part(0, 1);
   const Domain& domain = surface.patchDomain(patch);
@@ -100,31 +100,31 @@ int pointsOutside(const Surface& surface, std::span<const double> parameters, co
 }
 
 /// Pinch points, where no direction leads out, cost a point in a hundred its proof at most.
-void expectAHull(const Surface& surface, std::span<const double> parameters, const Hull& hull) {
+void expectAShell(const Surface& surface, std::span<const double> parameters, const Shell& shell) {
   const std::uint32_t step = std::max(1u, surface.patchCount() / 8);
   for (std::uint32_t patch = 0; patch < surface.patchCount(); patch += step) {
     SCOPED_TRACE("patch " + std::to_string(patch));
-    const std::vector<Triangle> slab = slabOf(hull, patch);
+    const std::vector<Triangle> slab = slabOf(shell, patch);
     ASSERT_FALSE(slab.empty());
     EXPECT_EQ(openEdges(slab), 0);
     EXPECT_GT(signedVolume(slab), 0);
     const auto points = static_cast<int>(std::clamp<std::size_t>(2'000'000 / slab.size(), 100, 400));
-    EXPECT_LE(pointsOutside(surface, parameters, hull, patch, points), hull.proven ? 0 : points / 100);
+    EXPECT_LE(pointsOutside(surface, parameters, shell, patch, points), shell.proven ? 0 : points / 100);
   }
 }
 
-class CatalogueHull : public testing::TestWithParam<std::string> {};
+class CatalogueShell : public testing::TestWithParam<std::string> {};
 
-TEST_P(CatalogueHull, IsClosedAndHoldsTheSurface) {
-  // Those with pinch points; a seashell's first ring is one, as far as a coarse hull can tell.
+TEST_P(CatalogueShell, IsClosedAndHoldsTheSurface) {
+  // Those with pinch points; a seashell's first ring is one, as far as a coarse shell can tell.
   static const std::set<std::string> pinched{"whitney_umbrella", "boy", "steiner_roman", "cross_cap",
                                              "seashell"};
   const Surface surface = makeSurface(GetParam());
   for (const double part : {0.05, 0.01, 0.003}) {
     SCOPED_TRACE("tolerance " + std::to_string(part) + " of the size");
-    const Hull hull = hullOf(surface, part * sizeOf(surface));
-    EXPECT_TRUE(hull.proven || pinched.contains(GetParam()));
-    expectAHull(surface, {}, hull);
+    const Shell shell = shellOf(surface, part * sizeOf(surface));
+    EXPECT_TRUE(shell.proven || pinched.contains(GetParam()));
+    expectAShell(surface, {}, shell);
   }
 }
 
@@ -134,21 +134,22 @@ std::vector<std::string> names() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueHull, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueShell, testing::ValuesIn(names()),
                          [](const auto& test) { return test.param; });
 
-TEST(TessellateHull, BoundsHowMuchDerivativesChangeOverACell) {
+TEST(TessellateShell, BoundsHowMuchDerivativesChangeOverACell) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> within(-3, 3);
   for (const char* name : {"sphere", "torus", "teapot", "flag", "klein_figure8", "cone"}) {
     SCOPED_TRACE(name);
     const Surface surface = makeSurface(name);
-    const Hull hull = hullOf(surface, 0.01 * sizeOf(surface));
+    const Shell shell = shellOf(surface, 0.01 * sizeOf(surface));
     double tightest = 0;
-    for (std::size_t v = 0; v < hull.positions.size() / 2; ++v) {
-      const Domain& domain = surface.patchDomain(hull.patches[v]);
-      const Patch& patch = surface.patches()[hull.patches[v]];
-      const Vec2 cell = hull.cells[v], at = hull.parameters[v] + Vec2(within(random), within(random)) * cell;
+    for (std::size_t v = 0; v < shell.positions.size() / 2; ++v) {
+      const Domain& domain = surface.patchDomain(shell.patches[v]);
+      const Patch& patch = surface.patches()[shell.patches[v]];
+      const Vec2 cell = shell.cells[v],
+                 at = shell.parameters[v] + Vec2(within(random), within(random)) * cell;
       std::array<double, 9> second{};
       patch.function->second.evaluatePoint(std::clamp(at.x, domain.u.lo, domain.u.hi),
                                            std::clamp(at.y, domain.v.lo, domain.v.hi), patch.constants,
@@ -158,39 +159,39 @@ TEST(TessellateHull, BoundsHowMuchDerivativesChangeOverACell) {
       };
       const double change =
           length(0) * cell.x * cell.x + 2 * length(3) * cell.x * cell.y + length(6) * cell.y * cell.y;
-      ASSERT_LE(change, hull.changes[v] * (1 + 1e-9)) << v;
-      tightest = std::max(tightest, change / hull.changes[v]);
+      ASSERT_LE(change, shell.changes[v] * (1 + 1e-9)) << v;
+      tightest = std::max(tightest, change / shell.changes[v]);
     }
     EXPECT_GT(tightest, 0.5) << "no bound to speak of";
   }
 }
 
-TEST(TessellateHull, KnowsTheRadiusOfItsBends) {
-  EXPECT_NEAR(hullOf(sphere(2), 0.01).medianRadius, 2, 1e-9);
-  EXPECT_NEAR(hullOf(torus(5, 0.25), 0.01).medianRadius, 0.25, 1e-9);
-  EXPECT_TRUE(std::isinf(hullOf(disk(3), 0.01).medianRadius));
+TEST(TessellateShell, KnowsTheRadiusOfItsBends) {
+  EXPECT_NEAR(shellOf(sphere(2), 0.01).medianRadius, 2, 1e-9);
+  EXPECT_NEAR(shellOf(torus(5, 0.25), 0.01).medianRadius, 0.25, 1e-9);
+  EXPECT_TRUE(std::isinf(shellOf(disk(3), 0.01).medianRadius));
 }
 
-TEST(Hull, HoldsSurfacesThatMove) {
+TEST(Shell, HoldsSurfacesThatMove) {
   for (const SurfaceSample& sample : surfaceSamples()) {
     SCOPED_TRACE(sample.name);
-    const Hull hull =
-        hullOf(sample.surface, 0.01 * sizeOf(sample.surface, sample.parameters), sample.parameters);
-    EXPECT_TRUE(hull.proven);
-    expectAHull(sample.surface, sample.parameters, hull);
+    const Shell shell =
+        shellOf(sample.surface, 0.01 * sizeOf(sample.surface, sample.parameters), sample.parameters);
+    EXPECT_TRUE(shell.proven);
+    expectAShell(sample.surface, sample.parameters, shell);
   }
 }
 
 /// The walls' triangles: as many as the front has more than the back.
-std::size_t wallsOf(const Hull& hull) {
+std::size_t wallsOf(const Shell& shell) {
   std::size_t walls = 0;
-  for (const Hull::Part& part : hull.parts) walls += (2 * part.frontCount - part.count) / 3;
+  for (const Shell::Part& part : shell.parts) walls += (2 * part.frontCount - part.count) / 3;
   return walls;
 }
 
-TEST(Hull, GoesOnWhereTheFormulaDoes) {
+TEST(Shell, GoesOnWhereTheFormulaDoes) {
   const auto wraps = [](const Surface& surface) {
-    const HullPatch patch = hullOf(surface, 0.01 * sizeOf(surface)).patchData[0];
+    const ShellPatch patch = shellOf(surface, 0.01 * sizeOf(surface)).patchData[0];
     return std::pair(patch.wrapsU, patch.wrapsV);
   };
   EXPECT_EQ(wraps(torus(1, 0.25)), std::pair(true, true));
@@ -200,11 +201,11 @@ TEST(Hull, GoesOnWhereTheFormulaDoes) {
   EXPECT_EQ(wraps(rectangle(1, 1)), std::pair(false, false));
   EXPECT_EQ(wraps(moebius(1, 0.5)), std::pair(false, false)) << "flipped";
   EXPECT_EQ(wraps(makeSurface("klein_figure8")), std::pair(false, true)) << "flipped along u only";
-  EXPECT_EQ(wallsOf(hullOf(torus(1, 0.25), 0.01)), 0u);
-  EXPECT_EQ(wallsOf(hullOf(sphere(1), 0.01)), 0u);
+  EXPECT_EQ(wallsOf(shellOf(torus(1, 0.25), 0.01)), 0u);
+  EXPECT_EQ(wallsOf(shellOf(sphere(1), 0.01)), 0u);
 }
 
-TEST(Hull, HasWallsWhereOnlyTheEdgesMeet) {
+TEST(Shell, HasWallsWhereOnlyTheEdgesMeet) {
   // Closed and smooth on the domain; beyond its ends the bulge is steeper than at the other end.
   const Surface ring = surface(
       [](auto u, auto v) {
@@ -213,26 +214,26 @@ TEST(Hull, HasWallsWhereOnlyTheEdgesMeet) {
       },
       {});
   ASSERT_TRUE(ring.topology().seamU());
-  const Hull hull = hullOf(ring, 0.01);
-  EXPECT_FALSE(hull.patchData[0].wrapsU);
-  expectAHull(ring, {}, hull);
+  const Shell shell = shellOf(ring, 0.01);
+  EXPECT_FALSE(shell.patchData[0].wrapsU);
+  expectAShell(ring, {}, shell);
 }
 
-TEST(Hull, KnowsCollapsedEdges) {
-  const HullPatch ball = hullOf(sphere(1), 0.01).patchData[0];
+TEST(Shell, KnowsCollapsedEdges) {
+  const ShellPatch ball = shellOf(sphere(1), 0.01).patchData[0];
   EXPECT_FALSE(ball.collapsedUMin || ball.collapsedUMax);
   EXPECT_TRUE(ball.collapsedVMin && ball.collapsedVMax);
-  const HullPatch tip = hullOf(cone(1, 0, 2), 0.01).patchData[0];
+  const ShellPatch tip = shellOf(cone(1, 0, 2), 0.01).patchData[0];
   EXPECT_TRUE(tip.collapsedVMax && !tip.collapsedVMin);
-  EXPECT_EQ(hullOf(disk(1), 0.01).patchData[0].orientation, -1);
+  EXPECT_EQ(shellOf(disk(1), 0.01).patchData[0].orientation, -1);
 }
 
 /// Of all patches together.
-std::vector<Triangle> spannedSlabs(const Hull& hull) {
+std::vector<Triangle> occluderSlabs(const Shell& shell) {
   std::vector<Triangle> triangles;
-  for (std::size_t i = 0; i < hull.indices.size(); i += 3) {
-    if (hull.spanning[i / 3] == Hull::Spanning::Joint) continue;
-    const auto at = [&](std::size_t k) { return hull.spanned[hull.indices[i + k]]; };
+  for (std::size_t i = 0; i < shell.indices.size(); i += 3) {
+    if (shell.occluding[i / 3] == Shell::Occluding::Joint) continue;
+    const auto at = [&](std::size_t k) { return shell.occluder[shell.indices[i + k]]; };
     triangles.push_back({at(0), at(1), at(2)});
   }
   return triangles;
@@ -247,7 +248,7 @@ bool holds(const std::vector<Triangle>& slabs, const Surface& surface, std::uint
 }
 
 // So no ray passes through such a slab beside the surface.
-TEST(Hull, BordersAreOutsideOfSpannedSlabs) {
+TEST(Shell, BordersAreOutsideOfSpannedSlabs) {
   // The last one's inner rim curves away from its chords.
   const Surface arch =
       luxo::surface([](auto u, auto v) { return point((1 + v) * cos(u), 0.0 * u, -(1 + v) * sin(u)); },
@@ -255,114 +256,114 @@ TEST(Hull, BordersAreOutsideOfSpannedSlabs) {
   for (const Surface& surface : {makeSurface("rectangle"), makeSurface("hyperbolic_paraboloid"),
                                  makeSurface("scherk"), makeSurface("helicoid"), arch}) {
     SCOPED_TRACE(surface.name());
-    const Hull hull = hullOf(surface, 0.01 * sizeOf(surface));
-    EXPECT_TRUE(hull.spansProven);
-    const std::vector<Triangle> spanned = spannedSlabs(hull), slab = slabOf(hull, 0);
-    EXPECT_EQ(openEdges(spanned), 0);
+    const Shell shell = shellOf(surface, 0.01 * sizeOf(surface));
+    EXPECT_TRUE(shell.occluderProven);
+    const std::vector<Triangle> occluder = occluderSlabs(shell), slab = slabOf(shell, 0);
+    EXPECT_EQ(openEdges(occluder), 0);
     for (int k = 0; k <= 40; ++k) {
       const double part = k / 40.0;
       for (const Vec2& at : {Vec2(part, 0), Vec2(part, 1), Vec2(0, part), Vec2(1, part)}) {
         EXPECT_TRUE(holds(slab, surface, 0, at)) << at.x << ' ' << at.y;
-        EXPECT_FALSE(holds(spanned, surface, 0, at)) << at.x << ' ' << at.y;
+        EXPECT_FALSE(holds(occluder, surface, 0, at)) << at.x << ' ' << at.y;
       }
-      EXPECT_TRUE(holds(spanned, surface, 0, Vec2(0.25 + 0.5 * part, 0.75 - 0.3 * part)));
+      EXPECT_TRUE(holds(occluder, surface, 0, Vec2(0.25 + 0.5 * part, 0.75 - 0.3 * part)));
     }
   }
 }
 
 // Of these patches no edge is a border: what is seen past one is another's.
-TEST(Hull, SpannedSlabsGoOnFromPatchToPatch) {
+TEST(Shell, SpannedSlabsGoOnFromPatchToPatch) {
   for (const char* name : {"superellipsoid", "supertoroid"}) {
     SCOPED_TRACE(name);
     const Surface surface = makeSurface(name);
     const double size = sizeOf(surface);
-    const Hull hull = hullOf(surface, 0.01 * size);
-    EXPECT_TRUE(hull.spansProven);
-    EXPECT_TRUE(std::ranges::all_of(hull.slabs, [&](std::uint32_t slab) { return slab == hull.slabs[0]; }));
-    const std::vector<Triangle> spanned = spannedSlabs(hull);
-    EXPECT_EQ(openEdges(spanned, 1e-9 * size), 0);
+    const Shell shell = shellOf(surface, 0.01 * size);
+    EXPECT_TRUE(shell.occluderProven);
+    EXPECT_TRUE(std::ranges::all_of(shell.slabs, [&](std::uint32_t slab) { return slab == shell.slabs[0]; }));
+    const std::vector<Triangle> occluder = occluderSlabs(shell);
+    EXPECT_EQ(openEdges(occluder, 1e-9 * size), 0);
     for (std::uint32_t patch = 0; patch < surface.patchCount(); patch += 7)
       for (const double part : {0.0, 0.3, 0.5, 1.0})
         for (const Vec2& at : {Vec2(part, 0), Vec2(part, 1), Vec2(0, part), Vec2(1, part)})
-          EXPECT_TRUE(holds(spanned, surface, patch, at)) << patch << ' ' << at.x << ' ' << at.y;
+          EXPECT_TRUE(holds(occluder, surface, patch, at)) << patch << ' ' << at.x << ' ' << at.y;
   }
 }
 
 // Lid, body, spout and handle are not joined to each other. The bottom goes on in the body, but around a bend
-// that facets of coarse hulls make a sharp edge.
-TEST(Hull, EachPartOfTheTeapotIsASlab) {
+// that facets of coarse shells make a sharp edge.
+TEST(Shell, EachPartOfTheTeapotIsASlab) {
   const Surface teapot = makeSurface("teapot");
   for (const auto& [tolerance, slabs] : {std::pair{0.01, 5u}, std::pair{0.002, 4u}}) {
-    const Hull hull = hullOf(teapot, tolerance * sizeOf(teapot));
-    EXPECT_TRUE(hull.spansProven);
-    EXPECT_EQ(std::set(hull.slabs.begin(), hull.slabs.end()).size(), slabs) << tolerance;
+    const Shell shell = shellOf(teapot, tolerance * sizeOf(teapot));
+    EXPECT_TRUE(shell.occluderProven);
+    EXPECT_EQ(std::set(shell.slabs.begin(), shell.slabs.end()).size(), slabs) << tolerance;
   }
 }
 
-TEST(Hull, KnowsBorders) {
+TEST(Shell, KnowsBorders) {
   const auto isBordered = [](const char* name) {
     const Surface surface = makeSurface(name);
-    return hullOf(surface, 0.01 * sizeOf(surface)).patchData[0].bordered;
+    return shellOf(surface, 0.01 * sizeOf(surface)).patchData[0].bordered;
   };
   for (const char* name : {"rectangle", "disk", "cylinder", "mobius", "enneper"})
     EXPECT_TRUE(isBordered(name)) << name;
   for (const char* name : {"sphere", "torus", "klein", "boy"}) EXPECT_FALSE(isBordered(name)) << name;
   // The teapot's handle meets its body, but is joined to nothing there; between its patches are no borders.
   const Surface teapot = makeSurface("teapot");
-  const std::vector<HullPatch> patches = hullOf(teapot, 0.01 * sizeOf(teapot)).patchData;
-  const auto bordered = std::ranges::count_if(patches, &HullPatch::bordered);
+  const std::vector<ShellPatch> patches = shellOf(teapot, 0.01 * sizeOf(teapot)).patchData;
+  const auto bordered = std::ranges::count_if(patches, &ShellPatch::bordered);
   EXPECT_GT(bordered, 0);
   EXPECT_LT(bordered, std::ssize(patches));
 }
 
-TEST(Hull, PatchesOfOneFunctionAreOnePart) {
-  const Hull teapot = hullOf(makeSurface("teapot"), 0.05);
+TEST(Shell, PatchesOfOneFunctionAreOnePart) {
+  const Shell teapot = shellOf(makeSurface("teapot"), 0.05);
   ASSERT_EQ(teapot.parts.size(), 1u);
   EXPECT_EQ(teapot.patchData.size(), 32u);
   EXPECT_EQ(teapot.parts[0].count, teapot.indices.size());
   const Surface klein = makeSurface("klein");
-  const Hull two = hullOf(klein, 0.01 * sizeOf(klein));
+  const Shell two = shellOf(klein, 0.01 * sizeOf(klein));
   ASSERT_EQ(two.parts.size(), 2u);
   EXPECT_EQ(two.parts[1].patch, 1u);
   EXPECT_EQ(two.parts[1].firstIndex, two.parts[0].count);
   EXPECT_EQ(two.parts[0].count + two.parts[1].count, two.indices.size());
-  for (const Hull::Part& part : two.parts)
+  for (const Shell::Part& part : two.parts)
     for (std::size_t i = part.firstIndex; i < part.firstIndex + part.count; ++i)
       ASSERT_EQ(two.patches[two.indices[i]], part.patch);
 }
 
-TEST(Hull, TopsAreOutsideAndBottomsInside) {
-  const Hull hull = hullOf(sphere(1), 0.02);
-  const Hull::Part part = hull.parts.at(0);
+TEST(Shell, TopsAreOutsideAndBottomsInside) {
+  const Shell shell = shellOf(sphere(1), 0.02);
+  const Shell::Part part = shell.parts.at(0);
   EXPECT_EQ(2 * part.frontCount, part.count);
   double nearest = 2, farthest = 0;
   for (std::size_t i = 0; i < part.count; ++i) {
-    const double radius = glm::length(hull.positions[hull.indices[i]]);
+    const double radius = glm::length(shell.positions[shell.indices[i]]);
     EXPECT_EQ(radius > 1, i < part.frontCount);
     nearest = std::min(nearest, radius);
     farthest = std::max(farthest, radius);
   }
-  EXPECT_LE(std::max(farthest - 1, 1 - nearest), hull.offset * (1 + 1e-12));
-  EXPECT_LT(hull.offset, 2 * kEquationTolerance * 0.02);
+  EXPECT_LE(std::max(farthest - 1, 1 - nearest), shell.offset * (1 + 1e-12));
+  EXPECT_LT(shell.offset, 2 * kEquationTolerance * 0.02);
 }
 
-TEST(Hull, ConesHoldTheNormalsOfTheirTriangles) {
+TEST(Shell, ConesHoldTheNormalsOfTheirTriangles) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> part(0, 1);
   for (const char* name : {"teapot", "flag", "boy", "klein", "hyperbolic_paraboloid"}) {
     SCOPED_TRACE(name);
     const Surface surface = makeSurface(name);
-    const Hull hull = hullOf(surface, 0.01 * sizeOf(surface));
+    const Shell shell = shellOf(surface, 0.01 * sizeOf(surface));
     int cones = 0;
-    for (std::uint32_t i = 0; i < hull.parts[0].faceCount(); i += 3) {
-      const FacingCone& cone = hull.cones[i / 3];
+    for (std::uint32_t i = 0; i < shell.parts[0].faceCount(); i += 3) {
+      const NormalCone& cone = shell.cones[i / 3];
       if (cone.sine > 1) continue;
       ++cones;
-      const auto corner = [&](std::uint32_t k) { return hull.parameters[hull.indices[i + k]]; };
+      const auto corner = [&](std::uint32_t k) { return shell.parameters[shell.indices[i + k]]; };
       double a = part(random), b = part(random);
       if (a + b > 1) a = 1 - a, b = 1 - b;
       const Vec2 uv = a * corner(0) + b * corner(1) + (1 - a - b) * corner(2);
-      const Vec3 normal = surface.normal(hull.patches[hull.indices[i]], uv.x, uv.y);
+      const Vec3 normal = surface.normal(shell.patches[shell.indices[i]], uv.x, uv.y);
       EXPECT_GE(glm::dot(Vec3(cone.axis), normal), std::sqrt(1 - cone.sine * cone.sine))
           << uv.x << ' ' << uv.y;
     }
@@ -370,72 +371,72 @@ TEST(Hull, ConesHoldTheNormalsOfTheirTriangles) {
   }
 }
 
-TEST(Hull, VerticesCarryTheirCells) {
-  const Hull hull = hullOf(torus(1, 0.25), 0.01);
-  std::vector<Vec2> largest(hull.positions.size(), Vec2(0));
-  for (std::size_t i = 0; i < hull.indices.size(); i += 3) {
-    const auto uv = [&](std::size_t k) { return hull.parameters[hull.indices[i + k]]; };
+TEST(Shell, VerticesCarryTheirCells) {
+  const Shell shell = shellOf(torus(1, 0.25), 0.01);
+  std::vector<Vec2> largest(shell.positions.size(), Vec2(0));
+  for (std::size_t i = 0; i < shell.indices.size(); i += 3) {
+    const auto uv = [&](std::size_t k) { return shell.parameters[shell.indices[i + k]]; };
     const Vec2 extent = glm::max(glm::max(uv(0), uv(1)), uv(2)) - glm::min(glm::min(uv(0), uv(1)), uv(2));
     EXPECT_TRUE(extent.x < 0.5 && extent.y < 0.5) << "parameters can be interpolated";
     for (std::size_t k = 0; k < 3; ++k)
-      largest[hull.indices[i + k]] = glm::max(largest[hull.indices[i + k]], extent);
+      largest[shell.indices[i + k]] = glm::max(largest[shell.indices[i + k]], extent);
   }
-  EXPECT_EQ(hull.cells, largest);
+  EXPECT_EQ(shell.cells, largest);
 }
 
-TEST(Hull, FlatSurfacesAreThin) {
+TEST(Shell, FlatSurfacesAreThin) {
   // Of 1e-4 of the size; its corners move along both walls' normals and the plane's.
-  const Hull hull = hullOf(rectangle(3, 4), 0.1);
-  EXPECT_EQ(hull.bound, 0);
-  EXPECT_NEAR(hull.offset, 5e-4 * std::sqrt(3.0), 1e-9);
-  EXPECT_EQ(hull.triangleCount(), 12u);
+  const Shell shell = shellOf(rectangle(3, 4), 0.1);
+  EXPECT_EQ(shell.bound, 0);
+  EXPECT_NEAR(shell.offset, 5e-4 * std::sqrt(3.0), 1e-9);
+  EXPECT_EQ(shell.triangleCount(), 12u);
   // A rim deviates sideways, by nearly the bound.
-  const Hull rim = hullOf(disk(1), 0.01);
+  const Shell rim = shellOf(disk(1), 0.01);
   EXPECT_GT(rim.offset, 0.01 * std::sqrt(2.0) * 0.5);
-  expectAHull(disk(1), {}, rim);
+  expectAShell(disk(1), {}, rim);
 }
 
-TEST(Hull, IsWithinItsDistanceOfTheSurface) {
+TEST(Shell, IsWithinItsDistanceOfTheSurface) {
   // The planes are 1.1 bounds away, and vertices turn by mostTurn at most: 1.1 / cos 0.8 = 1.58.
   for (const char* name : {"torus", "sphere", "dupin_cyclide", "torus_knot", "spring"}) {
     const Surface surface = makeSurface(name);
     const double tolerance = 0.01 * sizeOf(surface);
-    const Hull hull = hullOf(surface, tolerance);
+    const Shell shell = shellOf(surface, tolerance);
     // Ends of a spring have walls: one more direction.
-    const double allowed = hull.patchData[0].equation ? kEquationTolerance * tolerance : tolerance;
-    EXPECT_LT(hull.offset, 1.9 * allowed) << name;
+    const double allowed = shell.patchData[0].equation ? kEquationTolerance * tolerance : tolerance;
+    EXPECT_LT(shell.offset, 1.9 * allowed) << name;
   }
 }
 
-TEST(Hull, TightBendsAreFinerThanTheTolerance) {
+TEST(Shell, TightBendsAreFinerThanTheTolerance) {
   // A wire of a tenth of the tolerance: the mesh alone would have three sides.
   const Surface wire = torus(1, 0.005);
-  const Hull hull = hullOf(wire, 0.05);
-  EXPECT_TRUE(hull.proven);
-  EXPECT_LT(hull.offset, 0.02) << "no wider than a few wires";
-  expectAHull(wire, {}, hull);
+  const Shell shell = shellOf(wire, 0.05);
+  EXPECT_TRUE(shell.proven);
+  EXPECT_LT(shell.offset, 0.02) << "no wider than a few wires";
+  expectAShell(wire, {}, shell);
 }
 
-TEST(Hull, AFormulaThatEndsInsideOfItsRectangleHasNone) {
+TEST(Shell, AFormulaThatEndsInsideOfItsRectangleHasNone) {
   const Surface holed =
       surface([](auto u, auto v) { return point(u, sqrt(u * u + v * v - 0.25), v); }, {{-1, 1}, {-1, 1}});
-  EXPECT_FALSE(makeHull(holed, {}, CurvatureMap(holed, {}), {.tolerance = 0.05}).has_value());
+  EXPECT_FALSE(makeShell(holed, {}, CurvatureMap(holed, {}), {.tolerance = 0.05}).has_value());
 }
 
-TEST(Hull, EqualInputGivesEqualBits) {
+TEST(Shell, EqualInputGivesEqualBits) {
   const Surface teapot = makeSurface("teapot");
-  const Hull a = hullOf(teapot, 0.05), b = hullOf(teapot, 0.05);
+  const Shell a = shellOf(teapot, 0.05), b = shellOf(teapot, 0.05);
   EXPECT_EQ(a.positions, b.positions);
   EXPECT_EQ(a.indices, b.indices);
   EXPECT_EQ(a.parameters, b.parameters);
 }
 
-TEST(Hull, TakesFewTriangles) {
+TEST(Shell, TakesFewTriangles) {
   const Surface teapot = makeSurface("teapot");
   const Vec3 extent = teapot.bounds({}).extent();
   const double pixel = std::max(extent.x, extent.z) / 900;
-  const std::size_t count = hullOf(teapot, 8 * pixel).triangleCount();
-  std::printf("hull of the teapot, 900 px wide at 8 px: %zu triangles\n", count);
+  const std::size_t count = shellOf(teapot, 8 * pixel).triangleCount();
+  std::printf("shell of the teapot, 900 px wide at 8 px: %zu triangles\n", count);
   EXPECT_LE(count, 7000u);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "draw/even_scale.h"
+#include "draw/scale_normalization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace luxo {
 namespace {
 
 /// How many times as large an object may seem, by the largest stretch of its transform, as it is.
-constexpr double kMostExcess = 64;
+constexpr double kMaxExcess = 64;
 
 /// How far the transform stretches each axis, rounded to a power of two.
 Vec3 powersOfTwo(const Mat3& linear) {
@@ -27,14 +27,14 @@ bool isUneven(const SnapshotNode& node) {
   Vec3 inWorld;
   for (int axis = 0; axis < 3; ++axis) inWorld[axis] = extent[axis] * glm::length(linear[axis]);
   const double seems = largestStretch(linear) * glm::length(extent), is = glm::length(inWorld);
-  if (!(std::isfinite(seems) && seems > kMostExcess * is)) return false;
+  if (!(std::isfinite(seems) && seems > kMaxExcess * is)) return false;
   const Vec3 powers = powersOfTwo(linear);
   return std::isfinite(powers.x + powers.y + powers.z) && powers.x * powers.y * powers.z > 0;
 }
 
 }  // namespace
 
-const Snapshot& EvenScale::of(const Snapshot& snapshot) {
+const Snapshot& ScaleNormalization::of(const Snapshot& snapshot) {
   if (std::ranges::none_of(snapshot.nodes, isUneven)) {
     known_.clear();
     return snapshot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mesh under a hull, and what stands around each of its points.
+// The mesh under a shell, and what stands around each of its points.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 #include "surface/surface.h"
 #include "tessellate/block_plan.h"
 #include "tessellate/curvature_map.h"
-#include "tessellate/hull.h"
-#include "tessellate/hull_heights.h"
 #include "tessellate/mesh.h"
+#include "tessellate/shell.h"
+#include "tessellate/shell_heights.h"
 
 namespace luxo {
 
 /// Where a patch goes on beyond its edges, and where they are points. `size` of the surface: two points that
 /// differ by 1e-9 of it are one.
-[[nodiscard]] HullPatch readPatch(const Surface& surface, std::uint32_t patch,
-                                  std::span<const double> parameters, double size);
+[[nodiscard]] ShellPatch readPatch(const Surface& surface, std::uint32_t patch,
+                                   std::span<const double> parameters, double size);
 
 /// The curvature over the tiles, about as large as the rectangle, that hold it. Corners in parts of the
 /// patch's sides.
@@ -45,7 +45,7 @@ struct Clearance {
 
 /// A point is what vertices of a patch share that are one place of it: at a wrapped seam, at a collapsed
 /// edge.
-class HullFrame {
+class ShellFrame {
  public:
   struct WallEdge {
     std::uint32_t from = 0, to = 0;  ///< vertices, along the border with the patch at the left
@@ -53,8 +53,8 @@ class HullFrame {
   };
 
   /// Blocks of one patch are consecutive.
-  HullFrame(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
-            const std::vector<Block>& blocks, const std::vector<HullPatch>& patches, HullLook& look);
+  ShellFrame(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
+             const std::vector<Block>& blocks, const std::vector<ShellPatch>& patches, ShellLook& look);
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] double size() const { return size_; }  ///< diagonal of the box around it
@@ -75,7 +75,7 @@ class HullFrame {
   [[nodiscard]] double bound(std::size_t triangle) const { return bounds_[triangle]; }
   /// That of each part of the triangle falls with the square of its size.
   [[nodiscard]] bool smooth(std::size_t triangle) const { return smooth_[triangle] != 0; }
-  [[nodiscard]] const HullHeights& heights() const { return heights_; }
+  [[nodiscard]] const ShellHeights& heights() const { return heights_; }
 
   /// Normals of the triangles around a point, and of the walls, which lead out of the patch along it.
   [[nodiscard]] std::span<const Vec3> facetsAround(std::size_t point) const {
@@ -86,12 +86,12 @@ class HullFrame {
   }
 
  private:
-  void numberPoints(const std::vector<Block>& blocks, const std::vector<HullPatch>& patches);
+  void numberPoints(const std::vector<Block>& blocks, const std::vector<ShellPatch>& patches);
   void findFacets();
-  void findWalls(const std::vector<HullPatch>& patches);
+  void findWalls(const std::vector<ShellPatch>& patches);
   void fileByPoint();
   void findBounds(const CurvatureMap& map, const std::vector<Block>& blocks,
-                  const std::vector<HullPatch>& patches);
+                  const std::vector<ShellPatch>& patches);
 
   std::vector<std::size_t> firstIndices_;  // of blocks; filled while mesh_ is made
   Mesh mesh_;
@@ -101,7 +101,7 @@ class HullFrame {
   std::vector<Vec3> facets_;
   std::vector<double> bounds_;
   std::vector<char> smooth_;
-  HullHeights heights_;
+  ShellHeights heights_;
   std::vector<WallEdge> walls_;
   std::vector<Vec3> wallNormals_;
   std::vector<std::size_t> first_;  // in around_, of facets and of walls, by point

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/hull_heights.h"
+#include "tessellate/shell_heights.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <limits>
 #include <utility>
 
-#include "tessellate/hull_frame.h"
 #include "tessellate/parallel.h"
+#include "tessellate/shell_frame.h"
 
 namespace luxo {
 namespace {
@@ -67,25 +67,25 @@ struct Pattern {
   bool swapped = false;   // a place's u is the triangle's v
 };
 
-std::uint32_t cornerOf(const HullFrame& frame, std::size_t t, std::size_t k) {
+std::uint32_t cornerOf(const ShellFrame& frame, std::size_t t, std::size_t k) {
   return frame.mesh().indices[3 * t + k % 3];
 }
 
-const Vec3& positionOf(const HullFrame& frame, std::size_t t, std::size_t k) {
+const Vec3& positionOf(const ShellFrame& frame, std::size_t t, std::size_t k) {
   return frame.mesh().positions[cornerOf(frame, t, k)];
 }
 
-double heightOver(const HullFrame& frame, std::size_t t, const Vec3& point) {
+double heightOver(const ShellFrame& frame, std::size_t t, const Vec3& point) {
   return glm::dot(frame.facet(t), point - positionOf(frame, t, 0));
 }
 
 /// In the plane of a triangle, out of it across an edge.
-Vec3 outward(const HullFrame& frame, std::size_t t, std::size_t opposite) {
+Vec3 outward(const ShellFrame& frame, std::size_t t, std::size_t opposite) {
   return unit(
       glm::cross(positionOf(frame, t, opposite + 2) - positionOf(frame, t, opposite + 1), frame.facet(t)));
 }
 
-Pattern patternOf(const HullFrame& frame, std::size_t t, const HullPatch& patch) {
+Pattern patternOf(const ShellFrame& frame, std::size_t t, const ShellPatch& patch) {
   if (!frame.smooth(t)) return {};
   const Domain& d = patch.domain;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -99,7 +99,7 @@ Pattern patternOf(const HullFrame& frame, std::size_t t, const HullPatch& patch)
   return {.places = kPlaces};
 }
 
-void lookAtOne(const HullFrame& frame, std::size_t t, const Pattern& pattern, std::span<const Vec3> points,
+void lookAtOne(const ShellFrame& frame, std::size_t t, const Pattern& pattern, std::span<const Vec3> points,
                double around, TriangleLook& look) {
   std::array<Vec3, 3> away;
   for (std::size_t k = 0; k < 3; ++k) away[k] = outward(frame, t, k);
@@ -122,7 +122,7 @@ void lookAtOne(const HullFrame& frame, std::size_t t, const Pattern& pattern, st
 /// Points of the finer mesh may be over, or under, more triangles than their own.
 class Strays {
  public:
-  explicit Strays(const HullFrame& frame) : frame_(frame) {}
+  explicit Strays(const ShellFrame& frame) : frame_(frame) {}
 
   /// Walks from the triangle across all edges that the point is beyond, or nearly so, as seen from both
   /// sides: calls action(triangle) for those it comes to. `reach`: how far it is from the triangle's plane.
@@ -178,7 +178,7 @@ class Strays {
     return from << 32 | to;
   }
 
-  const HullFrame& frame_;
+  const ShellFrame& frame_;
   std::vector<Border> borders_;  // three for each triangle; filled when first asked for
 };
 
@@ -189,20 +189,20 @@ void HeightRange::add(double height, double around) {
   below = std::max(below, around - height);
 }
 
-std::size_t HullLook::HashOf::operator()(const Triangle& triangle) const {
+std::size_t ShellLook::HashOf::operator()(const Triangle& triangle) const {
   std::uint64_t hash = triangle.patch;
   for (const double number : triangle.numbers)
     hash = std::rotl(hash, 23) * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(number);
   return hash ^ hash >> 32;
 }
 
-HullLook::Triangle HullLook::triangleOf(const HullFrame& frame, std::size_t t) {
+ShellLook::Triangle ShellLook::triangleOf(const ShellFrame& frame, std::size_t t) {
   const auto uv = [&](std::size_t k) { return frame.mesh().parameters[cornerOf(frame, t, k)]; };
   return {frame.patchOf(cornerOf(frame, t, 0)),
           {uv(0).x, uv(0).y, uv(1).x, uv(1).y, uv(2).x, uv(2).y, frame.bound(t)}};
 }
 
-HullHeights HullLook::heightsOf(const HullFrame& frame) {
+ShellHeights ShellLook::heightsOf(const ShellFrame& frame) {
   const std::size_t count = frame.mesh().triangleCount();
   std::vector<TriangleLook*> looks;
   std::vector<std::size_t> unknown;
@@ -218,7 +218,7 @@ HullHeights HullLook::heightsOf(const HullFrame& frame) {
     lookAt(frame, std::span(unknown).subspan(first, std::min(kBatch, unknown.size() - first)), looks);
   });
 
-  HullHeights heights;
+  ShellHeights heights;
   for (const TriangleLook* look : looks) {
     heights.above.push_back(look->plane.above);
     heights.below.push_back(look->plane.below);
@@ -232,7 +232,7 @@ HullHeights HullLook::heightsOf(const HullFrame& frame) {
         heights.above[other] = std::max(heights.above[other], height + stray.around);
         heights.below[other] = std::max(heights.below[other], stray.around - height);
       });
-  for (const HullFrame::WallEdge& wall : frame.walls()) {
+  for (const ShellFrame::WallEdge& wall : frame.walls()) {
     std::size_t opposite = 0;
     while (cornerOf(frame, wall.triangle, opposite + 1) != wall.from) ++opposite;
     const HeightRange& edge = looks[wall.triangle]->edges[opposite];
@@ -243,8 +243,8 @@ HullHeights HullLook::heightsOf(const HullFrame& frame) {
 }
 
 /// Triangles of a patch follow each other.
-void HullLook::lookAt(const HullFrame& frame, std::span<const std::size_t> triangles,
-                      std::span<TriangleLook* const> looks) const {
+void ShellLook::lookAt(const ShellFrame& frame, std::span<const std::size_t> triangles,
+                       std::span<TriangleLook* const> looks) const {
   while (!triangles.empty()) {
     const auto patchOf = [&](std::size_t t) { return frame.patchOf(cornerOf(frame, t, 0)); };
     const std::uint32_t patch = patchOf(triangles[0]);
@@ -255,8 +255,8 @@ void HullLook::lookAt(const HullFrame& frame, std::span<const std::size_t> trian
   }
 }
 
-void HullLook::lookAt(const HullFrame& frame, std::uint32_t patch, std::span<const std::size_t> triangles,
-                      std::span<TriangleLook* const> looks) const {
+void ShellLook::lookAt(const ShellFrame& frame, std::uint32_t patch, std::span<const std::size_t> triangles,
+                       std::span<TriangleLook* const> looks) const {
   std::vector<double> u, v;
   for (const std::size_t t : triangles) {
     const Pattern pattern = patternOf(frame, t, patches_[patch]);

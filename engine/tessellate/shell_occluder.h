@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "tessellate/hull_frame.h"
+#include "tessellate/shell_frame.h"
 
 namespace luxo {
 
-struct HullSpans {
+struct ShellOccluder {
   std::vector<Vec3> positions;  ///< of the top's vertices, then of the bottom's
   std::vector<bool> joined;     ///< of each wall of the frame: patches go on in each other, no wall is there
   std::vector<std::uint32_t> slabs;  ///< of each patch: which of the slabs it is in
@@ -18,8 +18,8 @@ struct HullSpans {
 };
 
 /// `distances`: of each point of the frame.
-/// `positions`: the hull's, which are those of vertices that no wall is near.
-[[nodiscard]] HullSpans spansOf(const HullFrame& frame, std::span<const Distances> distances,
-                                std::span<const Vec3> positions, std::uint32_t patchCount);
+/// `positions`: the shell's, which are those of vertices that no wall is near.
+[[nodiscard]] ShellOccluder occluderOf(const ShellFrame& frame, std::span<const Distances> distances,
+                                       std::span<const Vec3> positions, std::uint32_t patchCount);
 
 }  // namespace luxo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/hull_frame.h"
+#include "tessellate/shell_frame.h"
 
 #include <algorithm>
 #include <bit>
@@ -25,7 +25,7 @@ class PatchReader {
   PatchReader(const Surface& surface, std::span<const double> parameters, double size)
       : surface_(surface), parameters_(parameters), tolerance_(1e-9 * size) {}
 
-  [[nodiscard]] HullPatch read(std::uint32_t patch) const {
+  [[nodiscard]] ShellPatch read(std::uint32_t patch) const {
     const auto collapsed = [&](Side side) { return surface_.topology().edge(patch, side).collapsed(); };
     return {.domain = surface_.patchDomain(patch),
             .wrapsU = joined(patch, Side::UMin, Side::UMax) && goesOn(patch, true),
@@ -83,7 +83,7 @@ bool onEdge(const Vec2& p, const Domain& d) {
 
 /// One (u, v) for all that are the same place. The ends of collapsed edges are those that collapsed edges
 /// beside them have too.
-Vec2 canonical(Vec2 p, const HullPatch& patch) {
+Vec2 canonical(Vec2 p, const ShellPatch& patch) {
   const Domain& d = patch.domain;
   if (patch.wrapsU && p.x == d.u.hi) p.x = d.u.lo;
   if (patch.wrapsV && p.y == d.v.hi) p.y = d.v.lo;
@@ -116,8 +116,8 @@ Curvature curvatureAround(const CurvatureMap& map, std::uint32_t patch, const Ve
   return most;
 }
 
-HullPatch readPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters,
-                    double size) {
+ShellPatch readPatch(const Surface& surface, std::uint32_t patch, std::span<const double> parameters,
+                     double size) {
   return PatchReader(surface, parameters, size).read(patch);
 }
 
@@ -152,8 +152,9 @@ Move shortestMove(std::span<const Vec3> facets, std::span<const Vec3> walls, dou
   return {unit(d) * (kStrayMove * farthest), false};
 }
 
-HullFrame::HullFrame(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
-                     const std::vector<Block>& blocks, const std::vector<HullPatch>& patches, HullLook& look)
+ShellFrame::ShellFrame(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
+                       const std::vector<Block>& blocks, const std::vector<ShellPatch>& patches,
+                       ShellLook& look)
     : mesh_(meshOfBlocks(surface, parameters, blocks, &firstIndices_)) {
   Box box;
   for (const Vec3& p : mesh_.positions) box.add(p);
@@ -166,7 +167,7 @@ HullFrame::HullFrame(const Surface& surface, std::span<const double> parameters,
   heights_ = look.heightsOf(*this);
 }
 
-void HullFrame::numberPoints(const std::vector<Block>& blocks, const std::vector<HullPatch>& patches) {
+void ShellFrame::numberPoints(const std::vector<Block>& blocks, const std::vector<ShellPatch>& patches) {
   patches_.resize(mesh_.positions.size());
   for (std::size_t b = 0; b < blocks.size(); ++b)
     for (std::size_t i = firstIndices_[b]; i < firstIndices_[b + 1]; ++i)
@@ -175,7 +176,7 @@ void HullFrame::numberPoints(const std::vector<Block>& blocks, const std::vector
   // Vertices of a patch are consecutive.
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> onEdges;
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    const HullPatch& patch = patches[patches_[v]];
+    const ShellPatch& patch = patches[patches_[v]];
     if (v > 0 && patches_[v] != patches_[v - 1]) onEdges.clear();
     const Vec2 place = canonical(mesh_.parameters[v], patch);
     if (!onEdge(place, patch.domain)) {
@@ -190,7 +191,7 @@ void HullFrame::numberPoints(const std::vector<Block>& blocks, const std::vector
   }
 }
 
-void HullFrame::findFacets() {
+void ShellFrame::findFacets() {
   facets_.reserve(mesh_.triangleCount());
   for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
     const auto [a, b, c] = corners(t);
@@ -201,7 +202,7 @@ void HullFrame::findFacets() {
   }
 }
 
-void HullFrame::findWalls(const std::vector<HullPatch>& patches) {
+void ShellFrame::findWalls(const std::vector<ShellPatch>& patches) {
   const auto key = [&](std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t{points_[a]} << 32) | points_[b];
   };
@@ -225,7 +226,7 @@ void HullFrame::findWalls(const std::vector<HullPatch>& patches) {
   });
 }
 
-void HullFrame::fileByPoint() {
+void ShellFrame::fileByPoint() {
   first_.assign(2 * pointCount_ + 1, 0);
   const auto forEachNormal = [&](const auto& action) {
     for (std::size_t t = 0; t < facets_.size(); ++t)
@@ -243,8 +244,8 @@ void HullFrame::fileByPoint() {
   forEachNormal([&](std::size_t place, const Vec3& normal) { around_[next[place]++] = normal; });
 }
 
-void HullFrame::findBounds(const CurvatureMap& map, const std::vector<Block>& blocks,
-                           const std::vector<HullPatch>& patches) {
+void ShellFrame::findBounds(const CurvatureMap& map, const std::vector<Block>& blocks,
+                            const std::vector<ShellPatch>& patches) {
   bounds_.reserve(mesh_.triangleCount());
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Domain& domain = patches[blocks[b].patch].domain;

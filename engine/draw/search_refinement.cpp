@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "draw/search_care.h"
+#include "draw/search_refinement.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,19 +16,19 @@ std::uint64_t sum(const std::vector<std::uint32_t>& counts) {
 
 }  // namespace
 
-bool SearchCare::learn(const LostPixels& lost) {
-  const bool mayHelp = lessons_++ < kMostLessons;
+bool SearchRefinement::learn(const LostPixels& lost) {
+  const bool mayHelp = refinements_++ < kMaxRefinements;
   const bool finer = refineNodes(lost, mayHelp);
-  lostNow_ = lost.inFlat;
+  lostNow_ = lost.transversal;
   if (!mayHelp || sum(lostNow_) == 0) return finer;
-  rememberFlat();
+  rememberTransversal();
   return true;
 }
 
-bool SearchCare::refineNodes(const LostPixels& lost, bool mayHelp) {
+bool SearchRefinement::refineNodes(const LostPixels& lost, bool mayHelp) {
   for (Node& node : nodes_) node.refined = false;
   bool finer = false;
-  for (const auto& [index, count] : lost.inSteep) {
+  for (const auto& [index, count] : lost.grazing) {
     if (index >= nodes_.size()) nodes_.resize(index + 1);
     Node& node = nodes_[index];
     const std::uint32_t before = std::exchange(node.lost, count);
@@ -39,28 +39,28 @@ bool SearchCare::refineNodes(const LostPixels& lost, bool mayHelp) {
   return finer;
 }
 
-void SearchCare::refine(std::uint32_t node) {
+void SearchRefinement::refine(std::uint32_t node) {
   if (node >= nodes_.size()) nodes_.resize(node + 1);
   ++nodes_[node].level;
 }
 
-void SearchCare::rememberFlat() {
+void SearchRefinement::rememberTransversal() {
   // Most would be of views long gone.
-  if (std::ranges::count(lostInFlat_, true) > std::ssize(lostInFlat_) / 4) lostInFlat_.clear();
-  lostInFlat_.resize(lostNow_.size());
-  for (std::size_t slot = 0; slot < lostInFlat_.size(); ++slot)
-    if (lostNow_[slot] > 0) lostInFlat_[slot] = true;
+  if (std::ranges::count(lostTransversal_, true) > std::ssize(lostTransversal_) / 4) lostTransversal_.clear();
+  lostTransversal_.resize(lostNow_.size());
+  for (std::size_t slot = 0; slot < lostTransversal_.size(); ++slot)
+    if (lostNow_[slot] > 0) lostTransversal_[slot] = true;
 }
 
-void SearchCare::beginPicture() {
-  // Finer hulls would cost every picture what few need.
+void SearchRefinement::beginPicture() {
+  // Finer shells would cost every picture what few need.
   nodes_.clear();
   lostNow_.clear();
-  lessons_ = 0;
+  refinements_ = 0;
   completes = false;
 }
 
-std::uint64_t SearchCare::lost() const {
+std::uint64_t SearchRefinement::lost() const {
   std::uint64_t all = sum(lostNow_);
   for (const Node& node : nodes_) all += node.lost;
   return all;

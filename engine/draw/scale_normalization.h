@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects in about the proportions in which the world has them. A formula may be a million times as long as
-// it is thick and its node's scale make it round again: around such a surface no hull and no mesh is near by
+// it is thick and its node's scale make it round again: around such a surface no shell and no mesh is near by
 // any one distance, as distances are measured in the object's space.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace luxo {
 
-class EvenScale {
+class ScaleNormalization {
  public:
   /// The same world. Where transforms undo large differences of scale, surfaces are scaled by powers of two
   /// instead: what is left of the transform stretches all axes alike, within a factor of two. Valid until the

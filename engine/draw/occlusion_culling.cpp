@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "draw/hidden_triangles.h"
+#include "draw/occlusion_culling.h"
 
 #include <algorithm>
 #include <array>
@@ -39,69 +39,70 @@ PixelTriangle triangleOf(const std::vector<Vec3>& points, std::span<const std::u
 }
 
 template <typename Action>
-void forEachHullBatch(const DrawList& list, const Action& action) {
+void forEachShellBatch(const DrawList& list, const Action& action) {
   for (const DrawBatch& batch : list.opaque)
-    if (batch.hull) action(batch);
+    if (batch.shell) action(batch);
 }
 
 }  // namespace
 
 /// +1: the triangle is seen from outside the slab; -1: from inside; 0: it is so narrow that a device may see
 /// it either way.
-int HiddenTriangles::Body::facing(const PixelTriangle& t) const {
+int OcclusionCulling::Body::facing(const PixelTriangle& t) const {
   const Vec3 a = t[1] - t[0], b = t[2] - t[0];
   const double area = a.y * b.x - a.x * b.y;
   const double narrow = kNarrowest * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
   return std::abs(area) <= narrow ? 0 : (area > 0) != mirrored ? 1 : -1;
 }
 
-std::uint64_t HiddenTriangles::drop(DrawList& list, const Snapshot& snapshot, int samples) {
+std::uint64_t OcclusionCulling::drop(DrawList& list, const Snapshot& snapshot, int samples) {
   addBodies(list, snapshot);
   const bool hiding = layered(list, snapshot.view.size);
   if (hiding) cover(snapshot.view.size, samples);
   const std::vector<char> unseen = findUnseen(list, hiding);
   std::vector<std::uint32_t> kept;
-  kept.reserve(list.hullIndices.size());
+  kept.reserve(list.shellIndices.size());
   for (DrawBatch& batch : list.opaque) {
-    if (!batch.hull) continue;
+    if (!batch.shell) continue;
     const std::size_t first = kept.size();
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
-      const auto indices = indicesAt(list.hullIndices, i);
+      const auto indices = indicesAt(list.shellIndices, i);
       if (!unseen[i / 3]) kept.insert(kept.end(), indices.begin(), indices.end());
     }
     batch.firstIndex = static_cast<std::uint32_t>(first);
     batch.indexCount = static_cast<std::uint32_t>(kept.size() - first);
   }
-  std::erase_if(list.opaque, [](const DrawBatch& batch) { return batch.hull && batch.indexCount == 0; });
-  const std::size_t dropped = list.hullIndices.size() - kept.size();
+  std::erase_if(list.opaque, [](const DrawBatch& batch) { return batch.shell && batch.indexCount == 0; });
+  const std::size_t dropped = list.shellIndices.size() - kept.size();
   // Something is bound even if nothing of it is drawn.
-  if (!kept.empty()) list.hullIndices = std::move(kept);
+  if (!kept.empty()) list.shellIndices = std::move(kept);
   return dropped / 3;
 }
 
-const HiddenTriangles::Body& HiddenTriangles::bodyOf(const DrawList& list, const DrawBatch& batch) const {
+const OcclusionCulling::Body& OcclusionCulling::bodyOf(const DrawList& list, const DrawBatch& batch) const {
   return bodies_[bodyOf_[list.instanceNodes[batch.firstInstance]]];
 }
 
-void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) {
+void OcclusionCulling::addBodies(const DrawList& list, const Snapshot& snapshot) {
   bodies_.clear();
   bodyOf_.assign(snapshot.nodes.size(), kNone);
-  forEachHullBatch(list, [&](const DrawBatch& batch) {
+  forEachShellBatch(list, [&](const DrawBatch& batch) {
     const std::uint32_t number = list.instanceNodes[batch.firstInstance];
     if (bodyOf_[number] != kNone) return;
     bodyOf_[number] = bodies_.size();
     const SnapshotNode& node = snapshot.nodes[number];
-    std::vector<Vec3> points = inPicture(snapshot.view, node, batch.hull->positions), spanned;
+    std::vector<Vec3> points = inPicture(snapshot.view, node, batch.shell->positions), occluder;
     const bool inFront = std::ranges::all_of(points, [&](const Vec3& p) { return p.z > snapshot.view.near; });
-    if (inFront && batch.hull->spansProven) spanned = inPicture(snapshot.view, node, batch.hull->spanned);
-    if (!std::ranges::all_of(spanned, [&](const Vec3& p) { return p.z > snapshot.view.near; }))
-      spanned.clear();
+    if (inFront && batch.shell->occluderProven)
+      occluder = inPicture(snapshot.view, node, batch.shell->occluder);
+    if (!std::ranges::all_of(occluder, [&](const Vec3& p) { return p.z > snapshot.view.near; }))
+      occluder.clear();
     if (snapshot.view.perspective() && inFront)
-      for (auto* places : {&points, &spanned})
+      for (auto* places : {&points, &occluder})
         for (Vec3& p : *places) p.z = -1 / p.z;
-    bodies_.push_back({.hull = batch.hull.get(),
+    bodies_.push_back({.shell = batch.shell.get(),
                        .points = std::move(points),
-                       .spanned = std::move(spanned),
+                       .occluder = std::move(occluder),
                        .mirrored = batch.mirrored,
                        .bothSides = batch.bothSides,
                        .inFront = inFront});
@@ -109,15 +110,15 @@ void HiddenTriangles::addBodies(const DrawList& list, const Snapshot& snapshot) 
 }
 
 /// Whether there is more to draw than to see.
-bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
+bool OcclusionCulling::layered(const DrawList& list, const PixelSize& size) {
   coarse_.clear({size.width / kCoarse + 1, size.height / kCoarse + 1}, Vec2(0.5));
   std::vector<PixelTriangle> seen;
   std::size_t drawn = 0;
-  forEachHullBatch(list, [&](const DrawBatch& batch) {
+  forEachShellBatch(list, [&](const DrawBatch& batch) {
     const Body& body = bodyOf(list, batch);
     if (!body.inFront) return;
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
-      PixelTriangle triangle = triangleOf(body.points, indicesAt(list.hullIndices, i));
+      PixelTriangle triangle = triangleOf(body.points, indicesAt(list.shellIndices, i));
       if (body.facing(triangle) < 0) continue;
       for (Vec3& corner : triangle) corner /= kCoarse;
       const std::size_t samples = coarse_.samplesIn(triangle);
@@ -131,18 +132,19 @@ bool HiddenTriangles::layered(const DrawList& list, const PixelSize& size) {
 }
 
 /// Covers what is behind surfaces, a band of the picture after the other.
-void HiddenTriangles::cover(const PixelSize& size, int samples) {
+void OcclusionCulling::cover(const PixelSize& size, int samples) {
   struct SlabSide {
     const Body* body;
-    const Hull::SpannedSlab* slab;
+    const Shell::OccluderSlab* slab;
     bool tops;
   };
   std::vector<SlabSide> sides;
   // The near side of a body hides its far side, of which little is then looked at.
   for (const bool tops : {false, true})
     for (const Body& body : bodies_)
-      if (!body.spanned.empty() && (body.bothSides || !tops))
-        for (const Hull::SpannedSlab& slab : body.hull->spannedSlabs) sides.push_back({&body, &slab, tops});
+      if (!body.occluder.empty() && (body.bothSides || !tops))
+        for (const Shell::OccluderSlab& slab : body.shell->occluderSlabs)
+          sides.push_back({&body, &slab, tops});
   std::vector<Passage> passages(sides.size());
   forEachIndex(sides.size(), true, [&](std::size_t i) {
     passages[i] = passageOf(*sides[i].body, *sides[i].slab, sides[i].tops);
@@ -160,15 +162,17 @@ void HiddenTriangles::cover(const PixelSize& size, int samples) {
 }
 
 /// Nothing is seen behind a face that a ray leaves by (a top, or a bottom), if before it has not come in by
-/// the same face (Hull::spanned). Nor by a wall or a turned prism, before or behind: where one is, faces may
-/// cross, and a ray leave what it has never come into. A wall is seen where any triangle of its four corners
-/// is, as it may be twisted; a turned prism where any of its six are.
-HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Hull::SpannedSlab& slab,
-                                                    bool tops) {
-  const Hull& hull = *body.hull;
+/// the same face (Shell::occluder). Nor by a wall or a turned prism, before or behind: where one is, faces
+/// may cross, and a ray leave what it has never come into. A wall is seen where any triangle of its four
+/// corners is, as it may be twisted; a turned prism where any of its six are.
+OcclusionCulling::Passage OcclusionCulling::passageOf(const Body& body, const Shell::OccluderSlab& slab,
+                                                      bool tops) {
+  const Shell& shell = *body.shell;
   const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
-  const auto isTurned = [&](std::uint32_t i) { return hull.spanning[i / 3] == Hull::Spanning::Turned; };
-  const auto triangle = [&](std::uint32_t i) { return triangleOf(body.spanned, indicesAt(hull.indices, i)); };
+  const auto isTurned = [&](std::uint32_t i) { return shell.occluding[i / 3] == Shell::Occluding::Turned; };
+  const auto triangle = [&](std::uint32_t i) {
+    return triangleOf(body.occluder, indicesAt(shell.indices, i));
+  };
   Passage passage{.top = std::numeric_limits<double>::infinity(),
                   .bottom = -std::numeric_limits<double>::infinity()};
   const auto addAtAnyDepth = [&](PixelTriangle t) {
@@ -181,13 +185,13 @@ HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Hull
         for (std::size_t c = b + 1; c < corners.size(); ++c)
           addAtAnyDepth({corners[a], corners[b], corners[c]});
   };
-  const std::size_t bottoms = hull.positions.size() / 2;
+  const std::size_t bottoms = shell.positions.size() / 2;
   for (const std::uint32_t i : slab.tops) {
     if (!isTurned(i)) continue;
     std::array<Vec3, 6> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = body.spanned[hull.indices[i + k]];
-      corners[k + 3] = body.spanned[bottoms + hull.indices[i + k]];
+      corners[k] = body.occluder[shell.indices[i + k]];
+      corners[k + 3] = body.occluder[bottoms + shell.indices[i + k]];
     }
     addAll(corners);
   }
@@ -212,25 +216,25 @@ HiddenTriangles::Passage HiddenTriangles::passageOf(const Body& body, const Hull
 }
 
 /// By triangle of the list.
-std::vector<char> HiddenTriangles::findUnseen(const DrawList& list, bool hiding) const {
+std::vector<char> OcclusionCulling::findUnseen(const DrawList& list, bool hiding) const {
   struct Chunk {
     const DrawBatch* batch;
     std::size_t first, end;
   };
   std::vector<Chunk> chunks;
-  forEachHullBatch(list, [&](const DrawBatch& batch) {
+  forEachShellBatch(list, [&](const DrawBatch& batch) {
     const std::size_t end = batch.firstIndex + batch.indexCount;
     for (std::size_t i = batch.firstIndex; i < end; i += 3 * kChunk)
       chunks.push_back({&batch, i, std::min(i + 3 * kChunk, end)});
   });
-  std::vector<char> unseen(list.hullIndices.size() / 3);
-  const bool onAllCores = hiding && list.hullIndices.size() >= kIndicesForAllCores;
+  std::vector<char> unseen(list.shellIndices.size() / 3);
+  const bool onAllCores = hiding && list.shellIndices.size() >= kIndicesForAllCores;
   forEachIndex(chunks.size(), onAllCores, [&](std::size_t chunk) {
     const auto& [batch, first, end] = chunks[chunk];
     const Body& body = bodyOf(list, *batch);
     if (!body.inFront) return;
     for (std::size_t i = first; i < end; i += 3) {
-      const PixelTriangle triangle = triangleOf(body.points, indicesAt(list.hullIndices, i));
+      const PixelTriangle triangle = triangleOf(body.points, indicesAt(list.shellIndices, i));
       const bool inside = batch->culling == FaceCulling::Back && body.facing(triangle) < 0;
       unseen[i / 3] = inside || (hiding && hides(triangle));
     }
@@ -240,7 +244,7 @@ std::vector<char> HiddenTriangles::findUnseen(const DrawList& list, bool hiding)
 
 /// A search that begins in the triangle may find a point before it. But where that is seen, the ray has come
 /// into its slab before it, too, and so not behind what hides the triangle.
-bool HiddenTriangles::hides(const PixelTriangle& triangle) const {
+bool OcclusionCulling::hides(const PixelTriangle& triangle) const {
   return std::ranges::all_of(buffers_, [&](const OcclusionBuffer& buffer) { return buffer.hides(triangle); });
 }
 

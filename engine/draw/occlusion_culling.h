@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leaves out the triangles of hulls in which nothing is seen. A CPU device compares a fragment's depth only
+// Leaves out the triangles of shells in which nothing is seen. A CPU device compares a fragment's depth only
 // when its search is over, so what is behind costs as much as what is seen.
 #pragma once
 
@@ -9,16 +9,16 @@
 
 #include "cull/occlusion_buffer.h"
 #include "scene/snapshot.h"
-#include "tessellate/hull.h"
+#include "tessellate/shell.h"
 
 namespace luxo {
 
 struct DrawBatch;
 struct DrawList;
 
-class HiddenTriangles {
+class OcclusionCulling {
  public:
-  /// Drops triangles that are seen from inside their slabs, or behind the surface of a hull in every sample
+  /// Drops triangles that are seen from inside their slabs, or behind the surface of a shell in every sample
   /// of the picture (1 or 4 of a pixel, where Vulkan has them); gives how many. No pixel changes but in its
   /// last bits, where it would have been found from a hidden triangle, too. Cost: about a nanosecond per
   /// pixel and layer, where there is more than one layer to see, on all cores.
@@ -31,11 +31,11 @@ class HiddenTriangles {
     double top, bottom;  ///< of what rays leave by
   };
 
-  /// A hull in the picture.
+  /// A shell in the picture.
   struct Body {
-    const Hull* hull;
-    std::vector<Vec3> points;   ///< its vertices, as PixelTriangle has them
-    std::vector<Vec3> spanned;  ///< the same of Hull::spanned; empty: it hides nothing
+    const Shell* shell;
+    std::vector<Vec3> points;    ///< its vertices, as PixelTriangle has them
+    std::vector<Vec3> occluder;  ///< the same of Shell::occluder; empty: it hides nothing
     bool mirrored, bothSides;
     bool inFront;  ///< of the near plane, all of it
 
@@ -48,7 +48,7 @@ class HiddenTriangles {
   [[nodiscard]] std::vector<char> findUnseen(const DrawList& list, bool hiding) const;
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
   [[nodiscard]] const Body& bodyOf(const DrawList& list, const DrawBatch& batch) const;
-  [[nodiscard]] static Passage passageOf(const Body& body, const Hull::SpannedSlab& slab, bool tops);
+  [[nodiscard]] static Passage passageOf(const Body& body, const Shell::OccluderSlab& slab, bool tops);
 
   // Of one picture; only their memory is kept.
   std::vector<Body> bodies_;

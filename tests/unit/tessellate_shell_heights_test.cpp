@@ -11,14 +11,14 @@
 
 #include "surface/catalogue.h"
 #include "surface/library.h"
-#include "tessellate/hull.h"
-#include "tessellate/hull_frame.h"
-#include "tessellate/hull_heights.h"
+#include "tessellate/shell.h"
+#include "tessellate/shell_frame.h"
+#include "tessellate/shell_heights.h"
 
 namespace luxo {
 namespace {
 
-/// A surface and the mesh under its hull, within `part` of its size.
+/// A surface and the mesh under its shell, within `part` of its size.
 struct Framed {
   Framed(const Surface& of, double part) : surface(of), map(of, {}) {
     const double size = glm::length(of.framing({}).extent());
@@ -28,23 +28,23 @@ struct Framed {
       patches.push_back(readPatch(surface, patch, {}, size));
   }
 
-  [[nodiscard]] HullFrame frame(HullLook& look) const { return {surface, {}, map, blocks, patches, look}; }
+  [[nodiscard]] ShellFrame frame(ShellLook& look) const { return {surface, {}, map, blocks, patches, look}; }
 
   Surface surface;
   CurvatureMap map;
   std::vector<Block> blocks;
-  std::vector<HullPatch> patches;
+  std::vector<ShellPatch> patches;
 };
 
-TEST(HullHeights, HoldTheSurface) {
+TEST(ShellHeights, HoldTheSurface) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> part(0, 1);
   for (const char* name : {"teapot", "torus", "flag", "klein", "dini", "scherk", "sphere", "cone"}) {
     SCOPED_TRACE(name);
     const Framed framed(makeSurface(name), 0.02);
-    HullLook look(framed.surface, {}, framed.patches);
-    const HullFrame frame = framed.frame(look);
-    const HullHeights& heights = frame.heights();
+    ShellLook look(framed.surface, {}, framed.patches);
+    const ShellFrame frame = framed.frame(look);
+    const ShellHeights& heights = frame.heights();
     for (std::size_t t = 0; t < frame.mesh().triangleCount(); ++t) {
       const auto corners = frame.corners(t);
       double a = part(random), b = part(random);
@@ -60,11 +60,11 @@ TEST(HullHeights, HoldTheSurface) {
   }
 }
 
-TEST(HullHeights, OfABallAreOutside) {
+TEST(ShellHeights, OfABallAreOutside) {
   // Chords of a ball are inside of it, all. What is left of the deviation is a sixteenth.
   const Framed framed(sphere(1), 0.01);
-  HullLook look(framed.surface, {}, framed.patches);
-  const HullFrame frame = framed.frame(look);
+  ShellLook look(framed.surface, {}, framed.patches);
+  const ShellFrame frame = framed.frame(look);
   for (std::size_t t = 0; t < frame.mesh().triangleCount(); ++t) {
     const auto corners = frame.corners(t);
     const double sagitta = 1 - glm::dot(frame.facet(t), frame.mesh().positions[corners[0]]);
@@ -74,13 +74,13 @@ TEST(HullHeights, OfABallAreOutside) {
   }
 }
 
-TEST(HullHeights, WhatSlidesInItsPlaneHasNone) {
+TEST(ShellHeights, WhatSlidesInItsPlaneHasNone) {
   // A plate whose parameters run unevenly: all of its deviation is along it.
   const Surface plate = surface(
       [](auto u, auto v) { return point(u + 0.4 * u * u, 0.0 * u, -(v + 0.4 * v * v)); }, {{-1, 1}, {-1, 1}});
   const Framed framed(plate, 0.01);
-  HullLook look(framed.surface, {}, framed.patches);
-  const HullFrame frame = framed.frame(look);
+  ShellLook look(framed.surface, {}, framed.patches);
+  const ShellFrame frame = framed.frame(look);
   EXPECT_GT(frame.mesh().bound, 1e-3);
   for (std::size_t t = 0; t < frame.mesh().triangleCount(); ++t) {
     EXPECT_LE(frame.heights().above[t], frame.bound(t) / 16 + 1e-12);
@@ -88,11 +88,11 @@ TEST(HullHeights, WhatSlidesInItsPlaneHasNone) {
   }
 }
 
-TEST(HullHeights, ASecondLookSeesTheSame) {
+TEST(ShellHeights, ASecondLookSeesTheSame) {
   const Framed coarse(makeSurface("teapot"), 0.02), fine(makeSurface("teapot"), 0.01);
-  HullLook look(coarse.surface, {}, coarse.patches), fresh(coarse.surface, {}, coarse.patches);
+  ShellLook look(coarse.surface, {}, coarse.patches), fresh(coarse.surface, {}, coarse.patches);
   (void)coarse.frame(look);
-  const HullHeights again = fine.frame(look).heights(), once = fine.frame(fresh).heights();
+  const ShellHeights again = fine.frame(look).heights(), once = fine.frame(fresh).heights();
   EXPECT_EQ(again.above, once.above);
   EXPECT_EQ(again.below, once.below);
   EXPECT_EQ(again.beyond, once.beyond);
@@ -100,12 +100,12 @@ TEST(HullHeights, ASecondLookSeesTheSame) {
   EXPECT_EQ(again.alike, once.alike);
 }
 
-TEST(HullHeights, TellWhereACellHoldsAFold) {
+TEST(ShellHeights, TellWhereACellHoldsAFold) {
   // The profile of the teapot's knob turns back within a cell as large as the knob.
   const auto least = [](double part) {
     const Framed framed(makeSurface("teapot"), part);
-    HullLook look(framed.surface, {}, framed.patches);
-    const HullFrame frame = framed.frame(look);
+    ShellLook look(framed.surface, {}, framed.patches);
+    const ShellFrame frame = framed.frame(look);
     return *std::ranges::min_element(frame.heights().alike);
   };
   EXPECT_LT(least(0.02), std::cos(1.0));

@@ -2,7 +2,7 @@
 // How far a surface is from the planes of the triangles that stand for it, and on which side.
 //
 // The deviation of a mesh says how far points are from their own points of the triangles. Much of that is
-// along the triangles, where it does not matter to a hull, and most of the rest is on one side: a slab that
+// along the triangles, where it does not matter to a shell, and most of the rest is on one side: a slab that
 // keeps it on both is several times as thick as it has to be. So the surface is looked at on a finer mesh, in
 // a few points of each triangle; around them a small part of the deviation is left.
 #pragma once
@@ -18,11 +18,11 @@
 
 namespace luxo {
 
-class HullFrame;
-struct HullPatch;
+class ShellFrame;
+struct ShellPatch;
 
 /// Proven upper bounds, object units; infinite where the deviation is.
-struct HullHeights {
+struct ShellHeights {
   /// Of each triangle: how far over and under its plane the surface is, where its slab may hold it.
   std::vector<double> above, below;
   /// Of each wall: how far outside of it, and inside, the edge of the patch is.
@@ -55,19 +55,20 @@ struct TriangleLook {
 
   HeightRange plane;
   std::array<HeightRange, 3> edges;  ///< outside of them, and inside; by the corner opposite
-  double alike = 1;                  ///< as in HullHeights
+  double alike = 1;                  ///< as in ShellHeights
   std::vector<Stray> strays;
 };
 
 /// Looks at a surface from frames that are refined step by step: at triangles that an earlier one had, once.
-class HullLook {
+class ShellLook {
  public:
   /// All must outlive it.
-  HullLook(const Surface& surface, std::span<const double> parameters, const std::vector<HullPatch>& patches)
+  ShellLook(const Surface& surface, std::span<const double> parameters,
+            const std::vector<ShellPatch>& patches)
       : surface_(surface), parameters_(parameters), patches_(patches) {}
 
   /// Cost: twelve evaluations for each new triangle, eighteen at poles. Equal input gives equal bits.
-  [[nodiscard]] HullHeights heightsOf(const HullFrame& frame);
+  [[nodiscard]] ShellHeights heightsOf(const ShellFrame& frame);
 
  private:
   /// All that a look at a triangle depends on.
@@ -81,15 +82,15 @@ class HullLook {
     std::size_t operator()(const Triangle& triangle) const;
   };
 
-  static Triangle triangleOf(const HullFrame& frame, std::size_t triangle);
-  void lookAt(const HullFrame& frame, std::span<const std::size_t> triangles,
+  static Triangle triangleOf(const ShellFrame& frame, std::size_t triangle);
+  void lookAt(const ShellFrame& frame, std::span<const std::size_t> triangles,
               std::span<TriangleLook* const> looks) const;
-  void lookAt(const HullFrame& frame, std::uint32_t patch, std::span<const std::size_t> triangles,
+  void lookAt(const ShellFrame& frame, std::uint32_t patch, std::span<const std::size_t> triangles,
               std::span<TriangleLook* const> looks) const;
 
   const Surface& surface_;
   std::span<const double> parameters_;
-  const std::vector<HullPatch>& patches_;
+  const std::vector<ShellPatch>& patches_;
   std::unordered_map<Triangle, TriangleLook, HashOf> looks_;
 };
 

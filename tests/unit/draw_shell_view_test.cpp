@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a hull's triangles are seen flat no ray grazes the surface near them.
-#include "draw/hull_view.h"
+// Where a shell's triangles are seen flat no ray grazes the surface near them.
+#include "draw/shell_view.h"
 
 #include <gtest/gtest.h>
 
@@ -10,27 +10,27 @@
 
 #include "scene/view.h"
 #include "surface/catalogue.h"
-#include "tessellate/hull.h"
+#include "tessellate/shell.h"
 
 namespace luxo {
 namespace {
 
-Hull hullOf(const Surface& surface) {
+Shell shellOf(const Surface& surface) {
   const double size = glm::length(surface.framing({}).extent());
-  return *makeHull(surface, {}, CurvatureMap(surface, {}), {.tolerance = 2e-3 * size});
+  return *makeShell(surface, {}, CurvatureMap(surface, {}), {.tolerance = 2e-3 * size});
 }
 
-class HullViewOf : public testing::TestWithParam<const char*> {};
+class ShellViewOf : public testing::TestWithParam<const char*> {};
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, HullViewOf,
+INSTANTIATE_TEST_SUITE_P(Surfaces, ShellViewOf,
                          testing::Values("torus", "sphere", "cylinder", "klein_figure8", "teapot", "flag"),
                          [](const auto& name) { return std::string(name.param); });
 
 /// Just inside of the triangle's corners, where the normal is the formula's own.
-void expectFaces(const Surface& surface, const Hull& hull, std::uint32_t firstIndex, double side,
+void expectFaces(const Surface& surface, const Shell& shell, std::uint32_t firstIndex, double side,
                  const Vec3& eye) {
-  const auto corner = [&](std::uint32_t k) { return hull.parameters[hull.indices[firstIndex + k]]; };
-  const std::uint32_t patch = hull.patches[hull.indices[firstIndex]];
+  const auto corner = [&](std::uint32_t k) { return shell.parameters[shell.indices[firstIndex + k]]; };
+  const std::uint32_t patch = shell.patches[shell.indices[firstIndex]];
   const Vec2 middle = (corner(0) + corner(1) + corner(2)) / 3.0;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const Vec2 at = 0.02 * middle + 0.98 * corner(k);
@@ -39,10 +39,10 @@ void expectFaces(const Surface& surface, const Hull& hull, std::uint32_t firstIn
   }
 }
 
-TEST_P(HullViewOf, RaysThroughFlatTrianglesMeetTheSideSearchedFor) {
+TEST_P(ShellViewOf, RaysThroughFlatTrianglesMeetTheSideSearchedFor) {
   const Surface surface = makeSurface(GetParam());
-  const Hull hull = hullOf(surface);
-  ASSERT_EQ(hull.cones.size(), hull.triangleCount());
+  const Shell shell = shellOf(surface);
+  ASSERT_EQ(shell.cones.size(), shell.triangleCount());
   const Box box = surface.framing({});
   const Vec3 middle = 0.5 * (box.min + box.max);
   std::mt19937 random(3);
@@ -53,15 +53,15 @@ TEST_P(HullViewOf, RaysThroughFlatTrianglesMeetTheSideSearchedFor) {
     const Vec3 way = glm::normalize(Vec3(x, y, between(random)));
     const Vec3 eye = middle + 1.3 * glm::length(box.extent()) * way;
     const View view = viewAt({.eye = eye, .lookAt = middle, .up = Vec3(0, 1, 0.01)}, {}, {640, 480});
-    const HullView seen(view, Transform{}, true), inside(view, Transform{}, false);
-    for (const Hull::Part& part : hull.parts)
+    const ShellView seen(view, Transform{}, true), inside(view, Transform{}, false);
+    for (const Shell::Part& part : shell.parts)
       for (const double side : {1.0, -1.0}) {
         const std::uint32_t first = side > 0 ? part.firstIndex : part.wallIndex();
         for (std::uint32_t i = first; i < first + part.frontCount; i += 3) {
-          EXPECT_EQ(inside.seen(hull, i, side), Seen::Steep);
-          if (seen.seen(hull, i, side) != Seen::Flat) continue;
+          EXPECT_EQ(inside.seen(shell, i, side), Seen::Grazing);
+          if (seen.seen(shell, i, side) != Seen::Transversal) continue;
           ++flatTriangles;
-          expectFaces(surface, hull, i, side, eye);
+          expectFaces(surface, shell, i, side, eye);
         }
       }
   }
