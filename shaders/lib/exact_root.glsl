@@ -16,7 +16,7 @@ const int kBackward = 2, kForward = 40;  // steps against the ray, if any, and, 
 const float kMoreSteps = 4.0;   // after a trace: a root that is not farther off is not given up
 const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
-const float kBesideEdge = 0.02;  // cells: a trace begins no nearer to an edge
+const float kBesideEdge = 2e-4;  // cells: a trace begins no nearer to an edge, and sees nothing between; some 0.005 pixels
 const int kAttempts = 3;        // to find a root, all but the first by a trace; one more takes what is held
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
