@@ -10,6 +10,7 @@
 
 #include "cull/reach.h"
 #include "math/rounding.h"
+#include "math/sampling.h"
 
 namespace luxo {
 
@@ -24,11 +25,6 @@ constexpr double kSnapPx = 1.0 / 32;
 
 /// Lines are drawn one pixel wide, and every implementation picks its own pixels beside the ideal line.
 constexpr double kLinePx = 1;
-
-/// Where Vulkan samples a pixel (standard sample locations).
-constexpr std::array<Vec2, 1> kOneSample = {Vec2(0.5, 0.5)};
-constexpr std::array<Vec2, 4> kFourSamples = {Vec2(0.375, 0.125), Vec2(0.875, 0.375), Vec2(0.125, 0.625),
-                                              Vec2(0.625, 0.875)};
 
 /// Thinner triangles may turn over when their corners snap to the raster. A flat patch this thick has none
 /// even when it is cut into 128 x 128 cells.
@@ -95,7 +91,7 @@ bool coversSample(const View& view, const Bounds& bounds, int samples, double ma
     return std::ceil(low.x - position.x) <= std::floor(high.x - position.x) &&
            std::ceil(low.y - position.y) <= std::floor(high.y - position.y);
   };
-  return samples == 1 ? std::ranges::any_of(kOneSample, holds) : std::ranges::any_of(kFourSamples, holds);
+  return std::ranges::any_of(sampleLocations(samples), holds);
 }
 
 /// Whether the near plane does not cut the bounds inside the picture: then rays begin outside of a closed

@@ -11,6 +11,7 @@
 #include "gpu/debug.h"
 #include "luxo/shaders/average_frag.h"
 #include "luxo/shaders/whole_target_vert.h"
+#include "math/sampling.h"
 
 namespace luxo {
 namespace {
@@ -21,13 +22,14 @@ constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 std::vector<Vec2> samplePattern(int samples) {
   LUXO_REQUIRE_COMPARE(samples, >=, 1);
-  if (samples == 4) return {{-0.125, -0.375}, {0.375, -0.125}, {-0.375, 0.125}, {0.125, 0.375}};
-  constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
-  const auto fraction = [](double a) { return a - std::floor(a); };
   std::vector<Vec2> points;
+  if (samples == 4) {
+    for (const Vec2& location : sampleLocations(4)) points.push_back(location - 0.5);
+    return points;
+  }
   Vec2 mean(0);
   for (int k = 0; k < samples; ++k) {
-    const Vec2 point(fraction(0.5 + k / kPlastic) - 0.5, fraction(0.5 + k / (kPlastic * kPlastic)) - 0.5);
+    const Vec2 point = quasirandomPoint(k) - 0.5;
     points.push_back(point);
     mean += point / static_cast<double>(samples);
   }

@@ -8,6 +8,7 @@
 
 #include "draw/draw_list.h"
 #include "draw/exact_data.h"
+#include "math/sampling.h"
 #include "math/transform.h"
 #include "tessellate/parallel.h"
 
@@ -23,12 +24,6 @@ constexpr int kBand = 256;   // rows that one core works on: each band looks at 
 constexpr std::size_t kChunk = 512, kIndicesForAllCores = 3 * kChunk;  // triangles; indices
 constexpr double kNearest = -1e30;  // of what PixelTriangle has as depths: nearer than all
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
-/// Where a pixel's samples are (standardSampleLocations).
-std::vector<Vec2> sampleLocations(int samples) {
-  if (samples == 4) return {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
-  return {{0.5, 0.5}};
-}
 
 std::span<const std::uint32_t> indicesAt(const std::vector<std::uint32_t>& indices, std::size_t first) {
   return std::span(indices).subspan(first, 3);
@@ -150,7 +145,7 @@ void OcclusionCulling::cover(const PixelSize& size, int samples) {
     passages[i] = passageOf(*sides[i].body, *sides[i].slab, sides[i].tops);
   });
 
-  const std::vector<Vec2> locations = sampleLocations(samples);
+  const std::span<const Vec2> locations = sampleLocations(samples);
   const auto bands = static_cast<std::size_t>((size.height + kBand - 1) / kBand);
   buffers_.resize(bands * locations.size());
   forEachIndex(buffers_.size(), true, [&](std::size_t i) {

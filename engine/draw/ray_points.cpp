@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "math/sampling.h"
 #include "reference/audit.h"
 #include "surface/spread.h"
 #include "tessellate/parallel.h"
@@ -21,14 +22,6 @@ constexpr double kDepthRounding = 0x1p-21;
 constexpr std::size_t kRaysForAllCores = 8;
 constexpr std::size_t kFinest =
     std::numeric_limits<std::uint32_t>::max();  // rays that are worth the finest cells
-
-/// Point k of the sequence of M. Roberts (2018), in the unit square.
-Vec2 spread(std::uint64_t k) {
-  constexpr double kPlastic = 1.32471795724474602596;
-  const auto fraction = [](double a) { return a - std::floor(a); };
-  const double n = static_cast<double>(k);
-  return {fraction(0.5 + n / kPlastic), fraction(0.5 + n / (kPlastic * kPlastic))};
-}
 
 double depthInBuffer(const View& view, double depth) {
   return view.perspective() ? view.near / depth : (view.far - depth) / (view.far - view.near);
@@ -66,7 +59,7 @@ std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
   }
   pixels.assign(outlines.begin(), outlines.end());
   for (std::uint64_t k = 0; k < usual; ++k) {
-    const Vec2 at = spread(k) * Vec2(size.width, size.height);
+    const Vec2 at = quasirandomPoint(static_cast<double>(k)) * Vec2(size.width, size.height);
     pixels.push_back({std::min(static_cast<std::int32_t>(at.x), size.width - 1),
                       std::min(static_cast<std::int32_t>(at.y), size.height - 1)});
   }

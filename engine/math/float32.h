@@ -12,9 +12,7 @@ namespace luxo {
   const volatile float rounded = static_cast<float>(x);
   return rounded;
 }
-[[nodiscard]] inline Vec2 roundedToFloat(const Vec2& v) {
-  return {roundedToFloat(v.x), roundedToFloat(v.y)};
-}
+[[nodiscard]] inline Vec2 roundedToFloat(const Vec2& v) { return {roundedToFloat(v.x), roundedToFloat(v.y)}; }
 [[nodiscard]] inline Vec3 roundedToFloat(const Vec3& v) {
   return {roundedToFloat(v.x), roundedToFloat(v.y), roundedToFloat(v.z)};
 }

@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "math/sampling.h"
 #include "reference/caster.h"
 
 namespace luxo {
@@ -36,12 +37,10 @@ void requireLight(const Snapshot& snapshot) {
   }
 }
 
-/// Point k of the sequence of M. Roberts (2018) with the plastic number, shifted by the pixel's own fraction.
+/// Shifted by the pixel's own fraction.
 Vec2 sampleAt(int k, int x, int y) {
-  constexpr double kPlastic = 1.32471795724474602596;
-  const auto fraction = [](double a) { return a - std::floor(a); };
   const double shift = 0.5 + x * 0.7548776662466927 + y * 0.5698402909980532;
-  return {fraction(shift + k / kPlastic), fraction(shift * std::numbers::sqrt2 + k / (kPlastic * kPlastic))};
+  return quasirandomPoint(k, {shift, shift * std::numbers::sqrt2});
 }
 
 /// Sums for the whole picture, gathered row by row so that the order of addition is fixed.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "math/sampling.h"
 #include "reference/verification.h"
 
 namespace luxo {
@@ -15,13 +16,10 @@ std::vector<std::uint32_t> spreadPixels(PixelSize size, std::uint64_t count) {
     std::iota(pixels.begin(), pixels.end(), 0U);
     return pixels;
   }
-  // The sequence of M. Roberts (2018) with the plastic number.
-  constexpr double kPlastic = 1.32471795724474602596;
-  const auto fraction = [](double a) { return a - std::floor(a); };
   for (std::uint64_t k = 0; k < count; ++k) {
-    const double n = static_cast<double>(k) + 1;
-    const auto x = static_cast<std::uint32_t>(fraction(0.5 + n / kPlastic) * size.width);
-    const auto y = static_cast<std::uint32_t>(fraction(0.5 + n / (kPlastic * kPlastic)) * size.height);
+    const Vec2 place = quasirandomPoint(static_cast<double>(k) + 1);
+    const auto x = static_cast<std::uint32_t>(place.x * size.width);
+    const auto y = static_cast<std::uint32_t>(place.y * size.height);
     pixels.push_back(y * static_cast<std::uint32_t>(size.width) + x);
   }
   std::ranges::sort(pixels);

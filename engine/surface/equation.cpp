@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "math/sampling.h"
 #include "surface/surface.h"
 
 namespace luxo {
@@ -151,10 +152,11 @@ struct Recognition {
         equation.reach * std::max({equation.scale.x, equation.scale.y, equation.scale.z}) * kRounding;
     double side = 0;
     for (int k = 0; k < kSamples; ++k) {
-      // Inside, spread evenly (M. Roberts 2018), and the edges of v, which are never inside by chance.
-      const double u = std::fmod(0.5 + k / 1.32471795724474602596, 1.0);
-      const double part = k % 10 == 0 ? (k % 20) / 10.0 : std::fmod(0.5 + k / 1.75487766624669276005, 1.0);
-      const double inU = domain.u.lo + u * domain.u.width(), inV = domain.v.lo + part * domain.v.width();
+      // Inside, spread evenly, and the edges of v, which are never inside by chance.
+      Vec2 part = quasirandomPoint(k);
+      if (k % 10 == 0) part.y = (k % 20) / 10.0;
+      const double inU = domain.u.lo + part.x * domain.u.width(),
+                   inV = domain.v.lo + part.y * domain.v.width();
       const Vec3 p = at(inU, inV), unitPoint = p / equation.scale, steep = equation.gradient(unitPoint);
       if (!(std::abs(equation.at(unitPoint)) <=
             kAgreement * equation.reach * (glm::length(steep) + kAgreement)))

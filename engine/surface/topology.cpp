@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "math/disjoint_sets.h"
 #include "surface/holes.h"
 #include "surface/normal.h"
 #include "surface/spread.h"
@@ -38,28 +39,6 @@ double samplePart(int k) {
   const double even = static_cast<double>(k) / (kEdgeSamples - 1);
   return k == 0 || k == kEdgeSamples - 1 ? even : even + 0.013 * std::sin(kTau * even);
 }
-
-/// Which of a set of things are the same.
-class Classes {
- public:
-  explicit Classes(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t find(std::uint32_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  void unite(std::uint32_t x, std::uint32_t y) {
-    parent_[std::max(find(x), find(y))] = std::min(find(x), find(y));
-  }
-  std::uint32_t count() {
-    std::uint32_t roots = 0;
-    for (std::uint32_t x = 0; x < parent_.size(); ++x) roots += find(x) == x;
-    return roots;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 using EdgeCurve = std::array<Vec3, kEdgeSamples>;
 
@@ -331,7 +310,7 @@ class Search {
 
   /// Corners, edges and faces that are left when what is joined counts once.
   int eulerCharacteristic() {
-    Classes corners(4 * patches_.size()), curves(4 * patches_.size());
+    DisjointSets corners(4 * patches_.size()), curves(4 * patches_.size());
     int collapsed = 0;
     for (std::uint32_t e = 0; e < edgeCount(); ++e)
       if (kind(e).collapsed()) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "math/disjoint_sets.h"
 #include "tessellate/edge_net.h"
 #include "tessellate/parallel.h"
 
@@ -21,39 +22,6 @@ constexpr double kRoundingSlack = 1 + 1e-9;
 constexpr std::size_t kVerticesPerTask = 8192;
 
 bool finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-/// Vertices that are one, each with a sign: whether a flip lies between it and the first of its class.
-class Classes {
- public:
-  explicit Classes(std::size_t count) : parent_(count), flipped_(count, false) {
-    for (std::uint32_t i = 0; i < count; ++i) parent_[i] = i;
-  }
-
-  void unite(std::uint32_t a, std::uint32_t b, bool flipped = false) {
-    const auto [rootA, flippedA] = find(a);
-    const auto [rootB, flippedB] = find(b);
-    if (rootA == rootB) return;
-    const bool across = (flippedA != flippedB) != flipped;
-    const auto [low, high] = std::minmax(rootA, rootB);
-    parent_[high] = low;
-    flipped_[high] = across;
-  }
-
-  /// The first vertex of the class.
-  struct Root {
-    std::uint32_t vertex = 0;
-    bool flipped = false;
-  };
-  [[nodiscard]] Root find(std::uint32_t v) const {
-    bool flipped = false;
-    for (; parent_[v] != v; v = parent_[v]) flipped = flipped != flipped_[v];
-    return {v, flipped};
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<bool> flipped_;
-};
 
 /// Fills positions, normals and parameters.
 class Evaluator {
@@ -112,7 +80,7 @@ class Evaluator {
 class Triangulator {
  public:
   Triangulator(const Surface& surface, std::span<const double> parameters, const std::vector<Block>& blocks,
-               const EdgeNet& net, const Classes& points, Mesh& mesh)
+               const EdgeNet& net, const DisjointSets& points, Mesh& mesh)
       : surface_(surface), parameters_(parameters), blocks_(blocks), net_(net), points_(points), mesh_(mesh) {
     collapsedAlong_.resize(net.vertices().size(), Collapsed::No);
     for (std::size_t b = 0; b < blocks.size(); ++b)
@@ -237,9 +205,9 @@ class Triangulator {
   /// what it spans. Returns false for a triangle without area, two of whose corners are that point.
   bool replaceCollapsed(std::array<std::uint32_t, 3>& corners, std::size_t k) {
     const std::uint32_t at = corners[k], next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
-    const std::uint32_t point = points_.find(at).vertex;
+    const std::uint32_t point = points_.find(at).number;
     for (const std::uint32_t other : {next, last})
-      if (collapsedAlong(other) != Collapsed::No && points_.find(other).vertex == point) return false;
+      if (collapsedAlong(other) != Collapsed::No && points_.find(other).number == point) return false;
     Vec2 uv = mesh_.parameters[at];
     const Vec2 middle = 0.5 * (mesh_.parameters[next] + mesh_.parameters[last]);
     (collapsedAlong(at) == Collapsed::AlongU ? uv.x : uv.y) =
@@ -256,7 +224,7 @@ class Triangulator {
   std::span<const double> parameters_;
   const std::vector<Block>& blocks_;
   const EdgeNet& net_;
-  const Classes& points_;
+  const DisjointSets& points_;
   Mesh& mesh_;
   std::vector<Collapsed> collapsedAlong_;
   const Block* block_ = nullptr;
@@ -318,13 +286,13 @@ void evaluateAll(const Surface& surface, std::span<const double> parameters, con
 }
 
 /// Gives twins the same bits. Returns how far that moves a vertex.
-double joinTwins(const EdgeNet& net, const Classes& points, Mesh& mesh) {
-  Classes normals(net.vertices().size());
+double joinTwins(const EdgeNet& net, const DisjointSets& points, Mesh& mesh) {
+  DisjointSets normals(net.vertices().size());
   for (const Twin& twin : net.twins())
     if (twin.sameNormal) normals.unite(twin.a, twin.b, twin.flipped);
   double moved = 0;
   for (std::uint32_t v = 0; v < net.vertices().size(); ++v) {
-    const Vec3 position = mesh.positions[points.find(v).vertex];
+    const Vec3 position = mesh.positions[points.find(v).number];
     const double distance = glm::length(position - mesh.positions[v]);
     if (distance > 0) moved = std::max(moved, distance);
     mesh.positions[v] = position;
@@ -362,7 +330,7 @@ Mesh meshOfBlocks(const Surface& surface, std::span<const double> parameters, st
   mesh.indices.reserve(3 * (triangles + net.vertices().size()));
   evaluateAll(surface, parameters, blocks, net, firstInner, mesh);
 
-  Classes points(net.vertices().size());
+  DisjointSets points(net.vertices().size());
   for (const Twin& twin : net.twins()) points.unite(twin.a, twin.b);
   const double moved = joinTwins(net, points, mesh);
   for (const Block& block : blocks) mesh.bound = std::max(mesh.bound, block.bound);

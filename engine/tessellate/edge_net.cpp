@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "math/disjoint_sets.h"
 
 namespace luxo {
 namespace {
@@ -60,31 +61,23 @@ struct Line {
 /// Which edges of patches are one curve, and in which direction they run along it.
 class EdgeGroups {
  public:
-  explicit EdgeGroups(const Topology& topology)
-      : parent_(4 * topology.edges.size()), reversed_(parent_.size()) {
-    for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = i;
-    for (const Joint& joint : topology.joints) {
-      const auto [rootA, reversedA] = find(indexOf(joint.a));
-      const auto [rootB, reversedB] = find(indexOf(joint.b));
-      if (rootA == rootB) continue;
-      parent_[rootB] = rootA;
-      reversed_[rootB] = (reversedA != reversedB) != joint.reversed;
-    }
+  explicit EdgeGroups(const Topology& topology) : groups_(4 * topology.edges.size()) {
+    for (const Joint& joint : topology.joints)
+      groups_.unite(indexOf(joint.a), indexOf(joint.b), joint.reversed);
   }
 
-  static std::size_t indexOf(const PatchEdge& edge) {
-    return 4 * std::size_t{edge.patch} + static_cast<std::size_t>(edge.side);
+  static std::uint32_t indexOf(const PatchEdge& edge) {
+    return 4 * edge.patch + static_cast<std::uint32_t>(edge.side);
   }
 
-  [[nodiscard]] std::pair<std::size_t, bool> find(std::size_t edge) const {
-    bool reversed = false;
-    for (; parent_[edge] != edge; edge = parent_[edge]) reversed = reversed != reversed_[edge];
-    return {edge, reversed};
+  /// The group, and whether the edge runs against it.
+  [[nodiscard]] std::pair<std::size_t, bool> find(const PatchEdge& edge) const {
+    const auto [group, reversed] = groups_.find(indexOf(edge));
+    return {group, reversed};
   }
 
  private:
-  std::vector<std::size_t> parent_;
-  std::vector<bool> reversed_;
+  DisjointSets groups_;
 };
 
 /// Builds the lines for the blocks' present segments.
@@ -123,8 +116,8 @@ class LineBuilder {
       if (s.at == 0 || s.at == 1) {
         const Side side =
             s.alongV ? (s.at == 0 ? Side::UMin : Side::UMax) : (s.at == 0 ? Side::VMin : Side::VMax);
-        const std::size_t edge = EdgeGroups::indexOf({s.patch, side});
-        lineOfEdge_[edge] = lines_.size();
+        const PatchEdge edge{s.patch, side};
+        lineOfEdge_[EdgeGroups::indexOf(edge)] = lines_.size();
         std::tie(line.group, line.reversed) = groups.find(edge);
       }
       lines_.push_back(std::move(line));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tessellate/shell_occluder.h"
+#include "math/disjoint_sets.h"
 
 #include <algorithm>
 #include <array>
@@ -16,21 +17,6 @@ namespace {
 constexpr double kSamePlace = 1e-7;
 /// Cosine of the angle between two triangles, beyond which their patches do not go on in each other.
 constexpr double kSharpest = 0.5;
-
-/// Sets of numbers that grow together, each known by one of its own (Galler, Fischer 1964).
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
-
-  [[nodiscard]] std::uint32_t of(std::uint32_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) { parents_[of(a)] = of(b); }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
 
 /// Pairs of walls that stand back to back, and on no third one, where the surface goes on smoothly.
 std::vector<std::pair<std::size_t, std::size_t>> jointsOf(const ShellFrame& frame) {
@@ -62,14 +48,15 @@ ShellOccluder occluderOf(const ShellFrame& frame, std::span<const Distances> dis
   const std::vector<ShellFrame::WallEdge>& walls = frame.walls();
   ShellOccluder spans;
   spans.joined.resize(walls.size());
-  Sets points(frame.pointCount()), patches(patchCount);
+  DisjointSets points(frame.pointCount()), patches(patchCount);
   for (const auto& [a, b] : jointsOf(frame)) {
     spans.joined[a] = spans.joined[b] = true;
     points.unite(frame.pointOf(walls[a].from), frame.pointOf(walls[b].to));
     points.unite(frame.pointOf(walls[a].to), frame.pointOf(walls[b].from));
     patches.unite(frame.patchOf(walls[a].from), frame.patchOf(walls[b].from));
   }
-  for (std::uint32_t patch = 0; patch < patchCount; ++patch) spans.slabs.push_back(patches.of(patch));
+  for (std::uint32_t patch = 0; patch < patchCount; ++patch)
+    spans.slabs.push_back(patches.find(patch).number);
 
   // What stands around points at walls and joints, in one list for all that are one place.
   struct Around {
@@ -79,9 +66,9 @@ ShellOccluder occluderOf(const ShellFrame& frame, std::span<const Distances> dis
   };
   std::map<std::uint32_t, Around> places;
   for (const ShellFrame::WallEdge& wall : walls)
-    for (const std::uint32_t vertex : {wall.from, wall.to}) places[points.of(frame.pointOf(vertex))];
+    for (const std::uint32_t vertex : {wall.from, wall.to}) places[points.find(frame.pointOf(vertex)).number];
   for (std::uint32_t point = 0; point < frame.pointCount(); ++point) {
-    const auto place = places.find(points.of(point));
+    const auto place = places.find(points.find(point).number);
     if (place == places.end()) continue;
     Around& around = place->second;
     const auto facets = frame.facetsAround(point);
@@ -94,7 +81,7 @@ ShellOccluder occluderOf(const ShellFrame& frame, std::span<const Distances> dis
   for (std::size_t w = 0; w < walls.size(); ++w)
     if (!spans.joined[w])
       for (const std::uint32_t vertex : {walls[w].from, walls[w].to})
-        places[points.of(frame.pointOf(vertex))].walls.push_back(-frame.wallNormal(w));
+        places[points.find(frame.pointOf(vertex)).number].walls.push_back(-frame.wallNormal(w));
 
   for (auto& [place, around] : places) {
     const Distances& d = around.distances;
@@ -107,7 +94,7 @@ ShellOccluder occluderOf(const ShellFrame& frame, std::span<const Distances> dis
   spans.positions.assign(positions.begin(), positions.end());
   const std::vector<Vec3>& on = frame.mesh().positions;
   for (std::uint32_t v = 0; v < on.size(); ++v) {
-    const auto place = places.find(points.of(frame.pointOf(v)));
+    const auto place = places.find(points.find(frame.pointOf(v)).number);
     if (place == places.end()) continue;
     spans.positions[v] = on[v] + place->second.out;
     spans.positions[on.size() + v] = on[v] + place->second.in;
