@@ -156,6 +156,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
       auxiliary ? VK_SAMPLE_COUNT_1_BIT
                 : context_->supportedSamples(static_cast<std::uint32_t>(options.samples));
   const gpu::Counters before = context_->counters();
+  geometry_.meshes.resume();
   const std::uint64_t tessellatedBefore = geometry_.meshes.tessellated();
   Stopwatch watch;
 

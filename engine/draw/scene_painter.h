@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "draw/draw_list.h"
@@ -38,6 +40,12 @@ class ScenePainter {
   /// something is drawn over what is found, that is drawn again. Nothing may have been recorded since.
   void recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, const RayPoints& points,
                   FrameStatistics& statistics);
+
+  /// What is asked now and then while shells are made: whether that should end. The recording goes on, and
+  /// leaves what has none to rays.
+  void setInterruption(std::function<bool()> asked) { geometry_.meshes.setInterruption(std::move(asked)); }
+  /// Whether that happened in the last recording: the next one makes what is missing.
+  [[nodiscard]] bool interrupted() const { return geometry_.meshes.interrupted(); }
 
   /// Of the last recording, which has to be complete.
   [[nodiscard]] LostPixels lostPixels();

@@ -25,6 +25,7 @@ const char* resultName(VkResult result) noexcept {
     LUXO_GPU_RESULT(VK_ERROR_OUT_OF_POOL_MEMORY)
     LUXO_GPU_RESULT(VK_ERROR_FRAGMENTED_POOL)
     LUXO_GPU_RESULT(VK_ERROR_FRAGMENTATION)
+    LUXO_GPU_RESULT(VK_ERROR_UNKNOWN)
     LUXO_GPU_RESULT(VK_ERROR_INITIALIZATION_FAILED)
     LUXO_GPU_RESULT(VK_ERROR_DEVICE_LOST)
     LUXO_GPU_RESULT(VK_ERROR_MEMORY_MAP_FAILED)
@@ -58,6 +59,11 @@ void throwResult(VkResult result, std::string_view attempted) {
       throw Error(
           ErrorKind::Retry, message,
           "the driver reset the device: run again, or choose another device (luxo doctor lists them)");
+    case VK_ERROR_UNKNOWN:  // Mesa's, of threads that it cannot start
+      throw Error(
+          ErrorKind::Retry, message,
+          "the driver does not say why: allow more processes (ulimit -u) or memory (ulimit -v), or try "
+          "again when more is free");
     case VK_ERROR_INCOMPATIBLE_DRIVER:
     case VK_ERROR_INITIALIZATION_FAILED:
     case VK_ERROR_LAYER_NOT_PRESENT:

@@ -111,8 +111,14 @@ std::shared_ptr<const Shell> MeshCache::shell(const Surface& surface, std::span<
   MapEntry& map = mapOf(surface, key.shape);
   double& least = map.leastTriangles[key.tolerance];
   if (least >= mostTriangles) return nullptr;
+  const auto isInterrupted = [this] {
+    interrupted_ = interrupted_ || (interruption_ && interruption_());
+    return interrupted_;
+  };
   auto shell =
-      makeShell(surface, parameters, map.map, {.tolerance = key.tolerance, .mostTriangles = mostTriangles});
+      makeShell(surface, parameters, map.map,
+                {.tolerance = key.tolerance, .mostTriangles = mostTriangles, .interrupted = isInterrupted});
+  if (!shell && interrupted_) return nullptr;
   if (!shell) {
     least = mostTriangles;
     return nullptr;

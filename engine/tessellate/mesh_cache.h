@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "surface/surface.h"
@@ -33,9 +35,15 @@ class MeshCache {
   [[nodiscard]] std::shared_ptr<const Mesh> get(const Surface& surface, std::span<const double> parameters,
                                                 const MeshDesc& desc);
 
-  /// The shell for the level of the tolerance; null where it has more than so many triangles.
+  /// The shell for the level of the tolerance; null where it has more than so many triangles, and where it
+  /// would have to be made since an interruption.
   [[nodiscard]] std::shared_ptr<const Shell> shell(const Surface& surface, std::span<const double> parameters,
                                                    double tolerance, double mostTriangles);
+
+  /// What is asked now and then while a shell is made: whether that should end.
+  void setInterruption(std::function<bool()> asked) { interruption_ = std::move(asked); }
+  [[nodiscard]] bool interrupted() const { return interrupted_; }  ///< since resume()
+  void resume() { interrupted_ = false; }
 
   /// boundsSolid(), found once.
   [[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
@@ -100,6 +108,8 @@ class MeshCache {
   std::map<Shape, SolidEntry> solids_;
   std::size_t mostBytes_, bytes_ = 0;
   std::uint64_t uses_ = 0, tessellated_ = 0;
+  std::function<bool()> interruption_;
+  bool interrupted_ = false;
 };
 
 }  // namespace luxo

@@ -462,7 +462,8 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
     for (const Block& block : blocks) triangles += 4.0 * block.segments.u * block.segments.v;
     return triangles > desc.mostTriangles;
   };
-  if (tooMany()) return std::nullopt;
+  const auto isInterrupted = [&] { return desc.interrupted && desc.interrupted(); };
+  if (tooMany() || isInterrupted()) return std::nullopt;
 
   Shell shell;
   for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
@@ -475,7 +476,7 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
   auto frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);
   for (int k = 0; k < kMaxRefinements && frame->mesh().triangleCount() < kMaxRefinedTriangles; ++k) {
     if (!refineForShell(surface, parameters, desc, *frame, blocks)) break;
-    if (tooMany()) return std::nullopt;
+    if (tooMany() || isInterrupted()) return std::nullopt;
     frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);
   }
   dropFalseEquations(shell, *frame);

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -147,11 +148,13 @@ struct ShellDesc {
   double mostTurn = 0.8;
   /// A shell of more is not made.
   double mostTriangles = std::numeric_limits<double>::infinity();
+  /// Asked now and then, on this thread: once it says so the shell is not made.
+  std::function<bool()> interrupted = {};
 };
 
 /// Pure: equal input gives equal bits. Nothing where it would have more triangles than desc.mostTriangles,
-/// and where the formula ends within a patch. Cost: that of up to seven meshes, the more the coarser they
-/// are.
+/// where the formula ends within a patch, and when interrupted. Cost: that of up to seven meshes, the more
+/// the coarser they are.
 [[nodiscard]] std::optional<Shell> makeShell(const Surface& surface, std::span<const double> parameters,
                                              const CurvatureMap& map, const ShellDesc& desc);
 

@@ -196,6 +196,11 @@ Events Window::wait(double seconds) {
   return std::exchange(events_, {});
 }
 
+bool Window::asked() {
+  glfwPollEvents();
+  return !events_.inputs.empty() || closing();
+}
+
 void Window::wake() { glfwPostEmptyEvent(); }
 
 VkExtent2D Window::framebufferSize() const {

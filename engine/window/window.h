@@ -96,6 +96,8 @@ class Window {
 
   /// Waits for input, at most that many seconds; not at all for 0.
   [[nodiscard]] Events wait(double seconds);
+  /// Whether there is input that nobody has waited for yet, or the user wants the window gone. Does not wait.
+  [[nodiscard]] bool asked();
   /// Ends the waiting, or the next one, at once. From any thread, while the window exists.
   void wake();
 

@@ -19,6 +19,8 @@
 namespace luxo::test {
 namespace {
 
+constexpr uid_t kNobodyElse = 54321;
+
 void redirect(int stream, const std::filesystem::path& path) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (file < 0 || dup2(file, stream) < 0) _exit(99);
@@ -44,6 +46,10 @@ RunningProgram::RunningProgram(const Launch& launch) : ownOut_(launch.out.empty(
   redirect(STDERR_FILENO, streams_ / "err");
   if (launch.fileSizeLimitBytes) limitResource(RLIMIT_FSIZE, *launch.fileSizeLimitBytes);
   if (launch.addressSpaceLimitBytes) limitResource(RLIMIT_AS, *launch.addressSpaceLimitBytes);
+  if (launch.processLimit) {
+    limitResource(RLIMIT_NPROC, *launch.processLimit);
+    if (geteuid() == 0 && (setgid(kNobodyElse) != 0 || setuid(kNobodyElse) != 0)) _exit(96);
+  }
   if (chdir(launch.folder.c_str()) == 0) execv(argv[0], argv.data());
   _exit(98);
 }

@@ -30,6 +30,8 @@ struct Launch {
   std::filesystem::path out = {};  ///< where stdout goes instead of Outcome::out
   std::optional<std::uint64_t> fileSizeLimitBytes = std::nullopt;
   std::optional<std::uint64_t> addressSpaceLimitBytes = std::nullopt;
+  /// Threads included. Root has no such limit: started by it the program runs as a user who has nothing else.
+  std::optional<std::uint64_t> processLimit = std::nullopt;
 };
 
 /// A program that runs beside the test.

@@ -176,6 +176,24 @@ TEST_F(DeviceRefusals, LittleMemoryIsAnErrorNotACrashAndNoWait) {
   expectFailure(run(large), 2, "a picture of 8192x8192 pixels with 1 samples is more than", "pixels fit");
 }
 
+// A thread that cannot start means fewer threads, down to where the driver has none: that is noticed in 10 s.
+TEST_F(DeviceRefusals, FewProcessesAreAnErrorNotACrashAndNoWait) {
+  using std::filesystem::perms;
+  std::filesystem::permissions(folder.path(), perms::all);
+  int drawn = 0;
+  for (const std::uint64_t limit : {1, 3, 4, 6, 64}) {
+    Launch launch = rendering({"-o", "a.png"});
+    launch.processLimit = limit;
+    const Outcome outcome = run(launch);
+    if (outcome.code == 98) GTEST_SKIP() << "the program is not there for other users";
+    SCOPED_TRACE(fmt::format("{} processes: {}", limit, outcome.err));
+    EXPECT_TRUE(outcome.code == 0 || outcome.code == 4 || outcome.code == 75) << outcome.code;
+    EXPECT_TRUE(outcome.code == 0 || contains(outcome.err, "error: "));
+    drawn += outcome.code == 0;
+  }
+  EXPECT_GE(drawn, 1);
+}
+
 TEST_F(DeviceRefusals, APictureThatFitsNowhereIsRefusedBeforeWork) {
   expectRefused({"--size", "16384x16384", "--samples", "4"}, 2,
                 "a picture of 16384x16384 pixels with 4 samples",

@@ -178,6 +178,23 @@ TEST(MeshCache, AShellOfTooManyTrianglesIsNotMade) {
   EXPECT_NE(another.shell(ball, {}, 0.001, kAny), nullptr);
 }
 
+TEST(MeshCache, AnInterruptedShellIsMadeWhenItIsAskedForAgain) {
+  MeshCache cache;
+  const Surface ball = sphere(1), ring = torus(1, 0.4);
+  int asked = 0;
+  cache.setInterruption([&] { return ++asked == 1; });
+  EXPECT_EQ(cache.shell(ball, {}, 0.001, kAny), nullptr);
+  EXPECT_TRUE(cache.interrupted());
+  EXPECT_EQ(cache.shell(ring, {}, 0.001, kAny), nullptr) << "all others of the picture wait, too";
+  EXPECT_EQ(asked, 1);
+  cache.resume();
+  EXPECT_NE(cache.shell(ball, {}, 0.001, kAny), nullptr);
+  EXPECT_FALSE(cache.interrupted());
+  cache.setInterruption([] { return true; });
+  EXPECT_NE(cache.shell(ball, {}, 0.001, kAny), nullptr) << "it is there";
+  EXPECT_FALSE(cache.interrupted());
+}
+
 TEST(MeshCache, ShellsCountInItsBudget) {
   const Surface ball = sphere(1);
   MeshCache cache(1);  // so that the last one asked for remains

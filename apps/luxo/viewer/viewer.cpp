@@ -44,7 +44,8 @@ constexpr double kForever = 3600;             // seconds between two looks at a 
 constexpr double kWhileWorking = 0.02;        // ... that waits for a file, or for rays
 constexpr double kRest = 1;                   // ... or longer, is time for what need not be done at once
 constexpr std::chrono::seconds kTidying{10};  // ... which is done as often all the same
-constexpr double kQuickTolerancePx = 4;       // of the mesh that is seen until there is more
+constexpr std::chrono::milliseconds kPatience{250};  // input waits so long for shells to be made
+constexpr double kQuickTolerancePx = 4;              // of the mesh that is seen until there is more
 constexpr double kMessageSeconds = 4, kAlertSeconds = 12;
 
 double millisecondsSince(Clock::time_point start) {
@@ -95,6 +96,7 @@ class Viewer {
         watch_(options.file, [this] { window_.wake(); }) {
     status_.title = options.title;
     status_.device = context_.deviceInfo().name;
+    painter_.setInterruption([this] { return Clock::now() >= patienceEnd_ && window_.asked(); });
     look();
   }
 
@@ -287,7 +289,8 @@ class Viewer {
     Snapshot snapshot = snapshotOrLast();
     const DrawOptions draw = optionsOfNext();
     const bool coarser = mean_.begun() && !controls_.refines();
-    const bool changed = !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
+    const bool changed =
+        interrupted_ || !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
     const bool completes = !changed && incomplete_ && painter_.completable();
     const bool repaint = changed || (incomplete_ && !completes);
     // What is said is said at once: a sample may take its time.
@@ -316,7 +319,10 @@ class Viewer {
       status_.statistics = {};
       if (changed) refinement_.beginPicture();
       refinement_.completes = false;
+      patienceEnd_ = start + kPatience;
       painter_.record(frames_, commands, snapshot, draw, status_.statistics, refinement_);
+      interrupted_ = painter_.interrupted();
+      if (interrupted_) log(LogLevel::Debug, "interrupted while it made shells");
       status_.statistics.error.found = painter_.searches();
       incomplete_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
@@ -500,7 +506,9 @@ class Viewer {
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
   SearchRefinement refinement_;
-  bool incomplete_ = false;  // the last picture lacks what was lost in it
+  bool incomplete_ = false;        // the last picture lacks what was lost in it
+  bool interrupted_ = false;       // ... or shells that input kept from being made
+  Clock::time_point patienceEnd_;  // from here on input does so
 
   Snapshot shown_;
   std::optional<DrawOptions> drawn_;
