@@ -25,7 +25,7 @@ constexpr KnownMiss kMisses[] = {
     {"ST-27", "longest gap",
      "of small pictures: the 256 samples lie closer than the tube is wide, so it is searches that miss: a "
      "tube "
-     "far thinner than the shell of two pixels is a few cells around, each turning too far for a scan"},
+     "far thinner than the shell of two pixels is a few cells around, each turning too far for curve tracing"},
 };
 
 }  // namespace

@@ -479,6 +479,7 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
     if (tooMany() || isInterrupted()) return std::nullopt;
     frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);
   }
+  if (isInterrupted()) return std::nullopt;
   dropFalseEquations(shell, *frame);
   Builder(surface, map, *frame, desc).build(shell);
   return shell;

@@ -123,7 +123,7 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
       without("unchanged", &Skips::unchanged);
       without("passes", &Skips::passes);
       if (GetParam() == Shading::Exact) {
-        // What hidden sides lose may have their node searched anew with more care, which finds the same
+        // What hidden sides lose may have their node searched anew with refinement, which finds the same
         // points to 1e-4 px: colours change by less than a hundredth of that, but change. Within rounding of
         // the silhouette a pixel may show the hidden side.
         for (const auto skip : {&Skips::backface, &Skips::hidden}) {

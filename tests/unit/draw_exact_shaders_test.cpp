@@ -78,7 +78,7 @@ TEST(ExactShaders, HaveAFormulaOnceForEveryLoopThatNeedsIt) {
     return test::callsOf(compiledFor(30, grazing), kRound) - test::callsOf(compiledFor(20, grazing), kRound);
   };
   EXPECT_EQ(added(false), 10u) << "where rays do not graze: one loop";
-  EXPECT_EQ(added(true), 3 * 10u) << "the approach, the scan, and what certifies";
+  EXPECT_EQ(added(true), 3 * 10u) << "the approach, the trace, and what certifies";
 }
 
 TEST(ExactShaders, GrowLinearlyWithTheFormula) {
