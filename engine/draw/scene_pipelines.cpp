@@ -77,6 +77,35 @@ std::optional<Inspection> inspectionOf(const DrawState& state) {
   }
 }
 
+/// Geometry is not seen through: the nearest surface counts, transparent or not.
+void describeInspection(const DrawState& state, const Inspection& inspection,
+                        gpu::GraphicsPipelineDesc& desc) {
+  desc.vertexShader = luxo_inspect_vert;
+  desc.fragmentShader = luxo_inspect_frag;
+  desc.specialization = {
+      {shared::kConstantQuantity, inspection.quantity},
+      {shared::kConstantAsColor, inspection.asColor},
+      {shared::kConstantCertificate, state.byRays ? shared::kByRay : shared::kUncertified}};
+  desc.depthWrite = true;
+  desc.blend = gpu::Blend::None;
+}
+
+void describeWireframe(const DrawState& state, const gpu::Features& features,
+                       gpu::GraphicsPipelineDesc& desc) {
+  if (!features.fillModeNonSolid)
+    throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
+                "choose another shading or another --device");
+  desc.vertexShader = luxo_wireframe_vert;
+  desc.fragmentShader = luxo_wireframe_frag;
+  desc.attributes.pop_back();
+  desc.polygonMode = VK_POLYGON_MODE_LINE;
+  desc.specialization.clear();
+  if (!state.hidesLines) return;
+  desc.fragmentShader = {};
+  desc.polygonMode = VK_POLYGON_MODE_FILL;
+  desc.blend = gpu::Blend::Keep;
+}
+
 /// Points that rays have found replace what is there.
 void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipelineDesc& desc) {
   desc.vertexShader = inspects                ? std::span<const std::uint32_t>(luxo_ray_inspect_vert)
@@ -260,11 +289,28 @@ const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& p
   return patternShaders_.emplace(std::pair{pattern, name}, std::move(shader.spirv)).first->second;
 }
 
+/// Flat, Gouraud, Phong and toon.
+void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  const bool gouraud = state.shading == Shading::Gouraud, toon = state.shading == Shading::Toon;
+  desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_vert)
+                      : toon  ? std::span<const std::uint32_t>(luxo_toon_vert)
+                              : std::span<const std::uint32_t>(luxo_surface_vert);
+  desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_frag)
+                        : toon  ? std::span<const std::uint32_t>(luxo_toon_frag)
+                                : std::span<const std::uint32_t>(luxo_surface_frag);
+  if (!gouraud && !toon)
+    desc.specialization.push_back({shared::kConstantFacetNormal, state.shading == Shading::Flat});
+  if (!state.pattern.valid()) return;
+  desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert)
+                              : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
+  desc.fragmentShader = patternShader(state.pattern, gouraud ? "pattern/gouraud.frag"
+                                                     : toon  ? "pattern/toon.frag"
+                                                             : "pattern/surface.frag");
+}
+
 gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const PassFormat& format) {
   gpu::GraphicsPipelineDesc desc{
       .name = nameOf(state.shading),
-      .vertexShader = luxo_surface_vert,
-      .fragmentShader = luxo_surface_frag,
       .bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}},
       .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
                      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, sizeof(Vec3f)}},
@@ -285,49 +331,11 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (state.surface) {
     describeExact(state, format, desc);
   } else if (const auto inspection = inspectionOf(state)) {
-    desc.vertexShader = luxo_inspect_vert;
-    desc.fragmentShader = luxo_inspect_frag;
-    desc.specialization = {
-        {shared::kConstantQuantity, inspection->quantity},
-        {shared::kConstantAsColor, inspection->asColor},
-        {shared::kConstantCertificate, state.byRays ? shared::kByRay : shared::kUncertified}};
-    // Geometry is not seen through: the nearest surface counts, transparent or not.
-    desc.depthWrite = true;
-    desc.blend = gpu::Blend::None;
-  } else if (state.shading == Shading::Gouraud) {
-    desc.vertexShader = luxo_gouraud_vert;
-    desc.fragmentShader = luxo_gouraud_frag;
-    if (state.pattern.valid()) {
-      desc.vertexShader = luxo_gouraud_pattern_vert;
-      desc.fragmentShader = patternShader(state.pattern, "pattern/gouraud.frag");
-    }
+    describeInspection(state, *inspection, desc);
   } else if (state.shading == Shading::Wireframe) {
-    if (!context_->features().fillModeNonSolid)
-      throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
-                  "choose another shading or another --device");
-    desc.vertexShader = luxo_wireframe_vert;
-    desc.fragmentShader = luxo_wireframe_frag;
-    desc.attributes.pop_back();
-    desc.polygonMode = VK_POLYGON_MODE_LINE;
-    desc.specialization.clear();
-    if (state.hidesLines) {
-      desc.fragmentShader = {};
-      desc.polygonMode = VK_POLYGON_MODE_FILL;
-      desc.blend = gpu::Blend::Keep;
-    }
-  } else if (state.shading == Shading::Toon) {
-    desc.vertexShader = luxo_toon_vert;
-    desc.fragmentShader = luxo_toon_frag;
-    if (state.pattern.valid()) {
-      desc.vertexShader = luxo_surface_pattern_vert;
-      desc.fragmentShader = patternShader(state.pattern, "pattern/toon.frag");
-    }
+    describeWireframe(state, context_->features(), desc);
   } else {
-    desc.specialization.push_back({shared::kConstantFacetNormal, state.shading == Shading::Flat});
-    if (state.pattern.valid()) {
-      desc.vertexShader = luxo_surface_pattern_vert;
-      desc.fragmentShader = patternShader(state.pattern, "pattern/surface.frag");
-    }
+    describeMesh(state, desc);
   }
   if (state.byRays) describeRayPoints(state, inspectionOf(state).has_value(), desc);
   return desc;

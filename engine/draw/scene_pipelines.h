@@ -76,6 +76,7 @@ class ScenePipelines {
   /// Has the fragment shaders that find these states' surfaces, with their patterns or without.
   void compileExactShaders(std::span<const DrawState> states);
   void describeExact(const DrawState& state, const PassFormat& format, gpu::GraphicsPipelineDesc& desc);
+  void describeMesh(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
   gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;
