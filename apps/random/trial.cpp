@@ -76,8 +76,11 @@ class Samples {
     trial_.silentlyWrong += beyond(v.wrong.total(), error);
     for (std::uint32_t i = 0; i < mean_.size(); ++i) {
       mean_[i] += weight * colorAt(truth.color, i);
-      // Infinite where another layer is shown, be it within the outline's width.
-      if (!truth.certified[i] || !(v.positionMap.samples()[i] <= kPointPx)) right_[i] = 0;
+      // Infinite where another layer is shown, be it within the outline's width; negative where a layer is
+      // that touches the true one, which may have another colour.
+      const float off = v.positionMap.samples()[i];
+      const bool sameLayer = truth.number[i] == 0 ? off < 0 : off >= 0;
+      if (!truth.certified[i] || !sameLayer || !(off <= kPointPx)) right_[i] = 0;
     }
   }
 
