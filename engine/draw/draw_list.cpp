@@ -14,8 +14,8 @@
 #include "draw/exact_data.h"
 #include "draw/light_sets.h"
 #include "draw/near_section.h"
-#include "draw/shell_view.h"
 #include "math/transform.h"
+#include "shell/shell_view.h"
 #include "surface/spread.h"
 
 namespace luxo {
@@ -109,6 +109,13 @@ shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) 
           .viewer = view.perspective() ? Vec4f(0, 0, 0, 1) : Vec4f(toFloat(-view.forward()), 0),
           .forward = toFloat(view.forward()),
           .depthRange = Vec2f(std::min(nearest, farthest), farthest)};
+}
+
+/// Homogeneous; not finite where the object is flattened.
+Vec4 eyeInObject(const View& view, const Transform& worldFromObject) {
+  const Mat3 objectFromWorld = glm::inverse(worldFromObject.linear);
+  return view.perspective() ? Vec4(objectFromWorld * (view.eye - worldFromObject.translation), 1)
+                            : Vec4(objectFromWorld * -view.forward(), 0);
 }
 
 /// Back faces are not drawn where the material says so, or front faces hide them.
@@ -296,7 +303,7 @@ class DrawLister {
     const int level = refinement_.level(v.node);
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
     const double most = static_cast<double>(std::max(pixels.count(), kWorthRays));
-    batch.shell = geometry_.meshes.shell(node.surface, node.parameters, refined, most);
+    batch.shell = geometry_.shells.get(node.surface, node.parameters, refined, most);
     const bool leavesOut = !batch.shell || (!batch.shell->proven && batch.shell->pinches.empty());
     if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.shell))) {
       list_.byRays.push_back(pixels);
@@ -319,7 +326,7 @@ class DrawLister {
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.shell, *plane)
                                 : exactInstance(snapshot_.view, node, v, *batch.shell, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.shell);
-    const ShellView view(snapshot_.view, node.worldFromObject, !inside && level == 0);
+    const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && level == 0);
     for (const Shell::Part& part : batch.shell->parts) {
       batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
                                   : codeOf(geometry_.codes, node.surface, *batch.shell, part.patch,

@@ -15,6 +15,7 @@
 #include "draw/statistics.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
+#include "shell/shell_cache.h"
 #include "surface/surface_code.h"
 #include "tessellate/mesh_cache.h"
 
@@ -101,8 +102,12 @@ struct DrawList {
 /// What is kept from frame to frame.
 struct Geometry {
   MeshCache meshes;
+  ShellCache shells;
   SurfaceCodes codes;
   OcclusionCulling hidden;
+
+  /// Meshes and shells made so far.
+  [[nodiscard]] std::uint64_t tessellated() const { return meshes.tessellated() + shells.made(); }
 };
 
 /// Whether every pixel of a node finds its point of the surface, by a search or by a ray. Of what is seen

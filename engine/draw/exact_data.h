@@ -11,8 +11,8 @@
 #include "formula/glsl.h"
 #include "scene/snapshot.h"
 #include "shared/scene_data.h"
+#include "shell/shell.h"
 #include "surface/surface_code.h"
-#include "tessellate/shell.h"
 
 namespace luxo {
 

@@ -8,8 +8,8 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "shell/shell.h"
 #include "tessellate/mesh.h"
-#include "tessellate/shell.h"
 
 namespace luxo {
 

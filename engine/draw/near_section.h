@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "draw/pixel_rows.h"
-#include "tessellate/shell.h"
+#include "shell/shell.h"
 
 namespace luxo {
 

@@ -88,8 +88,8 @@ void OcclusionCulling::addBodies(const DrawList& list, const Snapshot& snapshot)
     const SnapshotNode& node = snapshot.nodes[number];
     std::vector<Vec3> points = inPicture(snapshot.view, node, batch.shell->positions), occluder;
     const bool inFront = std::ranges::all_of(points, [&](const Vec3& p) { return p.z > snapshot.view.near; });
-    if (inFront && batch.shell->occluderProven)
-      occluder = inPicture(snapshot.view, node, batch.shell->occluder);
+    if (inFront && batch.shell->occluder.proven)
+      occluder = inPicture(snapshot.view, node, batch.shell->occluder.positions);
     if (!std::ranges::all_of(occluder, [&](const Vec3& p) { return p.z > snapshot.view.near; }))
       occluder.clear();
     if (snapshot.view.perspective() && inFront)
@@ -130,7 +130,7 @@ bool OcclusionCulling::layered(const DrawList& list, const PixelSize& size) {
 void OcclusionCulling::cover(const PixelSize& size, int samples) {
   struct SlabSide {
     const Body* body;
-    const Shell::OccluderSlab* slab;
+    const ShellOccluder::Slab* slab;
     bool tops;
   };
   std::vector<SlabSide> sides;
@@ -138,7 +138,7 @@ void OcclusionCulling::cover(const PixelSize& size, int samples) {
   for (const bool tops : {false, true})
     for (const Body& body : bodies_)
       if (!body.occluder.empty() && (body.bothSides || !tops))
-        for (const Shell::OccluderSlab& slab : body.shell->occluderSlabs)
+        for (const ShellOccluder::Slab& slab : body.shell->occluder.slabs)
           sides.push_back({&body, &slab, tops});
   std::vector<Passage> passages(sides.size());
   forEachIndex(sides.size(), true, [&](std::size_t i) {
@@ -157,14 +157,16 @@ void OcclusionCulling::cover(const PixelSize& size, int samples) {
 }
 
 /// Nothing is seen behind a face that a ray leaves by (a top, or a bottom), if before it has not come in by
-/// the same face (Shell::occluder). Nor by a wall or a turned prism, before or behind: where one is, faces
-/// may cross, and a ray leave what it has never come into. A wall is seen where any triangle of its four
-/// corners is, as it may be twisted; a turned prism where any of its six are.
-OcclusionCulling::Passage OcclusionCulling::passageOf(const Body& body, const Shell::OccluderSlab& slab,
+/// the same face (shell/shell_occluder.h). Nor by a wall or a turned prism, before or behind: where one is,
+/// faces may cross, and a ray leave what it has never come into. A wall is seen where any triangle of its
+/// four corners is, as it may be twisted; a turned prism where any of its six are.
+OcclusionCulling::Passage OcclusionCulling::passageOf(const Body& body, const ShellOccluder::Slab& slab,
                                                       bool tops) {
   const Shell& shell = *body.shell;
   const std::vector<std::uint32_t>& leaving = tops ? slab.tops : slab.bottoms;
-  const auto isTurned = [&](std::uint32_t i) { return shell.occluding[i / 3] == Shell::Occluding::Turned; };
+  const auto isTurned = [&](std::uint32_t i) {
+    return shell.occluder.triangles[i / 3] == ShellOccluder::Triangle::Turned;
+  };
   const auto triangle = [&](std::uint32_t i) {
     return triangleOf(body.occluder, indicesAt(shell.indices, i));
   };

@@ -9,7 +9,7 @@
 
 #include "cull/occlusion_buffer.h"
 #include "scene/snapshot.h"
-#include "tessellate/shell.h"
+#include "shell/shell.h"
 
 namespace luxo {
 
@@ -35,7 +35,7 @@ class OcclusionCulling {
   struct Body {
     const Shell* shell;
     std::vector<Vec3> points;    ///< its vertices, as PixelTriangle has them
-    std::vector<Vec3> occluder;  ///< the same of Shell::occluder; empty: it hides nothing
+    std::vector<Vec3> occluder;  ///< the same of its occluder; empty: it hides nothing
     bool mirrored, bothSides;
     bool inFront;  ///< of the near plane, all of it
 
@@ -48,7 +48,7 @@ class OcclusionCulling {
   [[nodiscard]] std::vector<char> findUnseen(const DrawList& list, bool hiding) const;
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
   [[nodiscard]] const Body& bodyOf(const DrawList& list, const DrawBatch& batch) const;
-  [[nodiscard]] static Passage passageOf(const Body& body, const Shell::OccluderSlab& slab, bool tops);
+  [[nodiscard]] static Passage passageOf(const Body& body, const ShellOccluder::Slab& slab, bool tops);
 
   // Of one picture; only their memory is kept.
   std::vector<Body> bodies_;

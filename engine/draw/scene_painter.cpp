@@ -156,8 +156,8 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
       auxiliary ? VK_SAMPLE_COUNT_1_BIT
                 : context_->supportedSamples(static_cast<std::uint32_t>(options.samples));
   const gpu::Counters before = context_->counters();
-  geometry_.meshes.resume();
-  const std::uint64_t tessellatedBefore = geometry_.meshes.tessellated();
+  geometry_.shells.resume();
+  const std::uint64_t tessellatedBefore = geometry_.tessellated();
   Stopwatch watch;
 
   const Snapshot& snapshot = scaleNormalization_.of(scene);
@@ -175,7 +175,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, cons
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.culledHidden = list.culledHidden;
   statistics.count.tooLarge = list.tooLarge;
-  statistics.count.tessellated += geometry_.meshes.tessellated() - tessellatedBefore;
+  statistics.count.tessellated += geometry_.tessellated() - tessellatedBefore;
   statistics.ms.tessellate += watch.lap();
 
   format_.samples = samples;

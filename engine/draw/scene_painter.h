@@ -43,9 +43,9 @@ class ScenePainter {
 
   /// What is asked now and then while shells are made: whether that should end. The recording goes on, and
   /// leaves what has none to rays.
-  void setInterruption(std::function<bool()> asked) { geometry_.meshes.setInterruption(std::move(asked)); }
+  void setInterruption(std::function<bool()> asked) { geometry_.shells.setInterruption(std::move(asked)); }
   /// Whether that happened in the last recording: the next one makes what is missing.
-  [[nodiscard]] bool interrupted() const { return geometry_.meshes.interrupted(); }
+  [[nodiscard]] bool interrupted() const { return geometry_.shells.interrupted(); }
 
   /// Of the last recording, which has to be complete.
   [[nodiscard]] LostPixels lostPixels();

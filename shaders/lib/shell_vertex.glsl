@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices of a shell around a surface (engine/tessellate/shell.h): where the search for the surface begins.
+// Vertices of a shell around a surface (engine/shell/shell.h): where the search for the surface begins.
 #define LUXO_VERTEX
 #include "lib/exact_interface.glsl"
 #include "lib/scene.glsl"

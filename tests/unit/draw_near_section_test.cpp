@@ -8,8 +8,8 @@
 #include <random>
 
 #include "scene/camera.h"
+#include "shell/shell.h"
 #include "surface/catalogue.h"
-#include "tessellate/shell.h"
 
 namespace luxo {
 namespace {

@@ -12,8 +12,6 @@
 namespace luxo {
 namespace {
 
-constexpr double kAny = std::numeric_limits<double>::infinity();
-
 MeshDesc grid(std::uint32_t u, std::uint32_t v) { return {.uniform = Segments{u, v}}; }
 
 TEST(ToleranceLevel, IsThePowerOfSqrt2AtOrBelow) {
@@ -148,63 +146,6 @@ TEST(MeshCache, KeepsTheMeshJustAskedForWhateverItsSize) {
   EXPECT_EQ(mesh->positions.size(), 51u * 51);
   EXPECT_EQ(cache.get(plate, {}, grid(50, 50)), mesh);
   EXPECT_EQ(cache.tessellated(), 1u);
-}
-
-TEST(MeshCache, ShellsAreEntriesOfTheirOwn) {
-  MeshCache cache;
-  const Surface ball = sphere(1);
-  const auto mesh = cache.get(ball, {}, {.tolerance = 0.01});
-  const auto shell = cache.shell(ball, {}, 0.01, kAny);
-  EXPECT_EQ(cache.tessellated(), 2u);
-  EXPECT_EQ(cache.get(ball, {}, {.tolerance = 0.01}), mesh);
-  EXPECT_EQ(cache.shell(ball, {}, toleranceLevel(0.01), kAny), shell);
-  EXPECT_EQ(cache.tessellated(), 2u);
-  EXPECT_NE(cache.shell(ball, {}, 0.02, kAny), shell);
-  EXPECT_EQ(cache.tessellated(), 3u);
-  const Shell made = *makeShell(ball, {}, CurvatureMap(ball, {}), {.tolerance = toleranceLevel(0.01)});
-  EXPECT_EQ(shell->positions, made.positions);
-  EXPECT_EQ(shell->indices, made.indices);
-}
-
-TEST(MeshCache, AShellOfTooManyTrianglesIsNotMade) {
-  MeshCache cache;
-  const Surface ball = sphere(1);
-  const auto most = static_cast<double>(cache.shell(ball, {}, 0.01, kAny)->triangleCount());
-  EXPECT_EQ(cache.shell(ball, {}, 0.01, most - 1), nullptr) << "although it is there";
-  MeshCache another;
-  EXPECT_EQ(another.shell(ball, {}, 0.001, most), nullptr);
-  EXPECT_EQ(another.shell(ball, {}, 0.001, 0.5 * most), nullptr);
-  EXPECT_EQ(another.tessellated(), 0u);
-  EXPECT_NE(another.shell(ball, {}, 0.001, kAny), nullptr);
-}
-
-TEST(MeshCache, AnInterruptedShellIsMadeWhenItIsAskedForAgain) {
-  MeshCache cache;
-  const Surface ball = sphere(1), ring = torus(1, 0.4);
-  int asked = 0;
-  cache.setInterruption([&] { return ++asked == 1; });
-  EXPECT_EQ(cache.shell(ball, {}, 0.001, kAny), nullptr);
-  EXPECT_TRUE(cache.interrupted());
-  EXPECT_EQ(cache.shell(ring, {}, 0.001, kAny), nullptr) << "all others of the picture wait, too";
-  EXPECT_EQ(asked, 1);
-  cache.resume();
-  EXPECT_NE(cache.shell(ball, {}, 0.001, kAny), nullptr);
-  EXPECT_FALSE(cache.interrupted());
-  cache.setInterruption([] { return true; });
-  EXPECT_NE(cache.shell(ball, {}, 0.001, kAny), nullptr) << "it is there";
-  EXPECT_FALSE(cache.interrupted());
-}
-
-TEST(MeshCache, ShellsCountInItsBudget) {
-  const Surface ball = sphere(1);
-  MeshCache cache(1);  // so that the last one asked for remains
-  const auto ask = [&] { static_cast<void>(cache.shell(ball, {}, 0.01, kAny)); };
-  ask();
-  ask();
-  EXPECT_EQ(cache.tessellated(), 1u);
-  static_cast<void>(cache.get(ball, {}, {.tolerance = 0.01}));
-  ask();
-  EXPECT_EQ(cache.tessellated(), 3u);
 }
 
 TEST(MeshCache, NeverMistakesANewSurfaceForADeadOne) {

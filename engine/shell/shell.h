@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "shell/shell_occluder.h"
 #include "surface/equation.h"
 #include "surface/surface.h"
 #include "tessellate/curvature_map.h"
@@ -81,30 +82,7 @@ struct Shell {
   std::vector<Part> parts;
   /// Of each triangle, those of the bottom as those of the top. Any direction near edges that are points.
   std::vector<NormalCone> cones;
-  /// The vertices of slabs that the surface spans from wall to wall: those at walls lie as far inside of its
-  /// borders as those of `positions` lie outside of the patch's edges, and where patches go on in each other
-  /// there are no walls.
-  ///
-  /// Theorem: a ray that leaves such a slab by one face, and has not come in by the same face before, nor by
-  /// a wall or a turned prism, has met the surface. Proof: over each triangle of the mesh stands a prism, the
-  /// places (1 - s) bottom + s top, 0 <= s <= 1. Where the Jacobians of all prisms are positive, the map from
-  /// the patch times [0, 1] into space has an inverse near each place (but at single lines, which rays miss),
-  /// also where the slab passes through itself. So the ray can be followed back from where it leaves, always
-  /// within the slab as the patch has it, until it comes to its boundary: by the other face, with the surface
-  /// in between, which parts the two faces there; by the same face; or by a wall. Where a Jacobian may vanish
-  /// (the prism is turned) it may come from anywhere.
-  std::vector<Vec3> occluder;
-  std::vector<std::uint32_t> slabs;  ///< of each patch: which of these it is in
-  /// Where the triangles of such a slab are in `indices`, but for walls between patches.
-  struct OccluderSlab {
-    std::vector<std::uint32_t> tops, walls, bottoms;
-  };
-  std::vector<OccluderSlab> occluderSlabs;  ///< as `slabs` numbers them
-  enum class Occluding : char { Yes, Turned, Joint };
-  /// Of each triangle among these vertices: where the surface bends more sharply than the slab is thick, or
-  /// is narrower than that, a prism may turn over (that is said of its top and of its bottom), or nearly
-  /// vanish; and a wall between patches is not there.
-  std::vector<Occluding> occluding;
+  ShellOccluder occluder;             ///< slabs that no ray passes through beside the surface
   std::vector<ShellPatch> patchData;  ///< of every patch of the surface
 
   double bound = 0;   ///< proven deviation of the mesh that the shell is made of; see Mesh::bound
@@ -128,8 +106,7 @@ struct Shell {
   /// sharply that no direction leads out (pinch points): the shell is then as good as one can be made. Where
   /// a surface is thinner than the tolerance, slabs of its parts overlap.
   bool proven = true;
-  bool occluderProven = true;  ///< what is said of `occluder` is so
-  Vec3 origin{0};              ///< what the device's single precision is relative to, as in Mesh
+  Vec3 origin{0};  ///< what the device's single precision is relative to, as in Mesh
 
   [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
 };

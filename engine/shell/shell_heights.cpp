@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/shell_heights.h"
+#include "shell/shell_heights.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <limits>
 #include <utility>
 
+#include "shell/shell_frame.h"
 #include "tessellate/parallel.h"
-#include "tessellate/shell_frame.h"
 
 namespace luxo {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "shell/shell_frame.h"
 #include "surface/surface.h"
 #include "tessellate/block_plan.h"
-#include "tessellate/shell_frame.h"
 
 namespace luxo {
 

@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "shell/shell.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
 #include "surface_samples.h"
-#include "tessellate/shell.h"
 
 namespace luxo {
 namespace {
@@ -232,8 +232,8 @@ TEST(Shell, KnowsCollapsedEdges) {
 std::vector<Triangle> occluderSlabs(const Shell& shell) {
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < shell.indices.size(); i += 3) {
-    if (shell.occluding[i / 3] == Shell::Occluding::Joint) continue;
-    const auto at = [&](std::size_t k) { return shell.occluder[shell.indices[i + k]]; };
+    if (shell.occluder.triangles[i / 3] == ShellOccluder::Triangle::Joint) continue;
+    const auto at = [&](std::size_t k) { return shell.occluder.positions[shell.indices[i + k]]; };
     triangles.push_back({at(0), at(1), at(2)});
   }
   return triangles;
@@ -257,7 +257,7 @@ TEST(Shell, BordersAreOutsideOfSpannedSlabs) {
                                  makeSurface("scherk"), makeSurface("helicoid"), arch}) {
     SCOPED_TRACE(surface.name());
     const Shell shell = shellOf(surface, 0.01 * sizeOf(surface));
-    EXPECT_TRUE(shell.occluderProven);
+    EXPECT_TRUE(shell.occluder.proven);
     const std::vector<Triangle> occluder = occluderSlabs(shell), slab = slabOf(shell, 0);
     EXPECT_EQ(openEdges(occluder), 0);
     for (int k = 0; k <= 40; ++k) {
@@ -278,8 +278,9 @@ TEST(Shell, SpannedSlabsGoOnFromPatchToPatch) {
     const Surface surface = makeSurface(name);
     const double size = sizeOf(surface);
     const Shell shell = shellOf(surface, 0.01 * size);
-    EXPECT_TRUE(shell.occluderProven);
-    EXPECT_TRUE(std::ranges::all_of(shell.slabs, [&](std::uint32_t slab) { return slab == shell.slabs[0]; }));
+    EXPECT_TRUE(shell.occluder.proven);
+    const std::vector<std::uint32_t>& numbers = shell.occluder.slabOf;
+    EXPECT_TRUE(std::ranges::all_of(numbers, [&](std::uint32_t slab) { return slab == numbers[0]; }));
     const std::vector<Triangle> occluder = occluderSlabs(shell);
     EXPECT_EQ(openEdges(occluder, 1e-9 * size), 0);
     for (std::uint32_t patch = 0; patch < surface.patchCount(); patch += 7)
@@ -295,8 +296,9 @@ TEST(Shell, EachPartOfTheTeapotIsASlab) {
   const Surface teapot = makeSurface("teapot");
   for (const auto& [tolerance, slabs] : {std::pair{0.01, 5u}, std::pair{0.002, 4u}}) {
     const Shell shell = shellOf(teapot, tolerance * sizeOf(teapot));
-    EXPECT_TRUE(shell.occluderProven);
-    EXPECT_EQ(std::set(shell.slabs.begin(), shell.slabs.end()).size(), slabs) << tolerance;
+    EXPECT_TRUE(shell.occluder.proven);
+    EXPECT_EQ(std::set(shell.occluder.slabOf.begin(), shell.occluder.slabOf.end()).size(), slabs)
+        << tolerance;
   }
 }
 

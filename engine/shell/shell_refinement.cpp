@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/shell_refinement.h"
+#include "shell/shell_refinement.h"
 
 #include <algorithm>
 #include <cmath>

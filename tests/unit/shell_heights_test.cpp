@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "shell/shell.h"
+#include "shell/shell_frame.h"
+#include "shell/shell_heights.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
-#include "tessellate/shell.h"
-#include "tessellate/shell_frame.h"
-#include "tessellate/shell_heights.h"
 
 namespace luxo {
 namespace {

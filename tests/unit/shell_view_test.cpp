@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a shell's triangles are seen flat no ray grazes the surface near them.
-#include "draw/shell_view.h"
+#include "shell/shell_view.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "scene/view.h"
+#include "shell/shell.h"
 #include "surface/catalogue.h"
-#include "tessellate/shell.h"
 
 namespace luxo {
 namespace {
@@ -53,7 +53,7 @@ TEST_P(ShellViewOf, RaysThroughFlatTrianglesMeetTheSideSearchedFor) {
     const Vec3 way = glm::normalize(Vec3(x, y, between(random)));
     const Vec3 eye = middle + 1.3 * glm::length(box.extent()) * way;
     const View view = viewAt({.eye = eye, .lookAt = middle, .up = Vec3(0, 1, 0.01)}, {}, {640, 480});
-    const ShellView seen(view, Transform{}, true), inside(view, Transform{}, false);
+    const ShellView seen(Vec4(view.eye, 1), true), inside(Vec4(view.eye, 1), false);
     for (const Shell::Part& part : shell.parts)
       for (const double side : {1.0, -1.0}) {
         const std::uint32_t first = side > 0 ? part.firstIndex : part.wallIndex();

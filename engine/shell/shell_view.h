@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "scene/view.h"
-#include "tessellate/shell.h"
+#include "math/vec.h"
+#include "shell/shell.h"
 
 namespace luxo {
 
@@ -14,15 +14,16 @@ enum class Seen { Away, Transversal, Grazing };
 
 class ShellView {
  public:
-  /// Unless `tellApart` is set everything counts as grazing.
-  ShellView(const View& view, const Transform& worldFromObject, bool tellApart);
+  /// `eye`: homogeneous, object space; w = 0: the direction toward it, for parallel rays. Unless `tellApart`
+  /// is set everything counts as grazing.
+  ShellView(const Vec4& eye, bool tellApart);
 
   /// How the outer (+1) or inner (-1) side of the surface is seen near the triangle that begins at that
   /// index. Cost: nanoseconds.
   [[nodiscard]] Seen seen(const Shell& shell, std::uint32_t firstIndex, double side) const;
 
  private:
-  Vec4 eye_{0};  ///< homogeneous, object space: a direction for parallel rays
+  Vec4 eye_;
   bool tellApart_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/shell.h"
+#include "shell/shell.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "shell/shell_frame.h"
+#include "shell/shell_occluder.h"
+#include "shell/shell_refinement.h"
 #include "tessellate/block_plan.h"
 #include "tessellate/parallel.h"
-#include "tessellate/shell_frame.h"
-#include "tessellate/shell_occluder.h"
-#include "tessellate/shell_refinement.h"
 
 namespace luxo {
 namespace {
@@ -46,10 +46,6 @@ constexpr double kRun = 1.5;
 
 /// Triangles so many times as far from an edge that is a point as they are long do not notice it.
 constexpr double kNearPole = 2;
-
-/// Of a triangle's area, where its vertices span a slab; and the sine of the angle at which its vertices move
-/// out of it, at least: more than what is rounded.
-constexpr double kLeastLeft = 0.25, kUpright = 1e-6;
 
 double angleOf(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
@@ -82,7 +78,7 @@ class Builder {
     shell.parameterReach = parameterReach(shell);
     findCones(shell);
     addParts(shell);
-    fileBySlab(shell);
+    shell.occluder = occluderOf(shell, frame_, distances_, sources_);
   }
 
  private:
@@ -113,7 +109,7 @@ class Builder {
   }
 
   void moveVertices(Shell& shell) {
-    const std::vector<Distances> distances = this->distances();
+    distances_ = distances();
     struct Moves {
       Vec3 out{0}, in{0};
       bool leadOut = false;
@@ -121,7 +117,7 @@ class Builder {
     std::vector<Moves> moves(frame_.pointCount());
     forEachIndex(moves.size(), moves.size() >= kPointsForAllCores, [&](std::size_t p) {
       const std::span<const Vec3> facets = frame_.facetsAround(p), walls = frame_.wallsAround(p);
-      const Distances& d = distances[p];
+      const Distances& d = distances_[p];
       const Move out = shortestMove(facets, walls, 1, {d.out, d.beyond});
       const Move in = walls.empty() ? Move{out.way * (-d.in / d.out), out.leadsOut}
                                     : shortestMove(facets, walls, -1, {d.in, d.beyond});
@@ -141,11 +137,6 @@ class Builder {
       shell.proven = shell.proven && m.leadOut;
     }
     addPinches(shell, [&](std::uint32_t v) { return !moves[frame_.pointOf(v)].leadOut; });
-    ShellOccluder spans = occluderOf(frame_, distances, shell.positions, surface_.patchCount());
-    shell.occluder = std::move(spans.positions);
-    shell.slabs = std::move(spans.slabs);
-    shell.occluderProven = shell.proven && spans.proven;
-    joined_ = std::move(spans.joined);
   }
 
   /// Of the surface that triangles around a pinched vertex stand for nothing is farther from it than they
@@ -313,43 +304,6 @@ class Builder {
     }
   }
 
-  /// A prism's Jacobian, times the way from bottom to top, is the way times the area of the triangle between
-  /// them: linear across the triangle and quadratic from bottom to top, so that it is positive where its nine
-  /// coefficients (Bernstein's) are. And of the areas some part is to be left.
-  [[nodiscard]] Shell::Occluding occluding(const Shell& shell, std::size_t triangle) const {
-    const auto c = frame_.corners(triangle);
-    const auto side = [&](const std::vector<Vec3>& points, std::size_t first, std::size_t k) {
-      return points[first + c[k]] - points[first + c[0]];
-    };
-    const std::vector<Vec3>& occluder = shell.occluder;
-    const std::size_t count = mesh_.positions.size();
-    const Vec3 a = side(occluder, 0, 1), b = side(occluder, 0, 2), under = side(occluder, count, 1),
-               under2 = side(occluder, count, 2);
-    const double before = glm::dot(glm::cross(side(mesh_.positions, 0, 1), side(mesh_.positions, 0, 2)),
-                                   frame_.facet(triangle));
-    bool upright = before > 0;
-    for (const Vec3& area : {glm::cross(a, b), 0.5 * (glm::cross(a, under2) + glm::cross(under, b)),
-                             glm::cross(under, under2)}) {
-      upright = upright && glm::dot(area, frame_.facet(triangle)) > kLeastLeft * before;
-      for (const std::uint32_t v : c) {
-        const Vec3 way = occluder[v] - occluder[count + v];
-        upright = upright && glm::dot(area, way) > kUpright * before * glm::length(way);
-      }
-    }
-    return upright ? Shell::Occluding::Yes : Shell::Occluding::Turned;
-  }
-  [[nodiscard]] Shell::Occluding occludingOfWall(const Shell& shell, std::size_t wall) const {
-    if (joined_[wall]) return Shell::Occluding::Joint;
-    const auto [from, to, triangle] = frame_.walls()[wall];
-    const auto count = static_cast<std::uint32_t>(mesh_.positions.size());
-    const Vec3 along = shell.occluder[from] - shell.occluder[to];
-    const auto faces = [&](std::uint32_t bottom) {
-      return glm::dot(glm::cross(along, shell.occluder[count + bottom] - shell.occluder[to]),
-                      frame_.wallNormal(wall)) > 0;
-    };
-    return faces(from) && faces(to) ? Shell::Occluding::Yes : Shell::Occluding::Turned;
-  }
-
   [[nodiscard]] bool nearPole(const Shell& shell, std::uint32_t vertex) const {
     const ShellPatch& patch = shell.patchData[frame_.patchOf(vertex)];
     const Vec2 at = mesh_.parameters[vertex], near = kNearPole * shell.cells[vertex];
@@ -359,7 +313,7 @@ class Builder {
            (patch.collapsedVMax && patch.domain.v.hi - at.y < near.y);
   }
 
-  void addParts(Shell& shell) const {
+  void addParts(Shell& shell) {
     std::vector<bool> done(surface_.patchCount());
     for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch) {
       if (done[patch]) continue;
@@ -371,7 +325,7 @@ class Builder {
     }
   }
 
-  void addPart(Shell& shell, std::uint32_t patch, const std::vector<bool>& inPart) const {
+  void addPart(Shell& shell, std::uint32_t patch, const std::vector<bool>& inPart) {
     const auto count = static_cast<std::uint32_t>(mesh_.positions.size());
     std::vector<std::uint32_t>& indices = shell.indices;
     const auto size = [&] { return static_cast<std::uint32_t>(indices.size()); };
@@ -383,7 +337,7 @@ class Builder {
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {c[0], c[1], c[2]});
       shell.cones.push_back(cones_[t]);
-      shell.occluding.push_back(occluding(shell, t));
+      sources_.push_back(t);
     });
     for (std::size_t w = 0; w < frame_.walls().size(); ++w) {
       const ShellFrame::WallEdge& wall = frame_.walls()[w];
@@ -391,26 +345,16 @@ class Builder {
       const std::uint32_t a = wall.from, b = wall.to;
       indices.insert(indices.end(), {b, a, count + a, b, count + a, count + b});
       shell.cones.insert(shell.cones.end(), 2, wallCones_[w]);
-      shell.occluding.insert(shell.occluding.end(), 2, occludingOfWall(shell, w));
+      sources_.insert(sources_.end(), 2, w);
     }
     part.frontCount = size() - part.firstIndex;
     forEachTriangle([&](std::size_t t, const auto& c) {
       indices.insert(indices.end(), {count + c[0], count + c[2], count + c[1]});
       shell.cones.push_back(cones_[t]);
-      shell.occluding.push_back(occluding(shell, t));
+      sources_.push_back(t);
     });
     part.count = size() - part.firstIndex;
     if (part.count > 0) shell.parts.push_back(part);
-  }
-
-  static void fileBySlab(Shell& shell) {
-    shell.occluderSlabs.resize(shell.slabs.size());
-    for (const Shell::Part& part : shell.parts)
-      for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.count; i += 3) {
-        if (shell.occluding[i / 3] == Shell::Occluding::Joint) continue;
-        Shell::OccluderSlab& slab = shell.occluderSlabs[shell.slabs[shell.patches[shell.indices[i]]]];
-        (i < part.wallIndex() ? slab.tops : i < part.bottomIndex() ? slab.walls : slab.bottoms).push_back(i);
-      }
   }
 
   const Surface& surface_;
@@ -419,7 +363,8 @@ class Builder {
   const ShellDesc& desc_;
   const Mesh& mesh_;
   std::vector<NormalCone> cones_, wallCones_;
-  std::vector<bool> joined_;  // of walls; see ShellOccluder
+  std::vector<Distances> distances_;  // of points
+  std::vector<std::size_t> sources_;  // of the shell's triangles: triangles of the mesh, or walls
 };
 
 /// The mesh is dense where the formula bends: what a sampling of the whole surface did not notice is seen

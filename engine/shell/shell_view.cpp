@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "draw/shell_view.h"
+#include "shell/shell_view.h"
 
 #include <cmath>
 
-#include "math/transform.h"
-
 namespace luxo {
-ShellView::ShellView(const View& view, const Transform& worldFromObject, bool tellApart)
-    : tellApart_(tellApart) {
-  const Mat3 objectFromWorld = glm::inverse(worldFromObject.linear);
-  eye_ = view.perspective() ? Vec4(objectFromWorld * (view.eye - worldFromObject.translation), 1)
-                            : Vec4(objectFromWorld * -view.forward(), 0);
+
+ShellView::ShellView(const Vec4& eye, bool tellApart) : eye_(eye), tellApart_(tellApart) {
   // A flattened object has no inside to look from.
   for (int i = 0; i < 4; ++i) tellApart_ = tellApart_ && std::isfinite(eye_[i]);
 }

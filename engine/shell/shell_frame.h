@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "shell/shell.h"
+#include "shell/shell_heights.h"
 #include "surface/surface.h"
 #include "tessellate/block_plan.h"
 #include "tessellate/curvature_map.h"
 #include "tessellate/mesh.h"
-#include "tessellate/shell.h"
-#include "tessellate/shell_heights.h"
 
 namespace luxo {
 

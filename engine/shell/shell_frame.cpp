@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tessellate/shell_frame.h"
+#include "shell/shell_frame.h"
 
 #include <algorithm>
 #include <bit>

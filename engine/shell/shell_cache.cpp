@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shell/shell_cache.h"
+
+#include <optional>
+
+#include "tessellate/mesh_cache.h"
+
+namespace luxo {
+namespace {
+
+std::size_t bytesOf(const Shell& shell) {
+  const ShellOccluder& occluder = shell.occluder;
+  std::size_t bytes =
+      bytesIn(shell.positions, shell.parameters, shell.cells, shell.changes, shell.patches, shell.indices,
+              shell.cones, occluder.positions, occluder.slabOf, occluder.triangles);
+  for (const ShellOccluder::Slab& slab : occluder.slabs)
+    bytes += bytesIn(slab.tops, slab.walls, slab.bottoms);
+  return bytes;
+}
+
+}  // namespace
+
+bool ShellCache::isInterrupted() {
+  interrupted_ = interrupted_ || (interruption_ && interruption_());
+  return interrupted_;
+}
+
+std::shared_ptr<const Shell> ShellCache::get(const Surface& surface, std::span<const double> parameters,
+                                             double tolerance, double mostTriangles) {
+  Key key{.shape = {surface, parameters}, .tolerance = toleranceLevel(tolerance)};
+  if (auto shell = shells_.find(key))
+    return static_cast<double>(shell->triangleCount()) > mostTriangles ? nullptr : shell;
+  Known& known = known_.get(surface, parameters, [&] {
+    return Known{CurvatureMap(surface, parameters), {}};
+  });
+  double& least = known.leastTriangles[key.tolerance];
+  if (least >= mostTriangles) return nullptr;
+  std::optional<Shell> shell =
+      makeShell(surface, parameters, known.map,
+                {.tolerance = key.tolerance, .mostTriangles = mostTriangles, .interrupted = [this] {
+                   return isInterrupted();
+                 }});
+  if (!shell && interrupted_) return nullptr;
+  if (!shell) {
+    least = mostTriangles;
+    return nullptr;
+  }
+  const std::size_t bytes = bytesOf(*shell);
+  return shells_.insert(std::move(key), surface, std::move(*shell), bytes);
+}
+
+}  // namespace luxo
