@@ -40,12 +40,12 @@ struct FrameDesc {
 class LuxoFrames {
  public:
   LuxoFrames(gpu::Context& context, const Scene& lamp, const FrameDesc& desc)
-      : lamp_(lamp), desc_(desc), frames_(context), painter_(context, desc.precision) {}
+      : lamp_(lamp), desc_(desc), frames_(context), painter_(context), view_(context, desc.precision) {}
 
   FrameStatistics draw(double time) {
     FrameStatistics statistics;
     const Snapshot snapshot = takeSnapshot(lamp_, time, desc_.size);
-    painter_.record(frames_, frames_.begin(), snapshot, desc_.options, statistics);
+    painter_.record(frames_, frames_.begin(), view_, snapshot, desc_.options, statistics);
     frames_.wait(frames_.submit());
     return statistics;
   }
@@ -55,6 +55,7 @@ class LuxoFrames {
   FrameDesc desc_;
   gpu::FrameRing frames_;
   ScenePainter painter_;
+  RenderView view_;
 };
 
 /// The straightforward path's frames, with the same beginning and end.

@@ -93,6 +93,7 @@ struct DrawList {
   std::vector<DrawBatch> transparent;            ///< strictly back to front
   std::uint64_t culledHidden = 0;                ///< triangles of shells that are behind others
   std::uint64_t tooLarge = 0;  ///< nodes found by rays: their formulas are too large for shaders
+  bool deferred = false;       ///< points are found first, and lit once each
   double boundPx = 0;          ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }

@@ -153,10 +153,11 @@ Renderer::Renderer()
     : owned_(std::make_unique<gpu::Context>()),
       context_(owned_.get()),
       frames_(*context_),
-      painter_(*context_, Precision::Full) {}
+      painter_(*context_),
+      view_(*context_, Precision::Full) {}
 
 Renderer::Renderer(gpu::Context& context)
-    : context_(&context), frames_(context), painter_(context, Precision::Full) {}
+    : context_(&context), frames_(context), painter_(context), view_(context, Precision::Full) {}
 
 Picture Renderer::render(const Scene& scene) {
   const RenderSettings& settings = scene.settings();
@@ -190,6 +191,8 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
     return picture;
   }
   shown_.reset();
+  // What one sample of a picture has taught serves the next; no picture learns from another one.
+  view_.refinement = {};
   if (inOnePass(snapshot, options)) {
     if (!goesOn(0)) return std::nullopt;
     draw(snapshot, options, statistics);
@@ -231,19 +234,19 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
   enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
   DrawOptions tried = options;
   tried.standIns = false;
-  SearchRefinement refinement;
   std::uint64_t failed = 0;
   for (int trial = Usual;; ++trial) {
     if (trial >= WithoutSkips) tried.skips = Skips::none();
+    view_.refinement.beginPicture();
     if (trial == WithFinerShells)
-      for (const FoundNode& node : painter_.list().found) refinement.refine(node.node);
-    if (trial != ByRays) search(snapshot, tried, refinement, statistics);
-    if (!painter_.searches()) return;
+      for (const FoundNode& node : view_.list().found) view_.refinement.refine(node.node);
+    if (trial != ByRays) search(snapshot, tried, statistics);
+    if (!view_.searches()) return;
     rays_.begin(snapshot, tried);
     resolve(trial == ByRays, statistics);
     const Stopwatch watch;
     const double trees = rays_.treesMs();
-    const std::vector<DepthProbe> probes = painter_.probes();
+    const std::vector<DepthProbe> probes = view_.probes();
     const AuditResult audit = rays_.audit(probes);
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
     statistics.ms.rayTrees += rays_.treesMs();
@@ -261,8 +264,7 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
   }
 }
 
-void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, SearchRefinement refinement,
-                      FrameStatistics& statistics) {
+void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
   // Drawing all of a picture once more takes as long as rays through a sixteenth of it.
   const std::uint64_t few = static_cast<std::uint64_t>(snapshot.view.size.width) *
                             static_cast<std::uint64_t>(snapshot.view.size.height) / 16;
@@ -270,32 +272,32 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Sear
     FrameStatistics attempt;
     submit(
         [&](VkCommandBuffer commands) {
-          painter_.record(frames_, commands, snapshot, options, attempt, refinement);
-          recordReadback(commands, painter_.target());
+          painter_.record(frames_, commands, view_, snapshot, options, attempt);
+          recordReadback(commands, view_.picture());
         },
         attempt);
     addAttempt(attempt, statistics);
     statistics = attempt;
-  } while (refinement.learn(painter_.lostPixels()) && refinement.lost() > few);
+  } while (view_.learn() && view_.refinement.lost() > few);
 }
 
 void Renderer::resolve(bool all, FrameStatistics& statistics) {
   const Stopwatch watch;
   std::vector<PixelPlace> pixels;
-  const VkExtent2D extent = painter_.target().extent();
+  const VkExtent2D extent = view_.picture().extent();
   if (all) {
     pixels = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)},
                            {.extent = AuditExtent::All}, {});
   } else {
     // A point that is not certified matters where it is seen.
-    for (const ScenePainter::Doubt& doubt : painter_.doubts())
+    for (const Doubt& doubt : view_.doubts())
       if (doubt.lost ||
           alphaAt(readback_.row(static_cast<std::uint32_t>(doubt.pixel.y)).data(), doubt.pixel.x) < 0)
         pixels.push_back(doubt.pixel);
   }
   if (pixels.empty()) return;
   const double trees = rays_.treesMs();
-  const RayPoints points = rays_.resolve(pixels, painter_.list().found);
+  const RayPoints points = rays_.resolve(pixels, view_.list().found);
   statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
   statistics.error.resolvedByRaysPx = points.resolved - points.undecided;
   statistics.error.uncertifiedPx = points.undecided;
@@ -303,11 +305,11 @@ void Renderer::resolve(bool all, FrameStatistics& statistics) {
   if (points.empty()) return;
   submit(
       [&](VkCommandBuffer commands) {
-        painter_.recordRays(frames_, commands, points, statistics);
-        if (painter_.list().onlyFound())
-          readback_.record(commands, painter_.target(), rowsOf(pixels));
+        painter_.recordRays(frames_, commands, view_, points, statistics);
+        if (view_.list().onlyFound())
+          readback_.record(commands, view_.picture(), rowsOf(pixels));
         else
-          recordReadback(commands, painter_.target());
+          recordReadback(commands, view_.picture());
       },
       statistics);
 }
@@ -325,7 +327,7 @@ void Renderer::submit(const Recording& record, FrameStatistics& statistics) {
 void Renderer::accumulate(int before, bool complete, FrameStatistics& statistics) {
   submit(
       [&](VkCommandBuffer commands) {
-        accumulator_->add(frames_, commands, painter_.target(), before);
+        accumulator_->add(frames_, commands, view_.picture(), before);
         if (complete) recordReadback(commands, accumulator_->mean());
       },
       statistics);
@@ -347,8 +349,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
             channels = channelsOf(output);
   // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
   // A view of the residuals has them as its colour.
-  const bool certifies =
-      output == Output::Color && options.shading != Shading::Residual && painter_.searches();
+  const bool certifies = output == Output::Color && options.shading != Shading::Residual && view_.searches();
   Image image(width, height, channels);
   const auto readRow = [&](int y, Measured& measured) {
     const std::byte* texels = readback_.row(static_cast<std::uint32_t>(y)).data();
@@ -372,7 +373,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
                });
   Measured measured;
   for (const Measured& band : bands) measured.add(band);
-  error.found = painter_.searches();
+  error.found = view_.searches();
   if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);
   error.nonfinitePx = measured.nonfinite;
   return image;

@@ -69,13 +69,12 @@ class Renderer {
   /// picture of its own, with its own certificates and audit: no slower, as searches run once per sample
   /// anyway.
   [[nodiscard]] bool inOnePass(const Snapshot& snapshot, const DrawOptions& options) const;
-  /// Draws one sample of each pixel into the painter's target and reads that back. What searches leave in
+  /// Draws one sample of each pixel into the view and reads that back. What searches leave in
   /// doubt is found by rays, and what an audit finds wrong is drawn anew.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
-  /// The part of that without rays, with that refinement; again with more where searches lost more than rays
+  /// The part of that without rays; again with more refinement where searches lost more than rays
   /// find soon.
-  void search(const Snapshot& snapshot, const DrawOptions& options, SearchRefinement refinement,
-              FrameStatistics& statistics);
+  void search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
   void resolve(bool all, FrameStatistics& statistics);
   /// Runs what `record` records, and waits.
@@ -89,6 +88,7 @@ class Renderer {
   gpu::Context* context_;
   gpu::FrameRing frames_;
   ScenePainter painter_;
+  RenderView view_;
   std::optional<Accumulator> accumulator_;  ///< made for the first picture of several passes
   CertifiedRays rays_;
   gpu::Readback readback_;

@@ -152,14 +152,14 @@ ScenePipelines::ScenePipelines(gpu::Context& context)
                              {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
                              {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC}}) {}
 
-const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const PassFormat& format) {
+const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const TargetFormat& format) {
   prepare({&wanted, 1}, format);
   Made& made = pipelines_.at({canonical(wanted), format});
   made.lastPicture = picture_;
   return made.pipeline;
 }
 
-void ScenePipelines::prepare(std::span<const DrawState> wanted, const PassFormat& format) {
+void ScenePipelines::prepare(std::span<const DrawState> wanted, const TargetFormat& format) {
   std::vector<DrawState> states;
   for (const DrawState& state : wanted)
     if (!pipelines_.contains({canonical(state), format})) states.push_back(canonical(state));
@@ -251,7 +251,7 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
   }
 }
 
-void ScenePipelines::describeExact(const DrawState& state, const PassFormat& format,
+void ScenePipelines::describeExact(const DrawState& state, const TargetFormat& format,
                                    gpu::GraphicsPipelineDesc& desc) {
   desc.vertexShader = state.surface->number == GlslNumber::Double
                           ? std::span<const std::uint32_t>(luxo_exact_double_vert)
@@ -308,7 +308,7 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
                                                              : "pattern/surface.frag");
 }
 
-gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const PassFormat& format) {
+gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
   gpu::GraphicsPipelineDesc desc{
       .name = nameOf(state.shading),
       .bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}},

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "draw/draw_list.h"
+#include "draw/view_targets.h"
 #include "gpu/descriptor.h"
 #include "gpu/pipeline.h"
 
@@ -22,15 +23,6 @@ namespace luxo {
 struct ShellDraw {
   float side = 1;   ///< of the surface that these triangles lead to: +1 front, -1 back
   float guard = 1;  ///< how many times as large as the picture the viewport is
-};
-
-/// What the targets of a pass are; part of what a pipeline is made for.
-struct PassFormat {
-  VkFormat color = VK_FORMAT_R32G32B32A32_SFLOAT;
-  VkFormat depth = VK_FORMAT_D32_SFLOAT;
-  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-
-  friend auto operator<=>(const PassFormat&, const PassFormat&) = default;
 };
 
 /// Whether draws of this state read the mesh's surface parameters.
@@ -49,9 +41,9 @@ class ScenePipelines {
   /// may still be drawing with it.
   void beginPicture();
 
-  [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const PassFormat& format);
+  [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const TargetFormat& format);
   /// Makes those of the states that are not made yet, on all cores.
-  void prepare(std::span<const DrawState> states, const PassFormat& format);
+  void prepare(std::span<const DrawState> states, const TargetFormat& format);
   /// Set 0 of every pipeline: view, instances, lights (shared/scene_data.h).
   [[nodiscard]] const gpu::DescriptorLayout& sceneLayout() const { return sceneLayout_; }
   /// Set 1 of pipelines with a pattern: the parameters. Made when first asked for.
@@ -68,14 +60,14 @@ class ScenePipelines {
   };
 
   void forgetShaders();
-  [[nodiscard]] gpu::GraphicsPipelineDesc describe(const DrawState& state, const PassFormat& format);
+  [[nodiscard]] gpu::GraphicsPipelineDesc describe(const DrawState& state, const TargetFormat& format);
   /// The fragment shader of that name below shaders/pattern, made for a pattern.
   [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Pattern& pattern,
                                                                 std::string_view name);
 
   /// Has the fragment shaders that find these states' surfaces, with their patterns or without.
   void compileExactShaders(std::span<const DrawState> states);
-  void describeExact(const DrawState& state, const PassFormat& format, gpu::GraphicsPipelineDesc& desc);
+  void describeExact(const DrawState& state, const TargetFormat& format, gpu::GraphicsPipelineDesc& desc);
   void describeMesh(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
@@ -83,7 +75,7 @@ class ScenePipelines {
   using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool>;  ///< the latter: grazing
   std::map<ExactShaderKey, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
-  std::map<std::pair<DrawState, PassFormat>, Made> pipelines_;
+  std::map<std::pair<DrawState, TargetFormat>, Made> pipelines_;
   std::uint64_t picture_ = 0;
 };
 

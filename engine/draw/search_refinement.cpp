@@ -21,7 +21,7 @@ bool SearchRefinement::learn(const LostPixels& lost) {
   const bool finer = refineNodes(lost, mayHelp);
   lostNow_ = lost.transversal;
   if (!mayHelp || sum(lostNow_) == 0) return finer;
-  rememberTransversal();
+  rememberTransversal(lostNow_);
   return true;
 }
 
@@ -44,12 +44,16 @@ void SearchRefinement::refine(std::uint32_t node) {
   ++nodes_[node].level;
 }
 
-void SearchRefinement::rememberTransversal() {
+void SearchRefinement::remember(const LostPixels& lost) {
+  if (sum(lost.transversal) > 0) rememberTransversal(lost.transversal);
+}
+
+void SearchRefinement::rememberTransversal(const std::vector<std::uint32_t>& lost) {
   // Most would be of views long gone.
   if (std::ranges::count(lostTransversal_, true) > std::ssize(lostTransversal_) / 4) lostTransversal_.clear();
-  lostTransversal_.resize(lostNow_.size());
-  for (std::size_t slot = 0; slot < lostTransversal_.size(); ++slot)
-    if (lostNow_[slot] > 0) lostTransversal_[slot] = true;
+  lostTransversal_.resize(lost.size());
+  for (std::size_t slot = 0; slot < lost.size(); ++slot)
+    if (lost[slot] > 0) lostTransversal_[slot] = true;
 }
 
 void SearchRefinement::beginPicture() {

@@ -10,7 +10,8 @@ namespace luxo {
 
 /// Pixels in which an attempt lost the search for a surface. A pixel counts once for every layer.
 struct LostPixels {
-  std::vector<std::uint32_t> transversal;  ///< transversal triangles, by feedbackSlot(); empty: none were drawn
+  std::vector<std::uint32_t>
+      transversal;  ///< transversal triangles, by feedbackSlot(); empty: none were drawn
   std::map<std::uint32_t, std::uint32_t> grazing;  ///< others, by the nodes that were drawn (Snapshot::nodes)
 };
 
@@ -20,11 +21,15 @@ inline constexpr int kMaxRefinements = 3;
 /// What the searches for surfaces get beyond the usual: finer shells, more digits, curve tracing.
 class SearchRefinement {
  public:
-  /// After an attempt with this refinement. Whether more of it may find what was lost: transversal triangles in
-  /// which pixels were lost count as grazing from now on, and nodes that lost pixels in grazing ones get more
-  /// digits and a finer shell, unless that did not help before: what is lost then is a singular point, which
-  /// is counted, and left. So is what kMaxRefinements have not found.
+  /// After an attempt with this refinement. Whether more of it may find what was lost: transversal triangles
+  /// in which pixels were lost count as grazing from now on, and nodes that lost pixels in grazing ones get
+  /// more digits and a finer shell, unless that did not help before: what is lost then is a singular point,
+  /// which is counted, and left. So is what kMaxRefinements have not found.
   bool learn(const LostPixels& lost);
+
+  /// After an attempt at a picture that is no longer drawn: transversal triangles that lost pixels are likely
+  /// to lose some in the next picture, too.
+  void remember(const LostPixels& lost);
 
   /// The node gets a finer shell, whatever it lost.
   void refine(std::uint32_t node);
@@ -52,13 +57,13 @@ class SearchRefinement {
   /// Pixels that the attempts so far have lost, and not found again.
   [[nodiscard]] std::uint64_t lost() const;
 
-  /// Only the transversal triangles in which the last attempt lost pixels, and the nodes refined, are drawn: they
-  /// complete what the attempts have drawn.
+  /// Only the transversal triangles in which the last attempt lost pixels, and the nodes refined, are drawn:
+  /// they complete what the attempts have drawn.
   bool completes = false;
 
  private:
   bool refineNodes(const LostPixels& lost, bool mayHelp);
-  void rememberTransversal();
+  void rememberTransversal(const std::vector<std::uint32_t>& lost);
 
   struct Node {
     std::uint8_t level = 0;

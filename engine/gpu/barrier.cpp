@@ -54,7 +54,7 @@ Usage::Usage(VkImage usedImage, ResourceState& imageState, Use nextUse, Contents
       use(nextUse),
       contents(nextContents) {}
 
-void use(VkCommandBuffer commands, std::initializer_list<Usage> usages) {
+void use(VkCommandBuffer commands, std::span<const Usage> usages) {
   std::vector<VkImageMemoryBarrier2> images;
   std::vector<VkBufferMemoryBarrier2> buffers;
   for (auto usage = usages.begin(); usage != usages.end(); ++usage) {

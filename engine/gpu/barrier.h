@@ -8,6 +8,7 @@
 #include "gpu/vk.h"
 
 #include <initializer_list>
+#include <span>
 
 namespace luxo::gpu {
 
@@ -29,6 +30,9 @@ struct Usage {
 /// Records one vkCmdPipelineBarrier2 that makes all usages safe, or nothing when they are. Name each resource
 /// once, outside of rendering, right before the commands that use it:
 ///     use(commands, {{color, Use::ColorAttachment, Contents::Discard}, {depth, Use::DepthAttachment}});
-void use(VkCommandBuffer commands, std::initializer_list<Usage> usages);
+void use(VkCommandBuffer commands, std::span<const Usage> usages);
+inline void use(VkCommandBuffer commands, std::initializer_list<Usage> usages) {
+  use(commands, std::span(usages.begin(), usages.size()));
+}
 
 }  // namespace luxo::gpu

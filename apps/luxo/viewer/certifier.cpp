@@ -14,14 +14,14 @@ std::pair<std::int32_t, std::int32_t> placeOf(const PixelPlace& pixel) { return 
 
 }  // namespace
 
-void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, ScenePainter& painter) {
+void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, RenderView& view) {
   cancel();
   snapshot_ = snapshot;
   rays_.begin(snapshot_, options, [this] { return !cancelled_; });
   std::vector<PixelPlace> doubtful;
-  for (const ScenePainter::Doubt& doubt : painter.doubts()) doubtful.push_back(doubt.pixel);
-  working_ = inBackground([this, doubtful = std::move(doubtful), probes = painter.probes(),
-                           found = painter.list().found, size = snapshot.view.size] {
+  for (const Doubt& doubt : view.doubts()) doubtful.push_back(doubt.pixel);
+  working_ = inBackground([this, doubtful = std::move(doubtful), probes = view.probes(),
+                           found = view.list().found, size = snapshot.view.size] {
     Outcome outcome{.points = rays_.resolve(doubtful, found), .audited = probes.size()};
     // What is resolved need not be right in the depths that were probed before.
     std::vector<DepthProbe> others;

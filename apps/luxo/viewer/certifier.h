@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draw/ray_points.h"
-#include "draw/scene_painter.h"
+#include "draw/render_view.h"
 #include "scene/snapshot.h"
 
 namespace luxo {
@@ -29,7 +29,7 @@ class Certifier {
 
   /// Begins with what the painter has recorded last, which has to be complete. What it did before is
   /// cancelled.
-  void begin(const Snapshot& snapshot, const DrawOptions& options, ScenePainter& painter);
+  void begin(const Snapshot& snapshot, const DrawOptions& options, RenderView& view);
   /// Stops soon, and forgets the outcome. Waits for a ray, or for cells that are being built.
   void cancel();
 

@@ -12,7 +12,7 @@ void ProgressiveMean::reset() {
   audit_ = {};
 }
 
-bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, SearchRefinement& refinement,
+bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
                               const Snapshot& shown, const DrawOptions& drawn) {
   if (next_) return true;
   if (!certifier_.busy()) {
@@ -22,24 +22,26 @@ bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, Sea
     one.samples = 1;
     one.standIns = false;
     FrameStatistics ignored;
-    refinement.completes = false;
-    painter.record(frames, frames.begin(), sampled, one, ignored, refinement);
+    view.refinement.beginPicture();
+    painter.record(frames, frames.begin(), view, sampled, one, ignored);
     frames.wait(frames.submit());
-    if (!painter.searches()) {
+    static_cast<void>(view.learn());  // for the samples to come: what this one lost rays find
+    if (!view.searches()) {
       next_.emplace();
       return true;
     }
-    certifier_.begin(sampled, one, painter);
+    certifier_.begin(sampled, one, view);
   }
   next_ = certifier_.poll();
   return next_.has_value();
 }
 
-void ProgressiveMean::join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter) {
+void ProgressiveMean::join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter,
+                           RenderView& view) {
   if (!accumulator_) accumulator_.emplace(context_);
   FrameStatistics ignored;
-  if (!next_->points.empty()) painter.recordRays(frames, commands, next_->points, ignored);
-  accumulator_->add(frames, commands, painter.target(), joined_);
+  if (!next_->points.empty()) painter.recordRays(frames, commands, view, next_->points, ignored);
+  accumulator_->add(frames, commands, view.picture(), joined_);
   audit_.pixels += next_->audited;
   audit_.wrong += next_->failed;
   audit_.byRays += next_->points.resolved;

@@ -8,7 +8,6 @@
 
 #include "draw/accumulation.h"
 #include "draw/scene_painter.h"
-#include "draw/search_refinement.h"
 #include "gpu/frame.h"
 #include "scene/snapshot.h"
 #include "viewer/certifier.h"
@@ -37,10 +36,10 @@ class ProgressiveMean {
 
   /// Draws one more sample per pixel of what is shown, and lets rays find what that leaves in doubt. Whether
   /// it is ready to join the mean: later, if not.
-  [[nodiscard]] bool prepare(gpu::FrameRing& frames, ScenePainter& painter, SearchRefinement& refinement,
+  [[nodiscard]] bool prepare(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
                              const Snapshot& shown, const DrawOptions& drawn);
   /// What is ready joins the mean.
-  void join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter);
+  void join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter, RenderView& view);
 
  private:
   gpu::Context& context_;

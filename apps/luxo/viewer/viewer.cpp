@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,7 +89,8 @@ class Viewer {
         context_(contextDesc(window_, options, std::move(log))),
         swapchain_(context_, window_),
         frames_(context_),
-        painter_(context_, Precision::Half),
+        painter_(context_),
+        view_(context_, Precision::Half),
         presenter_(context_, swapchain_.format()),
         photographer_(context_),
         mean_(context_),
@@ -284,30 +286,27 @@ class Viewer {
     nextFrame_ = std::max(nextFrame_ + period(), start);
     dirty_ = false;
     if (swapchain_.update(window_.framebufferSize()) == SwapchainStatus::Hidden) return;
-    measureLastPicture();
+    measurePictures();
 
     Snapshot snapshot = snapshotOrLast();
     const DrawOptions draw = optionsOfNext();
     const bool coarser = mean_.begun() && !controls_.refines();
     const bool changed =
         interrupted_ || !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
-    const bool completes = !changed && incomplete_ && painter_.completable();
+    const bool completes = !changed && incomplete_ && view_.completable();
     const bool repaint = changed || (incomplete_ && !completes);
     // What is said is said at once: a sample may take its time.
     const bool stale =
         damaged_ || swapchain_.generation() != shownGeneration_ || (!repaint && panels() != panels_);
     // What is not complete, or may turn out not to be, is not worth a mean.
     const bool refines =
-        !repaint && !completes && !stale && unmeasured_ == 0 && controls_.refines() && !mean_.complete();
+        !repaint && !completes && !stale && unmeasured_.empty() && controls_.refines() && !mean_.complete();
     if (!repaint && !completes && !refines && !stale) return;
     const double evaluated = millisecondsSince(start);
 
-    if (repaint) {
-      mean_.reset();
-      finishLastPicture();
-    }
+    if (repaint) mean_.reset();
     // The mean is worth showing once it has as many samples as the picture before it.
-    if (refines && (!mean_.prepare(frames_, painter_, refinement_, shown_, *drawn_) || !catchesUp())) return;
+    if (refines && (!mean_.prepare(frames_, painter_, view_, shown_, *drawn_) || !catchesUp())) return;
     const VkCommandBuffer commands = frames_.begin();
     const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
     if (acquired != SwapchainStatus::Ready) {
@@ -317,13 +316,13 @@ class Viewer {
     const auto recording = Clock::now();
     if (repaint) {
       status_.statistics = {};
-      if (changed) refinement_.beginPicture();
-      refinement_.completes = false;
+      if (changed) view_.refinement.beginPicture();
+      view_.refinement.completes = false;
       patienceEnd_ = start + kPatience;
-      painter_.record(frames_, commands, snapshot, draw, status_.statistics, refinement_);
+      painter_.record(frames_, commands, view_, snapshot, draw, status_.statistics);
       interrupted_ = painter_.interrupted();
       if (interrupted_) log(LogLevel::Debug, "interrupted while it made shells");
-      status_.statistics.error.found = painter_.searches();
+      status_.statistics.error.found = view_.searches();
       incomplete_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
       shown_ = std::move(snapshot);
@@ -331,12 +330,12 @@ class Viewer {
       ++pictures_;
     } else if (completes) {
       FrameStatistics more;
-      refinement_.completes = true;
-      painter_.record(frames_, commands, shown_, *drawn_, more, refinement_);
+      view_.refinement.completes = true;
+      painter_.record(frames_, commands, view_, shown_, *drawn_, more);
       pipelines_ += more.count.pipelinesCreated;
       incomplete_ = false;
     } else if (refines) {
-      mean_.join(frames_, commands, painter_);
+      mean_.join(frames_, commands, painter_, view_);
     }
     status_.samples = mean_.samples() > 0 ? mean_.samples() : draw.samples;
     status_.audit = mean_.audit();
@@ -354,7 +353,7 @@ class Viewer {
       meter_.addFrame(evaluated + recorded, start);
     }
     if (repaint || completes) {
-      unmeasured_ = submission;
+      unmeasured_.push_back(submission);
       dirty_ = true;  // how long it took will be known, and shown, and what it lost
     }
     dirty_ |= stale;  // what it kept from being done is next
@@ -381,7 +380,7 @@ class Viewer {
   // Where the mean lacks more samples than this one, that joins it unseen.
   [[nodiscard]] bool catchesUp() {
     if (mean_.samples() + 1 >= drawn_->samples) return true;
-    mean_.join(frames_, frames_.begin(), painter_);
+    mean_.join(frames_, frames_.begin(), painter_, view_);
     frames_.submit();
     dirty_ = true;
     return false;
@@ -403,7 +402,7 @@ class Viewer {
   }
 
   void showPanels(VkCommandBuffer commands) {
-    gpu::Texture& picture = mean_.samples() > 0 ? mean_.picture() : painter_.target();
+    gpu::Texture& picture = mean_.samples() > 0 ? mean_.picture() : view_.picture();
     std::vector<window::GrabArea> areas =
         presenter_.record(frames_, commands, picture, swapchain_, window_.contentScale(), panels_);
     if (areas == areas_) return;
@@ -419,30 +418,17 @@ class Viewer {
         std::chrono::duration<double>(1 / window_.refreshRate()));
   }
 
-  // The painter writes over the buffers that the last picture was drawn from, so it would wait anyway;
-  // waiting here keeps it out of what the host's work is said to take.
-  void finishLastPicture() {
-    frames_.wait(unmeasured_);
-    measureLastPicture();
-  }
-
-  void measureLastPicture() {
-    if (unmeasured_ == 0) return;
-    if (context_.timeline().completed() < unmeasured_) {
-      dirty_ = true;
-      return;
+  // Of pictures that are complete by now: how long they took, and what the last one lost. That will be drawn
+  // next; some of it in the pictures to come, too, where it is likely to be lost again.
+  void measurePictures() {
+    if (unmeasured_.empty()) return;
+    while (!unmeasured_.empty() && unmeasured_.front() <= context_.timeline().completed()) {
+      const auto milliseconds = frames_.milliseconds(unmeasured_.front());
+      if (milliseconds && !view_.refinement.completes) meter_.addDevice(*milliseconds);
+      unmeasured_.pop_front();
     }
-    const auto milliseconds = frames_.milliseconds(unmeasured_);
-    if (milliseconds && !refinement_.completes) meter_.addDevice(*milliseconds);
-    unmeasured_ = 0;
-    completeLater();
-  }
-
-  // What the last picture lost will be drawn next; some of it in the pictures to come, too, where it is
-  // likely to be lost again.
-  void completeLater() {
-    incomplete_ = refinement_.learn(painter_.lostPixels());
-    dirty_ |= incomplete_;
+    incomplete_ = view_.learn();
+    dirty_ |= incomplete_ || !unmeasured_.empty();
   }
 
   [[nodiscard]] std::vector<window::Panel> panels() {
@@ -471,6 +457,7 @@ class Viewer {
   window::Swapchain swapchain_;
   gpu::FrameRing frames_;
   ScenePainter painter_;
+  RenderView view_;
   window::Presenter presenter_;
   Photographer photographer_;
   ProgressiveMean mean_;  // is seen, while nothing moves, instead of the painter's picture
@@ -504,11 +491,10 @@ class Viewer {
   Clock::time_point tidied_ = Clock::now();
   std::uint64_t tidiedSubmits_ = 0;
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
-  std::uint64_t unmeasured_ = 0;  // the submission whose time is still to come; 0 = none
-  SearchRefinement refinement_;
-  bool incomplete_ = false;        // the last picture lacks what was lost in it
-  bool interrupted_ = false;       // ... or shells that input kept from being made
-  Clock::time_point patienceEnd_;  // from here on input does so
+  std::deque<std::uint64_t> unmeasured_;  // submissions whose time is still to come
+  bool incomplete_ = false;               // the last picture lacks what was lost in it
+  bool interrupted_ = false;              // ... or shells that input kept from being made
+  Clock::time_point patienceEnd_;         // from here on input does so
 
   Snapshot shown_;
   std::optional<DrawOptions> drawn_;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records passes: their barriers, their targets, their draws.
+#pragma once
+
+#include <span>
+
+#include "draw/mesh_store.h"
+#include "draw/passes.h"
+#include "draw/render_view.h"
+#include "draw/scene_pipelines.h"
+#include "draw/statistics.h"
+#include "gpu/context.h"
+
+namespace luxo {
+
+/// Of one view, into one open recording.
+class PassRecorder {
+ public:
+  PassRecorder(gpu::Context& context, ScenePipelines& pipelines, MeshStore& store, RenderView& view,
+               const RenderView::Bindings& bindings, VkCommandBuffer commands, FrameStatistics& statistics)
+      : context_(context),
+        pipelines_(pipelines),
+        store_(store),
+        view_(view),
+        bindings_(bindings),
+        commands_(commands),
+        statistics_(statistics) {}
+
+  void record(const Pass& pass);
+
+ private:
+  void useTargets(const Pass& pass);
+  void begin(const Pass& pass);
+  void draw(const DrawBatch& batch);
+  void drawRays(const RayPoints& points);
+  void clearMisses(std::span<const PixelPlace> misses);
+  void count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);
+
+  gpu::Context& context_;
+  ScenePipelines& pipelines_;
+  MeshStore& store_;
+  RenderView& view_;
+  const RenderView::Bindings& bindings_;
+  VkCommandBuffer commands_;
+  FrameStatistics& statistics_;
+};
+
+}  // namespace luxo

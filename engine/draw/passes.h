@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// A frame as data: a short list of named passes with what they read, write and draw. Whoever records them
+// derives the barriers.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "draw/ray_points.h"
+#include "draw/view_targets.h"
+
+namespace luxo {
+
+/// Before a pass a target is cleared (to the background, to nothing found, to infinitely far), or holds what
+/// it held.
+enum class Begin { Clear, Keep };
+
+struct Attachment {
+  Target target = Target::Color;
+  Begin begin = Begin::Keep;
+};
+
+struct Pass {
+  const char* name = "";
+  std::vector<Attachment> colors;      ///< in the order of the fragment shaders' outputs
+  Begin depth = Begin::Keep;           ///< of Target::Depth, which every pass tests
+  std::vector<Target> reads;           ///< sampled by its fragments
+  bool searches = false;               ///< its fragments write the view's feedback
+  std::span<const DrawBatch> batches;  ///< drawn in this order
+  const RayPoints* rays = nullptr;     ///< drawn after these
+  bool shades = false;                 ///< draws light on all that was found
+  bool probes = false;                 ///< depths are copied from it, for the audit
+};
+
+/// What kind of frame it is.
+struct FrameDesc {
+  /// Another attempt at what the last frame lost: its targets are kept.
+  bool completes = false;
+  /// Points that rays have found for the last frame. Where something was drawn over what was found, that is
+  /// drawn again.
+  const RayPoints* rays = nullptr;
+  /// Points are found first, and lit once each; else each fragment does both.
+  bool deferred = false;
+  bool findsParameters = false;  ///< with that: some material needs (u, v)
+  bool emptyPasses = false;      ///< passes with nothing to draw are there, too
+  bool probes = false;
+};
+
+/// The list must outlive the passes, and have its batches in their order (DrawList::opaque).
+[[nodiscard]] std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame);
+
+}  // namespace luxo

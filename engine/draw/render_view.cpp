@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/render_view.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <utility>
+
+namespace luxo {
+namespace {
+
+/// Each number as the sum of two floats, one after the other. Without numbers one, to have something to bind.
+std::vector<float> inPairs(const std::vector<double>& numbers) {
+  if (numbers.empty()) return {0};
+  std::vector<float> pairs;
+  pairs.reserve(2 * numbers.size());
+  for (const double number : numbers) {
+    const auto high = static_cast<float>(number);
+    pairs.push_back(high);
+    pairs.push_back(static_cast<float>(number - high));
+  }
+  return pairs;
+}
+
+/// With a guard the picture is the middle of clip space (gpu::setViewport).
+shared::ViewData guarded(shared::ViewData view, float guard) {
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 2; ++row) view.clipFromRelative[column][row] /= guard;
+  return view;
+}
+
+/// From one light set to the next.
+std::size_t lightStride(const gpu::Context& context) {
+  const auto alignment = std::max<std::size_t>(context.limits().minUniformBufferOffsetAlignment, 1);
+  return (sizeof(shared::LightSet) + alignment - 1) / alignment * alignment;
+}
+
+}  // namespace
+
+RenderView::RenderView(gpu::Context& context, Precision precision)
+    : context_(&context), targets_(context, precision), feedback_(context) {}
+
+bool RenderView::learn() {
+  bool again = false;
+  while (const auto told = feedback_.nextLost()) {
+    if (told->byLast)
+      again = refinement.learn(told->lost);
+    else
+      refinement.remember(told->lost);
+  }
+  return again;
+}
+
+void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearColorValue& background,
+                       VkExtent2D extent) {
+  list_ = std::move(list);
+  options_ = options;
+  background_ = background;
+  hasRays_ = false;
+  targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples), list_.deferred);
+  feedback_.begin(list_, extent, chooseProbes());
+  upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
+}
+
+void RenderView::goOn(const RayPoints& points) {
+  feedback_.goOn();
+  hasRays_ = true;
+  std::vector<shared::InstanceData> instances;
+  for (const RayPoints::Run& run : points.runs) instances.push_back(list_.found[run.found].instance);
+  if (instances.empty()) instances.resize(1);  // something to bind
+  rayInstances_.write(*context_, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                      "instances of rays", false);
+  if (!points.vertices.empty())
+    rayVertices_.write(*context_, std::as_bytes(std::span(points.vertices)),
+                       VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "points of rays", false);
+}
+
+void RenderView::upload(Uploads& uploads, bool always) {
+  // A buffer has at least one element, so that there is something to bind.
+  const auto store = [&]<class Element>(MirroredBuffer& buffer, const std::vector<Element>& elements,
+                                        const char* name) {
+    static const Element kNone{};
+    const std::span<const Element> all(elements.empty() ? &kNone : elements.data(),
+                                       std::max<std::size_t>(elements.size(), 1));
+    buffer.write(*context_, std::as_bytes(all), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
+  };
+  const shared::ViewData view = guarded(list_.view, targets_.guard());
+  uploads.view.write(*context_, std::as_bytes(std::span(&view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                     "view", always);
+  store(uploads.instances, list_.instances, "instances");
+  const std::size_t stride = lightStride(*context_);
+  std::vector<std::byte> lights(stride * list_.lightSets.size());
+  for (std::size_t i = 0; i < list_.lightSets.size(); ++i)
+    std::memcpy(lights.data() + i * stride, &list_.lightSets[i], sizeof(shared::LightSet));
+  uploads.lights.write(*context_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
+  if (!list_.patternParameters.empty())
+    store(uploads.patternParameters, list_.patternParameters, "pattern parameters");
+  if (!list_.exact()) return;
+  if (!list_.shellIndices.empty())
+    uploads.shellIndices.write(*context_, std::as_bytes(std::span(list_.shellIndices)),
+                               VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "shell indices", always);
+  store(uploads.exactInstances, list_.exactInstances, "exact instances");
+  store(uploads.exactPatches, list_.exactPatches, "patches");
+  store(uploads.exactParameters, inPairs(list_.exactParameters), "parameters of formulas");
+}
+
+RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines) {
+  Uploads& uploads = refinement.completes ? completion_ : uploads_;
+  const auto sceneOf = [&](MirroredBuffer& instances) {
+    return frames.descriptors().write(pipelines.sceneLayout(),
+                                      {uploads.view.use(*context_),
+                                       instances.use(*context_),
+                                       {uploads.lights.use(*context_), 0, sizeof(shared::LightSet)}});
+  };
+  Bindings bindings{.scene = sceneOf(uploads.instances)};
+  if (!list_.patternParameters.empty())
+    bindings.pattern =
+        frames.descriptors().write(pipelines.patternLayout(), {uploads.patternParameters.use(*context_)});
+  if (list_.exact()) {
+    bindings.exact = frames.descriptors().write(
+        pipelines.exactLayout(),
+        {uploads.exactInstances.use(*context_), uploads.exactPatches.use(*context_),
+         uploads.exactParameters.use(*context_), feedback_.lost(), feedback_.doubtful()});
+    if (!list_.shellIndices.empty()) bindings.shellIndices = uploads.shellIndices.use(*context_);
+  }
+  if (hasRays_) {
+    bindings.sceneOfRays = sceneOf(rayInstances_);
+    bindings.rayVertices = rayVertices_.use(*context_);
+  }
+  return bindings;
+}
+
+std::uint32_t RenderView::lightOffset(std::uint32_t lightSet) const {
+  return static_cast<std::uint32_t>(lightSet * lightStride(*context_));
+}
+
+std::vector<PixelPlace> RenderView::chooseProbes() const {
+  const VkExtent2D extent = targets_.extent();
+  if (!searches() || options_.samples != 1) return {};
+  return auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)}, options_.audit,
+                       list_.outlines);
+}
+
+}  // namespace luxo

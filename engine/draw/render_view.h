@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// One view of a scene, of a camera: what is drawn in it, what of that is on the device, the targets it is
+// drawn to, and what its searches have told and taught. All else is shared by views (scene_painter.h).
+#pragma once
+
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "draw/mirrored_buffer.h"
+#include "draw/options.h"
+#include "draw/ray_points.h"
+#include "draw/scene_pipelines.h"
+#include "draw/search_feedback.h"
+#include "draw/search_refinement.h"
+#include "draw/view_targets.h"
+#include "gpu/frame.h"
+
+namespace luxo {
+
+/// Pictures of a view overlap on the device: none waits for the one before, but for a slot still in use.
+class RenderView {
+ public:
+  RenderView(gpu::Context& context, Precision precision);
+
+  /// What searches get beyond the usual, from picture to picture.
+  SearchRefinement refinement;
+  /// Lets the refinement learn from the recordings that are complete by now. Whether another attempt may find
+  /// what the last one lost; not while that one is not complete.
+  [[nodiscard]] bool learn();
+
+  /// Of the last recording, which has to be complete.
+  [[nodiscard]] std::vector<Doubt> doubts() { return feedback_.doubts(list_.byRays); }
+  /// The depths of found surfaces in the pixels that tell whether the picture is right (DrawOptions::audit).
+  [[nodiscard]] std::vector<DepthProbe> probes() { return feedback_.depths(); }
+
+  /// Of the last recording.
+  [[nodiscard]] const DrawList& list() const { return list_; }
+  [[nodiscard]] const DrawOptions& options() const { return options_; }
+  /// Whether a recording that draws only what the last one lost completes the picture: nothing is seen
+  /// through.
+  [[nodiscard]] bool completable() const { return list_.transparent.empty(); }
+  /// Whether it finds surfaces, by searches or by rays.
+  [[nodiscard]] bool searches() const { return !list_.found.empty(); }
+  /// Scene-linear RGBA, one sample, row 0 at the top.
+  [[nodiscard]] gpu::Texture& picture() { return targets_.picture(); }
+
+  // What follows is for who records.
+
+  /// Another recording begins, with these draws: makes room for them, and uploads what differs from the last.
+  void begin(DrawList list, const DrawOptions& options, const VkClearColorValue& background,
+             VkExtent2D extent);
+  /// The last one goes on with points that rays have found.
+  void goOn(const RayPoints& points);
+
+  /// What draws read, in an open recording.
+  struct Bindings {
+    VkDescriptorSet scene = VK_NULL_HANDLE;
+    VkDescriptorSet pattern = VK_NULL_HANDLE;      ///< where a draw has a pattern
+    VkDescriptorSet exact = VK_NULL_HANDLE;        ///< where a draw has a shell
+    VkBuffer shellIndices = VK_NULL_HANDLE;        ///< where a draw has a shell
+    VkDescriptorSet sceneOfRays = VK_NULL_HANDLE;  ///< of the points that rays have found
+    VkBuffer rayVertices = VK_NULL_HANDLE;         ///< these
+  };
+  [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines);
+
+  [[nodiscard]] ViewTargets& targets() { return targets_; }
+  [[nodiscard]] SearchFeedback& feedback() { return feedback_; }
+  [[nodiscard]] const VkClearColorValue& background() const { return background_; }
+  /// Where a light set is in the buffer of them all.
+  [[nodiscard]] std::uint32_t lightOffset(std::uint32_t lightSet) const;
+
+ private:
+  /// A draw list on the device.
+  struct Uploads {
+    MirroredBuffer view, instances, lights, patternParameters, exactInstances, exactPatches, exactParameters,
+        shellIndices;
+  };
+
+  void upload(Uploads& uploads, bool always);
+  [[nodiscard]] std::vector<PixelPlace> chooseProbes() const;
+
+  gpu::Context* context_;
+  ViewTargets targets_;
+  SearchFeedback feedback_;
+  DrawList list_;
+  DrawOptions options_;
+  VkClearColorValue background_{};
+  /// What completes a picture does not overwrite what the next begins with.
+  Uploads uploads_, completion_;
+  MirroredBuffer rayVertices_, rayInstances_;
+  bool hasRays_ = false;
+};
+
+}  // namespace luxo

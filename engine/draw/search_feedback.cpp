@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/search_feedback.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "gpu/barrier.h"
+
+namespace luxo {
+namespace {
+
+/// A buffer of at least that many bytes which the host reads, all 0.
+void clear(gpu::Context& context, gpu::Buffer& buffer, VkDeviceSize bytes, VkDeviceSize bytesOfNew,
+           const char* name) {
+  if (!buffer || buffer.size() < bytes)
+    buffer = gpu::Buffer(context, {.size = bytesOfNew,
+                                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                   .memory = gpu::MemoryUse::Readback,
+                                   .name = name});
+  std::ranges::fill(buffer.mapped(), std::byte{0});
+  buffer.flush();
+}
+
+}  // namespace
+
+void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<PixelPlace> probed) {
+  current_ = (current_ + 1) % slots_.size();
+  Slot& slot = slots_[current_];
+  gpu::Timeline& timeline = context_->timeline();
+  // A recording that was thrown away never becomes a submission.
+  timeline.wait(std::min(slot.submission, timeline.submitted()));
+  slot.submission = timeline.submitted() + 1;
+  slot.searches = list.exact();
+  slot.told = false;
+  extent_ = extent;
+  slot.nodes.clear();
+  if (slot.searches) {
+    prepareLost(slot, list);
+    prepareDoubts(slot);
+  }
+  prepareProbes(slot, std::move(probed));
+}
+
+void SearchFeedback::prepareLost(Slot& slot, const DrawList& list) {
+  slot.nodes = list.instanceNodes;
+  const VkDeviceSize bytes = (shared::kFeedbackSlots + slot.nodes.size()) * sizeof(std::uint32_t);
+  clear(*context_, slot.lost, bytes, 2 * bytes, "feedback");
+}
+
+void SearchFeedback::prepareDoubts(Slot& slot) {
+  const VkDeviceSize pixels = VkDeviceSize{extent_.width} * extent_.height;
+  const VkDeviceSize bytes =
+      (pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord * sizeof(std::uint32_t);
+  // No larger than it is: all of it is cleared.
+  if (slot.doubtful && slot.doubtful.size() != bytes) slot.doubtful = {};
+  clear(*context_, slot.doubtful, bytes, bytes, "doubts");
+}
+
+void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
+  // A region for each of many pixels takes longer than all pixels at once.
+  constexpr std::size_t kMaxRegions = 4096;
+  slot.probed = std::move(probed);
+  slot.probesAll = slot.probed.size() > kMaxRegions;
+  const VkDeviceSize bytes = sizeof(float) * (slot.probesAll ? VkDeviceSize{extent_.width} * extent_.height
+                                                             : VkDeviceSize{slot.probed.size()});
+  if (bytes > 0 && (!slot.depths || slot.depths.size() < bytes))
+    slot.depths =
+        gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = "probes"});
+}
+
+void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& depth) {
+  Slot& slot = slots_[current_];
+  std::vector<VkBufferImageCopy> regions;
+  const VkImageSubresourceLayers layers{.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT, .layerCount = 1};
+  if (slot.probesAll)
+    regions.push_back({.imageSubresource = layers, .imageExtent = {extent_.width, extent_.height, 1}});
+  else
+    for (std::size_t i = 0; i < slot.probed.size(); ++i)
+      regions.push_back({.bufferOffset = sizeof(float) * i,
+                         .imageSubresource = layers,
+                         .imageOffset = {slot.probed[i].x, slot.probed[i].y, 0},
+                         .imageExtent = {1, 1, 1}});
+  gpu::use(commands, {{depth, gpu::Use::TransferSource}, {slot.depths, gpu::Use::TransferDestination}});
+  vkCmdCopyImageToBuffer(commands, depth, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, slot.depths,
+                         static_cast<std::uint32_t>(regions.size()), regions.data());
+  gpu::use(commands, {{slot.depths, gpu::Use::HostRead}});
+}
+
+void SearchFeedback::goOn() { slots_[current_].submission = context_->timeline().submitted() + 1; }
+
+std::optional<SearchFeedback::Told> SearchFeedback::nextLost() {
+  for (std::size_t k = 1; k <= slots_.size(); ++k) {
+    Slot& slot = slots_[(current_ + k) % slots_.size()];
+    if (slot.told || slot.submission > context_->timeline().completed()) continue;
+    slot.told = true;
+    return Told{lostIn(slot), k == slots_.size()};
+  }
+  return std::nullopt;
+}
+
+LostPixels SearchFeedback::lostIn(Slot& slot) {
+  if (slot.nodes.empty()) return {};
+  std::vector<std::uint32_t> counts(shared::kFeedbackSlots + slot.nodes.size());
+  std::memcpy(counts.data(), slot.lost.read().data(), counts.size() * sizeof(std::uint32_t));
+  const auto firstInstance = counts.begin() + shared::kFeedbackSlots;
+  LostPixels lost{.transversal = {counts.begin(), firstInstance}, .grazing = {}};
+  for (std::size_t i = 0; i < slot.nodes.size(); ++i)
+    lost.grazing[slot.nodes[i]] += firstInstance[static_cast<std::ptrdiff_t>(i)];
+  return lost;
+}
+
+std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays) {
+  Slot& slot = slots_[current_];
+  const auto width = static_cast<std::int32_t>(extent_.width),
+             height = static_cast<std::int32_t>(extent_.height);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<std::uint32_t> words((pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord);
+  if (slot.searches)
+    std::memcpy(words.data(), slot.doubtful.read().data(), words.size() * sizeof(std::uint32_t));
+  for (const PixelRect& rect : byRays)
+    for (std::int32_t y = rect.low.y; y < rect.high.y; ++y)
+      for (std::int32_t x = rect.low.x; x < rect.high.x; ++x) {
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+        words[pixel / shared::kDoubtsPerWord] |= shared::kLostHere
+                                                 << shared::kDoubtBits * (pixel % shared::kDoubtsPerWord);
+      }
+  std::vector<Doubt> doubts;
+  for (std::size_t word = 0; word < words.size(); ++word)
+    for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
+      if ((bits & (shared::kLostHere | shared::kUncertifiedHere)) == 0) continue;
+      const auto pixel = static_cast<std::int32_t>(word * shared::kDoubtsPerWord + k);
+      doubts.push_back({{pixel % width, pixel / width}, (bits & shared::kLostHere) != 0});
+    }
+  return doubts;
+}
+
+std::vector<DepthProbe> SearchFeedback::depths() {
+  Slot& slot = slots_[current_];
+  std::vector<DepthProbe> probes;
+  if (slot.probed.empty()) return probes;
+  const std::span<const std::byte> depths = slot.depths.read();
+  for (std::size_t i = 0; i < slot.probed.size(); ++i) {
+    const auto [x, y] = slot.probed[i];
+    const std::size_t place =
+        slot.probesAll ? static_cast<std::size_t>(y) * extent_.width + static_cast<std::size_t>(x) : i;
+    DepthProbe probe{.pixel = slot.probed[i]};
+    std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
+    probes.push_back(probe);
+  }
+  return probes;
+}
+
+}  // namespace luxo

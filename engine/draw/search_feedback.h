@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the searches of a recording tell the host: where they lost a surface, which pixels are in doubt, and
+// how deep some pixels are, for the audit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "draw/draw_list.h"
+#include "draw/pixel_rows.h"
+#include "draw/ray_points.h"
+#include "draw/search_refinement.h"
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/frame.h"
+#include "gpu/texture.h"
+
+namespace luxo {
+
+/// A pixel in which searches lost a surface, or found what they could not certify, in any layer; or that is
+/// left to rays from the start.
+struct Doubt {
+  PixelPlace pixel;
+  bool lost;  ///< or left to rays
+};
+
+/// In a ring: a recording does not wait for what the one before it tells.
+class SearchFeedback {
+ public:
+  explicit SearchFeedback(gpu::Context& context) : context_(&context) {}
+
+  /// A recording begins. `probed`: the pixels whose depths are told. Waits only for a slot that is still in
+  /// use.
+  void begin(const DrawList& list, VkExtent2D extent, std::vector<PixelPlace> probed);
+
+  /// The buffers that searches write; only where the list has shells.
+  [[nodiscard]] gpu::Buffer& lost() { return slots_[current_].lost; }
+  [[nodiscard]] gpu::Buffer& doubtful() { return slots_[current_].doubtful; }
+  [[nodiscard]] bool probes() const { return !slots_[current_].probed.empty(); }
+  /// Copies the depths of the probed pixels.
+  void recordProbes(VkCommandBuffer commands, gpu::Texture& depth);
+
+  /// The recording after the last one goes on with it.
+  void goOn();
+
+  /// What a recording lost, that is complete and has not told it yet: the oldest of these.
+  struct Told {
+    LostPixels lost;
+    bool byLast;  ///< by the last recording
+  };
+  [[nodiscard]] std::optional<Told> nextLost();
+
+  /// What follows is of the last recording, which has to be complete.
+  /// By rows. `byRays`: what is left to rays.
+  [[nodiscard]] std::vector<Doubt> doubts(std::span<const PixelRect> byRays);
+  [[nodiscard]] std::vector<DepthProbe> depths();
+
+ private:
+  struct Slot {
+    gpu::Buffer lost;  ///< by slot of the feedback, then by instance
+    std::vector<std::uint32_t> nodes;
+    gpu::Buffer doubtful;  ///< two bits a pixel
+    gpu::Buffer depths;    ///< of the probed pixels, or of all
+    std::vector<PixelPlace> probed;
+    bool probesAll = false;
+    bool searches = false;
+    bool told = true;  ///< what it lost
+    std::uint64_t submission = 0;
+  };
+
+  [[nodiscard]] static LostPixels lostIn(Slot& slot);
+  void prepareLost(Slot& slot, const DrawList& list);
+  void prepareDoubts(Slot& slot);
+  void prepareProbes(Slot& slot, std::vector<PixelPlace> probed);
+
+  gpu::Context* context_;
+  VkExtent2D extent_{};
+  std::array<Slot, gpu::FrameRing::kFrames> slots_;
+  std::size_t current_ = 0;
+};
+
+}  // namespace luxo

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/view_targets.h"
+
+#include "base/assert.h"
+
+namespace luxo {
+namespace {
+
+bool fits(const gpu::Texture& texture, VkExtent2D extent, VkSampleCountFlagBits samples) {
+  return texture && texture.extent().width == extent.width && texture.extent().height == extent.height &&
+         texture.samples() == samples;
+}
+
+}  // namespace
+
+ViewTargets::ViewTargets(gpu::Context& context, Precision precision)
+    : context_(&context),
+      format_{.color = precision == Precision::Full ? VK_FORMAT_R32G32B32A32_SFLOAT
+                                                    : VK_FORMAT_R16G16B16A16_SFLOAT} {}
+
+void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool deferred) {
+  constexpr VkImageUsageFlags kPicture =
+      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  constexpr VkImageUsageFlags kDrawnOnly = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  constexpr VkImageUsageFlags kReadAgain = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  const auto make = [&](VkFormat format, VkImageUsageFlags usage, VkSampleCountFlagBits of,
+                        const char* name) {
+    return gpu::Texture(*context_,
+                        {.extent = extent, .format = format, .usage = usage, .samples = of, .name = name});
+  };
+  format_.samples = samples;
+  if (!fits(color_, extent, samples)) {
+    const bool multisampled = samples != VK_SAMPLE_COUNT_1_BIT;
+    color_ = make(format_.color, multisampled ? kDrawnOnly : kPicture, samples, "color");
+    resolved_ = multisampled ? make(format_.color, kPicture, VK_SAMPLE_COUNT_1_BIT, "color resolved")
+                             : gpu::Texture();
+    depth_ =
+        make(format_.depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+             samples, "depth");
+    found_ = gpu::Texture();
+    foundParameters_ = gpu::Texture();
+  }
+  if (!deferred || fits(found_, extent, VK_SAMPLE_COUNT_1_BIT)) return;
+  LUXO_REQUIRE_COMPARE(samples, ==, VK_SAMPLE_COUNT_1_BIT);
+  found_ = make(kFoundFormat, kReadAgain, samples, "found");
+  foundParameters_ = make(kFoundParametersFormat, kReadAgain, samples, "parameters of what is found");
+}
+
+gpu::Texture& ViewTargets::texture(Target target) {
+  switch (target) {
+    case Target::Depth:
+      return depth_;
+    case Target::Found:
+      return found_;
+    case Target::FoundParameters:
+      return foundParameters_;
+    case Target::Color:
+      break;
+  }
+  return color_;
+}
+
+float ViewTargets::guard() const {
+  constexpr std::uint32_t kGuard = 2;
+  const VkPhysicalDeviceLimits& limits = context_->limits();
+  const bool fits = kGuard * extent().width <= limits.maxViewportDimensions[0] &&
+                    kGuard * extent().height <= limits.maxViewportDimensions[1];
+  return fits ? kGuard : 1;
+}
+
+}  // namespace luxo

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the passes of a view write to, and read from each other.
+#pragma once
+
+#include <compare>
+
+#include "gpu/context.h"
+#include "gpu/texture.h"
+#include "gpu/vk.h"
+
+namespace luxo {
+
+/// Precision of the linear picture: files take Full, which is exact to float; a window shows 8 bits and takes
+/// Half.
+enum class Precision { Full, Half };
+
+/// Found: of deferred shading, the points that rays see (shaders/lib/found_texel.glsl), and, where a pattern
+/// asks for them, their parameters.
+enum class Target { Color, Depth, Found, FoundParameters };
+
+/// What a pipeline has to know of the targets that it draws to.
+struct TargetFormat {
+  VkFormat color = VK_FORMAT_R32G32B32A32_SFLOAT;
+  VkFormat depth = VK_FORMAT_D32_SFLOAT;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+
+  friend auto operator<=>(const TargetFormat&, const TargetFormat&) = default;
+};
+
+inline constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_UINT;
+inline constexpr VkFormat kFoundParametersFormat = VK_FORMAT_R32G32_SFLOAT;
+
+class ViewTargets {
+ public:
+  ViewTargets(gpu::Context& context, Precision precision);
+
+  /// Makes those that a picture of this size needs, and has none of yet: Found where it is deferred.
+  void prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool deferred);
+
+  [[nodiscard]] gpu::Texture& texture(Target target);
+  /// What Color is averaged into at the end of a pass; null without multisampling.
+  [[nodiscard]] gpu::Texture* resolved() { return resolved_ ? &resolved_ : nullptr; }
+  /// Scene-linear RGBA, one sample, row 0 at the top.
+  [[nodiscard]] gpu::Texture& picture() { return resolved_ ? resolved_ : color_; }
+
+  [[nodiscard]] VkExtent2D extent() const { return color_.extent(); }
+  [[nodiscard]] const TargetFormat& format() const { return format_; }
+  /// How many times as large as the picture the viewport is, where the device allows. Triangles that reach
+  /// past a viewport are cut into slivers, of which a CPU device rounds the slopes: a tenth of a pixel is
+  /// lost of what a mesh interpolates. Those that leave the picture by less than half of it are not cut.
+  [[nodiscard]] float guard() const;
+
+ private:
+  gpu::Context* context_;
+  TargetFormat format_;
+  gpu::Texture color_, resolved_, depth_, found_, foundParameters_;
+};
+
+}  // namespace luxo

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The passes of every kind of frame, as names with what they begin with.
+#include "draw/passes.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace luxo {
+namespace {
+
+/// "name+" keeps its targets, "name" clears them; then how many batches it draws, and "*" for points of rays.
+std::vector<std::string> told(const std::vector<Pass>& passes) {
+  std::vector<std::string> names;
+  for (const Pass& pass : passes) {
+    std::string name = pass.name;
+    for (const Attachment& color : pass.colors) EXPECT_EQ(color.begin, pass.depth) << name;
+    if (pass.depth == Begin::Keep) name += '+';
+    name += ' ' + std::to_string(pass.batches.size());
+    if (pass.rays) name += '*';
+    names.push_back(name);
+  }
+  return names;
+}
+
+/// So many draws of shells, of meshes, and of what is seen through.
+DrawList listOf(int shells, int meshes, int transparent) {
+  DrawList list;
+  for (int i = 0; i < shells; ++i) {
+    list.opaque.push_back({.shell = std::make_shared<Shell>()});
+    list.exactPatches.resize(1);
+  }
+  for (int i = 0; i < meshes; ++i) list.opaque.push_back({.mesh = std::make_shared<Mesh>()});
+  for (int i = 0; i < transparent; ++i) list.transparent.push_back({.mesh = std::make_shared<Mesh>()});
+  return list;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Passes, APictureClearsItsTargetsOnce) {
+  EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {})), (Names{"found 2"}));
+  EXPECT_EQ(told(passesOf(listOf(0, 3, 0), {})), (Names{"opaque 3"}));
+  EXPECT_EQ(told(passesOf(listOf(2, 3, 1), {})), (Names{"found 2", "meshes+ 3", "transparent+ 1"}));
+  EXPECT_EQ(told(passesOf(listOf(0, 0, 0), {})), (Names{"found 0"})) << "the background";
+  EXPECT_EQ(told(passesOf(listOf(1, 0, 0), {.emptyPasses = true})), (Names{"found 1", "transparent+ 0"}));
+}
+
+TEST(Passes, WhatIsCompletedIsKept) {
+  EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {.completes = true})), (Names{"found+ 2"}));
+}
+
+TEST(Passes, PointsOfRaysReplaceWhatNothingWasDrawnOver) {
+  const RayPoints points;
+  EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {.rays = &points})), (Names{"rays+ 0*"}));
+  EXPECT_EQ(told(passesOf(listOf(2, 1, 0), {.rays = &points})), (Names{"found 2*", "meshes+ 1"}));
+  EXPECT_EQ(told(passesOf(listOf(2, 0, 1), {.rays = &points})), (Names{"found 2*", "transparent+ 1"}));
+}
+
+TEST(Passes, ThoseThatSearchSaySo) {
+  const DrawList mixed = listOf(1, 1, 1), meshes = listOf(0, 1, 0);
+  const std::vector<Pass> passes = passesOf(mixed, {.probes = true});
+  ASSERT_EQ(passes.size(), 3u);
+  EXPECT_TRUE(passes[0].searches && !passes[1].searches && !passes[2].searches);
+  EXPECT_TRUE(passes[0].probes && !passes[1].probes && !passes[2].probes)
+      << "depths are those of what was found, before meshes are drawn over it";
+  EXPECT_FALSE(passesOf(meshes, {})[0].searches);
+}
+
+}  // namespace
+}  // namespace luxo
