@@ -22,10 +22,10 @@ void main() {
   vec3 position = relativeFromObject(instance, inPosition);
   vec3 n = unitOrZero(instance.normalFromObject * inNormal);
   vec3 v = towardViewer(view.viewer, position);
-  Material material =
-      Material(instance.ambient, instance.diffuse, instance.specular, instance.shininess, instance.flags);
+  MaterialData data = materials[instance.material];
+  Material material = materialOf(data);
   bool twoSided = (instance.flags & kTwoSided) != 0;
-  outFront = vec4(illuminated(material, position, n, v), instance.opacity);
-  outBack = vec4(illuminated(material, position, twoSided ? -n : n, v), instance.opacity);
+  outFront = vec4(illuminated(material, position, n, v), data.opacity);
+  outBack = vec4(illuminated(material, position, twoSided ? -n : n, v), data.opacity);
   gl_Position = view.clipFromRelative * vec4(position, 1);
 }

@@ -15,7 +15,7 @@ layout(location = 1) sample out vec3 outBack;
 layout(location = 2) sample out vec4 outFrontRest;
 layout(location = 3) sample out vec4 outBackRest;
 layout(location = 14) sample out vec2 outParameters;
-layout(location = 6, component = 1) flat out uint outFirstParameter;
+layout(location = 6) flat out uvec3 outNumbers;  // the last: where the pattern's parameters start
 layout(location = 15) flat out vec4 outParameterBounds;
 
 invariant gl_Position;
@@ -28,18 +28,17 @@ void main() {
   vec3 position = relativeFromObject(instance, inPosition);
   vec3 n = unitOrZero(instance.normalFromObject * inNormal);
   vec3 v = towardViewer(view.viewer, position);
-  bool follows = (instance.flags & kPatternAmbient) != 0;
-  Material scaled =
-      Material(follows ? instance.ambient : vec3(0), vec3(1), vec3(0), instance.shininess, instance.flags);
-  Material rest =
-      Material(follows ? vec3(0) : instance.ambient, vec3(0), instance.specular, instance.shininess, instance.flags);
+  MaterialData data = materials[instance.material];
+  bool follows = (data.flags & kPatternAmbient) != 0;
+  Material scaled = Material(follows ? data.ambient : vec3(0), vec3(1), vec3(0), data.shininess, data.flags);
+  Material rest = Material(follows ? vec3(0) : data.ambient, vec3(0), data.specular, data.shininess, data.flags);
   vec3 back = (instance.flags & kTwoSided) != 0 ? -n : n;
   outFront = illuminated(scaled, position, n, v);
   outBack = illuminated(scaled, position, back, v);
-  outFrontRest = vec4(illuminated(rest, position, n, v), instance.opacity);
-  outBackRest = vec4(illuminated(rest, position, back, v), instance.opacity);
+  outFrontRest = vec4(illuminated(rest, position, n, v), data.opacity);
+  outBackRest = vec4(illuminated(rest, position, back, v), data.opacity);
   outParameters = inParameters;
-  outFirstParameter = instance.firstPatternParameter;
+  outNumbers = uvec3(0, 0, data.firstPatternParameter);
   outParameterBounds = parameterBounds(instance);
   gl_Position = view.clipFromRelative * vec4(position, 1);
 }

@@ -3,5 +3,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/surface_fragment.glsl"
+#include "lib/lit_plain.glsl"
 
-void main() { outColor = shadedFragment(inAmbient, inDiffuse); }
+vec2 foundParameters() { return vec2(0); }
+
+void main() { show(foundPoint(), inShininessOpacity.y); }

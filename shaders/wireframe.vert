@@ -12,6 +12,6 @@ invariant gl_Position;
 
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
-  outDiffuse = instance.diffuse;
+  outDiffuse = materials[instance.material].diffuse;
   gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
 }

@@ -26,7 +26,10 @@ constexpr double kTruthEnd = 0.3, kFirstEnd = 0.4, kTimedEnd = 0.7;
 
 /// Frames that are drawn whenever they are asked for, though they show what they showed before.
 DrawOptions optionsOf(const BenchWay& way) {
-  DrawOptions options{.shading = way.shading, .samples = way.samples, .skips = {.unchanged = false}};
+  DrawOptions options{.shading = way.shading,
+                      .samples = way.samples,
+                      .composition = way.deferred ? Composition::Deferred : Composition::Fused,
+                      .skips = {.unchanged = false}};
   (way.shading == Shading::Exact ? options.shellTolerancePx : options.tolerancePx) = way.tolerancePx;
   return options;
 }
@@ -244,6 +247,7 @@ BenchPlan planOf(const Tolerances& ofOneSample, const Tolerances& ofFour) {
       for (const double tolerance : list) plan.ways.push_back({shading, tolerance, samples});
   };
   add(ofOneSample, 1);
+  plan.ways.push_back({Shading::Exact, kUsualShellPx, 1, true});
   add(ofFour, 4);
   return plan;
 }
@@ -272,8 +276,9 @@ BenchPlan quickPlan() {
 }
 
 bool isPictured(const BenchWay& way) {
-  return way.samples == 1 && ((way.shading == Shading::Exact && way.tolerancePx == kUsualShellPx) ||
-                              (way.shading == Shading::Phong && way.tolerancePx == kUsualTolerancePx));
+  return way.samples == 1 && !way.deferred &&
+         ((way.shading == Shading::Exact && way.tolerancePx == kUsualShellPx) ||
+          (way.shading == Shading::Phong && way.tolerancePx == kUsualTolerancePx));
 }
 
 std::optional<BenchScene> measureScene(gpu::Context& context, const std::string& name,

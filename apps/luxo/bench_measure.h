@@ -21,6 +21,7 @@ struct BenchWay {
   Shading shading = Shading::Phong;
   double tolerancePx = 0.5;  ///< of the mesh; of the shell where the shading is exact
   int samples = 1;
+  bool deferred = false;  ///< points are found first, and lit later
 };
 
 struct BenchCost {

@@ -82,8 +82,8 @@ std::string machineTable(const BenchResult& result) {
 }
 
 std::string nameOf(const BenchWay& way) {
-  return fmt::format("{} {} px{}", nameOf(way.shading), way.tolerancePx,
-                     way.shading == Shading::Exact ? " shell" : "");
+  return fmt::format("{} {} px{}{}", nameOf(way.shading), way.tolerancePx,
+                     way.shading == Shading::Exact ? " shell" : "", way.deferred ? ", deferred" : "");
 }
 
 std::string rowsTable(const BenchScene& scene) {

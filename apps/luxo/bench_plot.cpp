@@ -56,7 +56,8 @@ std::string pointsOf(const BenchScene& scene, Shading shading, const Panel& pane
   std::string points;
   for (const BenchRow& row : scene.rows) {
     const double error = panel.error(row.error);
-    if (row.way.shading != shading || row.way.samples != 1 || !std::isfinite(error)) continue;
+    if (row.way.shading != shading || row.way.samples != 1 || row.way.deferred || !std::isfinite(error))
+      continue;
     const Typical& ms = row.cost.frameMs;
     points += fmt::format("{} {} {} {}\n", ms.median, ms.p10, ms.p90, std::max(error, kZero));
   }

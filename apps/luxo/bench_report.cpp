@@ -22,6 +22,7 @@ double real(std::uint64_t count) { return static_cast<double>(count); }
 constexpr Column kColumns[] = {
     {"tolerance_px", [](const BenchRow& r) { return r.way.tolerancePx; }},
     {"samples", [](const BenchRow& r) { return static_cast<double>(r.way.samples); }},
+    {"deferred", [](const BenchRow& r) { return r.way.deferred ? 1. : 0.; }},
     {"runs", [](const BenchRow& r) { return static_cast<double>(r.cost.runs); }},
     {"triangles", [](const BenchRow& r) { return real(r.cost.triangles); }},
     {"frame_ms", [](const BenchRow& r) { return r.cost.frameMs.median; }},

@@ -18,7 +18,7 @@ BenchShading summaryOf(const BenchScene& scene, Shading shading) {
                        .errorPerTriangles = {},
                        .errorPerMs = {}};
   for (const BenchRow& row : scene.rows) {
-    if (row.way.shading != shading || row.way.samples != 1) continue;
+    if (row.way.shading != shading || row.way.samples != 1 || row.way.deferred) continue;
     const double ms = row.cost.frameMs.median;
     largest.push_back({ms, row.error.largestPx()});
     typical.push_back({ms, row.error.positionP999Px});
@@ -95,23 +95,28 @@ std::string inMarkdown(const TextTable& table) {
 
 BenchSummary summaryOf(const BenchScene& scene) {
   BenchSummary summary;
-  const BenchRow *exact = nullptr, *mesh = nullptr;
+  const BenchRow *exact = nullptr, *mesh = nullptr, *deferred = nullptr;
   for (const BenchRow& row : scene.rows) {
     const auto known = [&](const BenchShading& s) { return s.shading == row.way.shading; };
     if (std::none_of(summary.shadings.begin(), summary.shadings.end(), known))
       summary.shadings.push_back(summaryOf(scene, row.way.shading));
     if (isPictured(row.way)) (row.way.shading == Shading::Exact ? exact : mesh) = &row;
+    if (row.way.deferred) deferred = &row;
   }
   if (exact != nullptr && mesh != nullptr) summary.usual = ExactAndMesh{*exact, *mesh};
+  if (exact != nullptr && deferred != nullptr)
+    summary.deferredRatio = deferred->cost.frameMs.median / exact->cost.frameMs.median;
   return summary;
 }
 
 TextTable usualTable(const BenchResult& result) {
-  TextTable table{.head = {"scene", "mesh triangles", "mesh ms", "mesh error px", "mesh 8 bit",
-                           "exact triangles", "exact ms", "exact error px", "exact 8 bit", "time ratio"},
-                  .rows = {}};
+  TextTable table{
+      .head = {"scene", "mesh triangles", "mesh ms", "mesh error px", "mesh 8 bit", "exact triangles",
+               "exact ms", "exact error px", "exact 8 bit", "time ratio", "deferred over fused"},
+      .rows = {}};
   for (const BenchScene& scene : result.scenes) {
-    const auto usual = summaryOf(scene).usual;
+    const BenchSummary summary = summaryOf(scene);
+    const auto& usual = summary.usual;
     if (!usual) continue;
     std::vector<std::string> cells = {scene.name};
     for (const BenchRow* row : {&usual->mesh, &usual->exact}) {
@@ -121,6 +126,7 @@ TextTable usualTable(const BenchResult& result) {
       cells.push_back(number(row->error.differing8Part));
     }
     cells.push_back(number(usual->timeRatio(), "{:.2f}"));
+    cells.push_back(number(summary.deferredRatio, "{:.2f}"));
     table.rows.push_back(std::move(cells));
   }
   return table;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ struct ExactAndMesh {
 struct BenchSummary {
   std::vector<BenchShading> shadings;
   std::optional<ExactAndMesh> usual;  ///< when both were drawn
+  /// Time of the exact picture whose points are found first and lit later, over the usual one's; NaN: one of
+  /// them was not drawn.
+  double deferredRatio = std::numeric_limits<double>::quiet_NaN();
 };
 
 [[nodiscard]] BenchSummary summaryOf(const BenchScene& scene);

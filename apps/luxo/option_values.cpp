@@ -187,6 +187,13 @@ Engine parseEngine(const std::string& text) {
   refuseName("--engine", text, {"vulkan", "reference"}, "engine");
 }
 
+Composition parseComposition(const std::string& text) {
+  if (text == "auto") return Composition::Auto;
+  if (text == "fused") return Composition::Fused;
+  if (text == "deferred") return Composition::Deferred;
+  refuseName("--composition", text, {"auto", "fused", "deferred"}, "composition");
+}
+
 Skips parseSkips(const std::string& text) {
   static const Names kKnown = {"all",    "none",      "frustum", "small", "backface",
                                "lights", "unchanged", "passes",  "hidden"};

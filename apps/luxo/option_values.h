@@ -56,6 +56,7 @@ enum class Engine { Vulkan, Reference };
 
 /// `all`, `none`, or names out of frustum, small, backface, lights, unchanged, passes, hidden: only those are
 /// on.
+[[nodiscard]] Composition parseComposition(const std::string& text);
 [[nodiscard]] Skips parseSkips(const std::string& text);
 /// all, none, or the least number of pixels.
 [[nodiscard]] Audit parseAudit(const std::string& text);

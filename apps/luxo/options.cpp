@@ -15,7 +15,7 @@ struct RenderOptions::Texts {
   SceneArgument sceneArgument;
   std::string scene, output;
   std::optional<std::string> size, time, frames, fps, samples, tolerance, shading, engine, camera, aov, skip,
-      audit, sample, requireError, sweep, report;
+      composition, audit, sample, requireError, sweep, report;
   std::vector<std::string> parameters;
   std::string device = "auto";
   bool hiddenLines = false, validate = false, list = false, quiet = false, verbose = false;
@@ -47,6 +47,9 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
       "PX");
   add("--shading", t.shading,
       "exact flat gouraud phong toon wireframe, or a view: normal uv depth id residual (exact)", "NAME");
+  add("--composition", t.composition,
+      "how points get their light: fused (each fragment), deferred (each pixel once), or auto (auto)",
+      "NAME");
   command.add_flag("--hidden-lines", t.hiddenLines, "wireframe: lines behind surfaces show, too");
   add("--engine", t.engine,
       files ? "vulkan, or reference: the ground truth by rays, needs no device (vulkan)" : "vulkan", "NAME");
@@ -145,6 +148,7 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   for (const std::string& text : t.parameters) request.parameters.push_back(parseParameter(text));
   take(request.sweep, t.sweep, parseSweep);
   take(request.aov, t.aov, parseAov);
+  take(request.composition, t.composition, parseComposition);
   take(request.skips, t.skip, parseSkips);
   take(request.audit, t.audit, parseAudit);
   if (t.sample) request.sample = parseSample(*t.sample);

@@ -35,6 +35,7 @@ struct RenderRequest {
   std::optional<Sweep> sweep = std::nullopt;  ///< one picture per value; never together with frames
   Output aov = Output::Color;
   std::optional<int> sample = std::nullopt;  ///< only that one of each pixel; below the number of samples
+  Composition composition = Composition::Auto;
   Skips skips = {};
   Audit audit = {};
   std::optional<std::filesystem::path> report = std::nullopt;

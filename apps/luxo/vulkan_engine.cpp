@@ -27,6 +27,7 @@ class VulkanEngine : public PictureEngine {
         judged_(request.requireErrorPx.has_value()) {
     requireRoom(request, settings);
     options_.output = request.aov;
+    options_.composition = request.composition;
     options_.skips = request.skips;
     options_.audit = request.audit;
     if (request.report) sinCos_ = sinCosError(context_);

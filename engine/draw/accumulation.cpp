@@ -59,7 +59,7 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
     sum.pipelinesCreated += pass.count.pipelinesCreated;
     sum.shadersCompiled += pass.count.shadersCompiled;
     sum.passes += pass.count.passes;
-    sum.shadowPasses += pass.count.shadowPasses;
+    sum.deferred += pass.count.deferred;
   }
   picture.count = sum;
 

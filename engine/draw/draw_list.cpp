@@ -8,11 +8,14 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "draw/clipped_mesh.h"
 #include "draw/exact_data.h"
+#include "draw/instance_data.h"
 #include "draw/light_sets.h"
+#include "draw/material_list.h"
 #include "draw/near_section.h"
 #include "math/transform.h"
 #include "shell/shell_view.h"
@@ -32,8 +35,8 @@ constexpr double kFinestShell = 2e-4;
 // Nor farther than this part, however small it is seen: a shell of a few triangles is blind to spikes and
 // rims, and searches from it have lost them (the lecture's pseudospheres, 12 pixels large).
 constexpr double kCoarsestShell = 1.0 / 64;
-
-Vec3f toFloat(const Vec3& v) { return Vec3f(v); }
+// A quadric has neither. That it is one was seen in a shell that is no coarser than the above.
+constexpr double kCoarsestQuadric = 1.0 / 4;
 
 bool needsLights(const DrawState& state) {
   return state.output == Output::Color &&
@@ -51,64 +54,11 @@ MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shadin
   return desc;
 }
 
-bool ambientFollowsPattern(const Material& material) {
-  return material.diffusePattern.valid() && !material.ambient;
-}
-
-std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible, const Material& material,
-                      std::uint32_t shadeOf) {
-  return (visible.twoSided ? shared::kTwoSided : 0) |
-         (material.lectureSpecular ? shared::kLectureSpecular : 0) |
-         (ambientFollowsPattern(material) ? shared::kPatternAmbient : 0) |
-         (node.surface.flatNormal() ? shared::kPlane : 0) | shadeOf << shared::kShadeShift;
-}
-
-/// Of the object's plane y = 0.
-bool seenFromAbove(const View& view, const Transform& worldFromObject) {
-  const Vec3 toViewer = view.perspective() ? view.eye - worldFromObject.translation : -view.forward();
-  return glm::dot(glm::cross(worldFromObject.linear[2], worldFromObject.linear[0]), toViewer) > 0;
-}
-
-shared::InstanceData instanceOf(const Snapshot& snapshot, const SnapshotNode& node,
-                                const VisibleNode& visible, const Vec3& origin, std::uint32_t shadeOf,
-                                bool showsBack) {
-  const Material& material = snapshot.materials[node.material.index];
-  const Domain& domain = node.surface.domain();
-  const Mat3 normals = normalMatrix(node.worldFromObject.linear);
-  double largest = 0;
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normals[column][row]));
-  return {
-      .relativeFromObject = Mat3f(node.worldFromObject.linear),
-      .translation = toFloat(transformPoint(node.worldFromObject, origin) - snapshot.view.eye),
-      .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
-      .ambient = toFloat(ambientFollowsPattern(material) ? snapshot.ambient
-                                                         : material.ambientOrDiffuse() * snapshot.ambient),
-      .diffuse = toFloat(material.diffuse),
-      .specular = toFloat(material.specular),
-      .shininess = static_cast<float>(material.shininess),
-      .opacity = material.transparent() ? static_cast<float>(material.opacity) : 0.0f,
-      .flags = flagsOf(node, visible, material, shadeOf) | (showsBack ? shared::kShowsBack : 0) |
-               (seenFromAbove(snapshot.view, node.worldFromObject) ? shared::kFromAbove : 0),
-      .id = node.number,
-      .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width())};
-}
-
-shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) {
-  const View& view = snapshot.view;
-  // The nearest and farthest depth any visible node can have: the scale of the depth view.
-  double nearest = std::numeric_limits<double>::infinity(), farthest = view.near;
-  for (const auto* list : {&visible.opaque, &visible.transparent})
-    for (const VisibleNode& v : *list) {
-      const Sphere sphere = sphereAround(snapshot.nodes[v.node].boundsWorld);
-      nearest = std::min(nearest, v.nearestDepth);
-      farthest = std::max(farthest, v.centerDepth + sphere.radius);
-    }
-  Mat4 eyeFromRelative(view.eyeFromWorld);
-  return {.clipFromRelative = Mat4f(view.clipFromEye * eyeFromRelative),
-          .viewer = view.perspective() ? Vec4f(0, 0, 0, 1) : Vec4f(toFloat(-view.forward()), 0),
-          .forward = toFloat(view.forward()),
-          .depthRange = Vec2f(std::min(nearest, farthest), farthest)};
+/// Whether its search is a quadratic equation, which finds the same root from wherever it begins.
+bool isQuadric(const Shell& shell) {
+  return std::ranges::all_of(shell.patchData, [](const ShellPatch& patch) {
+    return patch.equation && patch.equation->form() == Equation::Form::Quadric;
+  });
 }
 
 /// Homogeneous; not finite where the object is flattened.
@@ -126,6 +76,11 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
   };
   return options.cullBackFaces && (visible.hideBackFaces || hidden()) ? FaceCulling::Back : FaceCulling::None;
 }
+
+/// Of what covers no more pixels the triangles are not told apart by how they are seen, so that all instances
+/// of a shell are one draw: the longer search costs less there than a draw of its own (80 us on a CPU
+/// device).
+constexpr std::uint64_t kSharedPixels = 64 * 64;
 
 /// Parts of shells that are seen where rays graze: every so many of the picture's triangles.
 constexpr std::size_t kMaxOutlines = 64;
@@ -147,7 +102,8 @@ class DrawLister {
         options_(options),
         geometry_(geometry),
         refinement_(refinement),
-        lightSets_(snapshot, options, list_.lightSets) {
+        lightSets_(snapshot, options, list_.lightSets),
+        materials_(snapshot, visible, options, list_) {
     list_.view = viewData(snapshot, visible);
   }
 
@@ -156,8 +112,10 @@ class DrawLister {
     listTransparent();
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
+    materials_.listShades();
     listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
+    placeSharedIndices();
     return std::move(list_);
   }
 
@@ -178,13 +136,14 @@ class DrawLister {
 
   /// What instances must have in common to be drawn at once.
   static auto kindOf(const DrawBatch& b) {
-    return std::tuple(b.state, b.mesh.get(), b.shell.get(), b.firstIndex, b.culling, b.bothSides, b.mirrored,
-                      b.lightSet);
+    return std::tuple(b.state, b.mesh.get(), b.shell.get(), b.shared, b.firstIndex, b.culling, b.bothSides,
+                      b.mirrored, b.lightSet);
   }
 
-  /// What is searched for comes first. What hides lines comes before all lines, and after all that it must
-  /// not hide.
+  /// What is lit later comes first, then what is searched for. What hides lines comes before all lines, and
+  /// after all that it must not hide.
   static int placeInOrder(const DrawBatch& batch) {
+    if (batch.state.form != Form::Fused) return -1;
     if (batch.shell) return 0;
     if (batch.state.hidesLines) return 2;
     return batch.state.shading == Shading::Wireframe ? 3 : 1;
@@ -239,8 +198,10 @@ class DrawLister {
     batch.mirrored = v.mirrored;
     LightSets::Choice lights;
     if (needsLights(batch.state)) {
-      lights = lightSets_.choose(std::span(visible_.lights).subspan(v.firstLight, v.lightCount), node);
       batch.state.pattern = material.diffusePattern;
+      const auto reaching = std::span(visible_.lights).subspan(v.firstLight, v.lightCount);
+      lights = materials_.litLater(batch.state) ? materials_.lightLater(batch.state, lightSets_, node)
+                                                : lightSets_.choose(reaching, node);
     }
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
@@ -264,9 +225,8 @@ class DrawLister {
     } else {
       origin = addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
     }
-    item.instance.data = instanceOf(snapshot_, node, v, origin, lights.shadeOf, batch.bothSides);
-    if (batch.state.pattern.valid())
-      item.instance.data.firstPatternParameter = patternParametersOf(node.material.index);
+    item.instance.data = instanceData(snapshot_, node, v, origin, batch.bothSides);
+    item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf);
     return item;
   }
 
@@ -301,9 +261,12 @@ class DrawLister {
     const double wanted = v.toleranceObject / options_.tolerancePx * options_.shellTolerancePx;
     const double tolerance = std::min(std::max(wanted, kFinestShell * size), coarsest);
     const int level = refinement_.level(v.node);
+    const auto most = static_cast<double>(std::max(pixels.count(), kWorthRays));
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
-    const double most = static_cast<double>(std::max(pixels.count(), kWorthRays));
     batch.shell = geometry_.shells.get(node.surface, node.parameters, refined, most);
+    if (batch.shell && pixels.count() <= kSharedPixels && isQuadric(*batch.shell))
+      batch.shell = geometry_.shells.get(node.surface, node.parameters,
+                                         std::max(refined, std::min(wanted, kCoarsestQuadric * size)), most);
     const bool leavesOut = !batch.shell || (!batch.shell->proven && batch.shell->pinches.empty());
     if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.shell))) {
       list_.byRays.push_back(pixels);
@@ -326,6 +289,7 @@ class DrawLister {
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.shell, *plane)
                                 : exactInstance(snapshot_.view, node, v, *batch.shell, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.shell);
+    batch.shared = !inside && level == 0 && !refinement_.completes && pixels.count() <= kSharedPixels;
     const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && level == 0);
     for (const Shell::Part& part : batch.shell->parts) {
       batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
@@ -370,6 +334,10 @@ class DrawLister {
   /// Adds the draws of some of a shell's triangles: of those seen flat, and of those that a ray may graze.
   void addShellDraws(Item& item, DrawBatch batch, const ShellView& view, std::uint32_t firstIndex,
                      std::uint32_t count) {
+    if (batch.shared) {
+      addSharedDraws(item, std::move(batch), firstIndex, count);
+      return;
+    }
     const Shell& shell = *batch.shell;
     std::vector<std::uint32_t>& all = list_.shellIndices;
     std::array<std::vector<std::uint32_t>, 2> grazing;  // where no edge is a point, and where one is
@@ -404,12 +372,54 @@ class DrawLister {
     }
   }
 
+  /// Adds the draws of all of these triangles, as if a ray may graze each of them.
+  void addSharedDraws(Item& item, DrawBatch batch, std::uint32_t firstIndex, std::uint32_t count) {
+    const auto key = std::pair(batch.shell.get(), firstIndex);
+    auto known = sharedRanges_.find(key);
+    if (known == sharedRanges_.end() || !options_.shareShells)
+      known = sharedRanges_.insert_or_assign(key, sharedRanges(*batch.shell, firstIndex, count)).first;
+    batch.state.grazing = true;
+    for (const bool poles : {false, true}) {
+      const auto& [first, end] = known->second[poles];
+      if (first == end) continue;
+      batch.state.poles = poles;
+      batch.firstIndex = first;
+      batch.indexCount = end - first;
+      item.batches.push_back(batch);
+    }
+  }
+
+  /// Where in sharedIndices_ the triangles are in whose patch no edge is a point, and those where one is.
+  using Ranges = std::array<std::pair<std::uint32_t, std::uint32_t>, 2>;
+  Ranges sharedRanges(const Shell& shell, std::uint32_t firstIndex, std::uint32_t count) {
+    Ranges ranges;
+    const auto size = [&] { return static_cast<std::uint32_t>(sharedIndices_.size()); };
+    for (const bool poles : {false, true}) {
+      ranges[poles].first = size();
+      for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
+        const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
+        if ((!patch.equation && patch.hasPole()) != poles) continue;
+        sharedIndices_.insert(sharedIndices_.end(), shell.indices.begin() + i, shell.indices.begin() + i + 3);
+      }
+      ranges[poles].second = size();
+    }
+    return ranges;
+  }
+
+  /// After those that are single nodes', of which some are hidden.
+  void placeSharedIndices() {
+    const auto before = static_cast<std::uint32_t>(list_.shellIndices.size());
+    for (DrawBatch& batch : list_.opaque)
+      if (batch.shared) batch.firstIndex += before;
+    list_.shellIndices.insert(list_.shellIndices.end(), sharedIndices_.begin(), sharedIndices_.end());
+  }
+
   /// Evenly chosen of all grazing triangles, so that where outlines are dense many are.
   void listOutlines() {
     std::size_t grazing = 0;
     const auto forEachGrazing = [&](const auto& action) {
       for (const DrawBatch& batch : list_.opaque)
-        if (batch.shell && batch.state.grazing)
+        if (batch.shell && batch.state.grazing && !batch.shared)
           for (std::uint32_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3)
             action(batch, i);
     };
@@ -438,19 +448,6 @@ class DrawLister {
     if (isNew)
       appendPatches(geometry_.codes, node.surface, node.parameters, shell, list_.exactPatches,
                     list_.exactParameters);
-    return entry->second;
-  }
-
-  /// Where the parameters of a material's pattern start; listed when first asked for.
-  std::uint32_t patternParametersOf(std::uint32_t material) {
-    std::vector<float>& all = list_.patternParameters;
-    const auto [entry, isNew] =
-        firstParameterOf_.try_emplace(material, static_cast<std::uint32_t>(all.size()));
-    if (isNew) {
-      const auto& parameters = snapshot_.materials[material].patternParameters;
-      all.insert(all.end(), parameters.begin(), parameters.end());
-      if (all.empty()) all.push_back(0);  // something to bind
-    }
     return entry->second;
   }
 
@@ -496,8 +493,10 @@ class DrawLister {
   const SearchRefinement& refinement_;
   DrawList list_;
   LightSets lightSets_;
+  MaterialList materials_;
   std::map<std::pair<const void*, std::vector<double>>, std::uint32_t> firstPatchOf_;
-  std::map<std::uint32_t, std::uint32_t> firstParameterOf_;
+  std::map<std::pair<const Shell*, std::uint32_t>, Ranges> sharedRanges_;
+  std::vector<std::uint32_t> sharedIndices_;
 };
 
 }  // namespace
@@ -509,8 +508,9 @@ bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const Draw
 }
 
 bool DrawList::onlyFound() const {
-  return transparent.empty() &&
-         std::ranges::all_of(opaque, [](const DrawBatch& batch) { return batch.shell != nullptr; });
+  return transparent.empty() && std::ranges::all_of(opaque, [this](const DrawBatch& batch) {
+           return deferred ? batch.state.form != Form::Fused : batch.shell != nullptr;
+         });
 }
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,

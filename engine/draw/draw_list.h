@@ -21,20 +21,27 @@
 
 namespace luxo {
 
+/// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
+/// later, with their parameters or without. Or they light what was written down.
+enum class Form { Fused, Found, FoundWithParameters, Shade };
+
 /// What decides the shaders and fixed-function state of a draw. Light counts are part of it (the loops over
 /// lights unroll), and so are formulas; which lights they are and the values of parameters are data.
 struct DrawState {
   Shading shading = Shading::Phong;
   Output output = Output::Color;
+  Form form = Form::Fused;
   std::uint32_t plainLights = 0, shadedLights = 0;
   bool blended = false;
-  Pattern pattern = {};     ///< where light falls on it; none for views of geometry
-  SurfaceCodePtr surface;   ///< what finds a surface in every pixel; null: triangles are drawn
-  bool equation = false;    ///< with it: it is an equation, no formula
-  bool grazing = false;     ///< with it: a ray may graze the surface, and meet it more than once
-  bool poles = false;       ///< with that: an edge of a patch is one point
-  bool byRays = false;      ///< points are drawn that rays have found
-  bool hidesLines = false;  ///< of a wireframe: its triangles, of which only the depth is drawn
+  Pattern pattern = {};             ///< where light falls on it; none for views of geometry
+  SurfaceCodePtr surface;           ///< what finds a surface in every pixel; null: triangles are drawn
+  bool equation = false;            ///< with it: it is an equation, no formula
+  bool grazing = false;             ///< with it: a ray may graze the surface, and meet it more than once
+  bool poles = false;               ///< with that: an edge of a patch is one point
+  bool byRays = false;              ///< points are drawn that rays have found
+  bool hidesLines = false;          ///< of a wireframe: its triangles, of which only the depth is drawn
+  std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
+  bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -47,7 +54,8 @@ enum class FaceCulling { None, Back, Front };
 /// alike.
 enum class Half { Whole, Near, Far };
 
-/// One indexed draw: consecutive instances of one mesh, or triangles of one shell, in one state.
+/// One indexed draw: consecutive instances of one mesh or of one shell, or some triangles of the shell of one
+/// node, in one state.
 struct DrawBatch {
   DrawState state;
   std::shared_ptr<const Mesh> mesh;              ///< null where the surface is found in every pixel
@@ -55,6 +63,7 @@ struct DrawBatch {
   std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of DrawList::shellIndices
   FaceCulling culling = FaceCulling::None;
   Half half = Half::Whole;
+  bool shared = false;     ///< of a shell: all of its triangles, in the draws of other nodes, too
   bool flat = false;       ///< lies in one plane: its sides never meet
   bool twoSided = false;   ///< each side is lit by itself
   bool bothSides = false;  ///< back faces are seen, too
@@ -84,6 +93,7 @@ struct DrawList {
   std::vector<std::uint32_t> shellIndices;       ///< not empty when a draw has a shell
   std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a shell
   std::vector<double> exactParameters;           ///< of formulas and equations; see ExactPatch
+  std::vector<shared::MaterialData> materials;   ///< of instances; never empty
   std::vector<shared::LightSet> lightSets;       ///< never empty
   std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
   std::vector<DrawBatch> opaque;                 ///< grouped, those with shells first, roughly front to back
@@ -91,13 +101,19 @@ struct DrawList {
   std::vector<PixelRect> byRays;                 ///< where no shell tells what is seen
   std::vector<PixelPlace> outlines;              ///< some of the pixels that searches graze
   std::vector<DrawBatch> transparent;            ///< strictly back to front
-  std::uint64_t culledHidden = 0;                ///< triangles of shells that are behind others
-  std::uint64_t tooLarge = 0;  ///< nodes found by rays: their formulas are too large for shaders
-  bool deferred = false;       ///< points are found first, and lit once each
-  double boundPx = 0;          ///< largest proven error of a drawn mesh on the screen
+  std::uint64_t culledHidden = 0;  ///< triangles of shells that are behind others, every instance counted
+  std::uint64_t tooLarge = 0;      ///< nodes found by rays: their formulas are too large for shaders
+  /// Points are found first, and lit once each: what light falls on them, a draw for each pattern.
+  bool deferred = false;
+  std::vector<DrawState> shades;
+  std::uint32_t shadeLights = 0;  ///< their light set: all lights that reach anything
+  double boundPx = 0;             ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
-  [[nodiscard]] bool onlyFound() const;  ///< nothing is a mesh
+  /// Of a deferred list: some pattern asks for (u, v).
+  [[nodiscard]] bool findsParameters() const { return !shades.empty() && shades.back().patternNumber != 0; }
+  /// Nothing is drawn over what is found.
+  [[nodiscard]] bool onlyFound() const;
 };
 
 /// What is kept from frame to frame.

@@ -18,14 +18,16 @@ namespace luxo {
 /// Refers to the texts it is given.
 class ExactSource {
  public:
-  /// `pattern` is the pattern's GLSL, if there is one; not `grazing`: no ray may graze the surface.
-  ExactSource(const SurfaceCode& surface, std::string_view pattern, bool grazing)
+  /// `pattern` is the pattern's GLSL, if there is one; not `grazing`: no ray may graze the surface;
+  /// `parameters`: where points are lit later, their parameters are told, too.
+  ExactSource(const SurfaceCode& surface, std::string_view pattern, bool grazing, bool parameters = false)
       : name_(pattern.empty() ? "exact/surface.frag" : "exact/pattern.frag"),
         includes_(std::begin(kShaderSources), std::end(kShaderSources)) {
     includes_.push_back({"surface", surface.glsl});
     includes_.push_back({"pattern", pattern});
     if (surface.number == GlslNumber::Double) preamble_ += "#define LUXO_DOUBLE\n";
     if (!grazing) preamble_ += "#define LUXO_TRANSVERSAL\n";
+    if (parameters) preamble_ += "#define LUXO_FINDS_PARAMETERS\n";
   }
 
   /// Valid as long as this object.

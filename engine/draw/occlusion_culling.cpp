@@ -36,7 +36,7 @@ PixelTriangle triangleOf(const std::vector<Vec3>& points, std::span<const std::u
 template <typename Action>
 void forEachShellBatch(const DrawList& list, const Action& action) {
   for (const DrawBatch& batch : list.opaque)
-    if (batch.shell) action(batch);
+    if (batch.shell && !batch.shared) action(batch);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::uint64_t OcclusionCulling::drop(DrawList& list, const Snapshot& snapshot, i
   std::vector<std::uint32_t> kept;
   kept.reserve(list.shellIndices.size());
   for (DrawBatch& batch : list.opaque) {
-    if (!batch.shell) continue;
+    if (!batch.shell || batch.shared) continue;
     const std::size_t first = kept.size();
     for (std::size_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3) {
       const auto indices = indicesAt(list.shellIndices, i);
@@ -67,11 +67,45 @@ std::uint64_t OcclusionCulling::drop(DrawList& list, const Snapshot& snapshot, i
     batch.firstIndex = static_cast<std::uint32_t>(first);
     batch.indexCount = static_cast<std::uint32_t>(kept.size() - first);
   }
-  std::erase_if(list.opaque, [](const DrawBatch& batch) { return batch.shell && batch.indexCount == 0; });
   const std::size_t dropped = list.shellIndices.size() - kept.size();
+  const std::uint64_t droppedInstances = hiding ? dropInstances(list, snapshot) : 0;
+  std::erase_if(list.opaque, [](const DrawBatch& batch) {
+    return batch.shell && (batch.indexCount == 0 || batch.instanceCount == 0);
+  });
   // Something is bound even if nothing of it is drawn.
   if (!kept.empty()) list.shellIndices = std::move(kept);
-  return dropped / 3;
+  return dropped / 3 + droppedInstances;
+}
+
+std::uint64_t OcclusionCulling::dropInstances(DrawList& list, const Snapshot& snapshot) const {
+  const auto isHidden = [&](std::uint32_t number) {
+    const SnapshotNode& node = snapshot.nodes[number];
+    const PixelRect pixels = pixelsOf(snapshot.view, node.boundsWorld);
+    const double depth = nearestSeen(snapshot.view, node),
+                 z = snapshot.view.perspective() ? -1 / depth : depth;
+    const Vec3 low(pixels.low.x, pixels.low.y, z), high(pixels.high.x, pixels.high.y, z),
+        right(high.x, low.y, z), left(low.x, high.y, z);
+    return hides({low, right, high}) && hides({low, high, left});
+  };
+  std::uint64_t dropped = 0;
+  for (DrawBatch& batch : list.opaque) {
+    if (!batch.shared) continue;
+    std::vector<char> hidden(batch.instanceCount);
+    forEachIndex(hidden.size(), hidden.size() >= kChunk,
+                 [&](std::size_t i) { hidden[i] = isHidden(list.instanceNodes[batch.firstInstance + i]); });
+    std::size_t kept = batch.firstInstance;
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+      if (hidden[i]) continue;
+      const std::size_t from = batch.firstInstance + i;
+      list.instances[kept] = list.instances[from];
+      list.exactInstances[kept] = list.exactInstances[from];
+      list.instanceNodes[kept++] = list.instanceNodes[from];
+    }
+    const std::size_t left = kept - batch.firstInstance;
+    dropped += (hidden.size() - left) * (batch.indexCount / 3);
+    batch.instanceCount = static_cast<std::uint32_t>(left);
+  }
+  return dropped;
 }
 
 const OcclusionCulling::Body& OcclusionCulling::bodyOf(const DrawList& list, const DrawBatch& batch) const {

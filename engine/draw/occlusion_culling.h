@@ -19,9 +19,10 @@ struct DrawList;
 class OcclusionCulling {
  public:
   /// Drops triangles that are seen from inside their slabs, or behind the surface of a shell in every sample
-  /// of the picture (1 or 4 of a pixel, where Vulkan has them); gives how many. No pixel changes but in its
-  /// last bits, where it would have been found from a hidden triangle, too. Cost: about a nanosecond per
-  /// pixel and layer, where there is more than one layer to see, on all cores.
+  /// of the picture (1 or 4 of a pixel, where Vulkan has them), and instances of shared shells that are
+  /// behind one; gives how many triangles. No pixel changes but in its last bits, where it would have been
+  /// found from a hidden triangle, too. Cost: about a nanosecond per pixel and layer, where there is more
+  /// than one layer to see, on all cores.
   std::uint64_t drop(DrawList& list, const Snapshot& snapshot, int samples);
 
  private:
@@ -46,6 +47,8 @@ class OcclusionCulling {
   [[nodiscard]] bool layered(const DrawList& list, const PixelSize& size);
   void cover(const PixelSize& size, int samples);
   [[nodiscard]] std::vector<char> findUnseen(const DrawList& list, bool hiding) const;
+  /// Of shells that several nodes share, whole instances; gives how many triangles.
+  std::uint64_t dropInstances(DrawList& list, const Snapshot& snapshot) const;
   [[nodiscard]] bool hides(const PixelTriangle& triangle) const;
   [[nodiscard]] const Body& bodyOf(const DrawList& list, const DrawBatch& batch) const;
   [[nodiscard]] static Passage passageOf(const Body& body, const ShellOccluder::Slab& slab, bool tops);

@@ -48,6 +48,7 @@ void PassRecorder::record(const Pass& pass) {
   begin(pass);
   for (const DrawBatch& batch : pass.batches) draw(batch);
   if (pass.rays) drawRays(*pass.rays);
+  for (const DrawState& state : pass.shades) shade(state);
   vkCmdEndRendering(commands_);
   if (pass.probes) view_.feedback().recordProbes(commands_, view_.targets().texture(Target::Depth));
   ++statistics_.count.passes;
@@ -109,10 +110,10 @@ void PassRecorder::draw(const DrawBatch& batch) {
   const std::uint32_t lightOffset = view_.lightOffset(batch.lightSet);
 
   pipeline.bind(commands_);
-  pipeline.bindSet(commands_, 0, bindings_.scene, {&lightOffset, 1});
-  if (batch.state.pattern.valid()) pipeline.bindSet(commands_, 1, bindings_.pattern);
+  pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
+  if (batch.state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
   if (batch.shell) {
-    pipeline.bindSet(commands_, 2, bindings_.exact);
+    pipeline.bindSet(commands_, shared::kSetExact, bindings_.exact);
     const ShellDraw draw{batch.half == Half::Far ? -1.0f : 1.0f, view_.targets().guard()};
     pipeline.push(commands_, std::as_bytes(std::span(&draw, 1)));
   }
@@ -138,6 +139,21 @@ void PassRecorder::count(std::uint32_t instances, std::uint64_t triangles, std::
   statistics_.count.vertices += vertices * instances;
 }
 
+/// One triangle over all that was found.
+void PassRecorder::shade(const DrawState& state) {
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
+  const std::uint32_t lightOffset = view_.lightOffset(view_.list().shadeLights);
+  pipeline.bind(commands_);
+  pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
+  if (state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
+  pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  gpu::setDepthBias(commands_, {});
+  vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
+  vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  vkCmdDraw(commands_, 3, 1, 0, 0);
+  count(1, 1, 3);
+}
+
 void PassRecorder::clearMisses(std::span<const PixelPlace> misses) {
   std::vector<VkClearRect> empty;  // runs of pixels in a row
   for (const PixelPlace& pixel : misses) {
@@ -152,8 +168,9 @@ void PassRecorder::clearMisses(std::span<const PixelPlace> misses) {
     empty.push_back({.rect = {{pixel.x, pixel.y}, {1, 1}}, .layerCount = 1});
   }
   if (empty.empty()) return;
+  const VkClearColorValue nothing = view_.list().deferred ? VkClearColorValue{} : view_.background();
   const VkClearAttachment cleared[] = {
-      {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .clearValue = {.color = view_.background()}},
+      {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .clearValue = {.color = nothing}},
       {.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT, .clearValue = {.depthStencil = kInfinitelyFar}}};
   vkCmdClearAttachments(commands_, 2, cleared, static_cast<std::uint32_t>(empty.size()), empty.data());
 }
@@ -168,8 +185,8 @@ void PassRecorder::drawRays(const RayPoints& points) {
     const gpu::GraphicsPipeline& pipeline = pipelines_.get(node.state, view_.targets().format());
     const std::uint32_t lightOffset = view_.lightOffset(node.lightSet);
     pipeline.bind(commands_);
-    pipeline.bindSet(commands_, 0, bindings_.sceneOfRays, {&lightOffset, 1});
-    if (node.state.pattern.valid()) pipeline.bindSet(commands_, 1, bindings_.pattern);
+    pipeline.bindSet(commands_, shared::kSetScene, bindings_.sceneOfRays, {&lightOffset, 1});
+    if (node.state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
     pipeline.push(commands_, std::as_bytes(std::span(&target, 1)));
     gpu::setDepthBias(commands_, {});
     vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);

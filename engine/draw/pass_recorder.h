@@ -33,6 +33,7 @@ class PassRecorder {
   void begin(const Pass& pass);
   void draw(const DrawBatch& batch);
   void drawRays(const RayPoints& points);
+  void shade(const DrawState& state);
   void clearMisses(std::span<const PixelPlace> misses);
   void count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);
 

@@ -2,21 +2,43 @@
 #include "draw/passes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace luxo {
 namespace {
 
 std::vector<Attachment> color(Begin begin) { return {{Target::Color, begin}}; }
 
-/// Where every batch that a pass may find begins, and where those do that find and light at once.
+/// What the first pass draws, and what is drawn over that.
 struct Opaque {
   std::span<const DrawBatch> found, meshes;
 };
 
 Opaque opaqueOf(const DrawList& list) {
-  const auto firstMesh =
-      std::ranges::find_if(list.opaque, [](const DrawBatch& batch) { return !batch.shell; });
-  return {{list.opaque.begin(), firstMesh}, {firstMesh, list.opaque.end()}};
+  const auto firstOther = std::ranges::find_if(list.opaque, [&](const DrawBatch& batch) {
+    return list.deferred ? batch.state.form == Form::Fused : !batch.shell;
+  });
+  return {{list.opaque.begin(), firstOther}, {firstOther, list.opaque.end()}};
+}
+
+/// Points are found, by searches and triangles or by rays, and then lit.
+std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
+                                 std::span<const DrawBatch> found, Begin begin, bool replaces) {
+  std::vector<Attachment> targets{{Target::Found, begin}};
+  std::vector<Target> reads{Target::Found};
+  if (list.findsParameters()) {
+    targets.push_back({Target::FoundParameters, begin});
+    reads.push_back(Target::FoundParameters);
+  }
+  Pass finds{.name = replaces ? "rays" : "found",
+             .colors = targets,
+             .depth = begin,
+             .searches = list.exact() && !replaces,
+             .batches = replaces ? std::span<const DrawBatch>() : found,
+             .rays = frame.rays,
+             .probes = frame.probes};
+  Pass shades{.name = "shade", .colors = color(Begin::Clear), .reads = reads, .shades = list.shades};
+  return {std::move(finds), std::move(shades)};
 }
 
 }  // namespace
@@ -28,7 +50,9 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
   // Points of rays replace what was found, as long as nothing was drawn over that.
   const bool replaces = frame.rays && list.onlyFound();
   const Begin begin = frame.completes || replaces ? Begin::Keep : Begin::Clear;
-  if (replaces)
+  if (list.deferred)
+    passes = deferredPasses(list, frame, opaque.found, begin, replaces);
+  else if (replaces)
     passes.push_back({.name = "rays", .colors = color(begin), .depth = begin, .rays = frame.rays});
   else if (opaque.found.empty() && !opaque.meshes.empty())
     passes.push_back({.name = "opaque",
@@ -43,7 +67,7 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
                       .searches = searches,
                       .batches = opaque.found,
                       .rays = frame.rays});
-  passes.back().probes = frame.probes;
+  if (!list.deferred) passes.back().probes = frame.probes;
   if (replaces) return passes;
   if (!opaque.found.empty() && !opaque.meshes.empty())
     passes.push_back({.name = "meshes", .colors = color(Begin::Keep), .batches = opaque.meshes});

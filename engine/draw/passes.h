@@ -30,7 +30,7 @@ struct Pass {
   bool searches = false;               ///< its fragments write the view's feedback
   std::span<const DrawBatch> batches;  ///< drawn in this order
   const RayPoints* rays = nullptr;     ///< drawn after these
-  bool shades = false;                 ///< draws light on all that was found
+  std::span<const DrawState> shades;   ///< light on all that was found
   bool probes = false;                 ///< depths are copied from it, for the audit
 };
 
@@ -41,10 +41,7 @@ struct FrameDesc {
   /// Points that rays have found for the last frame. Where something was drawn over what was found, that is
   /// drawn again.
   const RayPoints* rays = nullptr;
-  /// Points are found first, and lit once each; else each fragment does both.
-  bool deferred = false;
-  bool findsParameters = false;  ///< with that: some material needs (u, v)
-  bool emptyPasses = false;      ///< passes with nothing to draw are there, too
+  bool emptyPasses = false;  ///< passes with nothing to draw are there, too
   bool probes = false;
 };
 

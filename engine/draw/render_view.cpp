@@ -88,6 +88,12 @@ void RenderView::upload(Uploads& uploads, bool always) {
   uploads.view.write(*context_, std::as_bytes(std::span(&view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                      "view", always);
   store(uploads.instances, list_.instances, "instances");
+  // As a uniform buffer it has room for as many as shaders say.
+  std::vector<shared::MaterialData> materials = list_.materials;
+  materials.resize(std::max<std::size_t>(materials.size(), shared::kUniformMaterials));
+  uploads.materials.write(*context_, std::as_bytes(std::span(materials)),
+                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                          "materials", always);
   const std::size_t stride = lightStride(*context_);
   std::vector<std::byte> lights(stride * list_.lightSets.size());
   for (std::size_t i = 0; i < list_.lightSets.size(); ++i)
@@ -110,7 +116,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     return frames.descriptors().write(pipelines.sceneLayout(),
                                       {uploads.view.use(*context_),
                                        instances.use(*context_),
-                                       {uploads.lights.use(*context_), 0, sizeof(shared::LightSet)}});
+                                       {uploads.lights.use(*context_), 0, sizeof(shared::LightSet)},
+                                       uploads.materials.use(*context_)});
   };
   Bindings bindings{.scene = sceneOf(uploads.instances)};
   if (!list_.patternParameters.empty())
@@ -122,6 +129,15 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
         {uploads.exactInstances.use(*context_), uploads.exactPatches.use(*context_),
          uploads.exactParameters.use(*context_), feedback_.lost(), feedback_.doubtful()});
     if (!list_.shellIndices.empty()) bindings.shellIndices = uploads.shellIndices.use(*context_);
+  }
+  if (list_.deferred) {
+    gpu::Texture& found = targets_.texture(Target::Found);
+    gpu::Texture& parameters = list_.findsParameters() ? targets_.texture(Target::FoundParameters) : found;
+    constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
+    bindings.found = frames.descriptors().write(pipelines.foundLayout(),
+                                                {{found, pipelines.texelSampler()},
+                                                 {parameters, pipelines.texelSampler()},
+                                                 {uploads.materials.use(*context_), 0, kUniformBytes}});
   }
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);

@@ -60,6 +60,7 @@ class RenderView {
     VkBuffer shellIndices = VK_NULL_HANDLE;        ///< where a draw has a shell
     VkDescriptorSet sceneOfRays = VK_NULL_HANDLE;  ///< of the points that rays have found
     VkBuffer rayVertices = VK_NULL_HANDLE;         ///< these
+    VkDescriptorSet found = VK_NULL_HANDLE;        ///< what the passes of a deferred picture have found
   };
   [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines);
 
@@ -72,8 +73,8 @@ class RenderView {
  private:
   /// A draw list on the device.
   struct Uploads {
-    MirroredBuffer view, instances, lights, patternParameters, exactInstances, exactPatches, exactParameters,
-        shellIndices;
+    MirroredBuffer view, instances, materials, lights, patternParameters, exactInstances, exactPatches,
+        exactParameters, shellIndices;
   };
 
   void upload(Uploads& uploads, bool always);

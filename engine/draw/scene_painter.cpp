@@ -100,6 +100,7 @@ DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& optio
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.culledHidden = list.culledHidden;
   statistics.count.tooLarge = list.tooLarge;
+  statistics.count.deferred += list.deferred;
   statistics.count.tessellated += geometry_.tessellated() - tessellatedBefore;
   statistics.ms.tessellate += watch.lap();
   return list;
@@ -109,6 +110,7 @@ void ScenePainter::preparePipelines(RenderView& view) {
   std::vector<DrawState> states;
   for (const auto* batches : {&view.list().opaque, &view.list().transparent})
     for (const DrawBatch& batch : *batches) states.push_back(batch.state);
+  states.insert(states.end(), view.list().shades.begin(), view.list().shades.end());
   pipelines_.prepare(states, view.targets().format());
 }
 

@@ -16,6 +16,7 @@
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
+#include "luxo/shaders/found_parameters_frag.h"
 #include "luxo/shaders/gouraud_frag.h"
 #include "luxo/shaders/gouraud_pattern_vert.h"
 #include "luxo/shaders/gouraud_vert.h"
@@ -24,6 +25,8 @@
 #include "luxo/shaders/ray_inspect_vert.h"
 #include "luxo/shaders/ray_surface_pattern_vert.h"
 #include "luxo/shaders/ray_surface_vert.h"
+#include "luxo/shaders/shade_frag.h"
+#include "luxo/shaders/shade_vert.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_pattern_vert.h"
@@ -108,9 +111,9 @@ void describeWireframe(const DrawState& state, const gpu::Features& features,
 
 /// Points that rays have found replace what is there.
 void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipelineDesc& desc) {
-  desc.vertexShader = inspects                ? std::span<const std::uint32_t>(luxo_ray_inspect_vert)
-                      : state.pattern.valid() ? std::span<const std::uint32_t>(luxo_ray_surface_pattern_vert)
-                                              : std::span<const std::uint32_t>(luxo_ray_surface_vert);
+  desc.vertexShader = inspects                 ? std::span<const std::uint32_t>(luxo_ray_inspect_vert)
+                      : readsParameters(state) ? std::span<const std::uint32_t>(luxo_ray_surface_pattern_vert)
+                                               : std::span<const std::uint32_t>(luxo_ray_surface_vert);
   desc.bindings = {{0, sizeof(RayPoint), VK_VERTEX_INPUT_RATE_VERTEX}};
   desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, position)},
                      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(RayPoint, normal)},
@@ -129,8 +132,17 @@ std::size_t bytesOf(const gpu::GraphicsPipelineDesc& desc) {
   return kAlways + kPerByte * (desc.vertexShader.size_bytes() + desc.fragmentShader.size_bytes());
 }
 
-std::tuple<SurfaceCodePtr, Pattern, bool> exactShaderKey(const DrawState& state) {
-  return {state.surface, state.pattern, state.grazing};
+std::tuple<SurfaceCodePtr, Pattern, bool, bool> exactShaderKey(const DrawState& state) {
+  return {state.surface, state.pattern, state.grazing, state.form == Form::FoundWithParameters};
+}
+
+bool isFoundOnly(const DrawState& state) {
+  return state.form == Form::Found || state.form == Form::FoundWithParameters;
+}
+
+/// What fragments tell of their points, if no geometry is shown.
+std::uint32_t quantityOf(const DrawState& state) {
+  return isFoundOnly(state) ? shared::kFoundTexel : shared::kLight;
 }
 
 /// States that make the same pipeline become equal: an auxiliary output is the same under every shading.
@@ -143,14 +155,15 @@ DrawState canonical(DrawState state) {
 
 bool readsParameters(const DrawState& state) {
   if (state.surface) return false;  // a shell has them among its vertices
-  return inspectionOf(state).has_value() || state.pattern.valid();
+  return inspectionOf(state).has_value() || state.pattern.valid() || state.form == Form::FoundWithParameters;
 }
 
 ScenePipelines::ScenePipelines(gpu::Context& context)
     : context_(&context),
       sceneLayout_(context, {{.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
                              {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-                             {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC}}) {}
+                             {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC},
+                             {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}}) {}
 
 const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const TargetFormat& format) {
   prepare({&wanted, 1}, format);
@@ -224,6 +237,20 @@ const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   return exactLayout_;
 }
 
+const gpu::DescriptorLayout& ScenePipelines::foundLayout() {
+  if (foundLayout_.bindings().empty())
+    foundLayout_ = gpu::DescriptorLayout(
+        *context_, {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}});
+  return foundLayout_;
+}
+
+VkSampler ScenePipelines::texelSampler() {
+  if (!texelSampler_) texelSampler_ = gpu::createSampler(*context_, VK_FILTER_NEAREST);
+  return texelSampler_;
+}
+
 void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
   struct Missing {
     ExactShaderKey key;
@@ -237,13 +264,15 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
       missing.push_back({key, {}});
   }
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-    const auto& [surface, pattern, grazing] = missing[i].key;
-    if (const auto builtIn = builtInExactShader(*surface, pattern, grazing); !builtIn.empty()) {
+    const auto& [surface, pattern, grazing, parameters] = missing[i].key;
+    if (const auto builtIn = builtInExactShader(*surface, pattern, grazing);
+        !builtIn.empty() && !parameters) {
       missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
       return;
     }
     const std::string_view patternText = pattern.valid() ? std::string_view(pattern.glsl()) : "";
-    missing[i].shader = gpu::ShaderCompiler().compile(ExactSource(*surface, patternText, grazing).desc());
+    missing[i].shader =
+        gpu::ShaderCompiler().compile(ExactSource(*surface, patternText, grazing, parameters).desc());
   });
   for (Missing& m : missing) {
     context_->counted().shadersCompiled += m.shader.compiled;
@@ -265,7 +294,7 @@ void ScenePipelines::describeExact(const DrawState& state, const TargetFormat& f
   const auto inspection = inspectionOf(state);
   desc.specialization = {{shared::kConstantPlainLights, state.plainLights},
                          {shared::kConstantShadedLights, state.shadedLights},
-                         {shared::kConstantQuantity, inspection ? inspection->quantity : shared::kLight},
+                         {shared::kConstantQuantity, inspection ? inspection->quantity : quantityOf(state)},
                          {shared::kConstantAsColor, inspection && inspection->asColor},
                          {shared::kConstantParameterCount, state.surface->parameters},
                          {shared::kConstantPoles, state.poles},
@@ -299,13 +328,37 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
                         : toon  ? std::span<const std::uint32_t>(luxo_toon_frag)
                                 : std::span<const std::uint32_t>(luxo_surface_frag);
   if (!gouraud && !toon)
-    desc.specialization.push_back({shared::kConstantFacetNormal, state.shading == Shading::Flat});
+    desc.specialization.insert(desc.specialization.end(),
+                               {{shared::kConstantFacetNormal, state.shading == Shading::Flat},
+                                {shared::kConstantQuantity, quantityOf(state)}});
+  if (state.form == Form::FoundWithParameters) {
+    desc.vertexShader = luxo_surface_pattern_vert;
+    desc.fragmentShader = luxo_found_parameters_frag;
+  }
   if (!state.pattern.valid()) return;
   desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert)
                               : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
   desc.fragmentShader = patternShader(state.pattern, gouraud ? "pattern/gouraud.frag"
                                                      : toon  ? "pattern/toon.frag"
                                                              : "pattern/surface.frag");
+}
+
+/// One triangle over all, as far as can be: what is nearer than that has been found.
+void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  desc.name = "shade";
+  desc.vertexShader = luxo_shade_vert;
+  desc.fragmentShader =
+      state.pattern.valid()
+          ? std::span<const std::uint32_t>(patternShader(state.pattern, "pattern/shade.frag"))
+          : std::span<const std::uint32_t>(luxo_shade_frag);
+  desc.bindings.clear();
+  desc.attributes.clear();
+  desc.depthWrite = false;
+  desc.depthCompare = VK_COMPARE_OP_LESS;
+  desc.specialization.insert(desc.specialization.end(),
+                             {{shared::kConstantPattern, state.patternNumber},
+                              {shared::kConstantManyMaterials, state.manyMaterials}});
+  desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
 }
 
 gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
@@ -327,8 +380,12 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
     desc.bindings.push_back({1, sizeof(Vec2f), VK_VERTEX_INPUT_RATE_VERTEX});
     desc.attributes.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, 0});
   }
+  if (isFoundOnly(state)) desc.colorFormats = {kFoundFormat};
+  if (state.form == Form::FoundWithParameters) desc.colorFormats.push_back(kFoundParametersFormat);
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
-  if (state.surface) {
+  if (state.form == Form::Shade) {
+    describeShade(state, desc);
+  } else if (state.surface) {
     describeExact(state, format, desc);
   } else if (const auto inspection = inspectionOf(state)) {
     describeInspection(state, *inspection, desc);

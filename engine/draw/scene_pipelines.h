@@ -51,6 +51,10 @@ class ScenePipelines {
   /// Set 2 of pipelines that find the surface: exact instances, patches, parameters, feedback. Made when
   /// first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& exactLayout();
+  /// Set 2 of pipelines that light what was found: its texels, parameters, materials. Made when first asked
+  /// for.
+  [[nodiscard]] const gpu::DescriptorLayout& foundLayout();
+  [[nodiscard]] VkSampler texelSampler();
 
  private:
   struct Made {
@@ -69,10 +73,12 @@ class ScenePipelines {
   void compileExactShaders(std::span<const DrawState> states);
   void describeExact(const DrawState& state, const TargetFormat& format, gpu::GraphicsPipelineDesc& desc);
   void describeMesh(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+  void describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
-  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_;
-  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool>;  ///< the latter: grazing
+  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_, foundLayout_;
+  gpu::Handle<VkSampler> texelSampler_;
+  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool, bool>;  ///< grazing; finds parameters
   std::map<ExactShaderKey, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, TargetFormat>, Made> pipelines_;

@@ -27,7 +27,7 @@ struct TargetFormat {
   friend auto operator<=>(const TargetFormat&, const TargetFormat&) = default;
 };
 
-inline constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_UINT;
+inline constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kFoundParametersFormat = VK_FORMAT_R32G32_SFLOAT;
 
 class ViewTargets {

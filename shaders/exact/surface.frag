@@ -3,5 +3,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/exact_fragment.glsl"
+#include "lib/lit_plain.glsl"
 
-void main() { show(seenPoint(), varyingAmbientShininess.rgb, varyingDiffuseOpacity.rgb); }
+void main() { showPoint(); }

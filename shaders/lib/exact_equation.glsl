@@ -137,7 +137,7 @@ vec3 outwardOf(vec3 gradient) {
   return isMirrored() ? -n : n;
 }
 
-int findPoint(out Found found) {
+int rootOfPixel(out Root root) {
   readSurface();
   if (isLeftOut()) return kMissed;
   Ray ray = rayOfPixel();
@@ -156,16 +156,16 @@ int findPoint(out Found found) {
   real outer = has(kRisesOutward) ? -1.0 : 1.0, rising = gl_FrontFacing != has(kBackSide) ? outer : -outer;
   Expansion e = expansionAt(start, way);
   int result = findOnRay(ray, way, metre, outer, rising, p, e);
-  found.S = center() + p;
-  found.parameters = vec2(parameterOf(found.S, kUOf), parameterOf(found.S, kVOf));
-  found.outward = outwardOf(vec3(has(kRisesOutward) ? e.half_ : -e.half_));
-  found.front = rising == outer;
-  found.depth = depthOf(found.S);
+  root.S = center() + p;
+  root.parameters = vec2(parameterOf(root.S, kUOf), parameterOf(root.S, kVOf));
+  root.outward = outwardOf(vec3(has(kRisesOutward) ? e.half_ : -e.half_));
+  root.front = rising == outer;
+  root.depth = depthOf(root.S);
   // Of the nearest point of the surface.
-  f = offsetOf(ray, found.S - e.half_ * (0.5 * e.c / max(dot(e.half_, e.half_), kSmallest)));
+  f = offsetOf(ray, root.S - e.half_ * (0.5 * e.c / max(dot(e.half_, e.half_), kSmallest)));
   real off = max(abs(f.x), abs(f.y));
-  found.residual = float(off / widthAt(found.depth));
+  root.residual = float(off / widthAt(root.depth));
   // Newton-Kantorovich, of one variable. A quadric's one step need not come within the tolerance.
-  found.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p) && off <= toleranceAt(found.depth);
+  root.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p) && off <= toleranceAt(root.depth);
   return result;
 }

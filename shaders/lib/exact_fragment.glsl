@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fragments of a shell: find the surface's point, then show it: lit, or as numbers or colours of its geometry.
+// Fragments of a shell: find the surface's point, then show it: lit, to be lit, or as numbers or colours of its geometry.
 //
-// Alpha tells how good the point is: of what is lit and opaque its residual in pixels, negative where the root is not
-// certified; of what is transparent its opacity; of numbers and colours 1, or -1 where it is not.
+// Alpha tells how good the point is: of what is lit its residual in pixels, negative where the root is not certified; of
+// numbers and colours 1, or -1 where it is not.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/exact_ray.glsl"
 #if defined(LUXO_PLANE)
@@ -12,16 +12,11 @@
 #else
 #include "lib/exact_root.glsl"
 #endif
-#include "lib/illumination.glsl"
 #include "lib/inspection.glsl"
-
-layout(constant_id = kConstantQuantity) const uint kQuantity = kLight;
-layout(constant_id = kConstantAsColor) const bool kAsColor = false;
+#include "lib/show.glsl"
 
 layout(scalar, set = kSetExact, binding = kBindingFeedback) buffer Feedback { uint lost[]; } feedback;
 layout(scalar, set = kSetExact, binding = kBindingDoubts) buffer Doubts { uint ofPixels[]; } doubts;
-
-layout(location = 0) out vec4 outColor;
 
 LightData lightAt(uint i) {
   if (i >= kVaryingLights) return lightSet.lights[i];
@@ -36,52 +31,53 @@ ShadeData shadeAt(uint i) {
   return ShadeData(packed3(first), packed(first + 3), packed(first + 4));
 }
 
-// What the picture shows of a point: `diffuse` and `ambient` as the material has them there.
-struct Seen {
-  vec2 parameters;
-  vec3 position;  // relative to the eye
-  vec3 normal;
-  vec3 viewer;    // unit, toward the viewer
-  float depth, residual;
-};
-
 void doubtPixel(uint why) {
   uint width = uint(2.0 * varyingCellHalf.z), pixel = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x);
   atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], why << kDoubtBits * (pixel % kDoubtsPerWord));
 }
 
-// Ends the fragment where there is nothing to see.
-Seen seenPoint() {
-  Found found;
-  int result = findPoint(found);
+Found foundPoint() {
+  Root root;
+  int result = rootOfPixel(root);
   if (result == kLost) atomicAdd(feedback.lost[kGrazing ? kFeedbackSlots + varyingFlags.w : uint(varyingClip.w)], 1);
-  if (result == kLost || result == kFound && !found.certified)
+  if (result == kLost || result == kFound && !root.certified)
     doubtPixel(result == kLost ? kLostHere : kUncertifiedHere);
-  if (result != kFound || !inDepthRange(found.depth)) discard;
-  float depth = float(found.depth);
-  gl_FragDepth = float(inDepthBuffer(found.depth));
+  if (result != kFound || !inDepthRange(root.depth)) discard;
+  float depth = float(root.depth);
+  gl_FragDepth = float(inDepthBuffer(root.depth));
 
-  Seen seen;
-  seen.parameters = found.parameters;
-  seen.position = relativePosition(found.S);
-  vec3 toViewer = varyingViewerSecond.xyz - (has(kPerspective) ? seen.position : vec3(0));
-  seen.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
-  vec3 outward = unitOrZero(found.outward);
-  seen.normal = found.front || !has(kTwoSided) ? outward : -outward;
-  seen.depth = depth;
-  seen.residual = found.certified ? found.residual : -max(found.residual, 1e-9);
-  return seen;
+  Found found;
+  found.parameters = root.parameters;
+  found.position = relativePosition(root.S);
+  vec3 toViewer = varyingViewerSecond.xyz - (has(kPerspective) ? found.position : vec3(0));
+  found.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
+  vec3 outward = unitOrZero(root.outward);
+  found.normal = root.front || !has(kTwoSided) ? outward : -outward;
+  found.depth = depth;
+  found.residual = root.certified ? root.residual : -max(root.residual, 1e-9);
+  return found;
 }
 
-void show(Seen seen, vec3 ambient, vec3 diffuse) {
-  if (kQuantity == kLight) {
-    Material material = Material(ambient, diffuse, varyingSpecularTolerance.xyz, varyingAmbientShininess.w, varyingFlags.x);
-    bool opaque = varyingDiffuseOpacity.w == 0.0;
-    outColor = vec4(illuminated(material, seen.position, seen.normal, seen.viewer),
-                    opaque ? seen.residual : varyingDiffuseOpacity.w);
+Material foundMaterial() {
+  return Material(varyingAmbientShininess.rgb, varyingDiffuse, varyingSpecularTolerance.xyz, varyingAmbientShininess.w,
+                  varyingFlags.x);
+}
+
+uint foundMaterialNumber() { return varyingFlags.z; }
+
+vec4 patternBounds() {
+  vec4 domain = domainOfNames();
+  vec2 margin = 1e-6 * (domain.zw - domain.xy);
+  return vec4(domain.xy + margin, domain.zw - margin);
+}
+
+void showPoint() {
+  Found found = foundPoint();
+  if (kQuantity == kLight || kQuantity == kFoundTexel) {
+    show(found, found.residual);
   } else {
-    Inspected inspected = Inspected(seen.position, seen.normal, seen.parameters, seen.depth, instances[varyingFlags.w].id,
-                                    seen.residual, seen.residual < 0.0 ? kUncertified : kBySearch);
-    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), seen.residual < 0.0 ? -1 : 1);
+    Inspected inspected = Inspected(found.position, found.normal, found.parameters, found.depth, instances[varyingFlags.w].id,
+                                    found.residual, found.residual < 0.0 ? kUncertified : kBySearch);
+    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), found.residual < 0.0 ? -1 : 1);
   }
 }

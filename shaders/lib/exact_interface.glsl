@@ -2,6 +2,7 @@
 // What the vertices of a shell tell its fragments: all but the start of the search is the same all over a triangle.
 #include "lib/light_counts.glsl"
 #include "lib/lights.glsl"
+#include "lib/quantity.glsl"
 #include "shared/scene_data.h"
 
 #ifdef LUXO_VERTEX
@@ -13,9 +14,10 @@
 // u and v, or a point near an equation's surface, object space; then 1. Read by startAtEntry().
 layout(location = 0) sample LUXO_VARYING vec4 varyingStart;
 layout(location = 1) flat LUXO_VARYING vec4 varyingAmbientShininess;
-layout(location = 2) flat LUXO_VARYING vec4 varyingDiffuseOpacity;
+layout(location = 2) flat LUXO_VARYING vec3 varyingDiffuse;
 layout(location = 3) flat LUXO_VARYING vec4 varyingSpecularTolerance;
-// Of the instance and the patch, and kBackSide ...; firstParameter; firstPatternParameter; the instance's index.
+// Of the instance, its material, the patch and the draw; firstParameter; firstPatternParameter, or, where the light falls
+// later, the material's number; the instance's index.
 layout(location = 4) flat LUXO_VARYING uvec4 varyingFlags;
 layout(location = 5) flat LUXO_VARYING vec4 varyingViewerSecond;  // viewer; how much derivatives change over a cell, metres
 layout(location = 6) flat LUXO_VARYING vec4 varyingX;

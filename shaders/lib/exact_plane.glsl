@@ -12,20 +12,20 @@ bool isInside(real3 S, real margin) {
   return has(kRadial) ? inDisk : inRectangle;
 }
 
-int findPoint(out Found found) {
+int rootOfPixel(out Root root) {
   readSurface();
   real3 pixel = real3(gl_FragCoord.xy - varyingCellHalf.zw, 1);
   real perW = 1.0 / dot(rowDepth.xyz, pixel);
-  found.S = real3(dot(rowX.xyz, pixel) * perW, 0, dot(rowY.xyz, pixel) * perW);
-  found.depth = rowX.w * found.S.x + rowY.w * found.S.z + rowDepth.w;
-  found.parameters = vec2(parameterOf(found.S, kUOf), parameterOf(found.S, kVOf));
+  root.S = real3(dot(rowX.xyz, pixel) * perW, 0, dot(rowY.xyz, pixel) * perW);
+  root.depth = rowX.w * root.S.x + rowY.w * root.S.z + rowDepth.w;
+  root.parameters = vec2(parameterOf(root.S, kUOf), parameterOf(root.S, kVOf));
   vec3 upward = cross(varyingRelative[2].xyz, varyingRelative[0].xyz);
   bool outerIsUp = has(kRisesOutward) != isMirrored();
-  found.outward = outerIsUp ? upward : -upward;
-  found.front = has(kFromAbove) == outerIsUp;
+  root.outward = outerIsUp ? upward : -upward;
+  root.front = has(kFromAbove) == outerIsUp;
   // No more than this is rounded.
-  found.residual = float(toleranceAt(found.depth)) / float(widthAt(found.depth));
-  found.certified = true;
-  real metres = toleranceAt(found.depth) * varyingClip.z;
-  return isInside(found.S, metres) && (found.front || has(kShowsBack)) ? kFound : kMissed;
+  root.residual = float(toleranceAt(root.depth)) / float(widthAt(root.depth));
+  root.certified = true;
+  real metres = toleranceAt(root.depth) * varyingClip.z;
+  return isInside(root.S, metres) && (root.front || has(kShowsBack)) ? kFound : kMissed;
 }

@@ -66,7 +66,7 @@ bool ends(bool good, bool fine, inout bool wasGood) {
 const int kFound = 0, kMissed = 1, kLost = 2;
 
 // The point of the surface that the pixel sees.
-struct Found {
+struct Root {
   real3 S;          // object space
   vec2 parameters;  // as the surface names them
   vec3 outward;     // where its outer side faces; relative space, of any length

@@ -420,21 +420,21 @@ vec2 inPeriod(real2 p) {
               has(kWrapsV) ? p.y - turns.y * period.y : p.y);
 }
 
-int findPoint(out Found found) {
+int rootOfPixel(out Root root) {
   readSurface();
   Ray ray = rayOfPixel();
   real2 p;
   Probe at;
   int result = findRoot(ray, p, at);
-  found.S = at.S;
-  found.parameters = inPeriod(p);
+  root.S = at.S;
+  root.parameters = inPeriod(p);
   vec3 n = cross(relative(vec3(at.Su)), relative(vec3(at.Sv)));
   // The sign of the area tells the side exactly; at outlines n.V is what rounding makes of 0.
   bool flipped = has(kNegative) != has(kBackSide);
-  found.outward = flipped ? n : -n;
-  found.front = (area(at) < 0.0) == flipped;
-  found.depth = at.depth;
-  found.residual = float(offset(at) / widthAt(at.depth));
-  found.certified = certified(ray, p, at);
+  root.outward = flipped ? n : -n;
+  root.front = (area(at) < 0.0) == flipped;
+  root.depth = at.depth;
+  root.residual = float(offset(at) / widthAt(at.depth));
+  root.certified = certified(ray, p, at);
   return result;
 }

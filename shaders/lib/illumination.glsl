@@ -21,6 +21,10 @@ struct Material {
   uint flags;
 };
 
+Material materialOf(MaterialData data) {
+  return Material(data.ambient, data.diffuse, data.specular, data.shininess, data.flags);
+}
+
 // Stands for 0 under a root or a division: small enough to change no other number.
 const float kTiny = 1e-37;
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pattern of a material. The file "pattern" is made from its formulas when a scene is read.
+#ifndef LUXO_LIB_PATTERN_GLSL
+#define LUXO_LIB_PATTERN_GLSL
 #include "lib/formula.glsl"
 #include "shared/scene_data.h"
 
@@ -27,3 +29,4 @@ vec3 patternAt(vec2 parameters) {
   patternColor(parameters.x, parameters.y, color);
   return vec3(colorOrBlack(color.r), colorOrBlack(color.g), colorOrBlack(color.b));
 }
+#endif

@@ -6,6 +6,7 @@
 
 layout(scalar, set = kSetScene, binding = kBindingView) uniform View { ViewData view; };
 layout(scalar, set = kSetScene, binding = kBindingInstances) readonly buffer Instances { InstanceData instances[]; };
+layout(scalar, set = kSetScene, binding = kBindingMaterials) readonly buffer Materials { MaterialData materials[]; };
 
 // From a point toward who sees it: unit.
 vec3 towardViewer(vec4 viewer, vec3 position) {

@@ -48,13 +48,15 @@ void main() {
   ExactInstance exact = exactInstances[gl_InstanceIndex];
   ExactPatch surfacePatch = exactPatches[exact.firstPatch + inPatch];
   varyingStart = vec4(kEquation ? inPosition + exact.origin : vec3(inParameters, 0), 1);
-  varyingAmbientShininess = vec4(instance.ambient, instance.shininess);
-  varyingDiffuseOpacity = vec4(instance.diffuse, instance.opacity);
-  varyingSpecularTolerance = vec4(instance.specular, exact.tolerance);
+  MaterialData material = materials[instance.material];
+  varyingAmbientShininess = vec4(material.ambient, material.shininess);
+  varyingDiffuse = material.diffuse;
+  varyingSpecularTolerance = vec4(material.specular, exact.tolerance);
   bool negative = ((surfacePatch.flags & kInward) != 0) != (exact.facing * draw.side < 0.0);
-  varyingFlags = uvec4(instance.flags | surfacePatch.flags | (draw.side < 0.0 ? kBackSide : 0) | (negative ? kNegative : 0) |
+  varyingFlags = uvec4(instance.flags | material.flags | surfacePatch.flags | (draw.side < 0.0 ? kBackSide : 0) | (negative ? kNegative : 0) |
                         (view.viewer.w != 0.0 ? kPerspective : 0),
-                    surfacePatch.firstParameter, instance.firstPatternParameter, gl_InstanceIndex);
+                    surfacePatch.firstParameter, kQuantity == kFoundTexel ? instance.material : material.firstPatternParameter,
+                    gl_InstanceIndex);
   varyingViewerSecond = vec4(view.viewer.xyz, inCell.z);
   for (uint i = 0; i < kVaryingLights; ++i) {
     LightData light = lightSet.lights[i];

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fragments of a surface know, and the light on them.
+// Fragments of triangles: what they know of the surface's point, and the light on it.
 //
 // What is interpolated is so at each sample, as in every shader here: a pixel's centre may lie beside the triangle, where
 // normals sparkle and positions leave the node whose bounds decided which lights reach it. (Centroids lie inside, but a
 // driver may choose them among the samples that passed the depth test, so that the order of draws would show.)
-#include "lib/illumination.glsl"
+#include "lib/found.glsl"
 #include "lib/lights.glsl"
 #include "lib/scene.glsl"
+#include "lib/show.glsl"
 
 layout(constant_id = kConstantFacetNormal) const bool kFacetNormal = false;
 
@@ -16,12 +17,10 @@ layout(location = 2) flat in vec3 inAmbient;
 layout(location = 3) flat in vec3 inDiffuse;
 layout(location = 4) flat in vec3 inSpecular;
 layout(location = 5) flat in vec2 inShininessOpacity;
-layout(location = 6) flat in uint inFlags;
+layout(location = 6) flat in uvec3 inNumbers;
 layout(location = 7) flat in vec4 inViewer;
 layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
 layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
-
-layout(location = 0) out vec4 outColor;
 
 LightData lightAt(uint i) {
   if (i >= kCarriedLights) return lightSet.lights[i];
@@ -38,14 +37,20 @@ vec3 fragmentNormal(vec3 v) {
   // The facet is flat, so the derivatives of its position span it; which of its sides is seen, the rasteriser knows.
   if (kFacetNormal) {
     vec3 n = unitOrZero(cross(dFdx(inPosition), dFdy(inPosition)));
-    return (dot(n, v) > 0.0) == (gl_FrontFacing || (inFlags & kTwoSided) != 0) ? n : -n;
+    return (dot(n, v) > 0.0) == (gl_FrontFacing || (inNumbers.x & kTwoSided) != 0) ? n : -n;
   }
   vec3 n = unitOrZero(inNormal);
-  return (inFlags & kTwoSided) != 0 && !seenFromFront(n, v, gl_FrontFacing) ? -n : n;
+  return (inNumbers.x & kTwoSided) != 0 && !seenFromFront(n, v, gl_FrontFacing) ? -n : n;
 }
 
-vec4 shadedFragment(vec3 ambient, vec3 diffuse) {
+// Whoever includes this knows them, where there is a pattern.
+vec2 foundParameters();
+
+Found foundPoint() {
   vec3 v = towardViewer(inViewer, inPosition);
-  Material material = Material(ambient, diffuse, inSpecular, inShininessOpacity.x, inFlags);
-  return vec4(illuminated(material, inPosition, fragmentNormal(v), v), inShininessOpacity.y);
+  float depth = kQuantity == kFoundTexel ? dot(inPosition, view.forward) : 0.0;
+  return Found(inPosition, fragmentNormal(v), v, foundParameters(), depth, 0.0);
 }
+
+Material foundMaterial() { return Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inNumbers.x); }
+uint foundMaterialNumber() { return inNumbers.y; }

@@ -5,13 +5,11 @@
 layout(location = 2) in vec2 inParameters;
 
 layout(location = 14) sample out vec3 outDetail;  // u, v, silhouette()
-layout(location = 6, component = 1) flat out uint outFirstParameter;
 layout(location = 15) flat out vec4 outParameterBounds;
 
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   writeSurfaceVertex(instance);
   outDetail = vec3(inParameters, silhouette(instance));
-  outFirstParameter = instance.firstPatternParameter;
   outParameterBounds = parameterBounds(instance);
 }

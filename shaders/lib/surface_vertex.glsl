@@ -9,7 +9,7 @@ layout(location = 2) flat out vec3 outAmbient;
 layout(location = 3) flat out vec3 outDiffuse;
 layout(location = 4) flat out vec3 outSpecular;
 layout(location = 5) flat out vec2 outShininessOpacity;
-layout(location = 6) flat out uint outFlags;
+layout(location = 6) flat out uvec3 outNumbers;  // flags; the material's number; where its pattern's parameters start
 layout(location = 7) flat out vec4 outViewer;
 layout(location = 8) flat out vec4 outLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
 layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; reach
@@ -19,11 +19,12 @@ invariant gl_Position;
 void writeSurfaceVertex(InstanceData instance) {
   outPosition = positionOfVertex(instance);
   outNormal = normalOfVertex(instance);
-  outAmbient = instance.ambient;
-  outDiffuse = instance.diffuse;
-  outSpecular = instance.specular;
-  outShininessOpacity = vec2(instance.shininess, instance.opacity);
-  outFlags = instance.flags;
+  MaterialData material = materials[instance.material];
+  outAmbient = material.ambient;
+  outDiffuse = material.diffuse;
+  outSpecular = material.specular;
+  outShininessOpacity = vec2(material.shininess, material.opacity);
+  outNumbers = uvec3(instance.flags | material.flags, instance.material, material.firstPatternParameter);
   outViewer = view.viewer;
   for (uint i = 0; i < kCarriedLights; ++i) {
     outLights[2 * i] = lightSet.lights[i].position;

@@ -24,7 +24,7 @@ float brightness(vec3 n) {
     bool shines = any(greaterThan(light.radiance, vec3(0)));
     if (i >= kPlainLights) {
       uint shade = i - kPlainLights;
-      shines = shines && (shadeOf(inFlags) == shade + 1 || litThroughShade(shadeAt(shade), -toLight));
+      shines = shines && (shadeOf(inNumbers.x) == shade + 1 || litThroughShade(shadeAt(shade), -toLight));
     }
     bright = max(bright, shines ? covered : 0.0);
   }
@@ -36,6 +36,8 @@ float outline() {
   float distancePx = abs(inDetail.z) / gradientLength(inDetail.z);
   return clamp(kOutlineWidth + 0.5 - distancePx, 0.0, 1.0);
 }
+
+vec2 foundParameters() { return vec2(0); }
 
 vec4 drawnFragment(vec3 color) {
   vec3 n = fragmentNormal(towardViewer(inViewer, inPosition));

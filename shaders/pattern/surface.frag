@@ -4,10 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/surface_fragment.glsl"
 #include "lib/pattern_of_mesh.glsl"
+#include "lib/lit_pattern.glsl"
 
 layout(location = 14) sample in vec3 inDetail;
 
-void main() {
-  vec3 color = patternAt(inDetail.xy);
-  outColor = shadedFragment((inFlags & kPatternAmbient) != 0 ? color * inAmbient : inAmbient, color);
-}
+vec2 foundParameters() { return inDetail.xy; }
+
+void main() { show(foundPoint(), inShininessOpacity.y); }

@@ -27,11 +27,13 @@ using uint = std::uint32_t;
 LUXO_CONSTANT kSetScene = 0;
 LUXO_CONSTANT kSetPattern = 1;
 LUXO_CONSTANT kSetExact = 2;
+LUXO_CONSTANT kSetFound = 2;  // of draws that light what an earlier pass has found
 
 // Bindings of kSetScene.
 LUXO_CONSTANT kBindingView = 0;
 LUXO_CONSTANT kBindingInstances = 1;
 LUXO_CONSTANT kBindingLights = 2;  // dynamic offset: the set of lights that reach the draw
+LUXO_CONSTANT kBindingMaterials = 3;
 
 // Bindings of kSetExact.
 LUXO_CONSTANT kBindingExactInstances = 0;
@@ -40,6 +42,11 @@ LUXO_CONSTANT kBindingExactParameters = 2;
 LUXO_CONSTANT kBindingFeedback = 3;
 LUXO_CONSTANT kBindingDoubts = 4;
 LUXO_CONSTANT kExactBindings = 5;
+
+// Bindings of kSetFound.
+LUXO_CONSTANT kBindingFound = 0;
+LUXO_CONSTANT kBindingFoundParameters = 1;
+LUXO_CONSTANT kBindingUniformMaterials = 2;  // the first kUniformMaterials of them all
 
 // Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
 // reach a draw costs nothing.
@@ -53,8 +60,11 @@ LUXO_CONSTANT kConstantPoles = 6;
 LUXO_CONSTANT kConstantCertificate = 7;     // of all points that are not searched for
 LUXO_CONSTANT kConstantEquation = 8;
 LUXO_CONSTANT kConstantManySamples = 9;
+LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a draw lights: MaterialData::pattern
+LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
 
-// What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views), or its light.
+// What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
+// that lights it later (shaders/lib/found_texel.glsl).
 LUXO_CONSTANT kPosition = 0;
 LUXO_CONSTANT kNormal = 1;
 LUXO_CONSTANT kParameters = 2;
@@ -63,6 +73,7 @@ LUXO_CONSTANT kId = 4;
 LUXO_CONSTANT kResidual = 5;
 LUXO_CONSTANT kCertificate = 6;
 LUXO_CONSTANT kLight = 7;
+LUXO_CONSTANT kFoundTexel = 8;
 
 // Values of a certificate: by the search that found the point, by a ray cast in double, or none.
 LUXO_CONSTANT kBySearch = 1;
@@ -86,6 +97,11 @@ LUXO_CONSTANT kUncertifiedHere = 2;
 LUXO_CONSTANT kDoubtBits = 2;
 LUXO_CONSTANT kDoubtsPerWord = 16;
 
+// Numbers of materials in a found texel; and as many as every device has room for in a uniform buffer, which a CPU device
+// reads faster than a storage buffer.
+LUXO_CONSTANT kMaxFoundMaterials = 65536;
+LUXO_CONSTANT kUniformMaterials = 256;
+
 LUXO_CONSTANT kMaxLights = 32;  // that may reach one object
 
 // So many of them are carried from vertices to fragments; more are read from a buffer, which takes a CPU device longer.
@@ -96,13 +112,15 @@ LUXO_CONSTANT kCarriedShades = 1;
 LUXO_CONSTANT kVaryings = 30;
 
 // Instance flags.
-LUXO_CONSTANT kTwoSided = 1;         // the normal turns toward the viewer
+LUXO_CONSTANT kTwoSided = 1;    // the normal turns toward the viewer
+LUXO_CONSTANT kPlane = 8;       // all in one plane
+LUXO_CONSTANT kShowsBack = 16;  // not only the outer side is seen
+LUXO_CONSTANT kFromAbove = 32;  // of a plane: seen from where cross(z axis, x axis) of the transform points to
+
+// Material flags, which join these.
 LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
-LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times InstanceData::ambient
-LUXO_CONSTANT kPlane = 8;            // all in one plane
-LUXO_CONSTANT kShowsBack = 16;       // not only the outer side is seen
-LUXO_CONSTANT kFromAbove = 32;       // of a plane: seen from where cross(z axis, x axis) of the transform points to
-LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light this node is the shade of
+LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times MaterialData::ambient
+LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light whose shade is made of it
 
 // Flags of draws, which join these.
 LUXO_CONSTANT kBackSide = 1 << 22;     // these triangles, seen from the front, lead to the back of the surface
@@ -128,21 +146,31 @@ struct ViewData {
   vec4 viewer;        // w = 1: the eye, at the origin; w = 0: the unit direction toward an orthographic viewer
   vec3 forward;       // unit view direction
   vec2 depthRange;    // nearest and farthest depth in the picture, for the depth view
+  // Where pixels are: right and down from the middle of the picture, times the depth (perspective); and what the depth
+  // adds (orthographic).
+  vec3 rayMiddle, rayRight, rayDown, rayDepth;
+  vec2 middle;        // of the picture, pixels
 };
 
 struct InstanceData {
   mat3 relativeFromObject;
   vec3 translation;
   mat3 normalFromObject;  // cofactor matrix, largest entry 1; unit length is restored per vertex
-  vec3 ambient;           // ka * La: already multiplied by the scene's ambient light
-  vec3 diffuse;
-  vec3 specular;
-  float shininess;
-  float opacity;
   uint flags;
+  uint material;
   uint id;      // the node's number in file order, from 1
   vec4 domain;  // u and v at the lower corner, width in u and v
-  uint firstPatternParameter;  // of the material's pattern, in the buffer of them all
+};
+
+struct MaterialData {
+  vec3 ambient;  // ka * La: already multiplied by the scene's ambient light
+  float shininess;
+  vec3 diffuse;
+  float opacity;  // 0: of what is not seen through
+  vec3 specular;
+  uint flags;
+  uint firstPatternParameter;  // in the buffer of them all
+  uint pattern;                // 1 + index among the picture's patterns; 0: none
 };
 
 struct LightData {
@@ -202,17 +230,18 @@ struct LightSet {
 #undef LUXO_CONSTANT
 #undef LUXO_NUMBER
 // All flags share one word.
-inline constexpr uint kInstanceFlags = kTwoSided | kLectureSpecular | kPatternAmbient | kPlane | kShowsBack | kFromAbove;
+inline constexpr uint kInstanceFlags = kTwoSided | kPlane | kShowsBack | kFromAbove;
+inline constexpr uint kMaterialFlags = kLectureSpecular | kPatternAmbient;
 inline constexpr uint kShadeFlags = 0xffu << kShadeShift;
 inline constexpr uint kPatchFlags =
     kInward | kWrapsU | kWrapsV | kPoleLow | kPoleHigh | kPolesOfU | kRisesOutward | kRadial | kBordered;
 inline constexpr uint kDrawFlags = kBackSide | kNegative | kPerspective;
 inline constexpr uint kLightFlags = ((1u << kFlagsOfLight * kCarriedLights) - 1) * kPointLight;
-static_assert(std::uint64_t{kInstanceFlags} + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
-              (kInstanceFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
+static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
+              (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
-static_assert(sizeof(ViewData) == 100 && sizeof(InstanceData) == 156 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 156 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 56 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

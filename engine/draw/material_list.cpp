@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/material_list.h"
+
+#include <algorithm>
+
+namespace luxo {
+namespace {
+
+bool ambientFollowsPattern(const Material& material) {
+  return material.diffusePattern.valid() && !material.ambient;
+}
+
+/// `shadeOf`: 1 + which of the shaded lights it is the shade of.
+shared::MaterialData materialData(const Material& material, const Vec3& ambient, std::uint32_t shadeOf) {
+  const bool follows = ambientFollowsPattern(material);
+  return {.ambient = Vec3f(follows ? ambient : material.ambientOrDiffuse() * ambient),
+          .shininess = static_cast<float>(material.shininess),
+          .diffuse = Vec3f(material.diffuse),
+          .opacity = material.transparent() ? static_cast<float>(material.opacity) : 0.0f,
+          .specular = Vec3f(material.specular),
+          .flags = (material.lectureSpecular ? shared::kLectureSpecular : 0) |
+                   (follows ? shared::kPatternAmbient : 0) | shadeOf << shared::kShadeShift};
+}
+
+}  // namespace
+
+MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
+                           DrawList& list)
+    : snapshot_(snapshot), list_(list) {
+  const std::set<std::uint32_t> lights(visible.lights.begin(), visible.lights.end());
+  allLights_.assign(lights.begin(), lights.end());
+  const std::vector<Material>& materials = snapshot.materials;
+  const bool possible = options.output == Output::Color && options.samples == 1 &&
+                        allLights_.size() <= shared::kMaxLights &&
+                        materials.size() * (allLights_.size() + 1) < shared::kMaxFoundMaterials;
+  list_.deferred = possible && options.composition == Composition::Deferred;
+  withPatterns_ = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
+                    return material.diffusePattern.valid();
+                  });
+}
+
+std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf) {
+  const auto [entry, isNew] =
+      numberOf_.try_emplace(std::pair{index, shadeOf}, static_cast<std::uint32_t>(list_.materials.size()));
+  if (!isNew) return entry->second;
+  const Material& material = snapshot_.materials[index];
+  shared::MaterialData data = materialData(material, snapshot_.ambient, shadeOf);
+  if (material.diffusePattern.valid()) {
+    data.pattern = patternNumber(material.diffusePattern);
+    data.firstPatternParameter = firstPatternParameter(material);
+  }
+  list_.materials.push_back(data);
+  return entry->second;
+}
+
+std::uint32_t MaterialList::firstPatternParameter(const Material& material) {
+  std::vector<float>& all = list_.patternParameters;
+  const auto first = static_cast<std::uint32_t>(all.size());
+  all.insert(all.end(), material.patternParameters.begin(), material.patternParameters.end());
+  if (all.empty()) all.push_back(0);  // something to bind
+  return first;
+}
+
+std::uint32_t MaterialList::patternNumber(const Pattern& pattern) {
+  if (!pattern.valid()) return 0;
+  return patternNumbers_.try_emplace(pattern, static_cast<std::uint32_t>(patternNumbers_.size() + 1))
+      .first->second;
+}
+
+bool MaterialList::litLater(const DrawState& state) const {
+  return list_.deferred && !state.blended &&
+         (state.shading == Shading::Exact || state.shading == Shading::Phong ||
+          state.shading == Shading::Flat);
+}
+
+LightSets::Choice MaterialList::lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node) {
+  const LightSets::Choice all = lightSets.choose(allLights_, node);
+  shades_.insert({.form = Form::Shade,
+                  .plainLights = all.plain,
+                  .shadedLights = all.shaded,
+                  .pattern = state.pattern,
+                  .patternNumber = patternNumber(state.pattern)});
+  list_.shadeLights = all.index;
+  state.form = withPatterns_ ? Form::FoundWithParameters : Form::Found;
+  state.pattern = {};
+  return {.shadeOf = all.shadeOf};
+}
+
+void MaterialList::listShades() {
+  list_.shades.assign(shades_.begin(), shades_.end());
+  for (DrawState& shade : list_.shades)
+    shade.manyMaterials = list_.materials.size() > shared::kUniformMaterials;
+  std::ranges::sort(list_.shades, {}, &DrawState::patternNumber);
+}
+
+}  // namespace luxo

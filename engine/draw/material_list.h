@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The materials of a picture as shaders read them, their patterns, and the light on what is lit later.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "cull/cull.h"
+#include "draw/draw_list.h"
+#include "draw/light_sets.h"
+#include "draw/options.h"
+#include "scene/snapshot.h"
+
+namespace luxo {
+
+/// Fills DrawList::materials, patternParameters, deferred, shades and shadeLights.
+class MaterialList {
+ public:
+  /// All must outlive this. The list is deferred where that is asked for and possible.
+  MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
+               DrawList& list);
+
+  /// The number of a material of the snapshot; listed when first asked for. `shadeOf`: 1 + which of the
+  /// shaded lights it is the shade of.
+  [[nodiscard]] std::uint32_t numberOf(std::uint32_t material, std::uint32_t shadeOf);
+
+  /// Whether draws of this state leave the light to a later pass: of what light falls on per fragment, with
+  /// nothing else.
+  [[nodiscard]] bool litLater(const DrawState& state) const;
+  /// Turns a state that finds and lights into one that finds, and notes the light that is left to do. All
+  /// lights of the picture are in one set: those that do not reach a node add nothing.
+  LightSets::Choice lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node);
+  /// Once all nodes are listed.
+  void listShades();
+
+ private:
+  [[nodiscard]] std::uint32_t firstPatternParameter(const Material& material);
+  [[nodiscard]] std::uint32_t patternNumber(const Pattern& pattern);
+
+  const Snapshot& snapshot_;
+  DrawList& list_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numberOf_;
+  std::map<Pattern, std::uint32_t> patternNumbers_;
+  std::vector<std::uint32_t> allLights_;
+  std::set<DrawState> shades_;
+  bool withPatterns_ = false;  ///< what is lit later needs parameters
+};
+
+}  // namespace luxo

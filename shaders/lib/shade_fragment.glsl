@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fragments that light what an earlier pass has found.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/found_texel.glsl"
+#include "lib/lights.glsl"
+#include "lib/scene.glsl"
+
+layout(constant_id = kConstantPattern) const uint kPattern = 0;
+layout(constant_id = kConstantManyMaterials) const bool kManyMaterials = false;
+
+layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
+layout(set = kSetFound, binding = kBindingFoundParameters) uniform sampler2D foundParameters;
+layout(scalar, set = kSetFound, binding = kBindingUniformMaterials) uniform UniformMaterials {
+  MaterialData uniformMaterials[kUniformMaterials];
+};
+
+layout(location = 0) flat in vec4 inViewer;
+layout(location = 1) flat in vec3 inRay[4];
+layout(location = 5) flat in vec2 inMiddle;
+layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
+layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
+
+layout(location = 0) out vec4 outColor;
+
+LightData lightAt(uint i) {
+  if (i >= kCarriedLights) return lightSet.lights[i];
+  return LightData(inLights[2 * i], inLights[2 * i + 1].xyz, uint(inLights[2 * i + 1].w));
+}
+
+ShadeData shadeAt(uint i) {
+  if (i >= kCarriedShades) return lightSet.shades[i];
+  return ShadeData(inShades[2 * i].xyz, inShades[2 * i].w, inShades[2 * i + 1].x);
+}
+
+MaterialData material;
+
+Found foundPoint() {
+  vec4 texel = texelFetch(foundTexels, ivec2(gl_FragCoord.xy), 0);
+  uint number = materialOfTexel(texel);
+  if (kManyMaterials)
+    material = materials[number];
+  else
+    material = uniformMaterials[number];
+  if (material.pattern != kPattern) discard;  // another draw's
+  vec2 pixel = gl_FragCoord.xy - inMiddle;
+  vec3 ray = inRay[0] + pixel.x * inRay[1] + pixel.y * inRay[2];
+  Found found;
+  found.depth = texel.x;
+  found.position = inViewer.w != 0.0 ? ray * found.depth : ray + inRay[3] * found.depth;
+  found.normal = fromOctahedral(texel.yz);
+  found.viewer = towardViewer(inViewer, found.position);
+  found.parameters = kPattern != 0 ? texelFetch(foundParameters, ivec2(gl_FragCoord.xy), 0).xy : vec2(0);
+  found.residual = uintBitsToFloat(floatBitsToUint(texel.w) & 0xffff0000u);
+  return found;
+}
+
+Material foundMaterial() { return materialOf(material); }
+uint foundMaterialNumber() { return 0; }
+
+void shade() {
+  Found found = foundPoint();
+  outColor = vec4(lit(found), found.residual);
+}

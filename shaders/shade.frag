@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light on what an earlier pass has found.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/shade_fragment.glsl"
+#include "lib/lit_plain.glsl"
+
+void main() { shade(); }
