@@ -258,8 +258,9 @@ void ShellFrame::findBounds(const CurvatureMap& map, const std::vector<Block>& b
       const Vec2 high = glm::max(glm::max(part(0), part(1)), part(2));
       const double bound =
           curvatureAround(map, blocks[b].patch, low, high).deviation(high.x - low.x, high.y - low.y);
-      bounds_.push_back(bound < blocks[b].bound ? bound : blocks[b].bound);
-      smooth_.push_back(std::isfinite(bound) && facets_[t] != Vec3(0));
+      const bool byBlock = !(bound < blocks[b].bound);
+      bounds_.push_back(byBlock ? blocks[b].bound : bound);
+      smooth_.push_back(std::isfinite(bound) && !(byBlock && blocks[b].boxed) && facets_[t] != Vec3(0));
     }
   }
 }

@@ -190,8 +190,12 @@ class Refinement {
       return;
     }
     block.segments = {raised(block.segments.u, u), raised(block.segments.v, v)};
-    block.bound = std::min(block.bound, c.deviation(block.tile.widthU() / block.segments.u,
-                                                    block.tile.widthV() / block.segments.v));
+    const double deviation =
+        c.deviation(block.tile.widthU() / block.segments.u, block.tile.widthV() / block.segments.v);
+    if (deviation <= block.bound) {
+      block.bound = deviation;
+      block.boxed = false;
+    }
     refined_.push_back(block);
   }
 
@@ -206,7 +210,10 @@ class Refinement {
       Block& last = refined_.back();
       const Domain cell = domainOf(last.tile, surface_.patchDomain(last.patch));
       const double diameter = glm::length(surface_.boundPosition(last.patch, cell, parameters_).extent());
-      if (diameter < last.bound) last.bound = diameter;
+      if (diameter < last.bound) {
+        last.bound = diameter;
+        last.boxed = true;
+      }
     }
   }
 

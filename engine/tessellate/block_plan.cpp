@@ -349,7 +349,7 @@ class UnprovenPlanner {
     const Limits limits = part.limits->of(part.tile);
     Segments n{static_cast<std::uint32_t>(limits.u.least), static_cast<std::uint32_t>(limits.v.least)};
     if (std::isinf(part.diameter)) n = {std::max(n.u, kUnboundedSegments), std::max(n.v, kUnboundedSegments)};
-    return {part.patch, part.tile, n, part.open ? 0 : part.diameter, part.open};
+    return {part.patch, part.tile, n, part.open ? 0 : part.diameter, part.open, true};
   }
 
   /// Whether the formula has a value at any of a few points of the tile.

@@ -21,6 +21,9 @@ struct Block {
   Segments segments;
   double bound = 0;   ///< proven deviation of its triangles
   bool open = false;  ///< the formula may have no value somewhere in it
+  /// The bound is the size of a box around the block's surface: it does not fall with the square of that of
+  /// cells, as bounds by second derivatives do.
+  bool boxed = false;
 };
 
 /// The fewest segments of a patch, alone and with what it is joined to, that make no triangle of two corners:
