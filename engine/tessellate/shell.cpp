@@ -343,7 +343,7 @@ class Builder {
     const auto [from, to, triangle] = frame_.walls()[wall];
     const auto count = static_cast<std::uint32_t>(mesh_.positions.size());
     const Vec3 along = shell.occluder[from] - shell.occluder[to];
-    const auto faces = [&](std::uint32_t bottom) {
+    const auto faces = [&, to = to](std::uint32_t bottom) {
       return glm::dot(glm::cross(along, shell.occluder[count + bottom] - shell.occluder[to]),
                       frame_.wallNormal(wall)) > 0;
     };

@@ -155,7 +155,7 @@ TEST_F(RenderRefusals, ScenesAreFilesOrStandardInput) {
 }
 
 TEST_F(DeviceRefusals, LittleMemoryIsAnErrorNotACrashAndNoWait) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef LUXO_SANITIZED
   GTEST_SKIP() << "sanitizers map terabytes";
 #endif
   constexpr std::uint64_t kMiB = 1 << 20;
