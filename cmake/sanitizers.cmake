@@ -6,3 +6,13 @@ if(LUXO_SANITIZE)
   add_compile_options(-fsanitize=${LUXO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${LUXO_SANITIZE})
 endif()
+
+# Drivers and layers leak, and race, on their own account. They are excused by name (lsan.supp, tsan.supp), and names are
+# known of loaded libraries alone: in these programs libraries stay loaded to the end.
+function(luxo_keep_libraries_loaded)
+  if(LUXO_SANITIZE)
+    foreach(target IN LISTS ARGN)
+      target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/keep_libraries_loaded.cpp)
+    endforeach()
+  endif()
+endfunction()

@@ -53,9 +53,18 @@ function(luxo_shader_sources target)
 endfunction()
 
 # The exact shaders of what is built in: <luxo/shaders/exact_shaders.h> with `luxo::kExactShaders`, for targets that link
-# `target`. The program that writes it compiles the texts of luxo_shader_sources(target).
+# `target`. The program that writes it compiles the texts of luxo_shader_sources(target). Under sanitizers that takes six
+# times as long, as the optimiser does little but allocate: such builds may take the header that another build has written.
+set(LUXO_EXACT_SHADERS "" CACHE FILEPATH "exact_shaders.h of another build of these sources, instead of one's own")
 function(luxo_exact_shaders target source)
   set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders/exact_shaders.h)
+  if(LUXO_EXACT_SHADERS)
+    add_custom_command(OUTPUT ${out} COMMAND ${CMAKE_COMMAND} -E copy ${LUXO_EXACT_SHADERS} ${out}
+                       DEPENDS ${LUXO_EXACT_SHADERS} VERBATIM)
+    add_custom_target(${target}_exact DEPENDS ${out})
+    add_dependencies(${target} ${target}_exact)
+    return()
+  endif()
   add_executable(luxo_exact_shaders ${source})
   target_include_directories(luxo_exact_shaders PRIVATE ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(luxo_exact_shaders PRIVATE luxo_lamp luxo_scenes luxo_gpu SPIRV-Tools TBB::tbb)

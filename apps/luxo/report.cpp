@@ -23,7 +23,7 @@ Json frameJson(const FrameReport& frame) {
   // What only a drawn frame has.
   const auto drawn = [&](const auto& value) { return frame.reference ? Json() : Json(value); };
   // What only exact shading has.
-  const auto found = [&](std::uint64_t pixels) { return error.found ? Json(pixels) : Json(); };
+  const auto found = [&error = error](std::uint64_t pixels) { return error.found ? Json(pixels) : Json(); };
   Json json = {
       {"frame", frame.frame},
       {"time", frame.time},

@@ -229,10 +229,12 @@ class Shrinker {
     const Json surfaces = scene_["surfaces"];
     for (const auto& [name, surface] : surfaces.items()) {
       for (std::size_t i = 0; surface.contains("position") && i < 3; ++i)
-        shorten([&, i](Json& scene) -> Json& { return scene["surfaces"][name]["position"][i]; });
+        shorten([&name = name, i](Json& scene) -> Json& { return scene["surfaces"][name]["position"][i]; });
       if (surface.contains("let"))
         for (const auto& [letName, unused] : surface["let"].items())
-          shorten([&](Json& scene) -> Json& { return scene["surfaces"][name]["let"][letName]; });
+          shorten([&name = name, &letName = letName](Json& scene) -> Json& {
+            return scene["surfaces"][name]["let"][letName];
+          });
       for (const auto& [key, unused] : surface.items()) {  // arguments that may take their default
         if (key == "type" || key == "u" || key == "v" || key == "position") continue;
         Json without = scene_;

@@ -112,7 +112,9 @@ double wrongPlates(StressContext& context, Shading shading, int count) {
     const Snapshot snapshot = takeSnapshot(sceneOf(plate, rotation), 0, context.size(), camera);
     const Image id = context.renderer().render(snapshot, {.shading = shading, .output = Output::Id}).image;
     wrong += misclassified(
-        id, [&](const Vec2& pixel) { return plate.holds(rayThrough(snapshot.view, pixel), 0.1); }, kSnapPx);
+        id,
+        [&, &plate = plate](const Vec2& pixel) { return plate.holds(rayThrough(snapshot.view, pixel), 0.1); },
+        kSnapPx);
   }
   return wrong;
 }
@@ -148,7 +150,8 @@ double halfPlane(StressContext& context, Shading shading, double angle, double o
   const Snapshot snapshot = takeSnapshot(scene, 0, size, camera);
   const Image id = context.renderer().render(snapshot, {.shading = shading, .output = Output::Id}).image;
   return misclassified(
-      id, [&](const Vec2& pixel) { return plate.holds(rayThrough(snapshot.view, pixel), 0); }, kSnapPx);
+      id, [&, &plate = plate](const Vec2& pixel) { return plate.holds(rayThrough(snapshot.view, pixel), 0); },
+      kSnapPx);
 }
 
 std::vector<Measurement> guardBand(StressContext& context) {

@@ -47,10 +47,11 @@ bool outsideCone(const Corners& corners, double cosRim, double slack) {
 }
 
 /// Outside the solid of points nearer to the focus than to the directrix, cut at the rim: beyond the rim it
-/// lies within the cone. Its tangent plane at radius r is r * aside - 2 f * (along + f) = r^2 / 2.
+/// lies within the cone, unless the focus is beyond the rim, too: then whatever is beyond the rim is lit. Its
+/// tangent plane at radius r is r * aside - 2 f * (along + f) = r^2 / 2.
 bool outsideShade(const Corners& corners, const ShadeRule& rule, double slack) {
   const double f = rule.focalLength, rim = 2 * std::sqrt(f * rule.height);
-  if (beyond(corners, 1, 0, rule.height - f, slack)) return true;
+  if (rule.cosRim >= 0 && beyond(corners, 1, 0, rule.height - f, slack)) return true;
   for (const double part : {0.0, 0.25, 0.5, 1.0}) {
     const double r = part * rim;
     if (beyond(corners, -2 * f, r, 0.5 * r * r + 2 * f * f, slack)) return true;

@@ -65,8 +65,7 @@ std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
   }
   const auto place = [](const PixelPlace& p) { return std::pair(p.y, p.x); };
   std::ranges::sort(pixels, {}, place);
-  const auto repeated = std::ranges::unique(pixels);
-  pixels.erase(repeated.begin(), repeated.end());
+  pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
   return pixels;
 }
 

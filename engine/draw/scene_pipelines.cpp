@@ -178,7 +178,7 @@ void ScenePipelines::prepare(std::span<const DrawState> wanted, const TargetForm
     if (!pipelines_.contains({canonical(state), format})) states.push_back(canonical(state));
   if (states.empty()) return;
   std::ranges::sort(states);
-  states.erase(std::ranges::unique(states).begin(), states.end());
+  states.erase(std::unique(states.begin(), states.end()), states.end());
   compileExactShaders(states);
   std::vector<gpu::GraphicsPipelineDesc> descs;
   for (const DrawState& state : states) descs.push_back(describe(state, format));

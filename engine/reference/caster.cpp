@@ -132,7 +132,7 @@ Caster::Sight Caster::look(const Ray& ray) const {
     for (const Hit& hit : sight.hits)
       if (bodies_[hit.node].opacity >= 1) opaque = std::min(opaque, hit.t);
   }
-  std::erase_if(sight.hits, [&](const Hit& hit) { return hit.t > opaque; });
+  std::erase_if(sight.hits, [opaque = opaque](const Hit& hit) { return hit.t > opaque; });
   // Of two points at one distance that of the earlier node is in front.
   std::stable_sort(sight.hits.begin(), sight.hits.end(),
                    [](const Hit& a, const Hit& b) { return a.t < b.t; });

@@ -130,6 +130,11 @@ std::vector<Words> compile(const std::vector<Formulas>& all) {
   return shaders;
 }
 
+/// With its size: compilers count the characters of so many texts only so far.
+std::string literal(const std::string& text) {
+  return fmt::format("{{R\"luxo({})luxo\", {}}}", text, text.size());
+}
+
 std::string table() {
   const std::set<Formulas> known = builtInFormulas();
   const std::vector<Formulas> all(known.begin(), known.end());
@@ -142,9 +147,9 @@ std::string table() {
     for (std::size_t i = 0; i < words.size(); ++i)
       arrays += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
     arrays += "};\n";
-    entries += fmt::format("    {{R\"luxo({})luxo\", R\"luxo({})luxo\", {}, {}, kExactShader{}}},\n",
-                           formulas.surface, formulas.pattern, formulas.number == GlslNumber::Double,
-                           formulas.grazing, index);
+    entries += fmt::format("    {{{}, {}, {}, {}, kExactShader{}}},\n", literal(formulas.surface),
+                           literal(formulas.pattern), formulas.number == GlslNumber::Double, formulas.grazing,
+                           index);
   }
   return fmt::format(
       "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"

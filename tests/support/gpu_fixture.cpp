@@ -6,17 +6,6 @@
 #include <cstdlib>
 #include <string_view>
 
-#if defined(__SANITIZE_ADDRESS__)
-// Drivers and layers leak on their own account. The leak checker can only be told to ignore them by name
-// while they are loaded, so they are kept loaded until it has run. What luxo leaks on the device the layer
-// itself reports.
-extern "C" int dlclose(void*) noexcept { return 0; }
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libVkLayer\nleak:libvulkan_\nleak:libLLVM\n";
-}
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
-#endif
-
 namespace luxo::test {
 namespace {
 

@@ -38,6 +38,14 @@ TEST(Reach, NoNodeWithALitPointIsOutOfReach) {
   RecordProperty("found_percent", 100 * darkFound / darkNodes);
 }
 
+// Behind the focus, along the axis, but not behind the shade.
+TEST(Reach, BetweenAShallowRimAndItsFocusAllIsLit) {
+  const auto rule = shadeRule({1.0, 0.3}, Transform{}, {});
+  const Box between{Vec3(-0.1, 0.5, -0.1), Vec3(0.1, 0.7, 0.1)};
+  ASSERT_TRUE(lit(*rule, between.center()));
+  EXPECT_TRUE(canLight(*rule, Transform{}, between, 0));
+}
+
 TEST(Reach, SlackWidensTheLight) {
   const auto rule = shadeRule({0.2, 1.8}, Transform{}, {});
   const Box below{Vec3(-1, -2, -1), Vec3(1, -0.5, 1)};  // half a metre behind the vertex
