@@ -77,11 +77,6 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
   return options.cullBackFaces && (visible.hideBackFaces || hidden()) ? FaceCulling::Back : FaceCulling::None;
 }
 
-/// Of what covers no more pixels the triangles are not told apart by how they are seen, so that all instances
-/// of a shell are one draw: the longer search costs less there than a draw of its own (80 us on a CPU
-/// device).
-constexpr std::uint64_t kSharedPixels = 64 * 64;
-
 /// Parts of shells that are seen where rays graze: every so many of the picture's triangles.
 constexpr std::size_t kMaxOutlines = 64;
 
@@ -264,7 +259,7 @@ class DrawLister {
     const auto most = static_cast<double>(std::max(pixels.count(), kWorthRays));
     const double refined = tolerance * std::ldexp(1.0, -2 * level);
     batch.shell = geometry_.shells.get(node.surface, node.parameters, refined, most);
-    if (batch.shell && pixels.count() <= kSharedPixels && isQuadric(*batch.shell))
+    if (batch.shell && pixels.count() <= options_.sharedPixels && isQuadric(*batch.shell))
       batch.shell = geometry_.shells.get(node.surface, node.parameters,
                                          std::max(refined, std::min(wanted, kCoarsestQuadric * size)), most);
     const bool leavesOut = !batch.shell || (!batch.shell->proven && batch.shell->pinches.empty());
@@ -289,7 +284,7 @@ class DrawLister {
     item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.shell, *plane)
                                 : exactInstance(snapshot_.view, node, v, *batch.shell, number);
     item.instance.exact.firstPatch = patchesOf(node, *batch.shell);
-    batch.shared = !inside && level == 0 && !refinement_.completes && pixels.count() <= kSharedPixels;
+    batch.shared = !inside && level == 0 && !refinement_.completes && pixels.count() <= options_.sharedPixels;
     const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && level == 0);
     for (const Shell::Part& part : batch.shell->parts) {
       batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)

@@ -44,12 +44,16 @@ class Random {
   std::mt19937 engine_;
 };
 
+// One number in a statement: the order in which arguments are evaluated is the compiler's.
 std::string sumOfSines(Random& random, int most) {
   std::string sum;
-  for (int k = 0; k < 3; ++k)
-    sum += fmt::format("{}{:.3f}*{}({}*u+{}*v+{:.3f})", k > 0 ? "+" : "", random.between(0.1, 0.45),
-                       random.upTo(1) ? "sin" : "cos", random.upTo(most), random.upTo(most),
-                       random.between(0, 6.28));
+  for (int k = 0; k < 3; ++k) {
+    const double phase = random.between(0, 6.28);
+    const int v = random.upTo(most), u = random.upTo(most);
+    const char* function = random.upTo(1) ? "sin" : "cos";
+    const double size = random.between(0.1, 0.45);
+    sum += fmt::format("{}{:.3f}*{}({}*u+{}*v+{:.3f})", k > 0 ? "+" : "", size, function, u, v, phase);
+  }
   return sum;
 }
 
@@ -75,13 +79,15 @@ std::string openSines(Random& random, int most) {
 /// smaller loop shows the inner side. Nowhere a point without a normal, so that slabs stand.
 std::string crossing(Random& random, int most, const char* u) {
   const auto wave = [&] {
-    return fmt::format("+0.15*sin({}*u+{:.3f})", random.upTo(most), random.between(0, 6.28));
+    const double phase = random.between(0, 6.28);
+    return fmt::format("+0.15*sin({}*u+{:.3f})", random.upTo(most), phase);
   };
-  const std::string radius = fmt::format("(1.5+{:.3f}*sin(v){})", random.between(0.4, 0.7), wave());
-  return formula(
-      {radius + "*cos(u)", fmt::format("(0.4+{:.3f}*sin(v))*sin(2*v){}", random.between(0.1, 0.3), wave()),
-       radius + "*sin(u)"},
-      u, "[0, \"tau\"]");
+  const std::string onRadius = wave();
+  const std::string radius = fmt::format("(1.5+{:.3f}*sin(v){})", random.between(0.4, 0.7), onRadius);
+  const std::string onHeight = wave();
+  const std::string height =
+      fmt::format("(0.4+{:.3f}*sin(v))*sin(2*v){}", random.between(0.1, 0.3), onHeight);
+  return formula({radius + "*cos(u)", height, radius + "*sin(u)"}, u, "[0, \"tau\"]");
 }
 std::string closedCrossing(Random& random, int most) { return crossing(random, most, "[0, \"tau\"]"); }
 std::string openCrossing(Random& random, int most) { return crossing(random, most, "[0, 4]"); }
@@ -89,19 +95,23 @@ std::string openCrossing(Random& random, int most) { return crossing(random, mos
 std::string ruled(Random& random, int most) {
   const auto line = [&] {
     const auto wave = [&] {
-      return fmt::format("{:.3f}*sin({}*u+{:.3f})", random.between(0.2, 0.7), random.upTo(most),
-                         random.between(0, 6.28));
+      const double phase = random.between(0, 6.28);
+      const int u = random.upTo(most);
+      return fmt::format("{:.3f}*sin({}*u+{:.3f})", random.between(0.2, 0.7), u, phase);
     };
-    return wave() + "+v*" + wave();
+    const std::string middle = wave();
+    return middle + "+v*" + wave();
   };
   return formula({line(), line(), line()}, "[0, 6]", "[-1, 1]");
 }
 
 std::string roll(Random& random, int most) {
   const double turns = 1 + random.upTo(4 * most), last = 6.283 * turns;
+  const double pitch = random.between(0.5, 1.1) / last, high = random.between(0.3, 1),
+               low = random.between(0.3, 1);
   return formula({"r*cos(u)", "v", "r*sin(u)"}, fmt::format("[0, {:.4f}]", last),
-                 fmt::format("[-{:.3f}, {:.3f}]", random.between(0.3, 1), random.between(0.3, 1)),
-                 fmt::format(R"({{ "r": "0.1 + {:.6f}*u" }})", random.between(0.5, 1.1) / last));
+                 fmt::format("[-{:.3f}, {:.3f}]", low, high),
+                 fmt::format(R"({{ "r": "0.1 + {:.6f}*u" }})", pitch));
 }
 
 struct Family {
@@ -115,7 +125,8 @@ struct Family {
 Snapshot snapshotOf(const Family& family, unsigned seed) {
   Random random(seed);
   const std::string surface = family.surface(random, family.most);
-  const Vec3 eye = random.between(3, 6) * random.direction();
+  const Vec3 direction = random.direction();
+  const Vec3 eye = random.between(3, 6) * direction;
   const std::string projection = random.upTo(4) == 0
                                      ? R"("type": "orthographic", "height": 3)"
                                      : fmt::format(R"("fov_y": {:.3f})", random.between(0.4, 0.9));
@@ -226,8 +237,10 @@ TEST_P(ShellClaims, HoldForCertifiedRays) {
     const Snapshot snapshot = snapshotOf(GetParam(), seed);
     Geometry geometry;
     const VisibleList visible = cull(snapshot);
-    const DrawList list = listDraws(snapshot, visible, {}, geometry);
-    DrawOptions showing;
+    DrawOptions options;
+    options.sharedPixels = 0;  // small as it is, as if it were large
+    const DrawList list = listDraws(snapshot, visible, options, geometry);
+    DrawOptions showing = options;
     showing.skips.hidden = false;
     const DrawList whole = listDraws(snapshot, visible, showing, geometry);
     std::vector<std::optional<Seen>> seen = look(snapshot);

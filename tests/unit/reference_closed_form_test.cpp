@@ -19,7 +19,9 @@ namespace {
 
 Vec3 randomDirection(std::mt19937& random) {
   std::normal_distribution<double> normal;
-  return unit(Vec3(normal(random), normal(random), normal(random)));
+  // One after the other: the order in which arguments are evaluated is the compiler's.
+  const double z = normal(random), y = normal(random), x = normal(random);
+  return unit(Vec3(x, y, z));
 }
 
 Roots byForms(const Shape& shape, const Transform& place, const Ray& ray, const RootQuery& query) {
@@ -78,7 +80,7 @@ TEST(ReferenceClosedForm, AgreesWithTheCells) {
         const Vec3 p = transformPoint(place, surface.position(a.patch, a.u, a.v));
         EXPECT_LT(glm::length(p - (ray.origin + a.t * ray.direction)), 1e-11) << surface.name() << ' ' << i;
       }
-      EXPECT_GT(hits, surface.name() == "torus" ? 10 : 150) << surface.name();
+      EXPECT_GT(hits, surface.name() == "torus" ? 20 : 150) << surface.name();
       EXPECT_EQ(undecided, 0) << surface.name();  // random rays are never within rounding of a silhouette
     }
 }
