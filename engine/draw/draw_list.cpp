@@ -3,23 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <set>
 #include <tuple>
 
 #include "draw/clipped_mesh.h"
-#include "draw/exact_data.h"
 #include "draw/instance_data.h"
 #include "draw/light_sets.h"
 #include "draw/material_list.h"
-#include "draw/near_section.h"
+#include "draw/shell_list.h"
 #include "math/transform.h"
-#include "shell/shell_view.h"
-#include "surface/spread.h"
 
 namespace luxo {
 namespace {
@@ -27,16 +20,6 @@ namespace {
 // Light that is interpolated between vertices needs vertices where light changes, also on flat surfaces. An
 // outline is as wide as the slope of what is interpolated says, which long facets of a cone get wrong.
 constexpr double kVertexSpacingPx = 12;
-// Object units: where extreme scales round the above to 0.
-constexpr double kLeastSpacing = 1e-200;
-
-// No shell is nearer to its surface than this part of its size, unless a search was lost.
-constexpr double kFinestShell = 2e-4;
-// Nor farther than this part, however small it is seen: a shell of a few triangles is blind to spikes and
-// rims, and searches from it have lost them (the lecture's pseudospheres, 12 pixels large).
-constexpr double kCoarsestShell = 1.0 / 64;
-// A quadric has neither. That it is one was seen in a shell that is no coarser than the above.
-constexpr double kCoarsestQuadric = 1.0 / 4;
 
 bool needsLights(const DrawState& state) {
   return state.output == Output::Color &&
@@ -54,20 +37,6 @@ MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shadin
   return desc;
 }
 
-/// Whether its search is a quadratic equation, which finds the same root from wherever it begins.
-bool isQuadric(const Shell& shell) {
-  return std::ranges::all_of(shell.patchData, [](const ShellPatch& patch) {
-    return patch.equation && patch.equation->form() == Equation::Form::Quadric;
-  });
-}
-
-/// Homogeneous; not finite where the object is flattened.
-Vec4 eyeInObject(const View& view, const Transform& worldFromObject) {
-  const Mat3 objectFromWorld = glm::inverse(worldFromObject.linear);
-  return view.perspective() ? Vec4(objectFromWorld * (view.eye - worldFromObject.translation), 1)
-                            : Vec4(objectFromWorld * -view.forward(), 0);
-}
-
 /// Back faces are not drawn where the material says so, or front faces hide them.
 FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, const DrawOptions& options,
                       MeshCache& meshes) {
@@ -76,13 +45,6 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
   };
   return options.cullBackFaces && (visible.hideBackFaces || hidden()) ? FaceCulling::Back : FaceCulling::None;
 }
-
-/// Parts of shells that are seen where rays graze: every so many of the picture's triangles.
-constexpr std::size_t kMaxOutlines = 64;
-
-/// Shells of more triangles than pixels, and than this, are not made: rays in all of those pixels take no
-/// longer. (Some 10 us a triangle, measured from the teapot to sums of sines; a ray 1 to 5.)
-constexpr std::uint64_t kWorthRays = 20'000;
 
 /// Of a mesh that is seen until rays have found what it stands for: times the tolerance.
 constexpr double kStandInTolerance = 8;
@@ -98,7 +60,8 @@ class DrawLister {
         geometry_(geometry),
         refinement_(refinement),
         lightSets_(snapshot, options, list_.lightSets),
-        materials_(snapshot, visible, options, list_) {
+        materials_(snapshot, visible, options, list_),
+        shells_(snapshot, options, geometry, refinement, list_) {
     list_.view = viewData(snapshot, visible);
   }
 
@@ -108,9 +71,9 @@ class DrawLister {
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
     materials_.listShades();
-    listOutlines();
+    shells_.listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
-    placeSharedIndices();
+    shells_.placeSharedIndices();
     return std::move(list_);
   }
 
@@ -208,9 +171,10 @@ class DrawLister {
       item.found = batch.state;
       item.found->byRays = true;
       if (shading == Shading::Exact) item.found->shading = Shading::Phong;
-      const std::optional<Vec3> shellOrigin = addShell(item, batch, node, v);
-      if (shellOrigin) {
-        origin = *shellOrigin;
+      if (auto shell = shells_.add(batch, node, v)) {
+        item.batches = std::move(shell->batches);
+        item.instance.exact = shell->exact;
+        origin = shell->origin;
       } else if (options_.standIns && shading == Shading::Exact) {
         batch.state.shading = Shading::Phong;
         MeshDesc desc = meshDescOf(node, v, Shading::Phong, snapshot_.view);
@@ -236,214 +200,6 @@ class DrawLister {
     batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
     if (!refinement_.completes) item.batches.push_back(batch);
     return batch.mesh->origin;
-  }
-
-  /// Adds the draws of a node whose surface is found in every pixel, a draw for each of its formulas. Returns
-  /// the origin of the shell's vertices; nothing where all of it is left to rays.
-  std::optional<Vec3> addShell(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
-    const PixelRect pixels = pixelsOf(snapshot_.view, node.boundsWorld);
-    // No shell holds what has no end.
-    if (!isFinite(node.boundsObject)) {
-      list_.byRays.push_back(pixels);
-      return std::nullopt;
-    }
-    // A look at a small part of a large surface needs no finer shell than one at all of it: only its cells
-    // must be small enough for a search that begins in them.
-    const double size = glm::length(node.boundsObject.extent());
-    // What has collapsed into a point at this moment has no size to go by.
-    const double coarsest = kCoarsestShell * size > kLeastSpacing ? kCoarsestShell * size
-                                                                  : std::numeric_limits<double>::infinity();
-    const double wanted = v.toleranceObject / options_.tolerancePx * options_.shellTolerancePx;
-    const double tolerance = std::min(std::max(wanted, kFinestShell * size), coarsest);
-    const int level = refinement_.level(v.node);
-    const auto most = static_cast<double>(std::max(pixels.count(), kWorthRays));
-    const double refined = tolerance * std::ldexp(1.0, -2 * level);
-    batch.shell = geometry_.shells.get(node.surface, node.parameters, refined, most);
-    if (batch.shell && pixels.count() <= options_.sharedPixels && isQuadric(*batch.shell))
-      batch.shell = geometry_.shells.get(node.surface, node.parameters,
-                                         std::max(refined, std::min(wanted, kCoarsestQuadric * size)), most);
-    const bool leavesOut = !batch.shell || (!batch.shell->proven && batch.shell->pinches.empty());
-    if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.shell))) {
-      list_.byRays.push_back(pixels);
-      return std::nullopt;
-    }
-    for (const Shell::Pinch& pinch : batch.shell->pinches)
-      list_.byRays.push_back(
-          overlap(pixels, pixelsOf(snapshot_.view, transformBounds(node.worldFromObject, pinch.box()))));
-    const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.shell) : std::nullopt;
-    // What a formula rounds away nobody knows but by what is lost.
-    const bool inDouble =
-        !plane && options_.doubles && (level > 0 || needsDouble(snapshot_.view, node, v, *batch.shell));
-    const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
-    if (isTooLarge(geometry_.codes, node.surface, *batch.shell, node.parameters.size(), number)) {
-      ++list_.tooLarge;
-      list_.byRays.push_back(pixels);
-      return std::nullopt;
-    }
-    const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.shell);
-    item.instance.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.shell, *plane)
-                                : exactInstance(snapshot_.view, node, v, *batch.shell, number);
-    item.instance.exact.firstPatch = patchesOf(node, *batch.shell);
-    batch.shared = !inside && level == 0 && !refinement_.completes && pixels.count() <= options_.sharedPixels;
-    const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && level == 0);
-    for (const Shell::Part& part : batch.shell->parts) {
-      batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
-                                  : codeOf(geometry_.codes, node.surface, *batch.shell, part.patch,
-                                           node.parameters.size(), number);
-      batch.state.equation = batch.shell->patchData[part.patch].equation.has_value();
-      batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
-      // A quadric's roots are all known at once.
-      const std::optional<Equation>& equation = batch.shell->patchData[part.patch].equation;
-      if (inside && !(equation && equation->form() == Equation::Form::Quadric))
-        addNearSection(node, *batch.shell, part);
-      batch.half = Half::Near;
-      addShellDraws(item, batch, view, part.firstIndex, part.frontCount);
-      batch.half = Half::Far;
-      if (inside && snapshot_.view.perspective()) {
-        // From inside the slab its faces are seen from behind. A ray leaves it by the bottom behind the outer
-        // side, or, having dipped into that, by the top.
-        if (!batch.bothSides) batch.culling = FaceCulling::Front;
-        addShellDraws(item, batch, view, part.firstIndex, part.count);
-      } else if (batch.bothSides) {
-        addShellDraws(item, batch, view, part.wallIndex(), part.frontCount);
-      }
-    }
-    return batch.shell->origin;
-  }
-
-  /// What is seen where rays begin inside the shell is found by rays.
-  void addNearSection(const SnapshotNode& node, const Shell& shell, const Shell::Part& part) {
-    const auto before = static_cast<std::ptrdiff_t>(list_.byRays.size());
-    appendNearSection(snapshot_.view, node, shell, part, list_.byRays);
-    const auto added = list_.byRays.begin() + before;
-    const PixelRect all{{0, 0}, {snapshot_.view.size.width, snapshot_.view.size.height}};
-    const auto pixels =
-        std::accumulate(added, list_.byRays.end(), std::uint64_t{0},
-                        [](std::uint64_t sum, const PixelRect& rect) { return sum + rect.count(); });
-    // Of prisms that all are across the picture one is enough.
-    if (pixels <= 4 * all.count()) return;
-    list_.byRays.erase(added, list_.byRays.end());
-    list_.byRays.push_back(all);
-  }
-
-  /// Adds the draws of some of a shell's triangles: of those seen flat, and of those that a ray may graze.
-  void addShellDraws(Item& item, DrawBatch batch, const ShellView& view, std::uint32_t firstIndex,
-                     std::uint32_t count) {
-    if (batch.shared) {
-      addSharedDraws(item, std::move(batch), firstIndex, count);
-      return;
-    }
-    const Shell& shell = *batch.shell;
-    std::vector<std::uint32_t>& all = list_.shellIndices;
-    std::array<std::vector<std::uint32_t>, 2> grazing;  // where no edge is a point, and where one is
-    const std::uint32_t node = item.instance.node;
-    const std::size_t first = all.size();
-    for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
-      const Seen seen = view.seen(shell, i, batch.half == Half::Far ? -1 : 1);
-      const std::uint32_t slot = feedbackSlot(node, shell.indices[i]);
-      const bool lost = seen == Seen::Transversal && refinement_.lostTransversal(slot);
-      const bool again = refinement_.refined(node) || (lost && refinement_.lostJustNow(slot));
-      if (seen == Seen::Away || (refinement_.completes && !again)) continue;
-      // By its equation a surface is found where it is grazed as it is elsewhere.
-      const bool isTransversal = seen == Seen::Transversal && !lost && !batch.state.equation;
-      const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
-      std::vector<std::uint32_t>& indices =
-          isTransversal ? all : grazing[!batch.state.equation && patch.hasPole()];
-      indices.insert(indices.end(), shell.indices.begin() + i, shell.indices.begin() + i + 3);
-    }
-    const auto add = [&](std::size_t from) {
-      if (from == all.size()) return;
-      batch.firstIndex = static_cast<std::uint32_t>(from);
-      batch.indexCount = static_cast<std::uint32_t>(all.size() - from);
-      item.batches.push_back(batch);
-    };
-    add(first);
-    batch.state.grazing = true;
-    for (const bool poles : {false, true}) {
-      const std::size_t from = all.size();
-      all.insert(all.end(), grazing[poles].begin(), grazing[poles].end());
-      batch.state.poles = poles;
-      add(from);
-    }
-  }
-
-  /// Adds the draws of all of these triangles, as if a ray may graze each of them.
-  void addSharedDraws(Item& item, DrawBatch batch, std::uint32_t firstIndex, std::uint32_t count) {
-    const auto key = std::pair(batch.shell.get(), firstIndex);
-    auto known = sharedRanges_.find(key);
-    if (known == sharedRanges_.end() || !options_.shareShells)
-      known = sharedRanges_.insert_or_assign(key, sharedRanges(*batch.shell, firstIndex, count)).first;
-    batch.state.grazing = true;
-    for (const bool poles : {false, true}) {
-      const auto& [first, end] = known->second[poles];
-      if (first == end) continue;
-      batch.state.poles = poles;
-      batch.firstIndex = first;
-      batch.indexCount = end - first;
-      item.batches.push_back(batch);
-    }
-  }
-
-  /// Where in sharedIndices_ the triangles are in whose patch no edge is a point, and those where one is.
-  using Ranges = std::array<std::pair<std::uint32_t, std::uint32_t>, 2>;
-  Ranges sharedRanges(const Shell& shell, std::uint32_t firstIndex, std::uint32_t count) {
-    Ranges ranges;
-    const auto size = [&] { return static_cast<std::uint32_t>(sharedIndices_.size()); };
-    for (const bool poles : {false, true}) {
-      ranges[poles].first = size();
-      for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
-        const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
-        if ((!patch.equation && patch.hasPole()) != poles) continue;
-        sharedIndices_.insert(sharedIndices_.end(), shell.indices.begin() + i, shell.indices.begin() + i + 3);
-      }
-      ranges[poles].second = size();
-    }
-    return ranges;
-  }
-
-  /// After those that are single nodes', of which some are hidden.
-  void placeSharedIndices() {
-    const auto before = static_cast<std::uint32_t>(list_.shellIndices.size());
-    for (DrawBatch& batch : list_.opaque)
-      if (batch.shared) batch.firstIndex += before;
-    list_.shellIndices.insert(list_.shellIndices.end(), sharedIndices_.begin(), sharedIndices_.end());
-  }
-
-  /// Evenly chosen of all grazing triangles, so that where outlines are dense many are.
-  void listOutlines() {
-    std::size_t grazing = 0;
-    const auto forEachGrazing = [&](const auto& action) {
-      for (const DrawBatch& batch : list_.opaque)
-        if (batch.shell && batch.state.grazing && !batch.shared)
-          for (std::uint32_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3)
-            action(batch, i);
-    };
-    forEachGrazing([&](const DrawBatch&, std::uint32_t) { ++grazing; });
-    const std::size_t stride = std::max<std::size_t>(grazing / kMaxOutlines, 1);
-    std::size_t number = 0;
-    forEachGrazing([&](const DrawBatch& batch, std::uint32_t i) {
-      if (number++ % stride != 0) return;
-      const SnapshotNode& node = snapshot_.nodes[list_.instanceNodes[batch.firstInstance]];
-      Vec3 middle(0);
-      for (std::uint32_t k = 0; k < 3; ++k) middle += batch.shell->positions[list_.shellIndices[i + k]] / 3.0;
-      const Vec3 eye = eyeFromWorldPoint(snapshot_.view, transformPoint(node.worldFromObject, middle));
-      if (snapshot_.view.perspective() && !(-eye.z > snapshot_.view.near)) return;
-      const Vec2 pixel = glm::floor(pixelFromEye(snapshot_.view, eye));
-      const PixelSize& size = snapshot_.view.size;
-      if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height)
-        list_.outlines.push_back({static_cast<std::int32_t>(pixel.x), static_cast<std::int32_t>(pixel.y)});
-    });
-  }
-
-  /// Where the patches of a surface start; nodes with the same surface and parameters share them.
-  std::uint32_t patchesOf(const SnapshotNode& node, const Shell& shell) {
-    const auto [entry, isNew] =
-        firstPatchOf_.try_emplace(std::pair{node.surface.identity(), node.parameters},
-                                  static_cast<std::uint32_t>(list_.exactPatches.size()));
-    if (isNew)
-      appendPatches(geometry_.codes, node.surface, node.parameters, shell, list_.exactPatches,
-                    list_.exactParameters);
-    return entry->second;
   }
 
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
@@ -489,9 +245,7 @@ class DrawLister {
   DrawList list_;
   LightSets lightSets_;
   MaterialList materials_;
-  std::map<std::pair<const void*, std::vector<double>>, std::uint32_t> firstPatchOf_;
-  std::map<std::pair<const Shell*, std::uint32_t>, Ranges> sharedRanges_;
-  std::vector<std::uint32_t> sharedIndices_;
+  ShellList shells_;
 };
 
 }  // namespace

@@ -99,8 +99,8 @@ std::string ruled(Random& random, int most) {
       const int u = random.upTo(most);
       return fmt::format("{:.3f}*sin({}*u+{:.3f})", random.between(0.2, 0.7), u, phase);
     };
-    const std::string middle = wave();
-    return middle + "+v*" + wave();
+    const std::string slope = wave();
+    return wave() + "+v*" + slope;
   };
   return formula({line(), line(), line()}, "[0, 6]", "[-1, 1]");
 }
