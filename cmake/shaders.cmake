@@ -52,11 +52,12 @@ function(luxo_shader_sources target)
   add_dependencies(${target} ${target}_sources)
 endfunction()
 
-# The exact shaders of what is built in: <luxo/shaders/exact_shaders.h> with `luxo::kExactShaders`, for targets that link
-# `target`. The program that writes it compiles the texts of luxo_shader_sources(target). Under sanitizers that takes six
+# The exact shaders of the named surfaces and of scene files: <luxo/shaders/exact_shaders.h> with `luxo::kExactShaders`, for
+# targets that link `target`. The program that writes it compiles the texts of luxo_shader_sources(target). Under sanitizers that takes six
 # times as long, as the optimiser does little but allocate: such builds may take the header that another build has written.
 set(LUXO_EXACT_SHADERS "" CACHE FILEPATH "exact_shaders.h of another build of these sources, instead of one's own")
 function(luxo_exact_shaders target source)
+  set(scenes ${ARGN})
   set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders/exact_shaders.h)
   if(LUXO_EXACT_SHADERS)
     add_custom_command(OUTPUT ${out} COMMAND ${CMAKE_COMMAND} -E copy ${LUXO_EXACT_SHADERS} ${out}
@@ -67,11 +68,11 @@ function(luxo_exact_shaders target source)
   endif()
   add_executable(luxo_exact_shaders ${source})
   target_include_directories(luxo_exact_shaders PRIVATE ${PROJECT_BINARY_DIR}/generated)
-  target_link_libraries(luxo_exact_shaders PRIVATE luxo_lamp luxo_scenes luxo_gpu SPIRV-Tools TBB::tbb)
+  target_link_libraries(luxo_exact_shaders PRIVATE luxo_scene luxo_gpu SPIRV-Tools TBB::tbb)
   luxo_warnings(luxo_exact_shaders)
   add_dependencies(luxo_exact_shaders ${target}_sources)
   add_custom_command(
-    OUTPUT ${out} COMMAND luxo_exact_shaders ${out} DEPENDS luxo_exact_shaders
+    OUTPUT ${out} COMMAND luxo_exact_shaders ${out} ${scenes} DEPENDS luxo_exact_shaders ${scenes}
     COMMENT "Compiling the exact shaders" VERBATIM)
   add_custom_target(${target}_exact DEPENDS ${out})
   add_dependencies(${target} ${target}_exact)

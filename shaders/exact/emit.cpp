@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs when luxo is built: the exact fragment shaders of the named surfaces, made from their formulas, as a
-// C++ table.
+// Runs when luxo is built: the exact fragment shaders of the named surfaces, and of the surfaces and patterns
+// of some scenes, made from their formulas, as a C++ table.
 //
-//     luxo_exact_shaders HEADER
+//     luxo_exact_shaders HEADER [SCENE.luxo.json ...]
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -20,12 +20,9 @@
 
 #include "base/error.h"
 #include "draw/exact_source.h"
-#include "luxo_grandpa/lamp.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scene/snapshot.h"
-#include "scenes/embedded_scenes.h"
-#include "scenes/gallery.h"
 #include "surface/catalogue.h"
 #include "surface/surface_code.h"
 
@@ -87,8 +84,8 @@ void addScene(std::set<Formulas>& all, const Scene& scene) {
   }
 }
 
-/// Of the named surfaces as they are without arguments and in general, and of the built-in scenes.
-std::set<Formulas> builtInFormulas() {
+/// Of the named surfaces as they are without arguments and in general, and of these scene files.
+std::set<Formulas> builtInFormulas(std::span<const char* const> scenes) {
   std::set<Formulas> all;
   for (const CatalogueEntry& entry : catalogue()) {
     const Surface surface = makeSurface(entry);
@@ -96,10 +93,11 @@ std::set<Formulas> builtInFormulas() {
     addGeneralForms(all, surface);
   }
   addSuperquadrics(all);
-  addScene(all, luxoGrandpa());
-  addScene(all, gallery());
-  for (const EmbeddedScene& scene : embeddedScenes())
-    addScene(all, buildScene(parseScene(std::string(scene.text), std::string(scene.name))));
+  for (const char* scene : scenes) {
+    std::ifstream file(scene);
+    if (!file) throw Error(ErrorKind::Scene, fmt::format("cannot read {}", scene));
+    addScene(all, buildScene(readScene(file, scene)));
+  }
   return all;
 }
 
@@ -135,8 +133,8 @@ std::string literal(const std::string& text) {
   return fmt::format("{{R\"luxo({})luxo\", {}}}", text, text.size());
 }
 
-std::string table() {
-  const std::set<Formulas> known = builtInFormulas();
+std::string table(std::span<const char* const> scenes) {
+  const std::set<Formulas> known = builtInFormulas(scenes);
   const std::vector<Formulas> all(known.begin(), known.end());
   const std::vector<Words> shaders = compile(all);
   std::string arrays, entries;
@@ -167,8 +165,9 @@ std::string table() {
 
 int main(int count, char** arguments) {
   try {
-    if (count != 2) throw luxo::Error(luxo::ErrorKind::Usage, "give the header to write");
-    const std::string header = luxo::table();
+    const std::span<const char* const> words(arguments, static_cast<std::size_t>(count));
+    if (count < 2) throw luxo::Error(luxo::ErrorKind::Usage, "give the header to write");
+    const std::string header = luxo::table(words.subspan(2));
     std::ofstream file(arguments[1]);
     if (!(file << header).flush())
       throw luxo::Error(luxo::ErrorKind::Write, fmt::format("cannot write {}", arguments[1]));
