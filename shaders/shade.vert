@@ -7,14 +7,16 @@
 #include "lib/scene.glsl"
 
 layout(location = 0) flat out vec4 outViewer;
-layout(location = 1) flat out vec3 outRay[4];  // middle, right, down, depth: ViewData
-layout(location = 5) flat out vec2 outMiddle;
+layout(location = 1) flat out vec3 outPlace[3];  // middle, right, down, as in ViewData
+layout(location = 4) flat out vec3 outRay[3];
+layout(location = 7) flat out vec2 outMiddle;
 layout(location = 8) flat out vec4 outLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
 layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; reach
 
 void main() {
   outViewer = view.viewer;
-  outRay = vec3[](view.rayMiddle, view.rayRight, view.rayDown, view.rayDepth);
+  outPlace = vec3[](view.placeMiddle, view.placeRight, view.placeDown);
+  outRay = vec3[](view.rayMiddle, view.rayRight, view.rayDown);
   outMiddle = view.middle;
   for (uint i = 0; i < kCarriedLights; ++i) {
     outLights[2 * i] = lightSet.lights[i].position;

@@ -59,10 +59,11 @@ class DrawLister {
         options_(options),
         geometry_(geometry),
         refinement_(refinement),
-        lightSets_(snapshot, options, list_.lightSets),
+        lightSets_(snapshot, options, shadingOrigin(snapshot), list_.lightSets),
         materials_(snapshot, visible, options, list_),
         shells_(snapshot, options, geometry, refinement, list_) {
     list_.view = viewData(snapshot, visible);
+    list_.origin = shadingOrigin(snapshot);
   }
 
   DrawList list() && {
@@ -184,7 +185,7 @@ class DrawLister {
     } else {
       origin = addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
     }
-    item.instance.data = instanceData(snapshot_, node, v, origin, batch.bothSides);
+    item.instance.data = instanceData(snapshot_, node, v, list_.origin, origin, batch.bothSides);
     item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf);
     return item;
   }

@@ -86,6 +86,7 @@ struct FoundNode {
 
 struct DrawList {
   shared::ViewData view;
+  Vec3 origin{0};  ///< shadingOrigin()
   std::vector<shared::InstanceData> instances;
   std::vector<shared::ExactInstance>
       exactInstances;                            ///< as instances; of those without a shell nothing is read

@@ -39,11 +39,11 @@ constexpr double roundingOf(GlslNumber number) {
 /// What float leaves of a number.
 Vec4f restOf(const Vec4& v) { return Vec4f(v - Vec4(Vec4f(v))); }
 
-/// The eye where there is one such point, else the origin.
-Vec3 eyeInObject(const View& view, const Transform& worldFromObject) {
-  const Vec3 eye = glm::inverse(worldFromObject.linear) * (view.eye - worldFromObject.translation);
-  const Vec3f rounded(eye);
-  return std::isfinite(rounded.x + rounded.y + rounded.z) ? eye : Vec3(0);
+/// A point of the world where the object has it, else the object's origin.
+Vec3 inObject(const Vec3& point, const Transform& worldFromObject) {
+  const Vec3 object = glm::inverse(worldFromObject.linear) * (point - worldFromObject.translation);
+  const Vec3f rounded(object);
+  return std::isfinite(rounded.x + rounded.y + rounded.z) ? object : Vec3(0);
 }
 
 /// How far the node's points are from its origin, in metres of the world, axis by axis: what is long along
@@ -139,15 +139,16 @@ bool isGeneral(SurfaceCodes& codes, const Patch& patch, const SurfaceCode& own) 
 }
 
 /// All but firstPatch.
-shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                 const Shell& shell, GlslNumber number, const PixelRows& rows) {
+shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const SnapshotNode& node,
+                                 const VisibleNode& visible, const Shell& shell, GlslNumber number,
+                                 const PixelRows& rows) {
   const Rounding rounding = roundingPx(view, node, shell, number);
   const double finest = number == GlslNumber::Double ? kDoubleTolerancePx : kExactTolerancePx;
   const double range = view.far - view.near;
   const Transform& world = node.worldFromObject;
   PixelRows ofShell = pixelRows(view, world);
   for (Vec4* row : {&ofShell.x, &ofShell.y, &ofShell.depth}) row->w += glm::dot(Vec3(*row), shell.origin);
-  const Vec3 middle = number == GlslNumber::Double ? eyeInObject(view, world) : Vec3(0);
+  const Vec3 middle = number == GlslNumber::Double ? inObject(origin, world) : Vec3(0);
   return {
       .x = Vec4f(rows.x),
       .y = Vec4f(rows.y),
@@ -159,7 +160,7 @@ shared::ExactInstance instanceOf(const View& view, const SnapshotNode& node, con
       .half_ = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
       .middle = Vec3f(middle),
       .middleLow = Vec3f(middle - Vec3(Vec3f(middle))),
-      .translation = Vec3f(transformPoint(world, middle) - view.eye),
+      .translation = Vec3f(transformPoint(world, middle) - origin),
       .facing = visible.mirrored ? 1.0f : -1.0f,
       .tolerance = static_cast<float>(std::max(finest, rounding.everywhere)),
       .firstPatch = 0,
@@ -210,9 +211,9 @@ std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::spa
   return seen;
 }
 
-shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                    const Shell& shell, GlslNumber number) {
-  return instanceOf(view, node, visible, shell, number, pixelRows(view, node.worldFromObject));
+shared::ExactInstance exactInstance(const View& view, const Vec3& origin, const SnapshotNode& node,
+                                    const VisibleNode& visible, const Shell& shell, GlslNumber number) {
+  return instanceOf(view, origin, node, visible, shell, number, pixelRows(view, node.worldFromObject));
 }
 
 std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, const Shell& shell) {
@@ -221,12 +222,12 @@ std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, con
   return isPlane ? planeRows(view, node.worldFromObject) : std::nullopt;
 }
 
-shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                                    const Shell& shell, const PlaneRows& plane) {
+shared::ExactInstance exactInstance(const View& view, const Vec3& origin, const SnapshotNode& node,
+                                    const VisibleNode& visible, const Shell& shell, const PlaneRows& plane) {
   const Vec4 depth = pixelRows(view, node.worldFromObject).depth;
   const PixelRows rows{
       .x = Vec4(plane.x, depth.x), .y = Vec4(plane.z, depth.z), .depth = Vec4(plane.w, depth.w)};
-  shared::ExactInstance instance = instanceOf(view, node, visible, shell, GlslNumber::Double, rows);
+  shared::ExactInstance instance = instanceOf(view, origin, node, visible, shell, GlslNumber::Double, rows);
   instance.thickness = static_cast<float>(1 / (visible.pixelsPerUnit * visible.stretch));
   return instance;
 }

@@ -39,19 +39,19 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
 [[nodiscard]] std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node,
                                           std::span<const Vec3> points);
 
-/// All of the instance but firstPatch, for a search in those numbers.
-[[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
-                                                  const VisibleNode& visible, const Shell& shell,
-                                                  GlslNumber number);
+/// All of the instance but firstPatch, for a search in those numbers. `origin`: shadingOrigin().
+[[nodiscard]] shared::ExactInstance exactInstance(const View& view, const Vec3& origin,
+                                                  const SnapshotNode& node, const VisibleNode& visible,
+                                                  const Shell& shell, GlslNumber number);
 
 /// Where pixels are on the plane that a shell is around; nothing of a shell of anything else.
 [[nodiscard]] std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node,
                                                const Shell& shell);
 
 /// The same as above of such a plane, which is found in double.
-[[nodiscard]] shared::ExactInstance exactInstance(const View& view, const SnapshotNode& node,
-                                                  const VisibleNode& visible, const Shell& shell,
-                                                  const PlaneRows& plane);
+[[nodiscard]] shared::ExactInstance exactInstance(const View& view, const Vec3& origin,
+                                                  const SnapshotNode& node, const VisibleNode& visible,
+                                                  const Shell& shell, const PlaneRows& plane);
 
 /// What finds a patch of a shell's surface: its equation, or its formula of so many parameters.
 [[nodiscard]] SurfaceCodePtr codeOf(SurfaceCodes& codes, const Surface& surface, const Shell& shell,

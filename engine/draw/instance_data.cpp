@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "math/transform.h"
+#include "surface/spread.h"
 
 namespace luxo {
 namespace {
@@ -25,20 +26,30 @@ bool seenFromAbove(const View& view, const Transform& worldFromObject) {
 }  // namespace
 
 shared::InstanceData instanceData(const Snapshot& snapshot, const SnapshotNode& node,
-                                  const VisibleNode& visible, const Vec3& origin, bool showsBack) {
+                                  const VisibleNode& visible, const Vec3& shadingOrigin, const Vec3& origin,
+                                  bool showsBack) {
   const Domain& domain = node.surface.domain();
   const Mat3 normals = normalMatrix(node.worldFromObject.linear);
   double largest = 0;
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normals[column][row]));
   return {.relativeFromObject = Mat3f(node.worldFromObject.linear),
-          .translation = toFloat(transformPoint(node.worldFromObject, origin) - snapshot.view.eye),
+          .translation = toFloat(transformPoint(node.worldFromObject, origin) - shadingOrigin),
           .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
           .flags = flagsOf(node, visible) | (showsBack ? shared::kShowsBack : 0) |
                    (seenFromAbove(snapshot.view, node.worldFromObject) ? shared::kFromAbove : 0),
           .material = 0,
           .id = node.number,
           .domain = Vec4f(domain.u.lo, domain.v.lo, domain.u.width(), domain.v.width())};
+}
+
+Vec3 shadingOrigin(const Snapshot& snapshot) {
+  Box all;
+  for (const SnapshotNode& node : snapshot.nodes)
+    if (isFinite(node.boundsWorld)) all.add(node.boundsWorld);
+  const Vec3& eye = snapshot.view.eye;
+  if (all.empty()) return eye;
+  return glm::distance(eye, all.center()) > kFarEye * glm::length(all.extent()) ? all.center() : eye;
 }
 
 shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) {
@@ -51,17 +62,24 @@ shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) 
       nearest = std::min(nearest, v.nearestDepth);
       farthest = std::max(farthest, v.centerDepth + sphere.radius);
     }
+  const Vec3 origin = shadingOrigin(snapshot), fromEye = origin - view.eye;
   Mat4 eyeFromRelative(view.eyeFromWorld);
+  eyeFromRelative[3] = Vec4(view.eyeFromWorld * fromEye, 1);
+  const double depth = glm::dot(fromEye, view.forward());
   const Vec3 right = view.right() / view.pixelsPerUnit, down = -view.up() / view.pixelsPerUnit,
              aside = right * view.sampleOffsetPx.x + down * view.sampleOffsetPx.y;
+  // Of what is right of and below the middle: at that depth, and for each metre.
+  const double widening = view.perspective() ? depth : 1, spread = view.perspective() ? 1 : 0;
   return {.clipFromRelative = Mat4f(view.clipFromEye * eyeFromRelative),
-          .viewer = view.perspective() ? Vec4f(0, 0, 0, 1) : Vec4f(toFloat(-view.forward()), 0),
-          .forward = toFloat(view.forward()),
+          .viewer = view.perspective() ? Vec4f(toFloat(-fromEye), 1) : Vec4f(toFloat(-view.forward()), 0),
+          .forward = Vec4f(Vec4(view.forward(), depth)),
           .depthRange = Vec2f(std::min(nearest, farthest), farthest),
-          .rayMiddle = toFloat(aside + (view.perspective() ? view.forward() : Vec3(0))),
-          .rayRight = toFloat(right),
-          .rayDown = toFloat(down),
-          .rayDepth = toFloat(view.perspective() ? Vec3(0) : view.forward()),
+          .placeMiddle = toFloat(widening * aside + depth * view.forward() - fromEye),
+          .placeRight = toFloat(widening * right),
+          .placeDown = toFloat(widening * down),
+          .rayMiddle = toFloat(spread * aside + view.forward()),
+          .rayRight = toFloat(spread * right),
+          .rayDown = toFloat(spread * down),
           .middle = Vec2f(0.5 * view.size.width, 0.5 * view.size.height)};
 }
 

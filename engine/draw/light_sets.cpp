@@ -30,9 +30,9 @@ double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& opti
 
 }  // namespace
 
-LightSets::LightSets(const Snapshot& snapshot, const DrawOptions& options,
+LightSets::LightSets(const Snapshot& snapshot, const DrawOptions& options, const Vec3& origin,
                      std::vector<shared::LightSet>& sets)
-    : snapshot_(snapshot), options_(options), sets_(sets) {
+    : snapshot_(snapshot), options_(options), origin_(origin), sets_(sets) {
   indexOf({});
 }
 
@@ -67,7 +67,7 @@ shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const
   for (std::size_t i = 0; i < order.size(); ++i) {
     const SnapshotLight& light = snapshot_.lights[order[i]];
     const Vec3 position =
-        light.directional() ? Vec3(light.positionWorld) : Vec3(light.positionWorld) - snapshot_.view.eye;
+        light.directional() ? Vec3(light.positionWorld) : Vec3(light.positionWorld) - origin_;
     set.lights[i] = {.position = Vec4f(Vec3f(position), light.positionWorld.w),
                      .radiance = Vec3f(light.radiance),
                      .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};

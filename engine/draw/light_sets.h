@@ -17,7 +17,9 @@ namespace luxo {
 class LightSets {
  public:
   /// All three must outlive this. The first set has no light: draws without any have one to bind.
-  LightSets(const Snapshot& snapshot, const DrawOptions& options, std::vector<shared::LightSet>& sets);
+  /// `origin`: shadingOrigin().
+  LightSets(const Snapshot& snapshot, const DrawOptions& options, const Vec3& origin,
+            std::vector<shared::LightSet>& sets);
 
   struct Choice {
     std::uint32_t index = 0, plain = 0, shaded = 0;
@@ -35,6 +37,7 @@ class LightSets {
 
   const Snapshot& snapshot_;
   const DrawOptions& options_;
+  Vec3 origin_;
   std::vector<shared::LightSet>& sets_;
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
 };

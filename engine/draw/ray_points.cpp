@@ -100,7 +100,8 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
   return rays;
 }
 
-RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found) {
+RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
+                                 const Vec3& origin) {
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   std::vector<reference::Caster::First> seen(pixels.size());
   const auto cast = [&](std::span<const std::size_t> chosen) {
@@ -143,7 +144,7 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
     points.runs.back().vertexCount += 3;
     points.vertices.insert(
         points.vertices.end(), 3,
-        {.position = Vec3f(hit.position - view.eye),
+        {.position = Vec3f(hit.position - origin),
          .normal = Vec3f(hit.normal),
          .parameters = Vec2f(hit.u, hit.v),
          .place = Vec4f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth), depth)});

@@ -24,7 +24,7 @@ namespace luxo {
 /// A vertex of the triangle that draws a point (shaders/lib/placed_vertex.glsl); three that are equal draw
 /// it.
 struct RayPoint {
-  Vec3f position;  ///< relative to the eye, metres
+  Vec3f position;  ///< relative to DrawList::origin, metres
   Vec3f normal;    ///< unit; toward the viewer where two-sided
   Vec2f parameters;
   Vec4f place;  ///< of the sample in the target, pixels; its depth as in the depth buffer, and in metres
@@ -78,7 +78,9 @@ class CertifiedRays {
       std::function<bool()> goesOn = [] { return true; });
 
   /// Cost: some 10 us a pixel and core, a hundredfold where surfaces are grazed.
-  [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found);
+  /// `origin`: what positions in shaders are relative to (DrawList::origin).
+  [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
+                                  const Vec3& origin);
   [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes);
 
   /// Milliseconds spent on cells since begin().

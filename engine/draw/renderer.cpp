@@ -53,13 +53,13 @@ void readChannels(const std::byte* texels, int width, float* out) {
     std::memcpy(out + kChannels * x, texels + sizeof(Vec4f) * x, kChannels * sizeof(float));
 }
 
-/// World positions are completed in double: far from the origin a float cannot hold both the eye and the
-/// rest.
-void readPositions(const std::byte* texels, int width, const Vec3& eye, float* out) {
+/// World positions are completed in double: far from the world's origin a float cannot hold both that
+/// of the shaders and the rest.
+void readPositions(const std::byte* texels, int width, const Vec3& origin, float* out) {
   for (int x = 0; x < width; ++x, out += 3) {
     Vec4f value;
     std::memcpy(&value, texels + sizeof value * x, sizeof value);
-    const Vec3f position = value.w != 0 ? Vec3f(Vec3(value) + eye) : Vec3f(value);
+    const Vec3f position = value.w != 0 ? Vec3f(Vec3(value) + origin) : Vec3f(value);
     std::memcpy(out, &position, sizeof position);
   }
 }
@@ -297,7 +297,7 @@ void Renderer::resolve(bool all, FrameStatistics& statistics) {
   }
   if (pixels.empty()) return;
   const double trees = rays_.treesMs();
-  const RayPoints points = rays_.resolve(pixels, view_.list().found);
+  const RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
   statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
   statistics.error.resolvedByRaysPx = points.resolved - points.undecided;
   statistics.error.uncertifiedPx = points.undecided;
@@ -359,7 +359,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
       addAlphas(texels, width, measured);
     if (output == Output::Color) addColors(texels, width, measured);
     if (output == Output::Position)
-      readPositions(texels, width, snapshot.view.eye, image.row(y).data());
+      readPositions(texels, width, view_.list().origin, image.row(y).data());
     else if (channels == 3)
       readChannels<3>(texels, width, image.row(y).data());
     else

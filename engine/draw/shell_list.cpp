@@ -75,8 +75,8 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
   }
   Draws draws{.batches = {}, .exact = {}, .origin = batch.shell->origin};
   const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.shell);
-  draws.exact = plane ? exactInstance(snapshot_.view, node, v, *batch.shell, *plane)
-                      : exactInstance(snapshot_.view, node, v, *batch.shell, number);
+  draws.exact = plane ? exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, *plane)
+                      : exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, number);
   draws.exact.firstPatch = patchesOf(node, *batch.shell);
   batch.shared = !inside && level == 0 && !refinement_.completes && pixels.count() <= options_.sharedPixels;
   const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && level == 0);

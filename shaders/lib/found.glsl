@@ -10,11 +10,11 @@
 #include "lib/illumination.glsl"
 
 struct Found {
-  vec3 position;    // relative to the eye, metres
+  vec3 position;    // metres
   vec3 normal;      // unit, of the side that is shown
   vec3 viewer;      // unit, toward the viewer
   vec2 parameters;  // u and v
-  float depth;      // metres along the view axis
+  float depth;      // metres along the view axis; not of triangles, whose shaders do not ask for it
   float residual;   // pixels; negative where the point is not certified
 };
 

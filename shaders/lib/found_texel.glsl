@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A found point as four floats: its depth, its normal, and its residual with the number of its material.
+// A found point as four floats: its depth beyond what positions are relative to, its normal, and its residual with the
+// number of its material.
 //
 // The normal is folded onto an octahedron (Meyer et al. 2010), all digits kept: with 16 bits highlights would be off by
 // 1e-4. The last float is the residual, rounded up to the 16 upper bits, with the material in the lower ones; it is a
 // number of its own, neither subnormal nor NaN, so that no float format changes its bits.
 #include "lib/found.glsl"
+#include "lib/scene.glsl"
 
 const float kLeastResidual = 1e-30;
 
@@ -24,7 +26,7 @@ vec3 fromOctahedral(vec2 p) {
 vec4 foundTexel(Found found, uint material) {
   uint upper = floatBitsToUint(max(abs(found.residual), kLeastResidual)) + 0xffffu & 0xffff0000u;
   uint sign_ = found.residual < 0.0 ? 0x80000000u : 0u;
-  return vec4(found.depth, octahedral(found.normal), uintBitsToFloat(upper | sign_ | material));
+  return vec4(dot(found.position, view.forward.xyz), octahedral(found.normal), uintBitsToFloat(upper | sign_ | material));
 }
 
 uint materialOfTexel(vec4 texel) { return floatBitsToUint(texel.w) & 0xffffu; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local illumination: L = ka La + sum of visibility (kd max(N.L, 0) + ks max(N.H, 0)^n) Le, with Blinn's half vector
 // H = (L + V) / |L + V|. A light at or below the horizon (N.L <= 0) adds nothing, its highlight included, unless the
-// material asks for the lecture's ungated highlight. Positions relative to the eye, axes of the world.
+// material asks for the lecture's ungated highlight. Positions as shared/scene_data.h has them.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/light_counts.glsl"
 #include "shared/scene_data.h"

@@ -25,7 +25,7 @@ vec4 clipOfVertex(vec3 relative) {
 
 vec3 positionOfVertex(InstanceData instance) { return relativeFromObject(instance, inPosition); }
 vec3 normalOfVertex(InstanceData instance) { return unitOrZero(instance.normalFromObject * inNormal); }
-float depthOfVertex(vec3 relative) { return dot(relative, view.forward); }
+float depthOfVertex(vec3 relative) { return dot(vec4(relative, 1), view.forward); }
 vec4 clipOfVertex(vec3 relative) { return view.clipFromRelative * vec4(relative, 1); }
 
 #endif

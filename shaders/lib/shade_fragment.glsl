@@ -15,8 +15,9 @@ layout(scalar, set = kSetFound, binding = kBindingUniformMaterials) uniform Unif
 };
 
 layout(location = 0) flat in vec4 inViewer;
-layout(location = 1) flat in vec3 inRay[4];
-layout(location = 5) flat in vec2 inMiddle;
+layout(location = 1) flat in vec3 inPlace[3];
+layout(location = 4) flat in vec3 inRay[3];
+layout(location = 7) flat in vec2 inMiddle;
 layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
 layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
 
@@ -43,10 +44,11 @@ Found foundPoint() {
     material = uniformMaterials[number];
   if (material.pattern != kPattern) discard;  // another draw's
   vec2 pixel = gl_FragCoord.xy - inMiddle;
-  vec3 ray = inRay[0] + pixel.x * inRay[1] + pixel.y * inRay[2];
+  vec3 place = inPlace[0] + pixel.x * inPlace[1] + pixel.y * inPlace[2],
+       ray = inRay[0] + pixel.x * inRay[1] + pixel.y * inRay[2];
   Found found;
-  found.depth = texel.x;
-  found.position = inViewer.w != 0.0 ? ray * found.depth : ray + inRay[3] * found.depth;
+  found.depth = 0.0;  // no light asks for it
+  found.position = place + texel.x * ray;
   found.normal = fromOctahedral(texel.yz);
   found.viewer = towardViewer(inViewer, found.position);
   found.parameters = kPattern != 0 ? texelFetch(foundParameters, ivec2(gl_FragCoord.xy), 0).xy : vec2(0);

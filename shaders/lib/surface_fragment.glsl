@@ -48,8 +48,7 @@ vec2 foundParameters();
 
 Found foundPoint() {
   vec3 v = towardViewer(inViewer, inPosition);
-  float depth = kQuantity == kFoundTexel ? dot(inPosition, view.forward) : 0.0;
-  return Found(inPosition, fragmentNormal(v), v, foundParameters(), depth, 0.0);
+  return Found(inPosition, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
 }
 
 Material foundMaterial() { return Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inNumbers.x); }

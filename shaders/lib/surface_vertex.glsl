@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices of a surface that is shaded per fragment. Out: relative to the eye, axes of the world.
+// Vertices of a surface that is shaded per fragment. Out: positions as shared/scene_data.h has them.
 #include "lib/lights.glsl"
 #include "lib/placed_vertex.glsl"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the CPU hands to the scene shaders: one definition for C++ and GLSL, scalar block layout.
-// Positions are in metres relative to the eye with the axes of the world; directions have the axes of the world.
+// Positions are in metres relative to the eye, or, where all there is is far from it, to a point near that (draw/
+// instance_data.h), with the axes of the world; directions have the axes of the world.
 #ifndef LUXO_SHARED_SCENE_DATA_H
 #define LUXO_SHARED_SCENE_DATA_H
 
@@ -143,12 +144,12 @@ LUXO_CONSTANT kBordered = 1u << 31;     // an edge is a border of the surface
 
 struct ViewData {
   mat4 clipFromRelative;
-  vec4 viewer;        // w = 1: the eye, at the origin; w = 0: the unit direction toward an orthographic viewer
-  vec3 forward;       // unit view direction
+  vec4 viewer;        // w = 1: the eye; w = 0: the unit direction toward an orthographic viewer
+  vec4 forward;       // unit view direction; the depth of what positions are relative to
   vec2 depthRange;    // nearest and farthest depth in the picture, for the depth view
-  // Where pixels are: right and down from the middle of the picture, times the depth (perspective); and what the depth
-  // adds (orthographic).
-  vec3 rayMiddle, rayRight, rayDown, rayDepth;
+  // Of the middle of the picture, and what pixels right of and below it add: the place that is seen at the depth of what
+  // positions are relative to, and how it moves with the depth.
+  vec3 placeMiddle, placeRight, placeDown, rayMiddle, rayRight, rayDown;
   vec2 middle;        // of the picture, pixels
 };
 
@@ -195,7 +196,7 @@ struct ExactInstance {
   vec2 clipDepth;
   vec2 half_;      // half the picture's size, pixels
   vec3 middle, middleLow;  // a point of object space that relative positions are computed from
-  vec3 translation;  // where that is relative to the eye
+  vec3 translation;  // where that is
   float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
   float tolerance; // largest residual, pixels; see clipDepth
   uint firstPatch;
@@ -241,7 +242,7 @@ static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPa
               (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
-static_assert(sizeof(ViewData) == 156 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 56 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 56 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

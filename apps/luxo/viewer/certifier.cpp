@@ -21,8 +21,9 @@ void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, Rend
   std::vector<PixelPlace> doubtful;
   for (const Doubt& doubt : view.doubts()) doubtful.push_back(doubt.pixel);
   working_ = inBackground([this, doubtful = std::move(doubtful), probes = view.probes(),
-                           found = view.list().found, size = snapshot.view.size] {
-    Outcome outcome{.points = rays_.resolve(doubtful, found), .audited = probes.size()};
+                           found = view.list().found, origin = view.list().origin,
+                           size = snapshot.view.size] {
+    Outcome outcome{.points = rays_.resolve(doubtful, found, origin), .audited = probes.size()};
     // What is resolved need not be right in the depths that were probed before.
     std::vector<DepthProbe> others;
     for (const DepthProbe& probe : probes)
@@ -31,7 +32,7 @@ void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, Rend
     outcome.failed = audit.failed;
     outcome.undecided = audit.undecided;
     if (audit.failed > 0)
-      outcome.points = rays_.resolve(auditedPixels(size, {.extent = AuditExtent::All}, {}), found);
+      outcome.points = rays_.resolve(auditedPixels(size, {.extent = AuditExtent::All}, {}), found, origin);
     return outcome;
   });
 }
