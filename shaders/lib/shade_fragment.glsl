@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fragments that light what an earlier pass has found.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/carried_lights.glsl"
 #include "lib/found_texel.glsl"
-#include "lib/lights.glsl"
 #include "lib/scene.glsl"
 
 layout(constant_id = kConstantPattern) const uint kPattern = 0;
@@ -18,20 +18,8 @@ layout(location = 0) flat in vec4 inViewer;
 layout(location = 1) flat in vec3 inPlace[3];
 layout(location = 4) flat in vec3 inRay[3];
 layout(location = 7) flat in vec2 inMiddle;
-layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
-layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
 
 layout(location = 0) out vec4 outColor;
-
-LightData lightAt(uint i) {
-  if (i >= kCarriedLights) return lightSet.lights[i];
-  return LightData(inLights[2 * i], inLights[2 * i + 1].xyz, uint(inLights[2 * i + 1].w));
-}
-
-ShadeData shadeAt(uint i) {
-  if (i >= kCarriedShades) return lightSet.shades[i];
-  return ShadeData(inShades[2 * i].xyz, inShades[2 * i].w, inShades[2 * i + 1].x);
-}
 
 MaterialData material;
 

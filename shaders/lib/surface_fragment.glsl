@@ -5,7 +5,7 @@
 // normals sparkle and positions leave the node whose bounds decided which lights reach it. (Centroids lie inside, but a
 // driver may choose them among the samples that passed the depth test, so that the order of draws would show.)
 #include "lib/found.glsl"
-#include "lib/lights.glsl"
+#include "lib/carried_lights.glsl"
 #include "lib/scene.glsl"
 #include "lib/show.glsl"
 
@@ -19,18 +19,6 @@ layout(location = 4) flat in vec3 inSpecular;
 layout(location = 5) flat in vec2 inShininessOpacity;
 layout(location = 6) flat in uvec3 inNumbers;
 layout(location = 7) flat in vec4 inViewer;
-layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
-layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
-
-LightData lightAt(uint i) {
-  if (i >= kCarriedLights) return lightSet.lights[i];
-  return LightData(inLights[2 * i], inLights[2 * i + 1].xyz, uint(inLights[2 * i + 1].w));
-}
-
-ShadeData shadeAt(uint i) {
-  if (i >= kCarriedShades) return lightSet.shades[i];
-  return ShadeData(inShades[2 * i].xyz, inShades[2 * i].w, inShades[2 * i + 1].x);
-}
 
 // The interpolated normal (Phong shading) or the facet's own (flat shading), on the side that is shown.
 vec3 fragmentNormal(vec3 v) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lights of fragments whose vertices carry the first few; the others are read from the buffer (lib/lights.glsl).
+#include "lib/lights.glsl"
+
+layout(location = 8) flat in vec4 inLights[2 * kCarriedLights];
+layout(location = 12) flat in vec4 inShades[2 * kCarriedShades];
+
+LightData lightAt(uint i) {
+  if (i >= kCarriedLights) return lightSet.lights[i];
+  return LightData(inLights[2 * i], inLights[2 * i + 1].xyz, uint(inLights[2 * i + 1].w));
+}
+
+ShadeData shadeAt(uint i) {
+  if (i >= kCarriedShades) return lightSet.shades[i];
+  return ShadeData(inShades[2 * i].xyz, inShades[2 * i].w, inShades[2 * i + 1].x);
+}
