@@ -24,8 +24,8 @@ struct Audit {
 
 /// How points get their light: each fragment finds its point and lights it; or points are found first, and
 /// those that are seen lit once each. Both give the same picture, to rounding. Auto: fused, which was faster
-/// in all scenes measured, as little is drawn that is not seen: 1 to 32 lights, 1 to 8 layers, on a CPU
-/// device (deferred 0.96 to 2.1 times as long, README). Deferred is for what has to know all points before
+/// in all but one of the scenes measured on a CPU device, with 1 to 32 lights and 1 to 8 layers (deferred 0.96
+/// to 2.1 times as long; `luxo bench` has it in its table). Deferred is for what has to know all points before
 /// the light.
 enum class Composition { Auto, Fused, Deferred };
 
