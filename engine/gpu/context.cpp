@@ -39,6 +39,7 @@ Features featuresOf(const Adapter& adapter) {
           .independentBlend = supported.independentBlend == VK_TRUE,
           .depthClamp = supported.depthClamp == VK_TRUE,
           .float64 = supported.shaderFloat64 == VK_TRUE,
+          .logicOp = supported.logicOp == VK_TRUE,
           .timestamps = hasTimestamps(adapter)};
 }
 
@@ -120,6 +121,7 @@ void Context::createDevice(bool presents) {
                                            .pNext = &features12,
                                            .features = {.independentBlend = features_.independentBlend,
                                                         .sampleRateShading = VK_TRUE,
+                                                        .logicOp = features_.logicOp,
                                                         .depthClamp = features_.depthClamp,
                                                         .fillModeNonSolid = features_.fillModeNonSolid,
                                                         .fragmentStoresAndAtomics = VK_TRUE,

@@ -47,7 +47,7 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
   VkPipelineColorBlendAttachmentState state{.colorWriteMask =
                                                 VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
-  if (blend == Blend::None) return state;
+  if (blend == Blend::None || blend == Blend::Or) return state;
   state.blendEnable = VK_TRUE;
   if (blend == Blend::Mean) {
     state.srcColorBlendFactor = VK_BLEND_FACTOR_CONSTANT_COLOR;
@@ -87,6 +87,7 @@ void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc)
   LUXO_REQUIRE(!desc.vertexShader.empty());
   LUXO_REQUIRE(!desc.colorFormats.empty() || desc.depthFormat != VK_FORMAT_UNDEFINED);
   LUXO_REQUIRE(desc.polygonMode == VK_POLYGON_MODE_FILL || features.fillModeNonSolid);
+  LUXO_REQUIRE(desc.blend != Blend::Or || features.logicOp);
   LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
 }
 
@@ -144,6 +145,8 @@ VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& de
   const auto attachments = blendStates(desc);
   const VkPipelineColorBlendStateCreateInfo blend{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+      .logicOpEnable = desc.blend == Blend::Or,
+      .logicOp = VK_LOGIC_OP_OR,
       .attachmentCount = count(attachments),
       .pAttachments = attachments.data()};
   std::vector states{VK_DYNAMIC_STATE_VIEWPORT,   VK_DYNAMIC_STATE_SCISSOR,
