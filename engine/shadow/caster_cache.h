@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Casters and lights' maps of them: what was made once is not made again.
+#pragma once
+
+#include <compare>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "shadow/caster_cells.h"
+#include "shadow/light_grid.h"
+#include "tessellate/curvature_map.h"
+#include "tessellate/shape_cache.h"
+
+namespace luxo {
+
+/// Not thread-safe.
+class CasterCache {
+ public:
+  explicit CasterCache(std::size_t mostBytes = kUsualCacheBytes) : cells_(mostBytes), grids_(mostBytes) {}
+
+  /// Of some of the patches, ascending.
+  [[nodiscard]] std::shared_ptr<const CasterCells> cells(const Surface& surface,
+                                                         std::span<const double> parameters,
+                                                         const std::vector<std::uint32_t>& patches);
+  /// What a light (object space, see makeLightGrid()) sees of these.
+  [[nodiscard]] std::shared_ptr<const LightGrid> grid(const Surface& surface,
+                                                      std::span<const double> parameters,
+                                                      const std::vector<std::uint32_t>& patches,
+                                                      const Vec4& light, int size);
+
+  /// Casters and maps made so far (not found here).
+  [[nodiscard]] std::uint64_t made() const { return cells_.made() + grids_.made(); }
+
+ private:
+  struct Key {
+    Shape shape;
+    std::uint32_t firstPatch = 0;  ///< tells the parts of a surface apart
+    Vec4 light{0};
+    int size = 0;
+
+    friend bool operator<(const Key& a, const Key& b) {
+      const auto tied = [](const Key& k) {
+        return std::tie(k.shape, k.firstPatch, k.light.x, k.light.y, k.light.z, k.light.w, k.size);
+      };
+      return tied(a) < tied(b);
+    }
+  };
+
+  ShapeCache<Key, CasterCells> cells_;
+  ShapeCache<Key, LightGrid> grids_;
+  ShapeTable<CurvatureMap> maps_{64};
+};
+
+/// How far from where they should be rays may be, at most, of a caster's size: its maps have room for it.
+inline constexpr double kGridMargin = 1.0 / 1024;
+
+}  // namespace luxo
