@@ -206,7 +206,7 @@ class Inspector {
            {light.directional() ? "toward_light" : "position", vectorJson(Vec3(light.positionWorld))},
            {"radiance", vectorJson(light.radiance)},
            {"attenuation", attenuation},
-           {"shadow", light.shade.has_value()}});
+           {"shadow", light.hasShadow()}});
     }
     return list;
   }

@@ -67,9 +67,9 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
   error.tolerancePx = pass.error.tolerancePx;
   error.boundPx = std::max(error.boundPx, pass.error.boundPx);
   error.residualMaxPx = std::max(error.residualMaxPx, pass.error.residualMaxPx);  // nothing is the least
-  for (const auto count :
-       {&FrameError::unconvergedPx, &FrameError::uncertifiedPx, &FrameError::resolvedByRaysPx,
-        &FrameError::auditedPx, &FrameError::auditFailedPx, &FrameError::auditUndecidedPx})
+  for (const auto count : {&FrameError::unconvergedPx, &FrameError::uncertifiedPx,
+                           &FrameError::resolvedByRaysPx, &FrameError::shadowRaysPx, &FrameError::auditedPx,
+                           &FrameError::auditFailedPx, &FrameError::auditUndecidedPx})
     error.*count += pass.error.*count;
 }
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/draw_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <tuple>
 
+#include "base/error.h"
 #include "draw/clipped_mesh.h"
 #include "draw/instance_data.h"
 #include "draw/light_sets.h"
 #include "draw/material_list.h"
+#include "draw/shadow_list.h"
 #include "draw/shell_list.h"
 #include "math/transform.h"
 
@@ -46,9 +50,6 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
   return options.cullBackFaces && (visible.hideBackFaces || hidden()) ? FaceCulling::Back : FaceCulling::None;
 }
 
-/// Of a mesh that is seen until rays have found what it stands for: times the tolerance.
-constexpr double kStandInTolerance = 8;
-
 /// Turns visible nodes into draws.
 class DrawLister {
  public:
@@ -72,6 +73,7 @@ class DrawLister {
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
     materials_.listShades();
+    listShadows(snapshot_, visible_, options_, geometry_, materials_.laterLights(), list_);
     shells_.listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
     shells_.placeSharedIndices();
@@ -158,6 +160,7 @@ class DrawLister {
     LightSets::Choice lights;
     if (needsLights(batch.state)) {
       batch.state.pattern = material.diffusePattern;
+      if (materials_.shadows() && !materials_.litLater(batch.state)) refuseShadows(node, shading);
       const auto reaching = std::span(visible_.lights).subspan(v.firstLight, v.lightCount);
       lights = materials_.litLater(batch.state) ? materials_.lightLater(batch.state, lightSets_, node)
                                                 : lightSets_.choose(reaching, node);
@@ -188,6 +191,16 @@ class DrawLister {
     item.instance.data = instanceData(snapshot_, node, v, list_.origin, origin, batch.bothSides);
     item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf);
     return item;
+  }
+
+  /// Light that is interpolated between vertices, or counted in steps, has no room for a shadow.
+  [[noreturn]] static void refuseShadows(const SnapshotNode& node, Shading shading) {
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("node number {} is shaded as {}, in a scene with exact shadows, which is not supported "
+                    "yet (or there are too many materials)",
+                    node.number, nameOf(shading)),
+        "use exact, phong or flat shading, or set the lights' shadows to \"none\"");
   }
 
   /// Returns the origin of the mesh's vertices.

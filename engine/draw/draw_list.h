@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cull/cull.h"
@@ -14,6 +15,7 @@
 #include "draw/search_refinement.h"
 #include "draw/statistics.h"
 #include "scene/snapshot.h"
+#include "shadow/caster_cache.h"
 #include "shared/scene_data.h"
 #include "shell/shell_cache.h"
 #include "surface/surface_code.h"
@@ -22,8 +24,9 @@
 namespace luxo {
 
 /// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
-/// later, with their parameters or without. Or they light what was written down.
-enum class Form { Fused, Found, FoundWithParameters, Shade };
+/// later, with their parameters or without. Or they light what was written down; or find whether a surface
+/// keeps a light from it; or write what rays have found of that.
+enum class Form { Fused, Found, FoundWithParameters, Shade, Shadow, ShadowsByRays };
 
 /// What decides the shaders and fixed-function state of a draw. Light counts are part of it (the loops over
 /// lights unroll), and so are formulas; which lights they are and the values of parameters are data.
@@ -42,6 +45,7 @@ struct DrawState {
   bool hidesLines = false;          ///< of a wireframe: its triangles, of which only the depth is drawn
   std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
   bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
+  bool shadows = false;             ///< with it: some lights have shadows that were found
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -84,6 +88,28 @@ struct FoundNode {
   shared::InstanceData instance;
 };
 
+/// One draw for each light and each caster that may keep it from what is seen.
+struct ShadowDraw {
+  DrawState state;
+  std::uint32_t caster = 0;  ///< index into Shadows::casters
+  PixelRect area;            ///< where its shadow may be
+};
+
+/// What the shadows of a picture are found with.
+struct Shadows {
+  std::vector<ShadowDraw> draws;
+  std::vector<shared::ShadowCaster> casters;
+  std::vector<std::uint32_t> gridStarts;
+  std::vector<shared::GridEntry> gridEntries;
+  std::vector<shared::CasterCell> cells;
+  std::vector<float> parameters;  ///< of the casters' formulas, patch by patch
+  /// Of each light of DrawList::shadeLights, index into Snapshot::lights, as rays find its shadow; nothing of
+  /// lights without one.
+  std::vector<std::optional<std::uint32_t>> lights;
+
+  [[nodiscard]] bool any() const { return !lights.empty(); }
+};
+
 struct DrawList {
   shared::ViewData view;
   Vec3 origin{0};  ///< shadingOrigin()
@@ -108,6 +134,7 @@ struct DrawList {
   bool deferred = false;
   std::vector<DrawState> shades;
   std::uint32_t shadeLights = 0;  ///< their light set: all lights that reach anything
+  Shadows shadows;                ///< of a deferred list
   double boundPx = 0;             ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
@@ -121,12 +148,18 @@ struct DrawList {
 struct Geometry {
   MeshCache meshes;
   ShellCache shells;
+  CasterCache casters;
   SurfaceCodes codes;
   OcclusionCulling hidden;
 
-  /// Meshes and shells made so far.
-  [[nodiscard]] std::uint64_t tessellated() const { return meshes.tessellated() + shells.made(); }
+  /// Meshes, shells and casters made so far.
+  [[nodiscard]] std::uint64_t tessellated() const {
+    return meshes.tessellated() + shells.made() + casters.made();
+  }
 };
+
+/// Of a mesh that is seen until rays have found what it stands for: times the tolerance.
+inline constexpr double kStandInTolerance = 8;
 
 /// Whether every pixel of a node finds its point of the surface, by a search or by a ray. Of what is seen
 /// through every layer counts, and a shell does not keep them apart.

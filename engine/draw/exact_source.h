@@ -30,6 +30,13 @@ class ExactSource {
     if (parameters) preamble_ += "#define LUXO_FINDS_PARAMETERS\n";
   }
 
+  /// Of a shader that finds whether the surface, whose formula this is, keeps a light from what is seen.
+  [[nodiscard]] static ExactSource ofShadow(const SurfaceCode& surface) {
+    ExactSource source(surface, {}, true);
+    source.name_ = "exact/shadow.frag";
+    return source;
+  }
+
   /// Valid as long as this object.
   [[nodiscard]] gpu::ShaderDesc desc() const {
     return {.source = *std::ranges::find(kShaderSources, name_, &gpu::ShaderSource::name),

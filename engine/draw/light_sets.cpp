@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "draw/draw_list.h"
@@ -52,6 +53,7 @@ LightSets::Choice LightSets::choose(std::span<const std::uint32_t> lights, const
   for (std::uint32_t i = 0; i < choice.shaded; ++i)
     if (snapshot_.lights[order[choice.plain + i]].shade->caster == node.id) choice.shadeOf = i + 1;
   choice.index = indexOf(order);
+  choice.lights = std::move(order);
   return choice;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "draw/shadow_list.h"
+
 namespace luxo {
 namespace {
 
@@ -33,7 +35,8 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const bool possible = options.output == Output::Color && options.samples == 1 &&
                         allLights_.size() <= shared::kMaxLights &&
                         materials.size() * (allLights_.size() + 1) < shared::kMaxFoundMaterials;
-  list_.deferred = possible && options.composition == Composition::Deferred;
+  shadows_ = options.output == Output::Color && anyCasters(snapshot, allLights_);
+  list_.deferred = possible && (options.composition == Composition::Deferred || shadows_);
   withPatterns_ = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
                     return material.diffusePattern.valid();
                   });
@@ -81,6 +84,7 @@ LightSets::Choice MaterialList::lightLater(DrawState& state, LightSets& lightSet
                   .pattern = state.pattern,
                   .patternNumber = patternNumber(state.pattern)});
   list_.shadeLights = all.index;
+  laterLights_ = all.lights;
   state.form = withPatterns_ ? Form::FoundWithParameters : Form::Found;
   state.pattern = {};
   return {.shadeOf = all.shadeOf};

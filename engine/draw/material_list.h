@@ -19,7 +19,8 @@ namespace luxo {
 /// Fills DrawList::materials, patternParameters, deferred, shades and shadeLights.
 class MaterialList {
  public:
-  /// All must outlive this. The list is deferred where that is asked for and possible.
+  /// All must outlive this. The list is deferred where that is asked for, or shadows have to be found, and
+  /// possible.
   MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                DrawList& list);
 
@@ -35,6 +36,10 @@ class MaterialList {
   LightSets::Choice lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node);
   /// Once all nodes are listed.
   void listShades();
+  /// The lights of the set that is left to do, in its order: indices into Snapshot::lights.
+  [[nodiscard]] const std::vector<std::uint32_t>& laterLights() const { return laterLights_; }
+  /// Whether some light of the picture has a shadow that has to be found.
+  [[nodiscard]] bool shadows() const { return shadows_; }
 
  private:
   [[nodiscard]] std::uint32_t firstPatternParameter(const Material& material);
@@ -44,8 +49,9 @@ class MaterialList {
   DrawList& list_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numberOf_;
   std::map<Pattern, std::uint32_t> patternNumbers_;
-  std::vector<std::uint32_t> allLights_;
+  std::vector<std::uint32_t> allLights_, laterLights_;
   std::set<DrawState> shades_;
+  bool shadows_ = false;
   bool withPatterns_ = false;  ///< what is lit later needs parameters
 };
 

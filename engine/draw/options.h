@@ -24,9 +24,9 @@ struct Audit {
 
 /// How points get their light: each fragment finds its point and lights it; or points are found first, and
 /// those that are seen lit once each. Both give the same picture, to rounding. Auto: fused, which was faster
-/// in all but one of the scenes measured on a CPU device, with 1 to 32 lights and 1 to 8 layers (deferred 0.96
-/// to 2.1 times as long; `luxo bench` has it in its table). Deferred is for what has to know all points before
-/// the light.
+/// in all but one of the scenes measured on a CPU device, with 1 to 32 lights and 1 to 8 layers (deferred
+/// 0.96 to 2.1 times as long; `luxo bench` has it in its table). Deferred is for what has to know all points
+/// before the light.
 enum class Composition { Auto, Fused, Deferred };
 
 /// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-4 (exact shading).
@@ -68,6 +68,8 @@ struct DrawOptions {
   /// that are left to these.
   bool standIns = false;
   Composition composition = Composition::Auto;
+  /// Texels along a side of lights' maps of casters (shadow/light_grid.h): how long shadows take, no more.
+  int shadowGridSize = 64;
   /// Exact shading: of what covers no more pixels the triangles are not told apart by how they are seen, so
   /// that all instances of a shell are one draw: the longer search costs less there than a draw of its own
   /// (80 us on a CPU device).

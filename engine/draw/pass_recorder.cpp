@@ -47,10 +47,16 @@ void PassRecorder::record(const Pass& pass) {
   useTargets(pass);
   begin(pass);
   for (const DrawBatch& batch : pass.batches) draw(batch);
-  if (pass.rays) drawRays(*pass.rays);
+  for (const ShadowDraw& shadow : pass.shadows) findShadow(shadow);
+  const bool ofShadows = pass.colors.front().target == Target::Shadows;
+  if (pass.rays && ofShadows) drawShadows(*pass.rays);
+  if (pass.rays && !ofShadows) drawRays(*pass.rays);
   for (const DrawState& state : pass.shades) shade(state);
   vkCmdEndRendering(commands_);
-  if (pass.probes) view_.feedback().recordProbes(commands_, view_.targets().texture(Target::Depth));
+  if (pass.probes && ofShadows)
+    view_.feedback().recordShadowProbes(commands_, view_.targets().texture(Target::Shadows));
+  if (pass.probes && !ofShadows)
+    view_.feedback().recordProbes(commands_, view_.targets().texture(Target::Depth));
   ++statistics_.count.passes;
 }
 
@@ -147,10 +153,32 @@ void PassRecorder::shade(const DrawState& state) {
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   if (state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
   pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  drawWhole(0);
+}
+
+/// Where the caster may stand between the light and what was found.
+void PassRecorder::findShadow(const ShadowDraw& draw) {
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, view_.targets().format());
+  const std::uint32_t noLights = 0;
+  pipeline.bind(commands_);
+  pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
+  pipeline.bindSet(commands_, shared::kSetShadow, bindings_.shadow);
+  pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  const PixelRect& area = draw.area;
+  const VkRect2D scissor{{area.low.x, area.low.y},
+                         {static_cast<std::uint32_t>(area.high.x - area.low.x),
+                          static_cast<std::uint32_t>(area.high.y - area.low.y)}};
+  vkCmdSetScissor(commands_, 0, 1, &scissor);
+  drawWhole(draw.caster);
+  ++statistics_.count.shadowPasses;
+  gpu::setViewport(commands_, view_.targets().extent(), view_.targets().guard());
+}
+
+void PassRecorder::drawWhole(std::uint32_t instance) {
   gpu::setDepthBias(commands_, {});
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  vkCmdDraw(commands_, 3, 1, 0, 0);
+  vkCmdDraw(commands_, 3, 1, 0, instance);
   count(1, 1, 3);
 }
 
@@ -196,6 +224,24 @@ void PassRecorder::drawRays(const RayPoints& points) {
     vkCmdDraw(commands_, run.vertexCount, 1, run.firstVertex, instance++);
     count(1, run.vertexCount / 3, run.vertexCount);
   }
+}
+
+void PassRecorder::drawShadows(const RayPoints& points) {
+  if (points.shadows.empty()) return;
+  const VkExtent2D extent = view_.targets().extent();
+  const RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};
+  const gpu::GraphicsPipeline& pipeline =
+      pipelines_.get({.form = Form::ShadowsByRays}, view_.targets().format());
+  pipeline.bind(commands_);
+  pipeline.push(commands_, std::as_bytes(std::span(&target, 1)));
+  gpu::setDepthBias(commands_, {});
+  vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
+  vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  constexpr VkDeviceSize kOffset = 0;
+  vkCmdBindVertexBuffers(commands_, 0, 1, &bindings_.rayShadows, &kOffset);
+  const auto vertices = static_cast<std::uint32_t>(points.shadows.size());
+  vkCmdDraw(commands_, vertices, 1, 0, 0);
+  count(1, vertices / 3, vertices);
 }
 
 }  // namespace luxo

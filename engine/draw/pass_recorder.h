@@ -34,6 +34,9 @@ class PassRecorder {
   void draw(const DrawBatch& batch);
   void drawRays(const RayPoints& points);
   void shade(const DrawState& state);
+  void findShadow(const ShadowDraw& draw);
+  void drawShadows(const RayPoints& points);
+  void drawWhole(std::uint32_t instance);
   void clearMisses(std::span<const PixelPlace> misses);
   void count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);
 

@@ -37,8 +37,19 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
              .batches = replaces ? std::span<const DrawBatch>() : found,
              .rays = frame.rays,
              .probes = frame.probes};
-  Pass shades{.name = "shade", .colors = color(Begin::Clear), .reads = reads, .shades = list.shades};
-  return {std::move(finds), std::move(shades)};
+  std::vector<Pass> passes{std::move(finds)};
+  if (list.shadows.any()) {
+    passes.push_back({.name = "shadows",
+                      .colors = {{Target::Shadows, replaces ? Begin::Keep : Begin::Clear}},
+                      .reads = {Target::Found},
+                      .searches = !replaces,
+                      .shadows = replaces ? std::span<const ShadowDraw>() : list.shadows.draws,
+                      .rays = frame.rays,
+                      .probes = frame.probes});
+    reads.push_back(Target::Shadows);
+  }
+  passes.push_back({.name = "shade", .colors = color(Begin::Clear), .reads = reads, .shades = list.shades});
+  return passes;
 }
 
 }  // namespace

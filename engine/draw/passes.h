@@ -24,14 +24,15 @@ struct Attachment {
 
 struct Pass {
   const char* name = "";
-  std::vector<Attachment> colors;      ///< in the order of the fragment shaders' outputs
-  Begin depth = Begin::Keep;           ///< of Target::Depth, which every pass tests
-  std::vector<Target> reads;           ///< sampled by its fragments
-  bool searches = false;               ///< its fragments write the view's feedback
-  std::span<const DrawBatch> batches;  ///< drawn in this order
-  const RayPoints* rays = nullptr;     ///< drawn after these
-  std::span<const DrawState> shades;   ///< light on all that was found
-  bool probes = false;                 ///< depths are copied from it, for the audit
+  std::vector<Attachment> colors;       ///< in the order of the fragment shaders' outputs
+  Begin depth = Begin::Keep;            ///< of Target::Depth, which every pass tests
+  std::vector<Target> reads;            ///< sampled by its fragments
+  bool searches = false;                ///< its fragments write the view's feedback
+  std::span<const DrawBatch> batches;   ///< drawn in this order
+  std::span<const ShadowDraw> shadows;  ///< on what was found
+  const RayPoints* rays = nullptr;      ///< drawn after these; after shadows, theirs
+  std::span<const DrawState> shades;    ///< light on all that was found
+  bool probes = false;                  ///< depths are copied from it, for the audit
 };
 
 /// What kind of frame it is.

@@ -74,6 +74,8 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
   goesOn_ = std::move(goesOn);
   treesMs_ = rounding_ = 0;
   nodes_.clear();
+  receivers_.resize(snapshot.nodes.size());
+  std::iota(receivers_.begin(), receivers_.end(), 0U);
   caster_.emplace(snapshot, shapes_, reference::Cells::WhereRaysGo);
   for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i)
     if (findsSurface(snapshot, snapshot.nodes[i], options)) {
@@ -152,20 +154,50 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   return points;
 }
 
-AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes) {
+void CertifiedRays::addShadows(std::span<const PixelPlace> pixels,
+                               std::span<const std::optional<std::uint32_t>> lights, RayPoints& points) {
+  if (lights.empty() || pixels.empty()) return;
+  const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
+  struct Found {
+    std::uint32_t shadows = 0;
+    bool certified = true;
+  };
+  std::vector<Found> all(pixels.size());
+  forEachIndex(pixels.size(), pixels.size() >= kRaysForAllCores, [&](std::size_t i) {
+    if (!goesOn_()) return;
+    const reference::Caster::First seen = caster_->firstOf(receivers_, rays[i]);
+    all[i].certified = seen.certified;
+    for (std::size_t bit = 0; seen.hit && bit < lights.size(); ++bit)
+      if (lights[bit] && caster_->inShadow(*lights[bit], *seen.hit, all[i].certified))
+        all[i].shadows |= 1U << bit;
+  });
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    points.shadowsUndecided += !all[i].certified;
+    points.shadows.insert(points.shadows.end(), 3,
+                          {.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5), .shadows = all[i].shadows});
+  }
+}
+
+AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes,
+                                 std::span<const std::optional<std::uint32_t>> lights) {
   static_cast<void>(prepare(probes.size(), [&](std::size_t i) { return probes[i].pixel; }));
   const View& view = caster_->snapshot().view;
   const double ofBuffer = view.perspective() ? 0 : kDepthRounding * (view.far - view.near);
+  using enum reference::Judgement;
   std::vector<reference::Judgement> judged(probes.size());
   forEachIndex(probes.size(), probes.size() >= kRaysForAllCores, [&](std::size_t i) {
     if (!goesOn_()) return;
-    judged[i] = reference::judge(*caster_, nodes_, sampled(probes[i].pixel), depthOf(view, probes[i].depth),
-                                 rounding_ + ofBuffer);
+    const Vec2 at = sampled(probes[i].pixel);
+    judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding_ + ofBuffer);
+    for (std::size_t bit = 0; judged[i] == Right && probes[i].depth > 0 && bit < lights.size(); ++bit)
+      if (lights[bit])
+        judged[i] =
+            reference::judgeShadow(*caster_, nodes_, at, *lights[bit], (probes[i].shadows >> bit & 1) != 0);
   });
   AuditResult result;
   for (const reference::Judgement judgement : judged) {
-    result.failed += judgement == reference::Judgement::Wrong;
-    result.undecided += judgement == reference::Judgement::Undecided;
+    result.failed += judgement == Wrong;
+    result.undecided += judgement == Undecided;
   }
   return result;
 }

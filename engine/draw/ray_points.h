@@ -30,6 +30,13 @@ struct RayPoint {
   Vec4f place;  ///< of the sample in the target, pixels; its depth as in the depth buffer, and in metres
 };
 
+/// A vertex of the triangle that tells the shadows in a pixel (shaders/ray_shadows.vert); three that are
+/// equal do it.
+struct RayShadow {
+  Vec2f place;  ///< of the sample in the target, pixels
+  std::uint32_t shadows = 0;
+};
+
 /// Pushed to those shaders.
 struct RayTarget {
   Vec2f size;  ///< of the target
@@ -45,17 +52,20 @@ struct RayPoints {
   };
   std::vector<Run> runs;
   std::vector<PixelPlace> misses;  ///< where nothing is met
-  std::uint64_t resolved = 0;      ///< pixels
-  std::uint64_t undecided = 0;     ///< of these, those whose ray proves nothing: within rounding of grazing
-  std::uint64_t unknown = 0;       ///< pixels that show a node which is not in the list
+  std::vector<RayShadow> shadows;
+  std::uint64_t resolved = 0;   ///< pixels
+  std::uint64_t undecided = 0;  ///< of these, those whose ray proves nothing: within rounding of grazing
+  std::uint64_t shadowsUndecided = 0;  ///< pixels in which a ray to a light proves nothing
+  std::uint64_t unknown = 0;           ///< pixels that show a node which is not in the list
 
-  [[nodiscard]] bool empty() const { return vertices.empty() && misses.empty(); }
+  [[nodiscard]] bool empty() const { return vertices.empty() && misses.empty() && shadows.empty(); }
 };
 
 /// A pixel of a picture, and what its depth buffer holds there.
 struct DepthProbe {
   PixelPlace pixel;
   float depth = 0;
+  std::uint32_t shadows = 0;  ///< the lights that do not reach it, as Target::Shadows has them
 };
 
 struct AuditResult {
@@ -81,7 +91,12 @@ class CertifiedRays {
   /// `origin`: what positions in shaders are relative to (DrawList::origin).
   [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
                                   const Vec3& origin);
-  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes);
+  /// Adds the shadows in pixels, each of which shows what a ray through it sees first. `lights`:
+  /// Shadows::lights.
+  void addShadows(std::span<const PixelPlace> pixels, std::span<const std::optional<std::uint32_t>> lights,
+                  RayPoints& points);
+  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes,
+                                  std::span<const std::optional<std::uint32_t>> lights);
 
   /// Milliseconds spent on cells since begin().
   [[nodiscard]] double treesMs() const { return treesMs_; }
@@ -94,8 +109,9 @@ class CertifiedRays {
   reference::ShapeCache shapes_;
   std::optional<reference::Caster> caster_;
   std::function<bool()> goesOn_;
-  std::vector<std::uint32_t> nodes_;  ///< whose points are found, ascending
-  double rounding_ = 0;               ///< what single precision leaves of a depth, metres
+  std::vector<std::uint32_t> nodes_;      ///< whose points are found, ascending
+  std::vector<std::uint32_t> receivers_;  ///< all, ascending
+  double rounding_ = 0;                   ///< what single precision leaves of a depth, metres
   double treesMs_ = 0;
 };
 

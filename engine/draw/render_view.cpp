@@ -29,6 +29,16 @@ shared::ViewData guarded(shared::ViewData view, float guard) {
   return view;
 }
 
+/// A buffer has at least one element, so that there is something to bind.
+template <class Element>
+void writeElements(gpu::Context& context, MirroredBuffer& buffer, const std::vector<Element>& elements,
+                   const char* name, bool always) {
+  static const Element kNone{};
+  const std::span<const Element> all(elements.empty() ? &kNone : elements.data(),
+                                     std::max<std::size_t>(elements.size(), 1));
+  buffer.write(context, std::as_bytes(all), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
+}
+
 /// From one light set to the next.
 std::size_t lightStride(const gpu::Context& context) {
   const auto alignment = std::max<std::size_t>(context.limits().minUniformBufferOffsetAlignment, 1);
@@ -57,7 +67,8 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   options_ = options;
   background_ = background;
   hasRays_ = false;
-  targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples), list_.deferred);
+  targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples), list_.deferred,
+                   list_.shadows.any());
   feedback_.begin(list_, extent, chooseProbes());
   upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
 }
@@ -70,19 +81,20 @@ void RenderView::goOn(const RayPoints& points) {
   if (instances.empty()) instances.resize(1);  // something to bind
   rayInstances_.write(*context_, std::as_bytes(std::span(instances)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                       "instances of rays", false);
-  if (!points.vertices.empty())
-    rayVertices_.write(*context_, std::as_bytes(std::span(points.vertices)),
-                       VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "points of rays", false);
+  const auto write = [&]<class Vertex>(MirroredBuffer& buffer, const std::vector<Vertex>& vertices,
+                                       const char* name) {
+    static const Vertex kNone{};
+    const std::span<const Vertex> all(vertices.empty() ? &kNone : vertices.data(),
+                                      std::max<std::size_t>(vertices.size(), 1));
+    buffer.write(*context_, std::as_bytes(all), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, name, false);
+  };
+  write(rayVertices_, points.vertices, "points of rays");
+  write(rayShadows_, points.shadows, "shadows of rays");
 }
 
 void RenderView::upload(Uploads& uploads, bool always) {
-  // A buffer has at least one element, so that there is something to bind.
-  const auto store = [&]<class Element>(MirroredBuffer& buffer, const std::vector<Element>& elements,
-                                        const char* name) {
-    static const Element kNone{};
-    const std::span<const Element> all(elements.empty() ? &kNone : elements.data(),
-                                       std::max<std::size_t>(elements.size(), 1));
-    buffer.write(*context_, std::as_bytes(all), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
+  const auto store = [&](MirroredBuffer& buffer, const auto& elements, const char* name) {
+    writeElements(*context_, buffer, elements, name, always);
   };
   const shared::ViewData view = guarded(list_.view, targets_.guard());
   uploads.view.write(*context_, std::as_bytes(std::span(&view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
@@ -101,6 +113,7 @@ void RenderView::upload(Uploads& uploads, bool always) {
   uploads.lights.write(*context_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
   if (!list_.patternParameters.empty())
     store(uploads.patternParameters, list_.patternParameters, "pattern parameters");
+  uploadShadows(uploads, always);
   if (!list_.exact()) return;
   if (!list_.shellIndices.empty())
     uploads.shellIndices.write(*context_, std::as_bytes(std::span(list_.shellIndices)),
@@ -108,6 +121,19 @@ void RenderView::upload(Uploads& uploads, bool always) {
   store(uploads.exactInstances, list_.exactInstances, "exact instances");
   store(uploads.exactPatches, list_.exactPatches, "patches");
   store(uploads.exactParameters, inPairs(list_.exactParameters), "parameters of formulas");
+}
+
+void RenderView::uploadShadows(Uploads& uploads, bool always) {
+  const Shadows& shadows = list_.shadows;
+  if (!shadows.any()) return;
+  const auto store = [&](MirroredBuffer& buffer, const auto& elements, const char* name) {
+    writeElements(*context_, buffer, elements, name, always);
+  };
+  store(uploads.casters, shadows.casters, "casters");
+  store(uploads.gridStarts, shadows.gridStarts, "texels of light grids");
+  store(uploads.gridEntries, shadows.gridEntries, "entries of light grids");
+  store(uploads.casterCells, shadows.cells, "cells of casters");
+  store(uploads.casterParameters, shadows.parameters, "parameters of casters");
 }
 
 RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines) {
@@ -132,16 +158,24 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   }
   if (list_.deferred) {
     gpu::Texture& found = targets_.texture(Target::Found);
+    gpu::Texture& shadows = list_.shadows.any() ? targets_.texture(Target::Shadows) : found;
     gpu::Texture& parameters = list_.findsParameters() ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
     bindings.found = frames.descriptors().write(pipelines.foundLayout(),
                                                 {{found, pipelines.texelSampler()},
                                                  {parameters, pipelines.texelSampler()},
-                                                 {uploads.materials.use(*context_), 0, kUniformBytes}});
+                                                 {uploads.materials.use(*context_), 0, kUniformBytes},
+                                                 {shadows, pipelines.texelSampler()}});
+    if (list_.shadows.any())
+      bindings.shadow = frames.descriptors().write(
+          pipelines.shadowLayout(), {uploads.casters.use(*context_), uploads.gridStarts.use(*context_),
+                                     uploads.gridEntries.use(*context_), uploads.casterCells.use(*context_),
+                                     uploads.casterParameters.use(*context_), feedback_.doubtful()});
   }
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);
     bindings.rayVertices = rayVertices_.use(*context_);
+    bindings.rayShadows = rayShadows_.use(*context_);
   }
   return bindings;
 }

@@ -60,6 +60,8 @@ class RenderView {
     VkBuffer shellIndices = VK_NULL_HANDLE;        ///< where a draw has a shell
     VkDescriptorSet sceneOfRays = VK_NULL_HANDLE;  ///< of the points that rays have found
     VkBuffer rayVertices = VK_NULL_HANDLE;         ///< these
+    VkBuffer rayShadows = VK_NULL_HANDLE;          ///< and the shadows there
+    VkDescriptorSet shadow = VK_NULL_HANDLE;       ///< where there are shadows
     VkDescriptorSet found = VK_NULL_HANDLE;        ///< what the passes of a deferred picture have found
   };
   [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines);
@@ -74,10 +76,11 @@ class RenderView {
   /// A draw list on the device.
   struct Uploads {
     MirroredBuffer view, instances, materials, lights, patternParameters, exactInstances, exactPatches,
-        exactParameters, shellIndices;
+        exactParameters, shellIndices, casters, gridStarts, gridEntries, casterCells, casterParameters;
   };
 
   void upload(Uploads& uploads, bool always);
+  void uploadShadows(Uploads& uploads, bool always);
   [[nodiscard]] std::vector<PixelPlace> chooseProbes() const;
 
   gpu::Context* context_;
@@ -88,7 +91,7 @@ class RenderView {
   VkClearColorValue background_{};
   /// What completes a picture does not overwrite what the next begins with.
   Uploads uploads_, completion_;
-  MirroredBuffer rayVertices_, rayInstances_;
+  MirroredBuffer rayVertices_, rayShadows_, rayInstances_;
   bool hasRays_ = false;
 };
 

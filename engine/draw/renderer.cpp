@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "base/assert.h"
 #include "tessellate/parallel.h"
@@ -223,7 +224,9 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
   const bool found = std::ranges::any_of(
       snapshot.nodes, [&](const SnapshotNode& node) { return findsSurface(snapshot, node, options); });
   const bool auxiliary = options.output != Output::Color;
-  const bool native = options.samples == 1 || (options.samples == 4 && !found);
+  const bool shadows =
+      std::ranges::any_of(snapshot.lights, [](const SnapshotLight& light) { return !light.casters.empty(); });
+  const bool native = options.samples == 1 || (options.samples == 4 && !found && !shadows);
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }
@@ -241,13 +244,13 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     if (trial == WithFinerShells)
       for (const FoundNode& node : view_.list().found) view_.refinement.refine(node.node);
     if (trial != ByRays) search(snapshot, tried, statistics);
-    if (!view_.searches()) return;
+    if (!view_.searches() && !view_.list().shadows.any()) return;
     rays_.begin(snapshot, tried);
     resolve(trial == ByRays, statistics);
     const Stopwatch watch;
     const double trees = rays_.treesMs();
     const std::vector<DepthProbe> probes = view_.probes();
-    const AuditResult audit = rays_.audit(probes);
+    const AuditResult audit = rays_.audit(probes, view_.list().shadows.lights);
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
     statistics.ms.rayTrees += rays_.treesMs();
     failed += audit.failed;
@@ -283,7 +286,7 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Fram
 
 void Renderer::resolve(bool all, FrameStatistics& statistics) {
   const Stopwatch watch;
-  std::vector<PixelPlace> pixels;
+  std::vector<PixelPlace> pixels, shadowed;
   const VkExtent2D extent = view_.picture().extent();
   if (all) {
     pixels = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)},
@@ -294,15 +297,23 @@ void Renderer::resolve(bool all, FrameStatistics& statistics) {
       if (doubt.lost ||
           alphaAt(readback_.row(static_cast<std::uint32_t>(doubt.pixel.y)).data(), doubt.pixel.x) < 0)
         pixels.push_back(doubt.pixel);
+      else if (doubt.shadows)
+        shadowed.push_back(doubt.pixel);
   }
-  if (pixels.empty()) return;
+  if (pixels.empty() && shadowed.empty()) return;
   const double trees = rays_.treesMs();
-  const RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
+  const std::span<const std::optional<std::uint32_t>> lights = view_.list().shadows.lights;
+  RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
+  rays_.addShadows(pixels, lights, points);
+  rays_.addShadows(shadowed, lights, points);
   statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
-  statistics.error.resolvedByRaysPx = points.resolved - points.undecided;
-  statistics.error.uncertifiedPx = points.undecided;
+  statistics.error.resolvedByRaysPx = points.resolved - points.undecided + shadowed.size();
+  statistics.error.shadowRaysPx = shadowed.size();
+  statistics.error.uncertifiedPx = points.undecided + points.shadowsUndecided;
   statistics.error.unconvergedPx = points.unknown;
   if (points.empty()) return;
+  pixels.insert(pixels.end(), shadowed.begin(), shadowed.end());
+  std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
   submit(
       [&](VkCommandBuffer commands) {
         painter_.recordRays(frames_, commands, view_, points, statistics);

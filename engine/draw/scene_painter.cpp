@@ -111,6 +111,7 @@ void ScenePainter::preparePipelines(RenderView& view) {
   for (const auto* batches : {&view.list().opaque, &view.list().transparent})
     for (const DrawBatch& batch : *batches) states.push_back(batch.state);
   states.insert(states.end(), view.list().shades.begin(), view.list().shades.end());
+  for (const ShadowDraw& draw : view.list().shadows.draws) states.push_back(draw.state);
   pipelines_.prepare(states, view.targets().format());
 }
 
@@ -128,7 +129,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   const RenderView::Bindings bindings = view.bind(frames, pipelines_);
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) recorder.record(pass);
-  if (view.list().exact())
+  if (view.list().exact() || view.list().shadows.any())
     gpu::use(commands, {{view.feedback().lost(), gpu::Use::HostRead},
                         {view.feedback().doubtful(), gpu::Use::HostRead}});
 }

@@ -23,10 +23,13 @@
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
 #include "luxo/shaders/ray_inspect_vert.h"
+#include "luxo/shaders/ray_shadows_frag.h"
+#include "luxo/shaders/ray_shadows_vert.h"
 #include "luxo/shaders/ray_surface_pattern_vert.h"
 #include "luxo/shaders/ray_surface_vert.h"
 #include "luxo/shaders/shade_frag.h"
 #include "luxo/shaders/shade_vert.h"
+#include "luxo/shaders/shadow_vert.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_pattern_vert.h"
@@ -132,8 +135,9 @@ std::size_t bytesOf(const gpu::GraphicsPipelineDesc& desc) {
   return kAlways + kPerByte * (desc.vertexShader.size_bytes() + desc.fragmentShader.size_bytes());
 }
 
-std::tuple<SurfaceCodePtr, Pattern, bool, bool> exactShaderKey(const DrawState& state) {
-  return {state.surface, state.pattern, state.grazing, state.form == Form::FoundWithParameters};
+/// Fused, or found without parameters: one shader does both.
+std::tuple<SurfaceCodePtr, Pattern, bool, Form> exactShaderKey(const DrawState& state) {
+  return {state.surface, state.pattern, state.grazing, state.form == Form::Found ? Form::Fused : state.form};
 }
 
 bool isFoundOnly(const DrawState& state) {
@@ -242,8 +246,17 @@ const gpu::DescriptorLayout& ScenePipelines::foundLayout() {
     foundLayout_ = gpu::DescriptorLayout(
         *context_, {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
-                    {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}});
+                    {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}});
   return foundLayout_;
+}
+
+const gpu::DescriptorLayout& ScenePipelines::shadowLayout() {
+  if (shadowLayout_.bindings().empty())
+    shadowLayout_ = gpu::DescriptorLayout(
+        *context_, std::vector<gpu::DescriptorBinding>(shared::kShadowBindings,
+                                                       {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+  return shadowLayout_;
 }
 
 VkSampler ScenePipelines::texelSampler() {
@@ -264,7 +277,12 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
       missing.push_back({key, {}});
   }
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-    const auto& [surface, pattern, grazing, parameters] = missing[i].key;
+    const auto& [surface, pattern, grazing, form] = missing[i].key;
+    if (form == Form::Shadow) {
+      missing[i].shader = gpu::ShaderCompiler().compile(ExactSource::ofShadow(*surface).desc());
+      return;
+    }
+    const bool parameters = form == Form::FoundWithParameters;
     if (const auto builtIn = builtInExactShader(*surface, pattern, grazing);
         !builtIn.empty() && !parameters) {
       missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
@@ -357,8 +375,38 @@ void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipeline
   desc.depthCompare = VK_COMPARE_OP_LESS;
   desc.specialization.insert(desc.specialization.end(),
                              {{shared::kConstantPattern, state.patternNumber},
-                              {shared::kConstantManyMaterials, state.manyMaterials}});
+                              {shared::kConstantManyMaterials, state.manyMaterials},
+                              {shared::kConstantShadows, state.shadows}});
   desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
+}
+
+/// Over all that was found: a bit of a light that does not reach it; or what rays know of all lights there.
+void ScenePipelines::describeShadow(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  desc.name = "shadow";
+  desc.colorFormats = {kShadowsFormat};
+  desc.depthWrite = false;
+  desc.bindings.clear();
+  desc.attributes.clear();
+  desc.specialization.clear();
+  if (state.form == Form::ShadowsByRays) {
+    desc.vertexShader = luxo_ray_shadows_vert;
+    desc.fragmentShader = luxo_ray_shadows_frag;
+    desc.bindings = {{0, sizeof(RayShadow), VK_VERTEX_INPUT_RATE_VERTEX}};
+    desc.attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayShadow, place)},
+                       {1, 0, VK_FORMAT_R32_UINT, offsetof(RayShadow, shadows)}};
+    desc.depthCompare = VK_COMPARE_OP_ALWAYS;
+    desc.pushConstantBytes = sizeof(RayTarget);
+    return;
+  }
+  if (!context_->features().logicOp)
+    throw Error(ErrorKind::Device, "this device cannot draw exact shadows (no logicOp)",
+                "choose another --device, or set the lights' shadows to \"none\"");
+  desc.vertexShader = luxo_shadow_vert;
+  desc.fragmentShader = exactShaders_.at(exactShaderKey(state));
+  desc.depthCompare = VK_COMPARE_OP_LESS;
+  desc.blend = gpu::Blend::Or;
+  desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
+  desc.setLayouts = {sceneLayout_, shadowLayout(), foundLayout()};
 }
 
 gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
@@ -385,6 +433,8 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
   if (state.form == Form::Shade) {
     describeShade(state, desc);
+  } else if (state.form == Form::Shadow || state.form == Form::ShadowsByRays) {
+    describeShadow(state, desc);
   } else if (state.surface) {
     describeExact(state, format, desc);
   } else if (const auto inspection = inspectionOf(state)) {

@@ -54,6 +54,9 @@ class ScenePipelines {
   /// Set 2 of pipelines that light what was found: its texels, parameters, materials. Made when first asked
   /// for.
   [[nodiscard]] const gpu::DescriptorLayout& foundLayout();
+  /// Set 1 of pipelines that find shadows: casters, grids, cells, parameters, doubts. Made when first asked
+  /// for.
+  [[nodiscard]] const gpu::DescriptorLayout& shadowLayout();
   [[nodiscard]] VkSampler texelSampler();
 
  private:
@@ -74,11 +77,13 @@ class ScenePipelines {
   void describeExact(const DrawState& state, const TargetFormat& format, gpu::GraphicsPipelineDesc& desc);
   void describeMesh(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+  void describeShadow(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
-  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_, foundLayout_;
+  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_, foundLayout_, shadowLayout_;
   gpu::Handle<VkSampler> texelSampler_;
-  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool, bool>;  ///< grazing; finds parameters
+  /// Grazing; what it does with what it finds.
+  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool, Form>;
   std::map<ExactShaderKey, std::vector<std::uint32_t>> exactShaders_;
   std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, TargetFormat>, Made> pipelines_;

@@ -31,7 +31,8 @@ void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<
   // A recording that was thrown away never becomes a submission.
   timeline.wait(std::min(slot.submission, timeline.submitted()));
   slot.submission = timeline.submitted() + 1;
-  slot.searches = list.exact();
+  slot.searches = list.exact() || list.shadows.any();
+  slot.probesShadows = list.shadows.any();
   slot.told = false;
   extent_ = extent;
   slot.nodes.clear();
@@ -64,15 +65,27 @@ void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
   slot.probesAll = slot.probed.size() > kMaxRegions;
   const VkDeviceSize bytes = sizeof(float) * (slot.probesAll ? VkDeviceSize{extent_.width} * extent_.height
                                                              : VkDeviceSize{slot.probed.size()});
-  if (bytes > 0 && (!slot.depths || slot.depths.size() < bytes))
-    slot.depths =
-        gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = "probes"});
+  const auto makeRoom = [&](gpu::Buffer& buffer, const char* name) {
+    if (bytes > 0 && (!buffer || buffer.size() < bytes))
+      buffer = gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = name});
+  };
+  makeRoom(slot.depths, "probes");
+  if (slot.probesShadows) makeRoom(slot.shadows, "shadow probes");
 }
 
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& depth) {
-  Slot& slot = slots_[current_];
+  recordProbes(commands, depth, VK_IMAGE_ASPECT_DEPTH_BIT, slots_[current_].depths);
+}
+
+void SearchFeedback::recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows) {
+  recordProbes(commands, shadows, VK_IMAGE_ASPECT_COLOR_BIT, slots_[current_].shadows);
+}
+
+void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
+                                  gpu::Buffer& values) {
+  const Slot& slot = slots_[current_];
   std::vector<VkBufferImageCopy> regions;
-  const VkImageSubresourceLayers layers{.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT, .layerCount = 1};
+  const VkImageSubresourceLayers layers{.aspectMask = aspect, .layerCount = 1};
   if (slot.probesAll)
     regions.push_back({.imageSubresource = layers, .imageExtent = {extent_.width, extent_.height, 1}});
   else
@@ -81,10 +94,10 @@ void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& depth)
                          .imageSubresource = layers,
                          .imageOffset = {slot.probed[i].x, slot.probed[i].y, 0},
                          .imageExtent = {1, 1, 1}});
-  gpu::use(commands, {{depth, gpu::Use::TransferSource}, {slot.depths, gpu::Use::TransferDestination}});
-  vkCmdCopyImageToBuffer(commands, depth, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, slot.depths,
+  gpu::use(commands, {{texture, gpu::Use::TransferSource}, {values, gpu::Use::TransferDestination}});
+  vkCmdCopyImageToBuffer(commands, texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, values,
                          static_cast<std::uint32_t>(regions.size()), regions.data());
-  gpu::use(commands, {{slot.depths, gpu::Use::HostRead}});
+  gpu::use(commands, {{values, gpu::Use::HostRead}});
 }
 
 void SearchFeedback::goOn() { slots_[current_].submission = context_->timeline().submitted() + 1; }
@@ -129,9 +142,12 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays) {
   std::vector<Doubt> doubts;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
-      if ((bits & (shared::kLostHere | shared::kUncertifiedHere)) == 0) continue;
+      constexpr std::uint32_t kAny = shared::kLostHere | shared::kUncertifiedHere | shared::kShadowOpenHere;
+      if ((bits & kAny) == 0) continue;
       const auto pixel = static_cast<std::int32_t>(word * shared::kDoubtsPerWord + k);
-      doubts.push_back({{pixel % width, pixel / width}, (bits & shared::kLostHere) != 0});
+      doubts.push_back({{pixel % width, pixel / width},
+                        (bits & shared::kLostHere) != 0,
+                        (bits & shared::kShadowOpenHere) != 0});
     }
   return doubts;
 }
@@ -140,13 +156,16 @@ std::vector<DepthProbe> SearchFeedback::depths() {
   Slot& slot = slots_[current_];
   std::vector<DepthProbe> probes;
   if (slot.probed.empty()) return probes;
-  const std::span<const std::byte> depths = slot.depths.read();
+  const std::span<const std::byte> depths = slot.depths.read(),
+                                   shadows = slot.probesShadows ? slot.shadows.read() : depths;
   for (std::size_t i = 0; i < slot.probed.size(); ++i) {
     const auto [x, y] = slot.probed[i];
     const std::size_t place =
         slot.probesAll ? static_cast<std::size_t>(y) * extent_.width + static_cast<std::size_t>(x) : i;
     DepthProbe probe{.pixel = slot.probed[i]};
     std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
+    if (slot.probesShadows)
+      std::memcpy(&probe.shadows, shadows.data() + sizeof(std::uint32_t) * place, sizeof(std::uint32_t));
     probes.push_back(probe);
   }
   return probes;

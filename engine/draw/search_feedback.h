@@ -21,10 +21,11 @@
 namespace luxo {
 
 /// A pixel in which searches lost a surface, or found what they could not certify, in any layer; or that is
-/// left to rays from the start.
+/// left to rays from the start; or whose shadows are open.
 struct Doubt {
   PixelPlace pixel;
   bool lost;  ///< or left to rays
+  bool shadows;
 };
 
 /// In a ring: a recording does not wait for what the one before it tells.
@@ -36,12 +37,14 @@ class SearchFeedback {
   /// use.
   void begin(const DrawList& list, VkExtent2D extent, std::vector<PixelPlace> probed);
 
-  /// The buffers that searches write; only where the list has shells.
+  /// The buffers that searches write; only where the list has shells or shadows.
   [[nodiscard]] gpu::Buffer& lost() { return slots_[current_].lost; }
   [[nodiscard]] gpu::Buffer& doubtful() { return slots_[current_].doubtful; }
   [[nodiscard]] bool probes() const { return !slots_[current_].probed.empty(); }
   /// Copies the depths of the probed pixels.
   void recordProbes(VkCommandBuffer commands, gpu::Texture& depth);
+  /// And the shadows there, of a list that has some.
+  void recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows);
 
   /// The recording after the last one goes on with it.
   void goOn();
@@ -62,11 +65,12 @@ class SearchFeedback {
   struct Slot {
     gpu::Buffer lost;  ///< by slot of the feedback, then by instance
     std::vector<std::uint32_t> nodes;
-    gpu::Buffer doubtful;  ///< two bits a pixel
-    gpu::Buffer depths;    ///< of the probed pixels, or of all
+    gpu::Buffer doubtful;         ///< some bits a pixel
+    gpu::Buffer depths, shadows;  ///< of the probed pixels, or of all
     std::vector<PixelPlace> probed;
     bool probesAll = false;
-    bool searches = false;
+    bool searches = false;  ///< for surfaces or shadows
+    bool probesShadows = false;
     bool told = true;  ///< what it lost
     std::uint64_t submission = 0;
   };
@@ -75,6 +79,8 @@ class SearchFeedback {
   void prepareLost(Slot& slot, const DrawList& list);
   void prepareDoubts(Slot& slot);
   void prepareProbes(Slot& slot, std::vector<PixelPlace> probed);
+  void recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
+                    gpu::Buffer& values);
 
   gpu::Context* context_;
   VkExtent2D extent_{};

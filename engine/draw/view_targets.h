@@ -15,8 +15,8 @@ namespace luxo {
 enum class Precision { Full, Half };
 
 /// Found: of deferred shading, the points that rays see (shaders/lib/found_texel.glsl), and, where a pattern
-/// asks for them, their parameters.
-enum class Target { Color, Depth, Found, FoundParameters };
+/// asks for them, their parameters; Shadows: the lights, a bit each, that do not reach them.
+enum class Target { Color, Depth, Found, FoundParameters, Shadows };
 
 /// What a pipeline has to know of the targets that it draws to.
 struct TargetFormat {
@@ -29,13 +29,15 @@ struct TargetFormat {
 
 inline constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kFoundParametersFormat = VK_FORMAT_R32G32_SFLOAT;
+inline constexpr VkFormat kShadowsFormat = VK_FORMAT_R32_UINT;
 
 class ViewTargets {
  public:
   ViewTargets(gpu::Context& context, Precision precision);
 
-  /// Makes those that a picture of this size needs, and has none of yet: Found where it is deferred.
-  void prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool deferred);
+  /// Makes those that a picture of this size needs, and has none of yet: Found where it is deferred, Shadows
+  /// where it has some.
+  void prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool deferred, bool shadows);
 
   [[nodiscard]] gpu::Texture& texture(Target target);
   /// What Color is averaged into at the end of a pass; null without multisampling.
@@ -53,7 +55,7 @@ class ViewTargets {
  private:
   gpu::Context* context_;
   TargetFormat format_;
-  gpu::Texture color_, resolved_, depth_, found_, foundParameters_;
+  gpu::Texture color_, resolved_, depth_, found_, foundParameters_, shadows_;
 };
 
 }  // namespace luxo

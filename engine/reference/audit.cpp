@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "reference/silhouette.h"
 #include "reference/verification.h"
@@ -62,6 +63,32 @@ class Judge {
 Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel, double depth,
                 double rounding) {
   return Judge(caster, nodes, depth, rounding).at(pixel);
+}
+
+Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
+                      std::uint32_t light, bool inShadow) {
+  // Nothing: there the answer does not matter.
+  const auto truthAt = [&](const Vec2& at, bool& certified) -> std::optional<bool> {
+    const Caster::First first = caster.firstOf(nodes, caster.rayThrough(at.x, at.y));
+    certified &= first.certified;
+    if (!first.hit) return std::nullopt;
+    const Vec4& from = caster.snapshot().lights[light].positionWorld;
+    const Vec3 toLight = Vec3(from) - from.w * first.hit->position;
+    if (!(glm::dot(first.hit->normal, toLight) > 0)) return std::nullopt;
+    return caster.inShadow(light, *first.hit, certified);
+  };
+  bool certified = true;
+  const std::optional<bool> truth = truthAt(pixel, certified);
+  if (!certified) return Judgement::Undecided;
+  if (!truth || *truth == inShadow) return Judgement::Right;
+  const double distance = distanceTo(
+      [&](const Vec2& at) {
+        bool ignored = true;
+        const std::optional<bool> there = truthAt(at, ignored);
+        return !there || *there == inShadow;
+      },
+      pixel, 2 * kSilhouettePx);
+  return distance > kSilhouettePx ? Judgement::Wrong : Judgement::Right;
 }
 
 }  // namespace luxo::reference

@@ -13,6 +13,10 @@ namespace {
 
 constexpr int kMaxLayers = 1024;  // of transparent surfaces behind each other
 
+// Of the distances involved: how far a hit may be off its surface. Roots are found to some 1e-13.
+constexpr double kHitRounding = 1e-11;
+constexpr double kGrazing = 1e-4;  // the cosine below which a ray leaves its own surface no sooner
+
 // x^n for 0 <= x <= 1 with 0^0 = 1.
 double highlight(double x, double n) { return x > 0 || n == 0 ? std::pow(x, n) : 0; }
 
@@ -139,20 +143,38 @@ Caster::Sight Caster::look(const Ray& ray) const {
   return sight;
 }
 
-bool Caster::lit(const SnapshotLight& light, const Hit& hit, bool& certified) const {
-  if (!light.shade) return true;
-  const SnapshotNode& own = snapshot_.nodes[hit.node];
-  if (own.id == light.shade->caster) return true;  // its normals decide
+bool Caster::inShadowOf(std::uint32_t node, const SnapshotLight& light, const Hit& hit,
+                        bool& certified) const {
   const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
-  const double distance = glm::length(toLight);
-  const Ray ray{hit.position, toLight / distance};
-  for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
-    if (snapshot_.nodes[node].id != light.shade->caster) continue;
-    const Roots roots = bodies_[node].shape.nearestRoot(ray, {0, distance, Facing::Both, false});
-    certified &= roots.certified;
-    if (roots.nearest) return false;
+  const double distance =
+      light.directional() ? std::numeric_limits<double>::infinity() : glm::length(toLight);
+  const Ray ray{hit.position, unit(toLight)};
+  if (!mayMeet(ray, node)) return false;
+  // A hit is as far off its surface as rounding leaves it: along the ray that is more where this grazes it.
+  const double reach = glm::distance(hit.position, snapshot_.view.eye) + glm::length(hit.position);
+  const double own = kHitRounding * reach / std::max(std::abs(glm::dot(hit.normal, ray.direction)), kGrazing);
+  const Roots roots = bodies_[node].shape.nearestRoot(ray, {own, distance, Facing::Both, false});
+  certified &= roots.certified;
+  return roots.nearest.has_value();
+}
+
+bool Caster::lit(const SnapshotLight& light, const Hit& hit, bool& certified) const {
+  if (light.shade) {
+    if (snapshot_.nodes[hit.node].id == light.shade->caster) return true;  // its normals decide
+    const std::optional<std::uint32_t> shade = nodeOf(light.shade->caster);
+    return !shade || !inShadowOf(*shade, light, hit, certified);
   }
-  return true;
+  return std::ranges::none_of(light.casters, [&](NodeId caster) {
+    const std::optional<std::uint32_t> node = nodeOf(caster);
+    return node && inShadowOf(*node, light, hit, certified);
+  });
+}
+
+std::optional<std::uint32_t> Caster::nodeOf(NodeId id) const {
+  const auto node = std::ranges::lower_bound(snapshot_.nodes, id.index, {},
+                                             [](const SnapshotNode& n) { return n.id.index; });
+  if (node == snapshot_.nodes.end() || node->id != id) return std::nullopt;
+  return static_cast<std::uint32_t>(node - snapshot_.nodes.begin());
 }
 
 Vec3 Caster::diffuseAt(const Hit& hit) const {
@@ -191,7 +213,7 @@ Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, 
 std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3& toViewer) const {
   std::vector<Shadowed> lights;
   for (const SnapshotLight& light : snapshot_.lights) {
-    if (!light.shade) continue;
+    if (!light.hasShadow()) continue;
     Shadowed one{.share = shareOf(light, hit, toViewer)};
     if (one.share == Vec3(0)) continue;
     one.visible = lit(light, hit, one.certified);

@@ -70,8 +70,15 @@ class Caster {
     Vec3 share{0};
     bool visible = true, certified = true;
   };
-  /// The lights that have a shadow (SnapshotLight::shade) and would add something, in the snapshot's order.
+  /// The lights that have a shadow (SnapshotLight::hasShadow) and would add something, in the snapshot's
+  /// order.
   [[nodiscard]] std::vector<Shadowed> shadowedLights(const Hit& hit, const Vec3& toViewer) const;
+
+  /// Whether a light (index into Snapshot::lights) does not reach a hit that faces it, for what stands
+  /// between. `certified` turns false where that was not decided.
+  [[nodiscard]] bool inShadow(std::uint32_t light, const Hit& hit, bool& certified) const {
+    return !lit(snapshot_.lights[light], hit, certified);
+  }
 
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
   /// Of a node (an index into Snapshot::nodes), as its material has it.
@@ -101,7 +108,11 @@ class Caster {
                              double tilt = 0) const;
   [[nodiscard]] Vec3 diffuseAt(const Hit& hit) const;
   [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const;
+  [[nodiscard]] std::optional<std::uint32_t> nodeOf(NodeId id) const;
   [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, bool& certified) const;
+  /// Whether a body is met on the way from a hit to a light, its own point apart.
+  [[nodiscard]] bool inShadowOf(std::uint32_t node, const SnapshotLight& light, const Hit& hit,
+                                bool& certified) const;
 
   const Snapshot& snapshot_;
   std::vector<Body> bodies_;  // as Snapshot::nodes

@@ -273,8 +273,8 @@ class Judge {
   }
 
   void findSilhouettes() {
-    const bool shadows = std::ranges::any_of(
-        snapshot_.lights, [](const SnapshotLight& light) { return light.shade.has_value(); });
+    const bool shadows =
+        std::ranges::any_of(snapshot_.lights, [](const SnapshotLight& light) { return light.hasShadow(); });
     const auto mayBeInShadow = [&](const JudgedPixel& pixel) {
       return shadows && pixel.mismatch == Mismatch::None && pixel.position != kUnset &&
              pixel.color > kOtherLight;

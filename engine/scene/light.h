@@ -22,7 +22,7 @@ struct Light {
   };
   enum class Shadow {
     None,
-    Exact,  ///< closed form: so far one paraboloid shade with the light at its focus
+    Exact,  ///< hard, and right in every pixel
     Map,    ///< not supported yet
   };
 

@@ -146,41 +146,39 @@ std::vector<NodeId> visibleCasters(const Light& light, const Scene& scene,
   return casters;
 }
 
-std::optional<ShadeRule> resolveShadow(const NodeThen& then, const std::vector<Placed>& placed,
-                                       const Vec4& light) {
-  const Scene& scene = then.scene;
-  const Node& node = then.node();
-  if (node.light->shadow == Light::Shadow::None) return std::nullopt;
-  const auto unsupported = [&](const std::string& why) {
-    then.reject(
-        "its light's shadow is not supported yet: " + why,
-        "exact shadows need one paraboloid shade named in `casters`, with the point light at its focus");
-  };
-  if (node.light->shadow == Light::Shadow::Map) unsupported("shadow maps");
-  if (light.w == 0) unsupported("an exact shadow of a directional light");
-  const std::vector<NodeId> casters = visibleCasters(*node.light, scene, placed);
-  if (casters.empty()) return std::nullopt;
-  if (casters.size() > 1) unsupported(fmt::format("{} nodes cast it", casters.size()));
-
-  const Node& shade = scene[casters[0]];
-  const std::optional<Paraboloid> paraboloid = shade.surface.paraboloid();
-  const auto shadeName = [&] { return scene.shownName(casters[0]); };
-  if (!paraboloid) unsupported(fmt::format("its caster {} is not a paraboloid", shadeName()));
-  const std::optional<ShadeRule> rule =
-      shadeRule(*paraboloid, placed[casters[0].index].worldFromNode, casters[0]);
-  if (!rule) unsupported(fmt::format("{} is scaled unevenly or sheared, so it has no focus", shadeName()));
-  const double distance = glm::length(Vec3(light) - rule->focus);
-  if (!(distance <= kFocusTolerance * (rule->focalLength + rule->height)))
-    unsupported(fmt::format("it is {} m away from the focus of {}", distance, shadeName()));
+/// The closed form of a shadow: one paraboloid casts it, and the light sits in its focus.
+std::optional<ShadeRule> closedForm(const Scene& scene, const std::vector<Placed>& placed,
+                                    const std::vector<NodeId>& casters, const Vec4& light) {
+  if (casters.size() != 1 || light.w == 0) return std::nullopt;
+  const std::optional<Paraboloid> paraboloid = scene[casters[0]].surface.paraboloid();
+  if (!paraboloid) return std::nullopt;
+  std::optional<ShadeRule> rule = shadeRule(*paraboloid, placed[casters[0].index].worldFromNode, casters[0]);
+  if (rule &&
+      !(glm::length(Vec3(light) - rule->focus) <= kFocusTolerance * (rule->focalLength + rule->height)))
+    rule.reset();
   return rule;
+}
+
+void resolveShadow(const NodeThen& then, const std::vector<Placed>& placed, SnapshotLight& light) {
+  const Light& described = *then.node().light;
+  if (described.shadow == Light::Shadow::None) return;
+  if (described.shadow == Light::Shadow::Map)
+    then.reject("its light's shadow is not supported yet: shadow maps", "use \"exact\"");
+  std::vector<NodeId> casters = visibleCasters(described, then.scene, placed);
+  light.shade = closedForm(then.scene, placed, casters, light.positionWorld);
+  if (light.shade) return;
+  std::ranges::sort(casters, {}, &NodeId::index);
+  casters.erase(std::unique(casters.begin(), casters.end()), casters.end());
+  light.casters = std::move(casters);
 }
 
 /// By content, so that the order in which the scene was put together leaves no trace. What rarely changes
 /// with time comes first. Shaded lights last.
 bool precedes(const SnapshotLight& a, const SnapshotLight& b) {
   const auto key = [](const SnapshotLight& l) {
-    return std::tuple(l.shade.has_value(), l.attenuation, l.radiance.x, l.radiance.y, l.radiance.z,
-                      l.positionWorld.w, l.positionWorld.x, l.positionWorld.y, l.positionWorld.z);
+    return std::tuple(l.shade.has_value(), l.casters.size(), l.attenuation, l.radiance.x, l.radiance.y,
+                      l.radiance.z, l.positionWorld.w, l.positionWorld.x, l.positionWorld.y,
+                      l.positionWorld.z);
   };
   return key(a) < key(b);
 }
@@ -202,7 +200,7 @@ std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Plac
       if (towardLight == Vec3(0)) then.reject("its light has no direction: the scale along z is zero");
       light.positionWorld = Vec4(towardLight, 0);
     }
-    light.shade = resolveShadow(then, placed, light.positionWorld);
+    resolveShadow(then, placed, light);
     lights.push_back(std::move(light));
   }
   std::ranges::sort(lights, precedes);
@@ -231,6 +229,17 @@ void cutLights(Snapshot& snapshot) {
     snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
+/// What is seen through would let a part of the light pass, and have shadows on every layer.
+void requireOpaque(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
+  if (std::ranges::all_of(snapshot.lights, [](const SnapshotLight& light) { return light.casters.empty(); }))
+    return;
+  for (const SnapshotNode& node : snapshot.nodes)
+    if (snapshot.materials[node.material.index].transparent())
+      NodeThen{scene, node.id, moment}.reject(
+          "it is seen through, in a scene with exact shadows, which is not supported yet",
+          "set its material's opacity to 1, or the lights' shadows to \"none\"");
+}
+
 /// Everything but the view.
 Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
   const std::vector<Placed> placed = placeNodes(scene, moment);
@@ -240,6 +249,7 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
   snapshot.lights = takeLights(scene, placed, moment, snapshot.cutNumbers);
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
   cutLights(snapshot);
+  requireOpaque(scene, snapshot, moment);
   return snapshot;
 }
 

@@ -35,9 +35,13 @@ struct SnapshotLight {
   Vec4 positionWorld{0};
   Vec3 radiance{0};  ///< color * intensity
   Light::Attenuation attenuation = Light::Attenuation::None;
-  std::optional<ShadeRule> shade;  ///< the exact shadow of the lamp shade around this light
+  /// Its exact shadow, if it has one: in closed form, of the lamp shade around this light; or what casts it,
+  /// ascending.
+  std::optional<ShadeRule> shade;
+  std::vector<NodeId> casters;
 
   [[nodiscard]] bool directional() const { return positionWorld.w == 0; }
+  [[nodiscard]] bool hasShadow() const { return shade.has_value() || !casters.empty(); }
   friend bool operator==(const SnapshotLight&, const SnapshotLight&) = default;
 };
 

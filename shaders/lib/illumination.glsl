@@ -9,6 +9,9 @@
 // Which lights they are, the shaded ones last: the including shader says where it has them from.
 LightData lightAt(uint i);
 ShadeData shadeAt(uint i);
+#ifdef LUXO_SHADOWS
+uint shadows();  // the lights, a bit each, that do not reach the point
+#endif
 
 // 1 + which of the shaded lights the instance is the shade of; 0: none.
 uint shadeOf(uint flags) { return (flags >> kShadeShift) & 255; }
@@ -70,11 +73,16 @@ bool litThroughShade(ShadeData shade, vec3 fromFocus) {
 
 vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
   vec3 sum = material.ambient;
+#ifdef LUXO_SHADOWS
+  uint inShadow = shadows();
+#else
+  const uint inShadow = 0;
+#endif
   for (uint i = 0; i < kPlainLights + kShadedLights; ++i) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - position * light.position.w;
     vec3 reflection = reflected(material, light, toLight, n, v);
-    bool lit = true;
+    bool lit = (inShadow & (1u << i)) == 0;
     if (i >= kPlainLights) {
       uint shade = i - kPlainLights;
       bool isTheShade = shadeOf(material.flags) == shade + 1;

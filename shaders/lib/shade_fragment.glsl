@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fragments that light what an earlier pass has found.
 #extension GL_GOOGLE_include_directive : require
+#define LUXO_SHADOWS
 #include "lib/carried_lights.glsl"
 #include "lib/found_texel.glsl"
 #include "lib/scene.glsl"
 
 layout(constant_id = kConstantPattern) const uint kPattern = 0;
 layout(constant_id = kConstantManyMaterials) const bool kManyMaterials = false;
+layout(constant_id = kConstantShadows) const bool kShadows = false;
 
 layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
+layout(set = kSetFound, binding = kBindingShadows) uniform usampler2D shadowsOfLights;
 layout(set = kSetFound, binding = kBindingFoundParameters) uniform sampler2D foundParameters;
 layout(scalar, set = kSetFound, binding = kBindingUniformMaterials) uniform UniformMaterials {
   MaterialData uniformMaterials[kUniformMaterials];
@@ -43,6 +46,8 @@ Found foundPoint() {
   found.residual = uintBitsToFloat(floatBitsToUint(texel.w) & 0xffff0000u);
   return found;
 }
+
+uint shadows() { return kShadows ? texelFetch(shadowsOfLights, ivec2(gl_FragCoord.xy), 0).x : 0; }
 
 Material foundMaterial() { return materialOf(material); }
 uint foundMaterialNumber() { return 0; }

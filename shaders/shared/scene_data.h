@@ -29,6 +29,7 @@ LUXO_CONSTANT kSetScene = 0;
 LUXO_CONSTANT kSetPattern = 1;
 LUXO_CONSTANT kSetExact = 2;
 LUXO_CONSTANT kSetFound = 2;  // of draws that light what an earlier pass has found
+LUXO_CONSTANT kSetShadow = 1;  // of draws that find what is in shadow there; they read its points from kSetFound
 
 // Bindings of kSetScene.
 LUXO_CONSTANT kBindingView = 0;
@@ -48,6 +49,16 @@ LUXO_CONSTANT kExactBindings = 5;
 LUXO_CONSTANT kBindingFound = 0;
 LUXO_CONSTANT kBindingFoundParameters = 1;
 LUXO_CONSTANT kBindingUniformMaterials = 2;  // the first kUniformMaterials of them all
+LUXO_CONSTANT kBindingShadows = 3;
+
+// Bindings of kSetShadow.
+LUXO_CONSTANT kBindingCasters = 0;
+LUXO_CONSTANT kBindingGridStarts = 1;
+LUXO_CONSTANT kBindingGridEntries = 2;
+LUXO_CONSTANT kBindingCasterCells = 3;
+LUXO_CONSTANT kBindingCasterParameters = 4;
+LUXO_CONSTANT kBindingShadowDoubts = 5;
+LUXO_CONSTANT kShadowBindings = 6;
 
 // Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
 // reach a draw costs nothing.
@@ -63,6 +74,7 @@ LUXO_CONSTANT kConstantEquation = 8;
 LUXO_CONSTANT kConstantManySamples = 9;
 LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a draw lights: MaterialData::pattern
 LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
+LUXO_CONSTANT kConstantShadows = 12;         // some lights have shadows that were found
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -91,12 +103,13 @@ LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its 
 // instances, the others after these by instance.
 LUXO_CONSTANT kFeedbackSlots = 16384;
 
-// What is in doubt, two bits a pixel, row by row: a search has lost a surface there; what it has found there is not
-// certified.
+// What is in doubt, some bits a pixel, row by row: a search has lost a surface there; what it has found there is not
+// certified; whether it is in shadow was not settled.
 LUXO_CONSTANT kLostHere = 1;
 LUXO_CONSTANT kUncertifiedHere = 2;
-LUXO_CONSTANT kDoubtBits = 2;
-LUXO_CONSTANT kDoubtsPerWord = 16;
+LUXO_CONSTANT kShadowOpenHere = 4;
+LUXO_CONSTANT kDoubtBits = 4;
+LUXO_CONSTANT kDoubtsPerWord = 8;
 
 // Numbers of materials in a found texel; and as many as every device has room for in a uniform buffer, which a CPU device
 // reads faster than a storage buffer.
@@ -227,6 +240,41 @@ struct LightSet {
   ShadeData shades[kMaxLights];  // of the shaded ones, in their order
 };
 
+// A cell of a caster (engine/shadow/caster_cells.h), object space.
+struct CasterCell {
+  vec2 middle, half_;  // of its u and v
+  vec3 bend;           // suprema of |Suu|, |Suv|, |Svv|; the first below 0: nothing is proven
+  uint patch_;
+};
+
+struct GridEntry {
+  uint cell;
+  float nearest;
+};
+
+// What may keep a light from what is seen: a node, or those of its patches that share their code, as the light sees them
+// (engine/shadow/light_grid.h).
+struct ShadowCaster {
+  mat3 gridFromRelative;    // with gridOrigin: the axes of the grid
+  vec3 gridOrigin;
+  mat3 objectFromRelative;  // with objectOrigin
+  vec3 objectOrigin;
+  vec4 lightObject;         // w = 1: where it is; w = 0: the direction toward it
+  vec4 lightRelative;       // the same
+  vec4 faces[6];            // x and y of the first texel; texels per unit
+  uint firstTexel[6];
+  uint gridSize;
+  uint firstEntry, firstCell, firstParameter, parameters;  // parameters: of each patch
+  uint light;        // its bit
+  uint parallel;
+  uint gated;        // nothing is lit that faces away
+  float rounding, roundingPerMetre;  // how far floats leave a point from where it is, metres of the object; of these, for
+                                     // each metre from what positions are relative to
+  float margin;      // the most of that which the grid has room for
+  float pixel;       // what a pixel is wide, metres of the object (perspective: at depth 1)
+  float offPixels;   // how far what is drawn may be off its surface
+};
+
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
 #undef LUXO_NUMBER
@@ -241,8 +289,10 @@ inline constexpr uint kLightFlags = ((1u << kFlagsOfLight * kCarriedLights) - 1)
 static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
               (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
-static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
+static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 56 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(kMaxLights <= 32);  // a bit each
+static_assert(sizeof(CasterCell) == 32 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 300);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

@@ -68,7 +68,7 @@ std::string finish(const Material& m, const Vec3& ambientLight) {
 }
 
 std::string light(const SnapshotLight& light, double far) {
-  if (light.shade || (light.attenuation != Light::Attenuation::None && !light.directional()))
+  if (light.hasShadow() || (light.attenuation != Light::Attenuation::None && !light.directional()))
     refuse("lights that fade or cast shadows");
   const Vec3 position(light.positionWorld);
   return fmt::format("light_source {{ {} rgb {}{} }}\n",

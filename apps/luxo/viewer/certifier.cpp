@@ -22,17 +22,21 @@ void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, Rend
   for (const Doubt& doubt : view.doubts()) doubtful.push_back(doubt.pixel);
   working_ = inBackground([this, doubtful = std::move(doubtful), probes = view.probes(),
                            found = view.list().found, origin = view.list().origin,
-                           size = snapshot.view.size] {
-    Outcome outcome{.points = rays_.resolve(doubtful, found, origin), .audited = probes.size()};
+                           lights = view.list().shadows.lights, size = snapshot.view.size] {
+    const auto resolved = [&](const std::vector<PixelPlace>& pixels) {
+      RayPoints points = rays_.resolve(pixels, found, origin);
+      rays_.addShadows(pixels, lights, points);
+      return points;
+    };
+    Outcome outcome{.points = resolved(doubtful), .audited = probes.size()};
     // What is resolved need not be right in the depths that were probed before.
     std::vector<DepthProbe> others;
     for (const DepthProbe& probe : probes)
       if (!std::ranges::binary_search(doubtful, placeOf(probe.pixel), {}, placeOf)) others.push_back(probe);
-    const AuditResult audit = rays_.audit(others);
+    const AuditResult audit = rays_.audit(others, lights);
     outcome.failed = audit.failed;
     outcome.undecided = audit.undecided;
-    if (audit.failed > 0)
-      outcome.points = rays_.resolve(auditedPixels(size, {.extent = AuditExtent::All}, {}), found, origin);
+    if (audit.failed > 0) outcome.points = resolved(auditedPixels(size, {.extent = AuditExtent::All}, {}));
     return outcome;
   });
 }

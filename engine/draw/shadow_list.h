@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What finds the exact shadows of a picture: for each light, the casters that may keep it from what is seen.
+#pragma once
+
+#include <span>
+
+#include "draw/draw_list.h"
+
+namespace luxo {
+
+/// Fills list.shadows, for the lights of list.shadeLights (indices into Snapshot::lights, in its order), and
+/// leaves to rays (list.byRays) where no shader finds a shadow.
+void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
+                 Geometry& geometry, std::span<const std::uint32_t> lights, DrawList& list);
+
+/// Whether some of these lights have a shadow that has to be found.
+[[nodiscard]] bool anyCasters(const Snapshot& snapshot, std::span<const std::uint32_t> lights);
+
+}  // namespace luxo

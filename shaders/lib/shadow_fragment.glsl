@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a caster keeps its light from the point that a pixel sees: by the cells that the light's grid lists in the
+// direction of the point, nearest to the light first.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/formula.glsl"
+#include "lib/shadow_interface.glsl"
+
+layout(scalar, set = kSetShadow, binding = kBindingGridStarts) readonly buffer GridStarts { uint gridStarts[]; };
+layout(scalar, set = kSetShadow, binding = kBindingGridEntries) readonly buffer GridEntries { GridEntry gridEntries[]; };
+layout(scalar, set = kSetShadow, binding = kBindingCasterCells) readonly buffer CasterCells { CasterCell casterCells[]; };
+layout(scalar, set = kSetShadow, binding = kBindingCasterParameters) readonly buffer CasterParameters { float casterParameters[]; };
+layout(scalar, set = kSetShadow, binding = kBindingShadowDoubts) buffer Doubts { uint ofPixels[]; } doubts;
+layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
+
+layout(location = 0) out uint outShadows;
+
+// A CPU device reads a buffer slowly: parameters are read once for a patch, not whenever the formula is.
+layout(constant_id = kConstantParameterCount) const uint kParameterCount = 0;
+const uint kHeldParameters = 64;
+const uint kHeld = kParameterCount < kHeldParameters ? kParameterCount : kHeldParameters;
+float heldParameters[kHeld > 0 ? kHeld : 1];
+uint heldPatch = 0xffffffffu;
+
+float casterParameterFromBuffer(uint k) { return casterParameters[varyingFirst.z + heldPatch * varyingFirst.w + k]; }
+
+void holdPatch(uint patch_) {
+  if (patch_ == heldPatch) return;
+  heldPatch = patch_;
+  for (uint k = 0; k < kHeld; ++k) heldParameters[k] = casterParameterFromBuffer(k);
+}
+
+float casterParameterAt(uint k) { return k < kHeld ? heldParameters[k] : casterParameterFromBuffer(k); }
+
+// The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).
+#define parameterAt casterParameterAt
+#include "surface"
+#undef parameterAt
+
+#include "lib/shadow_ray.glsl"
+#include "lib/octahedral.glsl"
+
+const float kGrazing = 1e-3;       // the cosine below which a ray leaves its own surface no sooner
+const float kGrain = 3e-4;         // pixels: shadows end as near to where they should
+const float kMostRounding = 8e-3;  // pixels
+
+void doubtPixel() {
+  uint pixel = uint(gl_FragCoord.y) * uint(2.0 * varyingMiddle.x) + uint(gl_FragCoord.x);
+  atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], kShadowOpenHere << kDoubtBits * (pixel % kDoubtsPerWord));
+}
+
+// The texel that a point is in; none where the grid has no texel in its direction.
+const uint kNone = 0xffffffffu;
+uint texelOf(vec3 q, out float ahead) {
+  vec3 size = abs(q);
+  bool isParallel = (varyingCaster.z & kParallel) != 0, isFirst = isParallel || (q.z > 0.0 && q.z >= size.x && q.z >= size.y);
+  vec4 face = varyingFace;
+  uint first = varyingFirstTexel;
+  vec2 place = q.xy;
+  ahead = q.z;
+  if (!isFirst) {
+    uint axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    uint number = 2 * axis + (q[axis] < 0.0 ? 1 : 0);
+    face = casters[varyingCaster.x].faces[number];
+    first = casters[varyingCaster.x].firstTexel[number];
+    place = vec2(q[(axis + 1) % 3], q[(axis + 2) % 3]);
+    ahead = size[axis];
+  }
+  if (!isParallel) place /= ahead;
+  vec2 texel = (place - face.xy) * face.zw;
+  float count = float(varyingCaster.w);
+  // A point beside all texels is in none; floats may put one that is on the border half a texel off.
+  if (face.z == 0.0 || !(min(texel.x, texel.y) >= -0.03 && max(texel.x, texel.y) <= count + 0.03)) return kNone;
+  uvec2 whole = uvec2(clamp(texel, vec2(0), vec2(count - 1.0)));
+  return first + whole.y * varyingCaster.w + whole.x;
+}
+
+void findShadow() {
+  vec4 texel = texelFetch(foundTexels, ivec2(gl_FragCoord.xy), 0);
+  vec2 pixel = gl_FragCoord.xy - varyingMiddle.xy;
+  vec3 place = varyingPlace[0] + pixel.x * varyingPlace[1] + pixel.y * varyingPlace[2],
+       sight = varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
+  vec3 position = place + texel.x * sight, toLight = varyingLightRelative.xyz - varyingLightRelative.w * position;
+  float cosine = dot(fromOctahedral(texel.yz), toLight) * inversesqrt(max(dot(toLight, toLight), 1e-37));
+  if ((varyingCaster.z & kGated) != 0 && cosine <= 0.0) discard;
+
+  vec4 p = vec4(position, 1);
+  float ahead;
+  uint number = texelOf(vec3(dot(varyingGrid[0], p), dot(varyingGrid[1], p), dot(varyingGrid[2], p)), ahead);
+  if (number == kNone) discard;
+  uint entry = gridStarts[number], end = gridStarts[number + 1];
+  if (entry == end) discard;
+
+  vec3 from = vec3(dot(varyingObject[0], p), dot(varyingObject[1], p), dot(varyingObject[2], p));
+  vec3 way = varyingLightObject.xyz - varyingLightObject.w * from;
+  float distance_ = length(way), width = varyingRounding.w * (varyingMiddle.z != 0.0 ? texel.x + varyingMiddle.w : 1.0);
+  float rounding = varyingRounding.x + varyingRounding.y * length(position);
+  // A point is off its surface by what rounding and the search for it leave, along the ray by more where this grazes.
+  float off = rounding + varyingOff * width;
+  LightRay ray = lightRay(from, way / max(distance_, 1e-37), 8.0 * off / max(abs(cosine), kGrazing),
+                          varyingLightObject.w != 0.0 ? distance_ : 1e30, rounding, 0.0);
+  int result = rounding > varyingRounding.z ? kOpen : kPassed;
+  float behind = ahead * (1.0 + 1e-5) + 1e-30;
+  for (; entry < end && result == kPassed; ++entry) {
+    GridEntry listed = gridEntries[varyingFirst.x + entry];
+    if (listed.nearest > behind) break;
+    // What is off at the caster is off by more behind it, as the light spreads.
+    float narrowed = width * ((varyingCaster.z & kParallel) != 0 ? 1.0 : clamp(listed.nearest / ahead, 0.0, 1.0));
+    if (rounding > kMostRounding * narrowed) {
+      result = kOpen;
+      break;
+    }
+    ray.grain = max(kGrain * narrowed, 4.0 * rounding);
+    CasterCell cell = casterCells[varyingFirst.y + listed.cell];
+    holdPatch(cell.patch_);
+    result = meetsCell(ray, cell);
+  }
+  if (result == kOpen) doubtPixel();
+  if (result != kMet) discard;
+  outShadows = 1u << varyingCaster.y;
+}

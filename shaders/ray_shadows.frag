@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rays have found of the shadows in a pixel.
+#version 460
+
+layout(location = 0) flat in uint inShadows;
+layout(location = 0) out uint outShadows;
+
+void main() { outShadows = inShadows; }

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact shadows: against closed forms, against the reference's rays, and against themselves with other maps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "support/verified_picture.h"
+
+namespace luxo::test {
+namespace {
+
+class ShadowTest : public VerifiedPictureTest {
+ protected:
+  /// The colours of both cameras' pictures are bright where the light is seen and dark where it is not.
+  [[nodiscard]] static bool isLit(const Image& image, int x, int y) { return image.pixel(x, y)[0] > 0.25F; }
+
+  /// All pixels of a floor at y = 0 are lit where `lit(point)` says so, but those nearer than 1e-3 px to a
+  /// border.
+  template <class Lit>
+  void expectLit(const Scene& scene, PixelSize size, const Lit& lit, int leastShadow) {
+    const Picture picture = draw(scene, size);
+    const Image id = draw(scene, size, {.output = Output::Id}).image;
+    const CameraModel camera(scene.cameras()[0], size);
+    int inShadow = 0, atBorder = 0;
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) {
+        if (id.pixel(x, y)[0] != 1) continue;  // the floor is the first node
+        const auto expected = settled(
+            [&](const Vec2& pixel) {
+              const Ray ray = camera.through(pixel);
+              return lit(ray.at(*hitPlane(ray, Vec3(0), Vec3(0, 1, 0))));
+            },
+            centerOf(x, y), 1e-3);
+        atBorder += !expected;
+        if (!expected) continue;
+        ASSERT_EQ(isLit(picture.image, x, y), *expected) << x << ", " << y;
+        inShadow += !*expected;
+      }
+    EXPECT_GE(inShadow, leastShadow);
+    EXPECT_LT(atBorder, 20);
+    EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+    EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+  }
+
+  [[nodiscard]] static Scene sceneOf(const std::string& nodes) {
+    return buildScene(parseScene(R"_({ "luxo": 1,
+      "render": { "ambient": [0.1, 0.1, 0.1], "background": [0, 0, 0] },
+      "materials": { "m": { "diffuse": [0.7, 0.7, 0.7], "specular": 0 } },
+      "surfaces": { "floor": { "type": "rectangle", "size": [40, 40] },
+                    "ball": { "type": "sphere", "radius": 1 },
+                    "ring": { "type": "formula", "position": ["u*cos(v)", "0", "-u*sin(v)"],
+                              "u": [0.4, 1], "v": [0, "2*pi"] },
+                    "tube": { "type": "torus", "major": 1, "minor": 0.05 },
+                    "torus": { "type": "torus", "major": 1, "minor": 0.4 } },
+      "camera": { "eye": [1, 7, 6], "look_at": [0.5, 0, 0], "fov_y": "50deg" },
+      "nodes": [ { "name": "floor", "surface": "floor", "material": "m" }, )_" +
+                                     nodes + "] }",
+                                 "shadow"));
+  }
+};
+
+constexpr PixelSize kSize{320, 240};
+
+/// A ball at (0, 2, 0); where the ray to the light meets it is a quadratic equation.
+bool seesPast(const Vec3& point, const Vec3& toLight, double farthest) {
+  const Vec3 way = unit(toLight), from = point - Vec3(0, 2, 0);
+  const double b = glm::dot(from, way), c = glm::dot(from, from) - 1, square = b * b - c;
+  if (square < 0) return true;
+  const double nearest = -b - std::sqrt(square);
+  return nearest < 0 || nearest > farthest;
+}
+
+TEST_F(ShadowTest, OfABallIsAnEllipse) {
+  const std::string ball =
+      R"({ "name": "ball", "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )";
+  const Scene point = sceneOf(ball + R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact" } })");
+  expectLit(
+      point, kSize,
+      [](const Vec3& p) {
+        const Vec3 toLight = Vec3(-2, 6, 1) - p;
+        return seesPast(p, toLight, glm::length(toLight));
+      },
+      400);
+  const Scene sun = sceneOf(
+      ball +
+      R"({ "rotate": { "axis": [1, 0, 0], "angle": -1 }, "light": { "type": "directional", "shadow": "exact" } })");
+  // Toward the light: (0, 0, 1) turned by -1 about x.
+  expectLit(
+      sun, kSize, [](const Vec3& p) { return seesPast(p, Vec3(0, std::sin(1.0), std::cos(1.0)), 1e9); }, 400);
+}
+
+/// What shines through the hole of a disk is a circle, and so is the disk's shadow around it.
+TEST_F(ShadowTest, OfADiskWithAHoleIsARing) {
+  const Scene scene = sceneOf(R"({ "surface": "ring", "material": "m", "translate": [0, 2, 0] },
+                                 { "translate": [0, 5, 0], "light": { "shadow": "exact" } })");
+  expectLit(
+      scene, kSize,
+      [](const Vec3& p) {
+        const double radius = glm::length(Vec2(p.x, p.z)) * 3 / 5;  // where the ray passes the disk's plane
+        return radius < 0.4 || radius > 1;
+      },
+      1500);
+}
+
+/// Two equal balls and a light at infinity in their axis: the second is in the first one's shadow wherever
+/// it faces the light, and no ray is left over.
+TEST_F(ShadowTest, OfABallOnItsEqualIsTotal) {
+  const Scene scene = sceneOf(R"({ "surface": "ball", "material": "m", "translate": [0, 5, 0] },
+                                 { "surface": "ball", "material": "m", "translate": [0, 1.5, 0] },
+                                 { "rotate": { "axis": [1, 0, 0], "angle": -1.5707963267948966 },
+                                   "light": { "type": "directional", "shadow": "exact" } })");
+  const Picture picture = draw(scene, kSize);
+  const Image id = draw(scene, kSize, {.output = Output::Id}).image;
+  int pixels = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x)
+      if (id.pixel(x, y)[0] == 3) {
+        // Beside the rim light falls along the surface, where a float's rounding lets it pass: 1e-3 of it.
+        ASSERT_LT(picture.image.pixel(x, y)[0], 0.07F + 0.002F) << x << ", " << y;
+        ++pixels;
+      }
+  EXPECT_GT(pixels, 1000);
+}
+
+constexpr const char* kCrowd = R"(
+  { "surface": "torus", "material": "m", "translate": [0, 1.4, 0], "rotate": { "axis": [1, 0.3, 0], "angle": 0.9 } },
+  { "surface": "tube", "material": "m", "translate": [1.5, 1, 0.6], "rotate": { "axis": [0, 0, 1], "angle": 0.5 } },
+  { "surface": "ball", "material": "m", "translate": [-2, 0.6, 0.5], "scale": [0.6, 0.6, 0.6] },
+  { "translate": [2, 6, 1], "light": { "intensity": 0.6, "shadow": "exact" } },
+  { "rotate": { "axis": [1, 0.5, 0], "angle": -0.9 }, "light": { "type": "directional", "intensity": 0.3, "shadow": "exact" } })";
+
+/// How large the light's map is decides how long shadows take, and nothing else.
+TEST_F(ShadowTest, DoNotDependOnTheSizeOfTheMap) {
+  const Scene scene = sceneOf(kCrowd);
+  const Picture usual = draw(scene, kSize);
+  for (const int size : {1, 5, 32, 256, 4096}) {
+    const Picture other = draw(scene, kSize, {.shadowGridSize = size});
+    EXPECT_TRUE(sameBytes(usual.image, other.image)) << size;
+    EXPECT_EQ(other.statistics.error.unconvergedPx, 0U);
+  }
+}
+
+TEST_F(ShadowTest, AreTheTruth) {
+  const Scene scene = sceneOf(kCrowd);
+  const Verified found = expectTheTruth(takeSnapshot(scene, 0, kSize), 40'000);
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_LE(found.statistics.error.shadowRaysPx, 8U);  // 1e-4 of the pixels
+  for (const std::string name : {"teapot", "klein", "seashell", "boy", "torus_knot", "helicoid"}) {
+    SCOPED_TRACE(name);
+    const Scene one = buildScene(parseScene(R"({ "luxo": 1, "surfaces": { "s": { "type": ")" + name +
+                                                R"(" }, "f": { "type": "rectangle", "size": [30, 30] } },
+             "nodes": [ { "surface": "s" }, { "surface": "f", "translate": [0, -2, 0] },
+                        { "translate": [4, 9, 3], "light": { "shadow": "exact" } } ] })",
+                                            "shadow"));
+    EXPECT_EQ(verified(takeSnapshot(one, 0, {160, 120})).verification.wrong.total(), 0U);
+  }
+}
+
+TEST_F(ShadowTest, ManySamplesAreMeansOfSamples) {
+  const Scene scene = sceneOf(kCrowd);
+  const Snapshot snapshot = takeSnapshot(scene, 0, {160, 120});
+  const Image four = renderer().render(snapshot, {.samples = 4}).image;
+  std::vector<Vec3> mean(160 * 120, Vec3(0));
+  for (const Vec2& offset : samplePattern(4)) {
+    Snapshot one = snapshot;
+    one.view = sampledAt(snapshot.view, offset);
+    const Image image = renderer().render(one).image;
+    for (int y = 0; y < 120; ++y)
+      for (int x = 0; x < 160; ++x)
+        mean[static_cast<std::size_t>(y * 160 + x)] += 0.25 * colorAt(image, x, y);
+  }
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x)
+      ASSERT_TRUE(near(colorAt(four, x, y), mean[static_cast<std::size_t>(y * 160 + x)], 1e-6))
+          << x << ", " << y;
+}
+
+/// Meshes get the shadows of the surfaces that they stand for.
+TEST_F(ShadowTest, FallOnMeshesAsOnSurfaces) {
+  const Scene scene = sceneOf(kCrowd);
+  const Image exact = draw(scene, kSize).image;
+  for (const Shading shading : {Shading::Phong, Shading::Flat}) {
+    const Image mesh = draw(scene, kSize, {.shading = shading, .tolerancePx = 0.05}).image;
+    int different = 0;
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x)
+        different += !near(colorAt(exact, x, y), colorAt(mesh, x, y), 0.05);
+    // Outlines and borders of shadows, of which there are some 3,000 pixels' length.
+    EXPECT_LT(different, 150) << nameOf(shading);
+  }
+}
+
+TEST_F(ShadowTest, CostNothingWhereThereAreNone) {
+  const std::string ball = R"({ "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )";
+  const auto passes = [&](const std::string& light) {
+    return draw(sceneOf(ball + light), kSize).statistics.count.shadowPasses;
+  };
+  EXPECT_EQ(passes(R"({ "translate": [-2, 6, 1], "light": {} })"), 0U);
+  EXPECT_EQ(passes(R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact" } })"), 2U);
+  EXPECT_EQ(passes(R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact", "casters": ["floor"] } })"),
+            1U);
+  // What is behind the ball is not in the picture.
+  EXPECT_EQ(passes(R"({ "translate": [20, 2, 0], "light": { "shadow": "exact" } },
+                      { "name": "far", "surface": "ball", "translate": [-25, 5, 0] })"),
+            2U);
+  // Unchanged, nothing is made or drawn again.
+  const Snapshot snapshot = takeSnapshot(
+      sceneOf(ball + R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact" } })"), 0, kSize);
+  static_cast<void>(renderer().render(snapshot));
+  DrawOptions drawn;
+  drawn.skips.unchanged = false;
+  const FrameCounts again = renderer().render(snapshot, drawn).statistics.count;
+  EXPECT_EQ(again.tessellated, 0U);
+  EXPECT_EQ(again.pipelinesCreated, 0U);
+}
+
+TEST_F(ShadowTest, OfOddLightsAreDefined) {
+  const std::string ball = R"({ "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )";
+  for (const char* at : {"[0, 2, 0]", "[0, 3, 0]", "[0, 0, 0]", "[0, 1, 0]", "[20, 0, 20]", "[1e6, 1e6, 0]",
+                         "[0, -5, 0]", "[1, 7, 6]", "[0, 3.0000001, 0]"}) {
+    SCOPED_TRACE(at);
+    const Scene scene = sceneOf(ball + R"({ "translate": )" + at +
+                                R"(, "light": { "shadow": "exact", "attenuation": "inverse-square" } })");
+    const Verified found = verified(takeSnapshot(scene, 0, {96, 72}));
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.nonfinitePx, 0U);
+  }
+  std::string lights;
+  for (int i = 0; i < 32; ++i)
+    lights += std::string(i > 0 ? "," : "") + R"({ "translate": [)" + std::to_string(i % 6 - 3) + ", 6, " +
+              std::to_string(i / 6 - 3) + R"(], "light": { "intensity": 0.05, "shadow": "exact" } })";
+  const Verified many = verified(takeSnapshot(sceneOf(ball + lights), 0, {96, 72}));
+  EXPECT_EQ(many.verification.wrong.total(), 0U);
+  EXPECT_EQ(many.statistics.count.shadowPasses, 64U);
+}
+
+TEST_F(ShadowTest, AreRefusedWhereTheyWouldBeWrong) {
+  const Scene scene = sceneOf(kCrowd);
+  for (const Shading shading : {Shading::Gouraud, Shading::Toon}) {
+    try {
+      static_cast<void>(draw(scene, kSize, {.shading = shading}));
+      FAIL() << nameOf(shading);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Scene);
+      EXPECT_NE(std::string(error.what()).find("not supported yet"), std::string::npos) << error.what();
+    }
+  }
+  // Views of geometry have no light.
+  EXPECT_NO_THROW(static_cast<void>(draw(scene, {32, 24}, {.shading = Shading::Normal})));
+  EXPECT_NO_THROW(static_cast<void>(draw(scene, {32, 24}, {.shading = Shading::Wireframe})));
+}
+
+}  // namespace
+}  // namespace luxo::test
