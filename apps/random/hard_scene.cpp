@@ -11,6 +11,7 @@
 namespace luxo::random {
 namespace {
 
+constexpr double kWithShadows = 0.4;
 constexpr double kFourSamples = 1.0 / 6;  // of the scenes: one costs four of the others
 
 Json vectorJson(double x, double y, double z) { return Json::array({rounded(x), rounded(y), rounded(z)}); }
@@ -74,6 +75,38 @@ void addSecond(Json& json, Numbers& n) {
   json["nodes"].push_back(std::move(node));
 }
 
+/// A light with an exact shadow: far, near, inside of what there is, or at infinity; at times onto a floor.
+/// What that is called.
+std::string addShadow(Json& json, const Box& framing, Numbers& n) {
+  const Vec3 middle = framing.center(), extent = framing.extent();
+  const double size = glm::length(extent);
+  const double which = n.between(0, 1);
+  Json light = {{"intensity", 0.8}, {"shadow", "exact"}};
+  Json node = {{"name", "sun"}};
+  const Vec3 way(n.between(-1, 1), n.between(-1, 1), n.between(-1, 1));
+  if (which < 0.25) {
+    node["rotate"] = turned(n);
+    light["type"] = "directional";
+  } else {
+    const double distance = which < 0.5    ? n.magnitude(1, 30)
+                            : which < 0.75 ? n.between(0.5, 1.2)
+                                           : n.between(0, 0.5);
+    const Vec3 at = middle + distance * (which < 0.5 ? size * unit(way) : extent * way);
+    node["translate"] = vectorJson(at.x, at.y, at.z);
+  }
+  node["light"] = std::move(light);
+  json["nodes"].push_back(std::move(node));
+  if (n.chance(0.4)) {
+    json["surfaces"]["floor"] = {{"type", "rectangle"}, {"size", {rounded(3 * size), rounded(3 * size)}}};
+    json["nodes"].push_back(
+        {{"name", "floor"},
+         {"surface", "floor"},
+         {"material", "m"},
+         {"translate", vectorJson(middle.x, framing.min.y - 0.1 * n.between(-1, 1) * extent.y, middle.z)}});
+  }
+  return which < 0.25 ? "+sunlit" : which < 0.75 ? "+lit" : "+lit inside";
+}
+
 std::pair<PixelSize, int> formatOf(const HardSceneOptions& options, Numbers& n) {
   const bool four = n.chance(kFourSamples);
   const int part = n.whole(0, 8);
@@ -113,6 +146,13 @@ HardScene hardScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpti
   const Snapshot snapshot = takeSnapshot(sceneOf(hard.json), 0, size, Camera{});
   const HardCamera camera = hardCamera(snapshot, n);
   hard.camera = camera.kind;
+  // From numbers of its own: scenes stay what they were before there were shadows.
+  Numbers ofShadows(~seed, index);
+  const Box framing = framingOf(snapshot);
+  if (ofShadows.chance(kWithShadows) && !framing.empty()) {
+    hard.kind += addShadow(hard.json, framing, ofShadows);
+    hard.json["x-random"]["kind"] = hard.kind;
+  }
   hard.json["x-random"]["camera"] = camera.kind;
   const Camera seen = cameraOf(camera.json);
   const Vec3 eye = seen.eye.at({}), aside = 0.3 * glm::distance(eye, seen.lookAt.at({})) * seen.up.at({});
