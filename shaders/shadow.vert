@@ -21,9 +21,11 @@ void main() {
   varyingRounding = vec4(caster.rounding, caster.roundingPerMetre, caster.margin, caster.pixel);
   varyingFirst = uvec4(caster.firstEntry, caster.firstCell, caster.firstParameter, caster.parameters);
   varyingCaster = uvec4(gl_InstanceIndex, caster.light, caster.parallel * kParallel + caster.gated * kGated, caster.gridSize);
-  varyingFace = caster.faces[kFirstFace];
+  varyingFaces = caster.faces;
+  varyingMaterial = caster.material;
   varyingOff = caster.offPixels;
-  varyingFirstTexel = caster.firstTexel[kFirstFace];
+  for (int i = 0; i < 2; ++i)
+    varyingFirstTexels[i] = uvec3(caster.firstTexel[i], caster.firstTexel[2 + i], caster.firstTexel[4 + i]);
   // As far as can be: by the depth test no fragment is where nothing was found.
   gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1);
 }

@@ -73,7 +73,7 @@ class DrawLister {
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
     materials_.listShades();
-    listShadows(snapshot_, visible_, options_, geometry_, materials_.laterLights(), list_);
+    listShadows(snapshot_, visible_, options_, geometry_, materials_, list_);
     shells_.listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
     shells_.placeSharedIndices();
@@ -189,7 +189,7 @@ class DrawLister {
       origin = addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
     }
     item.instance.data = instanceData(snapshot_, node, v, list_.origin, origin, batch.bothSides);
-    item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf);
+    item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
     return item;
   }
 

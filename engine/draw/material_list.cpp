@@ -32,19 +32,21 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const std::set<std::uint32_t> lights(visible.lights.begin(), visible.lights.end());
   allLights_.assign(lights.begin(), lights.end());
   const std::vector<Material>& materials = snapshot.materials;
+  shadows_ = options.output == Output::Color && anyCasters(snapshot, allLights_);
   const bool possible = options.output == Output::Color && options.samples == 1 &&
                         allLights_.size() <= shared::kMaxLights &&
-                        materials.size() * (allLights_.size() + 1) < shared::kMaxFoundMaterials;
-  shadows_ = options.output == Output::Color && anyCasters(snapshot, allLights_);
+                        (shadows_ ? snapshot.nodes.size() : materials.size() * (allLights_.size() + 1)) <
+                            shared::kMaxFoundMaterials;
   list_.deferred = possible && (options.composition == Composition::Deferred || shadows_);
   withPatterns_ = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
                     return material.diffusePattern.valid();
                   });
 }
 
-std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf) {
-  const auto [entry, isNew] =
-      numberOf_.try_emplace(std::pair{index, shadeOf}, static_cast<std::uint32_t>(list_.materials.size()));
+std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf, std::uint32_t node) {
+  const auto [entry, isNew] = numberOf_.try_emplace({index, shadeOf, shadows_ ? node : 0},
+                                                    static_cast<std::uint32_t>(list_.materials.size()));
+  if (shadows_) numberOfNode_[node] = entry->second;
   if (!isNew) return entry->second;
   const Material& material = snapshot_.materials[index];
   shared::MaterialData data = materialData(material, snapshot_.ambient, shadeOf);
@@ -54,6 +56,11 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf)
   }
   list_.materials.push_back(data);
   return entry->second;
+}
+
+std::uint32_t MaterialList::numberOfNode(std::uint32_t node) const {
+  const auto known = numberOfNode_.find(node);
+  return known == numberOfNode_.end() ? shared::kMaxFoundMaterials : known->second;
 }
 
 std::uint32_t MaterialList::firstPatternParameter(const Material& material) {

@@ -2,6 +2,7 @@
 // The materials of a picture as shaders read them, their patterns, and the light on what is lit later.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -26,7 +27,10 @@ class MaterialList {
 
   /// The number of a material of the snapshot; listed when first asked for. `shadeOf`: 1 + which of the
   /// shaded lights it is the shade of.
-  [[nodiscard]] std::uint32_t numberOf(std::uint32_t material, std::uint32_t shadeOf);
+  /// `node`: where there are shadows each node has a number of its own.
+  [[nodiscard]] std::uint32_t numberOf(std::uint32_t material, std::uint32_t shadeOf, std::uint32_t node);
+  /// Of a node of the snapshot, once it is listed; kMaxFoundMaterials of others.
+  [[nodiscard]] std::uint32_t numberOfNode(std::uint32_t node) const;
 
   /// Whether draws of this state leave the light to a later pass: of what light falls on per fragment, with
   /// nothing else.
@@ -47,7 +51,9 @@ class MaterialList {
 
   const Snapshot& snapshot_;
   DrawList& list_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numberOf_;
+  /// By material, shadeOf and, where there are shadows, node.
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numberOf_;
+  std::map<std::uint32_t, std::uint32_t> numberOfNode_;  ///< where there are shadows
   std::map<Pattern, std::uint32_t> patternNumbers_;
   std::vector<std::uint32_t> allLights_, laterLights_;
   std::set<DrawState> shades_;

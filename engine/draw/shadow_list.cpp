@@ -57,8 +57,13 @@ std::vector<Part> partsOf(SurfaceCodes& codes, const SnapshotNode& node) {
 class ShadowLister {
  public:
   ShadowLister(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-               Geometry& geometry, DrawList& list)
-      : snapshot_(snapshot), options_(options), geometry_(geometry), list_(list), shadows_(list.shadows) {
+               Geometry& geometry, const MaterialList& materials, DrawList& list)
+      : snapshot_(snapshot),
+        options_(options),
+        geometry_(geometry),
+        materials_(materials),
+        list_(list),
+        shadows_(list.shadows) {
     for (const VisibleNode& node : visible.opaque) receivers_.add(snapshot.nodes[node.node].boundsWorld);
     gated_ = std::ranges::none_of(snapshot.materials, &Material::lectureSpecular);
     for (const DrawBatch& batch : list.opaque)
@@ -85,7 +90,9 @@ class ShadowLister {
     if (found)
       for (const Part& part : partsOf(geometry_.codes, node))
         found &= add(bit, light, node, inverse, part, *area);
-    if (!found) list_.byRays.push_back(*area);
+    if (!found) {
+      list_.byRays.push_back(*area);
+    }
   }
 
   /// Whether a shader can find it.
@@ -123,7 +130,8 @@ class ShadowLister {
         .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
         .margin = static_cast<float>(kGridMargin * cells->size),
         .pixel = static_cast<float>(1 / (snapshot_.view.pixelsPerUnit * largestStretch(linear))),
-        .offPixels = static_cast<float>(offPx_)};
+        .offPixels = static_cast<float>(offPx_),
+        .material = materials_.numberOfNode(static_cast<std::uint32_t>(&node - snapshot_.nodes.data()))};
     const auto firstStart = static_cast<std::uint32_t>(shadows_.gridStarts.size());
     for (std::size_t i = 0; i < grid->faces.size(); ++i) {
       const LightGrid::Face& face = grid->faces[i];
@@ -213,6 +221,7 @@ class ShadowLister {
   const Snapshot& snapshot_;
   const DrawOptions& options_;
   Geometry& geometry_;
+  const MaterialList& materials_;
   DrawList& list_;
   Shadows& shadows_;
   Box receivers_;
@@ -227,9 +236,10 @@ bool anyCasters(const Snapshot& snapshot, std::span<const std::uint32_t> lights)
 }
 
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                 Geometry& geometry, std::span<const std::uint32_t> lights, DrawList& list) {
+                 Geometry& geometry, const MaterialList& materials, DrawList& list) {
+  const std::span<const std::uint32_t> lights = materials.laterLights();
   if (!list.deferred || list.shades.empty() || !anyCasters(snapshot, lights)) return;
-  ShadowLister lister(snapshot, visible, options, geometry, list);
+  ShadowLister lister(snapshot, visible, options, geometry, materials, list);
   for (std::uint32_t bit = 0; bit < lights.size(); ++bit) {
     const bool casts = !snapshot.lights[lights[bit]].casters.empty();
     list.shadows.lights.push_back(casts ? std::optional(lights[bit]) : std::nullopt);

@@ -5,13 +5,14 @@
 #include <span>
 
 #include "draw/draw_list.h"
+#include "draw/material_list.h"
 
 namespace luxo {
 
-/// Fills list.shadows, for the lights of list.shadeLights (indices into Snapshot::lights, in its order), and
-/// leaves to rays (list.byRays) where no shader finds a shadow.
+/// Fills list.shadows, for the lights that are left to do, and leaves to rays (list.byRays) where no shader
+/// finds a shadow.
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                 Geometry& geometry, std::span<const std::uint32_t> lights, DrawList& list);
+                 Geometry& geometry, const MaterialList& materials, DrawList& list);
 
 /// Whether some of these lights have a shadow that has to be found.
 [[nodiscard]] bool anyCasters(const Snapshot& snapshot, std::span<const std::uint32_t> lights);

@@ -6,6 +6,7 @@
 // residual, rounded up to the 16 upper bits, with the material in the lower ones; it is a
 // number of its own, neither subnormal nor NaN, so that no float format changes its bits.
 #include "lib/found.glsl"
+#include "lib/material_of_texel.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/scene.glsl"
 
@@ -16,5 +17,3 @@ vec4 foundTexel(Found found, uint material) {
   uint sign_ = found.residual < 0.0 ? 0x80000000u : 0u;
   return vec4(dot(found.position, view.forward.xyz), octahedral(found.normal), uintBitsToFloat(upper | sign_ | material));
 }
-
-uint materialOfTexel(vec4 texel) { return floatBitsToUint(texel.w) & 0xffffu; }

@@ -37,9 +37,9 @@ float casterParameterAt(uint k) { return k < kHeld ? heldParameters[k] : casterP
 #undef parameterAt
 
 #include "lib/shadow_ray.glsl"
+#include "lib/material_of_texel.glsl"
 #include "lib/octahedral.glsl"
 
-const float kGrazing = 1e-3;       // the cosine below which a ray leaves its own surface no sooner
 const float kGrain = 3e-4;         // pixels: shadows end as near to where they should
 const float kMostRounding = 8e-3;  // pixels
 
@@ -52,19 +52,15 @@ void doubtPixel() {
 const uint kNone = 0xffffffffu;
 uint texelOf(vec3 q, out float ahead) {
   vec3 size = abs(q);
-  bool isParallel = (varyingCaster.z & kParallel) != 0, isFirst = isParallel || (q.z > 0.0 && q.z >= size.x && q.z >= size.y);
-  vec4 face = varyingFace;
-  uint first = varyingFirstTexel;
-  vec2 place = q.xy;
-  ahead = q.z;
-  if (!isFirst) {
-    uint axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    uint number = 2 * axis + (q[axis] < 0.0 ? 1 : 0);
-    face = casters[varyingCaster.x].faces[number];
-    first = casters[varyingCaster.x].firstTexel[number];
-    place = vec2(q[(axis + 1) % 3], q[(axis + 2) % 3]);
-    ahead = size[axis];
-  }
+  bool isParallel = (varyingCaster.z & kParallel) != 0, isZ = isParallel || (size.z >= size.x && size.z >= size.y),
+       isX = !isZ && size.x >= size.y;
+  bool isNegative = !isParallel && (isZ ? q.z : isX ? q.x : q.y) < 0.0;
+  vec4 face = isZ ? (isNegative ? varyingFaces[5] : varyingFaces[4])
+            : isX ? (isNegative ? varyingFaces[1] : varyingFaces[0]) : (isNegative ? varyingFaces[3] : varyingFaces[2]);
+  uvec3 firsts = isNegative ? varyingFirstTexels[1] : varyingFirstTexels[0];
+  uint first = isZ ? firsts.z : isX ? firsts.x : firsts.y;
+  vec2 place = isZ ? q.xy : isX ? q.yz : q.zx;
+  ahead = isParallel ? q.z : isZ ? size.z : isX ? size.x : size.y;
   if (!isParallel) place /= ahead;
   vec2 texel = (place - face.xy) * face.zw;
   float count = float(varyingCaster.w);
@@ -94,10 +90,9 @@ void findShadow() {
   vec3 way = varyingLightObject.xyz - varyingLightObject.w * from;
   float distance_ = length(way), width = varyingRounding.w * (varyingMiddle.z != 0.0 ? texel.x + varyingMiddle.w : 1.0);
   float rounding = varyingRounding.x + varyingRounding.y * length(position);
-  // A point is off its surface by what rounding and the search for it leave, along the ray by more where this grazes.
-  float off = rounding + varyingOff * width;
-  LightRay ray = lightRay(from, way / max(distance_, 1e-37), 8.0 * off / max(abs(cosine), kGrazing),
-                          varyingLightObject.w != 0.0 ? distance_ : 1e30, rounding, 0.0);
+  // A point is off its surface by what rounding and the search for it leave.
+  LightRay ray = lightRay(from, way / max(distance_, 1e-37), varyingLightObject.w != 0.0 ? distance_ : 1e30, rounding,
+                          rounding + varyingOff * width);
   int result = rounding > varyingRounding.z ? kOpen : kPassed;
   float behind = ahead * (1.0 + 1e-5) + 1e-30;
   for (; entry < end && result == kPassed; ++entry) {
@@ -114,6 +109,9 @@ void findShadow() {
     holdPatch(cell.patch_);
     result = meetsCell(ray, cell);
   }
+  // One is the point's own, if it is a point of the caster.
+  bool isOwn = materialOfTexel(texel) == varyingMaterial;
+  if (result == kPassed && ownMeetings > (isOwn ? 1 : 0)) result = kOpen;
   if (result == kOpen) doubtPixel();
   if (result != kMet) discard;
   outShadows = 1u << varyingCaster.y;

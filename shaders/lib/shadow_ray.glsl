@@ -11,36 +11,46 @@
 // (bend |b|, bend |a|) / |a x b| of the solution for r = 0, which narrows the rectangle (D. Toth 1985, after Krawczyk
 // 1969); and if all these are inside of it there is such a point (Brouwer): the light does not get through. What is left
 // is looked at once more, cut in two where it has not become smaller by half. All this holds for every rectangle, however
-// the surface turns in it. Where rays graze, rectangles end that are smaller than `grain`: then the border of the shadow
-// is as near.
+// the surface turns in it.
+//
+// A point that is off its own surface by `off` meets that surface near t = 0, by as much as that moves the solution. Such a
+// meeting is no shadow; but where there are two of them, or one that cannot be the point's own, no float tells, and rays do
+// (kOpen). Rectangles in which the tangents turn by less than they span (`isPlain`) have one meeting at most. Where rays
+// graze, rectangles end that are smaller than `grain`: then the border of the shadow is as near.
 
 const int kMet = 1, kPassed = 0, kOpen = 2;
-const int kRectangles = 24;        // that wait: each half as large as the one before
+const int kCuts = 31;              // of a cell, each in half: a bit each
 const int kMaxEvaluations = 256;   // of a pixel; a few dozen where rays graze, 4 elsewhere
+
+const float kBorder = 1e-4;        // of half a rectangle
 
 struct LightRay {
   vec3 from, along;      // unit
   vec3 across1, across2; // unit, upright on it and on each other
-  float first, last;     // metres: what is nearer is the point itself, what is farther is behind the light
-  float rounding, grain; // metres
+  float last;            // metres: what is farther is behind the light
+  float rounding, off;   // metres: how far floats leave the ray, and the point its surface
+  float grain;           // metres
 };
 
 // T. Duff et al., "Building an orthonormal basis, revisited", 2017.
-LightRay lightRay(vec3 from, vec3 along, float first, float last, float rounding, float grain) {
+LightRay lightRay(vec3 from, vec3 along, float last, float rounding, float off) {
   float s = along.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + along.z), b = along.x * along.y * a;
   return LightRay(from, along, vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x),
-                  vec3(b, s + along.y * along.y * a, -along.y), first, last, rounding, grain);
+                  vec3(b, s + along.y * along.y * a, -along.y), last, rounding, off, 0.0);
 }
 
 float crossOf(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
 int evaluationsLeft = kMaxEvaluations;
+int ownMeetings = 0;  // so many that may be the point's own
 
+// Rectangles are visited in order of a tree of halves, whose way back takes no memory that a device would have to index:
+// a bit for each cut tells which half this is, another whether u was cut.
 int meetsCell(LightRay ray, CasterCell cell) {
   if (cell.bend.x < 0.0) return kOpen;
-  vec4 waiting[kRectangles];
-  int count = 0;
-  vec4 rectangle = vec4(cell.middle, cell.half_);
+  vec4 half_ = vec4(cell.middle, cell.half_), rectangle = half_;  // of the tree; the part of it that is left
+  uint second = 0, ofU = 0;
+  int cuts = 0;
   for (;;) {
     if (--evaluationsLeft < 0) return kOpen;
     vec3 S, Su, Sv;
@@ -51,44 +61,50 @@ int meetsCell(LightRay ray, CasterCell cell) {
     float t = dot(ray.along, from), ta = h.x * dot(ray.along, Su), tb = h.y * dot(ray.along, Sv);
     float turn = 0.5 * (cell.bend.x * h.x * h.x + cell.bend.z * h.y * h.y) + cell.bend.y * h.x * h.y;
     float bend = turn + ray.rounding, reach = abs(ta) + abs(tb) + bend;
-    float area = crossOf(a, b), lengthA = length(a), lengthB = length(b);
-    if (!(abs(f.x) + abs(f.y) + reach + lengthA + lengthB < 1e30)) return kOpen;  // the formula has no value there
-    bool passes = t + reach <= ray.first || t - reach >= ray.last ||
+    float area = crossOf(a, b), lengthA = length(a), lengthB = length(b), size = lengthA + lengthB;
+    if (!(abs(f.x) + abs(f.y) + reach + size < 1e30)) return kOpen;  // the formula has no value there
+    float perArea = 1.0 / max(abs(area), 1e-37);
+    vec2 middle = vec2(-crossOf(f, b), crossOf(f, a)) * (area < 0.0 ? -perArea : perArea), off = bend * vec2(lengthB, lengthA) * perArea;
+    vec2 low = max(middle - off, vec2(-1)), high = min(middle + off, vec2(1)), part = 0.5 * (high - low);
+    float tMiddle = t + ta * middle.x + tb * middle.y, tOff = abs(ta) * off.x + abs(tb) * off.y + bend;
+    // Twice as far as with these tangents, as they turn by half at most.
+    float own = 2.0 * ray.off * (1.0 + (abs(ta) * lengthB + abs(tb) * lengthA) * perArea);
+    bool isPlain = 4.0 * turn * size < abs(area);
+    bool isInside = max(abs(middle.x) + off.x, abs(middle.y) + off.y) < 1.0;
+    bool passes = t + reach <= -ray.off || t - reach >= ray.last || min(part.x, part.y) < 0.0 ||
+                  tMiddle + tOff <= -own || tMiddle - tOff >= ray.last ||
                   abs(crossOf(f, a)) > abs(area) + bend * lengthA || abs(crossOf(f, b)) > abs(area) + bend * lengthB ||
                   dot(f, f) > abs(dot(f, a)) + abs(dot(f, b)) + bend * length(f);
-    if (!passes) {
-      float perArea = 1.0 / max(abs(area), 1e-37);
-      vec2 middle = vec2(-crossOf(f, b), crossOf(f, a)) * (area < 0.0 ? -perArea : perArea), off = bend * vec2(lengthB, lengthA) * perArea;
-      vec2 low = middle - off, high = middle + off;
-      float tMiddle = t + ta * middle.x + tb * middle.y, tOff = abs(ta) * off.x + abs(tb) * off.y + bend;
-      bool isInside = max(abs(middle.x) + off.x, abs(middle.y) + off.y) < 1.0;
-      if (isInside && tMiddle - tOff > ray.first && tMiddle + tOff < ray.last) return kMet;
-      low = max(low, vec2(-1));
-      high = min(high, vec2(1));
-      passes = low.x > high.x || low.y > high.y || tMiddle + tOff <= ray.first || tMiddle - tOff >= ray.last;
-      if (!passes) {
-        if (lengthA + lengthB + bend <= ray.grain) {
-          // A point as small as that: on the ray, unless this runs along a fold.
-          bool isPlain = turn * (lengthA + lengthB) < 0.5 * abs(area);
-          if (isPlain && tMiddle > ray.first && tMiddle < ray.last) return kMet;
-          passes = true;
-        } else {
-          vec2 part = 0.5 * (high - low);
-          if (part.x * part.y <= 0.5) {
-            rectangle = vec4(rectangle.xy + h * (0.5 * (low + high)), h * part);
-          } else {
-            if (count == kRectangles) return kOpen;
-            bool ofU = lengthA + h.x * (cell.bend.x * h.x + cell.bend.y * h.y) >= lengthB + h.y * (cell.bend.z * h.y + cell.bend.y * h.x);
-            vec2 half_ = ofU ? vec2(0.5 * h.x, 0) : vec2(0, 0.5 * h.y);
-            waiting[count++] = vec4(rectangle.xy + half_, h - half_);
-            rectangle = vec4(rectangle.xy - half_, h - half_);
-          }
-        }
+    bool isOwn = isPlain && abs(tMiddle) + tOff <= 2.0 * own;
+    bool isGrain = size + bend <= ray.grain;  // a point as small as that: on the ray, unless this runs along a fold
+    if (!passes && isPlain && ((isInside && tMiddle - tOff > own && tMiddle + tOff < ray.last) ||
+                               (isGrain && !isOwn && tMiddle > own && tMiddle < ray.last)))
+      return kMet;
+    if (!passes && isGrain && !isPlain && abs(t) <= 2.0 * (reach + ray.off)) return kOpen;
+    // Of a meeting on a border between two rectangles one counts, but for rounding.
+    if (!passes && isOwn && max(abs(middle.x), abs(middle.y)) <= 1.0 + kBorder) ++ownMeetings;
+    if (passes || isOwn || isGrain) {
+      for (; cuts > 0 && (second & 1) != 0; --cuts) {
+        half_.xy -= (ofU & 1) != 0 ? vec2(half_.z, 0) : vec2(0, half_.w);
+        half_.zw *= (ofU & 1) != 0 ? vec2(2, 1) : vec2(1, 2);
+        second >>= 1;
+        ofU >>= 1;
       }
-    }
-    if (passes) {
-      if (count == 0) return kPassed;
-      rectangle = waiting[--count];
+      if (cuts == 0) return kPassed;
+      second |= 1;
+      half_.xy += (ofU & 1) != 0 ? vec2(2.0 * half_.z, 0) : vec2(0, 2.0 * half_.w);
+      rectangle = half_;
+    } else if (part.x * part.y <= 0.5) {
+      rectangle = vec4(rectangle.xy + h * (0.5 * (low + high)), h * part);
+    } else {
+      if (cuts == kCuts) return kOpen;
+      bool cutU = lengthA + h.x * (cell.bend.x * h.x + cell.bend.y * h.y) >= lengthB + h.y * (cell.bend.z * h.y + cell.bend.y * h.x);
+      half_.zw *= cutU ? vec2(0.5, 1) : vec2(1, 0.5);
+      half_.xy -= cutU ? vec2(half_.z, 0) : vec2(0, half_.w);
+      second <<= 1;
+      ofU = ofU << 1 | (cutU ? 1 : 0);
+      ++cuts;
+      rectangle = half_;
     }
   }
 }

@@ -273,6 +273,7 @@ struct ShadowCaster {
   float margin;      // the most of that which the grid has room for
   float pixel;       // what a pixel is wide, metres of the object (perspective: at depth 1)
   float offPixels;   // how far what is drawn may be off its surface
+  uint material;     // of found texels that show the caster, and nothing else
 };
 
 #ifdef __cplusplus
@@ -292,7 +293,7 @@ static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 56 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 32 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 300);
+static_assert(sizeof(CasterCell) == 32 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 304);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif
