@@ -188,7 +188,7 @@ case_shows() {
   wait "$program" || fail "closing it gave exit code $?"
 }
 
-# Searches lose pixels of this teapot when its shell is first drawn, in triangles seen flat and in others: they are drawn
+# Searches lose pixels of this teapot when its shell is first drawn, in transversal triangles and in others: they are drawn
 # next, as in a file.
 case_completes() {
   open_screen
