@@ -6,6 +6,9 @@ if(LUXO_SANITIZE)
   add_compile_options(-fsanitize=${LUXO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${LUXO_SANITIZE})
 endif()
+if(LUXO_SANITIZE MATCHES "thread")
+  list(PREPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake/tsan) # find_package(TBB)
+endif()
 
 # Drivers and layers leak, and race, on their own account. They are excused by name (lsan.supp, tsan.supp), and names are
 # known of loaded libraries alone: in these programs libraries stay loaded to the end.

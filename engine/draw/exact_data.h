@@ -67,7 +67,8 @@ void appendPatches(SurfaceCodes& codes, const Surface& surface, std::span<const 
                    const Shell& shell, std::vector<shared::ExactPatch>& patches,
                    std::vector<double>& numbers);
 
-/// Whether the eye may be inside the shell, or so near that the near plane may be.
+/// Whether the eye may be inside the shell, or so near that the near plane may be. A shell reaches 2 offsets
+/// from its surface: its mesh is one away, and its faces are one from that.
 [[nodiscard]] bool mayHoldEye(const View& view, const SnapshotNode& node, const VisibleNode& visible,
                               const Shell& shell);
 

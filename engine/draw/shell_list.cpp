@@ -120,7 +120,7 @@ void ShellList::addNearSection(const SnapshotNode& node, const Shell& shell, con
   list_.byRays.push_back(all);
 }
 
-/// Adds the draws of some of a shell's triangles: of those seen flat, and of those that a ray may graze.
+/// Adds the draws of some of a shell's triangles: of the transversal ones, and of those that a ray may graze.
 void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, std::uint32_t node,
                          const ShellView& view, std::uint32_t firstIndex, std::uint32_t count) {
   if (batch.shared) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <initializer_list>
+#include <tuple>
 #include <utility>
 
 #include "base/assert.h"
@@ -53,13 +55,18 @@ Expr smoothstep(Expr edge0, Expr edge1, Expr x) {
 
 namespace {
 
-std::uint32_t hash(const ExprNode& node) {
+std::uint64_t mixed(Op op, std::initializer_list<std::uint64_t> parts) {
   constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15u;
-  std::uint64_t h = static_cast<std::uint64_t>(node.op) + 1;
-  for (const std::uint64_t part : {std::uint64_t{node.a} << 32 | node.b, std::uint64_t{node.c},
-                                   std::bit_cast<std::uint64_t>(node.value)})
-    h = std::rotl((h ^ part) * kOdd, 29);
-  return static_cast<std::uint32_t>(h * kOdd >> 32);
+  std::uint64_t h = static_cast<std::uint64_t>(op) + 1;
+  for (const std::uint64_t part : parts) h = std::rotl((h ^ part) * kOdd, 29);
+  return h * kOdd;
+}
+
+std::uint32_t hash(const ExprNode& node) {
+  return static_cast<std::uint32_t>(
+      mixed(node.op, {std::uint64_t{node.a} << 32 | node.b, std::uint64_t{node.c},
+                      std::bit_cast<std::uint64_t>(node.value)}) >>
+      32);
 }
 
 /// By bits, so that NaN is one constant and -0 is not 0.
@@ -83,9 +90,25 @@ Expr Graph::intern(const ExprNode& node) {
     throw Error(ErrorKind::Scene,
                 fmt::format("the formula and its derivatives need more than {} operations", kMaxNodes),
                 "split the surface, or simplify the formula");
+  ranks_.push_back(rankOf(node));
   nodes_.push_back(node);
   table_[place] = {key, static_cast<std::uint32_t>(nodes_.size())};
   return {this, table_[place].next - 1};
+}
+
+Graph::Rank Graph::rankOf(const ExprNode& node) const {
+  if (node.op == Op::Variable) return {.content = node.a};
+  const int operands = operandCount(node.op);
+  const Rank a = operands > 0 ? ranks_[node.a] : Rank{}, b = operands > 1 ? ranks_[node.b] : Rank{},
+             c = operands > 2 ? ranks_[node.c] : Rank{};
+  return {
+      .height = operands > 0 ? 1 + std::max({a.height, b.height, c.height}) : 0,
+      .content = mixed(node.op, {a.content, b.content, c.content, std::bit_cast<std::uint64_t>(node.value)})};
+}
+
+bool Graph::precedes(std::uint32_t node, std::uint32_t other) const {
+  const Rank &x = ranks_[node], &y = ranks_[other];
+  return std::tie(x.height, x.content) < std::tie(y.height, y.content);
 }
 
 void Graph::growTable() {
@@ -129,6 +152,27 @@ std::vector<std::uint32_t> reachable(const Graph& graph, const std::vector<std::
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
     if (needed[i]) order.push_back(i);
+  return order;
+}
+
+std::vector<std::uint32_t> inOrderOfNeed(const Graph& graph, const std::vector<std::uint32_t>& roots) {
+  const auto& nodes = graph.nodes();
+  std::vector<bool> visited(nodes.size()), listed(nodes.size());
+  std::vector<std::uint32_t> order, open(roots.rbegin(), roots.rend());
+  while (!open.empty()) {
+    const std::uint32_t i = open.back();
+    if (visited[i]) {  // so have been its operands
+      open.pop_back();
+      if (!listed[i]) order.push_back(i);
+      listed[i] = true;
+      continue;
+    }
+    visited[i] = true;
+    const int operands = operandCount(nodes[i].op);
+    if (operands > 2) open.push_back(nodes[i].c);
+    if (operands > 1) open.push_back(nodes[i].b);
+    if (operands > 0) open.push_back(nodes[i].a);
+  }
   return order;
 }
 

@@ -159,7 +159,7 @@ struct Kink {
 /// recurses, so no formula is too deep.
 class Graph {
  public:
-  /// Most nodes of one graph; whatever would add more throws Error(Scene). At most 56 bytes each.
+  /// Most nodes of one graph; whatever would add more throws Error(Scene). At most 72 bytes each.
   static constexpr std::size_t kMaxNodes = std::size_t{1} << 22;
 
   Graph() = default;
@@ -177,6 +177,9 @@ class Graph {
   [[nodiscard]] std::vector<Kink> kinks(std::span<const Expr> roots);
 
   [[nodiscard]] const std::vector<ExprNode>& nodes() const { return nodes_; }
+  /// Whether the node comes before the other one where their order is free: by what they compute, the simpler
+  /// one first, and not by which was made first. That is the choice of the compiler of `f(x) * g(y)`.
+  [[nodiscard]] bool precedes(std::uint32_t node, std::uint32_t other) const;
   /// Index of the node behind `f`; a constant becomes a node.
   [[nodiscard]] std::uint32_t nodeOf(Expr f);
   /// The expression behind a node; a Constant node is a constant.
@@ -190,20 +193,33 @@ class Graph {
  private:
   struct Simplifier;
 
+  /// The same in every graph; of nodes that compute different things almost surely different.
+  struct Rank {
+    std::uint32_t height = 0;  ///< the longest way down to a constant or variable
+    std::uint64_t content = 0;
+  };
+
   struct Entry {
     std::uint32_t hash = 0;
     std::uint32_t next = 0;  ///< the number after the node's; 0: free
   };
 
   Expr intern(const ExprNode& node);
+  [[nodiscard]] Rank rankOf(const ExprNode& node) const;
   void growTable();
 
   std::vector<ExprNode> nodes_;
+  std::vector<Rank> ranks_;   ///< of the nodes
   std::vector<Entry> table_;  ///< of the nodes by content; open addressing
 };
 
 /// Indices of all nodes that `roots` need, ascending: a valid order of evaluation.
 [[nodiscard]] std::vector<std::uint32_t> reachable(const Graph& graph,
                                                    const std::vector<std::uint32_t>& roots);
+
+/// The same nodes, each right before it is needed for the first time, operands first: an order that depends
+/// on the formulas alone, and not on when their nodes were made.
+[[nodiscard]] std::vector<std::uint32_t> inOrderOfNeed(const Graph& graph,
+                                                       const std::vector<std::uint32_t>& roots);
 
 }  // namespace luxo

@@ -334,7 +334,7 @@ std::size_t glslInstructions(Graph& graph, std::span<const GlslOutput> outputs, 
 std::string emitGlsl(Graph& graph, std::string_view name, std::span<const GlslOutput> outputs,
                      GlslNumber number) {
   const std::vector<std::uint32_t> roots = rootsOf(graph, outputs);
-  const std::vector<std::uint32_t> order = reachable(graph, roots);
+  const std::vector<std::uint32_t> order = inOrderOfNeed(graph, roots);
   if (order.size() > kMaxGlslOperations)
     throw Error(ErrorKind::Scene,
                 fmt::format("cannot make a shader of a formula with {} operations; {} are the most",

@@ -284,8 +284,9 @@ Expr Graph::apply(Op op, Expr x, Expr y, Expr z, int exponent) {
   if (operands > 1) node.b = graph->nodeOf(y);
   if (operands > 2) node.c = graph->nodeOf(z);
   if (op == Op::Power) node.value = exponent;
-  // One order of operands finds more equal nodes: constants first, then by age.
-  if (commutes(op) && !x.isConstant() && (y.isConstant() || node.a > node.b)) std::swap(node.a, node.b);
+  // One order of operands finds more equal nodes: constants first.
+  if (commutes(op) && !x.isConstant() && (y.isConstant() || graph->precedes(node.b, node.a)))
+    std::swap(node.a, node.b);
   return graph->intern(node);
 }
 

@@ -32,7 +32,7 @@ constexpr double kRounding = 1e-6, kThinnest = 1e-4;
 /// Of the surface's size: no closer is it looked where a formula ends.
 constexpr double kOpen = 1.0 / 24;
 
-constexpr int kMaxRefinements = 6;
+constexpr int kMaxFinerMeshes = 6;
 constexpr std::size_t kMaxRefinedTriangles = 200'000;
 constexpr std::size_t kPointsForAllCores = 8192;
 
@@ -419,7 +419,7 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
 
   ShellLook look(surface, parameters, shell.patchData);
   auto frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);
-  for (int k = 0; k < kMaxRefinements && frame->mesh().triangleCount() < kMaxRefinedTriangles; ++k) {
+  for (int k = 0; k < kMaxFinerMeshes && frame->mesh().triangleCount() < kMaxRefinedTriangles; ++k) {
     if (!refineForShell(surface, parameters, desc, *frame, blocks)) break;
     if (tooMany() || isInterrupted()) return std::nullopt;
     frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);

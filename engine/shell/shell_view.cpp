@@ -12,14 +12,14 @@ ShellView::ShellView(const Vec4& eye, bool tellApart) : eye_(eye), tellApart_(te
 
 Seen ShellView::seen(const Shell& shell, std::uint32_t firstIndex, double side) const {
   const NormalCone& cone = shell.cones[firstIndex / 3];
-  bool flat = tellApart_ && cone.sine <= 1, away = flat;
-  for (std::uint32_t k = 0; k < 3 && (flat || away); ++k) {
+  bool transversal = tellApart_ && cone.sine <= 1, away = transversal;
+  for (std::uint32_t k = 0; k < 3 && (transversal || away); ++k) {
     const Vec3 toEye = Vec3(eye_) - eye_.w * shell.positions[shell.indices[firstIndex + k]];
     const double height = side * glm::dot(Vec3(cone.axis), toEye), distance = glm::length(toEye);
-    flat = flat && height > cone.sine * distance;
+    transversal = transversal && height > cone.sine * distance;
     away = away && height < -cone.sine * distance;
   }
-  return away ? Seen::Away : flat ? Seen::Transversal : Seen::Grazing;
+  return away ? Seen::Away : transversal ? Seen::Transversal : Seen::Grazing;
 }
 
 }  // namespace luxo

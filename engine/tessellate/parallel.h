@@ -12,6 +12,9 @@ namespace luxo {
 /// that is worth waking them.
 template <class Work>
 void forEachIndex(std::size_t count, bool onAllCores, const Work& work) {
+#ifdef LUXO_SHORT_LOOPS_TOO  // for the thread sanitizer, to which few tests' loops would be long enough
+  onAllCores = true;
+#endif
   if (onAllCores)
     oneapi::tbb::parallel_for(std::size_t{0}, count, work);
   else

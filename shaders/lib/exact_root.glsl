@@ -384,20 +384,20 @@ int findRoot(Ray ray, out real2 p, out Probe at) {
 // Whether the root is certainly the one that the search was for (Newton-Kantorovich): with J the Jacobian per cell, K a
 // proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near.
 //
-// And the ray has not met the surface before, between where it entered the shell and the root. That is so of a root behind
-// that place, which hides whatever is farther on, and where J cannot vanish that near to the root, |1/J| K r < 1. Elsewhere
-// the way there is walked, along the curve of points to which the ray's are nearest; its bend counts for another K. Between
-// places d cells apart at which the ray is h and h' above the surface it is above it if sqrt(h) + sqrt(h') >= d sqrt(K): so
-// from one place a step of sqrt(h / K) passes nothing, if the ray is above the surface where it ends, or that is the root.
-// One lane in a hundred, and a loop that no pixel of a group is in costs nothing.
+// And the ray has not met the surface before, between where it entered the shell and the root. That is so of a root nearer
+// to the eye than that place, which hides whatever is farther on, and where J cannot vanish that near to the root,
+// |1/J| K r < 1. Elsewhere the way there is walked, along the curve of points to which the ray's are nearest; its bend
+// counts for another K. Between places d cells apart at which the ray is h and h' above the surface it is above it if
+// sqrt(h) + sqrt(h') >= d sqrt(K): so from one place a step of sqrt(h / K) passes nothing, if the ray is above the surface
+// where it ends, or that is the root. One lane in a hundred, and a loop that no pixel of a group is in costs nothing.
 bool certified(Ray ray, real2 p, Probe at) {
   real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
   real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p);
   real k = varyingViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
   if (kGrazing) {
-    bool behind = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
-    bool first = behind || 2.0 * squares * k * k * r * r <= det * det;
+    bool nearer = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
+    bool first = nearer || 2.0 * squares * k * k * r * r <= det * det;
     real side = det * shellSide() > 0.0 ? 1.0 : -1.0, left = r;
     for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
       real2 q = mix(p, startAtEntry().xy, left / r);

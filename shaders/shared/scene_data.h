@@ -216,7 +216,7 @@ struct ExactInstance {
   uint firstSlot;  // of its first vertex; kFeedbackSlots in all, after the last follows the first
   vec3 origin;     // of the shell's vertices, object space
   // Of a plane: metres of the object in a pixel (perspective: at depth 1). Else:
-  float thickness; // farther from the surface than this there is no shell, pixels (perspective: times depth)
+  float thickness; // farther from the surface than this no search looks, pixels (perspective: times depth); see mayHoldEye()
   // In double: pixels and depth, as x, y and depth of what is no plane, of points relative to the shell's origin.
   vec4 shellX, shellY, shellDepth, shellXLow, shellYLow, shellDepthLow;
 };

@@ -100,7 +100,7 @@ TEST_F(DrawCounts, DrawnAgainNothingIsMadeAgain) {
 }
 
 TEST_F(DrawCounts, OnlyWhatLostPixelsIsDrawnAgain) {
-  // Searches that begin in some triangles seen flat are lost.
+  // Searches that begin in some transversal triangles are lost.
   Scene scene;
   scene.add(Node{.surface = makeSurface("teapot")});
   scene.add(Node{.translation = Vec3(3, 6, 4), .light = Light{}});

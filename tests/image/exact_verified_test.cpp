@@ -188,8 +188,8 @@ class ExactFromAnywhere : public VerifiedPictureTest, public testing::WithParamI
 };
 
 // Each of these cameras once saw a pixel of a root that was not the nearest, of none, or of none at once:
-// over waves seen flat, past rims, from so near that float rounds away more than a search may leave, through
-// what was taken to hide it, and where a cell of a shell held more than one fold.
+// over waves whose triangles are transversal, past rims, from so near that float rounds away more than a
+// search may leave, through what was taken to hide it, and where a cell of a shell held more than one fold.
 INSTANTIATE_TEST_SUITE_P(Scenes, ExactFromAnywhere,
                          testing::Values(Walk{"showcase", {4, 13, 19, 25}}, Walk{"teapot", {2, 14, 52, 58}},
                                          Walk{"catalogue", {2, 28}}, Walk{"catalogue", {2, 9}, 2}),
@@ -224,7 +224,7 @@ TEST_F(VerifiedPictureTest, WhatAFormulaRoundsAwayIsFound) {
   EXPECT_GT(found.verification.coverage.both, 100'000U);
 }
 
-// At its border the horn is thinner than its slab, and what faces the viewer there is seen flat.
+// At its border the horn is thinner than its slab, and what faces the viewer there is transversal.
 TEST_F(VerifiedPictureTest, TheInsideOfAHornBesideItsBorder) {
   const Scene scene =
       buildScene(parseScene(R"({ "luxo": 1, "materials": { "m": { "diffuse": [0.2, 0.4, 0.6] } },

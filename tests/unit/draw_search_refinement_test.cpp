@@ -15,7 +15,7 @@ TEST(SearchRefinement, WithoutLossesThereIsNothingToLearn) {
   EXPECT_EQ(refinement.level(3), 0);
 }
 
-TEST(SearchRefinement, FlatTrianglesThatLostPixelsStaySteep) {
+TEST(SearchRefinement, TransversalTrianglesThatLostPixelsStayGrazing) {
   SearchRefinement refinement;
   EXPECT_TRUE(refinement.learn({.transversal = {0, 2, 0, 1}, .grazing = {}}));
   EXPECT_EQ(refinement.lost(), 3U);

@@ -6,8 +6,10 @@
 #include <array>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -77,9 +79,9 @@ TEST(GlslText, OfDoublesHasNoFloat) {
   EXPECT_EQ(textOf(graph, {select(less(u, speed), inverse, 0.1), Expr(2)}, GlslNumber::Double),
             "void f(const double u, const double v, out dvec2 result) {\n"
             "  double t0 = parameterAt(1u);\n"
-            "  double t1 = 1.0lf / v;\n"
-            "  double t2 = double(u < t0);\n"
-            "  double t3 = t2 != 0.0lf ? t1 : 0.10000000000000001lf;\n"
+            "  double t1 = double(u < t0);\n"
+            "  double t2 = 1.0lf / v;\n"
+            "  double t3 = t1 != 0.0lf ? t2 : 0.10000000000000001lf;\n"
             "  result = dvec2(t3, 2.0lf);\n"
             "}\n");
 }
@@ -102,6 +104,28 @@ TEST(GlslText, DoesNotDependOnWhatElseTheGraphHolds) {
   const Expr other = atan2(crowded.variable(7), exp(crowded.variable(9)));
   static_cast<void>(crowded.nodeOf(other));
   EXPECT_EQ(textOf(alone, {formula(alone)}), textOf(crowded, {formula(crowded)}));
+}
+
+// Compilers evaluate the operands of x * y in an order of their own.
+TEST(GlslText, DoesNotDependOnWhichPartIsMadeFirst) {
+  const auto formula = [](Graph& graph, bool forward) {
+    const auto made = [&](auto first, auto second) {
+      std::optional<Expr> x, y;
+      if (!forward) y = second();
+      x = first();
+      if (forward) y = second();
+      return std::pair(*x, *y);
+    };
+    const auto [u, v] = made([&] { return graph.variable(0); }, [&] { return graph.variable(1); });
+    const auto [a, b] = made([u = u] { return sin(3 * u); }, [v = v] { return 2 + cos(v); });
+    const auto [c, d] =
+        made([u = u, v = v] { return exp(u * v); }, [u = u, v = v] { return atan2(v, u + v); });
+    const auto [e, f] = made([a = a, b = b] { return a * b; }, [c = c, d = d] { return min(c, d); });
+    const auto [g, h] = made([e = e, f = f] { return e + f; }, [c = c, b = b] { return equal(b, c) * b; });
+    return emitSurfaceGlsl(graph, "f", point(g, h, a * d), true);
+  };
+  Graph forward, backward;
+  EXPECT_EQ(formula(forward, true), formula(backward, false));
 }
 
 TEST(GlslText, HasNoLiteralThatGlslLacks) {

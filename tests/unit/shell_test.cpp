@@ -248,7 +248,7 @@ bool holds(const std::vector<Triangle>& slabs, const Surface& surface, std::uint
 }
 
 // So no ray passes through such a slab beside the surface.
-TEST(Shell, BordersAreOutsideOfSpannedSlabs) {
+TEST(Shell, BordersAreOutsideOfOccluders) {
   // The last one's inner rim curves away from its chords.
   const Surface arch =
       luxo::surface([](auto u, auto v) { return point((1 + v) * cos(u), 0.0 * u, -(1 + v) * sin(u)); },
@@ -272,7 +272,7 @@ TEST(Shell, BordersAreOutsideOfSpannedSlabs) {
 }
 
 // Of these patches no edge is a border: what is seen past one is another's.
-TEST(Shell, SpannedSlabsGoOnFromPatchToPatch) {
+TEST(Shell, OccludersGoOnFromPatchToPatch) {
   for (const char* name : {"superellipsoid", "supertoroid"}) {
     SCOPED_TRACE(name);
     const Surface surface = makeSurface(name);

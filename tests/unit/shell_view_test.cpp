@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a shell's triangles are seen flat no ray grazes the surface near them.
+// Where a shell's triangles are transversal no ray grazes the surface near them.
 #include "shell/shell_view.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ void expectFaces(const Surface& surface, const Shell& shell, std::uint32_t first
   }
 }
 
-TEST_P(ShellViewOf, RaysThroughFlatTrianglesMeetTheSideSearchedFor) {
+TEST_P(ShellViewOf, RaysThroughTransversalTrianglesMeetTheSideSearchedFor) {
   const Surface surface = makeSurface(GetParam());
   const Shell shell = shellOf(surface);
   ASSERT_EQ(shell.cones.size(), shell.triangleCount());
@@ -47,7 +47,7 @@ TEST_P(ShellViewOf, RaysThroughFlatTrianglesMeetTheSideSearchedFor) {
   const Vec3 middle = 0.5 * (box.min + box.max);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> between(-1, 1);
-  std::size_t flatTriangles = 0;
+  std::size_t transversalTriangles = 0;
   for (int camera = 0; camera < 20; ++camera) {
     const double x = between(random), y = between(random);
     const Vec3 way = glm::normalize(Vec3(x, y, between(random)));
@@ -60,12 +60,12 @@ TEST_P(ShellViewOf, RaysThroughFlatTrianglesMeetTheSideSearchedFor) {
         for (std::uint32_t i = first; i < first + part.frontCount; i += 3) {
           EXPECT_EQ(inside.seen(shell, i, side), Seen::Grazing);
           if (seen.seen(shell, i, side) != Seen::Transversal) continue;
-          ++flatTriangles;
+          ++transversalTriangles;
           expectFaces(surface, shell, i, side, eye);
         }
       }
   }
-  EXPECT_GT(flatTriangles, 0U);
+  EXPECT_GT(transversalTriangles, 0U);
 }
 
 }  // namespace

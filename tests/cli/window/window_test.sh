@@ -24,11 +24,12 @@ trap finish EXIT
 
 fail() { echo "window.$case_name: $*" >&2; exit 1; }
 
-# Asks until COMMAND... succeeds; fails after 20 s (slow machines, sanitizers), saying WHAT was waited for.
+# Asks until COMMAND... succeeds; fails after 20 s (slow machines, sanitizers; LUXO_PATIENCE is another number of seconds),
+# saying WHAT was waited for.
 await() {
   local what=$1 i
   shift
-  for ((i = 0; i < 400; ++i)); do
+  for ((i = 0; i < 20 * ${LUXO_PATIENCE:-20}; ++i)); do
     "$@" && return
     sleep 0.05
   done
@@ -187,7 +188,7 @@ case_shows() {
   wait "$program" || fail "closing it gave exit code $?"
 }
 
-# Searches lose pixels of this teapot when its shell is first drawn, in triangles seen flat and in others: they are drawn
+# Searches lose pixels of this teapot when its shell is first drawn, in transversal triangles and in others: they are drawn
 # next, as in a file.
 case_completes() {
   open_screen
