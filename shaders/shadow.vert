@@ -20,8 +20,9 @@ void main() {
   varyingLightRelative = caster.lightRelative;
   varyingRounding = vec4(caster.rounding, caster.roundingPerMetre, caster.margin, caster.pixel);
   varyingFirst = uvec4(caster.firstEntry, caster.firstCell, caster.firstParameter, caster.parameters);
-  varyingCaster = uvec4(gl_InstanceIndex, caster.light, caster.parallel * kParallel + caster.gated * kGated, caster.gridSize);
+  varyingCaster = uvec4(gl_InstanceIndex, caster.light, caster.flags, caster.gridSize);
   varyingFaces = caster.faces;
+  varyingPlane = caster.plane;
   varyingMaterial = caster.material;
   varyingOff = caster.offPixels;
   for (int i = 0; i < 2; ++i)

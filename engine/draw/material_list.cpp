@@ -32,7 +32,9 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const std::set<std::uint32_t> lights(visible.lights.begin(), visible.lights.end());
   allLights_.assign(lights.begin(), lights.end());
   const std::vector<Material>& materials = snapshot.materials;
-  shadows_ = options.output == Output::Color && anyCasters(snapshot, allLights_);
+  shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(allLights_, [&](std::uint32_t light) {
+               return !snapshot.lights[light].casters.empty();
+             });
   const bool possible = options.output == Output::Color && options.samples == 1 &&
                         allLights_.size() <= shared::kMaxLights &&
                         (shadows_ ? snapshot.nodes.size() : materials.size() * (allLights_.size() + 1)) <

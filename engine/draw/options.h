@@ -67,7 +67,9 @@ struct DrawOptions {
   /// Exact shading, of a ScenePainter's pictures that no rays complete: coarse meshes stand in for surfaces
   /// that are left to these.
   bool standIns = false;
+  /// Deferred, whatever this says, where exact shadows are found.
   Composition composition = Composition::Auto;
+  bool shadows = true;  ///< off: lights reach what stands behind something, too
   /// Texels along a side of lights' maps of casters (shadow/light_grid.h): how long shadows take, no more.
   int shadowGridSize = 64;
   /// Exact shading: of what covers no more pixels the triangles are not told apart by how they are seen, so

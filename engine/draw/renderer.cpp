@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "draw/shadow_list.h"
 #include "tessellate/parallel.h"
 
 namespace luxo {
@@ -224,9 +225,8 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
   const bool found = std::ranges::any_of(
       snapshot.nodes, [&](const SnapshotNode& node) { return findsSurface(snapshot, node, options); });
   const bool auxiliary = options.output != Output::Color;
-  const bool shadows =
-      std::ranges::any_of(snapshot.lights, [](const SnapshotLight& light) { return !light.casters.empty(); });
-  const bool native = options.samples == 1 || (options.samples == 4 && !found && !shadows);
+  const bool native =
+      options.samples == 1 || (options.samples == 4 && !found && !findsShadows(snapshot, options));
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }

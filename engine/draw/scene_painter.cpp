@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "draw/pass_recorder.h"
+#include "draw/shadow_list.h"
 #include "gpu/barrier.h"
 
 namespace luxo {
@@ -32,7 +33,7 @@ CullOptions cullOptions(const DrawOptions& options) {
           .frustum = options.skips.frustum,
           .small = options.skips.small,
           .backface = options.skips.backface,
-          .lights = options.skips.lights};
+          .lights = options.skips.lights && options.shadows};
 }
 
 void addCounts(FrameCounts& to, const CullCounts& from) {
@@ -57,19 +58,21 @@ VkClearColorValue backgroundOf(const Snapshot& snapshot, Output output) {
 ScenePainter::ScenePainter(gpu::Context& context)
     : context_(&context), pipelines_(context), store_(context) {}
 
-DrawOptions ScenePainter::possible(const DrawOptions& options) const {
+DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& options) const {
   DrawOptions able = options;
   able.doubles = options.doubles && context_->features().float64;
   able.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
   const auto wanted = static_cast<std::uint32_t>(options.samples);
-  able.samples = options.output == Output::Color ? static_cast<int>(context_->supportedSamples(wanted)) : 1;
+  // Shadows are found for one point of each pixel.
+  const bool one = options.output != Output::Color || findsShadows(snapshot, options);
+  able.samples = one ? 1 : static_cast<int>(context_->supportedSamples(wanted));
   return able;
 }
 
 void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
                           const Snapshot& scene, const DrawOptions& wanted, FrameStatistics& statistics) {
   const gpu::Counters before = context_->counters();
-  const DrawOptions options = possible(wanted);
+  const DrawOptions options = possible(scene, wanted);
   const Snapshot& snapshot = scaleNormalization_.of(scene);
   DrawList list = listed(snapshot, options, view.refinement, statistics);
   Stopwatch watch;

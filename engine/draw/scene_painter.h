@@ -42,7 +42,7 @@ class ScenePainter {
   [[nodiscard]] bool interrupted() const { return geometry_.shells.interrupted(); }
 
  private:
-  [[nodiscard]] DrawOptions possible(const DrawOptions& options) const;
+  [[nodiscard]] DrawOptions possible(const Snapshot& snapshot, const DrawOptions& options) const;
   [[nodiscard]] DrawList listed(const Snapshot& snapshot, const DrawOptions& options,
                                 const SearchRefinement& refinement, FrameStatistics& statistics);
   void preparePipelines(RenderView& view);

@@ -17,6 +17,8 @@ namespace {
 
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kRounding = 0x1p-21;
+/// The sine of a light's height over a plane below which floats do not tell its side.
+constexpr double kInPlane = 1e-4;
 
 std::array<Vec3, 8> cornersOf(const Box& box) {
   std::array<Vec3, 8> corners;
@@ -107,6 +109,8 @@ class ShadowLister {
     const auto grid = geometry_.casters.grid(node.surface, node.parameters, part.patches, lightObject,
                                              options_.shadowGridSize);
 
+    // Normals that turn toward the viewer may face a light from inside.
+    const bool turns = snapshot_.materials[node.material.index].twoSided == TwoSided::Yes;
     const Mat3& linear = node.worldFromObject.linear;
     const Vec3 origin = inverse * (list_.origin - node.worldFromObject.translation);
     const Vec3 farthest = glm::max(glm::abs(cells->bounds.min), glm::abs(cells->bounds.max));
@@ -124,14 +128,15 @@ class ShadowLister {
         .firstParameter = static_cast<std::uint32_t>(shadows_.parameters.size()),
         .parameters = static_cast<std::uint32_t>(part.parameters[0].size()),
         .light = bit,
-        .parallel = light.directional(),
-        .gated = gated_,
+        .flags = (light.directional() ? shared::kParallelLight : 0) | (gated_ ? shared::kGatedLight : 0) |
+                 (cells->convex && !turns ? shared::kConvexCaster : 0),
         .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest))),
         .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
         .margin = static_cast<float>(kGridMargin * cells->size),
         .pixel = static_cast<float>(1 / (snapshot_.view.pixelsPerUnit * largestStretch(linear))),
         .offPixels = static_cast<float>(offPx_),
         .material = materials_.numberOfNode(static_cast<std::uint32_t>(&node - snapshot_.nodes.data()))};
+    if (cells->flatNormal) setPlane(light, node, *cells, caster);
     const auto firstStart = static_cast<std::uint32_t>(shadows_.gridStarts.size());
     for (std::size_t i = 0; i < grid->faces.size(); ++i) {
       const LightGrid::Face& face = grid->faces[i];
@@ -149,6 +154,19 @@ class ShadowLister {
                               .area = area});
     shadows_.casters.push_back(caster);
     return true;
+  }
+
+  /// Not where the light is in the plane, or nearly.
+  void setPlane(const SnapshotLight& light, const SnapshotNode& node, const CasterCells& cells,
+                shared::ShadowCaster& caster) const {
+    const Vec3 normal = unit(normalMatrix(node.worldFromObject.linear) * *cells.flatNormal);
+    const Vec3 at = transformPoint(node.worldFromObject, cells.cells[0].middle);
+    const Vec3 toLight = Vec3(light.positionWorld) - light.positionWorld.w * at;
+    const double side = glm::dot(normal, toLight);
+    if (!(std::abs(side) > kInPlane * glm::length(toLight))) return;
+    const Vec3 towardLight = side > 0 ? normal : -normal;
+    caster.plane = Vec4f(Vec4(towardLight, -glm::dot(towardLight, at - list_.origin)));
+    caster.flags |= shared::kFlatCaster;
   }
 
   void addCells(const CasterCells& cells, const Surface& surface, const Part& part) {
@@ -231,14 +249,16 @@ class ShadowLister {
 
 }  // namespace
 
-bool anyCasters(const Snapshot& snapshot, std::span<const std::uint32_t> lights) {
-  return std::ranges::any_of(lights, [&](std::uint32_t i) { return !snapshot.lights[i].casters.empty(); });
+bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
+  return options.shadows && options.output == Output::Color &&
+         std::ranges::any_of(snapshot.lights,
+                             [](const SnapshotLight& light) { return !light.casters.empty(); });
 }
 
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                  Geometry& geometry, const MaterialList& materials, DrawList& list) {
   const std::span<const std::uint32_t> lights = materials.laterLights();
-  if (!list.deferred || list.shades.empty() || !anyCasters(snapshot, lights)) return;
+  if (!list.deferred || list.shades.empty() || !materials.shadows()) return;
   ShadowLister lister(snapshot, visible, options, geometry, materials, list);
   for (std::uint32_t bit = 0; bit < lights.size(); ++bit) {
     const bool casts = !snapshot.lights[lights[bit]].casters.empty();

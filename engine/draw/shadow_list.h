@@ -14,7 +14,7 @@ namespace luxo {
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                  Geometry& geometry, const MaterialList& materials, DrawList& list);
 
-/// Whether some of these lights have a shadow that has to be found.
-[[nodiscard]] bool anyCasters(const Snapshot& snapshot, std::span<const std::uint32_t> lights);
+/// Whether some light of a picture may have a shadow that has to be found.
+[[nodiscard]] bool findsShadows(const Snapshot& snapshot, const DrawOptions& options);
 
 }  // namespace luxo

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "surface/equation.h"
 #include "surface/spread.h"
 
 namespace luxo {
@@ -31,7 +32,9 @@ class Cutter {
 
   CasterCells cut(std::span<const std::uint32_t> patches) {
     const Box framing = surface_.framing(parameters_);
-    CasterCells made{.size = framing.empty() ? 0 : glm::length(framing.extent())};
+    CasterCells made{.size = framing.empty() ? 0 : glm::length(framing.extent()),
+                     .flatNormal = surface_.flatNormal(),
+                     .convex = isEllipsoid()};
     size_ = made.size;
     for (const std::uint32_t patch : patches) add(patch, {});
     while (!open_.empty() && open_.size() + done_.size() < kMaxCasterCells) {
@@ -56,6 +59,11 @@ class Cutter {
     double excess = 0;  ///< how many times as large as it should be
     bool acrossU = false;
   };
+
+  [[nodiscard]] bool isEllipsoid() const {
+    const auto equation = equationOf(surface_, 0, parameters_);
+    return equation && equation->form() == Equation::Form::Quadric && boundsSolid(surface_, parameters_);
+  }
 
   void add(std::uint32_t patch, const Tile& tile) {
     Part part = partOf(patch, tile);

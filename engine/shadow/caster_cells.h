@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,8 +40,10 @@ struct CasterCell {
 
 struct CasterCells {
   std::vector<CasterCell> cells;
-  Box bounds;       ///< of all cells; infinite where one is
-  double size = 0;  ///< of the surface, about
+  Box bounds;                      ///< of all cells; infinite where one is
+  double size = 0;                 ///< of the surface, about
+  std::optional<Vec3> flatNormal;  ///< of a surface in one plane; object space
+  bool convex = false;             ///< all of an ellipsoid: no point that faces a light is in its shadow
 
   /// Whether light rays can be held against them: they end somewhere.
   [[nodiscard]] bool finite() const { return isFinite(bounds); }

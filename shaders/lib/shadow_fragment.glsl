@@ -41,18 +41,21 @@ float casterParameterAt(uint k) { return k < kHeld ? heldParameters[k] : casterP
 #include "lib/octahedral.glsl"
 
 const float kGrain = 3e-4;         // pixels: shadows end as near to where they should
-const float kMostRounding = 8e-3;  // pixels
+const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
+const float kMostRounding = 4e-3;  // pixels
 
 void doubtPixel() {
   uint pixel = uint(gl_FragCoord.y) * uint(2.0 * varyingMiddle.x) + uint(gl_FragCoord.x);
   atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], kShadowOpenHere << kDoubtBits * (pixel % kDoubtsPerWord));
 }
 
+bool has(uint flags) { return (varyingCaster.z & flags) != 0; }
+
 // The texel that a point is in; none where the grid has no texel in its direction.
 const uint kNone = 0xffffffffu;
 uint texelOf(vec3 q, out float ahead) {
   vec3 size = abs(q);
-  bool isParallel = (varyingCaster.z & kParallel) != 0, isZ = isParallel || (size.z >= size.x && size.z >= size.y),
+  bool isParallel = has(kParallelLight), isZ = isParallel || (size.z >= size.x && size.z >= size.y),
        isX = !isZ && size.x >= size.y;
   bool isNegative = !isParallel && (isZ ? q.z : isX ? q.x : q.y) < 0.0;
   vec4 face = isZ ? (isNegative ? varyingFaces[5] : varyingFaces[4])
@@ -77,7 +80,10 @@ void findShadow() {
        sight = varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
   vec3 position = place + texel.x * sight, toLight = varyingLightRelative.xyz - varyingLightRelative.w * position;
   float cosine = dot(fromOctahedral(texel.yz), toLight) * inversesqrt(max(dot(toLight, toLight), 1e-37));
-  if ((varyingCaster.z & kGated) != 0 && cosine <= 0.0) discard;
+  if (has(kGatedLight) && cosine <= 0.0) discard;
+  bool isOwn = materialOfTexel(texel) == varyingMaterial;
+  if (isOwn && (has(kFlatCaster) || (has(kConvexCaster) && cosine > 0.0))) discard;
+  if (has(kFlatCaster) && dot(varyingPlane, vec4(position, 1)) > kBesidePlane * (length(position) + abs(varyingPlane.w))) discard;
 
   vec4 p = vec4(position, 1);
   float ahead;
@@ -99,7 +105,7 @@ void findShadow() {
     GridEntry listed = gridEntries[varyingFirst.x + entry];
     if (listed.nearest > behind) break;
     // What is off at the caster is off by more behind it, as the light spreads.
-    float narrowed = width * ((varyingCaster.z & kParallel) != 0 ? 1.0 : clamp(listed.nearest / ahead, 0.0, 1.0));
+    float narrowed = width * (has(kParallelLight) ? 1.0 : clamp(listed.nearest / ahead, 0.0, 1.0));
     if (rounding > kMostRounding * narrowed) {
       result = kOpen;
       break;
@@ -110,7 +116,6 @@ void findShadow() {
     result = meetsCell(ray, cell);
   }
   // One is the point's own, if it is a point of the caster.
-  bool isOwn = materialOfTexel(texel) == varyingMaterial;
   if (result == kPassed && ownMeetings > (isOwn ? 1 : 0)) result = kOpen;
   if (result == kOpen) doubtPixel();
   if (result != kMet) discard;

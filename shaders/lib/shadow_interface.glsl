@@ -17,13 +17,13 @@ layout(location = 13) flat LUXO_VARYING vec4 varyingLightObject;
 layout(location = 14) flat LUXO_VARYING vec4 varyingLightRelative;
 layout(location = 15) flat LUXO_VARYING vec4 varyingRounding;  // once; for each metre; margin; a pixel's width
 layout(location = 16) flat LUXO_VARYING uvec4 varyingFirst;    // entry, cell, parameter; parameters of each patch
-layout(location = 17) flat LUXO_VARYING uvec4 varyingCaster;   // its index; the light's bit; flags below; grid size
-layout(location = 18) flat LUXO_VARYING uvec3 varyingFirstTexels[2];  // of the faces along +, of those along -
-layout(location = 20) flat LUXO_VARYING float varyingOff;  // pixels
-layout(location = 21) flat LUXO_VARYING uint varyingMaterial;
-layout(location = 22) flat LUXO_VARYING vec4 varyingFaces[6];  // a device reads a buffer more slowly
+layout(location = 17) flat LUXO_VARYING uvec4 varyingCaster;   // its index; the light's bit; flags; grid size
+layout(location = 18) flat LUXO_VARYING vec4 varyingPlane;
+layout(location = 19) flat LUXO_VARYING float varyingOff;  // pixels
+layout(location = 20) flat LUXO_VARYING uint varyingMaterial;
+layout(location = 21) flat LUXO_VARYING vec4 varyingFaces[6];  // a device reads a buffer more slowly
+layout(location = 27) flat LUXO_VARYING uvec3 varyingFirstTexels[2];  // of the faces along +, of those along -
 
-const uint kParallel = 1, kGated = 2;
 #ifdef LUXO_VERTEX
 layout(scalar, set = kSetShadow, binding = kBindingCasters) readonly buffer Casters { ShadowCaster casters[]; };
 #endif

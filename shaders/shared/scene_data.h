@@ -252,6 +252,11 @@ struct GridEntry {
   float nearest;
 };
 
+LUXO_CONSTANT kParallelLight = 1;
+LUXO_CONSTANT kGatedLight = 2;    // it lights nothing that faces away
+LUXO_CONSTANT kFlatCaster = 4;
+LUXO_CONSTANT kConvexCaster = 8;  // no point of it that faces the light is in its shadow
+
 // What may keep a light from what is seen: a node, or those of its patches that share their code, as the light sees them
 // (engine/shadow/light_grid.h).
 struct ShadowCaster {
@@ -266,8 +271,8 @@ struct ShadowCaster {
   uint gridSize;
   uint firstEntry, firstCell, firstParameter, parameters;  // parameters: of each patch
   uint light;        // its bit
-  uint parallel;
-  uint gated;        // nothing is lit that faces away
+  uint flags;        // below
+  vec4 plane;        // of a flat caster: dot(plane, (position, 1)) is above 0 on the light's side
   float rounding, roundingPerMetre;  // how far floats leave a point from where it is, metres of the object; of these, for
                                      // each metre from what positions are relative to
   float margin;      // the most of that which the grid has room for
@@ -293,7 +298,7 @@ static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 56 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 32 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 304);
+static_assert(sizeof(CasterCell) == 32 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 316);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

@@ -68,5 +68,34 @@ TEST(Passes, ThoseThatSearchSaySo) {
   EXPECT_FALSE(passesOf(meshes, {})[0].searches);
 }
 
+TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
+  DrawList list = listOf(2, 0, 0);
+  for (DrawBatch& batch : list.opaque) batch.state.form = Form::Found;
+  list.deferred = true;
+  list.shades.resize(1);
+  const auto namesOf = [&](const FrameDesc& frame) {
+    Names names;
+    for (const Pass& pass : passesOf(list, frame)) {
+      const Attachment& target = pass.colors.front();
+      names.push_back(std::string(pass.name) + (target.begin == Begin::Keep ? "+" : "") +
+                      (pass.rays ? "*" : "") + " " + std::to_string(pass.shadows.size()));
+    }
+    return names;
+  };
+  EXPECT_EQ(namesOf({}), (Names{"found 0", "shade 0"}));
+  list.shadows.lights.resize(1);
+  list.shadows.draws.resize(3);
+  EXPECT_EQ(namesOf({}), (Names{"found 0", "shadows 3", "shade 0"}));
+  const RayPoints points;
+  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
+      << "what was found stays";
+
+  const std::vector<Pass> passes = passesOf(list, {});
+  EXPECT_EQ(passes[1].colors.front().target, Target::Shadows);
+  EXPECT_EQ(passes[1].reads, std::vector{Target::Found});
+  EXPECT_TRUE(passes[1].searches) << "what it leaves open is told";
+  EXPECT_EQ(passes[2].reads, (std::vector{Target::Found, Target::Shadows}));
+}
+
 }  // namespace
 }  // namespace luxo

@@ -28,6 +28,7 @@ constexpr KeyHelp kKeys[] = {
     {"T", "toon: a drawing with outlines"},
     {"W", "wireframe"},
     {"L", "hidden lines of wireframes"},
+    {"X", "shadows (of exact, phong and flat shading)"},
     {"C", "back-face culling"},
     {"M", "4 samples per pixel, or 1"},
     {"A", "smooth edges while nothing moves"},
@@ -57,6 +58,7 @@ Controls::Controls(const ViewedScene& viewed, const ViewerOptions& options, bool
       playback_(viewed.settings.time, options.playing && moving_, now) {
   draw_.skips = options.skips;
   draw_.samples = samplesOfPass(draw_.samples);
+  shade(draw_.shading);
 }
 
 void Controls::adopt(const ViewedScene& before, const ViewedScene& next, Time now) {
@@ -119,6 +121,10 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
     case 'L':
       draw_.hiddenLines = !draw_.hiddenLines;
       break;
+    case 'X':
+      wantsShadows_ = !wantsShadows_;
+      shade(draw_.shading);
+      break;
     case 'C':
       draw_.cullBackFaces = !draw_.cullBackFaces;
       break;
@@ -148,6 +154,7 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
 
 void Controls::shade(Shading shading) {
   draw_.shading = shading;
+  draw_.shadows = wantsShadows_ && shading != Shading::Gouraud && shading != Shading::Toon;
   if (shading != Shading::Wireframe) solidShading_ = shading;
 }
 

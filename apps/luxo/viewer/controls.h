@@ -74,7 +74,7 @@ class Controls {
   Shading solidShading_;  // what to go back to from wireframe
   window::Playback playback_;
   std::optional<OwnCamera> own_;
-  bool refines_ = true;
+  bool refines_ = true, wantsShadows_ = true;
   bool showsKeys_ = false, showsNumbers_ = true, showsSliders_ = true;
 };
 
