@@ -10,17 +10,30 @@
 
 namespace luxo {
 
-std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, const Pattern& pattern,
-                                                  bool grazing) {
-  const auto formulasOf = [](const ExactShader& shader) {
-    return std::tuple(shader.surface, shader.pattern, shader.inDouble, shader.grazing);
-  };
-  const std::tuple wanted(std::string_view(surface.glsl),
-                          pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view(),
-                          surface.number == GlslNumber::Double, grazing);
+namespace {
+
+using Formulas = std::tuple<std::string_view, std::string_view, bool, bool, bool>;
+
+Formulas formulasOf(const ExactShader& shader) {
+  return {shader.surface, shader.pattern, shader.inDouble, shader.grazing, shader.shadow};
+}
+
+std::span<const std::uint32_t> builtIn(const Formulas& wanted) {
   const auto found = std::ranges::lower_bound(kExactShaders, wanted, {}, formulasOf);
   const bool known = found != std::end(kExactShaders) && formulasOf(*found) == wanted;
   return known ? found->spirv : std::span<const std::uint32_t>();
+}
+
+}  // namespace
+
+std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, const Pattern& pattern,
+                                                  bool grazing) {
+  return builtIn({surface.glsl, pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view(),
+                  surface.number == GlslNumber::Double, grazing, false});
+}
+
+std::span<const std::uint32_t> builtInShadowShader(const SurfaceCode& surface) {
+  return builtIn({surface.glsl, {}, false, true, true});
 }
 
 }  // namespace luxo

@@ -18,4 +18,8 @@ namespace luxo {
                                                                 const Pattern& pattern = {},
                                                                 bool grazing = true);
 
+/// The one that finds what is in the shadow of this surface, of formulas in float; empty for what is not
+/// built in.
+[[nodiscard]] std::span<const std::uint32_t> builtInShadowShader(const SurfaceCode& surface);
+
 }  // namespace luxo

@@ -45,7 +45,7 @@ LightSets::Choice LightSets::choose(std::span<const std::uint32_t> lights, const
                 "use fewer lights");
   std::vector<std::uint32_t> order(lights.begin(), lights.end());
   const auto firstShaded = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t light) {
-    return !options_.shadows || !snapshot_.lights[light].shade.has_value();
+    return options_.shadows == ShadowKinds::None || !snapshot_.lights[light].shade.has_value();
   });
   Choice choice;
   choice.plain = static_cast<std::uint32_t>(firstShaded - order.begin());
@@ -73,7 +73,7 @@ shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const
     set.lights[i] = {.position = Vec4f(Vec3f(position), light.positionWorld.w),
                      .radiance = Vec3f(light.radiance),
                      .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
-    if (light.shade && options_.shadows) set.shades[shade++] = shadeData(*light.shade);
+    if (light.shade && options_.shadows != ShadowKinds::None) set.shades[shade++] = shadeData(*light.shade);
   }
   return set;
 }

@@ -29,6 +29,9 @@ struct Audit {
 /// before the light.
 enum class Composition { Auto, Fused, Deferred };
 
+/// Which shadows lights have: none, those of shades in closed form, or those that have to be found, too.
+enum class ShadowKinds { None, ClosedForms, All };
+
 /// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-4 (exact shading).
 struct Skips {
   bool frustum = true;    ///< nodes outside the picture
@@ -69,7 +72,7 @@ struct DrawOptions {
   bool standIns = false;
   /// Deferred, whatever this says, where exact shadows are found.
   Composition composition = Composition::Auto;
-  bool shadows = true;  ///< off: lights reach what stands behind something, too
+  ShadowKinds shadows = ShadowKinds::All;  ///< others: the light reaches what stands behind something, too
   /// Texels along a side of lights' maps of casters (shadow/light_grid.h): how long shadows take, no more.
   int shadowGridSize = 64;
   /// Exact shading: of what covers no more pixels the triangles are not told apart by how they are seen, so

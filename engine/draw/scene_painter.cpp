@@ -33,7 +33,7 @@ CullOptions cullOptions(const DrawOptions& options) {
           .frustum = options.skips.frustum,
           .small = options.skips.small,
           .backface = options.skips.backface,
-          .lights = options.skips.lights && options.shadows};
+          .lights = options.skips.lights && options.shadows != ShadowKinds::None};
 }
 
 void addCounts(FrameCounts& to, const CullCounts& from) {

@@ -28,6 +28,7 @@
 #include "luxo/shaders/ray_surface_pattern_vert.h"
 #include "luxo/shaders/ray_surface_vert.h"
 #include "luxo/shaders/shade_frag.h"
+#include "luxo/shaders/shade_in_shadows_frag.h"
 #include "luxo/shaders/shade_vert.h"
 #include "luxo/shaders/shadow_vert.h"
 #include "luxo/shaders/sources.h"
@@ -279,6 +280,10 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     const auto& [surface, pattern, grazing, form] = missing[i].key;
     if (form == Form::Shadow) {
+      if (const auto builtIn = builtInShadowShader(*surface); !builtIn.empty()) {
+        missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
+        return;
+      }
       missing[i].shader = gpu::ShaderCompiler().compile(ExactSource::ofShadow(*surface).desc());
       return;
     }
@@ -365,18 +370,19 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
 void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   desc.name = "shade";
   desc.vertexShader = luxo_shade_vert;
-  desc.fragmentShader =
-      state.pattern.valid()
-          ? std::span<const std::uint32_t>(patternShader(state.pattern, "pattern/shade.frag"))
-          : std::span<const std::uint32_t>(luxo_shade_frag);
+  if (state.pattern.valid())
+    desc.fragmentShader =
+        patternShader(state.pattern, state.shadows ? "pattern/shade_in_shadows.frag" : "pattern/shade.frag");
+  else
+    desc.fragmentShader = state.shadows ? std::span<const std::uint32_t>(luxo_shade_in_shadows_frag)
+                                        : std::span<const std::uint32_t>(luxo_shade_frag);
   desc.bindings.clear();
   desc.attributes.clear();
   desc.depthWrite = false;
   desc.depthCompare = VK_COMPARE_OP_LESS;
   desc.specialization.insert(desc.specialization.end(),
                              {{shared::kConstantPattern, state.patternNumber},
-                              {shared::kConstantManyMaterials, state.manyMaterials},
-                              {shared::kConstantShadows, state.shadows}});
+                              {shared::kConstantManyMaterials, state.manyMaterials}});
   desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
 }
 

@@ -250,7 +250,7 @@ class ShadowLister {
 }  // namespace
 
 bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
-  return options.shadows && options.output == Output::Color &&
+  return options.shadows == ShadowKinds::All && options.output == Output::Color &&
          std::ranges::any_of(snapshot.lights,
                              [](const SnapshotLight& light) { return !light.casters.empty(); });
 }

@@ -31,11 +31,13 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-/// GLSL of a surface, and of its pattern if it has one; whether rays may graze it.
+/// GLSL of a surface, and of its pattern if it has one; whether rays may graze it; or whether shadows of it
+/// are found.
 struct Formulas {
   std::string surface, pattern;
   GlslNumber number;
   bool grazing;
+  bool shadow = false;
 
   friend auto operator<=>(const Formulas&, const Formulas&) = default;
 };
@@ -46,8 +48,17 @@ void addFormula(std::set<Formulas>& all, const SurfaceCode& code, const std::str
   for (const bool grazing : {false, true}) all.insert({code.glsl, pattern, code.number, grazing});
 }
 
+/// Of its shadow: by its general form, where it has one.
+void addShadow(std::set<Formulas>& all, const Surface& surface) {
+  for (const Patch& patch : surface.patches()) {
+    const SurfaceCode code = patch.general ? surfaceCode(*patch.general, 0) : surfaceCode(*patch.function, 0);
+    all.insert({code.glsl, "", GlslNumber::Float, true, true});
+  }
+}
+
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
                 const std::string& pattern) {
+  addShadow(all, surface);
   const auto equations = equationsOf(surface, parameters);
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     for (const GlslNumber number : kNumbers)
@@ -61,6 +72,7 @@ void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const
 
 /// What finds a named surface whatever its arguments.
 void addGeneralForms(std::set<Formulas>& all, const Surface& surface) {
+  addShadow(all, surface);
   const auto equations = equationsOf(surface, {});
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     if (const auto& general = surface.patches()[i].general; general && !equations[i])
@@ -115,7 +127,8 @@ void validate(const Words& words) {
 
 Words compile(const Formulas& formulas) {
   const SurfaceCode surface{.glsl = formulas.surface, .number = formulas.number};
-  const ExactSource source(surface, formulas.pattern, formulas.grazing);
+  const ExactSource source = formulas.shadow ? ExactSource::ofShadow(surface)
+                                             : ExactSource(surface, formulas.pattern, formulas.grazing);
   Words words = gpu::ShaderCompiler(std::filesystem::path()).compile(source.desc()).spirv;
   validate(words);
   return words;
@@ -145,13 +158,13 @@ std::string table(std::span<const char* const> scenes) {
     for (std::size_t i = 0; i < words.size(); ++i)
       arrays += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
     arrays += "};\n";
-    entries += fmt::format("    {{{}, {}, {}, {}, kExactShader{}}},\n", literal(formulas.surface),
+    entries += fmt::format("    {{{}, {}, {}, {}, {}, kExactShader{}}},\n", literal(formulas.surface),
                            literal(formulas.pattern), formulas.number == GlslNumber::Double, formulas.grazing,
-                           index);
+                           formulas.shadow, index);
   }
   return fmt::format(
       "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"
-      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing;\n  "
+      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing, shadow;\n  "
       "std::span<const "
       "std::uint32_t> "
       "spirv;\n}};\n\n"

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fragments that light what an earlier pass has found.
+// Fragments that light what an earlier pass has found; with LUXO_SHADOWS by the lights whose shadows it is not in.
 #extension GL_GOOGLE_include_directive : require
-#define LUXO_SHADOWS
 #include "lib/carried_lights.glsl"
 #include "lib/found_texel.glsl"
 #include "lib/scene.glsl"
 
 layout(constant_id = kConstantPattern) const uint kPattern = 0;
 layout(constant_id = kConstantManyMaterials) const bool kManyMaterials = false;
-layout(constant_id = kConstantShadows) const bool kShadows = false;
 
 layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
-layout(set = kSetFound, binding = kBindingShadows) uniform usampler2D shadowsOfLights;
 layout(set = kSetFound, binding = kBindingFoundParameters) uniform sampler2D foundParameters;
 layout(scalar, set = kSetFound, binding = kBindingUniformMaterials) uniform UniformMaterials {
   MaterialData uniformMaterials[kUniformMaterials];
@@ -47,7 +44,10 @@ Found foundPoint() {
   return found;
 }
 
-uint shadows() { return kShadows ? texelFetch(shadowsOfLights, ivec2(gl_FragCoord.xy), 0).x : 0; }
+#ifdef LUXO_SHADOWS
+layout(set = kSetFound, binding = kBindingShadows) uniform usampler2D shadowsOfLights;
+uint shadows() { return texelFetch(shadowsOfLights, ivec2(gl_FragCoord.xy), 0).x; }
+#endif
 
 Material foundMaterial() { return materialOf(material); }
 uint foundMaterialNumber() { return 0; }

@@ -85,6 +85,12 @@ void findShadow() {
   if (isOwn && (has(kFlatCaster) || (has(kConvexCaster) && cosine > 0.0))) discard;
   if (has(kFlatCaster) && dot(varyingPlane, vec4(position, 1)) > kBesidePlane * (length(position) + abs(varyingPlane.w))) discard;
 
+  // Beyond its margin the grid may not list what is in the way.
+  float rounding = varyingRounding.x + varyingRounding.y * length(position);
+  if (rounding > varyingRounding.z) {
+    doubtPixel();
+    discard;
+  }
   vec4 p = vec4(position, 1);
   float ahead;
   uint number = texelOf(vec3(dot(varyingGrid[0], p), dot(varyingGrid[1], p), dot(varyingGrid[2], p)), ahead);
@@ -95,11 +101,10 @@ void findShadow() {
   vec3 from = vec3(dot(varyingObject[0], p), dot(varyingObject[1], p), dot(varyingObject[2], p));
   vec3 way = varyingLightObject.xyz - varyingLightObject.w * from;
   float distance_ = length(way), width = varyingRounding.w * (varyingMiddle.z != 0.0 ? texel.x + varyingMiddle.w : 1.0);
-  float rounding = varyingRounding.x + varyingRounding.y * length(position);
   // A point is off its surface by what rounding and the search for it leave.
   LightRay ray = lightRay(from, way / max(distance_, 1e-37), varyingLightObject.w != 0.0 ? distance_ : 1e30, rounding,
                           rounding + varyingOff * width);
-  int result = rounding > varyingRounding.z ? kOpen : kPassed;
+  int result = kPassed;
   float behind = ahead * (1.0 + 1e-5) + 1e-30;
   for (; entry < end && result == kPassed; ++entry) {
     GridEntry listed = gridEntries[varyingFirst.x + entry];

@@ -74,7 +74,6 @@ LUXO_CONSTANT kConstantEquation = 8;
 LUXO_CONSTANT kConstantManySamples = 9;
 LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a draw lights: MaterialData::pattern
 LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
-LUXO_CONSTANT kConstantShadows = 12;         // some lights have shadows that were found
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).

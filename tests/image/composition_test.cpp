@@ -33,7 +33,8 @@ class CompositionTest : public PictureTest {
     return renderer().render(snapshot, {.shading = shading,
                                         .audit = {.extent = AuditExtent::None},
                                         .samples = samples,
-                                        .composition = composition});
+                                        .composition = composition,
+                                        .shadows = ShadowKinds::ClosedForms});
   }
 
   void expectTheSame(const Snapshot& snapshot, Shading shading = Shading::Exact, int samples = 1) {

@@ -251,6 +251,8 @@ TEST_F(ShadowTest, AreRefusedWhereTheyWouldBeWrong) {
       EXPECT_NE(std::string(error.what()).find("not supported yet"), std::string::npos) << error.what();
     }
   }
+  EXPECT_NO_THROW(static_cast<void>(
+      draw(scene, {32, 24}, {.shading = Shading::Gouraud, .shadows = ShadowKinds::ClosedForms})));
   // Views of geometry have no light.
   EXPECT_NO_THROW(static_cast<void>(draw(scene, {32, 24}, {.shading = Shading::Normal})));
   EXPECT_NO_THROW(static_cast<void>(draw(scene, {32, 24}, {.shading = Shading::Wireframe})));

@@ -39,6 +39,18 @@ TEST(ExactShaders, EachFormulaHasItsOwn) {
   EXPECT_NE(carriedFor(knot).data(), carriedFor(knot, 0, GlslNumber::Double).data());
 }
 
+TEST(ExactShaders, ShadowsOfNamedSurfacesAreCarried) {
+  for (const CatalogueEntry& entry : catalogue()) {
+    const Surface surface = makeSurface(entry);
+    for (const Patch& patch : surface.patches()) {
+      const auto words = builtInShadowShader(patch.general ? surfaceCode(*patch.general, 0)
+                                                           : surfaceCode(*patch.function, 0));
+      ASSERT_GT(words.size(), 5u) << entry.name;
+      EXPECT_EQ(words[0], kSpirvMagic) << entry.name;
+    }
+  }
+}
+
 TEST(ExactShaders, EquationsShareTheirs) {
   const Surface ball = makeSurface("sphere"), tube = makeSurface("cylinder"), ring = makeSurface("torus");
   EXPECT_EQ(carriedFor(ball).data(), carriedFor(tube).data());

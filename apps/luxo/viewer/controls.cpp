@@ -154,7 +154,8 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
 
 void Controls::shade(Shading shading) {
   draw_.shading = shading;
-  draw_.shadows = wantsShadows_ && shading != Shading::Gouraud && shading != Shading::Toon;
+  const bool finds = shading != Shading::Gouraud && shading != Shading::Toon;
+  draw_.shadows = !wantsShadows_ ? ShadowKinds::None : finds ? ShadowKinds::All : ShadowKinds::ClosedForms;
   if (shading != Shading::Wireframe) solidShading_ = shading;
 }
 
