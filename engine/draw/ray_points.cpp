@@ -159,18 +159,39 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels,
   if (lights.empty() || pixels.empty()) return;
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   struct Found {
+    reference::Caster::First seen;
     std::uint32_t shadows = 0;
     bool certified = true;
   };
   std::vector<Found> all(pixels.size());
-  forEachIndex(pixels.size(), pixels.size() >= kRaysForAllCores, [&](std::size_t i) {
-    if (!goesOn_()) return;
-    const reference::Caster::First seen = caster_->firstOf(receivers_, rays[i]);
-    all[i].certified = seen.certified;
-    for (std::size_t bit = 0; seen.hit && bit < lights.size(); ++bit)
-      if (lights[bit] && caster_->inShadow(*lights[bit], *seen.hit, all[i].certified))
-        all[i].shadows |= 1U << bit;
-  });
+  const auto find = [&](std::span<const std::size_t> chosen) {
+    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
+      if (!goesOn_()) return;
+      Found found{.seen = caster_->firstOf(receivers_, rays[chosen[k]])};
+      found.certified = found.seen.certified;
+      for (std::size_t bit = 0; found.seen.hit && bit < lights.size(); ++bit)
+        if (lights[bit] && caster_->shinesOn(*lights[bit], *found.seen.hit) &&
+            caster_->inShadow(*lights[bit], *found.seen.hit, found.certified))
+          found.shadows |= 1U << bit;
+      all[chosen[k]] = found;
+    });
+  };
+  std::vector<std::size_t> chosen(pixels.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  find(chosen);
+  // What few cells leave undecided many may not.
+  std::erase_if(chosen, [&](std::size_t i) { return all[i].certified; });
+  std::vector<reference::Ray> undecided;
+  for (const std::size_t i : chosen) {
+    undecided.push_back(rays[i]);
+    for (const std::optional<std::uint32_t>& light : lights)
+      if (light && all[i].seen.hit)
+        undecided.push_back({all[i].seen.hit->position, caster_->towardLight(*light, *all[i].seen.hit)});
+  }
+  if (!undecided.empty()) {
+    caster_->prepareFor(undecided, receivers_, kFinest);
+    find(chosen);
+  }
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     points.shadowsUndecided += !all[i].certified;
     points.shadows.insert(points.shadows.end(), 3,

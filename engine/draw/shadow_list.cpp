@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "draw/exact_data.h"
@@ -92,9 +91,7 @@ class ShadowLister {
     if (found)
       for (const Part& part : partsOf(geometry_.codes, node))
         found &= add(bit, light, node, inverse, part, *area);
-    if (!found) {
-      list_.byRays.push_back(*area);
-    }
+    if (!found) list_.byRays.push_back(*area);
   }
 
   /// Whether a shader can find it.
@@ -129,7 +126,8 @@ class ShadowLister {
         .parameters = static_cast<std::uint32_t>(part.parameters[0].size()),
         .light = bit,
         .flags = (light.directional() ? shared::kParallelLight : 0) | (gated_ ? shared::kGatedLight : 0) |
-                 (cells->convex && !turns ? shared::kConvexCaster : 0),
+                 (cells->convex && !turns ? shared::kConvexCaster : 0) |
+                 (part.patches.size() == node.surface.patchCount() ? shared::kWholeCaster : 0),
         .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest))),
         .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
         .margin = static_cast<float>(kGridMargin * cells->size),

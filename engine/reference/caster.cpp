@@ -170,6 +170,16 @@ bool Caster::lit(const SnapshotLight& light, const Hit& hit, bool& certified) co
   });
 }
 
+bool Caster::shinesOn(std::uint32_t light, const Hit& hit) const {
+  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
+  return material.lectureSpecular || glm::dot(hit.normal, towardLight(light, hit)) > 0;
+}
+
+Vec3 Caster::towardLight(std::uint32_t light, const Hit& hit) const {
+  const Vec4& at = snapshot_.lights[light].positionWorld;
+  return unit(Vec3(at) - hit.position * at.w);
+}
+
 std::optional<std::uint32_t> Caster::nodeOf(NodeId id) const {
   const auto node = std::ranges::lower_bound(snapshot_.nodes, id.index, {},
                                              [](const SnapshotNode& n) { return n.id.index; });

@@ -80,6 +80,11 @@ class Caster {
     return !lit(snapshot_.lights[light], hit, certified);
   }
 
+  /// Whether a light would add something to a hit that sees it.
+  [[nodiscard]] bool shinesOn(std::uint32_t light, const Hit& hit) const;
+  /// Unit.
+  [[nodiscard]] Vec3 towardLight(std::uint32_t light, const Hit& hit) const;
+
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
   /// Of a node (an index into Snapshot::nodes), as its material has it.
   [[nodiscard]] const PlacedShape& shape(std::uint32_t node) const { return bodies_[node].shape; }

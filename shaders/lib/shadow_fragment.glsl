@@ -40,6 +40,7 @@ float casterParameterAt(uint k) { return k < kHeld ? heldParameters[k] : casterP
 #include "lib/material_of_texel.glsl"
 #include "lib/octahedral.glsl"
 
+const float kGrazing = 0.02;       // the sine of a ray's height over its own surface
 const float kGrain = 3e-4;         // pixels: shadows end as near to where they should
 const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
 const float kMostRounding = 4e-3;  // pixels
@@ -120,8 +121,11 @@ void findShadow() {
     holdPatch(cell.patch_);
     result = meetsCell(ray, cell);
   }
-  // One is the point's own, if it is a point of the caster.
-  if (result == kPassed && ownMeetings > (isOwn ? 1 : 0)) result = kOpen;
+  // One is the point's own, if it is a point of the caster. None is left where the ray grazes it and floats part them: then
+  // they may part others, too.
+  bool isSettled = ownMeetings == (isOwn ? 1 : 0) ||
+                   (isOwn && ownMeetings == 0 && !has(kWholeCaster) && abs(cosine) > kGrazing);
+  if (result == kPassed && !isSettled) result = kOpen;
   if (result == kOpen) doubtPixel();
   if (result != kMet) discard;
   outShadows = 1u << varyingCaster.y;

@@ -15,8 +15,9 @@
 //
 // A point that is off its own surface by `off` meets that surface near t = 0, by as much as that moves the solution. Such a
 // meeting is no shadow; but where there are two of them, or one that cannot be the point's own, no float tells, and rays do
-// (kOpen). Rectangles in which the tangents turn by less than they span (`isPlain`) have one meeting at most. Where rays
-// graze, rectangles end that are smaller than `grain`: then the border of the shadow is as near.
+// (kOpen). Rectangles in which the tangents turn by less than they span (`isPlain`) have one meeting at most. Rectangles
+// smaller than `grain` are not cut: one that is plain is a meeting, and where a ray grazes the surface as near as that,
+// rays decide, too.
 
 const int kMet = 1, kPassed = 0, kOpen = 2;
 const int kCuts = 31;              // of a cell, each in half: a bit each
@@ -80,11 +81,11 @@ int meetsCell(LightRay ray, CasterCell cell) {
     // What floats leave is less than its bound, and the surface may end here: what is beyond an edge by more is not met.
     vec2 beyond = abs(middle) - kUsualRounding * off;
     bool isHere = max(beyond.x, beyond.y) <= 1.0;
-    bool isGrain = size + bend <= ray.grain;  // a point as small as that: on the ray, unless this runs along a fold
+    bool isGrain = size + bend <= ray.grain;
     if (!passes && isPlain && ((isInside && tMiddle - tOff > own && tMiddle + tOff < ray.last) ||
                                (isGrain && isHere && !isOwn && tMiddle > own && tMiddle < ray.last)))
       return kMet;
-    if (!passes && isGrain && !isPlain && abs(t) <= 2.0 * (reach + ray.off)) return kOpen;
+    if (!passes && isGrain && !isPlain) return kOpen;
     // Of a meeting on a border between two rectangles one counts, but for rounding.
     if (!passes && isOwn && max(abs(middle.x), abs(middle.y)) <= 1.0 + kBorder) ++ownMeetings;
     if (passes || isOwn || isGrain) {

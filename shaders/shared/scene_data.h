@@ -255,6 +255,7 @@ LUXO_CONSTANT kParallelLight = 1;
 LUXO_CONSTANT kGatedLight = 2;    // it lights nothing that faces away
 LUXO_CONSTANT kFlatCaster = 4;
 LUXO_CONSTANT kConvexCaster = 8;  // no point of it that faces the light is in its shadow
+LUXO_CONSTANT kWholeCaster = 16;  // it is all of a node
 
 // What may keep a light from what is seen: a node, or those of its patches that share their code, as the light sees them
 // (engine/shadow/light_grid.h).
