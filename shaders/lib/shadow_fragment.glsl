@@ -125,7 +125,8 @@ void findShadow() {
   // they may part others, too.
   bool isSettled = ownMeetings == (isOwn ? 1 : 0) ||
                    (isOwn && ownMeetings == 0 && !has(kWholeCaster) && abs(cosine) > kGrazing);
-  if (result == kPassed && !isSettled) result = kOpen;
+  bool mayHaveTwo = isOwn && besideMeetings > 0 && abs(cosine) <= kGrazing;
+  if (result == kPassed && (!isSettled || mayHaveTwo)) result = kOpen;
   if (result == kOpen) doubtPixel();
   if (result != kMet) discard;
   outShadows = 1u << varyingCaster.y;

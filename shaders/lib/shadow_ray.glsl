@@ -44,7 +44,8 @@ LightRay lightRay(vec3 from, vec3 along, float last, float rounding, float off) 
 float crossOf(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
 int evaluationsLeft = kMaxEvaluations;
-int ownMeetings = 0;  // so many that may be the point's own
+int ownMeetings = 0;     // so many that may be the point's own
+int besideMeetings = 0;  // and so many that a neighbouring rectangle has, but for rounding
 
 // Rectangles are visited in order of a tree of halves, whose way back takes no memory that a device would have to index:
 // a bit for each cut tells which half this is, another whether u was cut.
@@ -87,7 +88,10 @@ int meetsCell(LightRay ray, CasterCell cell) {
       return kMet;
     if (!passes && isGrain && !isPlain) return kOpen;
     // Of a meeting on a border between two rectangles one counts, but for rounding.
-    if (!passes && isOwn && max(abs(middle.x), abs(middle.y)) <= 1.0 + kBorder) ++ownMeetings;
+    if (!passes && isOwn) {
+      if (max(abs(middle.x), abs(middle.y)) <= 1.0 + kBorder) ++ownMeetings;
+      else ++besideMeetings;
+    }
     if (passes || isOwn || isGrain) {
       for (; cuts > 0 && (second & 1) != 0; --cuts) {
         half_.xy -= (ofU & 1) != 0 ? vec2(half_.z, 0) : vec2(0, half_.w);
