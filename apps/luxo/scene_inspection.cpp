@@ -39,6 +39,7 @@ class Inspector {
         settings_(viewed.settings),
         values_(scene_.parametersAt(settings_.time)),
         moment_(settings_.time, values_),
+        camera_(viewed.camera),
         snapshot_(takeSnapshot(scene_, settings_.time, settings_.size, viewed.camera)),
         warnings_(std::move(warnings)) {
     for (const SnapshotNode& node : snapshot_.nodes) shown_[node.id.index] = &node;
@@ -197,7 +198,9 @@ class Inspector {
 
   [[nodiscard]] Json lightsJson() const {
     Json list = Json::array();
-    for (const SnapshotLight& light : snapshot_.lights) {
+    // As the scene has them: one with a radius is one light.
+    for (const SnapshotLight& light :
+         takeSnapshot(scene_, settings_.time, settings_.size, camera_, 1).lights) {
       const std::string attenuation =
           light.attenuation == Light::Attenuation::InverseSquare ? "inverse-square" : "none";
       list.push_back(
@@ -206,7 +209,9 @@ class Inspector {
            {light.directional() ? "toward_light" : "position", vectorJson(Vec3(light.positionWorld))},
            {"radiance", vectorJson(light.radiance)},
            {"attenuation", attenuation},
-           {"shadow", light.hasShadow()}});
+           {"shadow", light.hasShadow()},
+           {"radius", scene_[light.id].light->radius.at(moment_)},
+           {"shadow_samples", scene_[light.id].light->shadowSamples}});
     }
     return list;
   }
@@ -229,6 +234,7 @@ class Inspector {
   const RenderSettings& settings_;
   std::vector<double> values_;
   Moment moment_;
+  CameraId camera_;
   Snapshot snapshot_;
   std::map<std::uint32_t, const SnapshotNode*> shown_;
   std::vector<std::string> warnings_;
@@ -307,10 +313,14 @@ std::string parameterText(const Json& parameter) {
 
 std::string lightText(const Json& light) {
   const bool point = light["type"] == "point";
+  std::string shadow = light["shadow"].get<bool>() ? ", exact shadow" : "";
+  if (light["shadow"].get<bool>() && light["radius"] != 0)
+    shadow += fmt::format(", radius {} by {} samples", numberText(light["radius"]),
+                          light["shadow_samples"].get<std::uint32_t>());
   return fmt::format("  {:<20} {}, {} {}, radiance {}, attenuation {}{}\n", textOf(light["node"]),
                      textOf(light["type"]), point ? "at" : "toward",
                      listText(light[point ? "position" : "toward_light"]), listText(light["radiance"]),
-                     textOf(light["attenuation"]), light["shadow"].get<bool>() ? ", exact shadow" : "");
+                     textOf(light["attenuation"]), shadow);
 }
 
 std::string cameraText(const Json& camera) {

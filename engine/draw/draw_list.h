@@ -3,6 +3,7 @@
 // Pure data: nothing here knows a device.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -46,6 +47,7 @@ struct DrawState {
   std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
   bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
   bool shadows = false;             ///< with it: some lights have shadows that were found
+  bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -95,19 +97,24 @@ struct ShadowDraw {
   PixelRect area;            ///< where its shadow may be
 };
 
+/// Lights of a deferred picture that light what was found in one pass: as many as a word has bits for their
+/// shadows. The first group comes with the ambient light, the others add theirs.
+struct LightGroup {
+  std::uint32_t lightSet = 0;
+  std::vector<DrawState> shades;    ///< a draw for each pattern
+  std::vector<ShadowDraw> shadows;  ///< with `lights`
+  /// Of each light of the set, index into Snapshot::lights, as rays find its shadow; nothing of lights
+  /// without one. Empty where none has one.
+  std::vector<std::optional<std::uint32_t>> lights;
+};
+
 /// What the shadows of a picture are found with.
 struct Shadows {
-  std::vector<ShadowDraw> draws;
   std::vector<shared::ShadowCaster> casters;
   std::vector<std::uint32_t> gridStarts;
   std::vector<shared::GridEntry> gridEntries;
   std::vector<shared::CasterCell> cells;
   std::vector<float> parameters;  ///< of the casters' formulas, patch by patch
-  /// Of each light of DrawList::shadeLights, index into Snapshot::lights, as rays find its shadow; nothing of
-  /// lights without one.
-  std::vector<std::optional<std::uint32_t>> lights;
-
-  [[nodiscard]] bool any() const { return !lights.empty(); }
 };
 
 struct DrawList {
@@ -130,16 +137,21 @@ struct DrawList {
   std::vector<DrawBatch> transparent;            ///< strictly back to front
   std::uint64_t culledHidden = 0;  ///< triangles of shells that are behind others, every instance counted
   std::uint64_t tooLarge = 0;      ///< nodes found by rays: their formulas are too large for shaders
-  /// Points are found first, and lit once each: what light falls on them, a draw for each pattern.
+  /// Points are found first, and lit once each, by all lights that reach anything.
   bool deferred = false;
-  std::vector<DrawState> shades;
-  std::uint32_t shadeLights = 0;  ///< their light set: all lights that reach anything
-  Shadows shadows;                ///< of a deferred list
-  double boundPx = 0;             ///< largest proven error of a drawn mesh on the screen
+  std::vector<LightGroup> groups;  ///< of a deferred list
+  Shadows shadows;                 ///< of a deferred list
+  double boundPx = 0;              ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
   /// Of a deferred list: some pattern asks for (u, v).
-  [[nodiscard]] bool findsParameters() const { return !shades.empty() && shades.back().patternNumber != 0; }
+  [[nodiscard]] bool findsParameters() const {
+    return deferred && !groups.empty() && !groups[0].shades.empty() &&
+           groups[0].shades.back().patternNumber != 0;
+  }
+  [[nodiscard]] bool findsShadows() const {
+    return std::ranges::any_of(groups, [](const LightGroup& group) { return !group.lights.empty(); });
+  }
   /// Nothing is drawn over what is found.
   [[nodiscard]] bool onlyFound() const;
 };

@@ -24,22 +24,44 @@ shared::MaterialData materialData(const Material& material, const Vec3& ambient,
                    (follows ? shared::kPatternAmbient : 0) | shadeOf << shared::kShadeShift};
 }
 
+/// As few groups as have room for all lights. Those that are shaded in closed form are in one, the last, as
+/// they are the last of their sets.
+std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
+                                                 std::span<const std::uint32_t> lights) {
+  std::vector<std::vector<std::uint32_t>> groups(1);
+  std::vector<std::uint32_t> shaded;
+  for (const std::uint32_t light : lights) {
+    if (snapshot.lights[light].shade) {
+      shaded.push_back(light);
+      continue;
+    }
+    if (groups.back().size() == shared::kMaxLights) groups.emplace_back();
+    groups.back().push_back(light);
+  }
+  if (groups.back().size() + shaded.size() > shared::kMaxLights) groups.emplace_back();
+  groups.back().insert(groups.back().end(), shaded.begin(), shaded.end());
+  return groups;
+}
+
 }  // namespace
 
 MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                            DrawList& list)
     : snapshot_(snapshot), list_(list) {
-  const std::set<std::uint32_t> lights(visible.lights.begin(), visible.lights.end());
-  allLights_.assign(lights.begin(), lights.end());
+  const std::set<std::uint32_t> distinct(visible.lights.begin(), visible.lights.end());
+  const std::vector<std::uint32_t> lights(distinct.begin(), distinct.end());
   const std::vector<Material>& materials = snapshot.materials;
-  shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(allLights_, [&](std::uint32_t light) {
+  shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(lights, [&](std::uint32_t light) {
                return !snapshot.lights[light].casters.empty();
              });
   const bool possible = options.output == Output::Color && options.samples == 1 &&
-                        allLights_.size() <= shared::kMaxLights &&
-                        (shadows_ ? snapshot.nodes.size() : materials.size() * (allLights_.size() + 1)) <
+                        (shadows_ || lights.size() <= shared::kMaxLights) &&
+                        (shadows_ ? snapshot.nodes.size() : materials.size() * (lights.size() + 1)) <
                             shared::kMaxFoundMaterials;
   list_.deferred = possible && (options.composition == Composition::Deferred || shadows_);
+  if (list_.deferred) groups_ = groupsOf(snapshot, lights);
+  list_.groups.resize(groups_.size());
+  shades_.resize(groups_.size());
   withPatterns_ = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
                     return material.diffusePattern.valid();
                   });
@@ -86,24 +108,31 @@ bool MaterialList::litLater(const DrawState& state) const {
 }
 
 LightSets::Choice MaterialList::lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node) {
-  const LightSets::Choice all = lightSets.choose(allLights_, node);
-  shades_.insert({.form = Form::Shade,
-                  .plainLights = all.plain,
-                  .shadedLights = all.shaded,
-                  .pattern = state.pattern,
-                  .patternNumber = patternNumber(state.pattern)});
-  list_.shadeLights = all.index;
-  laterLights_ = all.lights;
+  std::uint32_t shadeOf = 0;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    LightSets::Choice choice = lightSets.choose(groups_[i], node);
+    shades_[i].insert({.form = Form::Shade,
+                       .plainLights = choice.plain,
+                       .shadedLights = choice.shaded,
+                       .pattern = state.pattern,
+                       .patternNumber = patternNumber(state.pattern),
+                       .addsLight = i > 0});
+    list_.groups[i].lightSet = choice.index;
+    groups_[i] = std::move(choice.lights);
+    shadeOf = std::max(shadeOf, choice.shadeOf);
+  }
   state.form = withPatterns_ ? Form::FoundWithParameters : Form::Found;
   state.pattern = {};
-  return {.shadeOf = all.shadeOf};
+  return {.shadeOf = shadeOf};
 }
 
 void MaterialList::listShades() {
-  list_.shades.assign(shades_.begin(), shades_.end());
-  for (DrawState& shade : list_.shades)
-    shade.manyMaterials = list_.materials.size() > shared::kUniformMaterials;
-  std::ranges::sort(list_.shades, {}, &DrawState::patternNumber);
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    std::vector<DrawState>& shades = list_.groups[i].shades;
+    shades.assign(shades_[i].begin(), shades_[i].end());
+    for (DrawState& shade : shades) shade.manyMaterials = list_.materials.size() > shared::kUniformMaterials;
+    std::ranges::sort(shades, {}, &DrawState::patternNumber);
+  }
 }
 
 }  // namespace luxo

@@ -17,7 +17,7 @@
 
 namespace luxo {
 
-/// Fills DrawList::materials, patternParameters, deferred, shades and shadeLights.
+/// Fills DrawList::materials, patternParameters, deferred, and groups but for their shadows.
 class MaterialList {
  public:
   /// All must outlive this. The list is deferred where that is asked for, or shadows have to be found, and
@@ -35,13 +35,13 @@ class MaterialList {
   /// Whether draws of this state leave the light to a later pass: of what light falls on per fragment, with
   /// nothing else.
   [[nodiscard]] bool litLater(const DrawState& state) const;
-  /// Turns a state that finds and lights into one that finds, and notes the light that is left to do. All
-  /// lights of the picture are in one set: those that do not reach a node add nothing.
+  /// Turns a state that finds and lights into one that finds, and notes the light that is left to do: that of
+  /// all lights of the picture, as those that do not reach a node add nothing.
   LightSets::Choice lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node);
   /// Once all nodes are listed.
   void listShades();
-  /// The lights of the set that is left to do, in its order: indices into Snapshot::lights.
-  [[nodiscard]] const std::vector<std::uint32_t>& laterLights() const { return laterLights_; }
+  /// The lights of a group, in the order of its set: indices into Snapshot::lights.
+  [[nodiscard]] const std::vector<std::uint32_t>& lightsOf(std::size_t group) const { return groups_[group]; }
   /// Whether some light of the picture has a shadow that has to be found.
   [[nodiscard]] bool shadows() const { return shadows_; }
 
@@ -55,8 +55,8 @@ class MaterialList {
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> numberOf_;
   std::map<std::uint32_t, std::uint32_t> numberOfNode_;  ///< where there are shadows
   std::map<Pattern, std::uint32_t> patternNumbers_;
-  std::vector<std::uint32_t> allLights_, laterLights_;
-  std::set<DrawState> shades_;
+  std::vector<std::vector<std::uint32_t>> groups_;  ///< the lights of each
+  std::vector<std::set<DrawState>> shades_;         ///< of each
   bool shadows_ = false;
   bool withPatterns_ = false;  ///< what is lit later needs parameters
 };

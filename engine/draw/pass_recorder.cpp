@@ -49,12 +49,12 @@ void PassRecorder::record(const Pass& pass) {
   for (const DrawBatch& batch : pass.batches) draw(batch);
   for (const ShadowDraw& shadow : pass.shadows) findShadow(shadow);
   const bool ofShadows = pass.colors.front().target == Target::Shadows;
-  if (pass.rays && ofShadows) drawShadows(*pass.rays);
+  if (pass.rays && ofShadows) drawShadows(*pass.rays, pass.group);
   if (pass.rays && !ofShadows) drawRays(*pass.rays);
-  for (const DrawState& state : pass.shades) shade(state);
+  for (const DrawState& state : pass.shades) shade(state, view_.list().groups[pass.group]);
   vkCmdEndRendering(commands_);
   if (pass.probes && ofShadows)
-    view_.feedback().recordShadowProbes(commands_, view_.targets().texture(Target::Shadows));
+    view_.feedback().recordShadowProbes(commands_, view_.targets().texture(Target::Shadows), pass.group);
   if (pass.probes && !ofShadows)
     view_.feedback().recordProbes(commands_, view_.targets().texture(Target::Depth));
   ++statistics_.count.passes;
@@ -146,9 +146,9 @@ void PassRecorder::count(std::uint32_t instances, std::uint64_t triangles, std::
 }
 
 /// One triangle over all that was found.
-void PassRecorder::shade(const DrawState& state) {
+void PassRecorder::shade(const DrawState& state, const LightGroup& group) {
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
-  const std::uint32_t lightOffset = view_.lightOffset(view_.list().shadeLights);
+  const std::uint32_t lightOffset = view_.lightOffset(group.lightSet);
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   if (state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
@@ -226,7 +226,7 @@ void PassRecorder::drawRays(const RayPoints& points) {
   }
 }
 
-void PassRecorder::drawShadows(const RayPoints& points) {
+void PassRecorder::drawShadows(const RayPoints& points, std::size_t group) {
   if (points.shadows.empty()) return;
   const VkExtent2D extent = view_.targets().extent();
   const RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};
@@ -239,8 +239,8 @@ void PassRecorder::drawShadows(const RayPoints& points) {
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   constexpr VkDeviceSize kOffset = 0;
   vkCmdBindVertexBuffers(commands_, 0, 1, &bindings_.rayShadows, &kOffset);
-  const auto vertices = static_cast<std::uint32_t>(points.shadows.size());
-  vkCmdDraw(commands_, vertices, 1, 0, 0);
+  const auto vertices = static_cast<std::uint32_t>(points.shadows[group].size());
+  vkCmdDraw(commands_, vertices, 1, static_cast<std::uint32_t>(group) * vertices, 0);
   count(1, vertices / 3, vertices);
 }
 

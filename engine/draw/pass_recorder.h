@@ -33,9 +33,9 @@ class PassRecorder {
   void begin(const Pass& pass);
   void draw(const DrawBatch& batch);
   void drawRays(const RayPoints& points);
-  void shade(const DrawState& state);
+  void shade(const DrawState& state, const LightGroup& group);
   void findShadow(const ShadowDraw& draw);
-  void drawShadows(const RayPoints& points);
+  void drawShadows(const RayPoints& points, std::size_t group);
   void drawWhole(std::uint32_t instance);
   void clearMisses(std::span<const PixelPlace> misses);
   void count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);

@@ -21,7 +21,8 @@ Opaque opaqueOf(const DrawList& list) {
   return {{list.opaque.begin(), firstOther}, {firstOther, list.opaque.end()}};
 }
 
-/// Points are found, by searches and triangles or by rays, and then lit.
+/// Points are found, by searches and triangles or by rays, and then lit, by one group of lights after the
+/// other.
 std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                                  std::span<const DrawBatch> found, Begin begin, bool replaces) {
   std::vector<Attachment> targets{{Target::Found, begin}};
@@ -38,17 +39,28 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
              .rays = frame.rays,
              .probes = frame.probes};
   std::vector<Pass> passes{std::move(finds)};
-  if (list.shadows.any()) {
-    passes.push_back({.name = "shadows",
-                      .colors = {{Target::Shadows, replaces ? Begin::Keep : Begin::Clear}},
-                      .reads = {Target::Found},
-                      .searches = !replaces,
-                      .shadows = replaces ? std::span<const ShadowDraw>() : list.shadows.draws,
-                      .rays = frame.rays,
-                      .probes = frame.probes});
-    reads.push_back(Target::Shadows);
+  // The shadows of many groups share one target, which holds those of the last.
+  const bool shadowsStay = replaces && list.groups.size() == 1;
+  for (std::size_t i = 0; i < list.groups.size(); ++i) {
+    const LightGroup& group = list.groups[i];
+    Pass shades{.name = "shade",
+                .colors = color(i == 0 ? Begin::Clear : Begin::Keep),
+                .reads = reads,
+                .group = i,
+                .shades = group.shades};
+    if (!group.lights.empty()) {
+      passes.push_back({.name = "shadows",
+                        .colors = {{Target::Shadows, shadowsStay ? Begin::Keep : Begin::Clear}},
+                        .reads = {Target::Found},
+                        .searches = !shadowsStay,
+                        .group = i,
+                        .shadows = shadowsStay ? std::span<const ShadowDraw>() : group.shadows,
+                        .rays = frame.rays,
+                        .probes = frame.probes});
+      shades.reads.push_back(Target::Shadows);
+    }
+    passes.push_back(std::move(shades));
   }
-  passes.push_back({.name = "shade", .colors = color(Begin::Clear), .reads = reads, .shades = list.shades});
   return passes;
 }
 

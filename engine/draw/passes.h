@@ -29,6 +29,7 @@ struct Pass {
   std::vector<Target> reads;            ///< sampled by its fragments
   bool searches = false;                ///< its fragments write the view's feedback
   std::span<const DrawBatch> batches;   ///< drawn in this order
+  std::size_t group = 0;                ///< of DrawList::groups, where shadows or light are of one
   std::span<const ShadowDraw> shadows;  ///< on what was found
   const RayPoints* rays = nullptr;      ///< drawn after these; after shadows, theirs
   std::span<const DrawState> shades;    ///< light on all that was found

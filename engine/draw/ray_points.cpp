@@ -154,13 +154,14 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   return points;
 }
 
-void CertifiedRays::addShadows(std::span<const PixelPlace> pixels,
-                               std::span<const std::optional<std::uint32_t>> lights, RayPoints& points) {
-  if (lights.empty() || pixels.empty()) return;
+void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<const LightGroup> groups,
+                               RayPoints& points) {
+  const bool any = std::ranges::any_of(groups, [](const LightGroup& group) { return !group.lights.empty(); });
+  if (!any || pixels.empty()) return;
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   struct Found {
     reference::Caster::First seen;
-    std::uint32_t shadows = 0;
+    std::vector<std::uint32_t> shadows;  // by group
     bool certified = true;
   };
   std::vector<Found> all(pixels.size());
@@ -169,11 +170,15 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels,
       if (!goesOn_()) return;
       Found found{.seen = caster_->firstOf(receivers_, rays[chosen[k]])};
       found.certified = found.seen.certified;
-      for (std::size_t bit = 0; found.seen.hit && bit < lights.size(); ++bit)
-        if (lights[bit] && caster_->shinesOn(*lights[bit], *found.seen.hit) &&
-            caster_->inShadow(*lights[bit], *found.seen.hit, found.certified))
-          found.shadows |= 1U << bit;
-      all[chosen[k]] = found;
+      for (const LightGroup& group : groups) {
+        std::uint32_t& shadows = found.shadows.emplace_back(0);
+        for (std::size_t bit = 0; found.seen.hit && bit < group.lights.size(); ++bit)
+          if (const auto light = group.lights[bit];
+              light && caster_->shinesOn(*light, *found.seen.hit) &&
+              caster_->inShadow(*light, *found.seen.hit, found.certified))
+            shadows |= 1U << bit;
+      }
+      all[chosen[k]] = std::move(found);
     });
   };
   std::vector<std::size_t> chosen(pixels.size());
@@ -184,23 +189,27 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels,
   std::vector<reference::Ray> undecided;
   for (const std::size_t i : chosen) {
     undecided.push_back(rays[i]);
-    for (const std::optional<std::uint32_t>& light : lights)
-      if (light && all[i].seen.hit)
-        undecided.push_back({all[i].seen.hit->position, caster_->towardLight(*light, *all[i].seen.hit)});
+    for (const LightGroup& group : groups)
+      for (const std::optional<std::uint32_t>& light : group.lights)
+        if (light && all[i].seen.hit)
+          undecided.push_back({all[i].seen.hit->position, caster_->towardLight(*light, *all[i].seen.hit)});
   }
   if (!undecided.empty()) {
     caster_->prepareFor(undecided, receivers_, kFinest);
     find(chosen);
   }
+  points.shadows.resize(groups.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     points.shadowsUndecided += !all[i].certified;
-    points.shadows.insert(points.shadows.end(), 3,
-                          {.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5), .shadows = all[i].shadows});
+    all[i].shadows.resize(groups.size());  // of what was cancelled, too
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      points.shadows[g].insert(
+          points.shadows[g].end(), 3,
+          {.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5), .shadows = all[i].shadows[g]});
   }
 }
 
-AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes,
-                                 std::span<const std::optional<std::uint32_t>> lights) {
+AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups) {
   static_cast<void>(prepare(probes.size(), [&](std::size_t i) { return probes[i].pixel; }));
   const View& view = caster_->snapshot().view;
   const double ofBuffer = view.perspective() ? 0 : kDepthRounding * (view.far - view.near);
@@ -210,10 +219,11 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes,
     if (!goesOn_()) return;
     const Vec2 at = sampled(probes[i].pixel);
     judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding_ + ofBuffer);
-    for (std::size_t bit = 0; judged[i] == Right && probes[i].depth > 0 && bit < lights.size(); ++bit)
-      if (lights[bit])
-        judged[i] =
-            reference::judgeShadow(*caster_, nodes_, at, *lights[bit], (probes[i].shadows >> bit & 1) != 0);
+    for (std::size_t g = 0; probes[i].depth > 0 && g < groups.size(); ++g)
+      for (std::size_t bit = 0; judged[i] == Right && bit < groups[g].lights.size(); ++bit)
+        if (const auto light = groups[g].lights[bit])
+          judged[i] =
+              reference::judgeShadow(*caster_, nodes_, at, *light, (probes[i].shadows[g] >> bit & 1) != 0);
   });
   AuditResult result;
   for (const reference::Judgement judgement : judged) {

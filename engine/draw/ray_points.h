@@ -51,9 +51,9 @@ struct RayPoints {
     std::uint32_t firstVertex, vertexCount;
   };
   std::vector<Run> runs;
-  std::vector<PixelPlace> misses;  ///< where nothing is met
-  std::vector<RayShadow> shadows;
-  std::uint64_t resolved = 0;   ///< pixels
+  std::vector<PixelPlace> misses;               ///< where nothing is met
+  std::vector<std::vector<RayShadow>> shadows;  ///< by DrawList::groups; none where no light has a shadow
+  std::uint64_t resolved = 0;                   ///< pixels
   std::uint64_t undecided = 0;  ///< of these, those whose ray proves nothing: within rounding of grazing
   std::uint64_t shadowsUndecided = 0;  ///< pixels in which a ray to a light proves nothing
   std::uint64_t unknown = 0;           ///< pixels that show a node which is not in the list
@@ -65,7 +65,7 @@ struct RayPoints {
 struct DepthProbe {
   PixelPlace pixel;
   float depth = 0;
-  std::uint32_t shadows = 0;  ///< the lights that do not reach it, as Target::Shadows has them
+  std::vector<std::uint32_t> shadows = {};  ///< the lights of each group that do not reach it, a bit each
 };
 
 struct AuditResult {
@@ -91,12 +91,9 @@ class CertifiedRays {
   /// `origin`: what positions in shaders are relative to (DrawList::origin).
   [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
                                   const Vec3& origin);
-  /// Adds the shadows in pixels, each of which shows what a ray through it sees first. `lights`:
-  /// Shadows::lights.
-  void addShadows(std::span<const PixelPlace> pixels, std::span<const std::optional<std::uint32_t>> lights,
-                  RayPoints& points);
-  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes,
-                                  std::span<const std::optional<std::uint32_t>> lights);
+  /// Adds the shadows in pixels, once for all of them, each of which shows what a ray through it sees first.
+  void addShadows(std::span<const PixelPlace> pixels, std::span<const LightGroup> groups, RayPoints& points);
+  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups);
 
   /// Milliseconds spent on cells since begin().
   [[nodiscard]] double treesMs() const { return treesMs_; }

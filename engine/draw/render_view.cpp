@@ -68,7 +68,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   background_ = background;
   hasRays_ = false;
   targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples), list_.deferred,
-                   list_.shadows.any());
+                   list_.findsShadows());
   feedback_.begin(list_, extent, chooseProbes());
   upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
 }
@@ -89,7 +89,10 @@ void RenderView::goOn(const RayPoints& points) {
     buffer.write(*context_, std::as_bytes(all), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, name, false);
   };
   write(rayVertices_, points.vertices, "points of rays");
-  write(rayShadows_, points.shadows, "shadows of rays");
+  std::vector<RayShadow> shadows;
+  for (const std::vector<RayShadow>& group : points.shadows)
+    shadows.insert(shadows.end(), group.begin(), group.end());
+  write(rayShadows_, shadows, "shadows of rays");
 }
 
 void RenderView::upload(Uploads& uploads, bool always) {
@@ -125,7 +128,7 @@ void RenderView::upload(Uploads& uploads, bool always) {
 
 void RenderView::uploadShadows(Uploads& uploads, bool always) {
   const Shadows& shadows = list_.shadows;
-  if (!shadows.any()) return;
+  if (!list_.findsShadows()) return;
   const auto store = [&](MirroredBuffer& buffer, const auto& elements, const char* name) {
     writeElements(*context_, buffer, elements, name, always);
   };
@@ -158,7 +161,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   }
   if (list_.deferred) {
     gpu::Texture& found = targets_.texture(Target::Found);
-    gpu::Texture& shadows = list_.shadows.any() ? targets_.texture(Target::Shadows) : found;
+    gpu::Texture& shadows = list_.findsShadows() ? targets_.texture(Target::Shadows) : found;
     gpu::Texture& parameters = list_.findsParameters() ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
     bindings.found = frames.descriptors().write(pipelines.foundLayout(),
@@ -166,7 +169,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  {parameters, pipelines.texelSampler()},
                                                  {uploads.materials.use(*context_), 0, kUniformBytes},
                                                  {shadows, pipelines.texelSampler()}});
-    if (list_.shadows.any())
+    if (list_.findsShadows())
       bindings.shadow = frames.descriptors().write(
           pipelines.shadowLayout(), {uploads.casters.use(*context_), uploads.gridStarts.use(*context_),
                                      uploads.gridEntries.use(*context_), uploads.casterCells.use(*context_),

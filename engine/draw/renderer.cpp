@@ -244,13 +244,13 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     if (trial == WithFinerShells)
       for (const FoundNode& node : view_.list().found) view_.refinement.refine(node.node);
     if (trial != ByRays) search(snapshot, tried, statistics);
-    if (!view_.searches() && !view_.list().shadows.any()) return;
+    if (!view_.searches() && !view_.list().findsShadows()) return;
     rays_.begin(snapshot, tried);
     resolve(trial == ByRays, statistics);
     const Stopwatch watch;
     const double trees = rays_.treesMs();
     const std::vector<DepthProbe> probes = view_.probes();
-    const AuditResult audit = rays_.audit(probes, view_.list().shadows.lights);
+    const AuditResult audit = rays_.audit(probes, view_.list().groups);
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
     statistics.ms.rayTrees += rays_.treesMs();
     failed += audit.failed;
@@ -302,17 +302,15 @@ void Renderer::resolve(bool all, FrameStatistics& statistics) {
   }
   if (pixels.empty() && shadowed.empty()) return;
   const double trees = rays_.treesMs();
-  const std::span<const std::optional<std::uint32_t>> lights = view_.list().shadows.lights;
   RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
-  rays_.addShadows(pixels, lights, points);
-  rays_.addShadows(shadowed, lights, points);
+  pixels.insert(pixels.end(), shadowed.begin(), shadowed.end());
+  rays_.addShadows(pixels, view_.list().groups, points);
   statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
   statistics.error.resolvedByRaysPx = points.resolved - points.undecided + shadowed.size();
   statistics.error.shadowRaysPx = shadowed.size();
   statistics.error.uncertifiedPx = points.undecided + points.shadowsUndecided;
   statistics.error.unconvergedPx = points.unknown;
   if (points.empty()) return;
-  pixels.insert(pixels.end(), shadowed.begin(), shadowed.end());
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
   submit(
       [&](VkCommandBuffer commands) {

@@ -113,8 +113,10 @@ void ScenePainter::preparePipelines(RenderView& view) {
   std::vector<DrawState> states;
   for (const auto* batches : {&view.list().opaque, &view.list().transparent})
     for (const DrawBatch& batch : *batches) states.push_back(batch.state);
-  states.insert(states.end(), view.list().shades.begin(), view.list().shades.end());
-  for (const ShadowDraw& draw : view.list().shadows.draws) states.push_back(draw.state);
+  for (const LightGroup& group : view.list().groups) {
+    states.insert(states.end(), group.shades.begin(), group.shades.end());
+    for (const ShadowDraw& draw : group.shadows) states.push_back(draw.state);
+  }
   pipelines_.prepare(states, view.targets().format());
 }
 
@@ -132,7 +134,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   const RenderView::Bindings bindings = view.bind(frames, pipelines_);
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) recorder.record(pass);
-  if (view.list().exact() || view.list().shadows.any())
+  if (view.list().exact() || view.list().findsShadows())
     gpu::use(commands, {{view.feedback().lost(), gpu::Use::HostRead},
                         {view.feedback().doubtful(), gpu::Use::HostRead}});
 }

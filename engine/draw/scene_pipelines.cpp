@@ -382,7 +382,9 @@ void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipeline
   desc.depthCompare = VK_COMPARE_OP_LESS;
   desc.specialization.insert(desc.specialization.end(),
                              {{shared::kConstantPattern, state.patternNumber},
-                              {shared::kConstantManyMaterials, state.manyMaterials}});
+                              {shared::kConstantManyMaterials, state.manyMaterials},
+                              {shared::kConstantAddsLight, state.addsLight}});
+  if (state.addsLight) desc.blend = gpu::Blend::Add;
   desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
 }
 

@@ -31,8 +31,8 @@ void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<
   // A recording that was thrown away never becomes a submission.
   timeline.wait(std::min(slot.submission, timeline.submitted()));
   slot.submission = timeline.submitted() + 1;
-  slot.searches = list.exact() || list.shadows.any();
-  slot.probesShadows = list.shadows.any();
+  slot.searches = list.exact() || list.findsShadows();
+  slot.shadowGroups = list.findsShadows() ? list.groups.size() : 0;
   slot.told = false;
   extent_ = extent;
   slot.nodes.clear();
@@ -63,34 +63,41 @@ void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
   constexpr std::size_t kMaxRegions = 4096;
   slot.probed = std::move(probed);
   slot.probesAll = slot.probed.size() > kMaxRegions;
-  const VkDeviceSize bytes = sizeof(float) * (slot.probesAll ? VkDeviceSize{extent_.width} * extent_.height
-                                                             : VkDeviceSize{slot.probed.size()});
-  const auto makeRoom = [&](gpu::Buffer& buffer, const char* name) {
+  const auto makeRoom = [&](gpu::Buffer& buffer, VkDeviceSize bytes, const char* name) {
     if (bytes > 0 && (!buffer || buffer.size() < bytes))
       buffer = gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = name});
   };
-  makeRoom(slot.depths, "probes");
-  if (slot.probesShadows) makeRoom(slot.shadows, "shadow probes");
+  makeRoom(slot.depths, probeBytes(slot), "probes");
+  makeRoom(slot.shadows, slot.shadowGroups * probeBytes(slot), "shadow probes");
+}
+
+/// A word each.
+VkDeviceSize SearchFeedback::probeBytes(const Slot& slot) const {
+  return sizeof(float) *
+         (slot.probesAll ? VkDeviceSize{extent_.width} * extent_.height : VkDeviceSize{slot.probed.size()});
 }
 
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& depth) {
-  recordProbes(commands, depth, VK_IMAGE_ASPECT_DEPTH_BIT, slots_[current_].depths);
+  recordProbes(commands, depth, VK_IMAGE_ASPECT_DEPTH_BIT, slots_[current_].depths, 0);
 }
 
-void SearchFeedback::recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows) {
-  recordProbes(commands, shadows, VK_IMAGE_ASPECT_COLOR_BIT, slots_[current_].shadows);
+void SearchFeedback::recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows, std::size_t group) {
+  Slot& slot = slots_[current_];
+  recordProbes(commands, shadows, VK_IMAGE_ASPECT_COLOR_BIT, slot.shadows, group * probeBytes(slot));
 }
 
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
-                                  gpu::Buffer& values) {
+                                  gpu::Buffer& values, VkDeviceSize offset) {
   const Slot& slot = slots_[current_];
   std::vector<VkBufferImageCopy> regions;
   const VkImageSubresourceLayers layers{.aspectMask = aspect, .layerCount = 1};
   if (slot.probesAll)
-    regions.push_back({.imageSubresource = layers, .imageExtent = {extent_.width, extent_.height, 1}});
+    regions.push_back({.bufferOffset = offset,
+                       .imageSubresource = layers,
+                       .imageExtent = {extent_.width, extent_.height, 1}});
   else
     for (std::size_t i = 0; i < slot.probed.size(); ++i)
-      regions.push_back({.bufferOffset = sizeof(float) * i,
+      regions.push_back({.bufferOffset = offset + sizeof(float) * i,
                          .imageSubresource = layers,
                          .imageOffset = {slot.probed[i].x, slot.probed[i].y, 0},
                          .imageExtent = {1, 1, 1}});
@@ -157,15 +164,17 @@ std::vector<DepthProbe> SearchFeedback::depths() {
   std::vector<DepthProbe> probes;
   if (slot.probed.empty()) return probes;
   const std::span<const std::byte> depths = slot.depths.read(),
-                                   shadows = slot.probesShadows ? slot.shadows.read() : depths;
+                                   shadows = slot.shadowGroups > 0 ? slot.shadows.read() : depths;
   for (std::size_t i = 0; i < slot.probed.size(); ++i) {
     const auto [x, y] = slot.probed[i];
     const std::size_t place =
         slot.probesAll ? static_cast<std::size_t>(y) * extent_.width + static_cast<std::size_t>(x) : i;
     DepthProbe probe{.pixel = slot.probed[i]};
     std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
-    if (slot.probesShadows)
-      std::memcpy(&probe.shadows, shadows.data() + sizeof(std::uint32_t) * place, sizeof(std::uint32_t));
+    probe.shadows.resize(slot.shadowGroups);
+    for (std::size_t g = 0; g < slot.shadowGroups; ++g)
+      std::memcpy(&probe.shadows[g], shadows.data() + g * probeBytes(slot) + sizeof(std::uint32_t) * place,
+                  sizeof(std::uint32_t));
     probes.push_back(probe);
   }
   return probes;

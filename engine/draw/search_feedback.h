@@ -43,8 +43,8 @@ class SearchFeedback {
   [[nodiscard]] bool probes() const { return !slots_[current_].probed.empty(); }
   /// Copies the depths of the probed pixels.
   void recordProbes(VkCommandBuffer commands, gpu::Texture& depth);
-  /// And the shadows there, of a list that has some.
-  void recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows);
+  /// And the shadows there, of a group of lights that has some.
+  void recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows, std::size_t group);
 
   /// The recording after the last one goes on with it.
   void goOn();
@@ -66,11 +66,11 @@ class SearchFeedback {
     gpu::Buffer lost;  ///< by slot of the feedback, then by instance
     std::vector<std::uint32_t> nodes;
     gpu::Buffer doubtful;         ///< some bits a pixel
-    gpu::Buffer depths, shadows;  ///< of the probed pixels, or of all
+    gpu::Buffer depths, shadows;  ///< of the probed pixels, or of all; shadows by group of lights
     std::vector<PixelPlace> probed;
     bool probesAll = false;
     bool searches = false;  ///< for surfaces or shadows
-    bool probesShadows = false;
+    std::size_t shadowGroups = 0;
     bool told = true;  ///< what it lost
     std::uint64_t submission = 0;
   };
@@ -80,7 +80,8 @@ class SearchFeedback {
   void prepareDoubts(Slot& slot);
   void prepareProbes(Slot& slot, std::vector<PixelPlace> probed);
   void recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
-                    gpu::Buffer& values);
+                    gpu::Buffer& values, VkDeviceSize offset);
+  [[nodiscard]] VkDeviceSize probeBytes(const Slot& slot) const;
 
   gpu::Context* context_;
   VkExtent2D extent_{};

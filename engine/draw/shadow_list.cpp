@@ -72,7 +72,8 @@ class ShadowLister {
         offPx_ = std::max(offPx_, options.tolerancePx * (options.standIns ? kStandInTolerance : 1));
   }
 
-  void list(std::uint32_t bit, std::uint32_t light) {
+  void list(LightGroup& group, std::uint32_t bit, std::uint32_t light) {
+    group_ = &group;
     for (const NodeId caster : snapshot_.lights[light].casters) {
       const auto node = std::ranges::lower_bound(snapshot_.nodes, caster.index, {},
                                                  [](const SnapshotNode& n) { return n.id.index; });
@@ -147,9 +148,9 @@ class ShadowLister {
     addCells(*cells, node.surface, part);
     for (const std::vector<double>& parameters : part.parameters)
       shadows_.parameters.insert(shadows_.parameters.end(), parameters.begin(), parameters.end());
-    shadows_.draws.push_back({.state = {.form = Form::Shadow, .surface = part.code},
-                              .caster = static_cast<std::uint32_t>(shadows_.casters.size()),
-                              .area = area});
+    group_->shadows.push_back({.state = {.form = Form::Shadow, .surface = part.code},
+                               .caster = static_cast<std::uint32_t>(shadows_.casters.size()),
+                               .area = area});
     shadows_.casters.push_back(caster);
     return true;
   }
@@ -240,6 +241,7 @@ class ShadowLister {
   const MaterialList& materials_;
   DrawList& list_;
   Shadows& shadows_;
+  LightGroup* group_ = nullptr;  // of the light whose casters are listed
   Box receivers_;
   bool gated_ = true;
   double offPx_ = kExactTolerancePx;
@@ -255,15 +257,19 @@ bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
 
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                  Geometry& geometry, const MaterialList& materials, DrawList& list) {
-  const std::span<const std::uint32_t> lights = materials.laterLights();
-  if (!list.deferred || list.shades.empty() || !materials.shadows()) return;
+  if (!list.deferred || list.groups[0].shades.empty() || !materials.shadows()) return;
   ShadowLister lister(snapshot, visible, options, geometry, materials, list);
-  for (std::uint32_t bit = 0; bit < lights.size(); ++bit) {
-    const bool casts = !snapshot.lights[lights[bit]].casters.empty();
-    list.shadows.lights.push_back(casts ? std::optional(lights[bit]) : std::nullopt);
-    if (casts) lister.list(bit, lights[bit]);
+  for (std::size_t i = 0; i < list.groups.size(); ++i) {
+    LightGroup& group = list.groups[i];
+    const std::vector<std::uint32_t>& lights = materials.lightsOf(i);
+    const auto casts = [&](std::uint32_t light) { return !snapshot.lights[light].casters.empty(); };
+    if (std::ranges::none_of(lights, casts)) continue;
+    for (std::uint32_t bit = 0; bit < lights.size(); ++bit) {
+      group.lights.push_back(casts(lights[bit]) ? std::optional(lights[bit]) : std::nullopt);
+      if (casts(lights[bit])) lister.list(group, bit, lights[bit]);
+    }
+    for (DrawState& shade : group.shades) shade.shadows = true;
   }
-  for (DrawState& shade : list.shades) shade.shadows = true;
 }
 
 }  // namespace luxo

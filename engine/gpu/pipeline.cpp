@@ -49,6 +49,10 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
                                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
   if (blend == Blend::None || blend == Blend::Or) return state;
   state.blendEnable = VK_TRUE;
+  if (blend == Blend::Add) {
+    state.srcColorBlendFactor = state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    return state;
+  }
   if (blend == Blend::Mean) {
     state.srcColorBlendFactor = VK_BLEND_FACTOR_CONSTANT_COLOR;
     state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR;

@@ -20,6 +20,7 @@ enum class Blend {
   Keep,   ///< the destination stays: nothing but depth is drawn
   Mean,   ///< the part of the source that vkCmdSetBlendConstants() says, the rest of the destination; the
           ///< larger alpha
+  Add,    ///< the sum of colours; the destination's alpha
   Or,     ///< of integers: bits that are set in either; needs features().logicOp
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "math/interval.h"
 #include "scene/ranges.h"
 
 namespace luxo {
@@ -31,6 +32,20 @@ Vec3 radianceAt(const Light& light, const Moment& moment, const std::function<st
                             nodeName(), radiance.x, radiance.y, radiance.z, kMaxLight));
   if (cutNumbers) *cutNumbers += cut;
   return radiance;
+}
+
+double radiusAt(const Light& light, const Moment& moment, const std::function<std::string()>& nodeName) {
+  const double radius = light.radius.at(moment);
+  const bool angle = light.type == Light::Type::Directional;
+  const Interval range{0, angle ? kMaxLightAngle : kMaxSceneNumber};
+  if (!range.contains(radius))
+    throw Error(ErrorKind::Scene,
+                fmt::format("light of node {}: radius is {}; {}", nodeName(), radius,
+                            angle ? "of a directional light it is the half-angle of its disc, from 0 to 90 "
+                                    "degrees (in radians)"
+                                  : "it must be from 0 to 1e18 metres"),
+                "0 makes hard shadows");
+  return radius;
 }
 
 }  // namespace luxo

@@ -22,7 +22,8 @@ struct Light {
   };
   enum class Shadow {
     None,
-    Exact,  ///< hard, and right in every pixel
+    Exact,  ///< right in every pixel; hard, or, of a light with a radius, of as many hard ones as are asked
+            ///< for
     Map,    ///< not supported yet
   };
 
@@ -31,10 +32,19 @@ struct Light {
   Animated<double> intensity = 1.0;
   Attenuation attenuation = Attenuation::None;
   Shadow shadow = Shadow::None;
+  /// Of a light with exact shadows, which are soft then. A point light: metres, of a luminous ball that looks
+  /// like an evenly bright disc from everywhere afar. A directional light: radians, the half-angle of its
+  /// disc.
+  Animated<double> radius = 0.0;
+  std::uint32_t shadowSamples = 16;  ///< points of what has a radius, from 1 to kMaxShadowSamples
   std::vector<NodeId> casters = {};  ///< who casts the shadow; empty = everything
 
-  [[nodiscard]] bool movesWithTime() const { return color.movesWithTime() || intensity.movesWithTime(); }
+  [[nodiscard]] bool movesWithTime() const {
+    return color.movesWithTime() || intensity.movesWithTime() || radius.movesWithTime();
+  }
 };
+
+inline constexpr std::uint32_t kMaxShadowSamples = 1024;
 
 /// color * intensity then. Throws Error(Scene) naming the node and the value: both, and their product, must
 /// be from 0 to kMaxLight, the color to kMaxSceneNumber (scene/ranges.h). With `cutNumbers`, what formulas
@@ -42,5 +52,10 @@ struct Light {
 [[nodiscard]] Vec3 radianceAt(const Light& light, const Moment& moment,
                               const std::function<std::string()>& nodeName,
                               std::uint32_t* cutNumbers = nullptr);
+
+/// The radius then. Throws Error(Scene) naming the node and the value: it must be from 0 to kMaxSceneNumber
+/// metres, or, of a directional light, to a quarter turn.
+[[nodiscard]] double radiusAt(const Light& light, const Moment& moment,
+                              const std::function<std::string()>& nodeName);
 
 }  // namespace luxo

@@ -28,6 +28,9 @@ inline constexpr double kMaxLight = 1e30;
 /// The largest product of a light and a colour: three hundred together are still within float's range.
 inline constexpr double kMaxReflected = 1e36;
 
+/// The largest half-angle of a directional light's disc, radians: a quarter turn, when it fills half the sky.
+inline constexpr double kMaxLightAngle = 1.5707963267948966;
+
 /// Pixels. The least is a thousandth of what float positions in the largest picture can say, 2^-10; the most
 /// is sixty of the largest pictures.
 inline constexpr Interval kToleranceRange{1e-6, 1e6};

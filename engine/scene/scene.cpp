@@ -35,6 +35,11 @@ void validate(const Node& node, const ShownName& shown) {
                                               shown(), node.segments->u, node.segments->v));
   if (node.light && node.light->color.isConstant() && node.light->intensity.isConstant())
     static_cast<void>(radianceAt(*node.light, 0, shown));
+  if (node.light && node.light->radius.isConstant()) static_cast<void>(radiusAt(*node.light, 0, shown));
+  if (node.light && (node.light->shadowSamples < 1 || node.light->shadowSamples > kMaxShadowSamples))
+    throw Error(ErrorKind::Scene,
+                fmt::format("light of node {}: {} shadow samples; they must be from 1 to {}", shown(),
+                            node.light->shadowSamples, kMaxShadowSamples));
 }
 
 void validate(const RenderSettings& s) {

@@ -223,11 +223,17 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
 }
 
 Light SceneConstruction::light(const LightDesc& desc) {
+  const Allowed radius = desc.type == Light::Type::Point
+                             ? Allowed{{0, kMaxSceneNumber}, "from 0 to 1e18 metres"}
+                             : Allowed{{0, kMaxLightAngle}, "from 0 to 90 degrees", true};
+  const std::optional<int> samples = count(desc.shadowSamples, kMaxShadowSamples);
   return {.type = desc.type,
           .color = formulas_.vector(desc.color, kLight),
           .intensity = formulas_.number(desc.intensity, kIntensity),
           .attenuation = desc.attenuation,
-          .shadow = desc.shadow};
+          .shadow = desc.shadow,
+          .radius = formulas_.number(desc.radius, radius),
+          .shadowSamples = static_cast<std::uint32_t>(samples.value_or(1))};
 }
 
 // Casters may come later in the file than the light; a scene wants them first.

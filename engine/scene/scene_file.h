@@ -190,6 +190,7 @@ struct LightDesc {
   Quantity intensity = 1;
   Light::Attenuation attenuation = Light::Attenuation::None;
   Light::Shadow shadow = Light::Shadow::None;
+  Quantity radius = 0, shadowSamples = 16;
   std::vector<FileName> casters = {};  ///< empty: all
 
   friend bool operator==(const LightDesc&, const LightDesc&) = default;

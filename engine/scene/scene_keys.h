@@ -41,8 +41,8 @@ inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
 inline constexpr std::array<Names, 9> kNodeNames = {"name",    "translate", "rotate", "scale",   "visible",
                                                     "surface", "material",  "light",  "children"};
 inline constexpr std::array<Names, 2> kRotationNames = {"axis", "angle"};
-inline constexpr std::array<Names, 6> kLightNames = {"type",        "color",  "intensity",
-                                                     "attenuation", "shadow", "casters"};
+inline constexpr std::array<Names, 8> kLightNames = {"type",   "color",  "intensity",      "attenuation",
+                                                     "shadow", "radius", "shadow_samples", "casters"};
 inline constexpr std::array<Names, 7> kCameraNames = {"eye",  "look_at", "up",    "fov_y",
                                                       "near", "type",    "height"};
 

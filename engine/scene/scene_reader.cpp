@@ -304,6 +304,8 @@ void SceneReader::readLight(const JsonValue& value, LightDesc& light) {
   values_.read(members["intensity"], light.intensity);
   values_.readWord(members["attenuation"], keys::kAttenuations, light.attenuation);
   values_.readWord(members["shadow"], keys::kShadows, light.shadow);
+  values_.read(members["radius"], light.radius);
+  values_.read(members["shadow_samples"], light.shadowSamples);
   readCasters(members["casters"], light.casters);
 }
 

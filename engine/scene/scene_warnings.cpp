@@ -74,7 +74,7 @@ void visitNode(const NodeDesc& node, const Visit& visit) {
   visit(node.visible);
   if (!node.light) return;
   visitAll(node.light->color, visit);
-  visit(node.light->intensity);
+  visitAll({{node.light->intensity, node.light->radius, node.light->shadowSamples}}, visit);
 }
 
 /// Where a quotient's divisor is a number that a name or bracket follows without a sign: 1/2u, whose u is
@@ -115,6 +115,18 @@ void warnOfBrightness(const MaterialDesc& material, std::vector<Diagnostic>& war
        bytes ? fmt::format("write \"#{:02x}{:02x}{:02x}\"", static_cast<int>(color[0].number()),
                            static_cast<int>(color[1].number()), static_cast<int>(color[2].number()))
              : std::string()});
+}
+
+/// A radius makes shadows soft, and nothing else.
+void warnOfRadius(const LightDesc& light, std::vector<Diagnostic>& warnings) {
+  const bool hasRadius = light.radius.isFormula() || light.radius.number() != 0;
+  if (hasRadius && light.shadow == Light::Shadow::None)
+    warnings.push_back({rangeOf(light.radius.place()), "a light without a shadow has no use for a radius",
+                        "write \"shadow\": \"exact\", or leave the radius out"});
+  if (!hasRadius && light.shadowSamples != LightDesc().shadowSamples)
+    warnings.push_back({rangeOf(light.shadowSamples.place()),
+                        "the shadow of a light without a radius is one sample",
+                        "give the light a \"radius\", or leave \"shadow_samples\" out"});
 }
 
 }  // namespace
@@ -160,6 +172,8 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
   unused(file.surfaces, surfaces, "surface");
   unused(file.materials, materials, "material");
   for (const MaterialDesc& material : file.materials) warnOfBrightness(material, warnings);
+  for (const NodeDesc& node : file.nodes)
+    if (node.light) warnOfRadius(*node.light, warnings);
   forEachQuantity(file, [&](const Quantity& quantity) {
     if (!quantity.isFormula()) return;
     const SourceRange quotient = ambiguousQuotient(quantity.formula());

@@ -213,6 +213,8 @@ JsonText written(const LightDesc& light) {
   members.add("intensity", light.intensity, usual.intensity);
   members.addWord("attenuation", light.attenuation, usual.attenuation, keys::kAttenuations);
   members.addWord("shadow", light.shadow, usual.shadow, keys::kShadows);
+  members.add("radius", light.radius, usual.radius);
+  members.add("shadow_samples", light.shadowSamples, usual.shadowSamples);
   if (!light.casters.empty()) {
     JsonText casters = JsonText::array();
     for (const FileName& name : light.casters) casters.add(JsonText::string(name.text));

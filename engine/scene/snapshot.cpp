@@ -11,6 +11,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "math/sampling.h"
 #include "scene/fitted_camera.h"
 
 namespace luxo {
@@ -159,17 +160,22 @@ std::optional<ShadeRule> closedForm(const Scene& scene, const std::vector<Placed
   return rule;
 }
 
-void resolveShadow(const NodeThen& then, const std::vector<Placed>& placed, SnapshotLight& light) {
-  const Light& described = *then.node().light;
-  if (described.shadow == Light::Shadow::None) return;
-  if (described.shadow == Light::Shadow::Map)
+/// Who casts the shadow of the node's light, ascending; none if it has no shadow.
+std::vector<NodeId> castersOf(const NodeThen& then, const std::vector<Placed>& placed) {
+  const Light& light = *then.node().light;
+  if (light.shadow == Light::Shadow::None) return {};
+  if (light.shadow == Light::Shadow::Map)
     then.reject("its light's shadow is not supported yet: shadow maps", "use \"exact\"");
-  std::vector<NodeId> casters = visibleCasters(described, then.scene, placed);
-  light.shade = closedForm(then.scene, placed, casters, light.positionWorld);
-  if (light.shade) return;
+  std::vector<NodeId> casters = visibleCasters(light, then.scene, placed);
   std::ranges::sort(casters, {}, &NodeId::index);
   casters.erase(std::unique(casters.begin(), casters.end()), casters.end());
-  light.casters = std::move(casters);
+  return casters;
+}
+
+void setShadow(const Scene& scene, const std::vector<Placed>& placed, const std::vector<NodeId>& casters,
+               SnapshotLight& light) {
+  light.shade = closedForm(scene, placed, casters, light.positionWorld);
+  if (!light.shade) light.casters = casters;
 }
 
 /// By content, so that the order in which the scene was put together leaves no trace. What rarely changes
@@ -183,8 +189,33 @@ bool precedes(const SnapshotLight& a, const SnapshotLight& b) {
   return key(a) < key(b);
 }
 
+/// Axes of the disc that a directional light is seen as: the node's, as far as they are across its direction.
+Mat3 discAxes(const Transform& worldFromNode, const Vec3& towardLight) {
+  const auto across = [&](const Vec3& axis) { return axis - glm::dot(axis, towardLight) * towardLight; };
+  Vec3 x = unit(across(unit(transformDirection(worldFromNode, Vec3(1, 0, 0)))));
+  if (x == Vec3(0)) x = unit(across(std::abs(towardLight.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  return {x, glm::cross(towardLight, x), towardLight};
+}
+
+/// The points that stand for a light of this radius; the light itself where it has none.
+std::vector<SnapshotLight> sampledLight(const SnapshotLight& light, const Transform& worldFromNode,
+                                        double radius, std::uint32_t samples) {
+  if (radius == 0) return {light};
+  std::vector<SnapshotLight> sampled(samples, light);
+  const Mat3 axes = light.directional() ? discAxes(worldFromNode, Vec3(light.positionWorld)) : Mat3(1);
+  for (std::uint32_t k = 0; k < samples; ++k) {
+    SnapshotLight& one = sampled[k];
+    one.radiance /= samples;
+    one.positionWorld = light.directional()
+                            ? Vec4(axes * capPoint(k, samples, radius), 0)
+                            : Vec4(Vec3(light.positionWorld) + radius * luminousBallPoint(k, samples), 1);
+  }
+  return sampled;
+}
+
 std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Placed>& placed,
-                                      const Moment& moment, std::uint32_t& cutNumbers) {
+                                      const Moment& moment, std::uint32_t mostShadowSamples,
+                                      std::uint32_t& cutNumbers) {
   std::vector<SnapshotLight> lights;
   for (std::uint32_t i = 0; i < placed.size(); ++i) {
     const NodeThen then{scene, {i}, moment};
@@ -200,8 +231,14 @@ std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Plac
       if (towardLight == Vec3(0)) then.reject("its light has no direction: the scale along z is zero");
       light.positionWorld = Vec4(towardLight, 0);
     }
-    resolveShadow(then, placed, light);
-    lights.push_back(std::move(light));
+    const std::vector<NodeId> casters = castersOf(then, placed);
+    const double radius =
+        casters.empty() ? 0 : radiusAt(*node.light, moment, [&] { return scene.shownName({i}); });
+    for (SnapshotLight& one : sampledLight(light, placed[i].worldFromNode, radius,
+                                           std::min(node.light->shadowSamples, mostShadowSamples))) {
+      setShadow(scene, placed, casters, one);
+      lights.push_back(std::move(one));
+    }
   }
   std::ranges::sort(lights, precedes);
   return lights;
@@ -241,12 +278,12 @@ void requireOpaque(const Scene& scene, const Snapshot& snapshot, const Moment& m
 }
 
 /// Everything but the view.
-Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
+Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t mostShadowSamples) {
   const std::vector<Placed> placed = placeNodes(scene, moment);
   Snapshot snapshot{.nodes = takeNodes(scene, placed, moment),
                     .background = scene.settings().background,
                     .ambient = scene.settings().ambient};
-  snapshot.lights = takeLights(scene, placed, moment, snapshot.cutNumbers);
+  snapshot.lights = takeLights(scene, placed, moment, mostShadowSamples, snapshot.cutNumbers);
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
   cutLights(snapshot);
   requireOpaque(scene, snapshot, moment);
@@ -255,14 +292,15 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment) {
 
 /// A scene at one time, with what a Moment of it refers to.
 struct Instant {
-  Instant(const Scene& pictured, double timeSeconds) : scene(pictured), time(timeSeconds) {
+  Instant(const Scene& pictured, double timeSeconds, std::uint32_t mostShadowSamples)
+      : scene(pictured), time(timeSeconds), shadowSamples(mostShadowSamples) {
     if (!std::isfinite(time))
       throw Error(ErrorKind::Scene, fmt::format("cannot picture the scene at time {}", time));
     parameters = scene.parametersAt(time);
   }
 
   [[nodiscard]] Moment moment() const { return {time, parameters}; }
-  [[nodiscard]] Snapshot unseen() const { return takeUnseen(scene, moment()); }
+  [[nodiscard]] Snapshot unseen() const { return takeUnseen(scene, moment(), shadowSamples); }
   [[nodiscard]] Snapshot seen(Snapshot snapshot, const Camera& camera, PixelSize size) const {
     snapshot.view = viewAt(camera, moment(), size, framingOf(snapshot));
     return snapshot;
@@ -270,6 +308,7 @@ struct Instant {
 
   const Scene& scene;
   double time;
+  std::uint32_t shadowSamples;
   std::vector<double> parameters;
 };
 
@@ -285,19 +324,21 @@ bool operator==(const SnapshotNode& a, const SnapshotNode& b) {
   return sameThing(a, b) && a.worldFromObject == b.worldFromObject && a.parameters == b.parameters;
 }
 
-Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, const Camera& camera) {
-  const Instant now(scene, timeSeconds);
+Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, const Camera& camera,
+                      std::uint32_t mostShadowSamples) {
+  const Instant now(scene, timeSeconds, mostShadowSamples);
   return now.seen(now.unseen(), camera, size);
 }
 
-Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, CameraId camera) {
-  const Instant now(scene, timeSeconds);
+Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, CameraId camera,
+                      std::uint32_t mostShadowSamples) {
+  const Instant now(scene, timeSeconds, mostShadowSamples);
   Snapshot snapshot = now.unseen();
   if (camera.valid() || !scene.cameras().empty())
     return now.seen(std::move(snapshot), scene[camera.valid() ? camera : CameraId{0}], size);
   const double fitTime = scene.settings().time;
   const bool sameMoment = timeSeconds == fitTime || !scene.movesWithTime();
-  const Camera fitted = fitCamera(sameMoment ? snapshot : Instant(scene, fitTime).unseen(), size);
+  const Camera fitted = fitCamera(sameMoment ? snapshot : Instant(scene, fitTime, 1).unseen(), size);
   return now.seen(std::move(snapshot), fitted, size);
 }
 

@@ -28,7 +28,8 @@ struct SnapshotNode {
   friend bool operator==(const SnapshotNode& a, const SnapshotNode& b);
 };
 
-/// A light of a visible node.
+/// A light of a visible node; of one with a radius and exact shadows one of the points that stand for it
+///, which share its light evenly.
 struct SnapshotLight {
   NodeId id;
   /// w = 1: position in the world. w = 0: unit direction toward the light, a point at infinity.
@@ -66,10 +67,13 @@ struct Snapshot {
 /// default time (so that an animation does not make the camera breathe), which takes longer: of many moments,
 /// fit it once. Throws Error(Scene) naming the node or camera, the value and the time: values that are not
 /// finite, a zero axis with an angle, a bad camera, a shadow that is not supported yet (Light::Shadow).
+/// `mostShadowSamples`: of any light (Light::shadowSamples), for those who want a picture soon.
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
-                                    CameraId camera = {});
+                                    CameraId camera = {},
+                                    std::uint32_t mostShadowSamples = kMaxShadowSamples);
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
-                                    const Camera& camera);
+                                    const Camera& camera,
+                                    std::uint32_t mostShadowSamples = kMaxShadowSamples);
 
 /// A finite box: the surfaces' bounds, and where those are infinite their framing(). An orthographic view
 /// clips what lies outside its depth range.

@@ -7,6 +7,7 @@
 
 layout(constant_id = kConstantPattern) const uint kPattern = 0;
 layout(constant_id = kConstantManyMaterials) const bool kManyMaterials = false;
+layout(constant_id = kConstantAddsLight) const bool kAddsLight = false;
 
 layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
 layout(set = kSetFound, binding = kBindingFoundParameters) uniform sampler2D foundParameters;
@@ -31,6 +32,7 @@ Found foundPoint() {
   else
     material = uniformMaterials[number];
   if (material.pattern != kPattern) discard;  // another draw's
+  if (kAddsLight) material.ambient = vec3(0);
   vec2 pixel = gl_FragCoord.xy - inMiddle;
   vec3 place = inPlace[0] + pixel.x * inPlace[1] + pixel.y * inPlace[2],
        ray = inRay[0] + pixel.x * inRay[1] + pixel.y * inRay[2];

@@ -74,6 +74,7 @@ LUXO_CONSTANT kConstantEquation = 8;
 LUXO_CONSTANT kConstantManySamples = 9;
 LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a draw lights: MaterialData::pattern
 LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
+LUXO_CONSTANT kConstantAddsLight = 12;      // to what is lit already: no ambient light
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).

@@ -241,6 +241,67 @@ TEST_F(ShadowTest, OfOddLightsAreDefined) {
   EXPECT_EQ(many.statistics.count.shadowPasses, 64U);
 }
 
+/// The edge of a wall hides a part of the sun, a segment of its disc in closed form.
+TEST_F(ShadowTest, OfASunIsSoft) {
+  constexpr double kRadius = 0.2;
+  const Scene scene = sceneOf(R"({ "surface": "floor", "material": "m", "translate": [-20, 2, 0] },
+                                 { "rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                                   "light": { "type": "directional", "shadow": "exact", "radius": 0.2,
+                                              "shadow_samples": 400 } })");
+  // From below the edge straight down on a metre of the floor.
+  const Camera camera{.eye = Vec3(0.2, 1.5, 0),
+                      .lookAt = Vec3(0.2, 0, 0),
+                      .up = Vec3(0, 0, -1),
+                      .fovY = 2 * std::atan(0.5 / 1.5)};
+  const Picture picture = renderer().render(takeSnapshot(scene, 0, {96, 64}, camera));
+  EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+  // N.L of the disc, of which 1 - cosine is at most 0.02, falls off by 1 % on the mean.
+  const double full = 0.7 * (1 + std::cos(kRadius)) / 2;
+  int partly = 0;
+  for (int x = 0; x < 96; ++x) {
+    const double at =
+        0.2 + (x + 0.5 - 48) / 64;  // metres; the sun's part with a slope beyond -at / 2 is seen
+    const double cut = std::clamp(std::atan(-at / 2) / kRadius, -1.0, 1.0);
+    const double share = (std::acos(cut) - cut * std::sqrt(1 - cut * cut)) / kPi;
+    // 400 points of a disc leave a segment of it uncertain by the points along its chord, some sqrt(400) / 2;
+    // the disc is flat to 1 %.
+    EXPECT_NEAR(picture.image.pixel(x, 32)[0], 0.07 + full * share, 0.025) << x;
+    partly += share > 0.05 && share < 0.95;
+  }
+  EXPECT_GT(partly, 20);
+}
+
+/// More lights than a word has bits are found in groups, whose light adds up, and of which rays know all.
+TEST_F(ShadowTest, OfManyPointsAreTheTruth) {
+  const Scene scene = sceneOf(R"(
+    { "surface": "torus", "material": "m", "translate": [0, 1.4, 0], "rotate": { "axis": [1, 0.3, 0], "angle": 0.9 } },
+    { "surface": "tube", "material": "m", "translate": [1.5, 1, 0.6], "rotate": { "axis": [0, 0, 1], "angle": 0.5 } },
+    { "translate": [2, 6, 1], "light": { "intensity": 0.6, "shadow": "exact", "radius": 0.4, "shadow_samples": 40 } },
+    { "translate": [-2, 6, 1], "light": { "intensity": 0.2 } },
+    { "rotate": { "axis": [1, 0.5, 0], "angle": -0.9 },
+      "light": { "type": "directional", "intensity": 0.3, "shadow": "exact", "radius": 0.1, "shadow_samples": 30 } })");
+  const Snapshot snapshot = takeSnapshot(scene, 0, {160, 120});
+  ASSERT_EQ(snapshot.lights.size(), 71U);
+  const Verified found = expectTheTruth(snapshot, 10'000);
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_EQ(found.statistics.count.shadowPasses, 420U);  // 3 casters of 70 lights, and again beside rays
+  EXPECT_GT(found.statistics.error.shadowRaysPx, 0U) << "no ray was asked: the test shows less than it says";
+}
+
+TEST_F(ShadowTest, OfOddRadiiAreDefined) {
+  const std::string ball = R"({ "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )";
+  for (const char* light :
+       {R"("radius": 1e9, "attenuation": "inverse-square")", R"("radius": 1e-12)", R"("radius": 3)",
+        R"("type": "directional", "radius": "90deg")", R"("type": "directional", "radius": 1e-15)"}) {
+    SCOPED_TRACE(light);
+    const Scene scene =
+        sceneOf(ball + R"({ "translate": [0, 4, 0], "light": { "shadow": "exact", )" + light + "} }");
+    const Verified found = verified(takeSnapshot(scene, 0, {64, 48}));
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.nonfinitePx, 0U);
+  }
+}
+
 TEST_F(ShadowTest, AreRefusedWhereTheyWouldBeWrong) {
   const Scene scene = sceneOf(kCrowd);
   for (const Shading shading : {Shading::Gouraud, Shading::Toon}) {

@@ -72,7 +72,7 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   DrawList list = listOf(2, 0, 0);
   for (DrawBatch& batch : list.opaque) batch.state.form = Form::Found;
   list.deferred = true;
-  list.shades.resize(1);
+  list.groups.resize(1);
   const auto namesOf = [&](const FrameDesc& frame) {
     Names names;
     for (const Pass& pass : passesOf(list, frame)) {
@@ -83,12 +83,22 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
     return names;
   };
   EXPECT_EQ(namesOf({}), (Names{"found 0", "shade 0"}));
-  list.shadows.lights.resize(1);
-  list.shadows.draws.resize(3);
+  list.groups[0].lights.resize(1);
+  list.groups[0].shadows.resize(3);
   EXPECT_EQ(namesOf({}), (Names{"found 0", "shadows 3", "shade 0"}));
   const RayPoints points;
   EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
       << "what was found stays";
+
+  list.groups.resize(3);  // the last without shadows
+  list.groups[1].lights.resize(1);
+  list.groups[1].shadows.resize(2);
+  EXPECT_EQ(namesOf({}), (Names{"found 0", "shadows 3", "shade 0", "shadows 2", "shade+ 0", "shade+ 0"}))
+      << "light is added to light";
+  EXPECT_EQ(namesOf({.rays = &points}),
+            (Names{"rays+* 0", "shadows* 3", "shade 0", "shadows* 2", "shade+ 0", "shade+ 0"}))
+      << "the shadows of the first group are gone";
+  EXPECT_EQ(passesOf(list, {})[4].group, 1U);
 
   const std::vector<Pass> passes = passesOf(list, {});
   EXPECT_EQ(passes[1].colors.front().target, Target::Shadows);

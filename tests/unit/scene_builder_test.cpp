@@ -425,6 +425,20 @@ std::vector<std::string> warningsOf(const std::string& text) {
   return found;
 }
 
+TEST(SceneBuilder, WarnsOfARadiusWithoutUse) {
+  const auto found = [](const std::string& light) {
+    return warningsOf("{ \"luxo\": 1, \"nodes\": [{ \"light\": {\n" + light + "} }] }");
+  };
+  EXPECT_EQ(
+      found(R"("radius": "t")"),
+      (std::vector<std::string>{"2:11 a light without a shadow has no use for a radius (write \"shadow\": "
+                                "\"exact\", or leave the radius out)"}));
+  EXPECT_EQ(found(R"("shadow": "exact", "shadow_samples": 8)"),
+            (std::vector<std::string>{"2:38 the shadow of a light without a radius is one sample (give the "
+                                      "light a \"radius\", or leave \"shadow_samples\" out)"}));
+  EXPECT_TRUE(found(R"("shadow": "exact", "radius": 0.1, "shadow_samples": 8)").empty());
+}
+
 TEST(SceneBuilder, WarnsOfWhatIsProbablyNotMeant) {
   const std::vector<std::string> found = warningsOf(R"_({ "luxo": 1, "materials": { "m": {} },
 "surfaces": { "hole": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "v", "sqrt(0.25 - u)"] },

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene_test_support.h"
 
@@ -107,6 +108,75 @@ TEST(Snapshot, LightsComeInAnOrderThatDoesNotDependOnTheScenes) {
   std::vector<int> order = {0, 1, 2, 3};
   const auto expected = lightsOf(order);
   while (std::next_permutation(order.begin(), order.end())) EXPECT_EQ(lightsOf(order), expected);
+}
+
+/// A light with a radius is as many lights, which share its light evenly and are all within the radius.
+TEST(Snapshot, ALightWithARadiusIsManyLights) {
+  using S = Light::Shadow;
+  const auto lightsOf = [](Light light, std::uint32_t most = kMaxShadowSamples) {
+    Scene scene;
+    scene.add(Node{.surface = sphere(1)});
+    scene.add(Node{.translation = Vec3(3, 4, 5), .light = std::move(light)});
+    return takeSnapshot(scene, 2, {64, 64}, CameraId{}, most).lights;
+  };
+  const auto total = [](const std::vector<SnapshotLight>& lights) {
+    Vec3 sum(0);
+    for (const SnapshotLight& light : lights) sum += light.radiance;
+    return sum;
+  };
+  const Light point{.intensity = 8, .shadow = S::Exact, .radius = [](double t) { return 0.25 * t; }};
+  const std::vector<SnapshotLight> ball = lightsOf(point);
+  ASSERT_EQ(ball.size(), 16u);
+  expectNear(total(ball), Vec3(8), 1e-12);
+  double farthest = 0;
+  for (const SnapshotLight& light : ball) {
+    EXPECT_EQ(light.casters.size(), 1u);
+    farthest = std::max(farthest, glm::distance(Vec3(light.positionWorld), Vec3(3, 4, 5)));
+  }
+  EXPECT_LE(farthest, 0.5);
+  EXPECT_GT(farthest, 0.4);
+
+  Light sun{.type = Light::Type::Directional, .shadow = S::Exact, .radius = 0.1, .shadowSamples = 50};
+  const std::vector<SnapshotLight> disc = lightsOf(sun);
+  ASSERT_EQ(disc.size(), 50u);
+  for (const SnapshotLight& light : disc) {
+    EXPECT_NEAR(glm::length(Vec3(light.positionWorld)), 1, 1e-15);
+    EXPECT_GE(light.positionWorld.z, std::cos(0.1) - 1e-15);  // toward the light is +Z
+  }
+  EXPECT_EQ(lightsOf(sun, 4).size(), 4u);
+  const std::vector<SnapshotLight> one = lightsOf(sun, 1);
+  ASSERT_EQ(one.size(), 1u);
+  expectNear(Vec3(one[0].positionWorld), Vec3(0, 0, 1), 1e-15);
+
+  // Without a radius or a shadow it is one light; the largest radius is as good as any.
+  sun.radius = 0.0;
+  EXPECT_EQ(lightsOf(sun).size(), 1u);
+  sun.radius = 0.1;
+  sun.shadow = S::None;
+  EXPECT_EQ(lightsOf(sun).size(), 1u);
+  Light huge{.shadow = S::Exact, .radius = 1e9, .shadowSamples = 1024};
+  const std::vector<SnapshotLight> many = lightsOf(huge);
+  ASSERT_EQ(many.size(), 1024u);
+  for (const SnapshotLight& light : many) EXPECT_LE(glm::length(Vec3(light.positionWorld)), 1.0001e9);
+}
+
+TEST(Snapshot, RadiiOutOfRangeAreErrors) {
+  const auto snapped = [](const Light::Type type, double radius) {
+    Scene scene;
+    scene.add(Node{.surface = sphere(1)});
+    scene.add(Node{.name = "sun",
+                   .light = Light{.type = type, .shadow = Light::Shadow::Exact, .radius = [=](double) {
+                                    return radius;
+                                  }}});
+    static_cast<void>(snap(scene));
+  };
+  using T = Light::Type;
+  EXPECT_NO_THROW(snapped(T::Point, 1e18));
+  EXPECT_NO_THROW(snapped(T::Directional, 1.5707));
+  expectSceneError([&] { snapped(T::Directional, 1e9); }, {"'sun'", "radius", "90 degrees"});
+  expectSceneError([&] { snapped(T::Point, -1); }, {"'sun'", "radius is -1"});
+  expectSceneError([&] { snapped(T::Point, std::numeric_limits<double>::quiet_NaN()); },
+                   {"'sun'", "radius is nan"});
 }
 
 TEST(Snapshot, CameraIsTheNamedOneTheFirstOneOrAFittedOne) {

@@ -249,7 +249,9 @@ class RandomScene {
                            .color = color(),
                            .intensity = quantity(),
                            .attenuation = word<Light::Attenuation>(2),
-                           .shadow = word<Light::Shadow>(3)};
+                           .shadow = word<Light::Shadow>(3),
+                           .radius = quantity(),
+                           .shadowSamples = quantity()};
     for (int k = random_.below(3); k > 0; --k) desc.light->casters.push_back(name("n", k));
     return desc;
   }

@@ -46,7 +46,9 @@ constexpr double kWhileWorking = 0.02;        // ... that waits for a file, or f
 constexpr double kRest = 1;                   // ... or longer, is time for what need not be done at once
 constexpr std::chrono::seconds kTidying{10};  // ... which is done as often all the same
 constexpr std::chrono::milliseconds kPatience{250};  // input waits so long for shells to be made
-constexpr double kQuickTolerancePx = 4;              // of the mesh that is seen until there is more
+// Of lights with a radius, while anything moves; once it rests, so many times more from picture to picture.
+constexpr std::uint32_t kQuickShadowSamples = 4, kSofter = 4;
+constexpr double kQuickTolerancePx = 4;  // of the mesh that is seen until there is more
 constexpr double kMessageSeconds = 4, kAlertSeconds = 12;
 
 double millisecondsSince(Clock::time_point start) {
@@ -176,7 +178,7 @@ class Viewer {
         break;
       case Controls::Request::Photo:
         if (pictures_ == 0) break;
-        wanted_.push_back({snapshotOrLast(), photoOptions()});
+        wanted_.push_back({snapshotOrLast(kMaxShadowSamples), photoOptions()});
         tell({.text = "saving a picture"}, kForever);
         break;
       case Controls::Request::Fullscreen:
@@ -259,6 +261,11 @@ class Viewer {
     if (scene.cameras().empty())
       fitted_ = {takeSnapshot(scene, scene.settings().time, viewed_.settings.size, Camera{}), {0, 0}, {}};
     sliders_.adopt(viewed_.scene);
+    mostShadowSamples_ = 1;
+    for (const Scene::Entry& entry : scene.nodes())
+      if (const std::optional<Light>& light = entry.node.light;
+          light && light->shadow == Light::Shadow::Exact)
+        mostShadowSamples_ = std::max(mostShadowSamples_, light->shadowSamples);
   }
 
   // Where the scene has none, one that stands still while sliders move: turning a parameter shows what it
@@ -273,11 +280,11 @@ class Viewer {
     return fitted_->camera;
   }
 
-  [[nodiscard]] Snapshot snapshotNow() {
+  [[nodiscard]] Snapshot snapshotNow(std::uint32_t mostShadowSamples) {
     status_.seconds = controls_.playback().seconds(Clock::now());
     parameters_ = viewed_.scene.parametersAt(status_.seconds);
-    return takeSnapshot(viewed_.scene, status_.seconds, size(),
-                        controls_.ownCamera().value_or(sceneCamera()));
+    return takeSnapshot(viewed_.scene, status_.seconds, size(), controls_.ownCamera().value_or(sceneCamera()),
+                        mostShadowSamples);
   }
 
   // One turn at the screen's rate: draws and shows what differs from what is seen, if anything.
@@ -288,7 +295,7 @@ class Viewer {
     if (swapchain_.update(window_.framebufferSize()) == SwapchainStatus::Hidden) return;
     measurePictures();
 
-    Snapshot snapshot = snapshotOrLast();
+    Snapshot snapshot = nextSnapshot();
     const DrawOptions draw = optionsOfNext();
     const bool coarser = mean_.begun() && !controls_.refines();
     const bool changed =
@@ -298,9 +305,14 @@ class Viewer {
     // What is said is said at once: a sample may take its time.
     const bool stale =
         damaged_ || swapchain_.generation() != shownGeneration_ || (!repaint && panels() != panels_);
+    const bool rests = !repaint && !completes && !stale && unmeasured_.empty();
+    if (rests && shadowSamples_ < mostShadowSamples_) {
+      shadowSamples_ = std::min(shadowSamples_ * kSofter, mostShadowSamples_);
+      dirty_ = true;
+      return;
+    }
     // What is not complete, or may turn out not to be, is not worth a mean.
-    const bool refines =
-        !repaint && !completes && !stale && unmeasured_.empty() && controls_.refines() && !mean_.complete();
+    const bool refines = rests && controls_.refines() && !mean_.complete();
     if (!repaint && !completes && !refines && !stale) return;
     const double evaluated = millisecondsSince(start);
 
@@ -386,10 +398,19 @@ class Viewer {
     return false;
   }
 
+  // Soft shadows take few samples while anything moves, and more once it stands still.
+  [[nodiscard]] Snapshot nextSnapshot() {
+    Snapshot quick = snapshotOrLast(kQuickShadowSamples);
+    if (mostShadowSamples_ <= kQuickShadowSamples) return quick;
+    if (quick != quick_) shadowSamples_ = kQuickShadowSamples;
+    quick_ = quick;
+    return shadowSamples_ > kQuickShadowSamples ? snapshotOrLast(shadowSamples_) : std::move(quick);
+  }
+
   // A moment that the scene does not allow (a value out of its range) keeps the last one on the screen.
-  [[nodiscard]] Snapshot snapshotOrLast() {
+  [[nodiscard]] Snapshot snapshotOrLast(std::uint32_t mostShadowSamples) {
     try {
-      Snapshot snapshot = snapshotNow();
+      Snapshot snapshot = snapshotNow(mostShadowSamples);
       impossible_.clear();
       return snapshot;
     } catch (const Error& error) {
@@ -497,6 +518,9 @@ class Viewer {
   Clock::time_point patienceEnd_;         // from here on input does so
 
   Snapshot shown_;
+  // Of lights with a radius: what the scene asks for, and what is shown; quick_ has kQuickShadowSamples.
+  std::uint32_t mostShadowSamples_ = 1, shadowSamples_ = kQuickShadowSamples;
+  Snapshot quick_;
   std::optional<DrawOptions> drawn_;
   std::vector<window::Panel> panels_;
   std::vector<window::GrabArea> areas_;
