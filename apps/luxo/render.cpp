@@ -156,6 +156,7 @@ class Run {
                               .file = job.file,
                               .parameters = {},
                               .cutNumbers = 0,
+                              .approximateShadows = 0,
                               .statistics = {},
                               .reference = {},
                               .error = {}});
@@ -170,6 +171,7 @@ class Run {
       Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, cameraAt(camera));
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
+      report_.frames[index].approximateShadows = approximateShadows(snapshot);
       const double animate = millisecondsSince(start);
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();
@@ -241,6 +243,10 @@ class Run {
       printNote(fmt::format("  ms: {}{}",
                             oneOfMany_ ? "" : fmt::format("startup {:.1f}, ", report_.startupMs),
                             stagesOf(frame.statistics.ms)));
+    if (frame.approximateShadows > 0)
+      printNote(fmt::format(
+          "{} not exact, nor is it certified: luxo verify says what is wrong with it",
+          frame.approximateShadows == 1 ? "the shadow of a light is" : "the shadows of some lights are"));
     if (frame.cutNumbers > 0)
       printNote(
           fmt::format("{} colours or lights are above their range at time {}, and are cut off at its end",

@@ -68,6 +68,7 @@ Json frameJson(const FrameReport& frame) {
         {"unconverged_px", found(error.unconvergedPx)},
         {"uncertified_px", found(error.uncertifiedPx)},
         {"resolved_by_rays_px", found(error.resolvedByRaysPx)},
+        {"approximate_shadows", drawn(frame.approximateShadows)},
         {"shadow_rays_px", found(error.shadowRaysPx)},
         {"audited_px", found(error.auditedPx)},
         {"audit_failed_px", found(error.auditFailedPx)},

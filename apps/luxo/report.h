@@ -29,6 +29,7 @@ struct FrameReport {
   std::filesystem::path file;
   std::vector<std::pair<std::string, double>> parameters;  ///< of the scene, with their values
   std::uint64_t cutNumbers = 0;                            ///< Snapshot::cutNumbers
+  std::uint64_t approximateShadows = 0;                    ///< lights whose shadows are not exact
   FrameStatistics statistics;
   std::optional<ReferenceStatistics> reference;  ///< cast, not drawn: most of `statistics` does not apply
   std::optional<std::string> error;              ///< why there is no file

@@ -12,6 +12,7 @@
 #include "cull/cull.h"
 #include "draw/draw_list.h"
 #include "draw/renderer.h"
+#include "scene/scene_keys.h"
 #include "scene/snapshot.h"
 
 namespace luxo {
@@ -210,6 +211,7 @@ class Inspector {
            {"radiance", vectorJson(light.radiance)},
            {"attenuation", attenuation},
            {"shadow", light.hasShadow()},
+           {"shadow_kind", keys::kShadows.at(static_cast<std::size_t>(scene_[light.id].light->shadow))},
            {"radius", scene_[light.id].light->radius.at(moment_)},
            {"shadow_samples", scene_[light.id].light->shadowSamples}});
     }
@@ -313,7 +315,8 @@ std::string parameterText(const Json& parameter) {
 
 std::string lightText(const Json& light) {
   const bool point = light["type"] == "point";
-  std::string shadow = light["shadow"].get<bool>() ? ", exact shadow" : "";
+  std::string shadow =
+      light["shadow"].get<bool>() ? fmt::format(", {} shadow", textOf(light["shadow_kind"])) : "";
   if (light["shadow"].get<bool>() && light["radius"] != 0)
     shadow += fmt::format(", radius {} by {} samples", numberText(light["radius"]),
                           light["shadow_samples"].get<std::uint32_t>());

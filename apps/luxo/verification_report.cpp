@@ -158,6 +158,10 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
   const WrongPixels& wrong = v.wrong;
   text += fmt::format("wrong      {} pixels: {} hit or miss, {} layer, {} point, {} light\n", wrong.total(),
                       wrong.hitMiss, wrong.layer, wrong.point, wrong.light);
+  if (report.approximateShadows > 0)
+    text +=
+        fmt::format("shadows    {} of the lights has no exact shadow: the light is held against exact ones\n",
+                    report.approximateShadows);
   text += fmt::format("psnr       {:.1f} dB linear, {:.1f} dB sRGB, off silhouettes\n", v.color.psnrLinear,
                       v.color.psnrSrgb);
   text += fmt::format("8 bit      {} pixels differ: {:.3g} of the covered\n", v.color.differing8,

@@ -19,6 +19,7 @@ struct VerificationReport {
   FrameStatistics statistics;  ///< of the picture judged
   double truthMs = 0;          ///< that the ground truth took
   Verification verification;
+  std::size_t approximateShadows = 0;  ///< lights whose shadows are not exact, but held against exact ones
 };
 
 /// A table, then the worst pixels of each kind with the names of their nodes.

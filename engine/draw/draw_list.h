@@ -26,8 +26,9 @@ namespace luxo {
 
 /// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
 /// later, with their parameters or without. Or they light what was written down; or find whether a surface
-/// keeps a light from it; or write what rays have found of that.
-enum class Form { Fused, Found, FoundWithParameters, Shade, Shadow, ShadowsByRays };
+/// keeps a light from it; or write what rays have found of that; or are
+/// a caster's mesh that is flattened onto a plane.
+enum class Form { Fused, Found, FoundWithParameters, Shade, Shadow, ShadowsByRays, FlatShadow };
 
 /// What decides the shaders and fixed-function state of a draw. Light counts are part of it (the loops over
 /// lights unroll), and so are formulas; which lights they are and the values of parameters are data.
@@ -97,12 +98,19 @@ struct ShadowDraw {
   PixelRect area;            ///< where its shadow may be
 };
 
+/// One draw for each light and each caster of a planar shadow.
+struct FlatShadowDraw {
+  std::shared_ptr<const Mesh> mesh;
+  shared::FlatShadow shadow;
+};
+
 /// Lights of a deferred picture that light what was found in one pass: as many as a word has bits for their
 /// shadows. The first group comes with the ambient light, the others add theirs.
 struct LightGroup {
   std::uint32_t lightSet = 0;
   std::vector<DrawState> shades;    ///< a draw for each pattern
   std::vector<ShadowDraw> shadows;  ///< with `lights`
+  std::vector<FlatShadowDraw> flatShadows;
   /// Of each light of the set, index into Snapshot::lights, as rays find its shadow; nothing of lights
   /// without one. Empty where none has one.
   std::vector<std::optional<std::uint32_t>> lights;

@@ -48,6 +48,7 @@ void PassRecorder::record(const Pass& pass) {
   begin(pass);
   for (const DrawBatch& batch : pass.batches) draw(batch);
   for (const ShadowDraw& shadow : pass.shadows) findShadow(shadow);
+  for (const FlatShadowDraw& shadow : pass.flatShadows) flattenShadow(shadow);
   const bool ofShadows = pass.colors.front().target == Target::Shadows;
   if (pass.rays && ofShadows) drawShadows(*pass.rays, pass.group);
   if (pass.rays && !ofShadows) drawRays(*pass.rays);
@@ -172,6 +173,28 @@ void PassRecorder::findShadow(const ShadowDraw& draw) {
   drawWhole(draw.caster);
   ++statistics_.count.shadowPasses;
   gpu::setViewport(commands_, view_.targets().extent(), view_.targets().guard());
+}
+
+void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
+  const gpu::GraphicsPipeline& pipeline =
+      pipelines_.get({.form = Form::FlatShadow}, view_.targets().format());
+  const DeviceMesh& mesh = store_.get(draw.mesh, false);
+  shared::FlatShadow shadow = draw.shadow;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 2; ++row) shadow.clipFromObject[column][row] /= view_.targets().guard();
+  pipeline.bind(commands_);
+  pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  pipeline.push(commands_, std::as_bytes(std::span(&shadow, 1)));
+  gpu::setDepthBias(commands_, {});
+  vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
+  vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  constexpr VkDeviceSize kOffset = 0;
+  const VkBuffer vertices = mesh.vertices;
+  vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &kOffset);
+  vkCmdBindIndexBuffer(commands_, mesh.indices, 0, mesh.indexType);
+  vkCmdDrawIndexed(commands_, mesh.indexCount, 1, 0, 0, 0);
+  count(1, mesh.indexCount / 3, draw.mesh->positions.size());
+  ++statistics_.count.shadowPasses;
 }
 
 void PassRecorder::drawWhole(std::uint32_t instance) {

@@ -35,6 +35,7 @@ class PassRecorder {
   void drawRays(const RayPoints& points);
   void shade(const DrawState& state, const LightGroup& group);
   void findShadow(const ShadowDraw& draw);
+  void flattenShadow(const FlatShadowDraw& draw);
   void drawShadows(const RayPoints& points, std::size_t group);
   void drawWhole(std::uint32_t instance);
   void clearMisses(std::span<const PixelPlace> misses);

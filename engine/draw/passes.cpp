@@ -55,6 +55,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                         .searches = !shadowsStay,
                         .group = i,
                         .shadows = shadowsStay ? std::span<const ShadowDraw>() : group.shadows,
+                        .flatShadows = shadowsStay ? std::span<const FlatShadowDraw>() : group.flatShadows,
                         .rays = frame.rays,
                         .probes = frame.probes});
       shades.reads.push_back(Target::Shadows);

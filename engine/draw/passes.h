@@ -31,9 +31,10 @@ struct Pass {
   std::span<const DrawBatch> batches;   ///< drawn in this order
   std::size_t group = 0;                ///< of DrawList::groups, where shadows or light are of one
   std::span<const ShadowDraw> shadows;  ///< on what was found
-  const RayPoints* rays = nullptr;      ///< drawn after these; after shadows, theirs
-  std::span<const DrawState> shades;    ///< light on all that was found
-  bool probes = false;                  ///< depths are copied from it, for the audit
+  std::span<const FlatShadowDraw> flatShadows;
+  const RayPoints* rays = nullptr;    ///< drawn after these; after shadows, theirs
+  std::span<const DrawState> shades;  ///< light on all that was found
+  bool probes = false;                ///< depths are copied from it, for the audit
 };
 
 /// What kind of frame it is.

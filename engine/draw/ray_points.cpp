@@ -221,7 +221,7 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, std::span<c
     judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding_ + ofBuffer);
     for (std::size_t g = 0; probes[i].depth > 0 && g < groups.size(); ++g)
       for (std::size_t bit = 0; judged[i] == Right && bit < groups[g].lights.size(); ++bit)
-        if (const auto light = groups[g].lights[bit])
+        if (const auto light = groups[g].lights[bit]; light && !caster_->snapshot().lights[*light].plane)
           judged[i] =
               reference::judgeShadow(*caster_, nodes_, at, *light, (probes[i].shadows[g] >> bit & 1) != 0);
   });

@@ -116,6 +116,7 @@ void ScenePainter::preparePipelines(RenderView& view) {
   for (const LightGroup& group : view.list().groups) {
     states.insert(states.end(), group.shades.begin(), group.shades.end());
     for (const ShadowDraw& draw : group.shadows) states.push_back(draw.state);
+    if (!group.flatShadows.empty()) states.push_back({.form = Form::FlatShadow});
   }
   pipelines_.prepare(states, view.targets().format());
 }

@@ -16,6 +16,8 @@
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
+#include "luxo/shaders/flat_shadow_frag.h"
+#include "luxo/shaders/flat_shadow_vert.h"
 #include "luxo/shaders/found_parameters_frag.h"
 #include "luxo/shaders/gouraud_frag.h"
 #include "luxo/shaders/gouraud_pattern_vert.h"
@@ -407,8 +409,19 @@ void ScenePipelines::describeShadow(const DrawState& state, gpu::GraphicsPipelin
     return;
   }
   if (!context_->features().logicOp)
-    throw Error(ErrorKind::Device, "this device cannot draw exact shadows (no logicOp)",
+    throw Error(ErrorKind::Device, "this device cannot draw shadows (no logicOp)",
                 "choose another --device, or set the lights' shadows to \"none\"");
+  if (state.form == Form::FlatShadow) {
+    desc.vertexShader = luxo_flat_shadow_vert;
+    desc.fragmentShader = luxo_flat_shadow_frag;
+    desc.bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}};
+    desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}};
+    desc.depthCompare = VK_COMPARE_OP_ALWAYS;
+    desc.blend = gpu::Blend::Or;
+    desc.pushConstantBytes = sizeof(shared::FlatShadow);
+    desc.setLayouts = {sceneLayout_, shadowLayout(), foundLayout()};
+    return;
+  }
   desc.vertexShader = luxo_shadow_vert;
   desc.fragmentShader = exactShaders_.at(exactShaderKey(state));
   desc.depthCompare = VK_COMPARE_OP_LESS;
@@ -441,7 +454,8 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
   if (state.form == Form::Shade) {
     describeShade(state, desc);
-  } else if (state.form == Form::Shadow || state.form == Form::ShadowsByRays) {
+  } else if (state.form == Form::Shadow || state.form == Form::ShadowsByRays ||
+             state.form == Form::FlatShadow) {
     describeShadow(state, desc);
   } else if (state.surface) {
     describeExact(state, format, desc);

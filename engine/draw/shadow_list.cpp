@@ -18,6 +18,9 @@ namespace {
 constexpr double kRounding = 0x1p-21;
 /// The sine of a light's height over a plane below which floats do not tell its side.
 constexpr double kInPlane = 1e-4;
+/// What is nearer to a light than that part of the light's height over a plane has its flattened mesh spread
+/// by no more than the inverse, as far as tolerances go.
+constexpr double kNearLight = 1.0 / 16;
 
 std::array<Vec3, 8> cornersOf(const Box& box) {
   std::array<Vec3, 8> corners;
@@ -77,11 +80,70 @@ class ShadowLister {
     for (const NodeId caster : snapshot_.lights[light].casters) {
       const auto node = std::ranges::lower_bound(snapshot_.nodes, caster.index, {},
                                                  [](const SnapshotNode& n) { return n.id.index; });
-      if (node != snapshot_.nodes.end() && node->id == caster) list(bit, snapshot_.lights[light], *node);
+      if (node == snapshot_.nodes.end() || node->id != caster) continue;
+      if (snapshot_.lights[light].plane)
+        flatten(bit, snapshot_.lights[light], *node);
+      else
+        list(bit, snapshot_.lights[light], *node);
     }
   }
 
  private:
+  /// The caster's mesh becomes the shadow on the light's plane, by the projection from the light: with the
+  /// plane p . x = 0 and the light l, both of four components, x - (p . x) / (p . l) l (J. Blinn, Me and my
+  /// (fake) shadow, 1988).
+  void flatten(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
+    const auto plane = std::ranges::find(snapshot_.nodes, *light.plane, &SnapshotNode::id);
+    if (plane == snapshot_.nodes.end() || plane->id == node.id) return;  // what is hidden receives nothing
+    const std::uint32_t receiver =
+        materials_.numberOfNode(static_cast<std::uint32_t>(&*plane - snapshot_.nodes.data()));
+    if (receiver == shared::kMaxFoundMaterials) return;  // nothing of it is in the picture
+    const View& view = snapshot_.view;
+    const Domain& domain = plane->surface.domain();
+    const Vec3 at =
+        transformPoint(plane->worldFromObject,
+                       plane->surface.position(domain.u.lo + 0.5 * domain.u.width(),
+                                               domain.v.lo + 0.5 * domain.v.width(), plane->parameters)) -
+        list_.origin;
+    Vec3 normal = unit(normalMatrix(plane->worldFromObject.linear) * *plane->surface.flatNormal());
+    const Vec4 from(Vec3(light.positionWorld) - light.positionWorld.w * list_.origin, light.positionWorld.w);
+    const Vec3 toLight = Vec3(from) - from.w * at;
+    if (glm::dot(normal, toLight) < 0) normal = -normal;
+    const double height = glm::dot(normal, toLight), sine = height / glm::length(toLight);
+    if (!(sine > kInPlane) || !isFinite(node.boundsWorld)) {
+      list_.byRays.push_back({{0, 0}, {view.size.width, view.size.height}});
+      return;
+    }
+    const Vec4 heights = Vec4(normal, -glm::dot(normal, at)) / height;
+    const Mat4 flattened = Mat4(1) - glm::outerProduct(from, heights);
+
+    // A mesh is off by as much as the rays of the light spread it.
+    double lowest = 0, size = 0;
+    for (const Vec3& corner : cornersOf(node.boundsWorld)) {
+      lowest = std::max(lowest, glm::dot(heights, Vec4(corner - list_.origin, 1)));
+      size = std::max(size, glm::distance(corner, node.boundsWorld.center()));
+    }
+    const double spread = light.directional() ? 1 : 1 / std::max(1 - lowest, kNearLight);
+    const double depth =
+        view.perspective() ? std::max(view.near, glm::dot(at + list_.origin - view.eye, view.forward())) : 1;
+    const double tolerance = std::clamp(options_.tolerancePx * depth / view.pixelsPerUnit * sine / spread,
+                                        1e-4 * size, 1e-2 * size);
+    const auto mesh = geometry_.meshes.get(
+        node.surface, node.parameters,
+        {.uniform = node.segments, .tolerance = tolerance / largestStretch(node.worldFromObject.linear)});
+    if (mesh->indices.empty()) return;
+    Mat4 relativeFromObject(node.worldFromObject.linear);
+    relativeFromObject[3] = Vec4(transformPoint(node.worldFromObject, mesh->origin) - list_.origin, 1);
+    group_->flatShadows.push_back(
+        {.mesh = mesh,
+         .shadow = {
+             .clipFromObject = Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
+             .height = Vec4f(heights * relativeFromObject),
+             .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
+             .light = bit,
+             .receiver = receiver}});
+  }
+
   void list(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
     const std::optional<PixelRect> area = areaOf(light, node);
     if (!area) return;

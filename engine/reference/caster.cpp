@@ -159,6 +159,7 @@ bool Caster::inShadowOf(std::uint32_t node, const SnapshotLight& light, const Hi
 }
 
 bool Caster::lit(const SnapshotLight& light, const Hit& hit, bool& certified) const {
+  if (light.plane && *light.plane != snapshot_.nodes[hit.node].id) return true;
   if (light.shade) {
     if (snapshot_.nodes[hit.node].id == light.shade->caster) return true;  // its normals decide
     const std::optional<std::uint32_t> shade = nodeOf(light.shade->caster);

@@ -22,9 +22,10 @@ struct Light {
   };
   enum class Shadow {
     None,
-    Exact,  ///< right in every pixel; hard, or, of a light with a radius, of as many hard ones as are asked
-            ///< for
-    Map,    ///< not supported yet
+    Exact,   ///< right in every pixel; hard, or, of a light with a radius, of as many hard ones as are asked
+             ///< for
+    Map,     ///< not supported yet
+    Planar,  ///< on one plane alone, of flattened meshes: for teaching
   };
 
   Type type = Type::Point;
@@ -37,6 +38,7 @@ struct Light {
   /// disc.
   Animated<double> radius = 0.0;
   std::uint32_t shadowSamples = 16;  ///< points of what has a radius, from 1 to kMaxShadowSamples
+  NodeId shadowPlane = {};           ///< what a planar shadow falls on: a flat node
   std::vector<NodeId> casters = {};  ///< who casts the shadow; empty = everything
 
   [[nodiscard]] bool movesWithTime() const {

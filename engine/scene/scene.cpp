@@ -110,6 +110,7 @@ Scene::Entry Scene::checked(Node node, std::uint32_t index) const {
   const auto exists = [&](NodeId id) { return id.index < nodes_.size() && !nodes_[id.index].removed; };
   LUXO_REQUIRE(!node.parent.valid() || (node.parent.index < index && exists(node.parent)));
   if (node.light) LUXO_REQUIRE(std::ranges::all_of(node.light->casters, exists));
+  if (node.light) LUXO_REQUIRE(!node.light->shadowPlane.valid() || exists(node.light->shadowPlane));
   if (!node.material.valid()) node.material = MaterialId{0};
   LUXO_REQUIRE_COMPARE(node.material.index, <, materials_.size());
   validate(node, [&] { return shownName(node, index); });

@@ -236,22 +236,25 @@ Light SceneConstruction::light(const LightDesc& desc) {
           .shadowSamples = static_cast<std::uint32_t>(samples.value_or(1))};
 }
 
-// Casters may come later in the file than the light; a scene wants them first.
+// Casters and planes may come later in the file than the light; a scene wants them first.
 void SceneConstruction::setCasters() {
   Named<NodeId> nodes("node");
   bool known = false;
   for (std::uint32_t i = 0; i < file_.nodes.size(); ++i) {
     const NodeDesc& desc = file_.nodes[i];
-    if (!desc.light || desc.light->casters.empty()) continue;
+    if (!desc.light || (desc.light->casters.empty() && desc.light->shadowPlane.empty())) continue;
     for (std::uint32_t k = 0; k < file_.nodes.size() && !known; ++k)
       if (!file_.nodes[k].name.empty()) nodes.addFirst(file_.nodes[k].name, NodeId{k});
     known = true;
     std::vector<NodeId> casters;
     for (const FileName& name : desc.light->casters)
       if (const NodeId* caster = nodes.find(name, problems_)) casters.push_back(*caster);
+    const NodeId* plane =
+        desc.light->shadowPlane.empty() ? nullptr : nodes.find(desc.light->shadowPlane, problems_);
     if (problems_.any()) continue;
     Node node = scene_[NodeId{i}];
     node.light->casters = std::move(casters);
+    if (plane) node.light->shadowPlane = *plane;
     attempt(desc.place, [&] { scene_.set(NodeId{i}, std::move(node)); });
   }
 }

@@ -191,6 +191,7 @@ struct LightDesc {
   Light::Attenuation attenuation = Light::Attenuation::None;
   Light::Shadow shadow = Light::Shadow::None;
   Quantity radius = 0, shadowSamples = 16;
+  FileName shadowPlane = {};
   std::vector<FileName> casters = {};  ///< empty: all
 
   friend bool operator==(const LightDesc&, const LightDesc&) = default;

@@ -41,8 +41,9 @@ inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
 inline constexpr std::array<Names, 9> kNodeNames = {"name",    "translate", "rotate", "scale",   "visible",
                                                     "surface", "material",  "light",  "children"};
 inline constexpr std::array<Names, 2> kRotationNames = {"axis", "angle"};
-inline constexpr std::array<Names, 8> kLightNames = {"type",   "color",  "intensity",      "attenuation",
-                                                     "shadow", "radius", "shadow_samples", "casters"};
+inline constexpr std::array<Names, 9> kLightNames = {"type",           "color",        "intensity",
+                                                     "attenuation",    "shadow",       "radius",
+                                                     "shadow_samples", "shadow_plane", "casters"};
 inline constexpr std::array<Names, 7> kCameraNames = {"eye",  "look_at", "up",    "fov_y",
                                                       "near", "type",    "height"};
 
@@ -66,7 +67,7 @@ inline constexpr std::array kAll = {kRoot, kRender, kParameter, kMaterial, kForm
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};
 inline constexpr std::array<Names, 2> kAttenuations = {"none", "inverse-square"};
-inline constexpr std::array<Names, 3> kShadows = {"none", "exact", "map"};
+inline constexpr std::array<Names, 4> kShadows = {"none", "exact", "map", "planar"};
 inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};
 /// Surfaces with a structure of their own; all other types are the catalogue's.
 inline constexpr std::array<Names, 4> kShapeTypes = {"formula", "revolve", "tube", "bezier"};

@@ -306,6 +306,10 @@ void SceneReader::readLight(const JsonValue& value, LightDesc& light) {
   values_.readWord(members["shadow"], keys::kShadows, light.shadow);
   values_.read(members["radius"], light.radius);
   values_.read(members["shadow_samples"], light.shadowSamples);
+  values_.read(members["shadow_plane"], light.shadowPlane);
+  if (light.shadow == Light::Shadow::Planar && light.shadowPlane.empty())
+    problems_.add(members["shadow"].where(), "a planar shadow needs a plane to fall on",
+                  "write \"shadow_plane\": and the name of a flat node");
   readCasters(members["casters"], light.casters);
 }
 

@@ -215,6 +215,7 @@ JsonText written(const LightDesc& light) {
   members.addWord("shadow", light.shadow, usual.shadow, keys::kShadows);
   members.add("radius", light.radius, usual.radius);
   members.add("shadow_samples", light.shadowSamples, usual.shadowSamples);
+  if (!light.shadowPlane.empty()) members.put("shadow_plane", JsonText::string(light.shadowPlane.text));
   if (!light.casters.empty()) {
     JsonText casters = JsonText::array();
     for (const FileName& name : light.casters) casters.add(JsonText::string(name.text));

@@ -172,8 +172,27 @@ std::vector<NodeId> castersOf(const NodeThen& then, const std::vector<Placed>& p
   return casters;
 }
 
+/// What the planar shadow of the node's light falls on; nothing of other shadows.
+std::optional<NodeId> planeOf(const NodeThen& then) {
+  const Light& light = *then.node().light;
+  if (light.shadow != Light::Shadow::Planar) return std::nullopt;
+  constexpr const char* kHint =
+      "its \"shadow_plane\" is a rectangle, a disk, or another surface in one plane";
+  if (!light.shadowPlane.valid()) then.reject("its light's planar shadow has no plane to fall on", kHint);
+  const Surface& surface = then.scene[light.shadowPlane].surface;
+  if (!surface.valid() || !surface.flatNormal())
+    then.reject(fmt::format("its light's planar shadow cannot fall on node {}, which is not flat",
+                            then.scene.shownName(light.shadowPlane)),
+                kHint);
+  return light.shadowPlane;
+}
+
 void setShadow(const Scene& scene, const std::vector<Placed>& placed, const std::vector<NodeId>& casters,
                SnapshotLight& light) {
+  if (light.plane) {
+    light.casters = casters;
+    return;
+  }
   light.shade = closedForm(scene, placed, casters, light.positionWorld);
   if (!light.shade) light.casters = casters;
 }
@@ -232,6 +251,7 @@ std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Plac
       light.positionWorld = Vec4(towardLight, 0);
     }
     const std::vector<NodeId> casters = castersOf(then, placed);
+    light.plane = planeOf(then);
     const double radius =
         casters.empty() ? 0 : radiusAt(*node.light, moment, [&] { return scene.shownName({i}); });
     for (SnapshotLight& one : sampledLight(light, placed[i].worldFromNode, radius,
@@ -340,6 +360,16 @@ Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, Ca
   const bool sameMoment = timeSeconds == fitTime || !scene.movesWithTime();
   const Camera fitted = fitCamera(sameMoment ? snapshot : Instant(scene, fitTime, 1).unseen(), size);
   return now.seen(std::move(snapshot), fitted, size);
+}
+
+Snapshot withExactShadows(Snapshot snapshot) {
+  for (SnapshotLight& light : snapshot.lights) light.plane.reset();
+  return snapshot;
+}
+
+std::size_t approximateShadows(const Snapshot& snapshot) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      snapshot.lights, [](const SnapshotLight& light) { return light.plane.has_value(); }));
 }
 
 Box framingOf(const Snapshot& snapshot) {

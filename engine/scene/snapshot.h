@@ -40,6 +40,7 @@ struct SnapshotLight {
   /// ascending.
   std::optional<ShadeRule> shade;
   std::vector<NodeId> casters;
+  std::optional<NodeId> plane = {};  ///< what a planar shadow falls on: it is on nothing else
 
   [[nodiscard]] bool directional() const { return positionWorld.w == 0; }
   [[nodiscard]] bool hasShadow() const { return shade.has_value() || !casters.empty(); }
@@ -74,6 +75,12 @@ struct Snapshot {
 [[nodiscard]] Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size,
                                     const Camera& camera,
                                     std::uint32_t mostShadowSamples = kMaxShadowSamples);
+
+/// The same with exact shadows instead of those that are approximations or on some things only: what these
+/// are held against.
+[[nodiscard]] Snapshot withExactShadows(Snapshot snapshot);
+/// Of the lights, how many have such shadows.
+[[nodiscard]] std::size_t approximateShadows(const Snapshot& snapshot);
 
 /// A finite box: the surfaces' bounds, and where those are infinite their framing(). An orthographic view
 /// clips what lies outside its depth range.

@@ -247,6 +247,15 @@ struct CasterCell {
   uint patch_;
 };
 
+// Pushed to the shaders of a shadow that is flattened onto a plane.
+struct FlatShadow {
+  mat4 clipFromObject;  // to where the light's rays meet the plane
+  vec4 height;          // dot(height, (position, 1)): over the plane; of a point light in units of that of the light
+  float highest;        // what is no lower casts no shadow
+  uint light;           // its bit
+  uint receiver;        // number of the plane's material
+};
+
 struct GridEntry {
   uint cell;
   float nearest;

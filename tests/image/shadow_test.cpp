@@ -302,6 +302,100 @@ TEST_F(ShadowTest, OfOddRadiiAreDefined) {
   }
 }
 
+/// The plane's own shadow is that of the formula, to a pixel: of a mesh whose tolerance is half of one.
+TEST_F(ShadowTest, PlanarOnesOfABallAreTheEllipse) {
+  const auto expectEllipse = [&](const std::string& light, const auto& lit) {
+    const Scene scene =
+        sceneOf(R"({ "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )" + light);
+    const Picture picture = draw(scene, kSize);
+    const Image id = draw(scene, kSize, {.output = Output::Id}).image;
+    const CameraModel camera(scene.cameras()[0], kSize);
+    int inShadow = 0;
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) {
+        if (id.pixel(x, y)[0] != 1) continue;
+        const auto expected = settled(
+            [&](const Vec2& pixel) {
+              const Ray ray = camera.through(pixel);
+              return lit(ray.at(*hitPlane(ray, Vec3(0), Vec3(0, 1, 0))));
+            },
+            centerOf(x, y), 1.0);
+        if (!expected) continue;
+        ASSERT_EQ(isLit(picture.image, x, y), *expected) << x << ", " << y;
+        inShadow += !*expected;
+      }
+    EXPECT_GE(inShadow, 300);
+    EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+  };
+  expectEllipse(R"({ "translate": [-2, 6, 1], "light": { "shadow": "planar", "shadow_plane": "floor" } })",
+                [](const Vec3& p) {
+                  const Vec3 toLight = Vec3(-2, 6, 1) - p;
+                  return seesPast(p, toLight, glm::length(toLight));
+                });
+  expectEllipse(
+      R"({ "rotate": { "axis": [1, 0, 0], "angle": -1 },
+           "light": { "type": "directional", "shadow": "planar", "shadow_plane": "floor" } })",
+      [](const Vec3& p) { return seesPast(p, Vec3(0, std::sin(1.0), std::cos(1.0)), 1e9); });
+}
+
+/// What is beyond the light or below the plane has no shadow there, and nothing but the plane has one: where
+/// the ball keeps the light from another one, only exact shadows say so.
+TEST_F(ShadowTest, PlanarOnesAreOfWhatIsBetweenAndOnThePlaneAlone) {
+  const std::string light = R"({ "translate": [0.5, 4, 0], "light": { "shadow": ")";
+  const auto pictureOf = [&](const std::string& nodes, const std::string& shadow) {
+    return draw(sceneOf(nodes + ", " + light + shadow), kSize, {.composition = Composition::Deferred}).image;
+  };
+  const std::string none = R"(none" } })", planar = R"(planar", "shadow_plane": "floor" } })",
+                    exact = R"(exact" } })";
+  for (const std::string at : {"[0.5, 6, 0]", "[0, -1.5, 0]"}) {
+    const std::string ball = R"({ "surface": "ball", "material": "m", "translate": )" + at + " }";
+    EXPECT_TRUE(sameBytes(pictureOf(ball, planar), pictureOf(ball, none))) << at;
+  }
+  // One ball over another, of which half is in the shadow.
+  const Scene scene = sceneOf(
+      R"({ "surface": "ball", "material": "m", "translate": [0.4, 0.5, 0], "scale": [0.5, 0.5, 0.5] },
+         { "surface": "ball", "material": "m", "translate": [0.4, 2, 0], "scale": [0.5, 0.5, 0.5] }, )" +
+      light + planar);
+  const Image picture = draw(scene, kSize).image, id = draw(scene, kSize, {.output = Output::Id}).image;
+  const ReferencePicture same = castPicture(takeSnapshot(scene, 0, kSize)),
+                         truth = castPicture(withExactShadows(takeSnapshot(scene, 0, kSize)));
+  int others = 0, differ = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      if (id.pixel(x, y)[0] != 2) continue;
+      EXPECT_TRUE(near(colorAt(picture, x, y), colorAt(same.color, x, y), 1e-3)) << x << ", " << y;
+      others += !near(colorAt(picture, x, y), colorAt(truth.color, x, y), 0.05);
+      ++differ;
+    }
+  EXPECT_GT(others, 100) << "of " << differ;
+}
+
+TEST_F(ShadowTest, PlanarOnesNeedAPlane) {
+  const auto expectError = [](const std::string& nodes, const std::string& part) {
+    try {
+      static_cast<void>(takeSnapshot(sceneOf(nodes), 0, kSize));
+      FAIL() << nodes;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Scene);
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  expectError(R"({ "name": "ball", "surface": "ball", "material": "m" },
+                 { "light": { "shadow": "planar", "shadow_plane": "ball" } })",
+              "node 'ball', which is not flat");
+  expectError(R"({ "light": { "shadow": "planar" } })", "a planar shadow needs a plane");
+  expectError(R"({ "light": { "shadow": "planar", "shadow_plane": "flor" } })", "there is no node 'flor'");
+  // In the plane, on the ball, or around the camera: defined.
+  for (const std::string at : {"[5, 0, 0]", "[0, 3, 0]", "[0, 1e-9, 0]", "[1, 7, 6]", "[0, -5, 0]"}) {
+    const Picture picture = draw(
+        sceneOf(
+            R"({ "surface": "ball", "material": "m", "translate": [0, 2, 0] }, { "translate": )" + at +
+            R"(, "light": { "shadow": "planar", "shadow_plane": "floor", "attenuation": "inverse-square" } })"),
+        {96, 72});
+    EXPECT_EQ(picture.statistics.error.nonfinitePx, 0U) << at;
+  }
+}
+
 TEST_F(ShadowTest, AreRefusedWhereTheyWouldBeWrong) {
   const Scene scene = sceneOf(kCrowd);
   for (const Shading shading : {Shading::Gouraud, Shading::Toon}) {

@@ -249,9 +249,10 @@ class RandomScene {
                            .color = color(),
                            .intensity = quantity(),
                            .attenuation = word<Light::Attenuation>(2),
-                           .shadow = word<Light::Shadow>(3),
+                           .shadow = word<Light::Shadow>(4),
                            .radius = quantity(),
                            .shadowSamples = quantity()};
+    if (coin() || desc.light->shadow == Light::Shadow::Planar) desc.light->shadowPlane = name("n", i);
     for (int k = random_.below(3); k > 0; --k) desc.light->casters.push_back(name("n", k));
     return desc;
   }

@@ -263,8 +263,7 @@ class Viewer {
     sliders_.adopt(viewed_.scene);
     mostShadowSamples_ = 1;
     for (const Scene::Entry& entry : scene.nodes())
-      if (const std::optional<Light>& light = entry.node.light;
-          light && light->shadow == Light::Shadow::Exact)
+      if (const std::optional<Light>& light = entry.node.light; light && light->shadow != Light::Shadow::None)
         mostShadowSamples_ = std::max(mostShadowSamples_, light->shadowSamples);
   }
 
