@@ -35,14 +35,17 @@ inline Vec2 quasirandomPoint(double n, const Vec2& shift = Vec2(0.5)) {
 /// So one coordinate is dropped here, which leaves the density 1 / (pi^2 sqrt(1 - r^2)) in the ball, and the
 /// way of the light drops the other. Uniform on S^3: K. Shoemake, Uniform random rotations, Graphics Gems
 /// III, 1992. The numbers behind it are those of J. Hammersley, 1960, with quasirandomPoint(): spread evenly
-/// for each n. One point is the middle.
+/// for each n. Every other point is the one before it, mirrored at the middle, so that few points have their
+/// mean there, too, and what they light is as bright. One point is the middle.
 inline Vec3 luminousBallPoint(std::uint32_t k, std::uint32_t n) {
   if (n == 1) return Vec3(0);
   constexpr double kTurn = 6.283185307179586;
-  const double part = (k + 0.5) / n;
-  const Vec2 turns = kTurn * quasirandomPoint(k);
-  return {std::sqrt(1 - part) * std::cos(turns.x), std::sqrt(1 - part) * std::sin(turns.x),
-          std::sqrt(part) * std::cos(turns.y)};
+  const std::uint32_t pair = k / 2, pairs = (n + 1) / 2;
+  const double part = (pair + 0.5) / pairs;
+  const Vec2 turns = kTurn * quasirandomPoint(pair);
+  const Vec3 point(std::sqrt(1 - part) * std::cos(turns.x), std::sqrt(1 - part) * std::sin(turns.x),
+                   std::sqrt(part) * std::cos(turns.y));
+  return k % 2 == 0 ? point : -point;
 }
 
 /// Point k of n in a cap of the unit sphere around +Z, `angle` from its middle to its rim, spread evenly over

@@ -313,7 +313,8 @@ class Judge {
   }
 
   /// Whether the colour shown is nearer to that with one light's visibility turned round than to the truth,
-  /// and no border of that shadow, and no outline, is near.
+  /// and no border of that shadow, and no outline, is near. Of many lights that are as bright, the points of
+  /// a soft shadow, several may explain a colour: those with a border nearby do so first.
   [[nodiscard]] bool inAnotherLight(const Caster& caster, std::uint32_t i) const {
     const auto lightsAt = [&](const Ray& ray, const Caster::Sight& sight) {
       return caster.shadowedLights(sight.hits.front(), -ray.direction);
@@ -323,11 +324,12 @@ class Judge {
     const auto sight = caster.look(ray);
     if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
       return false;  // seen through: no closed form
-    const Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
+    Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
     const auto lights = lightsAt(ray, sight);
+    const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    std::vector<Vec3> bordering, others;  // what they change when they are turned round
     for (std::size_t k = 0; k < lights.size(); ++k) {
       const Vec3 turned = lights[k].visible ? -lights[k].share : lights[k].share;
-      const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
       if (!lights[k].certified || !(size(off - turned) < size(off))) continue;
       const double border = distanceTo(
           [&](const Vec2& at) {
@@ -338,9 +340,17 @@ class Judge {
             return there.size() != lights.size() || there[k].visible != lights[k].visible;
           },
           center, 2 * kSilhouettePx);
-      if (border > kSilhouettePx) return true;
+      (border > kSilhouettePx ? others : bordering).push_back(turned);
     }
-    return false;
+    while (!bordering.empty()) {
+      const auto best =
+          std::ranges::min_element(bordering, {}, [&](const Vec3& turned) { return size(off - turned); });
+      if (!(size(off - *best) < size(off))) break;
+      off -= *best;
+      bordering.erase(best);
+    }
+    return size(off) > kOtherLight &&
+           std::ranges::any_of(others, [&](const Vec3& turned) { return size(off - turned) < size(off); });
   }
 
   /// From a pixel's centre to where the truth is what the pixel shows.

@@ -35,7 +35,7 @@ TEST(Sampling, ALuminousBallLooksLikeAnEvenDisc) {
   }
 }
 
-/// Few points are spread, too: their mean is near the middle, and none is outside.
+/// Few points are spread, too: their mean is the middle, and none is outside.
 TEST(Sampling, FewPointsOfABallAreSpread) {
   for (const std::uint32_t n : {2U, 4U, 16U, 64U}) {
     Vec3 sum(0);
@@ -43,7 +43,7 @@ TEST(Sampling, FewPointsOfABallAreSpread) {
       sum += luminousBallPoint(k, n);
       EXPECT_LE(glm::length(luminousBallPoint(k, n)), 1 + 1e-12);
     }
-    EXPECT_LT(glm::length(sum / static_cast<double>(n)), 2.0 / std::sqrt(n)) << n;
+    EXPECT_LT(glm::length(sum), 1e-12) << n;
   }
   EXPECT_EQ(luminousBallPoint(0, 1), Vec3(0));
   EXPECT_EQ(capPoint(0, 1, 0.3), Vec3(0, 0, 1));
