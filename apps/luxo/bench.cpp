@@ -15,6 +15,7 @@
 #include "bench_page.h"
 #include "bench_plot.h"
 #include "bench_report.h"
+#include "bench_shadows.h"
 #include "console.h"
 #include "exit_code.h"
 #include "image/file.h"
@@ -32,6 +33,7 @@ namespace {
 constexpr const char* kStandard = "standard";
 constexpr std::array<const char*, 8> kStandardScenes = {"sphere", "torus", "flag",       "luxo-grandpa",
                                                         "teapot", "klein", "thin-torus", "catalogue"};
+constexpr const char* kShadows = "shadows";
 constexpr PixelSize kStandardSize = {1024, 1024};
 
 struct BenchOptions {
@@ -132,23 +134,58 @@ std::vector<std::string> plotsOf(const BenchResult& result) {
   return plots;
 }
 
+void write(const std::filesystem::path& file, const std::string& text) {
+  writeFileAtomically(file, std::as_bytes(std::span(text)));
+}
+
 /// The exit code: worth retrying where a plot is missing.
-int writeFiles(const BenchResult& result, const std::filesystem::path& folder) {
-  const auto write = [&](const char* name, const std::string& text) {
-    writeFileAtomically(folder / name, std::as_bytes(std::span(text)));
-  };
-  write("results.csv", benchCsv(result));
-  write("results.json", benchJson(result));
-  write("summary.md", benchMarkdown(result));
-  const std::vector<std::string> plots = plotsOf(result);
-  write("index.html", benchPage(result, plots));
-  if (!plots.empty()) {
-    write("pareto.svg", plots[0]);
-    return exit_code::kDone;
-  }
-  printError(Error(ErrorKind::Retry, "there is no gnuplot: pareto.svg is missing, everything else is written",
+int missesPlot(const char* file) {
+  printError(Error(ErrorKind::Retry,
+                   fmt::format("there is no gnuplot: {} is missing, everything else is written", file),
                    "install it (Debian: gnuplot-nox) and run this again"));
   return exit_code::kRetry;
+}
+
+int writeFiles(const ShadowBench& bench, const std::filesystem::path& folder) {
+  write(folder / "shadows.csv", shadowCsv(bench));
+  write(folder / "shadows.json", shadowJson(bench));
+  const std::optional<std::string> svg = runGnuplot(shadowScript(bench));
+  if (!svg) return missesPlot("shadows.svg");
+  write(folder / "shadows.svg", *svg);
+  return exit_code::kDone;
+}
+
+int writeFiles(const BenchResult& result, const std::filesystem::path& folder) {
+  write(folder / "results.csv", benchCsv(result));
+  write(folder / "results.json", benchJson(result));
+  write(folder / "summary.md", benchMarkdown(result));
+  const std::vector<std::string> plots = plotsOf(result);
+  write(folder / "index.html", benchPage(result, plots));
+  if (!plots.empty()) {
+    write(folder / "pareto.svg", plots[0]);
+    return exit_code::kDone;
+  }
+  return missesPlot("pareto.svg");
+}
+
+int runShadowBench(const BenchOptions& options, const RenderRequest& request) {
+  ShadowPlan plan;
+  if (options.quick) plan = {.size = {240, 180}, .runs = 3, .truthPixels = 200, .points = {1, 4, 16}};
+  if (request.size) plan.size = *request.size;
+  if (options.runs) plan.runs = parseRuns(*options.runs);
+  if (!options.folder.empty()) makeFolder(options.folder);
+  const auto log = std::make_shared<gpu::ValidationLog>();
+  std::optional<ShadowBench> bench;
+  {
+    gpu::Context context({.device = request.device, .validation = request.validate, .validationLog = log});
+    Progress progress(request.verbosity == Verbosity::Normal, 1);
+    bench = benchShadows(context, plan, [&](double part) { return progress(0, part); });
+  }
+  if (!bench) return exit_code::kSignal + interruptingSignal();
+  requireNoMessage(*log);
+  const int code = options.folder.empty() ? exit_code::kDone : writeFiles(*bench, options.folder);
+  printData(shadowText(*bench));
+  return code;
 }
 
 int runBench(const BenchOptions& options) {
@@ -157,6 +194,7 @@ int runBench(const BenchOptions& options) {
   if (request.scene.empty())
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo bench teapot -o results; or luxo bench standard -o results");
+  if (request.scene == kShadows) return runShadowBench(options, request);
   BenchPlan plan = options.quick ? quickPlan() : fullPlan();
   if (options.runs) {
     plan.runs = plan.leastRuns = parseRuns(*options.runs);
@@ -188,7 +226,9 @@ void addBench(CLI::App& app, Command& chosen) {
   // These are what is swept, or what there is no choice of.
   for (const char* swept : {"--engine", "--samples", "--fps", "--tolerance", "--shading", "--skip"})
     verb->remove_option(verb->get_option(swept));
-  verb->get_option("SCENE")->description("scene file, built-in name, or `standard`: the standard set");
+  verb->get_option("SCENE")->description(
+      "scene file, built-in name, `standard`: the standard set, or `shadows`: what shadows cost, and "
+      "what is wrong with them (shadows.csv, .json, .svg)");
   verb->get_option("--size")->description("size in pixels (1024x1024)");
   verb->add_option(
           "-o,--output", options->folder,

@@ -117,6 +117,35 @@ TEST_F(BenchFilesTest, EveryFileIsCompleteAndWellFormed) {
   EXPECT_EQ(unclosedIn(svg), Words{});
 }
 
+TEST_F(BenchFilesTest, ShadowsAreRightOrCounted) {
+  const Outcome outcome =
+      run(folder, {"bench", "shadows", "--size", "80x60", "--quick", "--runs", "1", "-o", "shadows"});
+  const bool plotted = outcome.code == 0;
+  ASSERT_TRUE(plotted || outcome.code == 75) << outcome.err;
+  const Json rows = Json::parse(textOf(folder / "shadows/shadows.json"))["rows"];
+  ASSERT_EQ(rows.size(), 3U * 8U);  // none, exact from three maps, planar, soft of 1, 4 and 16 points
+  EXPECT_EQ(split(textOf(folder / "shadows/shadows.csv"), '\n').size(), 1 + rows.size());
+  double rmsOfOne = 0;
+  std::uint64_t planarWrong = 0;
+  for (const Json& row : rows) {
+    const std::string way = row["shadows"];
+    EXPECT_GT(row["frame_ms"], 0) << row;
+    EXPECT_EQ(row["shadow_passes"] == 0, way == "none") << row;
+    EXPECT_EQ(row["rms"].is_number(), way.starts_with("soft")) << row;
+    if (way == "none") EXPECT_EQ(row["to_none"], 1) << row;
+    if (way.starts_with("exact")) EXPECT_EQ(row["wrong_px"], 0) << row;
+    if (way == "planar") planarWrong += row["wrong_px"].get<std::uint64_t>();
+    // Points share the light: the error falls with their number, by a half at least from 1 to 16.
+    if (way == "soft, 1 points") rmsOfOne = row["rms"];
+    if (way == "soft, 16 points") EXPECT_LT(row["rms"], 0.5 * rmsOfOne) << row;
+  }
+  EXPECT_GT(planarWrong, 0U) << "what is not the floor has no planar shadow";
+  if (!plotted) return;
+  const std::string svg = textOf(folder / "shadows/shadows.svg");
+  EXPECT_TRUE(contains(svg, "<svg"));
+  EXPECT_EQ(unclosedIn(svg), Words{});
+}
+
 TEST_F(BenchFilesTest, ErrorsAreTheSameEveryTime) {
   const auto errors = [&](const std::string& name) {
     EXPECT_NE(run(folder, {"bench", "torus", "--size", "40x30", "--quick", "--runs", "1", "-o", name}).code,
