@@ -132,12 +132,18 @@ TEST_F(BenchFilesTest, ShadowsAreRightOrCounted) {
     EXPECT_GT(row["frame_ms"], 0) << row;
     EXPECT_EQ(row["shadow_passes"] == 0, way == "none") << row;
     EXPECT_EQ(row["rms"].is_number(), way.starts_with("soft")) << row;
-    if (way == "none") EXPECT_EQ(row["to_none"], 1) << row;
-    if (way.starts_with("exact")) EXPECT_EQ(row["wrong_px"], 0) << row;
+    if (way == "none") {
+      EXPECT_EQ(row["to_none"], 1) << row;
+    }
+    if (way.starts_with("exact")) {
+      EXPECT_EQ(row["wrong_px"], 0) << row;
+    }
     if (way == "planar") planarWrong += row["wrong_px"].get<std::uint64_t>();
     // Points share the light: the error falls with their number, by a half at least from 1 to 16.
     if (way == "soft, 1 points") rmsOfOne = row["rms"];
-    if (way == "soft, 16 points") EXPECT_LT(row["rms"], 0.5 * rmsOfOne) << row;
+    if (way == "soft, 16 points") {
+      EXPECT_LT(row["rms"], 0.5 * rmsOfOne) << row;
+    }
   }
   EXPECT_GT(planarWrong, 0U) << "what is not the floor has no planar shadow";
   if (!plotted) return;
