@@ -45,6 +45,15 @@ void validate(const Material& material) {
       reject(material, "a pattern parameter", fmt::format("{}", parameter), "finite");
 }
 
+Vec3 Material::transmissionAt(double u, double v) const {
+  return blend == Blend::Add ? Vec3(1) : lightThroughAt(u, v);
+}
+
+Vec3 Material::lightThroughAt(double u, double v) const {
+  const double through = 1 - opacityAt(u, v);
+  return blend == Blend::Multiply ? through * diffuseAt(u, v) : Vec3(through);
+}
+
 std::uint32_t cutToRange(Material& material) {
   std::uint32_t cut = cutToRange(material.diffuse) + cutToRange(material.specular);
   if (material.ambient) cut += cutToRange(*material.ambient);

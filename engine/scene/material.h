@@ -21,6 +21,15 @@ enum class TwoSided {
   No,    ///< back faces are not shown
 };
 
+/// What comes through a surface from behind, of an opacity a: (1 - a) of it; all of it; or (1 - a) of it
+/// times the diffuse colour, as through stained glass. To that the surface adds a of the light that it
+/// reflects itself, highlights included.
+enum class Blend { Over, Add, Multiply };
+
+/// How what is seen through comes together: by depth in every pixel, which is right; or node by node as they
+/// are given, each over all before it, as in a lecture that shows why order matters.
+enum class BlendOrder { Exact, Given };
+
 /// Colours are linear RGB factors.
 struct Material {
   std::string name = "material";
@@ -28,18 +37,35 @@ struct Material {
   std::optional<Vec3> ambient = std::nullopt;  ///< the diffuse colour unless given
   Vec3 specular{0.2};
   double shininess = 30;  ///< exponent of Blinn's half vector
-  double opacity = 1;     ///< 1 is opaque; less is blended over what lies behind
+  double opacity = 1;     ///< 1 is opaque; of less, see `blend`
+  Blend blend = Blend::Over;
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = std::nullopt;  ///< overrides the picture's shading, unless that shows data
   bool lectureSpecular = false;                   ///< highlights even where the light is below the horizon
-  Pattern diffusePattern = {};  ///< stands for `diffuse`, and for the ambient colour unless that is given
+  /// Stands for `diffuse`, and for the ambient colour unless that is given; times `opacity`, if it has one.
+  Pattern diffusePattern = {};
   std::vector<double> patternParameters = {};  ///< as many as the pattern has
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] Shading shadingIn(Shading picture) const {
     return showsData(picture) ? picture : shading.value_or(picture);
   }
-  [[nodiscard]] bool transparent() const { return opacity < 1; }
+  [[nodiscard]] bool transparent() const {
+    return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity();
+  }
+  /// Whether nothing is seen of it, anywhere.
+  [[nodiscard]] bool invisible() const { return opacity == 0 && blend != Blend::Multiply; }
+  [[nodiscard]] double opacityAt(double u, double v) const {
+    return diffusePattern.hasOpacity() ? opacity * diffusePattern.opacityAt(u, v, patternParameters)
+                                       : opacity;
+  }
+  [[nodiscard]] Vec3 diffuseAt(double u, double v) const {
+    return diffusePattern.valid() ? diffusePattern.colorAt(u, v, patternParameters) : diffuse;
+  }
+  /// How much of what is behind a point of it is seen through it.
+  [[nodiscard]] Vec3 transmissionAt(double u, double v) const;
+  /// How much of a light gets through there: in mode Add, too, 1 - opacity of it.
+  [[nodiscard]] Vec3 lightThroughAt(double u, double v) const;
   friend bool operator==(const Material&, const Material&) = default;
 };
 

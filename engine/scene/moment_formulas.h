@@ -53,6 +53,10 @@ class MomentFormulas {
   /// [A, B] is A * B. An angle that is a number times `t` turns for ever, as spin() does.
   [[nodiscard]] Animated<Rotation> rotation(std::span<const RotationDesc> rotations);
 
+  /// Throws, when it is asked for, where the value that a quantity stands for is not allowed.
+  [[nodiscard]] Animated<double> guarded(const Quantity& quantity, const Allowed& allowed,
+                                         Animated<double> value) const;
+
   /// A number that is read once: its parameters have their initial values, and it cannot depend on time.
   [[nodiscard]] std::optional<double> once(const Quantity& quantity, const Allowed& allowed = kFinite);
   /// Whether a constant is allowed; if not, that is a problem of the quantity it comes from.
@@ -73,7 +77,6 @@ class MomentFormulas {
   /// Throws where a moving quantity gives what is not allowed.
   [[nodiscard]] std::function<void(double value, double time)> guard(const Quantity& quantity,
                                                                      const Allowed& allowed) const;
-  Animated<double> guarded(const Quantity& quantity, const Allowed& allowed, Animated<double> value) const;
   Animated<double> angle(const Quantity& quantity);
   Animated<Rotation> single(const RotationDesc& rotation);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A colour that varies over a surface: three formulas of u, v and parameters, evaluated in every pixel.
+// A colour that varies over a surface: three formulas of u, v and parameters, evaluated in every pixel; with
+// a fourth, how opaque the surface is there.
 //
 //     Material checkered{.diffusePattern = pattern([](auto u, auto v) {
 //       const Expr square = mod(floor(8 * u) + floor(8 * v), 2);
@@ -29,6 +30,8 @@ class Pattern {
   /// `parameterCount`; the graph may go. Cost: linear in the nodes of the graph. Throws Error(Scene) for a
   /// formula too large for a shader (formula/glsl.h).
   Pattern(Graph& graph, const std::array<Expr, 3>& color, std::size_t parameterCount);
+  /// `paint`: the color, and the opacity.
+  Pattern(Graph& graph, const std::array<Expr, 4>& paint, std::size_t parameterCount);
 
   [[nodiscard]] bool valid() const { return content_ != nullptr; }
   [[nodiscard]] std::size_t parameterCount() const;
@@ -37,7 +40,13 @@ class Pattern {
   /// one above kMaxSceneNumber (scene/ranges.h) is that.
   [[nodiscard]] Vec3 colorAt(double u, double v, std::span<const double> parameters = {}) const;
 
-  /// `void patternColor(float u, float v, out vec3 color)` (formula/glsl.h).
+  /// Whether it says how opaque a surface is.
+  [[nodiscard]] bool hasOpacity() const;
+  /// From 0 to 1, cut off there; a formula without a value is 0, as nothing is seen of it. 1 of a pattern
+  /// that does not say.
+  [[nodiscard]] double opacityAt(double u, double v, std::span<const double> parameters = {}) const;
+
+  /// `void patternPaint(float u, float v, out vec4 paint)`, the opacity last (formula/glsl.h).
   [[nodiscard]] const std::string& glsl() const;
 
   /// By content: equal patterns are the same shader, whoever made them.

@@ -64,6 +64,7 @@ struct RenderSettings {
   double tolerance = 0.5;  ///< pixels, in kToleranceRange
   Shading shading = Shading::Exact;
   bool hiddenLines = false;  ///< of wireframes, shown
+  BlendOrder blendOrder = BlendOrder::Exact;
   Vec3 background{0.02, 0.025, 0.03};
   Vec3 ambient{0.1};
 

@@ -161,18 +161,19 @@ struct MovingMaterial {
 
 void SceneConstruction::addMaterial(const MaterialDesc& desc) {
   MovingMaterial material{.fixed = {.name = desc.name.text,
+                                    .blend = desc.blend,
                                     .twoSided = desc.twoSided,
                                     .shading = desc.shading,
                                     .lectureSpecular = desc.lectureSpecular}};
   attempt(desc.name.place, [&] {
-    ShapeBuilder::MovingColor diffuse = shapes_.buildColor(desc.diffuse);
-    material.fixed.diffusePattern = std::move(diffuse.pattern);
-    material.patternParameters = std::move(diffuse.parameters);
-    material.diffuse = std::move(diffuse.uniform);
+    ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc.diffuse, desc.opacity);
+    material.fixed.diffusePattern = std::move(paint.pattern);
+    material.patternParameters = std::move(paint.parameters);
+    material.diffuse = std::move(paint.uniform);
+    material.opacity = std::move(paint.opacity);
     if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
     material.specular = formulas_.vector(desc.specular, kLight);
     material.shininess = formulas_.number(desc.shininess, kLight);
-    material.opacity = formulas_.number(desc.opacity, kFraction);
     materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
   });
 }
@@ -283,7 +284,8 @@ Vec3 SceneConstruction::colorOnce(const Quantity3& color) {
 }
 
 void SceneConstruction::setRender(const RenderDesc& desc) {
-  RenderSettings settings{.shading = desc.shading, .hiddenLines = desc.hiddenLines};
+  RenderSettings settings{
+      .shading = desc.shading, .hiddenLines = desc.hiddenLines, .blendOrder = desc.blendOrder};
   const std::optional<int> width = count(desc.size[0], kMaxPictureSide),
                            height = count(desc.size[1], kMaxPictureSide),
                            samples = count(desc.samples, kMaxSamples);

@@ -92,13 +92,14 @@ struct ParameterDesc {
   friend bool operator==(const ParameterDesc&, const ParameterDesc&) = default;
 };
 
-/// As Material. A diffuse or ambient colour that uses u or v is a pattern on the surface.
+/// As Material. A diffuse or ambient colour, or an opacity, that uses u or v is a pattern on the surface.
 struct MaterialDesc {
   FileName name = {};
   Quantity3 diffuse = repeated(0.7);
   std::optional<Quantity3> ambient = {};
   Quantity3 specular = repeated(0.2);
   Quantity shininess = 30, opacity = 1;
+  Blend blend = Blend::Over;
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = {};
   bool lectureSpecular = false;
@@ -229,6 +230,7 @@ struct RenderDesc {
   Quantity time = {}, fps = 24, samples = 1, tolerance = 0.5;
   Shading shading = Shading::Exact;
   bool hiddenLines = false;
+  BlendOrder blendOrder = BlendOrder::Exact;
   Quantity3 background{0.02, 0.025, 0.03}, ambient = repeated(0.1);
 
   friend bool operator==(const RenderDesc&, const RenderDesc&) = default;

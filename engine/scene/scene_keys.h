@@ -26,11 +26,13 @@ using Names = std::string_view;
 
 inline constexpr std::array<Names, 9> kRootNames = {"luxo",     "$schema", "render", "params", "materials",
                                                     "surfaces", "nodes",   "camera", "cameras"};
-inline constexpr std::array<Names, 9> kRenderNames = {
-    "size", "time", "fps", "samples", "tolerance", "shading", "hidden_lines", "background", "ambient"};
+inline constexpr std::array<Names, 10> kRenderNames = {"size",       "time",    "fps",          "samples",
+                                                       "tolerance",  "shading", "hidden_lines", "blend_order",
+                                                       "background", "ambient"};
 inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
-inline constexpr std::array<Names, 8> kMaterialNames = {
-    "diffuse", "ambient", "specular", "shininess", "opacity", "two_sided", "shading", "lecture_specular"};
+inline constexpr std::array<Names, 9> kMaterialNames = {"diffuse",   "ambient", "specular",
+                                                        "shininess", "opacity", "blend",
+                                                        "two_sided", "shading", "lecture_specular"};
 inline constexpr std::array<Names, 7> kFormulaNames = {"type",   "position", "u",       "v",
                                                        "closed", "let",      "segments"};
 inline constexpr std::array<Names, 7> kRevolveNames = {"type", "radius", "height",  "u",
@@ -68,6 +70,8 @@ inline constexpr std::array kAll = {kRoot, kRender, kParameter, kMaterial, kForm
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};
 inline constexpr std::array<Names, 2> kAttenuations = {"none", "inverse-square"};
 inline constexpr std::array<Names, 4> kShadows = {"none", "exact", "map", "planar"};
+inline constexpr std::array<Names, 3> kBlends = {"over", "add", "multiply"};
+inline constexpr std::array<Names, 2> kBlendOrders = {"exact", "given"};
 inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};
 /// Surfaces with a structure of their own; all other types are the catalogue's.
 inline constexpr std::array<Names, 4> kShapeTypes = {"formula", "revolve", "tube", "bezier"};

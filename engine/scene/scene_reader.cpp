@@ -124,6 +124,7 @@ void SceneReader::readRender(const JsonValue& render) {
   values_.read(members["tolerance"], target.tolerance);
   values_.readWord(members["shading"], kShadingNames, target.shading);
   values_.read(members["hidden_lines"], target.hiddenLines);
+  values_.readWord(members["blend_order"], keys::kBlendOrders, target.blendOrder);
   readColor(members["background"], target.background);
   readColor(members["ambient"], target.ambient);
 }
@@ -157,6 +158,7 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
   readColor(members["specular"], material.specular);
   values_.read(members["shininess"], material.shininess);
   values_.read(members["opacity"], material.opacity);
+  values_.readWord(members["blend"], keys::kBlends, material.blend);
   if (const JsonValue sides = members["two_sided"]; sides.exists()) {
     bool both = false;
     if (sides.isBoolean()) {

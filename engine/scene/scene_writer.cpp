@@ -94,6 +94,7 @@ JsonText written(const RenderDesc& render) {
   members.add("tolerance", render.tolerance, usual.tolerance);
   members.addWord("shading", render.shading, usual.shading, kShadingNames);
   if (render.hiddenLines) members.put("hidden_lines", JsonText::boolean(true));
+  members.addWord("blend_order", render.blendOrder, usual.blendOrder, keys::kBlendOrders);
   members.addColor("background", render.background, usual.background);
   members.addColor("ambient", render.ambient, usual.ambient);
   return members.take();
@@ -117,6 +118,7 @@ JsonText written(const MaterialDesc& material) {
   members.addColor("specular", material.specular, usual.specular);
   members.add("shininess", material.shininess, usual.shininess);
   members.add("opacity", material.opacity, usual.opacity);
+  members.addWord("blend", material.blend, usual.blend, keys::kBlends);
   if (material.twoSided != TwoSided::Auto)
     members.put("two_sided", JsonText::boolean(material.twoSided == TwoSided::Yes));
   if (material.shading) members.put("shading", JsonText::string(nameOf(*material.shading)));

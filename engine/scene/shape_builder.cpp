@@ -234,18 +234,52 @@ Surface ShapeBuilder::buildShape(const std::string& name, const BezierShape& sha
   return bezier(patches, {.name = name});
 }
 
-ShapeBuilder::MovingColor ShapeBuilder::buildColor(const Quantity3& color) {
-  if (std::ranges::none_of(color, &Quantity::isFormula)) return {.uniform = formulas_.vector(color, kLight)};
-  const FormulaSet formulas({.formulas = {color.begin(), color.end()}}, variables_);
+ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const Quantity& opacity) {
+  MovingPaint paint;
+  const bool opacityVaries = opacity.isFormula() && readOpacity(opacity, paint.opacity);
+  if (!opacity.isFormula()) paint.opacity = formulas_.number(opacity, kFraction);
+  if (!opacityVaries && std::ranges::none_of(color, &Quantity::isFormula)) {
+    paint.uniform = formulas_.vector(color, kLight);
+    return paint;
+  }
+  std::vector<Quantity> written(color.begin(), color.end());
+  if (opacityVaries) written.push_back(opacity);
+  const FormulaSet formulas({.formulas = written}, variables_);
   formulas.reportTo(problems_);
   if (!formulas.ok()) return {};
   const std::vector<Expr>& c = formulas.values();
-  for (std::size_t i = 0; i < color.size(); ++i)
-    if (c[i].isConstant() && !formulas_.accept(color[i], c[i].constant(), kLight)) return {};
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (c[i].isConstant() && !formulas_.accept(written[i], c[i].constant(), i < 3 ? kLight : kFraction))
+      return {};
   // What u and v are in is not always what depends on them: 0.5 + 0 * v.
-  if (!formulas.varies()) return {.uniform = uniformOf(formulas)};
-  return {.pattern = Pattern(formulas.graph(), {c[0], c[1], c[2]}, formulas.parameters().size()),
-          .parameters = formulas.parameters()};
+  if (!formulas.varies()) {
+    paint.uniform = uniformOf(formulas);
+    return paint;
+  }
+  const std::size_t parameters = formulas.parameters().size();
+  paint.pattern = opacityVaries ? Pattern(formulas.graph(), std::array{c[0], c[1], c[2], c[3]}, parameters)
+                                : Pattern(formulas.graph(), std::array{c[0], c[1], c[2]}, parameters);
+  paint.parameters = formulas.parameters();
+  return paint;
+}
+
+/// Whether it depends on u or v; else its value is known.
+bool ShapeBuilder::readOpacity(const Quantity& opacity, Animated<double>& value) {
+  const FormulaSet formula({.formulas = {opacity, opacity, opacity}}, variables_);
+  if (!formula.ok()) {
+    formula.reportTo(problems_);
+    return false;
+  }
+  if (formula.varies()) return true;
+  const Expr one = formula.values()[0];
+  const Animated<Vec3> uniform = uniformOf(formula);
+  if (one.isConstant())
+    value = formulas_.accept(opacity, one.constant(), kFraction) ? one.constant() : 1.0;
+  else
+    value = formulas_.guarded(opacity, kFraction,
+                              {[uniform](const Moment& moment) { return uniform.at(moment).x; },
+                               uniform.movesWithTime() ? DependsOn::Both : DependsOn::Parameters});
+  return false;
 }
 
 void ShapeBuilder::warn(const SurfaceDesc& desc, const Surface& surface) {

@@ -25,14 +25,15 @@ class ShapeBuilder {
   /// the parameters' initial values.
   [[nodiscard]] Surface build(const SurfaceDesc& surface);
 
-  /// A colour that may use u and v.
-  struct MovingColor {
-    Pattern pattern;                                ///< of one that really depends on them
+  /// A colour and an opacity that may use u and v.
+  struct MovingPaint {
+    Pattern pattern;                                ///< where one really depends on them
     std::vector<Animated<double>> parameters = {};  ///< of the pattern
-    Animated<Vec3> uniform = Vec3(0);               ///< of any other
+    Animated<Vec3> uniform = Vec3(0);               ///< of any other colour
+    Animated<double> opacity = 1.0;                 ///< of any other opacity
   };
-  /// Constants are held against kLight.
-  [[nodiscard]] MovingColor buildColor(const Quantity3& color);
+  /// Constants are held against kLight and kFraction.
+  [[nodiscard]] MovingPaint buildPaint(const Quantity3& color, const Quantity& opacity);
 
  private:
   class Formulas;
@@ -44,6 +45,7 @@ class ShapeBuilder {
   Surface buildShape(const std::string& name, const BezierShape& shape);
   Surface buildShape(const std::string&, std::monostate) { return {}; }
 
+  [[nodiscard]] bool readOpacity(const Quantity& opacity, Animated<double>& value);
   void checkClosed(const FormulaShape& shape, const Surface& surface);
   void warn(const SurfaceDesc& desc, const Surface& surface);
 

@@ -286,15 +286,36 @@ void cutLights(Snapshot& snapshot) {
     snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
-/// What is seen through would let a part of the light pass, and have shadows on every layer.
-void requireOpaque(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
-  if (std::ranges::all_of(snapshot.lights, [](const SnapshotLight& light) { return light.casters.empty(); }))
-    return;
-  for (const SnapshotNode& node : snapshot.nodes)
-    if (snapshot.materials[node.material.index].transparent())
+/// As nodes are given they are blended over what is there, by one number.
+void requirePlainBlending(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
+  if (snapshot.blendOrder != BlendOrder::Given) return;
+  for (const SnapshotNode& node : snapshot.nodes) {
+    const Material& material = snapshot.materials[node.material.index];
+    if (material.blend != Blend::Over || material.diffusePattern.hasOpacity())
       NodeThen{scene, node.id, moment}.reject(
-          "it is seen through, in a scene with exact shadows, which is not supported yet",
-          "set its material's opacity to 1, or the lights' shadows to \"none\"");
+          "its material has a \"blend\", or an opacity that uses u or v, in a scene with \"blend_order\": "
+          "\"given\", "
+          "which is not supported",
+          "leave blend_order out");
+  }
+}
+
+/// What is seen through would let a part of the light pass; and a planar shadow falls on what hides all else.
+void requireOpaqueShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
+  const auto require = [&](NodeId id, const char* what, const char* hint) {
+    const auto node = std::ranges::find(snapshot.nodes, id, &SnapshotNode::id);
+    if (node != snapshot.nodes.end() && snapshot.materials[node->material.index].transparent())
+      NodeThen{scene, node->id, moment}.reject(
+          fmt::format("it is seen through, and {}, which is not supported yet", what), hint);
+  };
+  for (const SnapshotLight& light : snapshot.lights) {
+    for (const NodeId caster : light.casters)
+      require(caster, "casts shadows",
+              "leave it out of the lights' \"casters\", or set its material's opacity to 1");
+    if (light.shade) require(light.shade->caster, "casts shadows", "set its material's opacity to 1");
+    if (light.plane)
+      require(*light.plane, "is the plane of a planar shadow", "set its material's opacity to 1");
+  }
 }
 
 /// Everything but the view.
@@ -302,11 +323,13 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t most
   const std::vector<Placed> placed = placeNodes(scene, moment);
   Snapshot snapshot{.nodes = takeNodes(scene, placed, moment),
                     .background = scene.settings().background,
-                    .ambient = scene.settings().ambient};
+                    .ambient = scene.settings().ambient,
+                    .blendOrder = scene.settings().blendOrder};
   snapshot.lights = takeLights(scene, placed, moment, mostShadowSamples, snapshot.cutNumbers);
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
   cutLights(snapshot);
-  requireOpaque(scene, snapshot, moment);
+  requireOpaqueShadows(scene, snapshot, moment);
+  requirePlainBlending(scene, snapshot, moment);
   return snapshot;
 }
 
@@ -388,7 +411,8 @@ Changes changesSince(const Snapshot& previous, const Snapshot& next) {
   Changes changes{.view = !(previous.view == next.view),
                   .lights = previous.lights != next.lights,
                   .materials = previous.materials != next.materials,
-                  .environment = previous.background != next.background || previous.ambient != next.ambient};
+                  .environment = previous.background != next.background || previous.ambient != next.ambient ||
+                                 previous.blendOrder != next.blendOrder};
   changes.structure = !std::ranges::equal(previous.nodes, next.nodes, sameThing);
   for (std::uint32_t i = 0; i < next.nodes.size(); ++i) {
     if (changes.structure || previous.nodes[i].worldFromObject != next.nodes[i].worldFromObject)

@@ -28,8 +28,8 @@ struct SnapshotNode {
   friend bool operator==(const SnapshotNode& a, const SnapshotNode& b);
 };
 
-/// A light of a visible node; of one with a radius and exact shadows one of the points that stand for it
-///, which share its light evenly.
+/// A light of a visible node; of one with a radius and exact shadows one of the points that stand for it,
+/// which share its light evenly.
 struct SnapshotLight {
   NodeId id;
   /// w = 1: position in the world. w = 0: unit direction toward the light, a point at infinity.
@@ -55,6 +55,7 @@ struct Snapshot {
   std::vector<SnapshotLight> lights;
   std::vector<Material> materials;  ///< index = MaterialId
   Vec3 background{0}, ambient{0};
+  BlendOrder blendOrder = BlendOrder::Exact;
   /// Colours, lights and shininesses that formulas made larger than the ranges (scene/ranges.h), and that
   /// were cut off there, so that no pixel leaves float's range.
   std::uint32_t cutNumbers = 0;
@@ -93,7 +94,7 @@ struct Changes {
   std::vector<std::uint32_t> moved;     ///< indices into next.nodes whose transform differs
   std::vector<std::uint32_t> deformed;  ///< indices into next.nodes whose surface parameters differ
   bool view = false, lights = false, materials = false,
-       environment = false;  ///< environment: background, ambient
+       environment = false;  ///< environment: background, ambient, blendOrder
 
   [[nodiscard]] bool any() const {
     return structure || !moved.empty() || !deformed.empty() || view || lights || materials || environment;

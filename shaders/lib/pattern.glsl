@@ -21,12 +21,15 @@ float patternParameterAt(uint k) { return patternParameters[firstPatternParamete
 // product with a light leaves float's range.
 float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? min(c, 1e18) : 0.0; }
 
-vec3 patternAt(vec2 parameters) {
+// The colour, and how opaque it is; of a pattern that does not say 1.
+vec4 paintAt(vec2 parameters) {
   // Rounding must not lead across the end of the domain, where a pattern may jump.
   vec4 bounds = patternBounds();
   parameters = clamp(parameters, bounds.xy, bounds.zw);
-  vec3 color;
-  patternColor(parameters.x, parameters.y, color);
-  return vec3(colorOrBlack(color.r), colorOrBlack(color.g), colorOrBlack(color.b));
+  vec4 paint;
+  patternPaint(parameters.x, parameters.y, paint);
+  return vec4(colorOrBlack(paint.r), colorOrBlack(paint.g), colorOrBlack(paint.b), paint.a > 0.0 ? min(paint.a, 1.0) : 0.0);
 }
+
+vec3 patternAt(vec2 parameters) { return paintAt(parameters).rgb; }
 #endif
