@@ -91,4 +91,33 @@ Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes
   return distance > kSilhouettePx ? Judgement::Wrong : Judgement::Right;
 }
 
+Judgement judgeLayers(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
+                      const LayerSums& shown, double rounding) {
+  const View& view = caster.snapshot().view;
+  bool certified = true;
+  const auto agrees = [&](const Vec2& at, double px) {
+    const Ray ray = caster.rayThrough(at.x, at.y);
+    const Caster::Sight sight = caster.look(ray, Caster::Invisible::Told);
+    certified &= sight.certified;
+    LayerSums truth;
+    double allowed = 0;
+    for (const Hit& hit : sight.hits) {
+      if (!std::ranges::binary_search(nodes, hit.node)) continue;
+      const double cosine = glm::dot(ray.direction, view.forward()), depth = hit.t * cosine;
+      const double metresPerPixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
+      ++truth.count;
+      truth.depths += depth;
+      allowed += rounding + px * metresPerPixel / (cosine * std::abs(glm::dot(hit.normal, ray.direction)));
+    }
+    return truth.count == shown.count && std::abs(truth.depths - shown.depths) <= allowed;
+  };
+  const bool right = agrees(pixel, kPointPx);
+  if (!certified) return Judgement::Undecided;
+  if (right) return Judgement::Right;
+  // Beside an outline there are as many, as much deeper or less deep as they are there.
+  constexpr double kFarthest = 2 * kSilhouettePx;
+  const double distance = distanceTo([&](const Vec2& at) { return agrees(at, kFarthest); }, pixel, kFarthest);
+  return distance > kSilhouettePx ? Judgement::Wrong : Judgement::Right;
+}
+
 }  // namespace luxo::reference

@@ -31,4 +31,13 @@ enum class Judgement {
 [[nodiscard]] Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes,
                                     const Vec2& pixel, std::uint32_t light, bool inShadow);
 
+/// What a pixel shows of what is seen through: how many points, and the sum of their depths.
+struct LayerSums {
+  double count = 0, depths = 0;
+};
+/// Whether it shows all points of `nodes` (ascending; others count as what they are) in front of what is
+/// opaque. `rounding`: of each depth, metres. Cost: as judge().
+[[nodiscard]] Judgement judgeLayers(const Caster& caster, std::span<const std::uint32_t> nodes,
+                                    const Vec2& pixel, const LayerSums& shown, double rounding);
+
 }  // namespace luxo::reference

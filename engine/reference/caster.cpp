@@ -15,7 +15,8 @@ constexpr int kMaxLayers = 1024;  // of transparent surfaces behind each other
 
 // Of the distances involved: how far a hit may be off its surface. Roots are found to some 1e-13.
 constexpr double kHitRounding = 1e-11;
-constexpr double kGrazing = 1e-4;  // the cosine below which a ray leaves its own surface no sooner
+constexpr double kRootRounding = 1e-12;  // and how far a root may be from where another search finds it
+constexpr double kGrazing = 1e-4;        // the cosine below which a ray leaves its own surface no sooner
 
 // x^n for 0 <= x <= 1 with 0^0 = 1.
 double highlight(double x, double n) { return x > 0 || n == 0 ? std::pow(x, n) : 0; }
@@ -39,7 +40,7 @@ Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snaps
                        .twoSided = material.twoSided == TwoSided::Yes ||
                                    (material.twoSided == TwoSided::Auto && !node.surface.closed()),
                        .facing = material.twoSided == TwoSided::No ? Facing::Front : Facing::Both,
-                       .opacity = material.opacity});
+                       .transparent = material.transparent()});
   }
 }
 
@@ -84,6 +85,13 @@ Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
   return hit;
 }
 
+double Caster::beyond(const Ray& ray, const Hit& hit) const {
+  const double reach = glm::length(hit.position) + glm::length(ray.origin);
+  const double off =
+      kRootRounding * reach / std::max(std::abs(glm::dot(hit.normal, ray.direction)), kGrazing);
+  return hit.t + std::max(1e-9 * hit.t, off);
+}
+
 Caster::First Caster::firstOf(std::span<const std::uint32_t> nodes, const Ray& ray) const {
   First first;
   auto [nearest, farthest] = rangeOf(ray);
@@ -113,28 +121,34 @@ void Caster::prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t
   }
 }
 
-void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const {
+void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
+                  Sight& sight) const {
   const Body& body = bodies_[node];
+  const Material& material = materialOf(node);
   RootQuery query{nearest, farthest, body.facing, body.mirrored};
   for (int layer = 0; layer < kMaxLayers; ++layer) {
     const Roots roots = body.shape.nearestRoot(ray, query);
     sight.certified &= roots.certified;
     if (!roots.nearest) return;
-    sight.hits.push_back(hitAt(ray, node, *roots.nearest));
-    sight.hits.back().certified = roots.certified;
-    if (body.opacity >= 1) return;
-    // Behind this layer: far enough not to find it again, near enough not to miss the next.
-    query.nearest = roots.nearest->t * (1 + 1e-9);
+    const Hit hit = hitAt(ray, node, *roots.nearest);
+    if (!body.transparent || invisible == Invisible::Told || material.blend == Blend::Multiply ||
+        material.opacityAt(hit.u, hit.v) > 0) {
+      sight.hits.push_back(hit);
+      sight.hits.back().certified = roots.certified;
+    }
+    if (!body.transparent) return;
+    query.nearest = beyond(ray, hit);
   }
+  sight.certified = false;
 }
 
-Caster::Sight Caster::look(const Ray& ray) const {
+Caster::Sight Caster::look(const Ray& ray, Invisible invisible) const {
   Sight sight;
   auto [nearest, opaque] = rangeOf(ray);
   for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
-    meet(ray, node, nearest, opaque, sight);
+    meet(ray, node, nearest, opaque, invisible, sight);
     for (const Hit& hit : sight.hits)
-      if (bodies_[hit.node].opacity >= 1) opaque = std::min(opaque, hit.t);
+      if (!bodies_[hit.node].transparent) opaque = std::min(opaque, hit.t);
   }
   std::erase_if(sight.hits, [opaque = opaque](const Hit& hit) { return hit.t > opaque; });
   // Of two points at one distance that of the earlier node is in front.
@@ -143,36 +157,47 @@ Caster::Sight Caster::look(const Ray& ray) const {
   return sight;
 }
 
-bool Caster::inShadowOf(std::uint32_t node, const SnapshotLight& light, const Hit& hit,
-                        bool& certified) const {
+Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& hit, bool& certified) const {
   const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
   const double distance =
       light.directional() ? std::numeric_limits<double>::infinity() : glm::length(toLight);
   const Ray ray{hit.position, unit(toLight)};
-  if (!mayMeet(ray, node)) return false;
+  if (!mayMeet(ray, node)) return Vec3(1);
   // A hit is as far off its surface as rounding leaves it: along the ray that is more where this grazes it.
   const double reach = glm::distance(hit.position, snapshot_.view.eye) + glm::length(hit.position);
   const double own = kHitRounding * reach / std::max(std::abs(glm::dot(hit.normal, ray.direction)), kGrazing);
-  const Roots roots = bodies_[node].shape.nearestRoot(ray, {own, distance, Facing::Both, false});
-  certified &= roots.certified;
-  return roots.nearest.has_value();
+  const Body& body = bodies_[node];
+  RootQuery query{own, distance, Facing::Both, false};
+  Vec3 left(1);
+  for (int layer = 0; layer < kMaxLayers; ++layer) {
+    const Roots roots = body.shape.nearestRoot(ray, query);
+    certified &= roots.certified;
+    if (!roots.nearest) return left;
+    if (!body.transparent) return Vec3(0);
+    left *= materialOf(node).lightThroughAt(roots.nearest->u, roots.nearest->v);
+    if (left == Vec3(0)) return left;
+    query.nearest = beyond(ray, hitAt(ray, node, *roots.nearest));
+  }
+  certified = false;
+  return left;
 }
 
-bool Caster::lit(const SnapshotLight& light, const Hit& hit, bool& certified) const {
-  if (light.plane && *light.plane != snapshot_.nodes[hit.node].id) return true;
+Vec3 Caster::reaching(const SnapshotLight& light, const Hit& hit, bool& certified) const {
+  if (light.plane && *light.plane != snapshot_.nodes[hit.node].id) return Vec3(1);
   if (light.shade) {
-    if (snapshot_.nodes[hit.node].id == light.shade->caster) return true;  // its normals decide
+    if (snapshot_.nodes[hit.node].id == light.shade->caster) return Vec3(1);  // its normals decide
     const std::optional<std::uint32_t> shade = nodeOf(light.shade->caster);
-    return !shade || !inShadowOf(*shade, light, hit, certified);
+    return shade ? through(*shade, light, hit, certified) : Vec3(1);
   }
-  return std::ranges::none_of(light.casters, [&](NodeId caster) {
-    const std::optional<std::uint32_t> node = nodeOf(caster);
-    return node && inShadowOf(*node, light, hit, certified);
-  });
+  Vec3 left(1);
+  for (const NodeId caster : light.casters)
+    if (const std::optional<std::uint32_t> node = nodeOf(caster); node && left != Vec3(0))
+      left *= through(*node, light, hit, certified);
+  return left;
 }
 
 bool Caster::shinesOn(std::uint32_t light, const Hit& hit) const {
-  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
+  const Material& material = materialOf(hit.node);
   return material.lectureSpecular || glm::dot(hit.normal, towardLight(light, hit)) > 0;
 }
 
@@ -188,15 +213,8 @@ std::optional<std::uint32_t> Caster::nodeOf(NodeId id) const {
   return static_cast<std::uint32_t>(node - snapshot_.nodes.begin());
 }
 
-Vec3 Caster::diffuseAt(const Hit& hit) const {
-  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
-  return material.diffusePattern.valid()
-             ? material.diffusePattern.colorAt(hit.u, hit.v, material.patternParameters)
-             : material.diffuse;
-}
-
 Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer, double tilt) const {
-  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
+  const Material& material = materialOf(hit.node);
   const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
   const double distance = glm::length(toLight);
   if (!(distance > 0)) return Vec3(0);
@@ -205,18 +223,18 @@ Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toV
   if (cosine <= 0 && !material.lectureSpecular) return Vec3(0);
   const Vec3 h = unit(l + toViewer);
   const double nh = std::clamp(glm::dot(hit.normal, h), 0.0, 1.0);
-  const Vec3 reflectance =
-      diffuseAt(hit) * std::max(cosine, 0.0) + material.specular * highlight(nh, material.shininess);
+  const Vec3 reflectance = material.diffuseAt(hit.u, hit.v) * std::max(cosine, 0.0) +
+                           material.specular * highlight(nh, material.shininess);
   const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
   return reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
 }
 
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
-  const Material& material = snapshot_.materials[snapshot_.nodes[hit.node].material.index];
-  Vec3 sum = material.ambient.value_or(diffuseAt(hit)) * snapshot_.ambient;
+  const Material& material = materialOf(hit.node);
+  Vec3 sum = material.ambient.value_or(material.diffuseAt(hit.u, hit.v)) * snapshot_.ambient;
   for (const SnapshotLight& light : snapshot_.lights) {
     const Vec3 share = shareOf(light, hit, toViewer, tilt);
-    if (share != Vec3(0) && lit(light, hit, certified)) sum += share;
+    if (share != Vec3(0)) sum += share * reaching(light, hit, certified);
   }
   return sum;
 }
@@ -227,17 +245,29 @@ std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3&
     if (!light.hasShadow()) continue;
     Shadowed one{.share = shareOf(light, hit, toViewer)};
     if (one.share == Vec3(0)) continue;
-    one.visible = lit(light, hit, one.certified);
+    const Vec3 left = reaching(light, hit, one.certified);
+    one.visible = left != Vec3(0);
+    if (one.visible) one.share *= left;
     lights.push_back(one);
   }
   return lights;
 }
 
 Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified, double tilt) const {
+  std::vector<Hit> hits(sight.hits.rbegin(), sight.hits.rend());
+  if (snapshot_.blendOrder == BlendOrder::Given)
+    std::ranges::stable_sort(hits, {}, [this](const Hit& hit) {
+      return bodies_[hit.node].transparent ? std::int64_t{hit.node} : -1;
+    });
   Vec3 color = snapshot_.background;
-  for (auto hit = sight.hits.rbegin(); hit != sight.hits.rend(); ++hit) {
-    const double opacity = bodies_[hit->node].opacity;
-    color = opacity * illuminated(*hit, -ray.direction, certified, tilt) + (1 - opacity) * color;
+  for (const Hit& hit : hits) {
+    const Vec3 reflected = illuminated(hit, -ray.direction, certified, tilt);
+    if (!bodies_[hit.node].transparent) {
+      color = reflected;
+      continue;
+    }
+    const Material& material = materialOf(hit.node);
+    color = material.opacityAt(hit.u, hit.v) * reflected + material.transmissionAt(hit.u, hit.v) * color;
   }
   return color;
 }

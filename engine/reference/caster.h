@@ -38,13 +38,16 @@ class Caster {
   /// The ray of a picture's point: pixel coordinates, x to the right, y down.
   [[nodiscard]] Ray rayThrough(double x, double y) const;
 
-  /// What a ray comes upon: the nearest point of every node it meets, in order of distance, up to the first
-  /// opaque one. Back faces count as the materials say.
+  /// What a ray comes upon, in order of distance: the points of what is seen through (not where its opacity
+  /// is 0), up to the first opaque one. Back faces count as the materials say.
   struct Sight {
     std::vector<Hit> hits;
     bool certified = true;  ///< every hit and every miss is proven
   };
-  [[nodiscard]] Sight look(const Ray& ray) const;
+  [[nodiscard]] Sight look(const Ray& ray) const { return look(ray, Invisible::Skipped); }
+  /// Points that nothing is seen of, as their opacity is 0, may be told, too.
+  enum class Invisible { Skipped, Told };
+  [[nodiscard]] Sight look(const Ray& ray, Invisible invisible) const;
 
   /// What a ray meets first of some nodes, as if these were all there are, and opaque.
   struct First {
@@ -77,7 +80,7 @@ class Caster {
   /// Whether a light (index into Snapshot::lights) does not reach a hit that faces it, for what stands
   /// between. `certified` turns false where that was not decided.
   [[nodiscard]] bool inShadow(std::uint32_t light, const Hit& hit, bool& certified) const {
-    return !lit(snapshot_.lights[light], hit, certified);
+    return reaching(snapshot_.lights[light], hit, certified) == Vec3(0);
   }
 
   /// Whether a light would add something to a hit that sees it.
@@ -97,7 +100,7 @@ class Caster {
     Mat3 normalFromObject;
     bool mirrored = false, twoSided = false;
     Facing facing = Facing::Both;
-    double opacity = 1;
+    bool transparent = false;
   };
 
   /// Where the near and the far plane are on a ray; they are planes, not spheres.
@@ -106,18 +109,24 @@ class Caster {
   };
   [[nodiscard]] Range rangeOf(const Ray& ray) const;
   [[nodiscard]] bool mayMeet(const Ray& ray, std::uint32_t node) const;
+  /// Where the next layer is looked for: far enough not to find this one again, near enough not to miss that.
+  [[nodiscard]] double beyond(const Ray& ray, const Hit& hit) const;
   [[nodiscard]] Hit hitAt(const Ray& ray, std::uint32_t node, const Root& root) const;
-  void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Sight& sight) const;
+  void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
+            Sight& sight) const;
   /// What a light adds to a hit that sees it.
   [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer,
                              double tilt = 0) const;
-  [[nodiscard]] Vec3 diffuseAt(const Hit& hit) const;
+  [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
+    return snapshot_.materials[snapshot_.nodes[node].material.index];
+  }
   [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const;
   [[nodiscard]] std::optional<std::uint32_t> nodeOf(NodeId id) const;
-  [[nodiscard]] bool lit(const SnapshotLight& light, const Hit& hit, bool& certified) const;
-  /// Whether a body is met on the way from a hit to a light, its own point apart.
-  [[nodiscard]] bool inShadowOf(std::uint32_t node, const SnapshotLight& light, const Hit& hit,
-                                bool& certified) const;
+  /// How much of a light gets to a hit.
+  [[nodiscard]] Vec3 reaching(const SnapshotLight& light, const Hit& hit, bool& certified) const;
+  /// How much of it a body lets through on the way, the hit's own point apart.
+  [[nodiscard]] Vec3 through(std::uint32_t node, const SnapshotLight& light, const Hit& hit,
+                             bool& certified) const;
 
   const Snapshot& snapshot_;
   std::vector<Body> bodies_;  // as Snapshot::nodes

@@ -275,9 +275,12 @@ class Judge {
   void findSilhouettes() {
     const bool shadows =
         std::ranges::any_of(snapshot_.lights, [](const SnapshotLight& light) { return light.hasShadow(); });
+    const bool layers = std::ranges::any_of(snapshot_.nodes, [&](const SnapshotNode& node) {
+      return snapshot_.materials[node.material.index].transparent();
+    });
     const auto mayBeInShadow = [&](const JudgedPixel& pixel) {
-      return shadows && pixel.mismatch == Mismatch::None && pixel.position != kUnset &&
-             pixel.color > kOtherLight;
+      return pixel.mismatch == Mismatch::None && pixel.color > kOtherLight &&
+             (layers || (shadows && pixel.position != kUnset));
     };
     std::vector<std::size_t> wrong;
     for (std::size_t k = 0; k < pixels_.size(); ++k)
@@ -293,7 +296,7 @@ class Judge {
       else if (pixel.offPoint)
         pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
       else
-        pixel.offLight = inAnotherLight(caster, i);
+        pixel.offLight = layers ? hasAnotherColor(caster, i) : inAnotherLight(caster, i);
     });
   }
 
@@ -310,6 +313,30 @@ class Judge {
     return distanceTo(
         [&](const Vec2& at) { return !seesLayerOf(i, caster.look(caster.rayThrough(at.x, at.y)), at); },
         centerOf(i), 2 * kSilhouettePx);
+  }
+
+  /// Whether no colour is, within the width of an outline, as the one that is shown. Of what is seen through
+  /// any layer may be the wrong one.
+  [[nodiscard]] bool hasAnotherColor(const Caster& caster, std::uint32_t i) const {
+    const Vec2 center = centerOf(i);
+    const Vec3 shown = valueAt(measured_.color, i);
+    Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
+    constexpr int kDirections = 8;
+    for (int k = -1; k < 2 * kDirections; ++k) {
+      const double angle = kTau * k / kDirections,
+                   radius = k < 0 ? 0 : (k < kDirections ? 1 : 0.1) * kSilhouettePx;
+      const Vec2 at = center + radius * Vec2(std::cos(angle), std::sin(angle));
+      const Ray ray = caster.rayThrough(at.x, at.y);
+      bool certified = true;
+      const Vec3 color = caster.color(ray, caster.look(ray), certified);
+      if (!certified) return false;
+      least = glm::min(least, color);
+      most = glm::max(most, color);
+    }
+    const auto slack = [](double value) { return kOtherLight * (1 + value); };
+    for (int c = 0; c < 3; ++c)
+      if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c])) return true;
+    return false;
   }
 
   /// Whether the colour shown is nearer to that with one light's visibility turned round than to the truth,
