@@ -39,6 +39,7 @@ Features featuresOf(const Adapter& adapter) {
           .independentBlend = supported.independentBlend == VK_TRUE,
           .depthClamp = supported.depthClamp == VK_TRUE,
           .float64 = supported.shaderFloat64 == VK_TRUE,
+          .dualSrcBlend = supported.dualSrcBlend == VK_TRUE,
           .logicOp = supported.logicOp == VK_TRUE,
           .timestamps = hasTimestamps(adapter)};
 }
@@ -121,6 +122,7 @@ void Context::createDevice(bool presents) {
                                            .pNext = &features12,
                                            .features = {.independentBlend = features_.independentBlend,
                                                         .sampleRateShading = VK_TRUE,
+                                                        .dualSrcBlend = features_.dualSrcBlend,
                                                         .logicOp = features_.logicOp,
                                                         .depthClamp = features_.depthClamp,
                                                         .fillModeNonSolid = features_.fillModeNonSolid,

@@ -43,6 +43,7 @@ struct Features {
   bool independentBlend = false;  ///< blending that differs between the attachments of a pipeline
   bool depthClamp = false;        ///< triangles are drawn that lie before the near plane
   bool float64 = false;           ///< shaders compute in double
+  bool dualSrcBlend = false;      ///< Blend::Through
   bool logicOp = false;           ///< Blend::Or
   bool timestamps = false;        ///< FrameRing measures device time
 };

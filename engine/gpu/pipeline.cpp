@@ -49,6 +49,13 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
                                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
   if (blend == Blend::None || blend == Blend::Or) return state;
   state.blendEnable = VK_TRUE;
+  if (blend == Blend::Through) {
+    state.srcColorBlendFactor = VK_BLEND_FACTOR_ONE;
+    state.dstColorBlendFactor = VK_BLEND_FACTOR_SRC1_COLOR;
+    state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+    state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    return state;
+  }
   if (blend == Blend::Add) {
     state.srcColorBlendFactor = state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     return state;
@@ -89,9 +96,9 @@ Handle<VkPipelineLayout> createLayout(Context& context, const GraphicsPipelineDe
 void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc) {
   const Features& features = context.features();
   LUXO_REQUIRE(!desc.vertexShader.empty());
-  LUXO_REQUIRE(!desc.colorFormats.empty() || desc.depthFormat != VK_FORMAT_UNDEFINED);
   LUXO_REQUIRE(desc.polygonMode == VK_POLYGON_MODE_FILL || features.fillModeNonSolid);
   LUXO_REQUIRE(desc.blend != Blend::Or || features.logicOp);
+  LUXO_REQUIRE(desc.blend != Blend::Through || features.dualSrcBlend);
   LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
 }
 
