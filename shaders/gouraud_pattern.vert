@@ -15,7 +15,7 @@ layout(location = 1) sample out vec3 outBack;
 layout(location = 2) sample out vec4 outFrontRest;
 layout(location = 3) sample out vec4 outBackRest;
 layout(location = 14) sample out vec2 outParameters;
-layout(location = 6) flat out uvec3 outNumbers;  // the last: where the pattern's parameters start
+layout(location = 6) flat out uvec3 outNumbers;  // of the material; where the pattern's parameters start
 layout(location = 15) flat out vec4 outParameterBounds;
 
 invariant gl_Position;
@@ -38,7 +38,7 @@ void main() {
   outFrontRest = vec4(illuminated(rest, position, n, v), data.opacity);
   outBackRest = vec4(illuminated(rest, position, back, v), data.opacity);
   outParameters = inParameters;
-  outNumbers = uvec3(0, 0, data.firstPatternParameter);
+  outNumbers = uvec3(0, instance.material, data.firstPatternParameter);
   outParameterBounds = parameterBounds(instance);
   gl_Position = view.clipFromRelative * vec4(position, 1);
 }

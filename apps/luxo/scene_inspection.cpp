@@ -94,13 +94,14 @@ class Inspector {
     Geometry geometry;
     const DrawList list = listDraws(snapshot_, visible, options, geometry);
     std::uint64_t triangles = 0;
-    for (const auto* batches : {&list.opaque, &list.transparent})
+    for (const auto* batches : {&list.opaque, &list.transparent, &list.layers.meshes})
       for (const DrawBatch& batch : *batches) triangles += batch.indexCount / 3 * batch.instanceCount;
     if (!std::isfinite(list.boundPx)) warnings_.push_back("the error of the picture has no proven bound");
     return {{"tolerance_px", options.tolerancePx},
             {"bound_px", numberJson(list.boundPx)},
             {"drawn", visible.counts.drawn},
-            {"draw_calls", list.opaque.size() + list.transparent.size()},
+            {"draw_calls", list.opaque.size() + list.transparent.size() + list.layers.meshes.size() +
+                               list.layers.searches.size()},
             {"triangles", triangles}};
   }
 
@@ -192,7 +193,8 @@ class Inspector {
                       {"ambient", vectorJson(material.ambientOrDiffuse())},
                       {"specular", vectorJson(material.specular)},
                       {"shininess", material.shininess},
-                      {"opacity", material.opacity}});
+                      {"opacity", material.opacity},
+                      {"blend", keys::kBlends[static_cast<std::size_t>(material.blend)]}});
     }
     return list;
   }

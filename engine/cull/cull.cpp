@@ -237,6 +237,9 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
     const Material& material = snapshot.materials[node.material.index];
     const bool lines = material.shadingIn(options.shading) == Shading::Wireframe;
     const Bounds bounds = boundsInEyeSpace(view, node);
+    const bool transparent =
+        options.seesThrough && material.transparent() && !showsData(material.shadingIn(options.shading));
+    if (transparent && material.invisible()) continue;  // as if it were not there
     ++counts.nodes;
     if (options.frustum && bounds.finite &&
         outside(lines ? outlined : filled, node.worldFromObject, node.boundsObject, bounds.slack)) {
@@ -252,14 +255,13 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
       ++counts.culledBackface;
       continue;
     }
-    visible.closedFromOutside = options.backface && !lines && node.surface.closed() &&
-                                !material.transparent() && seenFromOutside(view, node, bounds);
+    visible.closedFromOutside = options.backface && !lines && node.surface.closed() && !transparent &&
+                                seenFromOutside(view, node, bounds);
     appendLights(snapshot, node, bounds, options.lights, visible, list);
     ++counts.drawn;
-    (material.transparent() ? list.transparent : list.opaque).push_back(visible);
+    (transparent ? list.transparent : list.opaque).push_back(visible);
   }
   sortByDepth(list.opaque, snapshot, [](const VisibleNode& v) { return v.nearestDepth; });
-  sortByDepth(list.transparent, snapshot, [](const VisibleNode& v) { return -v.centerDepth; });
   return list;
 }
 

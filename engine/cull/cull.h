@@ -20,10 +20,11 @@ struct CullOptions {
   /// Of materials that do not say otherwise. Lines reach a pixel beyond their surface and hide nothing behind
   /// it.
   Shading shading = Shading::Exact;
-  bool frustum = true;   ///< skip nodes outside the picture
-  bool small = true;     ///< skip nodes that cover no sample
-  bool backface = true;  ///< skip what only turns its back to the viewer
-  bool lights = true;    ///< skip lights that cannot reach a node
+  bool seesThrough = true;  ///< materials are seen through; else the nearest surface counts, whatever it is
+  bool frustum = true;      ///< skip nodes outside the picture
+  bool small = true;        ///< skip nodes that cover no sample
+  bool backface = true;     ///< skip what only turns its back to the viewer
+  bool lights = true;       ///< skip lights that cannot reach a node
 };
 
 /// One node to draw.
@@ -55,11 +56,11 @@ struct CullCounts {
   friend bool operator==(const CullCounts&, const CullCounts&) = default;
 };
 
-/// Both orders depend on the nodes' places alone, not on the order in which the scene was put together; nodes
-/// in the very same place follow their numbers.
+/// The order of what is opaque depends on the nodes' places alone, not on the order in which the scene was
+/// put together; nodes in the very same place follow their numbers.
 struct VisibleList {
   std::vector<VisibleNode> opaque;       ///< front to back by nearest depth
-  std::vector<VisibleNode> transparent;  ///< back to front by the depth of the centre of the bounds
+  std::vector<VisibleNode> transparent;  ///< as they are given
   std::vector<std::uint32_t> lights;     ///< indices into Snapshot::lights, ascending within a node
   CullCounts counts;
 };

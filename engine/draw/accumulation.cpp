@@ -60,6 +60,8 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
     sum.shadersCompiled += pass.count.shadersCompiled;
     sum.passes += pass.count.passes;
     sum.deferred += pass.count.deferred;
+    sum.shadowPasses += pass.count.shadowPasses;
+    sum.layerPoints += pass.count.layerPoints;
   }
   picture.count = sum;
 
@@ -67,9 +69,10 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
   error.tolerancePx = pass.error.tolerancePx;
   error.boundPx = std::max(error.boundPx, pass.error.boundPx);
   error.residualMaxPx = std::max(error.residualMaxPx, pass.error.residualMaxPx);  // nothing is the least
-  for (const auto count : {&FrameError::unconvergedPx, &FrameError::uncertifiedPx,
-                           &FrameError::resolvedByRaysPx, &FrameError::shadowRaysPx, &FrameError::auditedPx,
-                           &FrameError::auditFailedPx, &FrameError::auditUndecidedPx})
+  for (const auto count :
+       {&FrameError::unconvergedPx, &FrameError::uncertifiedPx, &FrameError::resolvedByRaysPx,
+        &FrameError::layersMissing, &FrameError::shadowRaysPx, &FrameError::auditedPx,
+        &FrameError::auditFailedPx, &FrameError::auditUndecidedPx})
     error.*count += pass.error.*count;
 }
 

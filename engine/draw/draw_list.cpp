@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "draw/caster_list.h"
 #include "draw/clipped_mesh.h"
 #include "draw/instance_data.h"
 #include "draw/light_sets.h"
@@ -62,14 +63,18 @@ class DrawLister {
         refinement_(refinement),
         lightSets_(snapshot, options, shadingOrigin(snapshot), list_.lightSets),
         materials_(snapshot, visible, options, list_),
-        shells_(snapshot, options, geometry, refinement, list_) {
+        shells_(snapshot, options, geometry, refinement, list_),
+        casters_(snapshot, geometry, list_) {
     list_.view = viewData(snapshot, visible);
     list_.origin = shadingOrigin(snapshot);
   }
 
   DrawList list() && {
     listOpaque();
-    listTransparent();
+    if (hasLayers(snapshot_, options_))
+      listLayers();
+    else
+      listTransparent(visible_.transparent);
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
     materials_.listShades();
@@ -101,10 +106,10 @@ class DrawLister {
                       b.mirrored, b.lightSet);
   }
 
-  /// What is lit later comes first, then what is searched for. What hides lines comes before all lines, and
-  /// after all that it must not hide.
+  /// What is lit later comes first, and of that what is searched for, then what is searched for. What hides
+  /// lines comes before all lines, and after all that it must not hide.
   static int placeInOrder(const DrawBatch& batch) {
-    if (batch.state.form != Form::Fused) return -1;
+    if (batch.state.form != Form::Fused) return batch.shell ? -2 : -1;
     if (batch.shell) return 0;
     if (batch.state.hidesLines) return 2;
     return batch.state.shading == Shading::Wireframe ? 3 : 1;
@@ -131,9 +136,95 @@ class DrawLister {
       append(list_.opaque, std::move(group.batch), group.instances, {Half::Near, Half::Far});
   }
 
-  /// Order is everything, so only neighbours merge, and a surface shows its far side first.
-  void listTransparent() {
+  /// Points in any order.
+  void listLayers() {
+    std::vector<VisibleNode> wires;
     for (const VisibleNode& v : visible_.transparent) {
+      const SnapshotNode& node = snapshot_.nodes[v.node];
+      const Material& material = snapshot_.materials[node.material.index];
+      const Shading shading = material.shadingIn(options_.shading);
+      if (shading == Shading::Wireframe)
+        wires.push_back(v);
+      else if (findsLayers(snapshot_, node, options_))
+        findLayers(v, node, material);
+      else
+        listLayerMesh(v, node, material, shading);
+    }
+    std::ranges::sort(list_.layers.found, {}, &FoundLayer::node);
+    listTransparent(wires);
+  }
+
+  /// Of all that a ray meets the eye's grid says where it may be.
+  void findLayers(const VisibleNode& v, const SnapshotNode& node, const Material& material) {
+    DrawState state{.shading = Shading::Exact, .pattern = material.diffusePattern};
+    const LightSets::Choice lights = materials_.lightLayer(state, lightSets_, node);
+    const std::uint32_t number = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
+    requireNumber(number);
+    list_.layers.found.push_back({v.node, number});
+    const View& view = snapshot_.view;
+    const PixelRect all{{0, 0}, {view.size.width, view.size.height}};
+    const auto area = isFinite(node.boundsWorld) ? casters_.pixelsAround(cornersOf(node.boundsWorld)) : all;
+    if (!area) return;
+    const Vec4 eye = view.perspective() ? Vec4(view.eye, 1) : Vec4(-view.forward(), 0);
+    bool found = true;
+    for (const CasterPart& part : casterParts(geometry_.codes, node)) {
+      auto entry = casters_.entryOf(node, part, eye, options_.layerGridSize);
+      found = found && entry;
+      if (!entry || !entry->caster) continue;
+      entry->caster->material = number;
+      entry->caster->flags |=
+          (v.twoSided ? shared::kTurnsNormal : 0) | (v.hideBackFaces ? shared::kShowsFront : 0);
+      list_.layers.searches.push_back({.state = {.form = Form::Layer, .surface = part.code},
+                                       .caster = casters_.add(*entry->caster),
+                                       .area = *area});
+    }
+    if (!found) list_.byRays.push_back(*area);
+  }
+
+  void listLayerMesh(const VisibleNode& v, const SnapshotNode& node, const Material& material,
+                     Shading shading) {
+    DrawBatch batch;
+    batch.state = {.shading = shading, .pattern = material.diffusePattern};
+    batch.culling = v.hideBackFaces ? FaceCulling::Back : FaceCulling::None;
+    batch.twoSided = v.twoSided;
+    batch.mirrored = v.mirrored;
+    LightSets::Choice lights;
+    if (shading == Shading::Gouraud || shading == Shading::Toon) {
+      if (materials_.shadows()) refuseShadows(node, shading);
+      lights = lightSets_.choose(std::span(visible_.lights).subspan(v.firstLight, v.lightCount), node);
+      batch.state.form = Form::Layer;
+    } else {
+      lights = materials_.lightLayer(batch.state, lightSets_, node);
+    }
+    batch.lightSet = lights.index;
+    batch.state.plainLights = lights.plain;
+    batch.state.shadedLights = lights.shaded;
+    batch.flat = node.surface.flatNormal().has_value();
+    Item item{.lightSet = lights.index};
+    item.instance.node = v.node;
+    const Vec3 origin = addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
+    item.instance.data = instanceData(snapshot_, node, v, list_.origin, origin, true);
+    item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
+    requireNumber(item.instance.data.material);
+    for (DrawBatch& drawn : item.batches) {
+      if (drawn.indexCount == 0) continue;
+      drawn.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
+      drawn.instanceCount = 1;
+      place(item.instance);
+      list_.layers.meshes.push_back(std::move(drawn));
+    }
+  }
+
+  static void requireNumber(std::uint32_t material) {
+    if (material >= shared::kMaxFoundMaterials)
+      throw Error(ErrorKind::Scene,
+                  fmt::format("more than {} nodes are seen through", shared::kMaxFoundMaterials),
+                  "set render.blend_order to \"given\", or make some of them opaque");
+  }
+
+  /// Order is everything, so only neighbours merge, and a surface shows its far side first.
+  void listTransparent(std::span<const VisibleNode> nodes) {
+    for (const VisibleNode& v : nodes) {
       Item item = itemOf(v, true);
       for (DrawBatch& batch : item.batches) {
         if (!list_.transparent.empty() && kindOf(list_.transparent.back()) == kindOf(batch)) {
@@ -260,19 +351,40 @@ class DrawLister {
   LightSets lightSets_;
   MaterialList materials_;
   ShellList shells_;
+  CasterList casters_;
 };
 
 }  // namespace
 
-bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
+bool seenThrough(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Material& material = snapshot.materials[node.material.index];
   const Shading shading = material.shadingIn(options.shading);
-  return (shading == Shading::Exact || shading == Shading::Residual) && !material.transparent();
+  return options.output == Output::Color && material.transparent() && !showsData(shading);
+}
+
+bool hasLayers(const Snapshot& snapshot, const DrawOptions& options) {
+  return snapshot.blendOrder == BlendOrder::Exact &&
+         std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
+           const Material& material = snapshot.materials[node.material.index];
+           return seenThrough(snapshot, node, options) && !material.invisible() &&
+                  material.shadingIn(options.shading) != Shading::Wireframe;
+         });
+}
+
+bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
+  const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
+  return (shading == Shading::Exact || shading == Shading::Residual) && !seenThrough(snapshot, node, options);
+}
+
+bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
+  const Material& material = snapshot.materials[node.material.index];
+  return snapshot.blendOrder == BlendOrder::Exact && seenThrough(snapshot, node, options) &&
+         !material.invisible() && material.shadingIn(options.shading) == Shading::Exact;
 }
 
 bool DrawList::onlyFound() const {
   return transparent.empty() && std::ranges::all_of(opaque, [this](const DrawBatch& batch) {
-           return deferred ? batch.state.form != Form::Fused : batch.shell != nullptr;
+           return batch.shell && (!deferred || batch.state.form != Form::Fused);
          });
 }
 

@@ -26,9 +26,23 @@ namespace luxo {
 
 /// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
 /// later, with their parameters or without. Or they light what was written down; or find whether a surface
-/// keeps a light from it; or write what rays have found of that; or are
-/// a caster's mesh that is flattened onto a plane.
-enum class Form { Fused, Found, FoundWithParameters, Shade, Shadow, ShadowsByRays, FlatShadow };
+/// keeps a light from it; or write what rays have found of that; or are a caster's mesh that is flattened
+/// onto a plane. Of what is seen through they put points in the list of their pixel; or find what is in
+/// shadow of those; or put there what rays have found; or light all points of a list; or blend them.
+enum class Form {
+  Fused,
+  Found,
+  FoundWithParameters,
+  Shade,
+  Shadow,
+  ShadowsByRays,
+  FlatShadow,
+  Layer,
+  LayerShadow,
+  LayersByRays,
+  ShadeLayers,
+  BlendLayers
+};
 
 /// What decides the shaders and fixed-function state of a draw. Light counts are part of it (the loops over
 /// lights unroll), and so are formulas; which lights they are and the values of parameters are data.
@@ -48,6 +62,7 @@ struct DrawState {
   std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
   bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
   bool shadows = false;             ///< with it: some lights have shadows that were found
+  bool manyGroups = false;          ///< of Form::ShadeLayers: there are others, which light the same points
   bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
@@ -91,11 +106,20 @@ struct FoundNode {
   shared::InstanceData instance;
 };
 
-/// One draw for each light and each caster that may keep it from what is seen.
-struct ShadowDraw {
+/// Surfaces as rays from a light or from the eye meet them (draw/caster_list.h).
+struct Casters {
+  std::vector<shared::ShadowCaster> casters;
+  std::vector<std::uint32_t> gridStarts;
+  std::vector<shared::GridEntry> gridEntries;
+  std::vector<shared::CasterCell> cells;
+  std::vector<float> parameters;  ///< of the casters' formulas, patch by patch
+};
+
+/// Looks for a caster in all pixels of an area.
+struct CasterDraw {
   DrawState state;
-  std::uint32_t caster = 0;  ///< index into Shadows::casters
-  PixelRect area;            ///< where its shadow may be
+  std::uint32_t caster = 0;  ///< index into Casters::casters
+  PixelRect area;
 };
 
 /// One draw for each light and each caster of a planar shadow.
@@ -104,25 +128,33 @@ struct FlatShadowDraw {
   shared::FlatShadow shadow;
 };
 
-/// Lights of a deferred picture that light what was found in one pass: as many as a word has bits for their
-/// shadows. The first group comes with the ambient light, the others add theirs.
+/// Lights of a deferred picture that light what was found in one pass, and what is seen through in another:
+/// as many as a word has bits for their shadows. The first group comes with the ambient light, the others add
+/// theirs.
 struct LightGroup {
   std::uint32_t lightSet = 0;
-  std::vector<DrawState> shades;    ///< a draw for each pattern
-  std::vector<ShadowDraw> shadows;  ///< with `lights`
+  std::vector<DrawState> shades, layerShades;  ///< a draw for each pattern
+  /// With `lights`: one draw for each light and each caster that may keep it from what is seen.
+  std::vector<CasterDraw> shadows, layerShadows;
   std::vector<FlatShadowDraw> flatShadows;
   /// Of each light of the set, index into Snapshot::lights, as rays find its shadow; nothing of lights
   /// without one. Empty where none has one.
   std::vector<std::optional<std::uint32_t>> lights;
 };
 
-/// What the shadows of a picture are found with.
-struct Shadows {
-  std::vector<shared::ShadowCaster> casters;
-  std::vector<std::uint32_t> gridStarts;
-  std::vector<shared::GridEntry> gridEntries;
-  std::vector<shared::CasterCell> cells;
-  std::vector<float> parameters;  ///< of the casters' formulas, patch by patch
+/// A node whose layers are found in every pixel, by searches or by rays.
+struct FoundLayer {
+  std::uint32_t node = 0;      ///< index into Snapshot::nodes
+  std::uint32_t material = 0;  ///< its number
+};
+
+/// What is seen through, in the order of its depth in every pixel.
+struct Layers {
+  std::vector<CasterDraw> searches;
+  std::vector<DrawBatch> meshes;
+  std::vector<FoundLayer> found;  ///< ascending
+
+  [[nodiscard]] bool any() const { return !meshes.empty() || !found.empty(); }
 };
 
 struct DrawList {
@@ -142,20 +174,24 @@ struct DrawList {
   std::vector<FoundNode> found;                  ///< ascending
   std::vector<PixelRect> byRays;                 ///< where no shell tells what is seen
   std::vector<PixelPlace> outlines;              ///< some of the pixels that searches graze
-  std::vector<DrawBatch> transparent;            ///< strictly back to front
+  std::vector<DrawBatch> transparent;            ///< in this order: wires, and BlendOrder::Given
   std::uint64_t culledHidden = 0;  ///< triangles of shells that are behind others, every instance counted
   std::uint64_t tooLarge = 0;      ///< nodes found by rays: their formulas are too large for shaders
   /// Points are found first, and lit once each, by all lights that reach anything.
   bool deferred = false;
-  std::vector<LightGroup> groups;  ///< of a deferred list
-  Shadows shadows;                 ///< of a deferred list
-  double boundPx = 0;              ///< largest proven error of a drawn mesh on the screen
+  bool findsParameters = false;    ///< of a deferred list: with (u, v), as some pattern asks for them
+  std::vector<LightGroup> groups;  ///< of a deferred list, and of one with layers
+  Casters casters;
+  Layers layers;
+  double boundPx = 0;  ///< largest proven error of a drawn mesh on the screen
 
   [[nodiscard]] bool exact() const { return !exactPatches.empty(); }
-  /// Of a deferred list: some pattern asks for (u, v).
-  [[nodiscard]] bool findsParameters() const {
-    return deferred && !groups.empty() && !groups[0].shades.empty() &&
-           groups[0].shades.back().patternNumber != 0;
+  /// Whether something is looked for in pixels that feedback may be told of.
+  [[nodiscard]] bool searches() const { return exact() || findsShadows() || layers.any(); }
+  /// Where the sums of their depths tell whether all layers are there, all of which are found then: what
+  /// these depths are relative to.
+  [[nodiscard]] std::optional<Vec3> layersFrom() const {
+    return layers.found.empty() || !layers.meshes.empty() ? std::nullopt : std::optional(origin);
   }
   [[nodiscard]] bool findsShadows() const {
     return std::ranges::any_of(groups, [](const LightGroup& group) { return !group.lights.empty(); });
@@ -181,10 +217,18 @@ struct Geometry {
 /// Of a mesh that is seen until rays have found what it stands for: times the tolerance.
 inline constexpr double kStandInTolerance = 8;
 
-/// Whether every pixel of a node finds its point of the surface, by a search or by a ray. Of what is seen
-/// through every layer counts, and a shell does not keep them apart.
+/// Whether a node is seen through: of what is not a picture nothing is, nor are lines.
+[[nodiscard]] bool seenThrough(const Snapshot& snapshot, const SnapshotNode& node,
+                               const DrawOptions& options);
+/// Whether something is, and comes together by its depth in every pixel.
+[[nodiscard]] bool hasLayers(const Snapshot& snapshot, const DrawOptions& options);
+
+/// Whether every pixel of a node finds its point of the surface, by a search or by a ray; and of what is seen
+/// through in the order of its depth all of them.
 [[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node,
                                 const DrawOptions& options);
+[[nodiscard]] bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node,
+                               const DrawOptions& options);
 
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMaxLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,

@@ -37,6 +37,20 @@ class ExactSource {
     return source;
   }
 
+  /// Of a shader that finds all that is seen of the surface where it is seen through.
+  [[nodiscard]] static ExactSource ofLayers(const SurfaceCode& surface) {
+    ExactSource source(surface, {}, true);
+    source.name_ = "exact/layer.frag";
+    return source;
+  }
+
+  /// Of one that finds whether the surface keeps a light from what is seen through.
+  [[nodiscard]] static ExactSource ofLayerShadows(const SurfaceCode& surface) {
+    ExactSource source(surface, {}, true);
+    source.name_ = "exact/layer_shadow.frag";
+    return source;
+  }
+
   /// Valid as long as this object.
   [[nodiscard]] gpu::ShaderDesc desc() const {
     return {.source = *std::ranges::find(kShaderSources, name_, &gpu::ShaderSource::name),

@@ -21,8 +21,13 @@ shared::MaterialData materialData(const Material& material, const Vec3& ambient,
           .opacity = material.transparent() ? static_cast<float>(material.opacity) : 0.0f,
           .specular = Vec3f(material.specular),
           .flags = (material.lectureSpecular ? shared::kLectureSpecular : 0) |
-                   (follows ? shared::kPatternAmbient : 0) | shadeOf << shared::kShadeShift};
+                   (follows ? shared::kPatternAmbient : 0) | shadeOf << shared::kShadeShift,
+          .blend = static_cast<std::uint32_t>(material.blend)};
 }
+
+static_assert(static_cast<std::uint32_t>(Blend::Over) == shared::kBlendOver &&
+              static_cast<std::uint32_t>(Blend::Add) == shared::kBlendAdd &&
+              static_cast<std::uint32_t>(Blend::Multiply) == shared::kBlendMultiply);
 
 /// As few groups as have room for all lights. Those that are shaded in closed form are in one, the last, as
 /// they are the last of their sets.
@@ -55,24 +60,28 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
                return !snapshot.lights[light].casters.empty();
              });
   const bool possible = options.output == Output::Color && options.samples == 1 &&
-                        (shadows_ || lights.size() <= shared::kMaxLights) &&
-                        (shadows_ ? snapshot.nodes.size() : materials.size() * (lights.size() + 1)) <
-                            shared::kMaxFoundMaterials;
-  list_.deferred = possible && (options.composition == Composition::Deferred || shadows_);
-  if (list_.deferred) groups_ = groupsOf(snapshot, lights);
+                        (shadows_ || hasLayers(snapshot, options) || lights.size() <= shared::kMaxLights) &&
+                        (shadows_ || hasLayers(snapshot, options)
+                             ? snapshot.nodes.size()
+                             : materials.size() * (lights.size() + 1)) < shared::kMaxFoundMaterials;
+  list_.deferred =
+      possible && (options.composition == Composition::Deferred || shadows_ || hasLayers(snapshot, options));
+  if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
   list_.groups.resize(groups_.size());
   shades_.resize(groups_.size());
-  withPatterns_ = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
-                    return material.diffusePattern.valid();
-                  });
+  layerShades_.resize(groups_.size());
+  list_.findsParameters = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
+                            return material.diffusePattern.valid();
+                          });
 }
 
 std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf, std::uint32_t node) {
-  const auto [entry, isNew] = numberOf_.try_emplace({index, shadeOf, shadows_ ? node : 0},
+  const Material& material = snapshot_.materials[index];
+  const bool ofNode = shadows_ || material.transparent();
+  const auto [entry, isNew] = numberOf_.try_emplace({index, shadeOf, ofNode ? node : 0},
                                                     static_cast<std::uint32_t>(list_.materials.size()));
   if (shadows_) numberOfNode_[node] = entry->second;
   if (!isNew) return entry->second;
-  const Material& material = snapshot_.materials[index];
   shared::MaterialData data = materialData(material, snapshot_.ambient, shadeOf);
   if (material.diffusePattern.valid()) {
     data.pattern = patternNumber(material.diffusePattern);
@@ -108,30 +117,48 @@ bool MaterialList::litLater(const DrawState& state) const {
 }
 
 LightSets::Choice MaterialList::lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node) {
-  std::uint32_t shadeOf = 0;
-  for (std::size_t i = 0; i < groups_.size(); ++i) {
-    LightSets::Choice choice = lightSets.choose(groups_[i], node);
-    shades_[i].insert({.form = Form::Shade,
-                       .plainLights = choice.plain,
-                       .shadedLights = choice.shaded,
-                       .pattern = state.pattern,
-                       .patternNumber = patternNumber(state.pattern),
-                       .addsLight = i > 0});
-    list_.groups[i].lightSet = choice.index;
-    groups_[i] = std::move(choice.lights);
-    shadeOf = std::max(shadeOf, choice.shadeOf);
-  }
-  state.form = withPatterns_ ? Form::FoundWithParameters : Form::Found;
+  const std::uint32_t shadeOf = shadeLater(Form::Shade, state.pattern, lightSets, node, shades_);
+  state.form = list_.findsParameters ? Form::FoundWithParameters : Form::Found;
   state.pattern = {};
   return {.shadeOf = shadeOf};
 }
 
-void MaterialList::listShades() {
+LightSets::Choice MaterialList::lightLayer(DrawState& state, LightSets& lightSets, const SnapshotNode& node) {
+  const std::uint32_t shadeOf = shadeLater(Form::ShadeLayers, state.pattern, lightSets, node, layerShades_);
+  state.form = Form::Layer;
+  state.pattern = {};
+  return {.shadeOf = shadeOf};
+}
+
+std::uint32_t MaterialList::shadeLater(Form form, const Pattern& pattern, LightSets& lightSets,
+                                       const SnapshotNode& node, std::vector<std::set<DrawState>>& shades) {
+  std::uint32_t shadeOf = 0;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
-    std::vector<DrawState>& shades = list_.groups[i].shades;
-    shades.assign(shades_[i].begin(), shades_[i].end());
+    LightSets::Choice choice = lightSets.choose(groups_[i], node);
+    shades[i].insert({.form = form,
+                      .plainLights = choice.plain,
+                      .shadedLights = choice.shaded,
+                      .pattern = pattern,
+                      .patternNumber = patternNumber(pattern),
+                      .manyGroups = groups_.size() > 1,
+                      .addsLight = i > 0});
+    list_.groups[i].lightSet = choice.index;
+    groups_[i] = std::move(choice.lights);
+    shadeOf = std::max(shadeOf, choice.shadeOf);
+  }
+  return shadeOf;
+}
+
+void MaterialList::listShades() {
+  const auto listed = [this](const std::set<DrawState>& states) {
+    std::vector<DrawState> shades(states.begin(), states.end());
     for (DrawState& shade : shades) shade.manyMaterials = list_.materials.size() > shared::kUniformMaterials;
     std::ranges::sort(shades, {}, &DrawState::patternNumber);
+    return shades;
+  };
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    list_.groups[i].shades = listed(shades_[i]);
+    list_.groups[i].layerShades = listed(layerShades_[i]);
   }
 }
 

@@ -17,7 +17,7 @@
 
 namespace luxo {
 
-/// Fills DrawList::materials, patternParameters, deferred, and groups but for their shadows.
+/// Fills DrawList::materials, patternParameters, deferred, findsParameters, and groups but for their shadows.
 class MaterialList {
  public:
   /// All must outlive this. The list is deferred where that is asked for, or shadows have to be found, and
@@ -27,7 +27,7 @@ class MaterialList {
 
   /// The number of a material of the snapshot; listed when first asked for. `shadeOf`: 1 + which of the
   /// shaded lights it is the shade of.
-  /// `node`: where there are shadows each node has a number of its own.
+  /// `node`: where there are shadows each node has a number of its own, as has what is seen through.
   [[nodiscard]] std::uint32_t numberOf(std::uint32_t material, std::uint32_t shadeOf, std::uint32_t node);
   /// Of a node of the snapshot, once it is listed; kMaxFoundMaterials of others.
   [[nodiscard]] std::uint32_t numberOfNode(std::uint32_t node) const;
@@ -38,6 +38,8 @@ class MaterialList {
   /// Turns a state that finds and lights into one that finds, and notes the light that is left to do: that of
   /// all lights of the picture, as those that do not reach a node add nothing.
   LightSets::Choice lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node);
+  /// As lightLater(), of what is seen through.
+  LightSets::Choice lightLayer(DrawState& state, LightSets& lightSets, const SnapshotNode& node);
   /// Once all nodes are listed.
   void listShades();
   /// The lights of a group, in the order of its set: indices into Snapshot::lights.
@@ -46,6 +48,10 @@ class MaterialList {
   [[nodiscard]] bool shadows() const { return shadows_; }
 
  private:
+  /// Notes a draw of each group that lights a pattern; gives which of the shaded lights the node is the shade
+  /// of.
+  std::uint32_t shadeLater(Form form, const Pattern& pattern, LightSets& lightSets, const SnapshotNode& node,
+                           std::vector<std::set<DrawState>>& shades);
   [[nodiscard]] std::uint32_t firstPatternParameter(const Material& material);
   [[nodiscard]] std::uint32_t patternNumber(const Pattern& pattern);
 
@@ -55,10 +61,9 @@ class MaterialList {
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> numberOf_;
   std::map<std::uint32_t, std::uint32_t> numberOfNode_;  ///< where there are shadows
   std::map<Pattern, std::uint32_t> patternNumbers_;
-  std::vector<std::vector<std::uint32_t>> groups_;  ///< the lights of each
-  std::vector<std::set<DrawState>> shades_;         ///< of each
+  std::vector<std::vector<std::uint32_t>> groups_;         ///< the lights of each
+  std::vector<std::set<DrawState>> shades_, layerShades_;  ///< of each
   bool shadows_ = false;
-  bool withPatterns_ = false;  ///< what is lit later needs parameters
 };
 
 }  // namespace luxo

@@ -70,11 +70,13 @@ struct DrawOptions {
   /// Exact shading, of a ScenePainter's pictures that no rays complete: coarse meshes stand in for surfaces
   /// that are left to these.
   bool standIns = false;
-  /// Deferred, whatever this says, where exact shadows are found.
+  /// Deferred, whatever this says, where exact shadows are found, or something is seen through.
   Composition composition = Composition::Auto;
   ShadowKinds shadows = ShadowKinds::All;  ///< others: the light reaches what stands behind something, too
   /// Texels along a side of lights' maps of casters (shadow/light_grid.h): how long shadows take, no more.
   int shadowGridSize = 64;
+  /// And of the eye's of what is seen through.
+  int layerGridSize = 128;
   /// Exact shading: of what covers no more pixels the triangles are not told apart by how they are seen, so
   /// that all instances of a shell are one draw: the longer search costs less there than a draw of its own
   /// (80 us on a CPU device).

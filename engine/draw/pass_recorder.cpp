@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/pass_recorder.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "gpu/barrier.h"
@@ -44,16 +45,20 @@ constexpr VkClearDepthStencilValue kInfinitelyFar{0.0f, 0};  // reversed
 
 void PassRecorder::record(const Pass& pass) {
   const gpu::Label label(context_, commands_, pass.name);
+  if (pass.clearsLayers) view_.layerLists().clear(commands_, pass.band.index);
   useTargets(pass);
   begin(pass);
   for (const DrawBatch& batch : pass.batches) draw(batch);
-  for (const ShadowDraw& shadow : pass.shadows) findShadow(shadow);
+  for (const CasterDraw& caster : pass.casters) search(caster);
   for (const FlatShadowDraw& shadow : pass.flatShadows) flattenShadow(shadow);
-  const bool ofShadows = pass.colors.front().target == Target::Shadows;
+  const bool ofShadows = !pass.colors.empty() && pass.colors.front().target == Target::Shadows,
+             ofLayers = pass.colors.empty();
   if (pass.rays && ofShadows) drawShadows(*pass.rays, pass.group);
-  if (pass.rays && !ofShadows) drawRays(*pass.rays);
-  for (const DrawState& state : pass.shades) shade(state, view_.list().groups[pass.group]);
+  if (pass.rays && ofLayers) drawLayers(*pass.rays, pass.group);
+  if (pass.rays && !ofShadows && !ofLayers) drawRays(*pass.rays);
+  for (const DrawState& state : pass.shades) shade(state, pass.group);
   vkCmdEndRendering(commands_);
+  if (pass.countsLayers) view_.layerLists().keepCount(commands_, pass.band.index);
   if (pass.probes && ofShadows)
     view_.feedback().recordShadowProbes(commands_, view_.targets().texture(Target::Shadows), pass.group);
   if (pass.probes && !ofShadows)
@@ -64,14 +69,18 @@ void PassRecorder::record(const Pass& pass) {
 void PassRecorder::useTargets(const Pass& pass) {
   using enum gpu::Use;
   ViewTargets& targets = view_.targets();
-  std::vector<gpu::Usage> usages{{targets.texture(Target::Depth), DepthAttachment, contentsOf(pass.depth)}};
+  std::vector<gpu::Usage> usages;
+  if (pass.depth)
+    usages.push_back({targets.texture(Target::Depth), DepthAttachment, contentsOf(*pass.depth)});
+  else
+    for (gpu::Buffer* buffer : view_.layerLists().buffers()) usages.push_back({*buffer, StorageWrite});
   for (const Attachment& color : pass.colors)
     usages.push_back({targets.texture(color.target), ColorAttachment, contentsOf(color.begin)});
   for (const Target target : pass.reads) usages.push_back({targets.texture(target), SampledFragment});
   if (gpu::Texture* resolved = targets.resolved())
     usages.push_back({*resolved, ResolveTarget, gpu::Contents::Discard});
   if (pass.searches) {
-    usages.push_back({view_.feedback().lost(), StorageWrite});
+    if (pass.depth) usages.push_back({view_.feedback().lost(), StorageWrite});
     usages.push_back({view_.feedback().doubtful(), StorageWrite});
   }
   gpu::use(commands_, usages);
@@ -97,7 +106,7 @@ void PassRecorder::begin(const Pass& pass) {
   const VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
                                         .imageView = targets.texture(Target::Depth).view(),
                                         .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                        .loadOp = loadOf(pass.depth),
+                                        .loadOp = loadOf(pass.depth.value_or(Begin::Keep)),
                                         .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
                                         .clearValue = {.depthStencil = kInfinitelyFar}};
   const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
@@ -105,9 +114,23 @@ void PassRecorder::begin(const Pass& pass) {
                                   .layerCount = 1,
                                   .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
                                   .pColorAttachments = colors.data(),
-                                  .pDepthAttachment = &depth};
+                                  .pDepthAttachment = pass.depth ? &depth : nullptr};
   vkCmdBeginRendering(commands_, &rendering);
   gpu::setViewport(commands_, targets.extent(), targets.guard());
+  const auto width = static_cast<std::int32_t>(targets.extent().width),
+             height = static_cast<std::int32_t>(targets.extent().height);
+  const auto rowOf = [&](std::uint32_t band) {
+    return static_cast<std::int32_t>(std::int64_t{height} * band / pass.band.count);
+  };
+  rows_ = {{0, rowOf(pass.band.index)}, {width, rowOf(pass.band.index + 1)}};
+  if (pass.band.count > 1) setScissor(rows_);
+}
+
+void PassRecorder::setScissor(const PixelRect& rect) {
+  const VkRect2D scissor{{rect.low.x, rect.low.y},
+                         {static_cast<std::uint32_t>(rect.high.x - rect.low.x),
+                          static_cast<std::uint32_t>(rect.high.y - rect.low.y)}};
+  vkCmdSetScissor(commands_, 0, 1, &scissor);
 }
 
 void PassRecorder::draw(const DrawBatch& batch) {
@@ -119,6 +142,7 @@ void PassRecorder::draw(const DrawBatch& batch) {
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   if (batch.state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
+  if (batch.state.form == Form::Layer) pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
   if (batch.shell) {
     pipeline.bindSet(commands_, shared::kSetExact, bindings_.exact);
     const ShellDraw draw{batch.half == Half::Far ? -1.0f : 1.0f, view_.targets().guard()};
@@ -147,32 +171,40 @@ void PassRecorder::count(std::uint32_t instances, std::uint64_t triangles, std::
 }
 
 /// One triangle over all that was found.
-void PassRecorder::shade(const DrawState& state, const LightGroup& group) {
+void PassRecorder::shade(const DrawState& state, std::size_t group) {
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
-  const std::uint32_t lightOffset = view_.lightOffset(group.lightSet);
+  // What blends layers asks for no light.
+  const std::vector<LightGroup>& groups = view_.list().groups;
+  const std::uint32_t lightOffset = groups.empty() ? 0 : view_.lightOffset(groups[group].lightSet);
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   if (state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
-  pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  if (state.form == Form::Shade)
+    pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  else
+    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
   drawWhole(0);
 }
 
-/// Where the caster may stand between the light and what was found.
-void PassRecorder::findShadow(const ShadowDraw& draw) {
+/// Where the caster may stand between the light and what was found; or where it may be seen.
+void PassRecorder::search(const CasterDraw& draw) {
+  const PixelRect area{{draw.area.low.x, std::max(draw.area.low.y, rows_.low.y)},
+                       {draw.area.high.x, std::min(draw.area.high.y, rows_.high.y)}};
+  if (area.low.y >= area.high.y) return;
+  const bool ofLayers = draw.state.form != Form::Shadow;
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, view_.targets().format());
   const std::uint32_t noLights = 0;
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
   pipeline.bindSet(commands_, shared::kSetShadow, bindings_.shadow);
-  pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
-  const PixelRect& area = draw.area;
-  const VkRect2D scissor{{area.low.x, area.low.y},
-                         {static_cast<std::uint32_t>(area.high.x - area.low.x),
-                          static_cast<std::uint32_t>(area.high.y - area.low.y)}};
-  vkCmdSetScissor(commands_, 0, 1, &scissor);
+  if (ofLayers)
+    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+  else
+    pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  setScissor(area);
   drawWhole(draw.caster);
-  ++statistics_.count.shadowPasses;
-  gpu::setViewport(commands_, view_.targets().extent(), view_.targets().guard());
+  if (draw.state.form != Form::Layer) ++statistics_.count.shadowPasses;
+  setScissor(rows_);
 }
 
 void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
@@ -251,20 +283,37 @@ void PassRecorder::drawRays(const RayPoints& points) {
 
 void PassRecorder::drawShadows(const RayPoints& points, std::size_t group) {
   if (points.shadows.empty()) return;
+  const auto count = static_cast<std::uint32_t>(points.shadows[group].size());
+  drawTriangles({.form = Form::ShadowsByRays}, bindings_.rayShadows,
+                static_cast<std::uint32_t>(group) * count, count);
+}
+
+void PassRecorder::drawLayers(const RayPoints& points, std::size_t group) {
+  drawTriangles({.form = Form::LayersByRays}, bindings_.rayLayers, 0,
+                static_cast<std::uint32_t>(points.layers.size()), static_cast<std::uint32_t>(group));
+}
+
+/// Triangles that cover a pixel each.
+void PassRecorder::drawTriangles(const DrawState& state, VkBuffer vertices, std::uint32_t first,
+                                 std::uint32_t vertexCount, std::uint32_t instance) {
+  if (vertexCount == 0) return;
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
+  pipeline.bind(commands_);
+  if (state.form == Form::LayersByRays) {
+    const std::uint32_t noLights = 0;
+    pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
+    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+  }
   const VkExtent2D extent = view_.targets().extent();
   const RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};
-  const gpu::GraphicsPipeline& pipeline =
-      pipelines_.get({.form = Form::ShadowsByRays}, view_.targets().format());
-  pipeline.bind(commands_);
   pipeline.push(commands_, std::as_bytes(std::span(&target, 1)));
   gpu::setDepthBias(commands_, {});
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   constexpr VkDeviceSize kOffset = 0;
-  vkCmdBindVertexBuffers(commands_, 0, 1, &bindings_.rayShadows, &kOffset);
-  const auto vertices = static_cast<std::uint32_t>(points.shadows[group].size());
-  vkCmdDraw(commands_, vertices, 1, static_cast<std::uint32_t>(group) * vertices, 0);
-  count(1, vertices / 3, vertices);
+  vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &kOffset);
+  vkCmdDraw(commands_, vertexCount, 1, first, instance);
+  count(1, vertexCount / 3, vertexCount);
 }
 
 }  // namespace luxo

@@ -31,12 +31,16 @@ class PassRecorder {
  private:
   void useTargets(const Pass& pass);
   void begin(const Pass& pass);
+  void setScissor(const PixelRect& rect);
   void draw(const DrawBatch& batch);
   void drawRays(const RayPoints& points);
-  void shade(const DrawState& state, const LightGroup& group);
-  void findShadow(const ShadowDraw& draw);
+  void shade(const DrawState& state, std::size_t group);
+  void search(const CasterDraw& draw);
   void flattenShadow(const FlatShadowDraw& draw);
   void drawShadows(const RayPoints& points, std::size_t group);
+  void drawLayers(const RayPoints& points, std::size_t group);
+  void drawTriangles(const DrawState& state, VkBuffer vertices, std::uint32_t first,
+                     std::uint32_t vertexCount, std::uint32_t instance = 0);
   void drawWhole(std::uint32_t instance);
   void clearMisses(std::span<const PixelPlace> misses);
   void count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);
@@ -48,6 +52,7 @@ class PassRecorder {
   const RenderView::Bindings& bindings_;
   VkCommandBuffer commands_;
   FrameStatistics& statistics_;
+  PixelRect rows_;  // of the pass
 };
 
 }  // namespace luxo

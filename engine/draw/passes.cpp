@@ -2,12 +2,15 @@
 #include "draw/passes.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace luxo {
 namespace {
 
 std::vector<Attachment> color(Begin begin) { return {{Target::Color, begin}}; }
+
+const std::array<DrawState, 1> kBlendLayers{DrawState{.form = Form::BlendLayers}};
 
 /// What the first pass draws, and what is drawn over that.
 struct Opaque {
@@ -25,9 +28,12 @@ Opaque opaqueOf(const DrawList& list) {
 /// other.
 std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                                  std::span<const DrawBatch> found, Begin begin, bool replaces) {
+  const auto firstMesh =
+      std::ranges::find_if(found, [](const DrawBatch& batch) { return batch.mesh != nullptr; });
+  const std::span<const DrawBatch> searched(found.begin(), firstMesh), meshes(firstMesh, found.end());
   std::vector<Attachment> targets{{Target::Found, begin}};
   std::vector<Target> reads{Target::Found};
-  if (list.findsParameters()) {
+  if (list.findsParameters) {
     targets.push_back({Target::FoundParameters, begin});
     reads.push_back(Target::FoundParameters);
   }
@@ -35,10 +41,15 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
              .colors = targets,
              .depth = begin,
              .searches = list.exact() && !replaces,
-             .batches = replaces ? std::span<const DrawBatch>() : found,
+             .batches = replaces ? std::span<const DrawBatch>() : searched,
              .rays = frame.rays,
              .probes = frame.probes};
   std::vector<Pass> passes{std::move(finds)};
+  // After rays, which know nothing of meshes.
+  if (!replaces && !meshes.empty()) {
+    for (Attachment& target : targets) target.begin = Begin::Keep;
+    passes.push_back({.name = "found meshes", .colors = targets, .batches = meshes});
+  }
   // The shadows of many groups share one target, which holds those of the last.
   const bool shadowsStay = replaces && list.groups.size() == 1;
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
@@ -54,7 +65,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                         .reads = {Target::Found},
                         .searches = !shadowsStay,
                         .group = i,
-                        .shadows = shadowsStay ? std::span<const ShadowDraw>() : group.shadows,
+                        .casters = shadowsStay ? std::span<const CasterDraw>() : group.shadows,
                         .flatShadows = shadowsStay ? std::span<const FlatShadowDraw>() : group.flatShadows,
                         .rays = frame.rays,
                         .probes = frame.probes});
@@ -65,14 +76,53 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
   return passes;
 }
 
+/// What is seen through: its points are found, in any order, lit by one group of lights after the other, and
+/// blended over what is not.
+void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, bool replaces,
+               std::vector<Pass>& passes) {
+  const std::vector<Target> reads{Target::Depth};
+  const auto add = [&](const char* name, Pass pass) {
+    pass.name = name;
+    pass.depth = std::nullopt;
+    pass.reads = reads;
+    pass.band = band;
+    passes.push_back(std::move(pass));
+  };
+  // Draws of one pass add points. Those that read what others have written are in passes of their own.
+  if (!replaces)
+    add("layers", {.searches = true,
+                   .batches = list.layers.meshes,
+                   .casters = list.layers.searches,
+                   .clearsLayers = true});
+  if (frame.rays) add("layers of rays", {.rays = frame.rays});
+  // A point holds the shadows of one group.
+  const bool shadowsStay = replaces && list.groups.size() == 1;
+  for (std::size_t i = 0; i < list.groups.size(); ++i) {
+    const LightGroup& group = list.groups[i];
+    for (std::size_t k = 0; !shadowsStay && k < group.layerShadows.size(); ++k)
+      add("layer shadows",
+          {.searches = true, .group = i, .casters = std::span(group.layerShadows).subspan(k, 1)});
+    // Those of the first group come with the points that rays have found.
+    if (frame.rays && i > 0) add("layer shadows of rays", {.group = i, .rays = frame.rays});
+    for (std::size_t k = 0; k < group.layerShades.size(); ++k)
+      add("shade layers", {.group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
+  }
+  add("blend layers",
+      {.colors = color(Begin::Keep), .searches = true, .countsLayers = true, .shades = kBlendLayers});
+}
+
 }  // namespace
 
 std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
   const Opaque opaque = opaqueOf(list);
   const bool searches = list.exact();
   std::vector<Pass> passes;
-  // Points of rays replace what was found, as long as nothing was drawn over that.
-  const bool replaces = frame.rays && list.onlyFound();
+  // Points of rays replace what was found, as long as nothing was drawn over that which is not drawn again.
+  // Shadows and layers of rays replace those of meshes, too.
+  const bool onlyLater = frame.rays && list.deferred && frame.rays->vertices.empty() &&
+                         frame.rays->misses.empty() && opaque.meshes.empty() && list.transparent.empty();
+  const bool replaces = frame.rays && (list.onlyFound() || onlyLater) &&
+                        (!list.layers.any() || (list.deferred && frame.layerBands == 1));
   const Begin begin = frame.completes || replaces ? Begin::Keep : Begin::Clear;
   if (list.deferred)
     passes = deferredPasses(list, frame, opaque.found, begin, replaces);
@@ -92,9 +142,11 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
                       .batches = opaque.found,
                       .rays = frame.rays});
   if (!list.deferred) passes.back().probes = frame.probes;
-  if (replaces) return passes;
-  if (!opaque.found.empty() && !opaque.meshes.empty())
+  if (!replaces && !opaque.found.empty() && !opaque.meshes.empty())
     passes.push_back({.name = "meshes", .colors = color(Begin::Keep), .batches = opaque.meshes});
+  for (std::uint32_t band = 0; list.layers.any() && band < frame.layerBands; ++band)
+    addLayers(list, frame, {band, frame.layerBands}, replaces, passes);
+  if (replaces) return passes;
   if (!list.transparent.empty() || frame.emptyPasses)
     passes.push_back({.name = "transparent", .colors = color(Begin::Keep), .batches = list.transparent});
   return passes;

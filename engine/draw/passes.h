@@ -22,19 +22,26 @@ struct Attachment {
   Begin begin = Begin::Keep;
 };
 
+/// Rows of the picture, of so many bands of them.
+struct LayerBand {
+  std::uint32_t index = 0, count = 1;
+};
+
 struct Pass {
   const char* name = "";
-  std::vector<Attachment> colors;       ///< in the order of the fragment shaders' outputs
-  Begin depth = Begin::Keep;            ///< of Target::Depth, which every pass tests
-  std::vector<Target> reads;            ///< sampled by its fragments
-  bool searches = false;                ///< its fragments write the view's feedback
-  std::span<const DrawBatch> batches;   ///< drawn in this order
-  std::size_t group = 0;                ///< of DrawList::groups, where shadows or light are of one
-  std::span<const ShadowDraw> shadows;  ///< on what was found
+  std::vector<Attachment> colors;            ///< in the order of the fragment shaders' outputs
+  std::optional<Begin> depth = Begin::Keep;  ///< of Target::Depth; nothing: the pass does not test it
+  std::vector<Target> reads;                 ///< sampled by its fragments
+  bool searches = false;                     ///< its fragments write the view's feedback
+  std::span<const DrawBatch> batches;        ///< drawn in this order
+  std::size_t group = 0;                     ///< of DrawList::groups, where shadows or light are of one
+  std::span<const CasterDraw> casters;       ///< shadows, on what was found; or layers
   std::span<const FlatShadowDraw> flatShadows;
-  const RayPoints* rays = nullptr;    ///< drawn after these; after shadows, theirs
-  std::span<const DrawState> shades;  ///< light on all that was found
-  bool probes = false;                ///< depths are copied from it, for the audit
+  LayerBand band;
+  bool clearsLayers = false, countsLayers = false;  ///< before it, and after it
+  const RayPoints* rays = nullptr;                  ///< drawn after these; after shadows or layers, theirs
+  std::span<const DrawState> shades;                ///< light on all that was found
+  bool probes = false;                              ///< depths are copied from it, for the audit
 };
 
 /// What kind of frame it is.
@@ -46,6 +53,7 @@ struct FrameDesc {
   const RayPoints* rays = nullptr;
   bool emptyPasses = false;  ///< passes with nothing to draw are there, too
   bool probes = false;
+  std::uint32_t layerBands = 1;  ///< LayerLists::bands()
 };
 
 /// The list must outlive the passes, and have its batches in their order (DrawList::opaque).

@@ -33,6 +33,24 @@ double depthOf(const View& view, float inBuffer) {
   return view.perspective() ? view.near / inBuffer : view.far - inBuffer * (view.far - view.near);
 }
 
+/// Rounding must not lead across the end of the domain, where a pattern may jump.
+Vec2 inside(const Domain& domain, const reference::Hit& hit) {
+  const auto within = [](double x, const Interval& range) {
+    const double margin = 1e-6 * range.width();
+    return std::clamp(x, range.lo + margin, range.hi - margin);
+  };
+  return {within(hit.u, domain.u), within(hit.v, domain.v)};
+}
+
+/// A unit vector as shaders/lib/octahedral.glsl has it.
+Vec2f octahedral(const Vec3& n) {
+  const double size = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+  if (!(size > 0)) return Vec2f(0);
+  const Vec2 p(n.x / size, n.y / size);
+  if (n.z >= 0) return Vec2f(p);
+  return Vec2f(std::copysign(1 - std::abs(p.y), p.x), std::copysign(1 - std::abs(p.x), p.y));
+}
+
 /// Upper bound of the distances that points of a node's pixels are computed from; of a surface without end,
 /// those of most of it.
 double reachOf(const View& view, const SnapshotNode& node) {
@@ -74,14 +92,20 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
   goesOn_ = std::move(goesOn);
   treesMs_ = rounding_ = 0;
   nodes_.clear();
-  receivers_.resize(snapshot.nodes.size());
-  std::iota(receivers_.begin(), receivers_.end(), 0U);
+  receivers_.clear();
+  all_.resize(snapshot.nodes.size());
+  std::iota(all_.begin(), all_.end(), 0U);
   caster_.emplace(snapshot, shapes_, reference::Cells::WhereRaysGo);
-  for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i)
-    if (findsSurface(snapshot, snapshot.nodes[i], options)) {
-      nodes_.push_back(i);
+  layers_.clear();
+  for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i) {
+    const bool surface = findsSurface(snapshot, snapshot.nodes[i], options),
+               layers = findsLayers(snapshot, snapshot.nodes[i], options);
+    if (surface) nodes_.push_back(i);
+    if (layers) layers_.push_back(i);
+    if (!seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
+    if (surface || layers)
       rounding_ = std::max(rounding_, kDepthRounding * reachOf(snapshot.view, snapshot.nodes[i]));
-    }
+  }
 }
 
 Vec2 CertifiedRays::sampled(PixelPlace pixel) const {
@@ -98,6 +122,7 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
     rays.push_back(caster_->rayThrough(at.x, at.y));
   }
   caster_->prepareFor(rays, nodes_, worth);
+  caster_->prepareFor(rays, layers_, worth);
   treesMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return rays;
 }
@@ -154,6 +179,16 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   return points;
 }
 
+std::uint32_t CertifiedRays::shadowsOn(const reference::Hit& hit, const LightGroup& group,
+                                       bool& certified) const {
+  std::uint32_t shadows = 0;
+  for (std::size_t bit = 0; bit < group.lights.size(); ++bit)
+    if (const auto light = group.lights[bit];
+        light && caster_->shinesOn(*light, hit) && caster_->inShadow(*light, hit, certified))
+      shadows |= 1U << bit;
+  return shadows;
+}
+
 void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<const LightGroup> groups,
                                RayPoints& points) {
   const bool any = std::ranges::any_of(groups, [](const LightGroup& group) { return !group.lights.empty(); });
@@ -170,14 +205,8 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<con
       if (!goesOn_()) return;
       Found found{.seen = caster_->firstOf(receivers_, rays[chosen[k]])};
       found.certified = found.seen.certified;
-      for (const LightGroup& group : groups) {
-        std::uint32_t& shadows = found.shadows.emplace_back(0);
-        for (std::size_t bit = 0; found.seen.hit && bit < group.lights.size(); ++bit)
-          if (const auto light = group.lights[bit];
-              light && caster_->shinesOn(*light, *found.seen.hit) &&
-              caster_->inShadow(*light, *found.seen.hit, found.certified))
-            shadows |= 1U << bit;
-      }
+      for (const LightGroup& group : groups)
+        found.shadows.push_back(found.seen.hit ? shadowsOn(*found.seen.hit, group, found.certified) : 0);
       all[chosen[k]] = std::move(found);
     });
   };
@@ -195,7 +224,7 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<con
           undecided.push_back({all[i].seen.hit->position, caster_->towardLight(*light, *all[i].seen.hit)});
   }
   if (!undecided.empty()) {
-    caster_->prepareFor(undecided, receivers_, kFinest);
+    caster_->prepareFor(undecided, all_, kFinest);
     find(chosen);
   }
   points.shadows.resize(groups.size());
@@ -209,7 +238,64 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<con
   }
 }
 
-AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups) {
+void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<const FoundLayer> found,
+                              const Vec3& origin, std::span<const LightGroup> groups, RayPoints& points) {
+  if (found.empty() || pixels.empty()) return;
+  const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
+  struct Layered {
+    reference::Caster::Sight sight;
+    std::vector<std::uint32_t> shadows;  // of its hits, of each all groups
+    bool certified = true;
+  };
+  std::vector<Layered> seen(pixels.size());
+  const auto look = [&](std::span<const std::size_t> chosen) {
+    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
+      if (!goesOn_()) return;
+      Layered layered{.sight = caster_->look(rays[chosen[k]], reference::Caster::Invisible::Told)};
+      layered.certified = layered.sight.certified;
+      for (const reference::Hit& hit : layered.sight.hits)
+        for (const LightGroup& group : groups)
+          layered.shadows.push_back(shadowsOn(hit, group, layered.certified));
+      seen[chosen[k]] = std::move(layered);
+    });
+  };
+  std::vector<std::size_t> chosen(pixels.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  look(chosen);
+  // What few cells leave undecided many may not.
+  std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
+  if (!chosen.empty()) {
+    static_cast<void>(prepare(
+        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, kFinest));
+    look(chosen);
+  }
+  const Vec3 forward = caster_->snapshot().view.forward();
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    RayLayers layers{.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5),
+                     .first = static_cast<std::uint32_t>(points.layerPoints.size()),
+                     .groups = static_cast<std::uint32_t>(groups.size())};
+    for (std::size_t k = 0; k < seen[i].sight.hits.size(); ++k) {
+      const reference::Hit& hit = seen[i].sight.hits[k];
+      const auto node = std::ranges::lower_bound(found, hit.node, {}, &FoundLayer::node);
+      if (node == found.end() || node->node != hit.node) continue;
+      const Domain& domain = caster_->snapshot().nodes[hit.node].surface.domain();
+      const auto shadows = seen[i].shadows.begin() + static_cast<std::ptrdiff_t>(k * groups.size());
+      points.layerShadows.insert(points.layerShadows.end(), shadows,
+                                 shadows + static_cast<std::ptrdiff_t>(groups.size()));
+      points.layerPoints.push_back({.depth = static_cast<float>(glm::dot(hit.position - origin, forward)),
+                                    .material = node->material | shared::kLayerByRay,
+                                    .shadows = *shadows,
+                                    .normal = octahedral(hit.normal),
+                                    .parameters = Vec2f(inside(domain, hit))});
+      ++layers.count;
+    }
+    points.layersUndecided += !seen[i].certified;
+    points.layers.insert(points.layers.end(), 3, layers);
+  }
+}
+
+AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups,
+                                 const std::optional<Vec3>& layersFrom) {
   static_cast<void>(prepare(probes.size(), [&](std::size_t i) { return probes[i].pixel; }));
   const View& view = caster_->snapshot().view;
   const double ofBuffer = view.perspective() ? 0 : kDepthRounding * (view.far - view.near);
@@ -224,6 +310,11 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, std::span<c
         if (const auto light = groups[g].lights[bit]; light && !caster_->snapshot().lights[*light].plane)
           judged[i] =
               reference::judgeShadow(*caster_, nodes_, at, *light, (probes[i].shadows[g] >> bit & 1) != 0);
+    if (judged[i] == Right && layersFrom) {
+      const double originDepth = glm::dot(*layersFrom - view.eye, view.forward());
+      const double count = probes[i].layers.x, depths = probes[i].layers.y + count * originDepth;
+      judged[i] = reference::judgeLayers(*caster_, layers_, at, {count, depths}, rounding_ + ofBuffer);
+    }
   });
   AuditResult result;
   for (const reference::Judgement judgement : judged) {

@@ -3,8 +3,8 @@
 // the renderer's own light; and whether a picture shows what it should.
 //
 // A pixel in doubt gets all that is to be known of it: the nearest point of all surfaces whose points are
-// found (of meshes and what is seen through nothing), or that there is none. What was drawn there before does
-// not matter.
+// found (of meshes nothing), or that there is none; and all points that are seen through there. What was
+// drawn there before does not matter.
 #pragma once
 
 #include <cstdint>
@@ -37,6 +37,14 @@ struct RayShadow {
   std::uint32_t shadows = 0;
 };
 
+/// A vertex of the triangle that puts a pixel's layers in its list (shaders/ray_layers.vert); three that are
+/// equal do it.
+struct RayLayers {
+  Vec2f place;                         ///< of the sample in the target, pixels
+  std::uint32_t first = 0, count = 0;  ///< of RayPoints::layerPoints
+  std::uint32_t groups = 0;            ///< of lights
+};
+
 /// Pushed to those shaders.
 struct RayTarget {
   Vec2f size;  ///< of the target
@@ -53,12 +61,18 @@ struct RayPoints {
   std::vector<Run> runs;
   std::vector<PixelPlace> misses;               ///< where nothing is met
   std::vector<std::vector<RayShadow>> shadows;  ///< by DrawList::groups; none where no light has a shadow
+  std::vector<RayLayers> layers;
+  std::vector<shared::LayerPoint> layerPoints;  ///< with the shadows of the first group
+  std::vector<std::uint32_t> layerShadows;      ///< of each all groups
   std::uint64_t resolved = 0;                   ///< pixels
   std::uint64_t undecided = 0;  ///< of these, those whose ray proves nothing: within rounding of grazing
   std::uint64_t shadowsUndecided = 0;  ///< pixels in which a ray to a light proves nothing
+  std::uint64_t layersUndecided = 0;   ///< pixels in which some layer is not proven
   std::uint64_t unknown = 0;           ///< pixels that show a node which is not in the list
 
-  [[nodiscard]] bool empty() const { return vertices.empty() && misses.empty() && shadows.empty(); }
+  [[nodiscard]] bool empty() const {
+    return vertices.empty() && misses.empty() && shadows.empty() && layers.empty();
+  }
 };
 
 /// A pixel of a picture, and what its depth buffer holds there.
@@ -66,6 +80,7 @@ struct DepthProbe {
   PixelPlace pixel;
   float depth = 0;
   std::vector<std::uint32_t> shadows = {};  ///< the lights of each group that do not reach it, a bit each
+  Vec2f layers{0};  ///< how many points are seen through there, and the sum of their depths
 };
 
 struct AuditResult {
@@ -93,7 +108,12 @@ class CertifiedRays {
                                   const Vec3& origin);
   /// Adds the shadows in pixels, once for all of them, each of which shows what a ray through it sees first.
   void addShadows(std::span<const PixelPlace> pixels, std::span<const LightGroup> groups, RayPoints& points);
-  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups);
+  /// Adds all points that are seen through in pixels, with their shadows. `found`, `origin`: as of the list.
+  void addLayers(std::span<const PixelPlace> pixels, std::span<const FoundLayer> found, const Vec3& origin,
+                 std::span<const LightGroup> groups, RayPoints& points);
+  /// `layersFrom`: DrawList::layersFrom().
+  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups,
+                                  const std::optional<Vec3>& layersFrom);
 
   /// Milliseconds spent on cells since begin().
   [[nodiscard]] double treesMs() const { return treesMs_; }
@@ -101,13 +121,18 @@ class CertifiedRays {
  private:
   /// Builds what rays through the pixels are cast against, each worth so many.
   std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
+  /// The lights of a group, a bit each, that do not reach a hit.
+  [[nodiscard]] std::uint32_t shadowsOn(const reference::Hit& hit, const LightGroup& group,
+                                        bool& certified) const;
   [[nodiscard]] Vec2 sampled(PixelPlace pixel) const;
 
   reference::ShapeCache shapes_;
   std::optional<reference::Caster> caster_;
   std::function<bool()> goesOn_;
   std::vector<std::uint32_t> nodes_;      ///< whose points are found, ascending
-  std::vector<std::uint32_t> receivers_;  ///< all, ascending
+  std::vector<std::uint32_t> layers_;     ///< whose layers are found, ascending
+  std::vector<std::uint32_t> receivers_;  ///< what is not seen through, ascending
+  std::vector<std::uint32_t> all_;        ///< ascending
   double rounding_ = 0;                   ///< what single precision leaves of a depth, metres
   double treesMs_ = 0;
 };

@@ -48,17 +48,35 @@ std::size_t lightStride(const gpu::Context& context) {
 }  // namespace
 
 RenderView::RenderView(gpu::Context& context, Precision precision)
-    : context_(&context), targets_(context, precision), feedback_(context) {}
+    : context_(&context), targets_(context, precision), feedback_(context), layerLists_(context) {}
 
 bool RenderView::learn() {
   bool again = false;
   while (const auto told = feedback_.nextLost()) {
-    if (told->byLast)
-      again = refinement.learn(told->lost);
-    else
+    if (told->byLast) {
+      lacksRoom_ = list_.layers.any() && layerLists_.makeRoom();
+      again = refinement.learn(told->lost) || lacksRoom_;
+    } else {
       refinement.remember(told->lost);
+    }
   }
   return again;
+}
+
+std::vector<DepthProbe> RenderView::probes() {
+  std::vector<DepthProbe> probes = feedback_.depths();
+  if (probes.empty() || !list_.layers.any()) return probes;
+  const std::span<const std::byte> sums = layerLists_.sums().read();
+  for (DepthProbe& probe : probes) {
+    const std::size_t pixel = static_cast<std::size_t>(probe.pixel.y) * targets_.extent().width +
+                              static_cast<std::size_t>(probe.pixel.x);
+    std::memcpy(&probe.layers, sums.data() + pixel * sizeof probe.layers, sizeof probe.layers);
+  }
+  return probes;
+}
+
+bool RenderView::makeRoomFor(const RayPoints& points) {
+  return list_.layers.any() && layerLists_.makeRoom(points.layerPoints.size());
 }
 
 void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearColorValue& background,
@@ -69,6 +87,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   hasRays_ = false;
   targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples), list_.deferred,
                    list_.findsShadows());
+  if (list_.layers.any()) layerLists_.prepare(extent);
   feedback_.begin(list_, extent, chooseProbes());
   upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
 }
@@ -93,6 +112,9 @@ void RenderView::goOn(const RayPoints& points) {
   for (const std::vector<RayShadow>& group : points.shadows)
     shadows.insert(shadows.end(), group.begin(), group.end());
   write(rayShadows_, shadows, "shadows of rays");
+  write(rayLayers_, points.layers, "pixels of rays' layers");
+  writeElements(*context_, rayLayerPoints_, points.layerPoints, "layers of rays", false);
+  writeElements(*context_, rayLayerShadows_, points.layerShadows, "shadows of rays' layers", false);
 }
 
 void RenderView::upload(Uploads& uploads, bool always) {
@@ -116,7 +138,7 @@ void RenderView::upload(Uploads& uploads, bool always) {
   uploads.lights.write(*context_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
   if (!list_.patternParameters.empty())
     store(uploads.patternParameters, list_.patternParameters, "pattern parameters");
-  uploadShadows(uploads, always);
+  uploadCasters(uploads, always);
   if (!list_.exact()) return;
   if (!list_.shellIndices.empty())
     uploads.shellIndices.write(*context_, std::as_bytes(std::span(list_.shellIndices)),
@@ -126,17 +148,17 @@ void RenderView::upload(Uploads& uploads, bool always) {
   store(uploads.exactParameters, inPairs(list_.exactParameters), "parameters of formulas");
 }
 
-void RenderView::uploadShadows(Uploads& uploads, bool always) {
-  const Shadows& shadows = list_.shadows;
-  if (!list_.findsShadows()) return;
+void RenderView::uploadCasters(Uploads& uploads, bool always) {
+  const Casters& casters = list_.casters;
+  if (casters.casters.empty() && !list_.findsShadows()) return;
   const auto store = [&](MirroredBuffer& buffer, const auto& elements, const char* name) {
     writeElements(*context_, buffer, elements, name, always);
   };
-  store(uploads.casters, shadows.casters, "casters");
-  store(uploads.gridStarts, shadows.gridStarts, "texels of light grids");
-  store(uploads.gridEntries, shadows.gridEntries, "entries of light grids");
-  store(uploads.casterCells, shadows.cells, "cells of casters");
-  store(uploads.casterParameters, shadows.parameters, "parameters of casters");
+  store(uploads.casters, casters.casters, "casters");
+  store(uploads.gridStarts, casters.gridStarts, "texels of grids");
+  store(uploads.gridEntries, casters.gridEntries, "entries of grids");
+  store(uploads.casterCells, casters.cells, "cells of casters");
+  store(uploads.casterParameters, casters.parameters, "parameters of casters");
 }
 
 RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines) {
@@ -162,25 +184,43 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   if (list_.deferred) {
     gpu::Texture& found = targets_.texture(Target::Found);
     gpu::Texture& shadows = list_.findsShadows() ? targets_.texture(Target::Shadows) : found;
-    gpu::Texture& parameters = list_.findsParameters() ? targets_.texture(Target::FoundParameters) : found;
+    gpu::Texture& parameters = list_.findsParameters ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
     bindings.found = frames.descriptors().write(pipelines.foundLayout(),
                                                 {{found, pipelines.texelSampler()},
                                                  {parameters, pipelines.texelSampler()},
                                                  {uploads.materials.use(*context_), 0, kUniformBytes},
                                                  {shadows, pipelines.texelSampler()}});
-    if (list_.findsShadows())
-      bindings.shadow = frames.descriptors().write(
-          pipelines.shadowLayout(), {uploads.casters.use(*context_), uploads.gridStarts.use(*context_),
-                                     uploads.gridEntries.use(*context_), uploads.casterCells.use(*context_),
-                                     uploads.casterParameters.use(*context_), feedback_.doubtful()});
   }
+  if (!list_.casters.casters.empty() || list_.findsShadows())
+    bindings.shadow = frames.descriptors().write(
+        pipelines.shadowLayout(), {uploads.casters.use(*context_), uploads.gridStarts.use(*context_),
+                                   uploads.gridEntries.use(*context_), uploads.casterCells.use(*context_),
+                                   uploads.casterParameters.use(*context_), feedback_.doubtful()});
+  if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);
     bindings.rayVertices = rayVertices_.use(*context_);
     bindings.rayShadows = rayShadows_.use(*context_);
+    bindings.rayLayers = rayLayers_.use(*context_);
   }
   return bindings;
+}
+
+VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {
+  constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
+  const gpu::Buffer& byRays = hasRays_ ? rayLayerPoints_.use(*context_) : layerLists_.points();
+  const gpu::Buffer& theirShadows = hasRays_ ? rayLayerShadows_.use(*context_) : layerLists_.points();
+  return frames.descriptors().write(pipelines.layersLayout(),
+                                    {layerLists_.heads(),
+                                     layerLists_.points(),
+                                     layerLists_.count(),
+                                     feedback_.doubtful(),
+                                     {targets_.texture(Target::Depth), pipelines.texelSampler()},
+                                     byRays,
+                                     {uploads.materials.use(*context_), 0, kUniformBytes},
+                                     layerLists_.sums(),
+                                     theirShadows});
 }
 
 std::uint32_t RenderView::lightOffset(std::uint32_t lightSet) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "draw/draw_list.h"
+#include "draw/layer_lists.h"
 #include "draw/mirrored_buffer.h"
 #include "draw/options.h"
 #include "draw/ray_points.h"
@@ -31,16 +32,24 @@ class RenderView {
   /// Of the last recording, which has to be complete.
   [[nodiscard]] std::vector<Doubt> doubts() { return feedback_.doubts(list_.byRays); }
   /// The depths of found surfaces in the pixels that tell whether the picture is right (DrawOptions::audit).
-  [[nodiscard]] std::vector<DepthProbe> probes() { return feedback_.depths(); }
+  [[nodiscard]] std::vector<DepthProbe> probes();
 
   /// Of the last recording.
   [[nodiscard]] const DrawList& list() const { return list_; }
   [[nodiscard]] const DrawOptions& options() const { return options_; }
   /// Whether a recording that draws only what the last one lost completes the picture: nothing is seen
   /// through.
-  [[nodiscard]] bool completable() const { return list_.transparent.empty(); }
+  [[nodiscard]] bool completable() const { return list_.transparent.empty() && !list_.layers.any(); }
+  /// Whether what is seen through had no room in the last recording, but will have in the next.
+  [[nodiscard]] bool lacksRoom() const { return lacksRoom_; }
+  /// How many points of it there are in that, and are not, for want of room.
+  [[nodiscard]] LayerLists::Found layerPoints() {
+    return list_.layers.any() ? layerLists_.found() : LayerLists::Found{};
+  }
+  /// Whether there has to be more room for what rays have found, and will be when all is recorded anew.
+  [[nodiscard]] bool makeRoomFor(const RayPoints& points);
   /// Whether it finds surfaces, by searches or by rays.
-  [[nodiscard]] bool searches() const { return !list_.found.empty(); }
+  [[nodiscard]] bool searches() const { return !list_.found.empty() || !list_.layers.found.empty(); }
   /// Scene-linear RGBA, one sample, row 0 at the top.
   [[nodiscard]] gpu::Texture& picture() { return targets_.picture(); }
 
@@ -61,13 +70,16 @@ class RenderView {
     VkDescriptorSet sceneOfRays = VK_NULL_HANDLE;  ///< of the points that rays have found
     VkBuffer rayVertices = VK_NULL_HANDLE;         ///< these
     VkBuffer rayShadows = VK_NULL_HANDLE;          ///< and the shadows there
-    VkDescriptorSet shadow = VK_NULL_HANDLE;       ///< where there are shadows
+    VkBuffer rayLayers = VK_NULL_HANDLE;           ///< and what is seen through there
+    VkDescriptorSet layers = VK_NULL_HANDLE;       ///< where something is seen through
+    VkDescriptorSet shadow = VK_NULL_HANDLE;       ///< where casters are looked for
     VkDescriptorSet found = VK_NULL_HANDLE;        ///< what the passes of a deferred picture have found
   };
   [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines);
 
   [[nodiscard]] ViewTargets& targets() { return targets_; }
   [[nodiscard]] SearchFeedback& feedback() { return feedback_; }
+  [[nodiscard]] LayerLists& layerLists() { return layerLists_; }
   [[nodiscard]] const VkClearColorValue& background() const { return background_; }
   /// Where a light set is in the buffer of them all.
   [[nodiscard]] std::uint32_t lightOffset(std::uint32_t lightSet) const;
@@ -80,18 +92,22 @@ class RenderView {
   };
 
   void upload(Uploads& uploads, bool always);
-  void uploadShadows(Uploads& uploads, bool always);
+  void uploadCasters(Uploads& uploads, bool always);
+  [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines,
+                                           Uploads& uploads);
   [[nodiscard]] std::vector<PixelPlace> chooseProbes() const;
 
   gpu::Context* context_;
   ViewTargets targets_;
   SearchFeedback feedback_;
+  LayerLists layerLists_;
+  bool lacksRoom_ = false;
   DrawList list_;
   DrawOptions options_;
   VkClearColorValue background_{};
   /// What completes a picture does not overwrite what the next begins with.
   Uploads uploads_, completion_;
-  MirroredBuffer rayVertices_, rayShadows_, rayInstances_;
+  MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerShadows_;
   bool hasRays_ = false;
 };
 

@@ -226,7 +226,8 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
       snapshot.nodes, [&](const SnapshotNode& node) { return findsSurface(snapshot, node, options); });
   const bool auxiliary = options.output != Output::Color;
   const bool native =
-      options.samples == 1 || (options.samples == 4 && !found && !findsShadows(snapshot, options));
+      options.samples == 1 ||
+      (options.samples == 4 && !found && !findsShadows(snapshot, options) && !hasLayers(snapshot, options));
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }
@@ -246,11 +247,11 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     if (trial != ByRays) search(snapshot, tried, statistics);
     if (!view_.searches() && !view_.list().findsShadows()) return;
     rays_.begin(snapshot, tried);
-    resolve(trial == ByRays, statistics);
+    resolve(snapshot, tried, trial == ByRays, statistics);
     const Stopwatch watch;
     const double trees = rays_.treesMs();
     const std::vector<DepthProbe> probes = view_.probes();
-    const AuditResult audit = rays_.audit(probes, view_.list().groups);
+    const AuditResult audit = rays_.audit(probes, view_.list().groups, view_.list().layersFrom());
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
     statistics.ms.rayTrees += rays_.treesMs();
     failed += audit.failed;
@@ -259,7 +260,7 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     error.auditFailedPx = failed;
     error.auditUndecidedPx = audit.undecided;
     const std::uint64_t wrong = audit.failed + error.unconvergedPx;
-    if (wrong == 0) return;
+    if (wrong == 0 || error.layersMissing > 0) return;
     if (trial == ByRays) {
       error.unconvergedPx = wrong;
       return;
@@ -281,12 +282,16 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Fram
         attempt);
     addAttempt(attempt, statistics);
     statistics = attempt;
-  } while (view_.learn() && view_.refinement.lost() > few);
+  } while (view_.learn() && (view_.lacksRoom() || view_.refinement.lost() > few));
+  const auto [points, missing] = view_.layerPoints();
+  statistics.count.layerPoints = points;
+  statistics.error.layersMissing = statistics.error.unconvergedPx = missing;
 }
 
-void Renderer::resolve(bool all, FrameStatistics& statistics) {
+void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, bool all,
+                       FrameStatistics& statistics) {
   const Stopwatch watch;
-  std::vector<PixelPlace> pixels, shadowed;
+  std::vector<PixelPlace> pixels, shadowed, layered;
   const VkExtent2D extent = view_.picture().extent();
   if (all) {
     pixels = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)},
@@ -298,29 +303,47 @@ void Renderer::resolve(bool all, FrameStatistics& statistics) {
           alphaAt(readback_.row(static_cast<std::uint32_t>(doubt.pixel.y)).data(), doubt.pixel.x) < 0)
         pixels.push_back(doubt.pixel);
       else if (doubt.shadows)
-        shadowed.push_back(doubt.pixel);
+        shadowed.push_back(doubt.pixel);  // and its layers, if there are
+      else if (doubt.layers)
+        layered.push_back(doubt.pixel);
   }
-  if (pixels.empty() && shadowed.empty()) return;
+  if (pixels.empty() && shadowed.empty() && layered.empty()) return;
   const double trees = rays_.treesMs();
   RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
   pixels.insert(pixels.end(), shadowed.begin(), shadowed.end());
   rays_.addShadows(pixels, view_.list().groups, points);
+  pixels.insert(pixels.end(), layered.begin(), layered.end());
+  rays_.addLayers(pixels, view_.list().layers.found, view_.list().origin, view_.list().groups, points);
   statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
-  statistics.error.resolvedByRaysPx = points.resolved - points.undecided + shadowed.size();
+  statistics.error.resolvedByRaysPx = points.resolved - points.undecided + shadowed.size() + layered.size();
   statistics.error.shadowRaysPx = shadowed.size();
-  statistics.error.uncertifiedPx = points.undecided + points.shadowsUndecided;
-  statistics.error.unconvergedPx = points.unknown;
+  statistics.error.uncertifiedPx = points.undecided + points.shadowsUndecided + points.layersUndecided;
+  statistics.error.unconvergedPx += points.unknown;
   if (points.empty()) return;
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
+  const bool isAnew = view_.makeRoomFor(points);
+  if (isAnew) {
+    FrameStatistics again;
+    submit(
+        [&](VkCommandBuffer commands) {
+          painter_.record(frames_, commands, view_, snapshot, options, again);
+        },
+        again);
+    statistics.ms.gpu += again.ms.gpu;
+    statistics.count.submits += again.count.submits;
+  }
   submit(
       [&](VkCommandBuffer commands) {
         painter_.recordRays(frames_, commands, view_, points, statistics);
-        if (view_.list().onlyFound())
+        if (view_.list().onlyFound() && !isAnew)
           readback_.record(commands, view_.picture(), rowsOf(pixels));
         else
           recordReadback(commands, view_.picture());
       },
       statistics);
+  const std::uint64_t missing = view_.layerPoints().missing;
+  statistics.error.unconvergedPx += missing;
+  statistics.error.layersMissing += missing;
 }
 
 void Renderer::submit(const Recording& record, FrameStatistics& statistics) {

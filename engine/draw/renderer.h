@@ -76,7 +76,7 @@ class Renderer {
   /// find soon.
   void search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
-  void resolve(bool all, FrameStatistics& statistics);
+  void resolve(const Snapshot& snapshot, const DrawOptions& options, bool all, FrameStatistics& statistics);
   /// Runs what `record` records, and waits.
   void submit(const Recording& record, FrameStatistics& statistics);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.

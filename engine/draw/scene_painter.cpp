@@ -30,6 +30,7 @@ CullOptions cullOptions(const DrawOptions& options) {
   return {.tolerancePx = options.tolerancePx,
           .samples = options.samples,
           .shading = options.shading,
+          .seesThrough = options.output == Output::Color,
           .frustum = options.skips.frustum,
           .small = options.skips.small,
           .backface = options.skips.backface,
@@ -63,8 +64,9 @@ DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& 
   able.doubles = options.doubles && context_->features().float64;
   able.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
   const auto wanted = static_cast<std::uint32_t>(options.samples);
-  // Shadows are found for one point of each pixel.
-  const bool one = options.output != Output::Color || findsShadows(snapshot, options);
+  // Shadows and layers are found for one point of each pixel.
+  const bool one =
+      options.output != Output::Color || findsShadows(snapshot, options) || hasLayers(snapshot, options);
   able.samples = one ? 1 : static_cast<int>(context_->supportedSamples(wanted));
   return able;
 }
@@ -113,11 +115,17 @@ void ScenePainter::preparePipelines(RenderView& view) {
   std::vector<DrawState> states;
   for (const auto* batches : {&view.list().opaque, &view.list().transparent})
     for (const DrawBatch& batch : *batches) states.push_back(batch.state);
+  const Layers& layers = view.list().layers;
   for (const LightGroup& group : view.list().groups) {
-    states.insert(states.end(), group.shades.begin(), group.shades.end());
-    for (const ShadowDraw& draw : group.shadows) states.push_back(draw.state);
+    for (const auto* shades : {&group.shades, &group.layerShades})
+      states.insert(states.end(), shades->begin(), shades->end());
+    for (const auto* draws : {&group.shadows, &group.layerShadows})
+      for (const CasterDraw& draw : *draws) states.push_back(draw.state);
     if (!group.flatShadows.empty()) states.push_back({.form = Form::FlatShadow});
   }
+  for (const CasterDraw& draw : layers.searches) states.push_back(draw.state);
+  for (const DrawBatch& batch : layers.meshes) states.push_back(batch.state);
+  if (layers.any()) states.push_back({.form = Form::BlendLayers});
   pipelines_.prepare(states, view.targets().format());
 }
 
@@ -132,10 +140,12 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   FrameDesc frame = desc;
   frame.emptyPasses = !view.options().skips.passes;
   frame.probes = view.feedback().probes();
+  frame.layerBands = view.layerLists().bands();
   const RenderView::Bindings bindings = view.bind(frames, pipelines_);
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) recorder.record(pass);
-  if (view.list().exact() || view.list().findsShadows())
+  if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});
+  if (view.list().searches())
     gpu::use(commands, {{view.feedback().lost(), gpu::Use::HostRead},
                         {view.feedback().doubtful(), gpu::Use::HostRead}});
 }

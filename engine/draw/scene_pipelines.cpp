@@ -14,31 +14,40 @@
 #include "draw/mesh_store.h"
 #include "draw/ray_points.h"
 #include "gpu/shader_compiler.h"
+#include "luxo/shaders/blend_layers_frag.h"
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
 #include "luxo/shaders/flat_shadow_frag.h"
 #include "luxo/shaders/flat_shadow_vert.h"
 #include "luxo/shaders/found_parameters_frag.h"
 #include "luxo/shaders/gouraud_frag.h"
+#include "luxo/shaders/gouraud_layer_frag.h"
+#include "luxo/shaders/gouraud_layer_vert.h"
 #include "luxo/shaders/gouraud_pattern_vert.h"
 #include "luxo/shaders/gouraud_vert.h"
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
 #include "luxo/shaders/ray_inspect_vert.h"
+#include "luxo/shaders/ray_layers_frag.h"
+#include "luxo/shaders/ray_layers_vert.h"
 #include "luxo/shaders/ray_shadows_frag.h"
 #include "luxo/shaders/ray_shadows_vert.h"
 #include "luxo/shaders/ray_surface_pattern_vert.h"
 #include "luxo/shaders/ray_surface_vert.h"
 #include "luxo/shaders/shade_frag.h"
 #include "luxo/shaders/shade_in_shadows_frag.h"
+#include "luxo/shaders/shade_layers_frag.h"
 #include "luxo/shaders/shade_vert.h"
 #include "luxo/shaders/shadow_vert.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/surface_frag.h"
+#include "luxo/shaders/surface_layer_frag.h"
 #include "luxo/shaders/surface_pattern_vert.h"
 #include "luxo/shaders/surface_vert.h"
 #include "luxo/shaders/toon_frag.h"
+#include "luxo/shaders/toon_layer_frag.h"
 #include "luxo/shaders/toon_vert.h"
+#include "luxo/shaders/whole_target_vert.h"
 #include "luxo/shaders/wireframe_frag.h"
 #include "luxo/shaders/wireframe_vert.h"
 
@@ -162,7 +171,9 @@ DrawState canonical(DrawState state) {
 
 bool readsParameters(const DrawState& state) {
   if (state.surface) return false;  // a shell has them among its vertices
-  return inspectionOf(state).has_value() || state.pattern.valid() || state.form == Form::FoundWithParameters;
+  const bool lit = state.shading == Shading::Gouraud || state.shading == Shading::Toon;
+  return inspectionOf(state).has_value() || state.pattern.valid() ||
+         state.form == Form::FoundWithParameters || (state.form == Form::Layer && !lit);
 }
 
 ScenePipelines::ScenePipelines(gpu::Context& context)
@@ -262,6 +273,19 @@ const gpu::DescriptorLayout& ScenePipelines::shadowLayout() {
   return shadowLayout_;
 }
 
+const gpu::DescriptorLayout& ScenePipelines::layersLayout() {
+  if (layersLayout_.bindings().empty()) {
+    std::vector<gpu::DescriptorBinding> bindings(shared::kLayerBindings,
+                                                 {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
+    bindings[shared::kBindingLayerDepth] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                            VK_SHADER_STAGE_FRAGMENT_BIT};
+    bindings[shared::kBindingLayerMaterials] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                                VK_SHADER_STAGE_FRAGMENT_BIT};
+    layersLayout_ = gpu::DescriptorLayout(*context_, bindings);
+  }
+  return layersLayout_;
+}
+
 VkSampler ScenePipelines::texelSampler() {
   if (!texelSampler_) texelSampler_ = gpu::createSampler(*context_, VK_FILTER_NEAREST);
   return texelSampler_;
@@ -281,6 +305,12 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
   }
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     const auto& [surface, pattern, grazing, form] = missing[i].key;
+    if (form == Form::Layer || form == Form::LayerShadow) {
+      const ExactSource source =
+          form == Form::Layer ? ExactSource::ofLayers(*surface) : ExactSource::ofLayerShadows(*surface);
+      missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
+      return;
+    }
     if (form == Form::Shadow) {
       if (const auto builtIn = builtInShadowShader(*surface); !builtIn.empty()) {
         missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
@@ -352,6 +382,7 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
   desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_frag)
                         : toon  ? std::span<const std::uint32_t>(luxo_toon_frag)
                                 : std::span<const std::uint32_t>(luxo_surface_frag);
+  const bool layer = state.form == Form::Layer;
   if (!gouraud && !toon)
     desc.specialization.insert(desc.specialization.end(),
                                {{shared::kConstantFacetNormal, state.shading == Shading::Flat},
@@ -360,12 +391,20 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
     desc.vertexShader = luxo_surface_pattern_vert;
     desc.fragmentShader = luxo_found_parameters_frag;
   }
+  if (layer) {
+    if (gouraud) desc.vertexShader = luxo_gouraud_layer_vert;
+    if (!gouraud && !toon) desc.vertexShader = luxo_surface_pattern_vert;
+    desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_layer_frag)
+                          : toon  ? std::span<const std::uint32_t>(luxo_toon_layer_frag)
+                                  : std::span<const std::uint32_t>(luxo_surface_layer_frag);
+  }
   if (!state.pattern.valid()) return;
   desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert)
                               : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
-  desc.fragmentShader = patternShader(state.pattern, gouraud ? "pattern/gouraud.frag"
-                                                     : toon  ? "pattern/toon.frag"
-                                                             : "pattern/surface.frag");
+  desc.fragmentShader =
+      patternShader(state.pattern, gouraud ? (layer ? "pattern/gouraud_layer.frag" : "pattern/gouraud.frag")
+                                   : toon  ? (layer ? "pattern/toon_layer.frag" : "pattern/toon.frag")
+                                           : "pattern/surface.frag");
 }
 
 /// One triangle over all, as far as can be: what is nearer than that has been found.
@@ -430,6 +469,47 @@ void ScenePipelines::describeShadow(const DrawState& state, gpu::GraphicsPipelin
   desc.setLayouts = {sceneLayout_, shadowLayout(), foundLayout()};
 }
 
+/// All points of a surface that is seen through, in every pixel; or what is done with the points of all.
+void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  desc.name = "layers";
+  desc.vertexShader = luxo_whole_target_vert;
+  desc.depthTest = desc.depthWrite = false;
+  if (state.form == Form::BlendLayers) {
+    if (!context_->features().dualSrcBlend)
+      throw Error(ErrorKind::Device, "this device cannot draw what is seen through (no dualSrcBlend)",
+                  "choose another --device, or set render.blend_order to \"given\"");
+    desc.fragmentShader = luxo_blend_layers_frag;
+    desc.blend = gpu::Blend::Through;
+    desc.specialization.clear();
+  } else if (state.form == Form::ShadeLayers) {
+    desc.vertexShader = luxo_shade_vert;
+    desc.fragmentShader =
+        state.pattern.valid()
+            ? std::span<const std::uint32_t>(patternShader(state.pattern, "pattern/shade_layers.frag"))
+            : std::span<const std::uint32_t>(luxo_shade_layers_frag);
+    desc.specialization.insert(desc.specialization.end(),
+                               {{shared::kConstantPattern, state.patternNumber},
+                                {shared::kConstantManyMaterials, state.manyMaterials},
+                                {shared::kConstantAddsLight, state.addsLight},
+                                {shared::kConstantManyGroups, state.manyGroups}});
+  } else if (state.form == Form::LayersByRays) {
+    desc.vertexShader = luxo_ray_layers_vert;
+    desc.fragmentShader = luxo_ray_layers_frag;
+    desc.bindings = {{0, sizeof(RayLayers), VK_VERTEX_INPUT_RATE_VERTEX}};
+    desc.attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayLayers, place)},
+                       {1, 0, VK_FORMAT_R32G32B32_UINT, offsetof(RayLayers, first)}};
+    desc.specialization.clear();
+    desc.pushConstantBytes = sizeof(RayTarget);
+    return;
+  } else {
+    desc.vertexShader = luxo_shadow_vert;
+    desc.fragmentShader = exactShaders_.at(exactShaderKey(state));
+    desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
+  }
+  desc.bindings.clear();
+  desc.attributes.clear();
+}
+
 gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
   gpu::GraphicsPipelineDesc desc{
       .name = nameOf(state.shading),
@@ -452,7 +532,19 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (isFoundOnly(state)) desc.colorFormats = {kFoundFormat};
   if (state.form == Form::FoundWithParameters) desc.colorFormats.push_back(kFoundParametersFormat);
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
-  if (state.form == Form::Shade) {
+  const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerShadow ||
+                        state.form == Form::LayersByRays || state.form == Form::ShadeLayers ||
+                        state.form == Form::BlendLayers;
+  if (ofLayers) {
+    static_assert(shared::kSetLayers == 3);
+    desc.setLayouts = {sceneLayout_, state.surface ? shadowLayout() : patternLayout(), foundLayout(),
+                       layersLayout()};
+    desc.depthFormat = VK_FORMAT_UNDEFINED;
+    if (state.form != Form::BlendLayers) desc.colorFormats.clear();
+  }
+  if (ofLayers && (state.form != Form::Layer || state.surface)) {
+    describeLayers(state, desc);
+  } else if (state.form == Form::Shade) {
     describeShade(state, desc);
   } else if (state.form == Form::Shadow || state.form == Form::ShadowsByRays ||
              state.form == Form::FlatShadow) {

@@ -57,6 +57,7 @@ class ScenePipelines {
   /// Set 1 of pipelines that find shadows: casters, grids, cells, parameters, doubts. Made when first asked
   /// for.
   [[nodiscard]] const gpu::DescriptorLayout& shadowLayout();
+  [[nodiscard]] const gpu::DescriptorLayout& layersLayout();
   [[nodiscard]] VkSampler texelSampler();
 
  private:
@@ -78,9 +79,11 @@ class ScenePipelines {
   void describeMesh(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describeShadow(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+  void describeLayers(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
-  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_, foundLayout_, shadowLayout_;
+  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_, foundLayout_, shadowLayout_,
+      layersLayout_;
   gpu::Handle<VkSampler> texelSampler_;
   /// Grazing; what it does with what it finds.
   using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool, Form>;

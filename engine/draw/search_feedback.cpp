@@ -31,7 +31,7 @@ void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<
   // A recording that was thrown away never becomes a submission.
   timeline.wait(std::min(slot.submission, timeline.submitted()));
   slot.submission = timeline.submitted() + 1;
-  slot.searches = list.exact() || list.findsShadows();
+  slot.searches = list.searches();
   slot.shadowGroups = list.findsShadows() ? list.groups.size() : 0;
   slot.told = false;
   extent_ = extent;
@@ -149,12 +149,14 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays) {
   std::vector<Doubt> doubts;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
-      constexpr std::uint32_t kAny = shared::kLostHere | shared::kUncertifiedHere | shared::kShadowOpenHere;
+      constexpr std::uint32_t kAny =
+          shared::kLostHere | shared::kUncertifiedHere | shared::kShadowOpenHere | shared::kLayersOpenHere;
       if ((bits & kAny) == 0) continue;
       const auto pixel = static_cast<std::int32_t>(word * shared::kDoubtsPerWord + k);
       doubts.push_back({{pixel % width, pixel / width},
                         (bits & shared::kLostHere) != 0,
-                        (bits & shared::kShadowOpenHere) != 0});
+                        (bits & shared::kShadowOpenHere) != 0,
+                        (bits & shared::kLayersOpenHere) != 0});
     }
   return doubts;
 }

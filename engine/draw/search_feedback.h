@@ -21,11 +21,12 @@
 namespace luxo {
 
 /// A pixel in which searches lost a surface, or found what they could not certify, in any layer; or that is
-/// left to rays from the start; or whose shadows are open.
+/// left to rays from the start; or whose shadows, or layers, are open.
 struct Doubt {
   PixelPlace pixel;
   bool lost;  ///< or left to rays
   bool shadows;
+  bool layers;
 };
 
 /// In a ring: a recording does not wait for what the one before it tells.
@@ -69,7 +70,7 @@ class SearchFeedback {
     gpu::Buffer depths, shadows;  ///< of the probed pixels, or of all; shadows by group of lights
     std::vector<PixelPlace> probed;
     bool probesAll = false;
-    bool searches = false;  ///< for surfaces or shadows
+    bool searches = false;  ///< for surfaces, shadows or layers
     std::size_t shadowGroups = 0;
     bool told = true;  ///< what it lost
     std::uint64_t submission = 0;

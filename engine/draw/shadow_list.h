@@ -9,8 +9,8 @@
 
 namespace luxo {
 
-/// Fills list.shadows, for the lights that are left to do, and leaves to rays (list.byRays) where no shader
-/// finds a shadow.
+/// Fills the shadows of list.groups, for the lights that are left to do, and leaves to rays (list.byRays)
+/// where no shader finds a shadow.
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                  Geometry& geometry, const MaterialList& materials, DrawList& list);
 

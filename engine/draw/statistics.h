@@ -29,6 +29,7 @@ struct FrameCounts {
   std::uint64_t tooLarge = 0;  ///< nodes whose formulas are too large for shaders: rays find their points
   std::uint64_t passes = 0;
   std::uint64_t shadowPasses = 0;  ///< draws that find shadows: one for each light and caster
+  std::uint64_t layerPoints = 0;   ///< points of what is seen through
   std::uint64_t deferred = 0;  ///< pictures, of one sample each, whose points were found first and lit later
 };
 
@@ -47,6 +48,9 @@ struct FrameError {
   std::uint64_t unconvergedPx = 0, uncertifiedPx = 0;
   std::uint64_t resolvedByRaysPx = 0;  ///< pixels whose point, or miss, was found by a certified ray
   std::uint64_t shadowRaysPx = 0;      ///< of these, pixels whose shadows alone were left open
+  /// Points of what is seen through that found no room (kMaxLayerBytes): the picture lacks them. They count
+  /// as pixels that did not converge, too.
+  std::uint64_t layersMissing = 0;
   /// Pixels that were audited; those that were found wrong, in any attempt; those of the last attempt that
   /// the reference cannot decide.
   std::uint64_t auditedPx = 0, auditFailedPx = 0, auditUndecidedPx = 0;

@@ -34,9 +34,10 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool
     color_ = make(format_.color, multisampled ? kDrawnOnly : kPicture, samples, "color");
     resolved_ = multisampled ? make(format_.color, kPicture, VK_SAMPLE_COUNT_1_BIT, "color resolved")
                              : gpu::Texture();
-    depth_ =
-        make(format_.depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-             samples, "depth");
+    depth_ = make(format_.depth,
+                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                      VK_IMAGE_USAGE_SAMPLED_BIT,
+                  samples, "depth");
     found_ = gpu::Texture();
     foundParameters_ = gpu::Texture();
     shadows_ = gpu::Texture();

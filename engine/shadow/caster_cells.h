@@ -8,7 +8,7 @@
 //     |S - (S0 + x a + y b)| <= bend = (|Suu| hu^2 + 2 |Suv| hu hv + |Svv| hv^2) / 2
 //
 // with proven suprema of the second derivatives (tessellate/curvature_map.h). From that
-// shaders/lib/shadow_ray.glsl concludes whether a ray meets the cell (D. Toth, "On ray tracing parametric
+// shaders/lib/cell_ray.glsl concludes whether a ray meets the cell (D. Toth, "On ray tracing parametric
 // surfaces", 1985; R. Krawczyk 1969).
 #pragma once
 

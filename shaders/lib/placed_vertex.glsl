@@ -7,19 +7,14 @@ layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
 
 #ifdef LUXO_RAY_POINT
+#include "lib/around_place.glsl"
 
 layout(location = 3) in vec4 inPlace;  // of the sample, in the target; its depth in the depth buffer, and in metres
-layout(push_constant) uniform Target { vec2 size; float guard; } target;
-
 vec3 positionOfVertex(InstanceData instance) { return inPosition; }  // relative already
 vec3 normalOfVertex(InstanceData instance) { return inNormal; }
 float depthOfVertex(vec3 relative) { return inPlace.w; }
 
-vec4 clipOfVertex(vec3 relative) {
-  const vec2 kCorners[3] = vec2[](vec2(0, -0.25), vec2(-0.25, 0.25), vec2(0.25, 0.25));  // pixels, seen from the front
-  vec2 part = 2.0 * (inPlace.xy + kCorners[gl_VertexIndex % 3]) / target.size - 1.0;
-  return vec4(vec2(part.x, -part.y) / target.guard, inPlace.z, 1);
-}
+vec4 clipOfVertex(vec3 relative) { return aroundPlace(inPlace.xy, inPlace.z); }
 
 #else
 

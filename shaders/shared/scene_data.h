@@ -31,6 +31,8 @@ LUXO_CONSTANT kSetExact = 2;
 LUXO_CONSTANT kSetFound = 2;  // of draws that light what an earlier pass has found
 LUXO_CONSTANT kSetShadow = 1;  // of draws that find what is in shadow there; they read its points from kSetFound
 
+LUXO_CONSTANT kSetLayers = 3;  // of draws of what is seen through
+
 // Bindings of kSetScene.
 LUXO_CONSTANT kBindingView = 0;
 LUXO_CONSTANT kBindingInstances = 1;
@@ -60,6 +62,18 @@ LUXO_CONSTANT kBindingCasterParameters = 4;
 LUXO_CONSTANT kBindingShadowDoubts = 5;
 LUXO_CONSTANT kShadowBindings = 6;
 
+// Bindings of kSetLayers.
+LUXO_CONSTANT kBindingLayerHeads = 0;
+LUXO_CONSTANT kBindingLayerPoints = 1;
+LUXO_CONSTANT kBindingLayerCount = 2;
+LUXO_CONSTANT kBindingLayerDoubts = 3;
+LUXO_CONSTANT kBindingLayerDepth = 4;      // of what is not seen through
+LUXO_CONSTANT kBindingRayLayers = 5;       // points that rays have found
+LUXO_CONSTANT kBindingLayerMaterials = 6;  // the first kUniformMaterials of them all
+LUXO_CONSTANT kBindingLayerSums = 7;
+LUXO_CONSTANT kBindingRayLayerShadows = 8;
+LUXO_CONSTANT kLayerBindings = 9;
+
 // Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
 // reach a draw costs nothing.
 LUXO_CONSTANT kConstantPlainLights = 0;
@@ -75,6 +89,7 @@ LUXO_CONSTANT kConstantManySamples = 9;
 LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a draw lights: MaterialData::pattern
 LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
 LUXO_CONSTANT kConstantAddsLight = 12;      // to what is lit already: no ambient light
+LUXO_CONSTANT kConstantManyGroups = 13;     // of lights, for the same points
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -104,10 +119,11 @@ LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its 
 LUXO_CONSTANT kFeedbackSlots = 16384;
 
 // What is in doubt, some bits a pixel, row by row: a search has lost a surface there; what it has found there is not
-// certified; whether it is in shadow was not settled.
+// certified; whether it is in shadow was not settled, or what is seen through there.
 LUXO_CONSTANT kLostHere = 1;
 LUXO_CONSTANT kUncertifiedHere = 2;
 LUXO_CONSTANT kShadowOpenHere = 4;
+LUXO_CONSTANT kLayersOpenHere = 8;
 LUXO_CONSTANT kDoubtBits = 4;
 LUXO_CONSTANT kDoubtsPerWord = 8;
 
@@ -185,7 +201,13 @@ struct MaterialData {
   uint flags;
   uint firstPatternParameter;  // in the buffer of them all
   uint pattern;                // 1 + index among the picture's patterns; 0: none
+  uint blend;                  // below
 };
+
+// What comes through from behind: 1 - opacity of it; all of it; 1 - opacity of it times the diffuse colour.
+LUXO_CONSTANT kBlendOver = 0;
+LUXO_CONSTANT kBlendAdd = 1;
+LUXO_CONSTANT kBlendMultiply = 2;
 
 struct LightData {
   vec4 position;  // w = 1: a point; w = 0: the unit direction toward a light at infinity
@@ -242,9 +264,10 @@ struct LightSet {
 
 // A cell of a caster (engine/shadow/caster_cells.h), object space.
 struct CasterCell {
-  vec2 middle, half_;  // of its u and v
+  vec2 middle, half_;  // of its u and v, less originOfU
   vec3 bend;           // suprema of |Suu|, |Suv|, |Svv|; the first below 0: nothing is proven
   uint patch_;
+  float originOfU, outward;  // outward: +1 or -1, times Su x Sv
 };
 
 // Pushed to the shaders of a shadow that is flattened onto a plane.
@@ -266,6 +289,8 @@ LUXO_CONSTANT kGatedLight = 2;    // it lights nothing that faces away
 LUXO_CONSTANT kFlatCaster = 4;
 LUXO_CONSTANT kConvexCaster = 8;  // no point of it that faces the light is in its shadow
 LUXO_CONSTANT kWholeCaster = 16;  // it is all of a node
+LUXO_CONSTANT kShowsFront = 32;   // what is seen through: only the outer side is seen
+LUXO_CONSTANT kTurnsNormal = 64;  // and its normal turns toward the viewer
 
 // What may keep a light from what is seen: a node, or those of its patches that share their code, as the light sees them
 // (engine/shadow/light_grid.h).
@@ -281,7 +306,7 @@ struct ShadowCaster {
   uint gridSize;
   uint firstEntry, firstCell, firstParameter, parameters;  // parameters: of each patch
   uint light;        // its bit
-  uint flags;        // below
+  uint flags;        // above
   vec4 plane;        // of a flat caster: dot(plane, (position, 1)) is above 0 on the light's side
   float rounding, roundingPerMetre;  // how far floats leave a point from where it is, metres of the object; of these, for
                                      // each metre from what positions are relative to
@@ -289,6 +314,25 @@ struct ShadowCaster {
   float pixel;       // what a pixel is wide, metres of the object (perspective: at depth 1)
   float offPixels;   // how far what is drawn may be off its surface
   uint material;     // of found texels that show the caster, and nothing else
+};
+
+LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
+LUXO_CONSTANT kLayerLit = 1 << 17;       // its light is known,
+LUXO_CONSTANT kLayerAtBorder = 1 << 18;  // or on a border between two cells, which may both have found it
+LUXO_CONSTANT kLayerByRay = 1 << 19;     // or found by a ray
+LUXO_CONSTANT kLayerMaterial = 0xffff;
+
+// A point of what is seen through, in the list of its pixel.
+struct LayerPoint {
+  uint next;      // 0: it is the last
+  float depth;    // metres along the view axis, beyond that of what positions are relative to
+  float off;      // by so much it may be off
+  uint material;  // with flags
+  uint shadows;   // the lights, a bit each, that do not reach it
+  vec2 normal;    // shaders/lib/octahedral.glsl
+  vec2 parameters;
+  vec3 light;     // what it reflects, times its opacity
+  vec3 through;   // how much comes through from behind
 };
 
 #ifdef __cplusplus
@@ -305,10 +349,10 @@ inline constexpr uint kLightFlags = ((1u << kFlagsOfLight * kCarriedLights) - 1)
 static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
               (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
-static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
-static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 56 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
+static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 32 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 316);
+static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 316 && sizeof(LayerPoint) == 60);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

@@ -78,7 +78,7 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
     for (const Pass& pass : passesOf(list, frame)) {
       const Attachment& target = pass.colors.front();
       names.push_back(std::string(pass.name) + (target.begin == Begin::Keep ? "+" : "") +
-                      (pass.rays ? "*" : "") + " " + std::to_string(pass.shadows.size()));
+                      (pass.rays ? "*" : "") + " " + std::to_string(pass.casters.size()));
     }
     return names;
   };
@@ -105,6 +105,52 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   EXPECT_EQ(passes[1].reads, std::vector{Target::Found});
   EXPECT_TRUE(passes[1].searches) << "what it leaves open is told";
   EXPECT_EQ(passes[2].reads, (std::vector{Target::Found, Target::Shadows}));
+}
+
+TEST(Passes, WhatIsSeenThroughComesAfterWhatIsNot) {
+  DrawList list = listOf(2, 0, 0);
+  for (DrawBatch& batch : list.opaque) batch.state.form = Form::Found;
+  list.deferred = true;
+  list.groups.resize(1);
+  const auto namesOf = [&](const FrameDesc& frame) {
+    Names names;
+    for (const Pass& pass : passesOf(list, frame))
+      names.push_back(std::string(pass.name) + (pass.rays ? "*" : "") + " " +
+                      std::to_string(pass.casters.size()) + (pass.clearsLayers ? " cleared" : ""));
+    return names;
+  };
+  EXPECT_EQ(namesOf({}), (Names{"found 0", "shade 0"})) << "opaque scenes have no pass for it";
+  list.layers.found.resize(1);
+  list.layers.searches.resize(2);
+  list.groups[0].layerShades.resize(2);
+  const Names rest{"shade layers 0", "shade layers 0", "blend layers 0"};
+  const auto with = [&](Names names) {
+    names.insert(names.end(), rest.begin(), rest.end());
+    return names;
+  };
+  EXPECT_EQ(namesOf({}), with({"found 0", "shade 0", "layers 2 cleared"}));
+  const RayPoints points;
+  EXPECT_EQ(namesOf({.rays = &points}), with({"rays* 0", "shade 0", "layers of rays* 0"}))
+      << "what was found stays, but for what rays replace";
+  list.groups[0].lights.resize(1);
+  list.groups[0].shadows.resize(3);
+  list.groups[0].layerShadows.resize(2);
+  EXPECT_EQ(namesOf({}), with({"found 0", "shadows 3", "shade 0", "layers 2 cleared", "layer shadows 1",
+                               "layer shadows 1"}))
+      << "each reads what the one before it has written";
+  EXPECT_EQ(namesOf({.rays = &points}), with({"rays* 0", "shadows* 0", "shade 0", "layers of rays* 0"}))
+      << "shadows stay, and come with what rays replace";
+  list.groups.resize(2);
+  list.groups[1].layerShades.resize(1);
+  EXPECT_EQ(namesOf({.rays = &points}),
+            (Names{"rays* 0", "shadows* 3", "shade 0", "shade 0", "layers of rays* 0", "layer shadows 1",
+                   "layer shadows 1", "shade layers 0", "shade layers 0", "layer shadows of rays* 0",
+                   "shade layers 0", "blend layers 0"}))
+      << "a point holds the shadows of one group";
+  // What is not lit later is drawn again, where rays add something to it: else layers would be blended twice.
+  list.deferred = false;
+  for (DrawBatch& batch : list.opaque) batch.state.form = Form::Fused;
+  EXPECT_EQ(namesOf({.rays = &points})[1], "layers 2 cleared");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(HardScenes, EveryKindCanBeReadAndSeen) {
     }
   }
   EXPECT_EQ(cameras.size(), 9U);
-  EXPECT_EQ(dresses.size(), 4U + 3U) << "places, and lights with shadows";
+  EXPECT_EQ(dresses.size(), 4U + 3U + 2U) << "places, lights with shadows, and glass";
 }
 
 TEST(HardScenes, SizeAndSamplesAreTheCallers) {

@@ -23,9 +23,11 @@ bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, Ren
     one.standIns = false;
     FrameStatistics ignored;
     view.refinement.beginPicture();
-    painter.record(frames, frames.begin(), view, sampled, one, ignored);
-    frames.wait(frames.submit());
-    static_cast<void>(view.learn());  // for the samples to come: what this one lost rays find
+    // What a sample has lost rays find, and those to come learn from it; but without room there is none for rays.
+    do {
+      painter.record(frames, frames.begin(), view, sampled, one, ignored);
+      frames.wait(frames.submit());
+    } while (view.learn() && view.lacksRoom());
     if (!view.searches()) {
       next_.emplace();
       return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a surface keeps the light from a point: what a ray of light meets of a cell of it.
+// What a ray meets of a cell of a surface: of light, which does not get through; or of sight, of what is seen through.
 //
 // Of a rectangle of parameters with its middle at S0, half as wide as (hu, hv), the tangents a = hu Su, b = hv Sv and
 // |S - (S0 + x a + y b)| <= bend (Taylor; engine/shadow/caster_cells.h). With f the offset of S0 from the ray, across it,
@@ -9,37 +9,52 @@
 //
 // So there is none if the parallelogram of a and b around f keeps farther than `bend` from 0; else x and y are within
 // (bend |b|, bend |a|) / |a x b| of the solution for r = 0, which narrows the rectangle (D. Toth 1985, after Krawczyk
-// 1969); and if all these are inside of it there is such a point (Brouwer): the light does not get through. What is left
+// 1969); and if all these are inside of it there is such a point (Brouwer). What is left
 // is looked at once more, cut in two where it has not become smaller by half. All this holds for every rectangle, however
 // the surface turns in it.
 //
+// Where the tangents turn by less than they span (`isPlain`) a rectangle has one meeting at most.
+//
 // A point that is off its own surface by `off` meets that surface near t = 0, by as much as that moves the solution. Such a
 // meeting is no shadow; but where there are two of them, or one that cannot be the point's own, no float tells, and rays do
-// (kOpen). Rectangles in which the tangents turn by less than they span (`isPlain`) have one meeting at most. Rectangles
-// smaller than `grain` are not cut: one that is plain is a meeting, and where a ray grazes the surface as near as that,
-// rays decide, too.
+// (kOpen). Rectangles smaller than `grain` are not cut: one that is plain is a meeting, and where a ray grazes the surface as
+// near as that, rays decide, too.
 
 const int kMet = 1, kPassed = 0, kOpen = 2;
 const int kCuts = 31;              // of a cell, each in half: a bit each
-const int kMaxEvaluations = 256;   // of a pixel; a few dozen where rays graze, 4 elsewhere
+#ifndef LUXO_EVALUATIONS
+#define LUXO_EVALUATIONS 256
+#endif
+const int kMaxEvaluations = LUXO_EVALUATIONS;  // of a ray; a few dozen where it grazes, 4 elsewhere
 
 const float kBorder = 1e-4;        // of half a rectangle
-const float kUsualRounding = 0.25; // of its bound, a sum of absolute values: measured, 1/4 leaves no gap between cells
+#ifndef LUXO_USUAL_ROUNDING
+#define LUXO_USUAL_ROUNDING 0.25
+#endif
+const float kUsualRounding = LUXO_USUAL_ROUNDING; // of its bound, a sum of absolute values: measured, 1/4 leaves no gap
+                                                  // between cells
 
-struct LightRay {
-  vec3 from, along;      // unit
-  vec3 across1, across2; // unit, upright on it and on each other
-  float last;            // metres: what is farther is behind the light
-  float rounding, off;   // metres: how far floats leave the ray, and the point its surface
-  float grain;           // metres
+const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
+const float kMostRounding = 4e-3;  // pixels
+
+struct CellRay {
+  vec3 from, along;       // unit
+  vec3 across1, across2;  // unit, upright on it and on each other
+  float first, last;      // metres from `from`: what is nearer or farther is not met
+  float rounding, off;    // metres: how far floats leave the ray, and the point its surface
+  vec2 grain;             // metres: at `from`; what it grows by in a metre
 };
 
 // T. Duff et al., "Building an orthonormal basis, revisited", 2017.
-LightRay lightRay(vec3 from, vec3 along, float last, float rounding, float off) {
+CellRay cellRay(vec3 from, vec3 along) {
   float s = along.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + along.z), b = along.x * along.y * a;
-  return LightRay(from, along, vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x),
-                  vec3(b, s + along.y * along.y * a, -along.y), last, rounding, off, 0.0);
+  return CellRay(from, along, vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x),
+                 vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0));
 }
+
+// Told of every meeting, with its parameters, less originOfU; `atBorder`: a neighbouring rectangle may have it, too. Whether
+// the others matter no more.
+bool endsAt(vec2 parameters, bool atBorder);
 
 float crossOf(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -49,7 +64,7 @@ int besideMeetings = 0;  // and so many that a neighbouring rectangle has, but f
 
 // Rectangles are visited in order of a tree of halves, whose way back takes no memory that a device would have to index:
 // a bit for each cut tells which half this is, another whether u was cut.
-int meetsCell(LightRay ray, CasterCell cell) {
+int meetsCell(CellRay ray, CasterCell cell) {
   if (cell.bend.x < 0.0) return kOpen;
   vec4 half_ = vec4(cell.middle, cell.half_), rectangle = half_;  // of the tree; the part of it that is left
   uint second = 0, ofU = 0;
@@ -74,25 +89,28 @@ int meetsCell(LightRay ray, CasterCell cell) {
     float own = 2.0 * ray.off * (1.0 + (abs(ta) * lengthB + abs(tb) * lengthA) * perArea);
     bool isPlain = 4.0 * turn * size < abs(area);
     bool isInside = max(abs(middle.x) + off.x, abs(middle.y) + off.y) < 1.0;
-    bool passes = t + reach <= -ray.off || t - reach >= ray.last || min(part.x, part.y) < 0.0 ||
-                  tMiddle + tOff <= -own || tMiddle - tOff >= ray.last ||
+    bool passes = t + reach <= ray.first - ray.off || t - reach >= ray.last || min(part.x, part.y) < 0.0 ||
+                  tMiddle + tOff <= ray.first - own || tMiddle - tOff >= ray.last ||
                   abs(crossOf(f, a)) > abs(area) + bend * lengthA || abs(crossOf(f, b)) > abs(area) + bend * lengthB ||
                   dot(f, f) > abs(dot(f, a)) + abs(dot(f, b)) + bend * length(f);
-    bool isOwn = isPlain && abs(tMiddle) + tOff <= 2.0 * own;
+    bool isOwn = ray.off > 0.0 && isPlain && abs(tMiddle) + tOff <= 2.0 * own;
     // What floats leave is less than its bound, and the surface may end here: what is beyond an edge by more is not met.
     vec2 beyond = abs(middle) - kUsualRounding * off;
     bool isHere = max(beyond.x, beyond.y) <= 1.0;
-    bool isGrain = size + bend <= ray.grain;
-    if (!passes && isPlain && ((isInside && tMiddle - tOff > own && tMiddle + tOff < ray.last) ||
-                               (isGrain && isHere && !isOwn && tMiddle > own && tMiddle < ray.last)))
-      return kMet;
-    if (!passes && isGrain && !isPlain) return kOpen;
+    float grain = ray.grain.x + ray.grain.y * (ray.grain.y > 0.0 ? t - reach : t + reach);
+    // Where floats are as coarse as that borders would be off.
+    if (!passes && kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
+    bool isGrain = size + bend <= max(grain, 4.0 * ray.rounding);
+    bool isMet = !passes && isPlain && ((isInside && tMiddle - tOff > ray.first + own && tMiddle + tOff < ray.last) ||
+                                        (isGrain && isHere && !isOwn && tMiddle > ray.first + own && tMiddle < ray.last));
+    if (isMet && endsAt(rectangle.xy + h * middle, !isInside)) return kMet;
+    if (!passes && !isMet && isGrain && !isPlain) return kOpen;
     // Of a meeting on a border between two rectangles one counts, but for rounding.
-    if (!passes && isOwn) {
+    if (!passes && !isMet && isOwn) {
       if (max(abs(middle.x), abs(middle.y)) <= 1.0 + kBorder) ++ownMeetings;
       else ++besideMeetings;
     }
-    if (passes || isOwn || isGrain) {
+    if (passes || isMet || isOwn || isGrain) {
       for (; cuts > 0 && (second & 1) != 0; --cuts) {
         half_.xy -= (ofU & 1) != 0 ? vec2(half_.z, 0) : vec2(0, half_.w);
         half_.zw *= (ofU & 1) != 0 ? vec2(2, 1) : vec2(1, 2);

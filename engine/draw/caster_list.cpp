@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/caster_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "math/transform.h"
+
+namespace luxo {
+namespace {
+
+/// Of the distances involved: what a dozen operations of single precision round away.
+constexpr double kRounding = 0x1p-21;
+constexpr float kUp = 1 + 0x1p-22F;  ///< a float that is rounded down is no bound
+
+}  // namespace
+
+std::array<Vec3, 8> cornersOf(const Box& box) {
+  std::array<Vec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+    corners[static_cast<std::size_t>(i)] = {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y,
+                                            (i & 4 ? box.max : box.min).z};
+  return corners;
+}
+
+std::vector<CasterPart> casterParts(SurfaceCodes& codes, const SnapshotNode& node) {
+  std::vector<CasterPart> parts;
+  for (std::uint32_t i = 0; i < node.surface.patchCount(); ++i) {
+    const Patch& patch = node.surface.patches()[i];
+    const PatchInputs inputs(patch, node.parameters);
+    const std::span<const double> own = inputs;
+    std::vector<double> parameters = patch.general ? patch.general->inputs(patch.constants, node.parameters)
+                                                   : std::vector<double>(own.begin(), own.end());
+    const SurfaceCodePtr code = patch.general ? codes.get(patch.general, parameters.size())
+                                              : codes.get(patch.function, parameters.size());
+    auto part = std::ranges::find(parts, code, &CasterPart::code);
+    if (part == parts.end()) part = parts.insert(parts.end(), {code, {}, {}});
+    part->patches.push_back(i);
+    part->parameters.push_back(std::move(parameters));
+  }
+  return parts;
+}
+
+std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, const CasterPart& part,
+                                                     const Vec4& from, int gridSize) {
+  const Mat3& linear = node.worldFromObject.linear;
+  const Mat3 inverse = glm::inverse(linear);
+  const bool invertible = isFinite(inverse[0]) && isFinite(inverse[1]) && isFinite(inverse[2]);
+  if (!isFinite(node.boundsObject) || !invertible || part.code->isTooLarge()) return std::nullopt;
+  Entry entry{.caster = {}, .cells = geometry_.casters.cells(node.surface, node.parameters, part.patches)};
+  const CasterCells& cells = *entry.cells;
+  if (cells.cells.empty()) return entry;
+  if (!cells.finite()) return std::nullopt;
+  const Vec3 toward = Vec3(from) - from.w * node.worldFromObject.translation;
+  const Vec4 fromObject(inverse * toward, from.w);
+  const auto grid = geometry_.casters.grid(node.surface, node.parameters, part.patches, fromObject, gridSize);
+
+  const Vec3 origin = inverse * (list_.origin - node.worldFromObject.translation);
+  const Vec3 farthest = glm::max(glm::abs(cells.bounds.min), glm::abs(cells.bounds.max));
+  Casters& all = list_.casters;
+  shared::ShadowCaster& caster = entry.caster.emplace(shared::ShadowCaster{
+      .gridFromRelative = Mat3f(grid->axes * inverse),
+      .gridOrigin = Vec3f(grid->axes * (origin - grid->light)),
+      .objectFromRelative = Mat3f(inverse),
+      .objectOrigin = Vec3f(origin),
+      .lightObject = Vec4f(fromObject),
+      .lightRelative = Vec4f(Vec3f(Vec3(from) - from.w * list_.origin), from.w),
+      .gridSize = static_cast<std::uint32_t>(grid->size),
+      .firstEntry = static_cast<std::uint32_t>(all.gridEntries.size()),
+      .firstCell = static_cast<std::uint32_t>(all.cells.size()),
+      .firstParameter = static_cast<std::uint32_t>(all.parameters.size()),
+      .parameters = static_cast<std::uint32_t>(part.parameters[0].size()),
+      .flags = (from.w == 0 ? shared::kParallelLight : 0) |
+               (part.patches.size() == node.surface.patchCount() ? shared::kWholeCaster : 0),
+      .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest))),
+      .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
+      .margin = static_cast<float>(kGridMargin * cells.size),
+      .pixel = static_cast<float>(1 / (snapshot_.view.pixelsPerUnit * largestStretch(linear)))});
+  const auto firstStart = static_cast<std::uint32_t>(all.gridStarts.size());
+  for (std::size_t i = 0; i < grid->faces.size(); ++i) {
+    const LightGrid::Face& face = grid->faces[i];
+    caster.faces[i] = Vec4f(Vec4(face.low, face.texels));
+    caster.firstTexel[i] = firstStart + face.first;
+  }
+  all.gridStarts.insert(all.gridStarts.end(), grid->starts.begin(), grid->starts.end());
+  for (const LightGrid::Entry& listed : grid->entries)
+    all.gridEntries.push_back({listed.cell, listed.nearest});
+  addCells(cells, node.surface, part);
+  for (const std::vector<double>& parameters : part.parameters)
+    all.parameters.insert(all.parameters.end(), parameters.begin(), parameters.end());
+  return entry;
+}
+
+std::uint32_t CasterList::add(const shared::ShadowCaster& caster) {
+  list_.casters.casters.push_back(caster);
+  return static_cast<std::uint32_t>(list_.casters.casters.size() - 1);
+}
+
+void CasterList::addCells(const CasterCells& cells, const Surface& surface, const CasterPart& part) {
+  for (const CasterCell& cell : cells.cells) {
+    const auto patch = std::ranges::find(part.patches, cell.patch) - part.patches.begin();
+    const double hu = 0.5 * cell.domain.u.width(), hv = 0.5 * cell.domain.v.width();
+    const Patch& of = surface.patches()[cell.patch];
+    const double originOfU = of.general ? 0 : of.originOfU();
+    list_.casters.cells.push_back(
+        {.middle = Vec2f(cell.domain.u.lo - originOfU + hu, cell.domain.v.lo + hv),
+         .half_ = Vec2f(hu, hv) * kUp,
+         .bend = cell.proven() ? Vec3f(cell.uu, cell.uv, cell.vv) * kUp : Vec3f(-1),
+         .patch_ = static_cast<std::uint32_t>(patch),
+         .originOfU = static_cast<float>(originOfU),
+         .outward = static_cast<float>(surface.topology().orientation(cell.patch))});
+  }
+}
+
+std::optional<PixelRect> CasterList::pixelsAround(std::span<const Vec3> points) const {
+  const View& view = snapshot_.view;
+  const PixelRect all{{0, 0}, {view.size.width, view.size.height}};
+  const PixelRows rows = pixelRows(view, {});
+  const Vec2 middle(0.5 * view.size.width, 0.5 * view.size.height);
+  Vec2 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Vec3& p : points) {
+    const double depth = glm::dot(rows.depth, Vec4(p, 1)), width = view.perspective() ? depth : 1;
+    if (view.perspective() && !(depth > view.near)) return all;
+    const Vec2 pixel = middle + Vec2(glm::dot(rows.x, Vec4(p, 1)), glm::dot(rows.y, Vec4(p, 1))) / width;
+    low = glm::min(low, pixel - 1.0);
+    high = glm::max(high, pixel + 1.0);
+  }
+  const auto within = [](double x, int most) {
+    return static_cast<std::int32_t>(std::clamp(x, 0.0, 1.0 * most));
+  };
+  const PixelRect rect{{within(std::floor(low.x), all.high.x), within(std::floor(low.y), all.high.y)},
+                       {within(std::ceil(high.x), all.high.x), within(std::ceil(high.y), all.high.y)}};
+  if (rect.low.x >= rect.high.x || rect.low.y >= rect.high.y) return std::nullopt;
+  return rect;
+}
+
+}  // namespace luxo

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/layer_lists.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "gpu/barrier.h"
+#include "shared/scene_data.h"
+
+namespace luxo {
+
+LayerLists::LayerLists(gpu::Context& context)
+    : context_(&context),
+      most_(std::min<std::uint64_t>(kMaxLayerBytes, context.limits().maxStorageBufferRange) /
+                sizeof(shared::LayerPoint) -
+            1) {}  // the first is none's
+
+void LayerLists::prepare(VkExtent2D extent) {
+  const VkDeviceSize pixels = VkDeviceSize{extent.width} * extent.height;
+  const auto make = [this](VkDeviceSize bytes, gpu::MemoryUse memory, const char* name) {
+    return gpu::Buffer(*context_,
+                       {.size = bytes,
+                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                        .memory = memory,
+                        .name = name});
+  };
+  gpu::Timeline& timeline = context_->timeline();
+  if (!heads_ || extent.width != extent_.width || extent.height != extent_.height) {
+    timeline.wait(timeline.submitted());
+    extent_ = extent;
+    bands_ = 1;
+    heads_ = make(pixels * sizeof(std::uint32_t), gpu::MemoryUse::Device, "heads of layers");
+    sums_ = make(pixels * 2 * sizeof(float), gpu::MemoryUse::Readback, "sums of layers");
+    if (!count_) {
+      count_ = make(sizeof(std::uint32_t), gpu::MemoryUse::Device, "how many layers");
+      counts_ = make(kMaxLayerBands * sizeof(std::uint32_t), gpu::MemoryUse::Readback, "layers of each band");
+    }
+  }
+  // Two points a pixel until more are asked for.
+  const std::uint64_t room = std::min(std::max<std::uint64_t>(2 * pixels, wanted_), most_);
+  if (points_ && room <= room_) return;
+  timeline.wait(timeline.submitted());
+  room_ = room;
+  points_ = {};
+  points_ = make((room + 1) * sizeof(shared::LayerPoint), gpu::MemoryUse::Device, "layers");
+}
+
+LayerLists::Found LayerLists::found() {
+  Found found;
+  for (std::uint32_t band = 0; band < bands_; ++band) {
+    std::uint32_t points = 0;
+    std::memcpy(&points, counts_.read().data() + sizeof points * band, sizeof points);
+    found.points += points;
+    found.missing += points > room_ ? points - room_ : 0;
+  }
+  return found;
+}
+
+bool LayerLists::makeRoom(std::uint64_t more) {
+  Found all = found();
+  if (all.missing == 0 && all.points + more <= room_) return false;
+  all.points += more;
+  if (room_ < most_) {
+    wanted_ = all.points + all.points / 8;
+    if (wanted_ <= most_) return true;
+  }
+  // The points of a picture are not spread evenly: bands twice as many as would be enough if they were.
+  const std::uint64_t enough = 2 * (all.points / most_ + 1);
+  const std::uint32_t most = std::min(kMaxLayerBands, extent_.height);
+  const auto wanted =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(std::max<std::uint64_t>(enough, 2 * bands_), most));
+  if (wanted <= bands_ && room_ >= most_) return false;
+  bands_ = std::max(bands_, wanted);
+  return true;
+}
+
+void LayerLists::clear(VkCommandBuffer commands, std::uint32_t band) {
+  using enum gpu::Use;
+  gpu::use(commands,
+           {{heads_, TransferDestination}, {count_, TransferDestination}, {sums_, TransferDestination}});
+  vkCmdFillBuffer(commands, count_, 0, VK_WHOLE_SIZE, 0);
+  if (band > 0) return;
+  vkCmdFillBuffer(commands, heads_, 0, VK_WHOLE_SIZE, 0);
+  vkCmdFillBuffer(commands, sums_, 0, VK_WHOLE_SIZE, 0);
+}
+
+void LayerLists::keepCount(VkCommandBuffer commands, std::uint32_t band) {
+  using enum gpu::Use;
+  gpu::use(commands, {{count_, TransferSource}, {counts_, TransferDestination}});
+  const VkBufferCopy one{.dstOffset = band * sizeof(std::uint32_t), .size = sizeof(std::uint32_t)};
+  vkCmdCopyBuffer(commands, count_, counts_, 1, &one);
+  gpu::use(commands, {{counts_, HostRead}});
+}
+
+}  // namespace luxo

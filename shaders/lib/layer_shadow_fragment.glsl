@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a caster keeps its light from the points of a pixel that are seen through.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/shadow_test.glsl"
+#include "lib/layers.glsl"
+#include "lib/octahedral.glsl"
+
+void findLayerShadows() {
+  vec3 place = layerPlace(), ray = layerRay();
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    LayerPoint point = layerPoints[index];
+    if ((point.material & (kLayerLit | kLayerByRay)) != 0) continue;
+    int result = shadowAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
+                          (point.material & kLayerMaterial) == varyingMaterial);
+    if (result == kOpen) doubtLayers();
+    if (result == kMet) layerPoints[index].shadows |= 1u << varyingCaster.y;
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is seen through: for each pixel a list of the points that its ray meets before anything opaque, in any order until
+// they are blended (blend_layers.frag).
+//
+// "Linked list" transparency: J. Yang, J. Hensley, H. Gruen, N. Thibieroz, "Real-time concurrent linked list construction on
+// the GPU", 2010.
+#ifndef LUXO_LIB_LAYERS_GLSL
+#define LUXO_LIB_LAYERS_GLSL
+#include "lib/scene.glsl"
+
+layout(scalar, set = kSetLayers, binding = kBindingLayerHeads) buffer LayerHeads { uint layerHeads[]; };
+layout(scalar, set = kSetLayers, binding = kBindingLayerPoints) buffer LayerPoints { LayerPoint layerPoints[]; };
+layout(scalar, set = kSetLayers, binding = kBindingLayerCount) buffer LayerCount { uint layerCount; };
+layout(scalar, set = kSetLayers, binding = kBindingLayerDoubts) buffer LayerDoubts { uint layerDoubts[]; };
+layout(set = kSetLayers, binding = kBindingLayerDepth) uniform sampler2D opaqueDepth;
+
+uint layerPixel() { return uint(gl_FragCoord.y) * uint(textureSize(opaqueDepth, 0).x) + uint(gl_FragCoord.x); }
+
+void doubtLayers() {
+  uint pixel = layerPixel();
+  atomicOr(layerDoubts[pixel / kDoubtsPerWord], kLayersOpenHere << kDoubtBits * (pixel % kDoubtsPerWord));
+}
+
+// The depth of a value of the depth buffer, metres beyond that of what positions are relative to. (Perspective: the value is
+// a constant over the depth; orthographic: a linear function of it.)
+float layerDepth(float buffered, vec3 place, vec3 ray) {
+  mat4 clip = view.clipFromRelative;
+  if (view.viewer.w != 0.0) return buffered > 0.0 ? clip[3][2] / buffered - view.forward.w : 1e30;
+  float atPlace = dot(vec4(clip[0][2], clip[1][2], clip[2][2], clip[3][2]), vec4(place, 1)),
+        alongRay = dot(vec3(clip[0][2], clip[1][2], clip[2][2]), ray);
+  return buffered > 0.0 ? (buffered - atPlace) / alongRay : 1e30;
+}
+
+// Where the ray of a pixel is at the depth of what positions are relative to, and how it moves with the depth.
+vec3 layerPlace() {
+  vec2 pixel = gl_FragCoord.xy - view.middle;
+  return view.placeMiddle + pixel.x * view.placeRight + pixel.y * view.placeDown;
+}
+vec3 layerRay() {
+  vec2 pixel = gl_FragCoord.xy - view.middle;
+  return view.rayMiddle + pixel.x * view.rayRight + pixel.y * view.rayDown;
+}
+
+// Whoever asks for the list is told how many points there are; where it has no room for them it is asked again.
+void addLayer(LayerPoint point) {
+  if (layerCount > 0x80000000u) return;  // before it wraps
+  uint index = atomicAdd(layerCount, 1) + 1;  // 0 ends a list
+  if (index >= layerPoints.length()) return;
+  point.next = atomicExchange(layerHeads[layerPixel()], index);
+  layerPoints[index] = point;
+}
+
+// How much comes through from behind.
+vec3 throughLayer(uint blend, float opacity, vec3 diffuse) {
+  return blend == kBlendAdd ? vec3(1) : blend == kBlendOver ? vec3(1.0 - opacity) : (1.0 - opacity) * diffuse;
+}
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light on all that is seen through, in the lists of the pixels.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/carried_lights.glsl"
+#include "lib/found.glsl"
+#include "lib/layers.glsl"
+#include "lib/octahedral.glsl"
+
+layout(constant_id = kConstantPattern) const uint kPattern = 0;
+layout(constant_id = kConstantManyMaterials) const bool kManyMaterials = false;
+
+layout(constant_id = kConstantAddsLight) const bool kAddsLight = false;
+layout(constant_id = kConstantManyGroups) const bool kManyGroups = false;
+
+layout(scalar, set = kSetLayers, binding = kBindingLayerMaterials) uniform UniformMaterials {
+  MaterialData uniformMaterials[kUniformMaterials];
+};
+
+// As of whoever lights what was found (lib/shade_fragment.glsl).
+layout(location = 0) flat in vec4 inViewer;
+layout(location = 1) flat in vec3 inPlace[3];
+layout(location = 4) flat in vec3 inRay[3];
+layout(location = 7) flat in vec2 inMiddle;
+
+MaterialData material;
+uint shadowsHere;
+
+Material foundMaterial() { return materialOf(material); }
+uint foundMaterialNumber() { return 0; }
+uint shadows() { return shadowsHere; }
+
+// Whoever includes this knows them: the diffuse colour, and the opacity.
+vec4 paintOf(Found found);
+
+void shadeLayers() {
+  vec2 pixel = gl_FragCoord.xy - inMiddle;
+  vec3 place = inPlace[0] + pixel.x * inPlace[1] + pixel.y * inPlace[2],
+       ray = inRay[0] + pixel.x * inRay[1] + pixel.y * inRay[2];
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    LayerPoint point = layerPoints[index];
+    if ((point.material & kLayerLit) != 0) continue;
+    uint number = point.material & kLayerMaterial;
+    if (kManyMaterials)
+      material = materials[number];
+    else
+      material = uniformMaterials[number];
+    if (material.pattern != kPattern) continue;  // another draw's
+    if (kAddsLight) material.ambient = vec3(0);
+    Found found;
+    found.position = place + point.depth * ray;
+    found.normal = fromOctahedral(point.normal);
+    found.viewer = towardViewer(inViewer, found.position);
+    found.parameters = point.parameters;
+    found.depth = found.residual = 0.0;  // no light asks for them
+    shadowsHere = point.shadows;
+    vec4 paint = paintOf(found);
+    vec3 before = kAddsLight ? point.light : vec3(0);
+    layerPoints[index].light = before + paint.a * lit(found);
+    if (kManyGroups) layerPoints[index].shadows = 0;  // the next group has its own
+    layerPoints[index].through = throughLayer(material.blend, paint.a, paint.rgb);
+  }
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rays have found in a pixel replaces what was searched for; points of triangles stay. Later, for other groups of
+// lights, their shadows there.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/layers.glsl"
+
+layout(scalar, set = kSetLayers, binding = kBindingRayLayers) readonly buffer RayLayers { LayerPoint rayLayers[]; };
+
+layout(scalar, set = kSetLayers, binding = kBindingRayLayerShadows) readonly buffer RayLayerShadows { uint rayLayerShadows[]; };
+
+layout(location = 0) flat in uvec4 inRange;
+
+// The last of them is the first in the list. Of every point there is a word for each group.
+void setShadows() {
+  uint last = inRange.x + inRange.y - 1;
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next)
+    if ((layerPoints[index].material & kLayerByRay) != 0) layerPoints[index].shadows = rayLayerShadows[last-- * inRange.z + inRange.w];
+}
+
+void main() {
+  if (inRange.w > 0) {
+    setShadows();
+    return;
+  }
+  uint head = 0;
+  for (uint index = layerHeads[layerPixel()]; index != 0;) {
+    uint next = layerPoints[index].next;
+    if ((layerPoints[index].material & kLayerOfMesh) != 0) {
+      layerPoints[index].next = head;
+      head = index;
+    }
+    index = next;
+  }
+  layerHeads[layerPixel()] = head;
+  for (uint i = 0; i < inRange.y; ++i) addLayer(rayLayers[inRange.x + i]);
+}

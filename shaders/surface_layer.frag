@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of triangles that are seen through, to be lit later.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/layers.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/surface_fragment.glsl"
+#include "lib/lit_plain.glsl"
+
+layout(location = 14) sample in vec3 inDetail;
+layout(location = 15) flat in vec4 inParameterBounds;
+
+vec2 foundParameters() { return clamp(inDetail.xy, inParameterBounds.xy, inParameterBounds.zw); }
+vec4 patternBounds() { return inParameterBounds; }
+
+void main() {
+  Found found = foundPoint();
+  addLayer(LayerPoint(0, dot(found.position, view.forward.xyz), 0.0, inNumbers.y | kLayerOfMesh, 0, octahedral(found.normal),
+                      found.parameters, vec3(0), vec3(0)));
+}

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is seen through: against formulas, against the reference's rays, and against itself in another order.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "draw/layer_lists.h"
+#include "reference/caster.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "support/verified_picture.h"
+
+namespace luxo::test {
+namespace {
+
+class LayersTest : public VerifiedPictureTest {
+ protected:
+  [[nodiscard]] static Scene sceneOf(const std::string& nodes, const std::string& render = "") {
+    return buildScene(parseScene(R"_({ "luxo": 1,
+      "render": { )_" + render + R"_( "ambient": [0.1, 0.1, 0.1], "background": [0.05, 0.1, 0.2] },
+      "materials": { "glass": { "diffuse": [0.2, 0.5, 0.8], "opacity": 0.35, "specular": 0.8, "shininess": 80 },
+                     "red": { "diffuse": [0.9, 0.2, 0.1], "opacity": 0.5 },
+                     "stained": { "diffuse": [0.9, 0.6, 0.2], "opacity": 0.2, "blend": "multiply" },
+                     "glow": { "diffuse": [0.1, 0.5, 0.2], "opacity": 0.6, "blend": "add" },
+                     "waves": { "diffuse": [0.8, "u", 0.2], "opacity": "0.5+0.5*sin(8*u)" },
+                     "checks": { "diffuse": ["0.3+0.4*mod(floor(2u)+floor(2v),2)", 0.5, 0.4] } },
+      "surfaces": { "floor": { "type": "rectangle", "size": [12, 12] }, "sheet": { "type": "rectangle", "size": [2, 2] },
+                    "torus": { "type": "torus", "major": 1.3, "minor": 0.45 }, "ball": { "type": "sphere", "radius": 1 },
+                    "klein": { "type": "klein" }, "teapot": { "type": "teapot" }, "mobius": { "type": "mobius" } },
+      "camera": { "eye": [4, 3, 6], "look_at": [0, 0, 0], "fov_y": "40deg" },
+      "nodes": [ { "translate": [4, 8, 6], "light": {} },
+                 { "surface": "floor", "material": "checks", "translate": [0, -1.6, 0] }, )_" +
+                                     nodes + "] }",
+                                 "layers"));
+  }
+
+  [[nodiscard]] static std::string node(const std::string& surface, const std::string& material,
+                                        const std::string& more = "") {
+    return R"({ "surface": ")" + surface + R"(", "material": ")" + material + R"(")" + more + " }";
+  }
+};
+
+constexpr PixelSize kSize{240, 180};
+
+std::string twelveSheets(LayersTest*) {
+  const char* materials[] = {"glass", "red", "stained", "glow"};
+  std::string nodes;
+  for (int i = 0; i < 12; ++i)
+    nodes += std::string(i == 0 ? "" : ", ") + R"({ "surface": "sheet", "material": ")" + materials[i % 4] +
+             R"(", "rotate": { "axis": [1, 0, 0], "angle": ")" + std::to_string(15 * i) + R"(deg" } })";
+  return nodes;
+}
+
+TEST_F(LayersTest, AreTheTruth) {
+  const std::vector<std::string> scenes{
+      node("klein", "glass"), node("teapot", "glass", R"(, "translate": [0, -1.6, 0])"),
+      node("torus", "glass") + ", " +
+          node("torus", "red",
+               R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 }, "translate": [0.4, 0, 0])"),
+      twelveSheets(this),
+      // Modes, an opacity that is a formula, something opaque within, a surface with one side.
+      node("ball", "stained", R"(, "translate": [-1.5, 0, 0])") + ", " + node("ball", "glow") + ", " +
+          node("ball", "waves", R"(, "translate": [1.5, 0, 0])") + ", " +
+          node("ball", "checks", R"(, "scale": [0.5, 0.5, 0.5])") + ", " + node("mobius", "red")};
+  for (const std::string& nodes : scenes) {
+    SCOPED_TRACE(nodes);
+    const Snapshot snapshot = takeSnapshot(sceneOf(nodes), 0, kSize);
+    const Verified found = verified(snapshot);
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.auditFailedPx, 0U);
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+    EXPECT_GT(found.statistics.count.layerPoints, 2000U);
+    // Measured: 7e-5 of the pixels are left to rays.
+    EXPECT_LE(found.statistics.error.resolvedByRaysPx, 60U);
+  }
+}
+
+/// A pixel in the middle of a sheet, over the background: known in closed form.
+TEST_F(LayersTest, ModesAreWhatTheySay) {
+  const auto through = [&](const std::string& material) {
+    const Scene scene = buildScene(parseScene(R"_({ "luxo": 1,
+      "render": { "ambient": [1, 1, 1], "background": [0.5, 0.25, 0.125] },
+      "materials": { "m": { "diffuse": [0.25, 0.5, 1], "ambient": [0.5, 0.5, 0.5], "specular": 0, )_" +
+                                                  material + R"_( } },
+      "surfaces": { "sheet": { "type": "rectangle", "size": [2, 2] } },
+      "camera": { "eye": [0, 5, 0.5] }, "nodes": [ { "surface": "sheet", "material": "m" } ] })_",
+                                              "modes"));
+    for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud}) {
+      const Vec3 color = colorAt(draw(scene, {32, 32}, {.shading = shading}).image, 16, 16);
+      const Vec3 truth = colorAt(castPicture(takeSnapshot(scene, 0, {32, 32})).color, 16, 16);
+      EXPECT_TRUE(near(color, truth, 1e-6)) << nameOf(shading);
+    }
+    return colorAt(draw(scene, {32, 32}).image, 16, 16);
+  };
+  EXPECT_TRUE(near(through(R"("opacity": 0.25)"), {0.5, 0.3125, 0.21875}, 1e-6));
+  EXPECT_TRUE(near(through(R"("opacity": 0.25, "blend": "add")"), {0.625, 0.375, 0.25}, 1e-6));
+  // Stained: three quarters of what is behind, times the diffuse colour.
+  EXPECT_TRUE(near(through(R"("opacity": 0.25, "blend": "multiply")"), {0.21875, 0.21875, 0.21875}, 1e-6));
+  EXPECT_TRUE(near(through(R"("opacity": 0, "blend": "multiply")"), {0.125, 0.125, 0.125}, 1e-6));
+  EXPECT_TRUE(near(through(R"("opacity": 1, "blend": "add")"), {1, 0.75, 0.625}, 1e-6));
+  EXPECT_TRUE(near(through(R"("opacity": "u*0+0.25")"), {0.5, 0.3125, 0.21875}, 1e-6));
+  EXPECT_TRUE(near(through(R"_("opacity": "if(u < 2, 0.25, v)")_"), {0.5, 0.3125, 0.21875}, 1e-6));
+  EXPECT_TRUE(near(through(R"("opacity": "-u*u")"), {0.5, 0.25, 0.125}, 1e-6)) << "cut off at 0";
+  EXPECT_TRUE(near(through(R"_("opacity": "sqrt(-1-u*u)")_"), {0.5, 0.25, 0.125}, 1e-6))
+      << "without a value nothing is seen of it";
+}
+
+TEST_F(LayersTest, OrderOfNodesChangesNoByte) {
+  std::vector<std::string> nodes{node("torus", "glass"),
+                                 node("torus", "red", R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 })"),
+                                 node("ball", "stained", R"(, "translate": [1, 0, 0])"),
+                                 // Twice the same sheet: of two points in one place neither is in front.
+                                 node("sheet", "red"), node("sheet", "glass")};
+  const auto shown = [&] {
+    std::string all;
+    for (const std::string& one : nodes) all += (all.empty() ? "" : ", ") + one;
+    return draw(sceneOf(all), kSize).image;
+  };
+  std::ranges::sort(nodes);
+  const Image expected = shown();
+  for (int i = 0; i < 5; ++i) {
+    std::ranges::rotate(nodes, nodes.begin() + 1);
+    EXPECT_TRUE(sameBytes(shown(), expected)) << i;
+  }
+  std::ranges::reverse(nodes);
+  EXPECT_TRUE(sameBytes(shown(), expected));
+}
+
+/// The lecture's demonstration: each over all before it, wherever it is.
+TEST_F(LayersTest, GivenOrderIsWhatIsGiven) {
+  const std::string near = node("sheet", "red", R"(, "translate": [0, 0.2, 0])"),
+                    far = node("sheet", "glass");
+  const auto middle = [&](const std::string& nodes, const std::string& order) {
+    const Scene scene = sceneOf(nodes, R"("blend_order": ")" + order + R"(",)");
+    const Vec3 shown = colorAt(draw(scene, kSize).image, 120, 86);
+    EXPECT_TRUE(test::near(shown, colorAt(castPicture(takeSnapshot(scene, 0, kSize)).color, 120, 86), 1e-4));
+    return shown;
+  };
+  const Vec3 right = middle(far + ", " + near, "exact");
+  EXPECT_EQ(right, middle(near + ", " + far, "exact"));
+  EXPECT_TRUE(test::near(right, middle(far + ", " + near, "given"), 1e-4));
+  EXPECT_GT(glm::distance(right, middle(near + ", " + far, "given")), 0.05);
+}
+
+TEST_F(LayersTest, ManySamplesAreTheirMean) {
+  const Scene scene = sceneOf(node("torus", "glass") + ", " + node("mobius", "waves"));
+  const Image four = draw(scene, kSize, {.samples = 4}).image;
+  std::vector<Vec3> mean(static_cast<std::size_t>(kSize.width * kSize.height), Vec3(0));
+  for (const Vec2& offset : samplePattern(4)) {
+    Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+    snapshot.view = sampledAt(snapshot.view, offset);
+    const Image one = renderer().render(snapshot, {}).image;
+    for (std::size_t i = 0; i < mean.size(); ++i)
+      mean[i] += 0.25 * colorAt(one, static_cast<int>(i) % kSize.width, static_cast<int>(i) / kSize.width);
+  }
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    ASSERT_TRUE(near(colorAt(four, static_cast<int>(i) % kSize.width, static_cast<int>(i) / kSize.width),
+                     mean[i], 1e-6));
+}
+
+/// Meshes show the same layers as searches, but where they are off by the tolerance.
+TEST_F(LayersTest, MeshesShowTheSameLayers) {
+  const Scene scene = sceneOf(node("torus", "glass") + ", " +
+                              node("torus", "red", R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 })"));
+  const Image exact = draw(scene, kSize).image;
+  const Image mesh = draw(scene, kSize, {.shading = Shading::Phong, .tolerancePx = 0.05}).image;
+  int different = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) different += !near(colorAt(exact, x, y), colorAt(mesh, x, y), 0.03);
+  // Outlines, about 1,000 px long, move by up to 0.05 px.
+  EXPECT_LT(different, 120);
+}
+
+TEST_F(LayersTest, ShadowsFallOnEveryLayer) {
+  const Scene scene =
+      sceneOf(node("ball", "checks",
+                   R"(, "scale": [0.4, 0.4, 0.4], "translate": [0.3, 1.6, 0.3], "name": "caster")") +
+              ", " + node("torus", "glass") + ", " + node("mobius", "waves") + R"(,
+      { "translate": [1, 5, 1], "light": { "shadow": "exact", "casters": ["caster"] } })");
+  const Verified found = verified(takeSnapshot(scene, 0, kSize));
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_GT(found.statistics.count.shadowPasses, 0U);
+  const Image without = draw(scene, kSize, {.shadows = ShadowKinds::None}).image;
+  EXPECT_FALSE(sameBytes(without, draw(scene, kSize).image));
+}
+
+TEST_F(LayersTest, RoomGrowsUntilAllAreThere) {
+  // 200 sheets are more than the two points for each pixel that there is room for at first.
+  std::string nodes;
+  for (int i = 0; i < 200; ++i)
+    nodes += std::string(i == 0 ? "" : ", ") +
+             node("floor", "waves", R"(, "translate": [0, )" + std::to_string(-1.5 + 0.005 * i) + ", 0]");
+  const Picture picture = draw(sceneOf(nodes), {64, 48});
+  EXPECT_EQ(picture.statistics.error.layersMissing, 0U);
+  EXPECT_GT(picture.statistics.count.layerPoints, 2U * 64 * 48);
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+  EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+}
+
+TEST_F(LayersTest, BandsTakeTurnsWhereThereIsNoRoomForAll) {
+  // 60 layers in three of four pixels are more than fit into what a device binds at once.
+  std::string nodes;
+  for (int i = 0; i < 60; ++i)
+    nodes += std::string(i == 0 ? "" : ", ") +
+             node("floor", i % 2 == 0 ? "glass" : "red",
+                  R"(, "translate": [0, )" + std::to_string(-1.5 + 0.01 * i) + ", 0]");
+  const Scene scene = sceneOf(nodes);
+  constexpr PixelSize kLarge{320, 240};
+  const Picture picture = draw(scene, kLarge);
+  EXPECT_GT(picture.statistics.count.layerPoints, kMaxLayerBytes / sizeof(shared::LayerPoint));
+  EXPECT_EQ(picture.statistics.error.layersMissing, 0U);
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+  EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+  // Row by row against the reference.
+  const Snapshot snapshot = takeSnapshot(scene, 0, kLarge);
+  const reference::Caster truth(snapshot);
+  for (int y = 0; y < kLarge.height; ++y) {
+    const reference::Ray ray = truth.rayThrough(160.5, y + 0.5);
+    bool certified = true;
+    ASSERT_TRUE(near(colorAt(picture.image, 160, y), truth.color(ray, truth.look(ray), certified), 1e-4))
+        << y;
+  }
+}
+
+/// Where eyes and surfaces meet: defined, finite, right or told.
+TEST_F(LayersTest, FromInsideAndFromNear) {
+  for (const char* eye :
+       {"0, 0, 0", "1, 0, 0", "0.9999999, 0, 0", "0, -1.6, 0", "1e5, 1e5, 1e5", "1.3, 0, 0.1"}) {
+    SCOPED_TRACE(eye);
+    const Scene scene = buildScene(
+        parseScene(std::string(R"({ "luxo": 1, "materials": { "glass": { "opacity": 0.5 } },
+          "surfaces": { "ball": { "type": "sphere", "radius": 1 }, "torus": { "type": "torus", "major": 1.3, "minor": 0.45 } },
+          "nodes": [ { "surface": "ball", "material": "glass" }, { "surface": "torus", "material": "glass" },
+                     { "translate": [4, 8, 6], "light": {} } ],
+          "camera": { "eye": [)") +
+                       eye + R"(], "look_at": [0.2, 0.1, -1], "near": 0.001, "fov_y": "70deg" } })",
+                   "inside"));
+    const Verified found = verified(takeSnapshot(scene, 0, {80, 60}));
+    EXPECT_EQ(found.statistics.error.nonfinitePx, 0U);
+    EXPECT_LE(found.verification.wrong.total(),
+              found.statistics.error.unconvergedPx + found.statistics.error.uncertifiedPx);
+  }
+}
+
+}  // namespace
+}  // namespace luxo::test
