@@ -12,7 +12,9 @@ namespace luxo::random {
 namespace {
 
 constexpr double kWithShadows = 0.4;
-constexpr double kFourSamples = 1.0 / 6;  // of the scenes: one costs four of the others
+constexpr double kWithGlass = 0.5;              // of the others
+constexpr std::uint64_t kGlass = 0x676c617373;  // numbers of its own
+constexpr double kFourSamples = 1.0 / 6;        // of the scenes: one costs four of the others
 
 Json vectorJson(double x, double y, double z) { return Json::array({rounded(x), rounded(y), rounded(z)}); }
 
@@ -107,6 +109,22 @@ std::string addShadow(Json& json, const Box& framing, Numbers& n) {
   return which < 0.25 ? "+sunlit" : which < 0.75 ? "+lit" : "+lit inside";
 }
 
+/// Makes the first node of something that is seen through.
+std::string addGlass(Json& json, Numbers& n) {
+  Json glass = json["materials"]["m"];
+  const double opacity = rounded(n.between(0.1, 0.9));
+  const bool patterned = n.chance(0.25);
+  if (patterned)
+    glass["opacity"] = "0.5+0.5*sin(9u+7v)";
+  else
+    glass["opacity"] = opacity;
+  const double blend = n.between(0, 1);
+  if (blend > 0.6) glass["blend"] = blend > 0.8 ? "add" : "multiply";
+  json["materials"]["glass"] = glass;
+  json["nodes"][0]["material"] = "glass";
+  return patterned ? "+glass pattern" : "+glass";
+}
+
 std::pair<PixelSize, int> formatOf(const HardSceneOptions& options, Numbers& n) {
   const bool four = n.chance(kFourSamples);
   const int part = n.whole(0, 8);
@@ -149,8 +167,14 @@ HardScene hardScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpti
   // From numbers of its own: scenes stay what they were before there were shadows.
   Numbers ofShadows(~seed, index);
   const Box framing = framingOf(snapshot);
-  if (ofShadows.chance(kWithShadows) && !framing.empty()) {
+  const bool shadows = ofShadows.chance(kWithShadows) && !framing.empty();
+  if (shadows) {
     hard.kind += addShadow(hard.json, framing, ofShadows);
+    hard.json["x-random"]["kind"] = hard.kind;
+  }
+  Numbers ofGlass(seed ^ kGlass, index);
+  if (!shadows && ofGlass.chance(kWithGlass)) {
+    hard.kind += addGlass(hard.json, ofGlass);
     hard.json["x-random"]["kind"] = hard.kind;
   }
   hard.json["x-random"]["camera"] = camera.kind;
