@@ -68,11 +68,17 @@ TEST(Passes, ThoseThatSearchSaySo) {
   EXPECT_FALSE(passesOf(meshes, {})[0].searches);
 }
 
-TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
+/// Two draws that find points, which one group of lights lights.
+DrawList deferredList() {
   DrawList list = listOf(2, 0, 0);
   for (DrawBatch& batch : list.opaque) batch.state.form = Form::Found;
   list.deferred = true;
   list.groups.resize(1);
+  return list;
+}
+
+TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
+  DrawList list = deferredList();
   const auto namesOf = [&](const FrameDesc& frame) {
     Names names;
     for (const Pass& pass : passesOf(list, frame)) {
@@ -108,10 +114,7 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
 }
 
 TEST(Passes, WhatIsSeenThroughComesAfterWhatIsNot) {
-  DrawList list = listOf(2, 0, 0);
-  for (DrawBatch& batch : list.opaque) batch.state.form = Form::Found;
-  list.deferred = true;
-  list.groups.resize(1);
+  DrawList list = deferredList();
   const auto namesOf = [&](const FrameDesc& frame) {
     Names names;
     for (const Pass& pass : passesOf(list, frame))
