@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shadow where the plane is seen, of what is between it and the light: nothing fights for the depth there, and what is
-// below the plane or beyond the light has no shadow.
+// A planar shadow: the bit of its light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shared/scene_data.h"
-#include "lib/material_of_texel.glsl"
+#include "lib/flat_shadow.glsl"
 
-layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
-layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
-
-layout(location = 0) in float inHeight;
 layout(location = 0) out uint outShadows;
 
 void main() {
-  vec4 texel = texelFetch(foundTexels, ivec2(gl_FragCoord.xy), 0);
-  bool isPlane = texel.w != 0.0 && materialOfTexel(texel) == draw.receiver;
-  if (!isPlane || !(inHeight > 0.0 && inHeight < draw.highest)) discard;
+  if (!isInFlatShadow()) discard;
   outShadows = 1u << draw.light;
 }

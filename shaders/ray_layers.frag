@@ -7,20 +7,24 @@
 
 layout(scalar, set = kSetLayers, binding = kBindingRayLayers) readonly buffer RayLayers { LayerPoint rayLayers[]; };
 
-layout(scalar, set = kSetLayers, binding = kBindingRayLayerShadows) readonly buffer RayLayerShadows { uint rayLayerShadows[]; };
+layout(scalar, set = kSetLayers, binding = kBindingRayLayerLight) readonly buffer ReachingLights { ReachingLight reachingLights[]; };
 
 layout(location = 0) flat in uvec4 inRange;
 
-// The last of them is the first in the list. Of every point there is a word for each group.
-void setShadows() {
+// The last of them is the first in the list. Of every point there is one for each group.
+void setLight() {
   uint last = inRange.x + inRange.y - 1;
-  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next)
-    if ((layerPoints[index].material & kLayerByRay) != 0) layerPoints[index].shadows = rayLayerShadows[last-- * inRange.z + inRange.w];
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    if ((layerPoints[index].material & kLayerByRay) == 0) continue;
+    ReachingLight light = reachingLights[last-- * inRange.z + inRange.w];
+    layerPoints[index].shadows = light.shadows;
+    layerPoints[index].transmittance = light.transmittance;
+  }
 }
 
 void main() {
   if (inRange.w > 0) {
-    setShadows();
+    setLight();
     return;
   }
   uint head = 0;

@@ -23,7 +23,8 @@ void main() {
   varyingCaster = uvec4(gl_InstanceIndex, caster.light, caster.flags, caster.gridSize);
   varyingFaces = caster.faces;
   varyingPlane = caster.plane;
-  varyingMaterial = caster.material;
+  varyingMaterial = uvec2(caster.material, caster.firstPatternParameter);
+  varyingPaint = vec4(caster.diffuse, caster.opacity);
   varyingOff = caster.offPixels;
   for (int i = 0; i < 2; ++i)
     varyingFirstTexels[i] = uvec3(caster.firstTexel[i], caster.firstTexel[2 + i], caster.firstTexel[4 + i]);

@@ -15,6 +15,6 @@ vec4 patternBounds() { return inParameterBounds; }
 
 void main() {
   Found found = foundPoint();
-  addLayer(LayerPoint(0, dot(found.position, view.forward.xyz), 0.0, inNumbers.y | kLayerOfMesh, 0, octahedral(found.normal),
-                      found.parameters, vec3(0), vec3(0)));
+  addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | kLayerOfMesh, octahedral(found.normal),
+                      found.parameters));
 }

@@ -12,9 +12,9 @@ namespace luxo::random {
 namespace {
 
 constexpr double kWithShadows = 0.4;
-constexpr double kWithGlass = 0.5;              // of the others
-constexpr std::uint64_t kGlass = 0x676c617373;  // numbers of its own
-constexpr double kFourSamples = 1.0 / 6;        // of the scenes: one costs four of the others
+constexpr double kWithGlass = 0.5, kGlassInShadows = 0.4;  // of the others; of these
+constexpr std::uint64_t kGlass = 0x676c617373;             // numbers of its own
+constexpr double kFourSamples = 1.0 / 6;                   // of the scenes: one costs four of the others
 
 Json vectorJson(double x, double y, double z) { return Json::array({rounded(x), rounded(y), rounded(z)}); }
 
@@ -173,7 +173,7 @@ HardScene hardScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpti
     hard.json["x-random"]["kind"] = hard.kind;
   }
   Numbers ofGlass(seed ^ kGlass, index);
-  if (!shadows && ofGlass.chance(kWithGlass)) {
+  if (ofGlass.chance(shadows ? kGlassInShadows : kWithGlass)) {
     hard.kind += addGlass(hard.json, ofGlass);
     hard.json["x-random"]["kind"] = hard.kind;
   }

@@ -26,19 +26,24 @@ namespace luxo {
 
 /// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
 /// later, with their parameters or without. Or they light what was written down; or find whether a surface
-/// keeps a light from it; or write what rays have found of that; or are a caster's mesh that is flattened
-/// onto a plane. Of what is seen through they put points in the list of their pixel; or find what is in
-/// shadow of those; or put there what rays have found; or light all points of a list; or blend them.
+/// keeps a light from it, or how much of a light gets through it; or write what rays have found of that; or
+/// are a caster's mesh that is flattened onto a plane. Of what is seen through they put points in the list of
+/// their pixel; or find what light reaches those; or put there what rays have found; or light all points of a
+/// list; or blend them.
 enum class Form {
   Fused,
   Found,
   FoundWithParameters,
   Shade,
   Shadow,
+  Transmittance,
   ShadowsByRays,
+  TransmittanceByRays,
   FlatShadow,
+  FlatTransmittance,
   Layer,
   LayerShadow,
+  LayerTransmittance,
   LayersByRays,
   ShadeLayers,
   BlendLayers
@@ -64,6 +69,7 @@ struct DrawState {
   bool shadows = false;             ///< with it: some lights have shadows that were found
   bool manyGroups = false;          ///< of Form::ShadeLayers: there are others, which light the same points
   bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
+  bool transmits = false;           ///< with it: LightGroup::transmits
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -129,14 +135,18 @@ struct FlatShadowDraw {
 };
 
 /// Lights of a deferred picture that light what was found in one pass, and what is seen through in another:
-/// as many as a word has bits for their shadows. The first group comes with the ambient light, the others add
-/// theirs.
+/// as many as a word has bits for their shadows, or one some of which gets through its casters. The first
+/// group comes with the ambient light, the others add theirs.
 struct LightGroup {
   std::uint32_t lightSet = 0;
+  bool transmits = false;                      ///< it is one light, of which casters let a part through
   std::vector<DrawState> shades, layerShades;  ///< a draw for each pattern
   /// With `lights`: one draw for each light and each caster that may keep it from what is seen.
   std::vector<CasterDraw> shadows, layerShadows;
   std::vector<FlatShadowDraw> flatShadows;
+  /// Of one that transmits: a draw for each caster that lets some of the light through.
+  std::vector<CasterDraw> transmittances, layerTransmittances;
+  std::vector<FlatShadowDraw> flatTransmittances;
   /// Of each light of the set, index into Snapshot::lights, as rays find its shadow; nothing of lights
   /// without one. Empty where none has one.
   std::vector<std::optional<std::uint32_t>> lights;
@@ -195,6 +205,9 @@ struct DrawList {
   }
   [[nodiscard]] bool findsShadows() const {
     return std::ranges::any_of(groups, [](const LightGroup& group) { return !group.lights.empty(); });
+  }
+  [[nodiscard]] bool findsTransmittances() const {
+    return std::ranges::any_of(groups, &LightGroup::transmits);
   }
   /// Nothing is drawn over what is found.
   [[nodiscard]] bool onlyFound() const;

@@ -12,10 +12,14 @@ namespace luxo {
 
 namespace {
 
-using Formulas = std::tuple<std::string_view, std::string_view, bool, bool, bool>;
+using Formulas = std::tuple<std::string_view, std::string_view, bool, bool, int>;
 
 Formulas formulasOf(const ExactShader& shader) {
-  return {shader.surface, shader.pattern, shader.inDouble, shader.grazing, shader.shadow};
+  return {shader.surface, shader.pattern, shader.inDouble, shader.grazing, shader.caster};
+}
+
+std::string_view textOf(const Pattern& pattern) {
+  return pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view();
 }
 
 std::span<const std::uint32_t> builtIn(const Formulas& wanted) {
@@ -28,12 +32,12 @@ std::span<const std::uint32_t> builtIn(const Formulas& wanted) {
 
 std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, const Pattern& pattern,
                                                   bool grazing) {
-  return builtIn({surface.glsl, pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view(),
-                  surface.number == GlslNumber::Double, grazing, false});
+  return builtIn({surface.glsl, textOf(pattern), surface.number == GlslNumber::Double, grazing, -1});
 }
 
-std::span<const std::uint32_t> builtInShadowShader(const SurfaceCode& surface) {
-  return builtIn({surface.glsl, {}, false, true, true});
+std::span<const std::uint32_t> builtInCasterShader(ExactSource::Caster caster, const SurfaceCode& surface,
+                                                   const Pattern& pattern) {
+  return builtIn({surface.glsl, textOf(pattern), false, true, static_cast<int>(caster)});
 }
 
 }  // namespace luxo

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "draw/exact_source.h"
 #include "scene/pattern.h"
 #include "surface/surface_code.h"
 
@@ -18,8 +19,9 @@ namespace luxo {
                                                                 const Pattern& pattern = {},
                                                                 bool grazing = true);
 
-/// The one that finds what is in the shadow of this surface, of formulas in float; empty for what is not
-/// built in.
-[[nodiscard]] std::span<const std::uint32_t> builtInShadowShader(const SurfaceCode& surface);
+/// The one that finds this of the surface, of formulas in float; empty for what is not built in.
+[[nodiscard]] std::span<const std::uint32_t> builtInCasterShader(ExactSource::Caster caster,
+                                                                 const SurfaceCode& surface,
+                                                                 const Pattern& pattern = {});
 
 }  // namespace luxo

@@ -30,24 +30,19 @@ class ExactSource {
     if (parameters) preamble_ += "#define LUXO_FINDS_PARAMETERS\n";
   }
 
-  /// Of a shader that finds whether the surface, whose formula this is, keeps a light from what is seen.
-  [[nodiscard]] static ExactSource ofShadow(const SurfaceCode& surface) {
-    ExactSource source(surface, {}, true);
-    source.name_ = "exact/shadow.frag";
-    return source;
-  }
-
-  /// Of a shader that finds all that is seen of the surface where it is seen through.
-  [[nodiscard]] static ExactSource ofLayers(const SurfaceCode& surface) {
-    ExactSource source(surface, {}, true);
-    source.name_ = "exact/layer.frag";
-    return source;
-  }
-
-  /// Of one that finds whether the surface keeps a light from what is seen through.
-  [[nodiscard]] static ExactSource ofLayerShadows(const SurfaceCode& surface) {
-    ExactSource source(surface, {}, true);
-    source.name_ = "exact/layer_shadow.frag";
+  /// What a shader finds of a surface, whose formula this is, that rays meet in its cells (lib/caster.glsl):
+  /// whether it keeps a light from what is seen, or how much of the light it lets through; the same of what
+  /// is seen through; or all that is seen of it where it is seen through.
+  enum class Caster { Shadow, Transmittance, LayerShadow, LayerTransmittance, Layer };
+  /// `pattern`: of one that lets light through.
+  [[nodiscard]] static ExactSource of(Caster caster, const SurfaceCode& surface,
+                                      std::string_view pattern = {}) {
+    constexpr std::string_view kNames[] = {"exact/shadow.frag", "exact/transmittance.frag",
+                                           "exact/layer_shadow.frag", "exact/layer_transmittance.frag",
+                                           "exact/layer.frag"};
+    ExactSource source(surface, pattern, true);
+    source.name_ = kNames[static_cast<std::size_t>(caster)];
+    if (!pattern.empty()) source.preamble_ += "#define LUXO_PATTERN\n";
     return source;
   }
 

@@ -29,15 +29,19 @@ static_assert(static_cast<std::uint32_t>(Blend::Over) == shared::kBlendOver &&
               static_cast<std::uint32_t>(Blend::Add) == shared::kBlendAdd &&
               static_cast<std::uint32_t>(Blend::Multiply) == shared::kBlendMultiply);
 
-/// As few groups as have room for all lights. Those that are shaded in closed form are in one, the last, as
-/// they are the last of their sets.
+/// As few groups as have room for all lights; but one some of which gets through its casters is alone. Those
+/// that are shaded in closed form are in one, the last, as they are the last of their sets.
 std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
                                                  std::span<const std::uint32_t> lights) {
   std::vector<std::vector<std::uint32_t>> groups(1);
-  std::vector<std::uint32_t> shaded;
+  std::vector<std::uint32_t> shaded, alone;
   for (const std::uint32_t light : lights) {
     if (snapshot.lights[light].shade) {
       shaded.push_back(light);
+      continue;
+    }
+    if (transmits(snapshot, snapshot.lights[light])) {
+      alone.push_back(light);
       continue;
     }
     if (groups.back().size() == shared::kMaxLights) groups.emplace_back();
@@ -45,6 +49,8 @@ std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
   }
   if (groups.back().size() + shaded.size() > shared::kMaxLights) groups.emplace_back();
   groups.back().insert(groups.back().end(), shaded.begin(), shaded.end());
+  if (groups.back().empty() && !alone.empty()) groups.pop_back();
+  for (const std::uint32_t light : alone) groups.push_back({light});
   return groups;
 }
 

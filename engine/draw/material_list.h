@@ -32,6 +32,9 @@ class MaterialList {
   /// Of a node of the snapshot, once it is listed; kMaxFoundMaterials of others.
   [[nodiscard]] std::uint32_t numberOfNode(std::uint32_t node) const;
 
+  /// Where the parameters of its pattern are in DrawList::patternParameters: they are put there.
+  [[nodiscard]] std::uint32_t firstPatternParameter(const Material& material);
+
   /// Whether draws of this state leave the light to a later pass: of what light falls on per fragment, with
   /// nothing else.
   [[nodiscard]] bool litLater(const DrawState& state) const;
@@ -52,7 +55,6 @@ class MaterialList {
   /// of.
   std::uint32_t shadeLater(Form form, const Pattern& pattern, LightSets& lightSets, const SnapshotNode& node,
                            std::vector<std::set<DrawState>>& shades);
-  [[nodiscard]] std::uint32_t firstPatternParameter(const Material& material);
   [[nodiscard]] std::uint32_t patternNumber(const Pattern& pattern);
 
   const Snapshot& snapshot_;

@@ -50,20 +50,33 @@ void PassRecorder::record(const Pass& pass) {
   begin(pass);
   for (const DrawBatch& batch : pass.batches) draw(batch);
   for (const CasterDraw& caster : pass.casters) search(caster);
-  for (const FlatShadowDraw& shadow : pass.flatShadows) flattenShadow(shadow);
-  const bool ofShadows = !pass.colors.empty() && pass.colors.front().target == Target::Shadows,
-             ofLayers = pass.colors.empty();
-  if (pass.rays && ofShadows) drawShadows(*pass.rays, pass.group);
-  if (pass.rays && ofLayers) drawLayers(*pass.rays, pass.group);
-  if (pass.rays && !ofShadows && !ofLayers) drawRays(*pass.rays);
+  const std::optional<Target> target =
+      pass.colors.empty() ? std::nullopt : std::optional(pass.colors.front().target);
+  const bool ofShadows = target == Target::Shadows, ofTransmittance = target == Target::Transmittance;
+  for (const FlatShadowDraw& shadow : pass.flatShadows)
+    flattenShadow(ofShadows ? Form::FlatShadow : Form::FlatTransmittance, shadow);
+  if (pass.rays && (ofShadows || ofTransmittance))
+    drawShadows(ofShadows ? Form::ShadowsByRays : Form::TransmittanceByRays, *pass.rays, pass.group);
+  else if (pass.rays && !target)
+    drawLayers(*pass.rays, pass.group);
+  else if (pass.rays)
+    drawRays(*pass.rays);
   for (const DrawState& state : pass.shades) shade(state, pass.group);
   vkCmdEndRendering(commands_);
   if (pass.countsLayers) view_.layerLists().keepCount(commands_, pass.band.index);
   if (pass.probes && ofShadows)
     view_.feedback().recordShadowProbes(commands_, view_.targets().texture(Target::Shadows), pass.group);
-  if (pass.probes && !ofShadows)
+  else if (pass.probes && ofTransmittance)
+    view_.feedback().recordTransmittanceProbes(commands_, view_.targets().texture(Target::Transmittance),
+                                               pass.group);
+  else if (pass.probes)
     view_.feedback().recordProbes(commands_, view_.targets().texture(Target::Depth));
   ++statistics_.count.passes;
+}
+
+VkClearColorValue PassRecorder::clearOf(Target target) const {
+  if (target == Target::Color) return view_.background();
+  return target == Target::Transmittance ? VkClearColorValue{{1, 1, 1, 1}} : VkClearColorValue{};
 }
 
 void PassRecorder::useTargets(const Pass& pass) {
@@ -91,13 +104,13 @@ void PassRecorder::begin(const Pass& pass) {
   std::vector<VkRenderingAttachmentInfo> colors;
   for (const Attachment& attachment : pass.colors) {
     const bool isPicture = attachment.target == Target::Color;
-    VkRenderingAttachmentInfo& color = colors.emplace_back(VkRenderingAttachmentInfo{
-        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-        .imageView = targets.texture(attachment.target).view(),
-        .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-        .loadOp = loadOf(attachment.begin),
-        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-        .clearValue = {.color = isPicture ? view_.background() : VkClearColorValue{}}});
+    VkRenderingAttachmentInfo& color =
+        colors.emplace_back(VkRenderingAttachmentInfo{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                                      .imageView = targets.texture(attachment.target).view(),
+                                                      .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                                      .loadOp = loadOf(attachment.begin),
+                                                      .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                                      .clearValue = {.color = clearOf(attachment.target)}});
     if (!isPicture || !targets.resolved()) continue;
     color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
     color.resolveImageView = targets.resolved()->view();
@@ -191,7 +204,7 @@ void PassRecorder::search(const CasterDraw& draw) {
   const PixelRect area{{draw.area.low.x, std::max(draw.area.low.y, rows_.low.y)},
                        {draw.area.high.x, std::min(draw.area.high.y, rows_.high.y)}};
   if (area.low.y >= area.high.y) return;
-  const bool ofLayers = draw.state.form != Form::Shadow;
+  const bool ofLayers = draw.state.form != Form::Shadow && draw.state.form != Form::Transmittance;
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, view_.targets().format());
   const std::uint32_t noLights = 0;
   pipeline.bind(commands_);
@@ -207,9 +220,8 @@ void PassRecorder::search(const CasterDraw& draw) {
   setScissor(rows_);
 }
 
-void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
-  const gpu::GraphicsPipeline& pipeline =
-      pipelines_.get({.form = Form::FlatShadow}, view_.targets().format());
+void PassRecorder::flattenShadow(Form form, const FlatShadowDraw& draw) {
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get({.form = form}, view_.targets().format());
   const DeviceMesh& mesh = store_.get(draw.mesh, false);
   shared::FlatShadow shadow = draw.shadow;
   for (int column = 0; column < 4; ++column)
@@ -281,11 +293,10 @@ void PassRecorder::drawRays(const RayPoints& points) {
   }
 }
 
-void PassRecorder::drawShadows(const RayPoints& points, std::size_t group) {
+void PassRecorder::drawShadows(Form form, const RayPoints& points, std::size_t group) {
   if (points.shadows.empty()) return;
   const auto count = static_cast<std::uint32_t>(points.shadows[group].size());
-  drawTriangles({.form = Form::ShadowsByRays}, bindings_.rayShadows,
-                static_cast<std::uint32_t>(group) * count, count);
+  drawTriangles({.form = form}, bindings_.rayShadows, static_cast<std::uint32_t>(group) * count, count);
 }
 
 void PassRecorder::drawLayers(const RayPoints& points, std::size_t group) {

@@ -29,6 +29,7 @@ class PassRecorder {
   void record(const Pass& pass);
 
  private:
+  [[nodiscard]] VkClearColorValue clearOf(Target target) const;
   void useTargets(const Pass& pass);
   void begin(const Pass& pass);
   void setScissor(const PixelRect& rect);
@@ -36,8 +37,8 @@ class PassRecorder {
   void drawRays(const RayPoints& points);
   void shade(const DrawState& state, std::size_t group);
   void search(const CasterDraw& draw);
-  void flattenShadow(const FlatShadowDraw& draw);
-  void drawShadows(const RayPoints& points, std::size_t group);
+  void flattenShadow(Form form, const FlatShadowDraw& draw);
+  void drawShadows(Form form, const RayPoints& points, std::size_t group);
   void drawLayers(const RayPoints& points, std::size_t group);
   void drawTriangles(const DrawState& state, VkBuffer vertices, std::uint32_t first,
                      std::uint32_t vertexCount, std::uint32_t instance = 0);

@@ -71,6 +71,19 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                         .probes = frame.probes});
       shades.reads.push_back(Target::Shadows);
     }
+    if (group.transmits) {
+      passes.push_back(
+          {.name = "transmittance",
+           .colors = {{Target::Transmittance, shadowsStay ? Begin::Keep : Begin::Clear}},
+           .reads = {Target::Found},
+           .searches = !shadowsStay,
+           .group = i,
+           .casters = shadowsStay ? std::span<const CasterDraw>() : group.transmittances,
+           .flatShadows = shadowsStay ? std::span<const FlatShadowDraw>() : group.flatTransmittances,
+           .rays = frame.rays,
+           .probes = frame.probes});
+      shades.reads.push_back(Target::Transmittance);
+    }
     passes.push_back(std::move(shades));
   }
   return passes;
@@ -99,11 +112,12 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
   const bool shadowsStay = replaces && list.groups.size() == 1;
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
     const LightGroup& group = list.groups[i];
-    for (std::size_t k = 0; !shadowsStay && k < group.layerShadows.size(); ++k)
-      add("layer shadows",
-          {.searches = true, .group = i, .casters = std::span(group.layerShadows).subspan(k, 1)});
-    // Those of the first group come with the points that rays have found.
-    if (frame.rays && i > 0) add("layer shadows of rays", {.group = i, .rays = frame.rays});
+    for (const std::span<const CasterDraw> casters :
+         {std::span(group.layerShadows), std::span(group.layerTransmittances)})
+      for (std::size_t k = 0; !shadowsStay && k < casters.size(); ++k)
+        add("layer shadows", {.searches = true, .group = i, .casters = casters.subspan(k, 1)});
+    // That of the first group comes with the points that rays have found.
+    if (frame.rays && i > 0) add("light on layers of rays", {.group = i, .rays = frame.rays});
     for (std::size_t k = 0; k < group.layerShades.size(); ++k)
       add("shade layers", {.group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
   }

@@ -19,6 +19,7 @@ namespace {
 constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kDepthRounding = 0x1p-21;
+const shared::ReachingLight kAllReaches{.shadows = 0, .transmittance = Vec3f(1)};
 constexpr std::size_t kRaysForAllCores = 8;
 constexpr std::size_t kFinest =
     std::numeric_limits<std::uint32_t>::max();  // rays that are worth the finest cells
@@ -179,14 +180,17 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   return points;
 }
 
-std::uint32_t CertifiedRays::shadowsOn(const reference::Hit& hit, const LightGroup& group,
-                                       bool& certified) const {
-  std::uint32_t shadows = 0;
-  for (std::size_t bit = 0; bit < group.lights.size(); ++bit)
-    if (const auto light = group.lights[bit];
-        light && caster_->shinesOn(*light, hit) && caster_->inShadow(*light, hit, certified))
-      shadows |= 1U << bit;
-  return shadows;
+shared::ReachingLight CertifiedRays::reaching(const reference::Hit& hit, const LightGroup& group,
+                                              bool& certified) const {
+  shared::ReachingLight reaches = kAllReaches;
+  for (std::size_t bit = 0; bit < group.lights.size(); ++bit) {
+    const auto light = group.lights[bit];
+    if (!light || !caster_->shinesOn(*light, hit)) continue;
+    const Vec3 part = caster_->reaching(*light, hit, certified);
+    if (part == Vec3(0)) reaches.shadows |= 1U << bit;
+    if (group.transmits) reaches.transmittance = Vec3f(part);
+  }
+  return reaches;
 }
 
 void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<const LightGroup> groups,
@@ -196,7 +200,7 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<con
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   struct Found {
     reference::Caster::First seen;
-    std::vector<std::uint32_t> shadows;  // by group
+    std::vector<shared::ReachingLight> light;  // by group
     bool certified = true;
   };
   std::vector<Found> all(pixels.size());
@@ -206,7 +210,8 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<con
       Found found{.seen = caster_->firstOf(receivers_, rays[chosen[k]])};
       found.certified = found.seen.certified;
       for (const LightGroup& group : groups)
-        found.shadows.push_back(found.seen.hit ? shadowsOn(*found.seen.hit, group, found.certified) : 0);
+        found.light.push_back(found.seen.hit ? reaching(*found.seen.hit, group, found.certified)
+                                             : kAllReaches);
       all[chosen[k]] = std::move(found);
     });
   };
@@ -230,11 +235,11 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<con
   points.shadows.resize(groups.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     points.shadowsUndecided += !all[i].certified;
-    all[i].shadows.resize(groups.size());  // of what was cancelled, too
+    all[i].light.resize(groups.size(), kAllReaches);  // of what was cancelled, too
     for (std::size_t g = 0; g < groups.size(); ++g)
       points.shadows[g].insert(
           points.shadows[g].end(), 3,
-          {.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5), .shadows = all[i].shadows[g]});
+          {.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5), .light = all[i].light[g]});
   }
 }
 
@@ -244,7 +249,7 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   struct Layered {
     reference::Caster::Sight sight;
-    std::vector<std::uint32_t> shadows;  // of its hits, of each all groups
+    std::vector<shared::ReachingLight> light;  // of its hits, of each all groups
     bool certified = true;
   };
   std::vector<Layered> seen(pixels.size());
@@ -255,7 +260,7 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
       layered.certified = layered.sight.certified;
       for (const reference::Hit& hit : layered.sight.hits)
         for (const LightGroup& group : groups)
-          layered.shadows.push_back(shadowsOn(hit, group, layered.certified));
+          layered.light.push_back(reaching(hit, group, layered.certified));
       seen[chosen[k]] = std::move(layered);
     });
   };
@@ -279,14 +284,15 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
       const auto node = std::ranges::lower_bound(found, hit.node, {}, &FoundLayer::node);
       if (node == found.end() || node->node != hit.node) continue;
       const Domain& domain = caster_->snapshot().nodes[hit.node].surface.domain();
-      const auto shadows = seen[i].shadows.begin() + static_cast<std::ptrdiff_t>(k * groups.size());
-      points.layerShadows.insert(points.layerShadows.end(), shadows,
-                                 shadows + static_cast<std::ptrdiff_t>(groups.size()));
+      const auto light = seen[i].light.begin() + static_cast<std::ptrdiff_t>(k * groups.size());
+      points.layerLights.insert(points.layerLights.end(), light,
+                                light + static_cast<std::ptrdiff_t>(groups.size()));
       points.layerPoints.push_back({.depth = static_cast<float>(glm::dot(hit.position - origin, forward)),
                                     .material = node->material | shared::kLayerByRay,
-                                    .shadows = *shadows,
+                                    .shadows = light->shadows,
                                     .normal = octahedral(hit.normal),
-                                    .parameters = Vec2f(inside(domain, hit))});
+                                    .parameters = Vec2f(inside(domain, hit)),
+                                    .transmittance = light->transmittance});
       ++layers.count;
     }
     points.layersUndecided += !seen[i].certified;
@@ -308,8 +314,9 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, std::span<c
     for (std::size_t g = 0; probes[i].depth > 0 && g < groups.size(); ++g)
       for (std::size_t bit = 0; judged[i] == Right && bit < groups[g].lights.size(); ++bit)
         if (const auto light = groups[g].lights[bit]; light && !caster_->snapshot().lights[*light].plane)
-          judged[i] =
-              reference::judgeShadow(*caster_, nodes_, at, *light, (probes[i].shadows[g] >> bit & 1) != 0);
+          judged[i] = reference::judgeShadow(
+              *caster_, nodes_, at, *light,
+              (probes[i].shadows[g] >> bit & 1) != 0 ? Vec3(0) : Vec3(probes[i].transmittances[g]));
     if (judged[i] == Right && layersFrom) {
       const double originDepth = glm::dot(*layersFrom - view.eye, view.forward());
       const double count = probes[i].layers.x, depths = probes[i].layers.y + count * originDepth;

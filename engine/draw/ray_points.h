@@ -34,7 +34,7 @@ struct RayPoint {
 /// equal do it.
 struct RayShadow {
   Vec2f place;  ///< of the sample in the target, pixels
-  std::uint32_t shadows = 0;
+  shared::ReachingLight light{.shadows = 0, .transmittance = Vec3f(1)};
 };
 
 /// A vertex of the triangle that puts a pixel's layers in its list (shaders/ray_layers.vert); three that are
@@ -62,9 +62,9 @@ struct RayPoints {
   std::vector<PixelPlace> misses;               ///< where nothing is met
   std::vector<std::vector<RayShadow>> shadows;  ///< by DrawList::groups; none where no light has a shadow
   std::vector<RayLayers> layers;
-  std::vector<shared::LayerPoint> layerPoints;  ///< with the shadows of the first group
-  std::vector<std::uint32_t> layerShadows;      ///< of each all groups
-  std::uint64_t resolved = 0;                   ///< pixels
+  std::vector<shared::LayerPoint> layerPoints;     ///< with the light of the first group
+  std::vector<shared::ReachingLight> layerLights;  ///< of each all groups
+  std::uint64_t resolved = 0;                      ///< pixels
   std::uint64_t undecided = 0;  ///< of these, those whose ray proves nothing: within rounding of grazing
   std::uint64_t shadowsUndecided = 0;  ///< pixels in which a ray to a light proves nothing
   std::uint64_t layersUndecided = 0;   ///< pixels in which some layer is not proven
@@ -80,6 +80,7 @@ struct DepthProbe {
   PixelPlace pixel;
   float depth = 0;
   std::vector<std::uint32_t> shadows = {};  ///< the lights of each group that do not reach it, a bit each
+  std::vector<Vec3f> transmittances = {};   ///< of those that transmit
   Vec2f layers{0};  ///< how many points are seen through there, and the sum of their depths
 };
 
@@ -121,9 +122,9 @@ class CertifiedRays {
  private:
   /// Builds what rays through the pixels are cast against, each worth so many.
   std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
-  /// The lights of a group, a bit each, that do not reach a hit.
-  [[nodiscard]] std::uint32_t shadowsOn(const reference::Hit& hit, const LightGroup& group,
-                                        bool& certified) const;
+  /// What of the lights of a group reaches a hit.
+  [[nodiscard]] shared::ReachingLight reaching(const reference::Hit& hit, const LightGroup& group,
+                                               bool& certified) const;
   [[nodiscard]] Vec2 sampled(PixelPlace pixel) const;
 
   reference::ShapeCache shapes_;

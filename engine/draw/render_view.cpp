@@ -85,8 +85,10 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   options_ = options;
   background_ = background;
   hasRays_ = false;
-  targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples), list_.deferred,
-                   list_.findsShadows());
+  targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples),
+                   {.deferred = list_.deferred,
+                    .shadows = list_.findsShadows(),
+                    .transmittance = list_.findsTransmittances()});
   if (list_.layers.any()) layerLists_.prepare(extent);
   feedback_.begin(list_, extent, chooseProbes());
   upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
@@ -114,7 +116,7 @@ void RenderView::goOn(const RayPoints& points) {
   write(rayShadows_, shadows, "shadows of rays");
   write(rayLayers_, points.layers, "pixels of rays' layers");
   writeElements(*context_, rayLayerPoints_, points.layerPoints, "layers of rays", false);
-  writeElements(*context_, rayLayerShadows_, points.layerShadows, "shadows of rays' layers", false);
+  writeElements(*context_, rayLayerLights_, points.layerLights, "light on rays' layers", false);
 }
 
 void RenderView::upload(Uploads& uploads, bool always) {
@@ -184,19 +186,24 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   if (list_.deferred) {
     gpu::Texture& found = targets_.texture(Target::Found);
     gpu::Texture& shadows = list_.findsShadows() ? targets_.texture(Target::Shadows) : found;
+    gpu::Texture& transmittance =
+        list_.findsTransmittances() ? targets_.texture(Target::Transmittance) : found;
     gpu::Texture& parameters = list_.findsParameters ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
     bindings.found = frames.descriptors().write(pipelines.foundLayout(),
                                                 {{found, pipelines.texelSampler()},
                                                  {parameters, pipelines.texelSampler()},
                                                  {uploads.materials.use(*context_), 0, kUniformBytes},
-                                                 {shadows, pipelines.texelSampler()}});
+                                                 {shadows, pipelines.texelSampler()},
+                                                 {transmittance, pipelines.texelSampler()}});
   }
+  const gpu::Buffer& patterns = list_.patternParameters.empty() ? uploads.casterParameters.use(*context_)
+                                                                : uploads.patternParameters.use(*context_);
   if (!list_.casters.casters.empty() || list_.findsShadows())
     bindings.shadow = frames.descriptors().write(
         pipelines.shadowLayout(), {uploads.casters.use(*context_), uploads.gridStarts.use(*context_),
                                    uploads.gridEntries.use(*context_), uploads.casterCells.use(*context_),
-                                   uploads.casterParameters.use(*context_), feedback_.doubtful()});
+                                   uploads.casterParameters.use(*context_), feedback_.doubtful(), patterns});
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);
@@ -210,7 +217,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
 VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {
   constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
   const gpu::Buffer& byRays = hasRays_ ? rayLayerPoints_.use(*context_) : layerLists_.points();
-  const gpu::Buffer& theirShadows = hasRays_ ? rayLayerShadows_.use(*context_) : layerLists_.points();
+  const gpu::Buffer& theirLight = hasRays_ ? rayLayerLights_.use(*context_) : layerLists_.points();
   return frames.descriptors().write(pipelines.layersLayout(),
                                     {layerLists_.heads(),
                                      layerLists_.points(),
@@ -220,7 +227,7 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
                                      byRays,
                                      {uploads.materials.use(*context_), 0, kUniformBytes},
                                      layerLists_.sums(),
-                                     theirShadows});
+                                     theirLight});
 }
 
 std::uint32_t RenderView::lightOffset(std::uint32_t lightSet) const {

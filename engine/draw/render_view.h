@@ -107,7 +107,7 @@ class RenderView {
   VkClearColorValue background_{};
   /// What completes a picture does not overwrite what the next begins with.
   Uploads uploads_, completion_;
-  MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerShadows_;
+  MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerLights_;
   bool hasRays_ = false;
 };
 

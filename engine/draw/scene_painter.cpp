@@ -119,9 +119,11 @@ void ScenePainter::preparePipelines(RenderView& view) {
   for (const LightGroup& group : view.list().groups) {
     for (const auto* shades : {&group.shades, &group.layerShades})
       states.insert(states.end(), shades->begin(), shades->end());
-    for (const auto* draws : {&group.shadows, &group.layerShadows})
+    for (const auto* draws :
+         {&group.shadows, &group.layerShadows, &group.transmittances, &group.layerTransmittances})
       for (const CasterDraw& draw : *draws) states.push_back(draw.state);
     if (!group.flatShadows.empty()) states.push_back({.form = Form::FlatShadow});
+    if (!group.flatTransmittances.empty()) states.push_back({.form = Form::FlatTransmittance});
   }
   for (const CasterDraw& draw : layers.searches) states.push_back(draw.state);
   for (const DrawBatch& batch : layers.meshes) states.push_back(batch.state);

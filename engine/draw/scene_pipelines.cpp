@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <span>
 
 #include "base/error.h"
@@ -14,11 +15,8 @@
 #include "draw/mesh_store.h"
 #include "draw/ray_points.h"
 #include "gpu/shader_compiler.h"
-#include "luxo/shaders/blend_layers_frag.h"
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
-#include "luxo/shaders/flat_shadow_frag.h"
-#include "luxo/shaders/flat_shadow_vert.h"
 #include "luxo/shaders/found_parameters_frag.h"
 #include "luxo/shaders/gouraud_frag.h"
 #include "luxo/shaders/gouraud_layer_frag.h"
@@ -28,17 +26,8 @@
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
 #include "luxo/shaders/ray_inspect_vert.h"
-#include "luxo/shaders/ray_layers_frag.h"
-#include "luxo/shaders/ray_layers_vert.h"
-#include "luxo/shaders/ray_shadows_frag.h"
-#include "luxo/shaders/ray_shadows_vert.h"
 #include "luxo/shaders/ray_surface_pattern_vert.h"
 #include "luxo/shaders/ray_surface_vert.h"
-#include "luxo/shaders/shade_frag.h"
-#include "luxo/shaders/shade_in_shadows_frag.h"
-#include "luxo/shaders/shade_layers_frag.h"
-#include "luxo/shaders/shade_vert.h"
-#include "luxo/shaders/shadow_vert.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_layer_frag.h"
@@ -47,7 +36,6 @@
 #include "luxo/shaders/toon_frag.h"
 #include "luxo/shaders/toon_layer_frag.h"
 #include "luxo/shaders/toon_vert.h"
-#include "luxo/shaders/whole_target_vert.h"
 #include "luxo/shaders/wireframe_frag.h"
 #include "luxo/shaders/wireframe_vert.h"
 
@@ -145,6 +133,25 @@ void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipel
 std::size_t bytesOf(const gpu::GraphicsPipelineDesc& desc) {
   constexpr std::size_t kAlways = std::size_t{2} << 20, kPerByte = 48;
   return kAlways + kPerByte * (desc.vertexShader.size_bytes() + desc.fragmentShader.size_bytes());
+}
+
+/// What the shader of a form finds where rays meet a surface's cells, if that is what it does.
+std::optional<ExactSource::Caster> casterOf(Form form) {
+  using enum ExactSource::Caster;
+  switch (form) {
+    case Form::Shadow:
+      return Shadow;
+    case Form::Transmittance:
+      return Transmittance;
+    case Form::LayerShadow:
+      return LayerShadow;
+    case Form::LayerTransmittance:
+      return LayerTransmittance;
+    case Form::Layer:
+      return Layer;
+    default:
+      return std::nullopt;
+  }
 }
 
 /// Fused, or found without parameters: one shader does both.
@@ -261,6 +268,7 @@ const gpu::DescriptorLayout& ScenePipelines::foundLayout() {
         *context_, {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}});
   return foundLayout_;
 }
@@ -305,34 +313,28 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
   }
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     const auto& [surface, pattern, grazing, form] = missing[i].key;
-    if (form == Form::Layer || form == Form::LayerShadow) {
-      const ExactSource source =
-          form == Form::Layer ? ExactSource::ofLayers(*surface) : ExactSource::ofLayerShadows(*surface);
-      missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
-      return;
-    }
-    if (form == Form::Shadow) {
-      if (const auto builtIn = builtInShadowShader(*surface); !builtIn.empty()) {
-        missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
-        return;
-      }
-      missing[i].shader = gpu::ShaderCompiler().compile(ExactSource::ofShadow(*surface).desc());
-      return;
-    }
+    const std::string_view patternText = pattern.valid() ? std::string_view(pattern.glsl()) : "";
+    const std::optional<ExactSource::Caster> caster = casterOf(form);
     const bool parameters = form == Form::FoundWithParameters;
-    if (const auto builtIn = builtInExactShader(*surface, pattern, grazing);
-        !builtIn.empty() && !parameters) {
+    const auto builtIn = caster       ? builtInCasterShader(*caster, *surface, pattern)
+                         : parameters ? std::span<const std::uint32_t>()
+                                      : builtInExactShader(*surface, pattern, grazing);
+    if (!builtIn.empty()) {
       missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
       return;
     }
-    const std::string_view patternText = pattern.valid() ? std::string_view(pattern.glsl()) : "";
-    missing[i].shader =
-        gpu::ShaderCompiler().compile(ExactSource(*surface, patternText, grazing, parameters).desc());
+    const ExactSource source = caster ? ExactSource::of(*caster, *surface, patternText)
+                                      : ExactSource(*surface, patternText, grazing, parameters);
+    missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
   });
   for (Missing& m : missing) {
     context_->counted().shadersCompiled += m.shader.compiled;
     exactShaders_.emplace(std::move(m.key), std::move(m.shader.spirv));
   }
+}
+
+std::span<const std::uint32_t> ScenePipelines::casterShader(const DrawState& state) const {
+  return exactShaders_.at(exactShaderKey(state));
 }
 
 void ScenePipelines::describeExact(const DrawState& state, const TargetFormat& format,
@@ -407,109 +409,6 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
                                            : "pattern/surface.frag");
 }
 
-/// One triangle over all, as far as can be: what is nearer than that has been found.
-void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
-  desc.name = "shade";
-  desc.vertexShader = luxo_shade_vert;
-  if (state.pattern.valid())
-    desc.fragmentShader =
-        patternShader(state.pattern, state.shadows ? "pattern/shade_in_shadows.frag" : "pattern/shade.frag");
-  else
-    desc.fragmentShader = state.shadows ? std::span<const std::uint32_t>(luxo_shade_in_shadows_frag)
-                                        : std::span<const std::uint32_t>(luxo_shade_frag);
-  desc.bindings.clear();
-  desc.attributes.clear();
-  desc.depthWrite = false;
-  desc.depthCompare = VK_COMPARE_OP_LESS;
-  desc.specialization.insert(desc.specialization.end(),
-                             {{shared::kConstantPattern, state.patternNumber},
-                              {shared::kConstantManyMaterials, state.manyMaterials},
-                              {shared::kConstantAddsLight, state.addsLight}});
-  if (state.addsLight) desc.blend = gpu::Blend::Add;
-  desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
-}
-
-/// Over all that was found: a bit of a light that does not reach it; or what rays know of all lights there.
-void ScenePipelines::describeShadow(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
-  desc.name = "shadow";
-  desc.colorFormats = {kShadowsFormat};
-  desc.depthWrite = false;
-  desc.bindings.clear();
-  desc.attributes.clear();
-  desc.specialization.clear();
-  if (state.form == Form::ShadowsByRays) {
-    desc.vertexShader = luxo_ray_shadows_vert;
-    desc.fragmentShader = luxo_ray_shadows_frag;
-    desc.bindings = {{0, sizeof(RayShadow), VK_VERTEX_INPUT_RATE_VERTEX}};
-    desc.attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayShadow, place)},
-                       {1, 0, VK_FORMAT_R32_UINT, offsetof(RayShadow, shadows)}};
-    desc.depthCompare = VK_COMPARE_OP_ALWAYS;
-    desc.pushConstantBytes = sizeof(RayTarget);
-    return;
-  }
-  if (!context_->features().logicOp)
-    throw Error(ErrorKind::Device, "this device cannot draw shadows (no logicOp)",
-                "choose another --device, or set the lights' shadows to \"none\"");
-  if (state.form == Form::FlatShadow) {
-    desc.vertexShader = luxo_flat_shadow_vert;
-    desc.fragmentShader = luxo_flat_shadow_frag;
-    desc.bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}};
-    desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}};
-    desc.depthCompare = VK_COMPARE_OP_ALWAYS;
-    desc.blend = gpu::Blend::Or;
-    desc.pushConstantBytes = sizeof(shared::FlatShadow);
-    desc.setLayouts = {sceneLayout_, shadowLayout(), foundLayout()};
-    return;
-  }
-  desc.vertexShader = luxo_shadow_vert;
-  desc.fragmentShader = exactShaders_.at(exactShaderKey(state));
-  desc.depthCompare = VK_COMPARE_OP_LESS;
-  desc.blend = gpu::Blend::Or;
-  desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
-  desc.setLayouts = {sceneLayout_, shadowLayout(), foundLayout()};
-}
-
-/// All points of a surface that is seen through, in every pixel; or what is done with the points of all.
-void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
-  desc.name = "layers";
-  desc.vertexShader = luxo_whole_target_vert;
-  desc.depthTest = desc.depthWrite = false;
-  if (state.form == Form::BlendLayers) {
-    if (!context_->features().dualSrcBlend)
-      throw Error(ErrorKind::Device, "this device cannot draw what is seen through (no dualSrcBlend)",
-                  "choose another --device, or set render.blend_order to \"given\"");
-    desc.fragmentShader = luxo_blend_layers_frag;
-    desc.blend = gpu::Blend::Through;
-    desc.specialization.clear();
-  } else if (state.form == Form::ShadeLayers) {
-    desc.vertexShader = luxo_shade_vert;
-    desc.fragmentShader =
-        state.pattern.valid()
-            ? std::span<const std::uint32_t>(patternShader(state.pattern, "pattern/shade_layers.frag"))
-            : std::span<const std::uint32_t>(luxo_shade_layers_frag);
-    desc.specialization.insert(desc.specialization.end(),
-                               {{shared::kConstantPattern, state.patternNumber},
-                                {shared::kConstantManyMaterials, state.manyMaterials},
-                                {shared::kConstantAddsLight, state.addsLight},
-                                {shared::kConstantManyGroups, state.manyGroups}});
-  } else if (state.form == Form::LayersByRays) {
-    desc.vertexShader = luxo_ray_layers_vert;
-    desc.fragmentShader = luxo_ray_layers_frag;
-    desc.bindings = {{0, sizeof(RayLayers), VK_VERTEX_INPUT_RATE_VERTEX}};
-    desc.attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayLayers, place)},
-                       {1, 0, VK_FORMAT_R32G32B32_UINT, offsetof(RayLayers, first)}};
-    desc.specialization.clear();
-    desc.pushConstantBytes = sizeof(RayTarget);
-    return;
-  } else {
-    desc.vertexShader = luxo_shadow_vert;
-    desc.fragmentShader = exactShaders_.at(exactShaderKey(state));
-    desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
-  }
-  desc.bindings.clear();
-  desc.attributes.clear();
-}
-
 gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
   gpu::GraphicsPipelineDesc desc{
       .name = nameOf(state.shading),
@@ -533,8 +432,8 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (state.form == Form::FoundWithParameters) desc.colorFormats.push_back(kFoundParametersFormat);
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
   const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerShadow ||
-                        state.form == Form::LayersByRays || state.form == Form::ShadeLayers ||
-                        state.form == Form::BlendLayers;
+                        state.form == Form::LayerTransmittance || state.form == Form::LayersByRays ||
+                        state.form == Form::ShadeLayers || state.form == Form::BlendLayers;
   if (ofLayers) {
     static_assert(shared::kSetLayers == 3);
     desc.setLayouts = {sceneLayout_, state.surface ? shadowLayout() : patternLayout(), foundLayout(),
@@ -546,8 +445,9 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
     describeLayers(state, desc);
   } else if (state.form == Form::Shade) {
     describeShade(state, desc);
-  } else if (state.form == Form::Shadow || state.form == Form::ShadowsByRays ||
-             state.form == Form::FlatShadow) {
+  } else if (state.form == Form::Shadow || state.form == Form::Transmittance ||
+             state.form == Form::ShadowsByRays || state.form == Form::TransmittanceByRays ||
+             state.form == Form::FlatShadow || state.form == Form::FlatTransmittance) {
     describeShadow(state, desc);
   } else if (state.surface) {
     describeExact(state, format, desc);

@@ -10,6 +10,8 @@
 namespace luxo {
 namespace {
 
+constexpr VkDeviceSize kColorWords = 4;
+
 /// A buffer of at least that many bytes which the host reads, all 0.
 void clear(gpu::Context& context, gpu::Buffer& buffer, VkDeviceSize bytes, VkDeviceSize bytesOfNew,
            const char* name) {
@@ -33,6 +35,8 @@ void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<
   slot.submission = timeline.submitted() + 1;
   slot.searches = list.searches();
   slot.shadowGroups = list.findsShadows() ? list.groups.size() : 0;
+  slot.transmits.clear();
+  for (const LightGroup& group : list.groups) slot.transmits.push_back(group.transmits);
   slot.told = false;
   extent_ = extent;
   slot.nodes.clear();
@@ -69,6 +73,9 @@ void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
   };
   makeRoom(slot.depths, probeBytes(slot), "probes");
   makeRoom(slot.shadows, slot.shadowGroups * probeBytes(slot), "shadow probes");
+  const bool transmits = std::ranges::find(slot.transmits, true) != slot.transmits.end();
+  makeRoom(slot.transmittances, transmits ? slot.shadowGroups * kColorWords * probeBytes(slot) : 0,
+           "transmittance probes");
 }
 
 /// A word each.
@@ -78,16 +85,24 @@ VkDeviceSize SearchFeedback::probeBytes(const Slot& slot) const {
 }
 
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& depth) {
-  recordProbes(commands, depth, VK_IMAGE_ASPECT_DEPTH_BIT, slots_[current_].depths, 0);
+  recordProbes(commands, depth, VK_IMAGE_ASPECT_DEPTH_BIT, slots_[current_].depths, sizeof(float), 0);
 }
 
 void SearchFeedback::recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows, std::size_t group) {
   Slot& slot = slots_[current_];
-  recordProbes(commands, shadows, VK_IMAGE_ASPECT_COLOR_BIT, slot.shadows, group * probeBytes(slot));
+  recordProbes(commands, shadows, VK_IMAGE_ASPECT_COLOR_BIT, slot.shadows, sizeof(std::uint32_t),
+               group * probeBytes(slot));
+}
+
+void SearchFeedback::recordTransmittanceProbes(VkCommandBuffer commands, gpu::Texture& transmittance,
+                                               std::size_t group) {
+  Slot& slot = slots_[current_];
+  recordProbes(commands, transmittance, VK_IMAGE_ASPECT_COLOR_BIT, slot.transmittances,
+               kColorWords * sizeof(float), group * kColorWords * probeBytes(slot));
 }
 
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
-                                  gpu::Buffer& values, VkDeviceSize offset) {
+                                  gpu::Buffer& values, VkDeviceSize texelBytes, VkDeviceSize offset) {
   const Slot& slot = slots_[current_];
   std::vector<VkBufferImageCopy> regions;
   const VkImageSubresourceLayers layers{.aspectMask = aspect, .layerCount = 1};
@@ -97,7 +112,7 @@ void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& textur
                        .imageExtent = {extent_.width, extent_.height, 1}});
   else
     for (std::size_t i = 0; i < slot.probed.size(); ++i)
-      regions.push_back({.bufferOffset = offset + sizeof(float) * i,
+      regions.push_back({.bufferOffset = offset + texelBytes * i,
                          .imageSubresource = layers,
                          .imageOffset = {slot.probed[i].x, slot.probed[i].y, 0},
                          .imageExtent = {1, 1, 1}});
@@ -166,7 +181,8 @@ std::vector<DepthProbe> SearchFeedback::depths() {
   std::vector<DepthProbe> probes;
   if (slot.probed.empty()) return probes;
   const std::span<const std::byte> depths = slot.depths.read(),
-                                   shadows = slot.shadowGroups > 0 ? slot.shadows.read() : depths;
+                                   shadows = slot.shadowGroups > 0 ? slot.shadows.read() : depths,
+                                   transmittances = slot.transmittances ? slot.transmittances.read() : depths;
   for (std::size_t i = 0; i < slot.probed.size(); ++i) {
     const auto [x, y] = slot.probed[i];
     const std::size_t place =
@@ -174,9 +190,13 @@ std::vector<DepthProbe> SearchFeedback::depths() {
     DepthProbe probe{.pixel = slot.probed[i]};
     std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
     probe.shadows.resize(slot.shadowGroups);
-    for (std::size_t g = 0; g < slot.shadowGroups; ++g)
-      std::memcpy(&probe.shadows[g], shadows.data() + g * probeBytes(slot) + sizeof(std::uint32_t) * place,
-                  sizeof(std::uint32_t));
+    probe.transmittances.resize(slot.shadowGroups, Vec3f(1));
+    for (std::size_t g = 0; g < slot.shadowGroups; ++g) {
+      const std::size_t at = g * probeBytes(slot) + sizeof(std::uint32_t) * place;
+      std::memcpy(&probe.shadows[g], shadows.data() + at, sizeof(std::uint32_t));
+      if (slot.transmits[g])
+        std::memcpy(&probe.transmittances[g], transmittances.data() + kColorWords * at, sizeof(Vec3f));
+    }
     probes.push_back(probe);
   }
   return probes;

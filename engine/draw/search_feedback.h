@@ -44,8 +44,9 @@ class SearchFeedback {
   [[nodiscard]] bool probes() const { return !slots_[current_].probed.empty(); }
   /// Copies the depths of the probed pixels.
   void recordProbes(VkCommandBuffer commands, gpu::Texture& depth);
-  /// And the shadows there, of a group of lights that has some.
+  /// And the shadows there, of a group of lights that has some; and of one that transmits how much.
   void recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows, std::size_t group);
+  void recordTransmittanceProbes(VkCommandBuffer commands, gpu::Texture& transmittance, std::size_t group);
 
   /// The recording after the last one goes on with it.
   void goOn();
@@ -66,13 +67,15 @@ class SearchFeedback {
   struct Slot {
     gpu::Buffer lost;  ///< by slot of the feedback, then by instance
     std::vector<std::uint32_t> nodes;
-    gpu::Buffer doubtful;         ///< some bits a pixel
-    gpu::Buffer depths, shadows;  ///< of the probed pixels, or of all; shadows by group of lights
+    gpu::Buffer doubtful;                 ///< some bits a pixel
+    gpu::Buffer depths;                   ///< of the probed pixels, or of all
+    gpu::Buffer shadows, transmittances;  ///< and by group of lights
     std::vector<PixelPlace> probed;
     bool probesAll = false;
     bool searches = false;  ///< for surfaces, shadows or layers
     std::size_t shadowGroups = 0;
-    bool told = true;  ///< what it lost
+    std::vector<bool> transmits;  ///< which groups do
+    bool told = true;             ///< what it lost
     std::uint64_t submission = 0;
   };
 
@@ -81,7 +84,7 @@ class SearchFeedback {
   void prepareDoubts(Slot& slot);
   void prepareProbes(Slot& slot, std::vector<PixelPlace> probed);
   void recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
-                    gpu::Buffer& values, VkDeviceSize offset);
+                    gpu::Buffer& values, VkDeviceSize texelBytes, VkDeviceSize offset);
   [[nodiscard]] VkDeviceSize probeBytes(const Slot& slot) const;
 
   gpu::Context* context_;

@@ -2,6 +2,7 @@
 #include "draw/shadow_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -20,12 +21,18 @@ constexpr double kInPlane = 1e-4;
 /// by no more than the inverse, as far as tolerances go.
 constexpr double kNearLight = 1.0 / 16;
 
+const SnapshotNode* nodeOf(const Snapshot& snapshot, NodeId id) {
+  const auto node = std::ranges::lower_bound(snapshot.nodes, id.index, {},
+                                             [](const SnapshotNode& n) { return n.id.index; });
+  return node == snapshot.nodes.end() || node->id != id ? nullptr : &*node;
+}
+
 double distanceTo(const Box& box, const Vec3& p) { return glm::distance(p, glm::clamp(p, box.min, box.max)); }
 
 class ShadowLister {
  public:
   ShadowLister(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-               Geometry& geometry, const MaterialList& materials, DrawList& list)
+               Geometry& geometry, MaterialList& materials, DrawList& list)
       : snapshot_(snapshot),
         options_(options),
         geometry_(geometry),
@@ -43,18 +50,32 @@ class ShadowLister {
 
   void list(LightGroup& group, std::uint32_t bit, std::uint32_t light) {
     group_ = &group;
-    for (const NodeId caster : snapshot_.lights[light].casters) {
-      const auto node = std::ranges::lower_bound(snapshot_.nodes, caster.index, {},
-                                                 [](const SnapshotNode& n) { return n.id.index; });
-      if (node == snapshot_.nodes.end() || node->id != caster) continue;
+    std::vector<const SnapshotNode*> casters;
+    for (const NodeId caster : snapshot_.lights[light].casters)
+      if (const SnapshotNode* node = nodeOf(snapshot_, caster); node && !materialOf(*node).invisible())
+        casters.push_back(node);
+    // By what they are: what rounding leaves of a product depends on the order.
+    std::ranges::stable_sort(casters, {}, [&](const SnapshotNode* node) {
+      const Box& box = node->boundsWorld;
+      const Material& material = materialOf(*node);
+      return std::array{box.min.x,          box.min.y,         box.min.z,        box.max.x,
+                        box.max.y,          box.max.z,         material.opacity, material.diffuse.x,
+                        material.diffuse.y, material.diffuse.z};
+    });
+    for (const SnapshotNode* caster : casters) {
+      const SnapshotNode& node = *caster;
       if (snapshot_.lights[light].plane)
-        flatten(bit, snapshot_.lights[light], *node);
+        flatten(bit, snapshot_.lights[light], node);
       else
-        list(bit, snapshot_.lights[light], *node);
+        list(bit, snapshot_.lights[light], node);
     }
   }
 
  private:
+  [[nodiscard]] const Material& materialOf(const SnapshotNode& node) const {
+    return snapshot_.materials[node.material.index];
+  }
+
   /// The caster's mesh becomes the shadow on the light's plane, by the projection from the light: with the
   /// plane p . x = 0 and the light l, both of four components, x - (p . x) / (p . l) l (J. Blinn, Me and my
   /// (fake) shadow, 1988).
@@ -100,14 +121,16 @@ class ShadowLister {
     if (mesh->indices.empty()) return;
     Mat4 relativeFromObject(node.worldFromObject.linear);
     relativeFromObject[3] = Vec4(transformPoint(node.worldFromObject, mesh->origin) - list_.origin, 1);
-    group_->flatShadows.push_back(
-        {.mesh = mesh,
-         .shadow = {
-             .clipFromObject = Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
-             .height = Vec4f(heights * relativeFromObject),
-             .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
-             .light = bit,
-             .receiver = receiver}});
+    const Material& material = materialOf(node);
+    (material.transparent() ? group_->flatTransmittances : group_->flatShadows)
+        .push_back({.mesh = mesh,
+                    .shadow = {.clipFromObject =
+                                   Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
+                               .height = Vec4f(heights * relativeFromObject),
+                               .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
+                               .light = bit,
+                               .receiver = receiver,
+                               .transmittance = Vec3f(material.lightThroughAt(0, 0))}});
   }
 
   void list(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
@@ -127,18 +150,34 @@ class ShadowLister {
     if (!entry->caster) return true;
     shared::ShadowCaster caster = *entry->caster;
     // Normals that turn toward the viewer may face a light from inside.
-    const bool turns = snapshot_.materials[node.material.index].twoSided == TwoSided::Yes;
+    const bool turns = materialOf(node).twoSided == TwoSided::Yes;
     caster.light = bit;
     caster.flags |=
         (gated_ ? shared::kGatedLight : 0) | (entry->cells->convex && !turns ? shared::kConvexCaster : 0);
     caster.offPixels = static_cast<float>(offPx_);
     caster.material = materials_.numberOfNode(static_cast<std::uint32_t>(&node - snapshot_.nodes.data()));
     if (entry->cells->flatNormal) setPlane(light, node, *entry->cells, caster);
-    CasterDraw draw{
-        .state = {.form = Form::Shadow, .surface = part.code}, .caster = casters_.add(caster), .area = area};
-    if (!group_->shades.empty()) group_->shadows.push_back(draw);
-    draw.state.form = Form::LayerShadow;
-    if (!group_->layerShades.empty()) group_->layerShadows.push_back(draw);
+    CasterDraw draw{.state = {.surface = part.code}, .area = area};
+    const Material& material = materialOf(node);
+    const bool transmits = material.transparent();
+    if (transmits) {
+      caster.flags |= material.blend == Blend::Multiply ? shared::kTintsLight : 0;
+      caster.diffuse = Vec3f(material.diffuse);
+      caster.opacity = static_cast<float>(material.opacity);
+      if (material.diffusePattern.valid()) {
+        draw.state.pattern = material.diffusePattern;
+        caster.firstPatternParameter = materials_.firstPatternParameter(material);
+      }
+    }
+    draw.caster = casters_.add(caster);
+    if (!group_->shades.empty()) {
+      draw.state.form = transmits ? Form::Transmittance : Form::Shadow;
+      (transmits ? group_->transmittances : group_->shadows).push_back(draw);
+    }
+    if (!group_->layerShades.empty()) {
+      draw.state.form = transmits ? Form::LayerTransmittance : Form::LayerShadow;
+      (transmits ? group_->layerTransmittances : group_->layerShadows).push_back(draw);
+    }
     return true;
   }
 
@@ -187,7 +226,7 @@ class ShadowLister {
   const Snapshot& snapshot_;
   const DrawOptions& options_;
   Geometry& geometry_;
-  const MaterialList& materials_;
+  MaterialList& materials_;
   DrawList& list_;
   CasterList casters_;
   LightGroup* group_ = nullptr;  // of the light whose casters are listed
@@ -198,6 +237,13 @@ class ShadowLister {
 
 }  // namespace
 
+bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
+  return std::ranges::any_of(light.casters, [&](NodeId caster) {
+    const SnapshotNode* node = nodeOf(snapshot, caster);
+    return node && snapshot.materials[node->material.index].transparent();
+  });
+}
+
 bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
   return options.shadows == ShadowKinds::All && options.output == Output::Color &&
          std::ranges::any_of(snapshot.lights,
@@ -205,7 +251,7 @@ bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
 }
 
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                 Geometry& geometry, const MaterialList& materials, DrawList& list) {
+                 Geometry& geometry, MaterialList& materials, DrawList& list) {
   if (list.groups.empty() || !materials.shadows()) return;
   ShadowLister lister(snapshot, visible, options, geometry, materials, list);
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
@@ -217,7 +263,13 @@ void listShadows(const Snapshot& snapshot, const VisibleList& visible, const Dra
       group.lights.push_back(casts(lights[bit]) ? std::optional(lights[bit]) : std::nullopt);
       if (casts(lights[bit])) lister.list(group, bit, lights[bit]);
     }
-    for (DrawState& shade : group.shades) shade.shadows = true;
+    group.transmits = std::ranges::any_of(
+        lights, [&](std::uint32_t light) { return transmits(snapshot, snapshot.lights[light]); });
+    for (DrawState& shade : group.shades) {
+      shade.shadows = true;
+      shade.transmits = group.transmits;
+    }
+    for (DrawState& shade : group.layerShades) shade.transmits = group.transmits;
   }
 }
 

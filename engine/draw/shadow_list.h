@@ -12,7 +12,10 @@ namespace luxo {
 /// Fills the shadows of list.groups, for the lights that are left to do, and leaves to rays (list.byRays)
 /// where no shader finds a shadow.
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                 Geometry& geometry, const MaterialList& materials, DrawList& list);
+                 Geometry& geometry, MaterialList& materials, DrawList& list);
+
+/// Whether some of a light gets through what casts its shadow.
+[[nodiscard]] bool transmits(const Snapshot& snapshot, const SnapshotLight& light);
 
 /// Whether some light of a picture may have a shadow that has to be found.
 [[nodiscard]] bool findsShadows(const Snapshot& snapshot, const DrawOptions& options);

@@ -18,7 +18,7 @@ ViewTargets::ViewTargets(gpu::Context& context, Precision precision)
       format_{.color = precision == Precision::Full ? VK_FORMAT_R32G32B32A32_SFLOAT
                                                     : VK_FORMAT_R16G16B16A16_SFLOAT} {}
 
-void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool deferred, bool shadows) {
+void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, const Needs& needs) {
   constexpr VkImageUsageFlags kPicture =
       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   constexpr VkImageUsageFlags kDrawnOnly = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
@@ -41,10 +41,14 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool
     found_ = gpu::Texture();
     foundParameters_ = gpu::Texture();
     shadows_ = gpu::Texture();
+    transmittance_ = gpu::Texture();
   }
-  if (shadows && !fits(shadows_, extent, VK_SAMPLE_COUNT_1_BIT))
+  if (needs.transmittance && !fits(transmittance_, extent, VK_SAMPLE_COUNT_1_BIT))
+    transmittance_ =
+        make(kTransmittanceFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "transmittance");
+  if (needs.shadows && !fits(shadows_, extent, VK_SAMPLE_COUNT_1_BIT))
     shadows_ = make(kShadowsFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "shadows");
-  if (!deferred || fits(found_, extent, VK_SAMPLE_COUNT_1_BIT)) return;
+  if (!needs.deferred || fits(found_, extent, VK_SAMPLE_COUNT_1_BIT)) return;
   LUXO_REQUIRE_COMPARE(samples, ==, VK_SAMPLE_COUNT_1_BIT);
   found_ = make(kFoundFormat, kReadAgain, samples, "found");
   foundParameters_ = make(kFoundParametersFormat, kReadAgain, samples, "parameters of what is found");
@@ -60,6 +64,8 @@ gpu::Texture& ViewTargets::texture(Target target) {
       return foundParameters_;
     case Target::Shadows:
       return shadows_;
+    case Target::Transmittance:
+      return transmittance_;
     case Target::Color:
       break;
   }

@@ -15,8 +15,9 @@ namespace luxo {
 enum class Precision { Full, Half };
 
 /// Found: of deferred shading, the points that rays see (shaders/lib/found_texel.glsl), and, where a pattern
-/// asks for them, their parameters; Shadows: the lights, a bit each, that do not reach them.
-enum class Target { Color, Depth, Found, FoundParameters, Shadows };
+/// asks for them, their parameters; Shadows: the lights, a bit each, that do not reach them; Transmittance:
+/// how much of one light its casters let through.
+enum class Target { Color, Depth, Found, FoundParameters, Shadows, Transmittance };
 
 /// What a pipeline has to know of the targets that it draws to.
 struct TargetFormat {
@@ -30,14 +31,18 @@ struct TargetFormat {
 inline constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kFoundParametersFormat = VK_FORMAT_R32G32_SFLOAT;
 inline constexpr VkFormat kShadowsFormat = VK_FORMAT_R32_UINT;
+inline constexpr VkFormat kTransmittanceFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 class ViewTargets {
  public:
   ViewTargets(gpu::Context& context, Precision precision);
 
-  /// Makes those that a picture of this size needs, and has none of yet: Found where it is deferred, Shadows
-  /// where it has some.
-  void prepare(VkExtent2D extent, VkSampleCountFlagBits samples, bool deferred, bool shadows);
+  /// Makes those that a picture of this size needs, and has none of yet.
+  struct Needs {
+    bool deferred = false;  ///< Found, FoundParameters
+    bool shadows = false, transmittance = false;
+  };
+  void prepare(VkExtent2D extent, VkSampleCountFlagBits samples, const Needs& needs);
 
   [[nodiscard]] gpu::Texture& texture(Target target);
   /// What Color is averaged into at the end of a pass; null without multisampling.
@@ -55,7 +60,7 @@ class ViewTargets {
  private:
   gpu::Context* context_;
   TargetFormat format_;
-  gpu::Texture color_, resolved_, depth_, found_, foundParameters_, shadows_;
+  gpu::Texture color_, resolved_, depth_, found_, foundParameters_, shadows_, transmittance_;
 };
 
 }  // namespace luxo

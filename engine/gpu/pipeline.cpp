@@ -60,6 +60,12 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
     state.srcColorBlendFactor = state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     return state;
   }
+  if (blend == Blend::Multiply) {
+    state.srcColorBlendFactor = VK_BLEND_FACTOR_DST_COLOR;
+    state.dstColorBlendFactor = state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+    state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    return state;
+  }
   if (blend == Blend::Mean) {
     state.srcColorBlendFactor = VK_BLEND_FACTOR_CONSTANT_COLOR;
     state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR;

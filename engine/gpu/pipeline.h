@@ -15,15 +15,16 @@ namespace luxo::gpu {
 
 enum class Blend {
   None,
-  Alpha,    ///< source over destination, colours not premultiplied; alpha becomes coverage
-  Color,    ///< as Alpha, but the destination's alpha stays
-  Keep,     ///< the destination stays: nothing but depth is drawn
-  Mean,     ///< the part of the source that vkCmdSetBlendConstants() says, the rest of the destination; the
-            ///< larger alpha
-  Through,  ///< the source, and of the destination the part that a second source says; alpha stays; needs
-            ///< features().dualSrcBlend
-  Add,      ///< the sum of colours; the destination's alpha
-  Or,       ///< of integers: bits that are set in either; needs features().logicOp
+  Alpha,     ///< source over destination, colours not premultiplied; alpha becomes coverage
+  Color,     ///< as Alpha, but the destination's alpha stays
+  Keep,      ///< the destination stays: nothing but depth is drawn
+  Mean,      ///< the part of the source that vkCmdSetBlendConstants() says, the rest of the destination; the
+             ///< larger alpha
+  Through,   ///< the source, and of the destination the part that a second source says; alpha stays; needs
+             ///< features().dualSrcBlend
+  Add,       ///< the sum of colours; the destination's alpha
+  Multiply,  ///< the product of colours; the destination's alpha
+  Or,        ///< of integers: bits that are set in either; needs features().logicOp
 };
 
 /// Added to the depth of what is drawn: units of the depth buffer's resolution, and of the depth's largest

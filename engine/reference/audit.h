@@ -25,11 +25,11 @@ enum class Judgement {
 [[nodiscard]] Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
                               double depth, double rounding);
 
-/// Whether a pixel that is right tells the truth of a light (index into Snapshot::lights): whether it is in
-/// its shadow. Right, too, where the light would add nothing, and where a border of the shadow passes within
-/// kSilhouettePx. Cost: two rays; some hundred where they disagree.
+/// Whether a pixel that is right tells the truth of a light (index into Snapshot::lights): how much of it
+/// reaches what is seen there. Right, too, where the light would add nothing, and where a border of the
+/// shadow passes within kSilhouettePx. Cost: two rays; some hundred where they disagree.
 [[nodiscard]] Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes,
-                                    const Vec2& pixel, std::uint32_t light, bool inShadow);
+                                    const Vec2& pixel, std::uint32_t light, const Vec3& reaching);
 
 /// What a pixel shows of what is seen through: how many points, and the sum of their depths.
 struct LayerSums {

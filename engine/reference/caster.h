@@ -77,10 +77,10 @@ class Caster {
   /// order.
   [[nodiscard]] std::vector<Shadowed> shadowedLights(const Hit& hit, const Vec3& toViewer) const;
 
-  /// Whether a light (index into Snapshot::lights) does not reach a hit that faces it, for what stands
-  /// between. `certified` turns false where that was not decided.
-  [[nodiscard]] bool inShadow(std::uint32_t light, const Hit& hit, bool& certified) const {
-    return reaching(snapshot_.lights[light], hit, certified) == Vec3(0);
+  /// How much of a light (index into Snapshot::lights) reaches a hit that faces it, for what stands between.
+  /// `certified` turns false where that was not decided.
+  [[nodiscard]] Vec3 reaching(std::uint32_t light, const Hit& hit, bool& certified) const {
+    return reaching(snapshot_.lights[light], hit, certified);
   }
 
   /// Whether a light would add something to a hit that sees it.

@@ -300,21 +300,38 @@ void requirePlainBlending(const Scene& scene, const Snapshot& snapshot, const Mo
   }
 }
 
-/// What is seen through would let a part of the light pass; and a planar shadow falls on what hides all else.
-void requireOpaqueShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
-  const auto require = [&](NodeId id, const char* what, const char* hint) {
+/// A planar shadow is one number for each face, and falls on what hides all else; a shade in closed form lets
+/// nothing through.
+void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
+  const auto require = [&](NodeId id, const auto& isRight, const char* what, const char* hint) {
     const auto node = std::ranges::find(snapshot.nodes, id, &SnapshotNode::id);
-    if (node != snapshot.nodes.end() && snapshot.materials[node->material.index].transparent())
-      NodeThen{scene, node->id, moment}.reject(
-          fmt::format("it is seen through, and {}, which is not supported yet", what), hint);
+    if (node != snapshot.nodes.end() && !isRight(snapshot.materials[node->material.index]))
+      NodeThen{scene, node->id, moment}.reject(fmt::format("{}, which is not supported", what), hint);
   };
   for (const SnapshotLight& light : snapshot.lights) {
+    if (!light.plane) continue;
+    require(
+        *light.plane, [](const Material& material) { return !material.transparent(); },
+        "it is seen through, and the plane of a planar shadow", "set its material's opacity to 1");
     for (const NodeId caster : light.casters)
-      require(caster, "casts shadows",
-              "leave it out of the lights' \"casters\", or set its material's opacity to 1");
-    if (light.shade) require(light.shade->caster, "casts shadows", "set its material's opacity to 1");
-    if (light.plane)
-      require(*light.plane, "is the plane of a planar shadow", "set its material's opacity to 1");
+      require(
+          caster,
+          [](const Material& material) {
+            return !material.transparent() || !material.diffusePattern.valid();
+          },
+          "it is seen through, has a pattern, and casts a planar shadow",
+          "leave it out of the light's \"casters\", or set the light's shadow to \"exact\"");
+  }
+}
+
+/// A shade that lets light through has no closed form.
+void openShades(Snapshot& snapshot) {
+  for (SnapshotLight& light : snapshot.lights) {
+    if (!light.shade) continue;
+    const auto node = std::ranges::find(snapshot.nodes, light.shade->caster, &SnapshotNode::id);
+    if (node == snapshot.nodes.end() || !snapshot.materials[node->material.index].transparent()) continue;
+    light.casters = {light.shade->caster};
+    light.shade.reset();
   }
 }
 
@@ -328,7 +345,8 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t most
   snapshot.lights = takeLights(scene, placed, moment, mostShadowSamples, snapshot.cutNumbers);
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
   cutLights(snapshot);
-  requireOpaqueShadows(scene, snapshot, moment);
+  openShades(snapshot);
+  requirePlanarShadows(scene, snapshot, moment);
   requirePlainBlending(scene, snapshot, moment);
   return snapshot;
 }

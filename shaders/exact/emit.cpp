@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <spirv-tools/libspirv.hpp>
 #include <string>
@@ -31,13 +32,15 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-/// GLSL of a surface, and of its pattern if it has one; whether rays may graze it; or whether shadows of it
-/// are found.
+using Caster = ExactSource::Caster;
+
+/// GLSL of a surface, and of its pattern if it has one; whether rays may graze it; or what is found of it
+/// where rays meet its cells.
 struct Formulas {
   std::string surface, pattern;
   GlslNumber number;
   bool grazing;
-  bool shadow = false;
+  std::optional<Caster> caster = std::nullopt;
 
   friend auto operator<=>(const Formulas&, const Formulas&) = default;
 };
@@ -48,17 +51,18 @@ void addFormula(std::set<Formulas>& all, const SurfaceCode& code, const std::str
   for (const bool grazing : {false, true}) all.insert({code.glsl, pattern, code.number, grazing});
 }
 
-/// Of its shadow: by its general form, where it has one.
-void addShadow(std::set<Formulas>& all, const Surface& surface) {
+/// By its general form, where it has one.
+void addCaster(std::set<Formulas>& all, const Surface& surface, Caster caster,
+               const std::string& pattern = {}) {
   for (const Patch& patch : surface.patches()) {
     const SurfaceCode code = patch.general ? surfaceCode(*patch.general, 0) : surfaceCode(*patch.function, 0);
-    all.insert({code.glsl, "", GlslNumber::Float, true, true});
+    all.insert({code.glsl, pattern, GlslNumber::Float, true, caster});
   }
 }
 
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
                 const std::string& pattern) {
-  addShadow(all, surface);
+  addCaster(all, surface, Caster::Shadow);
   const auto equations = equationsOf(surface, parameters);
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     for (const GlslNumber number : kNumbers)
@@ -72,7 +76,7 @@ void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const
 
 /// What finds a named surface whatever its arguments.
 void addGeneralForms(std::set<Formulas>& all, const Surface& surface) {
-  addShadow(all, surface);
+  addCaster(all, surface, Caster::Shadow);
   const auto equations = equationsOf(surface, {});
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     if (const auto& general = surface.patches()[i].general; general && !equations[i])
@@ -89,7 +93,21 @@ void addSuperquadrics(std::set<Formulas>& all) {
 
 void addScene(std::set<Formulas>& all, const Scene& scene) {
   const Snapshot snapshot = takeSnapshot(scene, 0, {64, 64});
+  const auto isSeenThrough = [&](const SnapshotNode& node) {
+    return snapshot.materials[node.material.index].transparent();
+  };
+  const bool layers = std::ranges::any_of(snapshot.nodes, isSeenThrough),
+             shadows = std::ranges::any_of(snapshot.lights, &SnapshotLight::hasShadow);
   for (const SnapshotNode& node : snapshot.nodes) {
+    const Material& material = snapshot.materials[node.material.index];
+    if (isSeenThrough(node)) addCaster(all, node.surface, Caster::Layer);
+    if (layers && shadows) {
+      const bool through = isSeenThrough(node);
+      const std::string pattern =
+          through && material.diffusePattern.valid() ? material.diffusePattern.glsl() : "";
+      if (through) addCaster(all, node.surface, Caster::Transmittance, pattern);
+      addCaster(all, node.surface, through ? Caster::LayerTransmittance : Caster::LayerShadow, pattern);
+    }
     addSurface(all, node.surface, node.parameters, {});
     const Pattern& pattern = snapshot.materials[node.material.index].diffusePattern;
     if (pattern.valid()) addSurface(all, node.surface, node.parameters, pattern.glsl());
@@ -127,7 +145,7 @@ void validate(const Words& words) {
 
 Words compile(const Formulas& formulas) {
   const SurfaceCode surface{.glsl = formulas.surface, .number = formulas.number};
-  const ExactSource source = formulas.shadow ? ExactSource::ofShadow(surface)
+  const ExactSource source = formulas.caster ? ExactSource::of(*formulas.caster, surface, formulas.pattern)
                                              : ExactSource(surface, formulas.pattern, formulas.grazing);
   Words words = gpu::ShaderCompiler(std::filesystem::path()).compile(source.desc()).spirv;
   validate(words);
@@ -160,11 +178,12 @@ std::string table(std::span<const char* const> scenes) {
     arrays += "};\n";
     entries += fmt::format("    {{{}, {}, {}, {}, {}, kExactShader{}}},\n", literal(formulas.surface),
                            literal(formulas.pattern), formulas.number == GlslNumber::Double, formulas.grazing,
-                           formulas.shadow, index);
+                           formulas.caster ? static_cast<int>(*formulas.caster) : -1, index);
   }
   return fmt::format(
       "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"
-      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing, shadow;\n  "
+      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing;\n  int "
+      "caster;\n  "
       "std::span<const "
       "std::uint32_t> "
       "spirv;\n}};\n\n"

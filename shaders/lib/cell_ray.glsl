@@ -54,7 +54,7 @@ CellRay cellRay(vec3 from, vec3 along) {
 
 // Told of every meeting, with its parameters, less originOfU; `atBorder`: a neighbouring rectangle may have it, too. Whether
 // the others matter no more.
-bool endsAt(vec2 parameters, bool atBorder);
+bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder);
 
 float crossOf(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -103,7 +103,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
     bool isGrain = size + bend <= max(grain, 4.0 * ray.rounding);
     bool isMet = !passes && isPlain && ((isInside && tMiddle - tOff > ray.first + own && tMiddle + tOff < ray.last) ||
                                         (isGrain && isHere && !isOwn && tMiddle > ray.first + own && tMiddle < ray.last));
-    if (isMet && endsAt(rectangle.xy + h * middle, !isInside)) return kMet;
+    if (isMet && endsAt(ray, cell, rectangle.xy + h * middle, !isInside)) return kMet;
     if (!passes && !isMet && isGrain && !isPlain) return kOpen;
     // Of a meeting on a border between two rectangles one counts, but for rounding.
     if (!passes && !isMet && isOwn) {

@@ -11,6 +11,9 @@ LightData lightAt(uint i);
 ShadeData shadeAt(uint i);
 #ifdef LUXO_SHADOWS
 uint shadows();  // the lights, a bit each, that do not reach the point
+vec3 lightTransmittance();  // how much of the only light gets through to it
+
+layout(constant_id = kConstantTransmits) const bool kTransmits = false;
 #endif
 
 // 1 + which of the shaded lights the instance is the shade of; 0: none.
@@ -88,6 +91,9 @@ vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
       bool isTheShade = shadeOf(material.flags) == shade + 1;
       lit = isTheShade || litThroughShade(shadeAt(shade), -toLight);
     }
+#ifdef LUXO_SHADOWS
+    if (kTransmits) reflection *= lightTransmittance();
+#endif
     sum += lit ? reflection : vec3(0);
   }
   return sum;

@@ -3,6 +3,9 @@
 #include "lib/layers.glsl"
 
 void addLitLayer(uint material, vec3 color, float opacity, vec3 diffuse) {
-  addLayer(LayerPoint(0, layerDepth(gl_FragCoord.z, layerPlace(), layerRay()), 0.0, material | kLayerOfMesh | kLayerLit, 0,
-                      vec2(0), vec2(0), opacity * color, throughLayer(materials[material].blend, opacity, diffuse)));
+  LayerPoint point = unlitPoint(layerDepth(gl_FragCoord.z, layerPlace(), layerRay()), 0.0,
+                                material | kLayerOfMesh | kLayerLit, vec2(0), vec2(0));
+  point.light = opacity * color;
+  point.through = throughLayer(materials[material].blend, opacity, diffuse);
+  addLayer(point);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a caster keeps its light from the points of a pixel that are seen through.
 #extension GL_GOOGLE_include_directive : require
-#include "lib/shadow_test.glsl"
+#include "lib/opaque_caster.glsl"
 #include "lib/layers.glsl"
 #include "lib/octahedral.glsl"
 
@@ -11,7 +11,7 @@ void findLayerShadows() {
     LayerPoint point = layerPoints[index];
     if ((point.material & (kLayerLit | kLayerByRay)) != 0) continue;
     int result = shadowAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
-                          (point.material & kLayerMaterial) == varyingMaterial);
+                          (point.material & kLayerMaterial) == varyingMaterial.x);
     if (result == kOpen) doubtLayers();
     if (result == kMet) layerPoints[index].shadows |= 1u << varyingCaster.y;
   }

@@ -50,6 +50,11 @@ void addLayer(LayerPoint point) {
   layerPoints[index] = point;
 }
 
+// A point that is to be lit.
+LayerPoint unlitPoint(float depth, float off, uint material, vec2 normal, vec2 parameters) {
+  return LayerPoint(0, depth, off, material, 0, normal, parameters, vec3(0), vec3(0), vec3(1));
+}
+
 // How much comes through from behind.
 vec3 throughLayer(uint blend, float opacity, vec3 diffuse) {
   return blend == kBlendAdd ? vec3(1) : blend == kBlendOver ? vec3(1.0 - opacity) : (1.0 - opacity) * diffuse;

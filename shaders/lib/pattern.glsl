@@ -5,7 +5,10 @@
 #include "lib/formula.glsl"
 #include "shared/scene_data.h"
 
-layout(scalar, set = kSetPattern, binding = 0) readonly buffer PatternParameters { float patternParameters[]; };
+#ifndef LUXO_PATTERN_BINDING
+#define LUXO_PATTERN_BINDING 0
+#endif
+layout(scalar, set = kSetPattern, binding = LUXO_PATTERN_BINDING) readonly buffer PatternParameters { float patternParameters[]; };
 
 // The including shader says where the material's parameters start, and the lowest and highest u and v inside the surface.
 uint firstPatternParameter();

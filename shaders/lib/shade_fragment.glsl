@@ -48,7 +48,9 @@ Found foundPoint() {
 
 #ifdef LUXO_SHADOWS
 layout(set = kSetFound, binding = kBindingShadows) uniform usampler2D shadowsOfLights;
+layout(set = kSetFound, binding = kBindingTransmittance) uniform sampler2D transmittances;
 uint shadows() { return texelFetch(shadowsOfLights, ivec2(gl_FragCoord.xy), 0).x; }
+vec3 lightTransmittance() { return texelFetch(transmittances, ivec2(gl_FragCoord.xy), 0).rgb; }
 #endif
 
 Material foundMaterial() { return materialOf(material); }

@@ -24,10 +24,12 @@ layout(location = 7) flat in vec2 inMiddle;
 
 MaterialData material;
 uint shadowsHere;
+vec3 transmittanceHere;
 
 Material foundMaterial() { return materialOf(material); }
 uint foundMaterialNumber() { return 0; }
 uint shadows() { return shadowsHere; }
+vec3 lightTransmittance() { return transmittanceHere; }
 
 // Whoever includes this knows them: the diffuse colour, and the opacity.
 vec4 paintOf(Found found);
@@ -53,10 +55,14 @@ void shadeLayers() {
     found.parameters = point.parameters;
     found.depth = found.residual = 0.0;  // no light asks for them
     shadowsHere = point.shadows;
+    transmittanceHere = point.transmittance;
     vec4 paint = paintOf(found);
     vec3 before = kAddsLight ? point.light : vec3(0);
     layerPoints[index].light = before + paint.a * lit(found);
-    if (kManyGroups) layerPoints[index].shadows = 0;  // the next group has its own
+    if (kManyGroups) {  // the next group has its own
+      layerPoints[index].shadows = 0;
+      layerPoints[index].transmittance = vec3(1);
+    }
     layerPoints[index].through = throughLayer(material.blend, paint.a, paint.rgb);
   }
 }

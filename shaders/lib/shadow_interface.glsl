@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a draw of shadows tells its fragments: the pixel's place, and the caster; the same all over the target.
+#ifndef LUXO_LIB_SHADOW_INTERFACE_GLSL
+#define LUXO_LIB_SHADOW_INTERFACE_GLSL
 #include "shared/scene_data.h"
 
 #ifdef LUXO_VERTEX
@@ -20,10 +22,12 @@ layout(location = 16) flat LUXO_VARYING uvec4 varyingFirst;    // entry, cell, p
 layout(location = 17) flat LUXO_VARYING uvec4 varyingCaster;   // its index; the light's bit; flags; grid size
 layout(location = 18) flat LUXO_VARYING vec4 varyingPlane;
 layout(location = 19) flat LUXO_VARYING float varyingOff;  // pixels
-layout(location = 20) flat LUXO_VARYING uint varyingMaterial;
+layout(location = 20) flat LUXO_VARYING uvec2 varyingMaterial;  // of found texels; the first parameter of its pattern
 layout(location = 21) flat LUXO_VARYING vec4 varyingFaces[6];  // a device reads a buffer more slowly
 layout(location = 27) flat LUXO_VARYING uvec3 varyingFirstTexels[2];  // of the faces along +, of those along -
+layout(location = 29) flat LUXO_VARYING vec4 varyingPaint;  // diffuse colour, opacity
 
 #ifdef LUXO_VERTEX
 layout(scalar, set = kSetShadow, binding = kBindingCasters) readonly buffer Casters { ShadowCaster casters[]; };
+#endif
 #endif

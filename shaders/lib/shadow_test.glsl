@@ -6,9 +6,6 @@
 const float kGrazing = 0.02;       // the sine of a ray's height over its own surface
 const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
 
-// Any meeting is a shadow.
-bool endsAt(vec2 parameters, bool atBorder) { return true; }
-
 // Of a point that the picture shows at a depth (metres beyond that of what positions are relative to); `isOwn`: of the
 // caster itself. kMet: it does.
 int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {

@@ -52,6 +52,7 @@ LUXO_CONSTANT kBindingFound = 0;
 LUXO_CONSTANT kBindingFoundParameters = 1;
 LUXO_CONSTANT kBindingUniformMaterials = 2;  // the first kUniformMaterials of them all
 LUXO_CONSTANT kBindingShadows = 3;
+LUXO_CONSTANT kBindingTransmittance = 4;
 
 // Bindings of kSetShadow.
 LUXO_CONSTANT kBindingCasters = 0;
@@ -60,7 +61,8 @@ LUXO_CONSTANT kBindingGridEntries = 2;
 LUXO_CONSTANT kBindingCasterCells = 3;
 LUXO_CONSTANT kBindingCasterParameters = 4;
 LUXO_CONSTANT kBindingShadowDoubts = 5;
-LUXO_CONSTANT kShadowBindings = 6;
+LUXO_CONSTANT kBindingCasterPatterns = 6;  // their parameters
+LUXO_CONSTANT kShadowBindings = 7;
 
 // Bindings of kSetLayers.
 LUXO_CONSTANT kBindingLayerHeads = 0;
@@ -71,7 +73,7 @@ LUXO_CONSTANT kBindingLayerDepth = 4;      // of what is not seen through
 LUXO_CONSTANT kBindingRayLayers = 5;       // points that rays have found
 LUXO_CONSTANT kBindingLayerMaterials = 6;  // the first kUniformMaterials of them all
 LUXO_CONSTANT kBindingLayerSums = 7;
-LUXO_CONSTANT kBindingRayLayerShadows = 8;
+LUXO_CONSTANT kBindingRayLayerLight = 8;
 LUXO_CONSTANT kLayerBindings = 9;
 
 // Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
@@ -90,6 +92,7 @@ LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a dra
 LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
 LUXO_CONSTANT kConstantAddsLight = 12;      // to what is lit already: no ambient light
 LUXO_CONSTANT kConstantManyGroups = 13;     // of lights, for the same points
+LUXO_CONSTANT kConstantTransmits = 14;      // there is one light, some of which gets through its casters
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -277,6 +280,7 @@ struct FlatShadow {
   float highest;        // what is no lower casts no shadow
   uint light;           // its bit
   uint receiver;        // number of the plane's material
+  vec3 transmittance;   // of a caster that lets light through
 };
 
 struct GridEntry {
@@ -291,6 +295,7 @@ LUXO_CONSTANT kConvexCaster = 8;  // no point of it that faces the light is in i
 LUXO_CONSTANT kWholeCaster = 16;  // it is all of a node
 LUXO_CONSTANT kShowsFront = 32;   // what is seen through: only the outer side is seen
 LUXO_CONSTANT kTurnsNormal = 64;  // and its normal turns toward the viewer
+LUXO_CONSTANT kTintsLight = 128;  // what it lets through has its diffuse colour
 
 // What may keep a light from what is seen: a node, or those of its patches that share their code, as the light sees them
 // (engine/shadow/light_grid.h).
@@ -314,6 +319,9 @@ struct ShadowCaster {
   float pixel;       // what a pixel is wide, metres of the object (perspective: at depth 1)
   float offPixels;   // how far what is drawn may be off its surface
   uint material;     // of found texels that show the caster, and nothing else
+  vec3 diffuse;      // of a caster that lets light through, as MaterialData has them
+  float opacity;
+  uint firstPatternParameter;
 };
 
 LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
@@ -333,6 +341,13 @@ struct LayerPoint {
   vec2 parameters;
   vec3 light;     // what it reflects, times its opacity
   vec3 through;   // how much comes through from behind
+  vec3 transmittance;  // how much of a light its casters let through, where that light is all there is
+};
+
+// How lights reach a point of what is seen through that a ray has found: those of a group.
+struct ReachingLight {
+  uint shadows;
+  vec3 transmittance;
 };
 
 #ifdef __cplusplus
@@ -352,7 +367,7 @@ static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 316 && sizeof(LayerPoint) == 60);
+static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(LayerPoint) == 72 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

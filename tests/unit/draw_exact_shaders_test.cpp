@@ -43,8 +43,9 @@ TEST(ExactShaders, ShadowsOfNamedSurfacesAreCarried) {
   for (const CatalogueEntry& entry : catalogue()) {
     const Surface surface = makeSurface(entry);
     for (const Patch& patch : surface.patches()) {
-      const auto words = builtInShadowShader(patch.general ? surfaceCode(*patch.general, 0)
-                                                           : surfaceCode(*patch.function, 0));
+      const auto words =
+          builtInCasterShader(ExactSource::Caster::Shadow, patch.general ? surfaceCode(*patch.general, 0)
+                                                                         : surfaceCode(*patch.function, 0));
       ASSERT_GT(words.size(), 5u) << entry.name;
       EXPECT_EQ(words[0], kSpirvMagic) << entry.name;
     }

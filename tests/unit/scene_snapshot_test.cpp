@@ -300,22 +300,38 @@ TEST(Snapshot, ShadowsWithoutAClosedFormHaveTheirCasters) {
   EXPECT_EQ(castersGiven({}), both);  // everything
 }
 
-TEST(Snapshot, MapsAndCastersThatAreSeenThroughAreNotSupportedYet) {
+TEST(Snapshot, MapsAreNotSupportedYet) {
   using S = Light::Shadow;
   expectSceneError([] { (void)snap(lamp(Vec3(1), {.shadow = S::Map}).scene); },
                    {"bulb", "not supported yet", "map"});
-  const auto scene = [](bool casts) {
-    Scene glass;
-    const MaterialId pane = glass.add(Material{.opacity = 0.5});
-    glass.add(Node{.name = "pane", .surface = rectangle(1, 1), .material = pane});
-    const NodeId ball = glass.add(Node{.name = "ball", .surface = sphere(1)});
-    Light light{.shadow = S::Exact};
-    if (!casts) light.casters = {ball};
-    glass.add(Node{.translation = Vec3(0, 5, 0), .light = light});
-    return glass;
+}
+
+TEST(Snapshot, PlanarShadowsFallOnWhatIsOpaque) {
+  const auto scene = [](bool glassFloor, const Pattern& pattern) {
+    Scene planar;
+    const MaterialId glass = planar.add(Material{.opacity = 0.5}),
+                     pane = planar.add(Material{.opacity = 0.5, .diffusePattern = pattern});
+    const NodeId floor = planar.add(
+        Node{.name = "floor", .surface = rectangle(1, 1), .material = glassFloor ? glass : MaterialId{}});
+    planar.add(Node{.name = "pane", .surface = rectangle(1, 1), .material = pane});
+    planar.add(Node{.translation = Vec3(0, 5, 0),
+                    .light = Light{.shadow = Light::Shadow::Planar, .shadowPlane = floor}});
+    return planar;
   };
-  expectSceneError([&] { (void)snap(scene(true)); }, {"pane", "seen through", "not supported yet"});
-  EXPECT_EQ(snap(scene(false)).lights.size(), 1U) << "shadows fall on what is seen through";
+  EXPECT_EQ(snap(scene(false, {})).lights.size(), 1U);
+  expectSceneError([&] { (void)snap(scene(true, {})); },
+                   {"floor", "plane of a planar shadow"});
+}
+
+TEST(Snapshot, AShadeThatIsSeenThroughIsACasterLikeOthers) {
+  Lamp glass = lamp();
+  ASSERT_TRUE(snap(glass.scene).lights[0].shade);
+  Node shade = glass.scene[glass.shade];
+  shade.material = glass.scene.add(Material{.opacity = 0.5});
+  glass.scene.set(glass.shade, shade);
+  const SnapshotLight light = snap(glass.scene).lights[0];
+  EXPECT_FALSE(light.shade);
+  EXPECT_EQ(light.casters, std::vector{glass.shade});
 }
 
 TEST(Snapshot, CutsOffWhatFormulasMakeTooBrightAndCountsIt) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of its light a caster lets through to the points of a pixel that are seen through.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/transmittance_test.glsl"
+#include "lib/layers.glsl"
+#include "lib/octahedral.glsl"
+
+void findLayerTransmittances() {
+  vec3 place = layerPlace(), ray = layerRay();
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    LayerPoint point = layerPoints[index];
+    if ((point.material & (kLayerLit | kLayerByRay)) != 0) continue;
+    vec3 transmittance = transmittanceAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
+                                         (point.material & kLayerMaterial) == varyingMaterial.x);
+    if (isOpen) doubtLayers();
+    layerPoints[index].transmittance = point.transmittance * transmittance;
+  }
+}
