@@ -61,7 +61,7 @@ void main() {
   if (head == 0) discard;
   head = sorted(head);
   layerHeads[layerPixel()] = head;
-  float opaque = layerDepth(texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).x, layerPlace(), layerRay());
+  float opaque = layerDepth(texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).x, pixelPlace(), pixelRay());
   vec3 light = vec3(0), through = vec3(1);
   vec2 sums = vec2(0);
   LayerPoint last;
@@ -71,10 +71,10 @@ void main() {
     if ((point.material & kLayerOfMesh) != 0 && point.depth >= opaque) continue;
     // On a border between two cells both may have it, or one that is certain of it and the other, too.
     uint either = point.material | last.material, other = (point.material ^ last.material) & ~kLayerAtBorder;
-    bool isBeside = (either & kLayerAtBorder) != 0 && point.depth - last.depth <= point.off + last.off,
-         isTwice = isBeside && other == 0;
-    // Of two nodes in one place whose points are whose is left to rays.
-    if (isBeside && !isTwice) doubtLayers();
+    bool isBeside = point.depth - last.depth <= point.off + last.off && (other == 0 || (either & kLayerAtBorder) != 0),
+         isTwice = isBeside && other == 0 && (either & kLayerAtBorder) != 0;
+    // Of two nodes in one place whose points are whose is left to rays; and how often a surface covers itself.
+    if (isBeside && !isTwice && (point.material & (kLayerOfMesh | kLayerByRay)) == 0) doubtLayers();
     if (isTwice && length(fromOctahedral(point.normal) - fromOctahedral(last.normal)) > kSameNormal) doubtLayers();
     last = point;
     if (isTwice) continue;

@@ -23,6 +23,15 @@ using Json = nlohmann::ordered_json;
 /// JSON has no infinity.
 Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
+Json mapJson(const ShadowMapThen& map) {
+  return {{"size", map.size},
+          {"bias", map.bias},
+          {"slope_bias", map.slopeBias},
+          {"normal_offset", map.normalOffset},
+          {"pcf", map.pcf},
+          {"receiver_plane", map.receiverPlane}};
+}
+
 Json vectorJson(const Vec3& v) { return {numberJson(v.x), numberJson(v.y), numberJson(v.z)}; }
 
 Json boxJson(const Box& box) {
@@ -215,7 +224,8 @@ class Inspector {
            {"shadow", light.hasShadow()},
            {"shadow_kind", keys::kShadows.at(static_cast<std::size_t>(scene_[light.id].light->shadow))},
            {"radius", scene_[light.id].light->radius.at(moment_)},
-           {"shadow_samples", scene_[light.id].light->shadowSamples}});
+           {"shadow_samples", scene_[light.id].light->shadowSamples},
+           {"map", light.map ? mapJson(*light.map) : Json()}});
     }
     return list;
   }
@@ -322,6 +332,11 @@ std::string lightText(const Json& light) {
   if (light["shadow"].get<bool>() && light["radius"] != 0)
     shadow += fmt::format(", radius {} by {} samples", numberText(light["radius"]),
                           light["shadow_samples"].get<std::uint32_t>());
+  if (const Json& map = light["map"]; !map.is_null())
+    shadow += fmt::format(
+        ", map of {} texels, bias {}, slope {}, normal offset {}, pcf {}{}", map["size"].get<std::uint32_t>(),
+        numberText(map["bias"]), numberText(map["slope_bias"]), numberText(map["normal_offset"]),
+        map["pcf"].get<std::uint32_t>(), map["receiver_plane"].get<bool>() ? ", receiver plane" : "");
   return fmt::format("  {:<20} {}, {} {}, radiance {}, attenuation {}{}\n", textOf(light["node"]),
                      textOf(light["type"]), point ? "at" : "toward",
                      listText(light[point ? "position" : "toward_light"]), listText(light["radiance"]),

@@ -28,9 +28,7 @@ MaterialId addMaterial(Scene& scene, const char* name, const Vec3& diffuse, doub
 }
 
 // Circles the lamp once in 8 pi seconds, after which the joints are back where they were, too.
-Vec3 orbitingEye(double t) {
-  return {18 * std::sin(t / 4), 9, 18 * std::cos(t / 4)};
-}
+Vec3 orbitingEye(double t) { return {18 * std::sin(t / 4), 9, 18 * std::cos(t / 4)}; }
 
 }  // namespace
 
@@ -79,17 +77,17 @@ Scene luxoGrandpa() {
                                       .translation = up(kShadeOffset),
                                       .surface = paraboloid(kShadeFocus, kShadeHeight),
                                       .material = enamelBothSides});
-  scene.add(Node{.name = "bulb",
-                 .parent = shade,
-                 .translation = up(kShadeFocus),
-                 .light = Light{.color = Vec3(1, 0.9, 0.7),
-                                .intensity = 110,
-                                .attenuation = Light::Attenuation::InverseSquare,
-                                .shadow = Light::Shadow::Exact,
-                                .casters = {shade}}});
-  scene.add(Node{.name = "room light",
-                 .translation = Vec3(8, 14, 6),
-                 .light = Light{.intensity = 70, .attenuation = Light::Attenuation::InverseSquare}});
+  Light bulb;
+  bulb.color = Vec3(1, 0.9, 0.7);
+  bulb.intensity = 110.0;
+  bulb.attenuation = Light::Attenuation::InverseSquare;
+  Light roomLight = bulb;
+  roomLight.color = Vec3(1);
+  roomLight.intensity = 70.0;
+  bulb.shadow = Light::Shadow::Exact;
+  bulb.casters = {shade};
+  scene.add(Node{.name = "bulb", .parent = shade, .translation = up(kShadeFocus), .light = bulb});
+  scene.add(Node{.name = "room light", .translation = Vec3(8, 14, 6), .light = roomLight});
 
   scene.add(Camera{.name = "orbit", .eye = orbitingEye, .lookAt = up(5), .fovY = radians(50)});
   return scene;

@@ -48,12 +48,12 @@ Scene sceneUnder(const Ceiling& ceiling) {
                  .translation = ceiling.middle,
                  .rotation = Rotation{ceiling.tiltAxis, ceiling.tilt},
                  .surface = rectangle(30, 30)});
-  scene.add(Node{.parent = shade,
-                 .translation = Vec3(0, kFocalLength, 0),
-                 .light = Light{.intensity = 50,
-                                .attenuation = Light::Attenuation::InverseSquare,
-                                .shadow = Light::Shadow::Exact,
-                                .casters = {shade}}});
+  Light bulb;
+  bulb.intensity = 50.0;
+  bulb.attenuation = Light::Attenuation::InverseSquare;
+  bulb.shadow = Light::Shadow::Exact;
+  bulb.casters = {shade};
+  scene.add(Node{.parent = shade, .translation = Vec3(0, kFocalLength, 0), .light = bulb});
   scene.add(Camera{.eye = Vec3(6, 0.5, 7), .lookAt = Vec3(0, 4.7, 0), .fovY = radians(55)});
   return scene;
 }

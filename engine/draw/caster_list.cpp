@@ -17,14 +17,6 @@ constexpr float kUp = 1 + 0x1p-22F;  ///< a float that is rounded down is no bou
 
 }  // namespace
 
-std::array<Vec3, 8> cornersOf(const Box& box) {
-  std::array<Vec3, 8> corners;
-  for (int i = 0; i < 8; ++i)
-    corners[static_cast<std::size_t>(i)] = {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y,
-                                            (i & 4 ? box.max : box.min).z};
-  return corners;
-}
-
 std::vector<CasterPart> casterParts(SurfaceCodes& codes, const SnapshotNode& node) {
   std::vector<CasterPart> parts;
   for (std::uint32_t i = 0; i < node.surface.patchCount(); ++i) {

@@ -54,6 +54,4 @@ class CasterList {
   DrawList& list_;
 };
 
-[[nodiscard]] std::array<Vec3, 8> cornersOf(const Box& box);
-
 }  // namespace luxo

@@ -27,9 +27,9 @@ namespace luxo {
 /// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
 /// later, with their parameters or without. Or they light what was written down; or find whether a surface
 /// keeps a light from it, or how much of a light gets through it; or write what rays have found of that; or
-/// are a caster's mesh that is flattened onto a plane. Of what is seen through they put points in the list of
-/// their pixel; or find what light reaches those; or put there what rays have found; or light all points of a
-/// list; or blend them.
+/// are a caster's mesh that is flattened onto a plane; or draw a light's depth map, or compare with it. Of
+/// what is seen through they put points in the list of their pixel; or find what light reaches those; or put
+/// there what rays have found; or light all points of a list; or blend them.
 enum class Form {
   Fused,
   Found,
@@ -41,6 +41,9 @@ enum class Form {
   TransmittanceByRays,
   FlatShadow,
   FlatTransmittance,
+  LightDepth,
+  LightMap,
+  LayerLightMap,
   Layer,
   LayerShadow,
   LayerTransmittance,
@@ -134,12 +137,22 @@ struct FlatShadowDraw {
   shared::FlatShadow shadow;
 };
 
+/// A light's depth map (shaders/lib/light_map.glsl), and the meshes in it.
+struct LightMapDrawn {
+  shared::LightMap map;
+  struct Caster {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<Mat4f> clipFromObject;  ///< for each face
+  };
+  std::vector<Caster> casters;
+};
+
 /// Lights of a deferred picture that light what was found in one pass, and what is seen through in another:
 /// as many as a word has bits for their shadows, or one some of which gets through its casters. The first
 /// group comes with the ambient light, the others add theirs.
 struct LightGroup {
   std::uint32_t lightSet = 0;
-  bool transmits = false;                      ///< it is one light, of which casters let a part through
+  bool transmits = false;  ///< it is one light, of which a part may come through: by casters, or by a map
   std::vector<DrawState> shades, layerShades;  ///< a draw for each pattern
   /// With `lights`: one draw for each light and each caster that may keep it from what is seen.
   std::vector<CasterDraw> shadows, layerShadows;
@@ -147,6 +160,7 @@ struct LightGroup {
   /// Of one that transmits: a draw for each caster that lets some of the light through.
   std::vector<CasterDraw> transmittances, layerTransmittances;
   std::vector<FlatShadowDraw> flatTransmittances;
+  std::optional<LightMapDrawn> map;  ///< of one that transmits
   /// Of each light of the set, index into Snapshot::lights, as rays find its shadow; nothing of lights
   /// without one. Empty where none has one.
   std::vector<std::optional<std::uint32_t>> lights;
@@ -204,7 +218,12 @@ struct DrawList {
     return layers.found.empty() || !layers.meshes.empty() ? std::nullopt : std::optional(origin);
   }
   [[nodiscard]] bool findsShadows() const {
-    return std::ranges::any_of(groups, [](const LightGroup& group) { return !group.lights.empty(); });
+    return std::ranges::any_of(
+        groups, [](const LightGroup& group) { return !group.lights.empty() || group.transmits; });
+  }
+  [[nodiscard]] bool looksForCasters() const { return !casters.casters.empty() || findsShadows(); }
+  [[nodiscard]] bool hasLightMaps() const {
+    return std::ranges::any_of(groups, [](const LightGroup& group) { return group.map.has_value(); });
   }
   [[nodiscard]] bool findsTransmittances() const {
     return std::ranges::any_of(groups, &LightGroup::transmits);

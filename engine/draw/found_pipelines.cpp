@@ -11,6 +11,9 @@
 #include "luxo/shaders/flat_shadow_frag.h"
 #include "luxo/shaders/flat_shadow_vert.h"
 #include "luxo/shaders/flat_transmittance_frag.h"
+#include "luxo/shaders/light_depth_vert.h"
+#include "luxo/shaders/light_map_frag.h"
+#include "luxo/shaders/light_map_layer_frag.h"
 #include "luxo/shaders/ray_layers_frag.h"
 #include "luxo/shaders/ray_layers_vert.h"
 #include "luxo/shaders/ray_shadows_frag.h"
@@ -90,12 +93,29 @@ void ScenePipelines::describeShadow(const DrawState& state, gpu::GraphicsPipelin
     desc.bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}};
     desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}};
     desc.pushConstantBytes = sizeof(shared::FlatShadow);
+  } else if (state.form == Form::LightMap) {
+    desc.vertexShader = luxo_whole_target_vert;
+    desc.fragmentShader = luxo_light_map_frag;
+    desc.pushConstantBytes = sizeof(shared::LightMapDraw);
   } else {
     desc.vertexShader = luxo_shadow_vert;
     desc.fragmentShader = casterShader(state);
     desc.depthCompare = VK_COMPARE_OP_LESS;
     desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
   }
+}
+
+/// A mesh as a light sees it.
+void ScenePipelines::describeLightDepth(gpu::GraphicsPipelineDesc& desc) {
+  desc.name = "light depth";
+  desc.vertexShader = luxo_light_depth_vert;
+  desc.bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}};
+  desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}};
+  desc.samples = VK_SAMPLE_COUNT_1_BIT;
+  desc.colorFormats.clear();
+  desc.depthClamp = true;
+  desc.specialization.clear();
+  desc.pushConstantBytes = sizeof(shared::LightMapDraw);
 }
 
 /// All points of a surface that is seen through, in every pixel; or what is done with the points of all.
@@ -131,6 +151,10 @@ void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelin
     desc.specialization.clear();
     desc.pushConstantBytes = sizeof(RayTarget);
     return;
+  } else if (state.form == Form::LayerLightMap) {
+    desc.fragmentShader = luxo_light_map_layer_frag;
+    desc.specialization.clear();
+    desc.pushConstantBytes = sizeof(shared::LightMapDraw);
   } else {
     desc.vertexShader = luxo_shadow_vert;
     desc.fragmentShader = casterShader(state);

@@ -45,6 +45,10 @@ constexpr VkClearDepthStencilValue kInfinitelyFar{0.0f, 0};  // reversed
 
 void PassRecorder::record(const Pass& pass) {
   const gpu::Label label(context_, commands_, pass.name);
+  if (pass.drawsLightMap) {
+    drawLightMap(pass.group);
+    return;
+  }
   if (pass.clearsLayers) view_.layerLists().clear(commands_, pass.band.index);
   useTargets(pass);
   begin(pass);
@@ -61,6 +65,7 @@ void PassRecorder::record(const Pass& pass) {
     drawLayers(*pass.rays, pass.group);
   else if (pass.rays)
     drawRays(*pass.rays);
+  if (pass.readsLightMap) compareWithMap(target ? Form::LightMap : Form::LayerLightMap, pass.group);
   for (const DrawState& state : pass.shades) shade(state, pass.group);
   vkCmdEndRendering(commands_);
   if (pass.countsLayers) view_.layerLists().keepCount(commands_, pass.band.index);
@@ -239,6 +244,69 @@ void PassRecorder::flattenShadow(Form form, const FlatShadowDraw& draw) {
   vkCmdDrawIndexed(commands_, mesh.indexCount, 1, 0, 0, 0);
   count(1, mesh.indexCount / 3, draw.mesh->positions.size());
   ++statistics_.count.shadowPasses;
+}
+
+/// Its faces, three in a row.
+void PassRecorder::drawLightMap(std::size_t group) {
+  const LightMapDrawn& drawn = *view_.list().groups[group].map;
+  gpu::Texture& depths = view_.targets().texture(Target::LightDepth);
+  gpu::use(commands_, {{depths, gpu::Use::DepthAttachment, gpu::Contents::Discard}});
+  const VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                        .imageView = depths.view(),
+                                        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                        .clearValue = {.depthStencil = kInfinitelyFar}};
+  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                  .renderArea = {{0, 0}, depths.extent()},
+                                  .layerCount = 1,
+                                  .pDepthAttachment = &depth};
+  vkCmdBeginRendering(commands_, &rendering);
+  const gpu::GraphicsPipeline& pipeline =
+      pipelines_.get({.form = Form::LightDepth}, view_.targets().format());
+  pipeline.bind(commands_);
+  gpu::setDepthBias(commands_, {});
+  vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
+  vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  const std::uint32_t size = drawn.map.size;
+  for (std::uint32_t face = 0; face < drawn.map.faceCount; ++face) {
+    const VkOffset2D corner{static_cast<std::int32_t>(face % shared::kLightMapFacesInRow * size),
+                            static_cast<std::int32_t>(face / shared::kLightMapFacesInRow * size)};
+    gpu::setViewport(commands_, VkRect2D{corner, {size, size}});
+    for (const LightMapDrawn::Caster& caster : drawn.casters) drawIntoMap(pipeline, caster, face);
+  }
+  vkCmdEndRendering(commands_);
+  ++statistics_.count.passes;
+}
+
+void PassRecorder::drawIntoMap(const gpu::GraphicsPipeline& pipeline, const LightMapDrawn::Caster& caster,
+                               std::uint32_t face) {
+  const DeviceMesh& mesh = store_.get(caster.mesh, false);
+  const shared::LightMapDraw draw{.clipFromObject = caster.clipFromObject[face], .map = 0};
+  pipeline.push(commands_, std::as_bytes(std::span(&draw, 1)));
+  constexpr VkDeviceSize kOffset = 0;
+  const VkBuffer vertices = mesh.vertices;
+  vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &kOffset);
+  vkCmdBindIndexBuffer(commands_, mesh.indices, 0, mesh.indexType);
+  vkCmdDrawIndexed(commands_, mesh.indexCount, 1, 0, 0, 0);
+  count(1, mesh.indexCount / 3, caster.mesh->positions.size());
+  ++statistics_.count.shadowPasses;
+}
+
+/// On all points that were found, or that are seen through.
+void PassRecorder::compareWithMap(Form form, std::size_t group) {
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get({.form = form}, view_.targets().format());
+  const shared::LightMapDraw draw{.clipFromObject = Mat4f(1), .map = static_cast<std::uint32_t>(group)};
+  const std::uint32_t noLights = 0;
+  pipeline.bind(commands_);
+  pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
+  pipeline.bindSet(commands_, shared::kSetShadow, bindings_.shadow);
+  if (form == Form::LightMap)
+    pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  else
+    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+  pipeline.push(commands_, std::as_bytes(std::span(&draw, 1)));
+  drawWhole(0);
 }
 
 void PassRecorder::drawWhole(std::uint32_t instance) {

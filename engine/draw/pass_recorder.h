@@ -42,6 +42,10 @@ class PassRecorder {
   void drawLayers(const RayPoints& points, std::size_t group);
   void drawTriangles(const DrawState& state, VkBuffer vertices, std::uint32_t first,
                      std::uint32_t vertexCount, std::uint32_t instance = 0);
+  void drawLightMap(std::size_t group);
+  void drawIntoMap(const gpu::GraphicsPipeline& pipeline, const LightMapDrawn::Caster& caster,
+                   std::uint32_t face);
+  void compareWithMap(Form form, std::size_t group);
   void drawWhole(std::uint32_t instance);
   void clearMisses(std::span<const PixelPlace> misses);
   void count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);

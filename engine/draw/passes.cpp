@@ -24,6 +24,10 @@ Opaque opaqueOf(const DrawList& list) {
   return {{list.opaque.begin(), firstOther}, {firstOther, list.opaque.end()}};
 }
 
+Pass lightDepths(std::size_t group) {
+  return {.name = "light depths", .depth = Begin::Clear, .group = group, .drawsLightMap = true};
+}
+
 /// Points are found, by searches and triangles or by rays, and then lit, by one group of lights after the
 /// other.
 std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
@@ -50,8 +54,9 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
     for (Attachment& target : targets) target.begin = Begin::Keep;
     passes.push_back({.name = "found meshes", .colors = targets, .batches = meshes});
   }
-  // The shadows of many groups share one target, which holds those of the last.
-  const bool shadowsStay = replaces && list.groups.size() == 1;
+  // The shadows of many groups share one target, which holds those of the last; and points of rays are
+  // compared with a map, too.
+  const bool shadowsStay = replaces && list.groups.size() == 1 && !list.hasLightMaps();
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
     const LightGroup& group = list.groups[i];
     Pass shades{.name = "shade",
@@ -59,7 +64,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                 .reads = reads,
                 .group = i,
                 .shades = group.shades};
-    if (!group.lights.empty()) {
+    if (!group.lights.empty() || group.transmits) {
       passes.push_back({.name = "shadows",
                         .colors = {{Target::Shadows, shadowsStay ? Begin::Keep : Begin::Clear}},
                         .reads = {Target::Found},
@@ -71,6 +76,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                         .probes = frame.probes});
       shades.reads.push_back(Target::Shadows);
     }
+    if (group.map) passes.push_back(lightDepths(i));
     if (group.transmits) {
       passes.push_back(
           {.name = "transmittance",
@@ -80,8 +86,10 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
            .group = i,
            .casters = shadowsStay ? std::span<const CasterDraw>() : group.transmittances,
            .flatShadows = shadowsStay ? std::span<const FlatShadowDraw>() : group.flatTransmittances,
+           .readsLightMap = group.map.has_value(),
            .rays = frame.rays,
            .probes = frame.probes});
+      if (group.map) passes.back().reads.push_back(Target::LightDepth);
       shades.reads.push_back(Target::Transmittance);
     }
     passes.push_back(std::move(shades));
@@ -118,6 +126,11 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
         add("layer shadows", {.searches = true, .group = i, .casters = casters.subspan(k, 1)});
     // That of the first group comes with the points that rays have found.
     if (frame.rays && i > 0) add("light on layers of rays", {.group = i, .rays = frame.rays});
+    if (group.map && !group.layerShades.empty()) {
+      passes.push_back(lightDepths(i));
+      add("light map on layers", {.group = i, .readsLightMap = true});
+      passes.back().reads.push_back(Target::LightDepth);
+    }
     for (std::size_t k = 0; k < group.layerShades.size(); ++k)
       add("shade layers", {.group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
   }
@@ -135,8 +148,9 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
   // Shadows and layers of rays replace those of meshes, too.
   const bool onlyLater = frame.rays && list.deferred && frame.rays->vertices.empty() &&
                          frame.rays->misses.empty() && opaque.meshes.empty() && list.transparent.empty();
-  const bool replaces = frame.rays && (list.onlyFound() || onlyLater) &&
-                        (!list.layers.any() || (list.deferred && frame.layerBands == 1));
+  const bool replaces =
+      frame.rays && (list.onlyFound() || onlyLater) &&
+      (!list.layers.any() || (list.deferred && frame.layerBands == 1 && !list.hasLightMaps()));
   const Begin begin = frame.completes || replaces ? Begin::Keep : Begin::Clear;
   if (list.deferred)
     passes = deferredPasses(list, frame, opaque.found, begin, replaces);

@@ -37,6 +37,7 @@ struct Pass {
   std::size_t group = 0;                     ///< of DrawList::groups, where shadows or light are of one
   std::span<const CasterDraw> casters;       ///< shadows, on what was found; or layers
   std::span<const FlatShadowDraw> flatShadows;
+  bool drawsLightMap = false, readsLightMap = false;  ///< of the group
   LayerBand band;
   bool clearsLayers = false, countsLayers = false;  ///< before it, and after it
   const RayPoints* rays = nullptr;                  ///< drawn after these; after shadows or layers, theirs

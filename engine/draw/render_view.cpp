@@ -45,6 +45,19 @@ std::size_t lightStride(const gpu::Context& context) {
   return (sizeof(shared::LightSet) + alignment - 1) / alignment * alignment;
 }
 
+/// Of the largest.
+VkExtent2D extentOfLightMaps(const DrawList& list) {
+  VkExtent2D extent{};
+  for (const LightGroup& group : list.groups) {
+    if (!group.map) continue;
+    const std::uint32_t size = group.map->map.size, faces = group.map->map.faceCount,
+                        row = std::min(faces, shared::kLightMapFacesInRow);
+    extent.width = std::max(extent.width, row * size);
+    extent.height = std::max(extent.height, faces / row * size);
+  }
+  return extent;
+}
+
 }  // namespace
 
 RenderView::RenderView(gpu::Context& context, Precision precision)
@@ -88,7 +101,8 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples),
                    {.deferred = list_.deferred,
                     .shadows = list_.findsShadows(),
-                    .transmittance = list_.findsTransmittances()});
+                    .transmittance = list_.findsTransmittances(),
+                    .lightDepth = extentOfLightMaps(list_)});
   if (list_.layers.any()) layerLists_.prepare(extent);
   feedback_.begin(list_, extent, chooseProbes());
   upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
@@ -152,7 +166,7 @@ void RenderView::upload(Uploads& uploads, bool always) {
 
 void RenderView::uploadCasters(Uploads& uploads, bool always) {
   const Casters& casters = list_.casters;
-  if (casters.casters.empty() && !list_.findsShadows()) return;
+  if (!list_.looksForCasters()) return;
   const auto store = [&](MirroredBuffer& buffer, const auto& elements, const char* name) {
     writeElements(*context_, buffer, elements, name, always);
   };
@@ -161,6 +175,11 @@ void RenderView::uploadCasters(Uploads& uploads, bool always) {
   store(uploads.gridEntries, casters.gridEntries, "entries of grids");
   store(uploads.casterCells, casters.cells, "cells of casters");
   store(uploads.casterParameters, casters.parameters, "parameters of casters");
+  // By group.
+  std::vector<shared::LightMap> maps;
+  for (const LightGroup& group : list_.groups)
+    maps.push_back(group.map ? group.map->map : shared::LightMap{});
+  store(uploads.lightMaps, maps, "light maps");
 }
 
 RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines) {
@@ -197,13 +216,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  {shadows, pipelines.texelSampler()},
                                                  {transmittance, pipelines.texelSampler()}});
   }
-  const gpu::Buffer& patterns = list_.patternParameters.empty() ? uploads.casterParameters.use(*context_)
-                                                                : uploads.patternParameters.use(*context_);
-  if (!list_.casters.casters.empty() || list_.findsShadows())
-    bindings.shadow = frames.descriptors().write(
-        pipelines.shadowLayout(), {uploads.casters.use(*context_), uploads.gridStarts.use(*context_),
-                                   uploads.gridEntries.use(*context_), uploads.casterCells.use(*context_),
-                                   uploads.casterParameters.use(*context_), feedback_.doubtful(), patterns});
+  if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, uploads);
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);
@@ -212,6 +225,21 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     bindings.rayLayers = rayLayers_.use(*context_);
   }
   return bindings;
+}
+
+VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {
+  const gpu::Buffer& patterns = list_.patternParameters.empty() ? uploads.casterParameters.use(*context_)
+                                                                : uploads.patternParameters.use(*context_);
+  gpu::Texture& depths = targets_.texture(list_.hasLightMaps() ? Target::LightDepth : Target::Depth);
+  return frames.descriptors().write(pipelines.shadowLayout(), {uploads.casters.use(*context_),
+                                                               uploads.gridStarts.use(*context_),
+                                                               uploads.gridEntries.use(*context_),
+                                                               uploads.casterCells.use(*context_),
+                                                               uploads.casterParameters.use(*context_),
+                                                               feedback_.doubtful(),
+                                                               patterns,
+                                                               uploads.lightMaps.use(*context_),
+                                                               {depths, pipelines.texelSampler()}});
 }
 
 VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {

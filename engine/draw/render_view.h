@@ -88,11 +88,14 @@ class RenderView {
   /// A draw list on the device.
   struct Uploads {
     MirroredBuffer view, instances, materials, lights, patternParameters, exactInstances, exactPatches,
-        exactParameters, shellIndices, casters, gridStarts, gridEntries, casterCells, casterParameters;
+        exactParameters, shellIndices, casters, gridStarts, gridEntries, casterCells, casterParameters,
+        lightMaps;
   };
 
   void upload(Uploads& uploads, bool always);
   void uploadCasters(Uploads& uploads, bool always);
+  [[nodiscard]] VkDescriptorSet bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,
+                                            Uploads& uploads);
   [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines,
                                            Uploads& uploads);
   [[nodiscard]] std::vector<PixelPlace> chooseProbes() const;

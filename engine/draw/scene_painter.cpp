@@ -123,6 +123,11 @@ void ScenePainter::preparePipelines(RenderView& view) {
          {&group.shadows, &group.layerShadows, &group.transmittances, &group.layerTransmittances})
       for (const CasterDraw& draw : *draws) states.push_back(draw.state);
     if (!group.flatShadows.empty()) states.push_back({.form = Form::FlatShadow});
+    if (group.map) {
+      states.push_back({.form = Form::LightDepth});
+      if (!group.shades.empty()) states.push_back({.form = Form::LightMap});
+      if (!group.layerShades.empty()) states.push_back({.form = Form::LayerLightMap});
+    }
     if (!group.flatTransmittances.empty()) states.push_back({.form = Form::FlatTransmittance});
   }
   for (const CasterDraw& draw : layers.searches) states.push_back(draw.state);

@@ -274,10 +274,13 @@ const gpu::DescriptorLayout& ScenePipelines::foundLayout() {
 }
 
 const gpu::DescriptorLayout& ScenePipelines::shadowLayout() {
-  if (shadowLayout_.bindings().empty())
-    shadowLayout_ = gpu::DescriptorLayout(
-        *context_, std::vector<gpu::DescriptorBinding>(shared::kShadowBindings,
-                                                       {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}));
+  if (shadowLayout_.bindings().empty()) {
+    std::vector<gpu::DescriptorBinding> bindings(shared::kShadowBindings,
+                                                 {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
+    bindings[shared::kBindingLightDepths] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                             VK_SHADER_STAGE_FRAGMENT_BIT};
+    shadowLayout_ = gpu::DescriptorLayout(*context_, bindings);
+  }
   return shadowLayout_;
 }
 
@@ -433,21 +436,26 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
   const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerShadow ||
                         state.form == Form::LayerTransmittance || state.form == Form::LayersByRays ||
-                        state.form == Form::ShadeLayers || state.form == Form::BlendLayers;
+                        state.form == Form::ShadeLayers || state.form == Form::BlendLayers ||
+                        state.form == Form::LayerLightMap;
   if (ofLayers) {
     static_assert(shared::kSetLayers == 3);
-    desc.setLayouts = {sceneLayout_, state.surface ? shadowLayout() : patternLayout(), foundLayout(),
-                       layersLayout()};
+    desc.setLayouts = {sceneLayout_,
+                       state.surface || state.form == Form::LayerLightMap ? shadowLayout() : patternLayout(),
+                       foundLayout(), layersLayout()};
     desc.depthFormat = VK_FORMAT_UNDEFINED;
     if (state.form != Form::BlendLayers) desc.colorFormats.clear();
   }
   if (ofLayers && (state.form != Form::Layer || state.surface)) {
     describeLayers(state, desc);
+  } else if (state.form == Form::LightDepth) {
+    describeLightDepth(desc);
   } else if (state.form == Form::Shade) {
     describeShade(state, desc);
   } else if (state.form == Form::Shadow || state.form == Form::Transmittance ||
              state.form == Form::ShadowsByRays || state.form == Form::TransmittanceByRays ||
-             state.form == Form::FlatShadow || state.form == Form::FlatTransmittance) {
+             state.form == Form::FlatShadow || state.form == Form::FlatTransmittance ||
+             state.form == Form::LightMap) {
     describeShadow(state, desc);
   } else if (state.surface) {
     describeExact(state, format, desc);

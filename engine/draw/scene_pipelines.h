@@ -81,6 +81,7 @@ class ScenePipelines {
   [[nodiscard]] std::span<const std::uint32_t> casterShader(const DrawState& state) const;
   void describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describeShadow(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+  void describeLightDepth(gpu::GraphicsPipelineDesc& desc);
   void describeLayers(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;

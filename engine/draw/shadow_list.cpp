@@ -10,6 +10,7 @@
 #include "draw/caster_list.h"
 #include "draw/exact_data.h"
 #include "math/transform.h"
+#include "scene/light_view.h"
 #include "surface/spread.h"
 
 namespace luxo {
@@ -62,18 +63,82 @@ class ShadowLister {
                         box.max.y,          box.max.z,         material.opacity, material.diffuse.x,
                         material.diffuse.y, material.diffuse.z};
     });
+    const SnapshotLight& from = snapshot_.lights[light];
+    if (from.map) mapOf(from, casters);
     for (const SnapshotNode* caster : casters) {
-      const SnapshotNode& node = *caster;
-      if (snapshot_.lights[light].plane)
-        flatten(bit, snapshot_.lights[light], node);
-      else
-        list(bit, snapshot_.lights[light], node);
+      if (from.plane)
+        flatten(bit, from, *caster);
+      else if (!from.map || materialOf(*caster).transparent())
+        list(bit, from, *caster);
     }
   }
 
  private:
   [[nodiscard]] const Material& materialOf(const SnapshotNode& node) const {
     return snapshot_.materials[node.material.index];
+  }
+
+  /// What the light sees of its opaque casters.
+  void mapOf(const SnapshotLight& light, std::span<const SnapshotNode* const> nodes) {
+    LightMapDrawn drawn{.map = settingsOf(light), .casters = {}};
+    Box box;
+    for (const SnapshotNode* node : nodes)
+      if (!materialOf(*node).transparent()) box.add(finiteBoundsOf(*node));
+    if (box.empty() || !isFinite(box) || receivers_.empty()) return;
+    const int size = static_cast<int>(drawn.map.size);
+    const std::vector<View> views = lightViews(light, box, isFinite(receivers_) ? receivers_ : box, size);
+    drawn.map.faceCount = static_cast<std::uint32_t>(views.size());
+    drawn.map.texel = static_cast<float>(1 / views[0].pixelsPerUnit);
+    drawn.map.depthOfBuffer =
+        views[0].perspective() ? Vec2f(views[0].near, 0) : Vec2f(views[0].far, views[0].near - views[0].far);
+    for (std::size_t i = 0; i < views.size(); ++i)
+      drawn.map.faces[i] = {.right = Vec3f(views[i].right()),
+                            .down = Vec3f(-views[i].up()),
+                            .forward = Vec3f(views[i].forward()),
+                            .origin = Vec3f(views[i].eye - list_.origin)};
+    for (const SnapshotNode* node : nodes)
+      if (!materialOf(*node).transparent()) addToMap(*node, views, light, drawn);
+    group_->map = std::move(drawn);
+  }
+
+  [[nodiscard]] static Box finiteBoundsOf(const SnapshotNode& node) {
+    return isFinite(node.boundsWorld)
+               ? node.boundsWorld
+               : transformBounds(node.worldFromObject, node.surface.framing(node.parameters));
+  }
+
+  [[nodiscard]] shared::LightMap settingsOf(const SnapshotLight& light) const {
+    const ShadowMapThen& map = *light.map;
+    const Vec4& at = light.positionWorld;
+    return {.light = Vec4f(Vec4(Vec3(at) - at.w * list_.origin, at.w)),
+            .size = map.size,
+            .bias = static_cast<float>(map.bias),
+            .slopeBias = static_cast<float>(map.slopeBias),
+            .normalOffset = static_cast<float>(map.normalOffset),
+            .pcf = map.pcf,
+            .receiverPlane = map.receiverPlane,
+            .radius = static_cast<float>(map.radius)};
+  }
+
+  /// Its mesh is as near to it as half a texel.
+  void addToMap(const SnapshotNode& node, std::span<const View> views, const SnapshotLight& light,
+                LightMapDrawn& drawn) const {
+    const Box box = finiteBoundsOf(node);
+    const Vec3 at(light.positionWorld);
+    const double distance = light.directional() ? 1 : std::max(distanceTo(box, at), views[0].near);
+    const double size = glm::length(box.extent()),
+                 tolerance = std::clamp(0.5 * distance / views[0].pixelsPerUnit, 1e-4 * size, 1e-2 * size);
+    const auto mesh = geometry_.meshes.get(
+        node.surface, node.parameters,
+        {.uniform = node.segments, .tolerance = tolerance / largestStretch(node.worldFromObject.linear)});
+    if (mesh->indices.empty()) return;
+    LightMapDrawn::Caster& caster = drawn.casters.emplace_back(LightMapDrawn::Caster{mesh, {}});
+    for (const View& view : views) {
+      const Transform placed = eyeFromObject(view, node.worldFromObject);
+      Mat4 eyeFromMesh(placed.linear);
+      eyeFromMesh[3] = Vec4(transformPoint(placed, mesh->origin), 1);
+      caster.clipFromObject.push_back(Mat4f(view.clipFromEye * eyeFromMesh));
+    }
   }
 
   /// The caster's mesh becomes the shadow on the light's plane, by the projection from the light: with the
@@ -237,11 +302,24 @@ class ShadowLister {
 
 }  // namespace
 
-bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
+namespace {
+
+bool hasTransparentCaster(const Snapshot& snapshot, const SnapshotLight& light) {
   return std::ranges::any_of(light.casters, [&](NodeId caster) {
     const SnapshotNode* node = nodeOf(snapshot, caster);
     return node && snapshot.materials[node->material.index].transparent();
   });
+}
+
+/// Whether rays tell of its shadow.
+bool isFound(const Snapshot& snapshot, const SnapshotLight& light) {
+  return !light.casters.empty() && (!light.map || hasTransparentCaster(snapshot, light));
+}
+
+}  // namespace
+
+bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
+  return light.map || hasTransparentCaster(snapshot, light);
 }
 
 bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
@@ -259,8 +337,12 @@ void listShadows(const Snapshot& snapshot, const VisibleList& visible, const Dra
     const std::vector<std::uint32_t>& lights = materials.lightsOf(i);
     const auto casts = [&](std::uint32_t light) { return !snapshot.lights[light].casters.empty(); };
     if (std::ranges::none_of(lights, casts)) continue;
+    const bool finds = std::ranges::any_of(
+        lights, [&](std::uint32_t light) { return isFound(snapshot, snapshot.lights[light]); });
     for (std::uint32_t bit = 0; bit < lights.size(); ++bit) {
-      group.lights.push_back(casts(lights[bit]) ? std::optional(lights[bit]) : std::nullopt);
+      if (finds)
+        group.lights.push_back(isFound(snapshot, snapshot.lights[lights[bit]]) ? std::optional(lights[bit])
+                                                                               : std::nullopt);
       if (casts(lights[bit])) lister.list(group, bit, lights[bit]);
     }
     group.transmits = std::ranges::any_of(

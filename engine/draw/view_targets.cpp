@@ -43,6 +43,14 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
     shadows_ = gpu::Texture();
     transmittance_ = gpu::Texture();
   }
+  if (const VkExtent2D wanted = needs.lightDepth;
+      wanted.width > 0 && !(lightDepth_ && lightDepth_.extent().width >= wanted.width &&
+                            lightDepth_.extent().height >= wanted.height))
+    lightDepth_ = gpu::Texture(
+        *context_, {.extent = wanted,
+                    .format = format_.depth,
+                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                    .name = "light depths"});
   if (needs.transmittance && !fits(transmittance_, extent, VK_SAMPLE_COUNT_1_BIT))
     transmittance_ =
         make(kTransmittanceFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "transmittance");
@@ -66,6 +74,8 @@ gpu::Texture& ViewTargets::texture(Target target) {
       return shadows_;
     case Target::Transmittance:
       return transmittance_;
+    case Target::LightDepth:
+      return lightDepth_;
     case Target::Color:
       break;
   }

@@ -16,8 +16,8 @@ enum class Precision { Full, Half };
 
 /// Found: of deferred shading, the points that rays see (shaders/lib/found_texel.glsl), and, where a pattern
 /// asks for them, their parameters; Shadows: the lights, a bit each, that do not reach them; Transmittance:
-/// how much of one light its casters let through.
-enum class Target { Color, Depth, Found, FoundParameters, Shadows, Transmittance };
+/// how much of one light its casters let through; LightDepth: a light's depth map.
+enum class Target { Color, Depth, Found, FoundParameters, Shadows, Transmittance, LightDepth };
 
 /// What a pipeline has to know of the targets that it draws to.
 struct TargetFormat {
@@ -41,6 +41,7 @@ class ViewTargets {
   struct Needs {
     bool deferred = false;  ///< Found, FoundParameters
     bool shadows = false, transmittance = false;
+    VkExtent2D lightDepth = {};  ///< none: there is no map
   };
   void prepare(VkExtent2D extent, VkSampleCountFlagBits samples, const Needs& needs);
 
@@ -60,7 +61,7 @@ class ViewTargets {
  private:
   gpu::Context* context_;
   TargetFormat format_;
-  gpu::Texture color_, resolved_, depth_, found_, foundParameters_, shadows_, transmittance_;
+  gpu::Texture color_, resolved_, depth_, found_, foundParameters_, shadows_, transmittance_, lightDepth_;
 };
 
 }  // namespace luxo

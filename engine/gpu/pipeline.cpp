@@ -253,16 +253,19 @@ void setDepthBias(VkCommandBuffer commands, DepthBias bias) {
 }
 
 void setViewport(VkCommandBuffer commands, VkExtent2D extent, float guard) {
-  const auto width = static_cast<float>(extent.width);
-  const auto height = static_cast<float>(extent.height);
-  const VkViewport viewport{.x = 0.5f * (1 - guard) * width,
-                            .y = 0.5f * (1 + guard) * height,
+  setViewport(commands, VkRect2D{.extent = extent}, guard);
+}
+
+void setViewport(VkCommandBuffer commands, const VkRect2D& part, float guard) {
+  const auto width = static_cast<float>(part.extent.width);
+  const auto height = static_cast<float>(part.extent.height);
+  const VkViewport viewport{.x = static_cast<float>(part.offset.x) + 0.5f * (1 - guard) * width,
+                            .y = static_cast<float>(part.offset.y) + 0.5f * (1 + guard) * height,
                             .width = guard * width,
                             .height = -guard * height,
                             .maxDepth = 1};
-  const VkRect2D scissor{.extent = extent};
   vkCmdSetViewport(commands, 0, 1, &viewport);
-  vkCmdSetScissor(commands, 0, 1, &scissor);
+  vkCmdSetScissor(commands, 0, 1, &part);
 }
 
 }  // namespace luxo::gpu

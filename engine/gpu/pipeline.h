@@ -106,5 +106,7 @@ void setDepthBias(VkCommandBuffer commands, DepthBias bias);
 /// g the picture is the middle g-th of clip space, and triangles are cut at the edges of a viewport g times
 /// as large, which must be within limits().maxViewportDimensions.
 void setViewport(VkCommandBuffer commands, VkExtent2D extent, float guard = 1);
+/// The same of a part of the target.
+void setViewport(VkCommandBuffer commands, const VkRect2D& part, float guard = 1);
 
 }  // namespace luxo::gpu

@@ -31,4 +31,12 @@ Box transformBounds(const Transform& t, const Box& box) {
   return result;
 }
 
+std::array<Vec3, 8> cornersOf(const Box& box) {
+  std::array<Vec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+    corners[static_cast<std::size_t>(i)] = {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y,
+                                            (i & 4 ? box.max : box.min).z};
+  return corners;
+}
+
 }  // namespace luxo

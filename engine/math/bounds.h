@@ -2,6 +2,7 @@
 // Bounding boxes and spheres in double; every operation is conservative: what was inside stays inside.
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "math/transform.h"
@@ -37,6 +38,8 @@ struct Sphere {
 
 /// Smallest sphere around the box, rounded outward; of infinite radius around an infinite box.
 [[nodiscard]] Sphere sphereAround(const Box& box);
+
+[[nodiscard]] std::array<Vec3, 8> cornersOf(const Box& box);
 
 /// Box around the transformed box (Arvo 1990), rounded outward.
 [[nodiscard]] Box transformBounds(const Transform& t, const Box& box);

@@ -191,7 +191,8 @@ Vec3 Caster::reaching(const SnapshotLight& light, const Hit& hit, bool& certifie
   }
   Vec3 left(1);
   for (const NodeId caster : light.casters)
-    if (const std::optional<std::uint32_t> node = nodeOf(caster); node && left != Vec3(0))
+    if (const std::optional<std::uint32_t> node = nodeOf(caster);
+        node && left != Vec3(0) && (!light.map || bodies_[*node].transparent))
       left *= through(*node, light, hit, certified);
   return left;
 }

@@ -34,6 +34,26 @@ Vec3 radianceAt(const Light& light, const Moment& moment, const std::function<st
   return radiance;
 }
 
+ShadowMapThen shadowMapAt(const Light& light, const Moment& moment,
+                          const std::function<std::string()>& nodeName) {
+  const auto value = [&](const char* name, const Animated<double>& animated) {
+    const double number = animated.at(moment);
+    if (!Interval{0, kMaxSceneNumber}.contains(number))
+      throw Error(ErrorKind::Scene,
+                  fmt::format("light of node {}: its map's {} is {}; it must be from 0 to 1e18", nodeName(),
+                              name, number));
+    return number;
+  };
+  const ShadowMap& map = light.map;
+  return {.size = map.size,
+          .bias = value("bias", map.bias),
+          .slopeBias = value("slope_bias", map.slopeBias),
+          .normalOffset = value("normal_offset", map.normalOffset),
+          .pcf = map.pcf,
+          .receiverPlane = map.receiverPlane,
+          .radius = radiusAt(light, moment, nodeName)};
+}
+
 double radiusAt(const Light& light, const Moment& moment, const std::function<std::string()>& nodeName) {
   const double radius = light.radius.at(moment);
   const bool angle = light.type == Light::Type::Directional;

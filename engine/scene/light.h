@@ -14,6 +14,24 @@
 
 namespace luxo {
 
+inline constexpr std::uint32_t kMaxShadowMapSize = 8192, kMaxPcf = 15;
+
+/// A depth map seen from a light, and what keeps a surface from shading itself by mistake: each distance is
+/// as much nearer to the light as the point is taken to be.
+struct ShadowMap {
+  std::uint32_t size = 2048;         ///< texels along a side, up to kMaxShadowMapSize
+  Animated<double> bias = 0.0;       ///< metres
+  Animated<double> slopeBias = 0.0;  ///< times what a texel is wide there, times the tangent of N and L
+  /// The point moves along its normal by so many texels' width, times the sine of N and L.
+  Animated<double> normalOffset = 0.0;
+  std::uint32_t pcf = 1;       ///< the mean of so many texels in a square's side; odd, up to kMaxPcf
+  bool receiverPlane = false;  ///< each texel is compared with the plane of the surface there
+
+  [[nodiscard]] bool movesWithTime() const {
+    return bias.movesWithTime() || slopeBias.movesWithTime() || normalOffset.movesWithTime();
+  }
+};
+
 struct Light {
   enum class Type { Point, Directional };
   enum class Attenuation {
@@ -22,9 +40,9 @@ struct Light {
   };
   enum class Shadow {
     None,
-    Exact,   ///< right in every pixel; hard, or, of a light with a radius, of as many hard ones as are asked
-             ///< for
-    Map,     ///< not supported yet
+    Exact,  ///< right in every pixel; hard, or, of a light with a radius, of as many hard ones as are asked
+            ///< for
+    Map,    ///< of a depth map, with its errors: for teaching; soft, by an estimate, of a light with a radius
     Planar,  ///< on one plane alone, of flattened meshes: for teaching
   };
 
@@ -38,11 +56,13 @@ struct Light {
   /// disc.
   Animated<double> radius = 0.0;
   std::uint32_t shadowSamples = 16;  ///< points of what has a radius, from 1 to kMaxShadowSamples
+  ShadowMap map = {};
   NodeId shadowPlane = {};           ///< what a planar shadow falls on: a flat node
   std::vector<NodeId> casters = {};  ///< who casts the shadow; empty = everything
 
   [[nodiscard]] bool movesWithTime() const {
-    return color.movesWithTime() || intensity.movesWithTime() || radius.movesWithTime();
+    return color.movesWithTime() || intensity.movesWithTime() || radius.movesWithTime() ||
+           map.movesWithTime();
   }
 };
 
@@ -54,6 +74,20 @@ inline constexpr std::uint32_t kMaxShadowSamples = 1024;
 [[nodiscard]] Vec3 radianceAt(const Light& light, const Moment& moment,
                               const std::function<std::string()>& nodeName,
                               std::uint32_t* cutNumbers = nullptr);
+
+/// A ShadowMap's numbers then.
+struct ShadowMapThen {
+  std::uint32_t size = 2048;
+  double bias = 0, slopeBias = 0, normalOffset = 0;
+  std::uint32_t pcf = 1;
+  bool receiverPlane = false;
+  double radius = 0;  ///< of the light
+
+  friend bool operator==(const ShadowMapThen&, const ShadowMapThen&) = default;
+};
+/// Throws Error(Scene) naming the node and the value: biases must be from 0 to kMaxSceneNumber.
+[[nodiscard]] ShadowMapThen shadowMapAt(const Light& light, const Moment& moment,
+                                        const std::function<std::string()>& nodeName);
 
 /// The radius then. Throws Error(Scene) naming the node and the value: it must be from 0 to kMaxSceneNumber
 /// metres, or, of a directional light, to a quarter turn.

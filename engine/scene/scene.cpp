@@ -40,6 +40,14 @@ void validate(const Node& node, const ShownName& shown) {
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: {} shadow samples; they must be from 1 to {}", shown(),
                             node.light->shadowSamples, kMaxShadowSamples));
+  if (node.light && (node.light->map.size < 1 || node.light->map.size > kMaxShadowMapSize))
+    throw Error(ErrorKind::Scene,
+                fmt::format("light of node {}: its map's size is {}; it must be from 1 to {}", shown(),
+                            node.light->map.size, kMaxShadowMapSize));
+  if (node.light && (node.light->map.pcf % 2 == 0 || node.light->map.pcf > kMaxPcf))
+    throw Error(ErrorKind::Scene,
+                fmt::format("light of node {}: its map's pcf is {}; it must be odd, up to {}", shown(),
+                            node.light->map.pcf, kMaxPcf));
 }
 
 void validate(const RenderSettings& s) {

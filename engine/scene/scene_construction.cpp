@@ -93,6 +93,7 @@ class SceneConstruction {
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
   Light light(const LightDesc& desc);
+  ShadowMap shadowMap(const ShadowMapDesc& desc);
   void setCasters();
   void addCamera(const CameraDesc& desc);
   void setRender(const RenderDesc& desc);
@@ -234,7 +235,22 @@ Light SceneConstruction::light(const LightDesc& desc) {
           .attenuation = desc.attenuation,
           .shadow = desc.shadow,
           .radius = formulas_.number(desc.radius, radius),
-          .shadowSamples = static_cast<std::uint32_t>(samples.value_or(1))};
+          .shadowSamples = static_cast<std::uint32_t>(samples.value_or(1)),
+          .map = shadowMap(desc.map)};
+}
+
+ShadowMap SceneConstruction::shadowMap(const ShadowMapDesc& desc) {
+  const Allowed allowed{{0, kMaxSceneNumber}, "from 0 to 1e18"};
+  const std::optional<int> size = count(desc.size, kMaxShadowMapSize), pcf = count(desc.pcf, kMaxPcf);
+  if (pcf && *pcf % 2 == 0)
+    problems_.add(desc.pcf.place(), fmt::format("this is {}; it must be odd", *pcf),
+                  "a square of texels around the one that a point is in");
+  return {.size = static_cast<std::uint32_t>(size.value_or(1)),
+          .bias = formulas_.number(desc.bias, allowed),
+          .slopeBias = formulas_.number(desc.slopeBias, allowed),
+          .normalOffset = formulas_.number(desc.normalOffset, allowed),
+          .pcf = static_cast<std::uint32_t>(pcf.value_or(1)),
+          .receiverPlane = desc.receiverPlane};
 }
 
 // Casters and planes may come later in the file than the light; a scene wants them first.

@@ -185,6 +185,13 @@ struct RotationDesc {
   friend bool operator==(const RotationDesc&, const RotationDesc&) = default;
 };
 
+struct ShadowMapDesc {
+  Quantity size = 2048, bias = 0, slopeBias = 0, normalOffset = 0, pcf = 1;
+  bool receiverPlane = false;
+
+  friend bool operator==(const ShadowMapDesc&, const ShadowMapDesc&) = default;
+};
+
 struct LightDesc {
   Light::Type type = Light::Type::Point;
   Quantity3 color = repeated(1);
@@ -192,6 +199,7 @@ struct LightDesc {
   Light::Attenuation attenuation = Light::Attenuation::None;
   Light::Shadow shadow = Light::Shadow::None;
   Quantity radius = 0, shadowSamples = 16;
+  ShadowMapDesc map = {};
   FileName shadowPlane = {};
   std::vector<FileName> casters = {};  ///< empty: all
 

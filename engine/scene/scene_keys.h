@@ -43,9 +43,11 @@ inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
 inline constexpr std::array<Names, 9> kNodeNames = {"name",    "translate", "rotate", "scale",   "visible",
                                                     "surface", "material",  "light",  "children"};
 inline constexpr std::array<Names, 2> kRotationNames = {"axis", "angle"};
-inline constexpr std::array<Names, 9> kLightNames = {"type",           "color",        "intensity",
-                                                     "attenuation",    "shadow",       "radius",
-                                                     "shadow_samples", "shadow_plane", "casters"};
+inline constexpr std::array<Names, 10> kLightNames = {
+    "type",   "color",          "intensity", "attenuation",  "shadow",
+    "radius", "shadow_samples", "map",       "shadow_plane", "casters"};
+inline constexpr std::array<Names, 6> kMapNames = {"size",          "bias", "slope_bias",
+                                                   "normal_offset", "pcf",  "receiver_plane"};
 inline constexpr std::array<Names, 7> kCameraNames = {"eye",  "look_at", "up",    "fov_y",
                                                       "near", "type",    "height"};
 
@@ -60,11 +62,12 @@ inline constexpr SceneKeys kBezier{"a Bezier surface", "surface_bezier", kBezier
 inline constexpr SceneKeys kNode{"a node", "node", kNodeNames};
 inline constexpr SceneKeys kRotation{"a rotation", "rotation", kRotationNames, 2};
 inline constexpr SceneKeys kLight{"a light", "light", kLightNames};
+inline constexpr SceneKeys kMap{"a shadow map", "map", kMapNames};
 inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
 /// All of them, but for named surfaces.
-inline constexpr std::array kAll = {kRoot, kRender, kParameter, kMaterial, kFormula, kRevolve,
-                                    kTube, kBezier, kNode,      kRotation, kLight,   kCamera};
+inline constexpr std::array kAll = {kRoot,   kRender, kParameter, kMaterial, kFormula, kRevolve, kTube,
+                                    kBezier, kNode,   kRotation,  kLight,    kMap,     kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};

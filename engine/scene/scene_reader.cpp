@@ -57,6 +57,7 @@ class SceneReader {
   void readColor(const JsonValue& value, Quantity3& target);
   void readVisible(const JsonValue& visible, Quantity& target);
   void readLight(const JsonValue& value, LightDesc& light);
+  void readMap(const JsonValue& value, ShadowMapDesc& map);
   void readCasters(const JsonValue& value, std::vector<FileName>& casters);
   CameraDesc readCamera(const JsonValue& value, const FileName& name);
   /// Calls read(member, name) for every member of an object of named things.
@@ -308,11 +309,23 @@ void SceneReader::readLight(const JsonValue& value, LightDesc& light) {
   values_.readWord(members["shadow"], keys::kShadows, light.shadow);
   values_.read(members["radius"], light.radius);
   values_.read(members["shadow_samples"], light.shadowSamples);
+  readMap(members["map"], light.map);
   values_.read(members["shadow_plane"], light.shadowPlane);
   if (light.shadow == Light::Shadow::Planar && light.shadowPlane.empty())
     problems_.add(members["shadow"].where(), "a planar shadow needs a plane to fall on",
                   "write \"shadow_plane\": and the name of a flat node");
   readCasters(members["casters"], light.casters);
+}
+
+void SceneReader::readMap(const JsonValue& value, ShadowMapDesc& map) {
+  if (!value.exists()) return;
+  const SceneMembers members(value, keys::kMap, problems_);
+  values_.read(members["size"], map.size);
+  values_.read(members["bias"], map.bias);
+  values_.read(members["slope_bias"], map.slopeBias);
+  values_.read(members["normal_offset"], map.normalOffset);
+  values_.read(members["pcf"], map.pcf);
+  values_.read(members["receiver_plane"], map.receiverPlane);
 }
 
 void SceneReader::readCasters(const JsonValue& value, std::vector<FileName>& casters) {

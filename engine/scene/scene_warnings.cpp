@@ -75,6 +75,8 @@ void visitNode(const NodeDesc& node, const Visit& visit) {
   if (!node.light) return;
   visitAll(node.light->color, visit);
   visitAll({{node.light->intensity, node.light->radius, node.light->shadowSamples}}, visit);
+  const ShadowMapDesc& map = node.light->map;
+  visitAll({{map.size, map.bias, map.slopeBias, map.normalOffset, map.pcf}}, visit);
 }
 
 /// Where a quotient's divisor is a number that a name or bracket follows without a sign: 1/2u, whose u is
@@ -123,6 +125,9 @@ void warnOfRadius(const LightDesc& light, std::vector<Diagnostic>& warnings) {
   if (hasRadius && light.shadow == Light::Shadow::None)
     warnings.push_back({rangeOf(light.radius.place()), "a light without a shadow has no use for a radius",
                         "write \"shadow\": \"exact\", or leave the radius out"});
+  if (light.map != ShadowMapDesc() && light.shadow != Light::Shadow::Map)
+    warnings.push_back({rangeOf(light.map.size.place()), "only a light whose shadow is \"map\" has a map",
+                        "write \"shadow\": \"map\", or leave \"map\" out"});
   if (!hasRadius && light.shadowSamples != LightDesc().shadowSamples)
     warnings.push_back({rangeOf(light.shadowSamples.place()),
                         "the shadow of a light without a radius is one sample",

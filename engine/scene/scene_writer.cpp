@@ -207,6 +207,18 @@ JsonText written(const std::vector<RotationDesc>& rotations) {
   return array;
 }
 
+JsonText written(const ShadowMapDesc& map) {
+  const ShadowMapDesc usual;
+  Members members;
+  members.add("size", map.size, usual.size);
+  members.add("bias", map.bias, usual.bias);
+  members.add("slope_bias", map.slopeBias, usual.slopeBias);
+  members.add("normal_offset", map.normalOffset, usual.normalOffset);
+  members.add("pcf", map.pcf, usual.pcf);
+  if (map.receiverPlane) members.put("receiver_plane", JsonText::boolean(true));
+  return members.take();
+}
+
 JsonText written(const LightDesc& light) {
   const LightDesc usual;
   Members members;
@@ -217,6 +229,7 @@ JsonText written(const LightDesc& light) {
   members.addWord("shadow", light.shadow, usual.shadow, keys::kShadows);
   members.add("radius", light.radius, usual.radius);
   members.add("shadow_samples", light.shadowSamples, usual.shadowSamples);
+  if (light.map != usual.map) members.put("map", written(light.map));
   if (!light.shadowPlane.empty()) members.put("shadow_plane", JsonText::string(light.shadowPlane.text));
   if (!light.casters.empty()) {
     JsonText casters = JsonText::array();

@@ -164,8 +164,6 @@ std::optional<ShadeRule> closedForm(const Scene& scene, const std::vector<Placed
 std::vector<NodeId> castersOf(const NodeThen& then, const std::vector<Placed>& placed) {
   const Light& light = *then.node().light;
   if (light.shadow == Light::Shadow::None) return {};
-  if (light.shadow == Light::Shadow::Map)
-    then.reject("its light's shadow is not supported yet: shadow maps", "use \"exact\"");
   std::vector<NodeId> casters = visibleCasters(light, then.scene, placed);
   std::ranges::sort(casters, {}, &NodeId::index);
   casters.erase(std::unique(casters.begin(), casters.end()), casters.end());
@@ -189,7 +187,7 @@ std::optional<NodeId> planeOf(const NodeThen& then) {
 
 void setShadow(const Scene& scene, const std::vector<Placed>& placed, const std::vector<NodeId>& casters,
                SnapshotLight& light) {
-  if (light.plane) {
+  if (light.approximate()) {
     light.casters = casters;
     return;
   }
@@ -252,10 +250,17 @@ std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Plac
     }
     const std::vector<NodeId> casters = castersOf(then, placed);
     light.plane = planeOf(then);
+    const std::uint32_t samples = std::min(node.light->shadowSamples, mostShadowSamples);
+    if (node.light->shadow == Light::Shadow::Map && !casters.empty()) {
+      light.map = shadowMapAt(*node.light, moment, [&] { return scene.shownName({i}); });
+      light.samples = light.map->radius > 0 ? samples : 1;
+      light.casters = casters;
+      lights.push_back(std::move(light));
+      continue;
+    }
     const double radius =
         casters.empty() ? 0 : radiusAt(*node.light, moment, [&] { return scene.shownName({i}); });
-    for (SnapshotLight& one : sampledLight(light, placed[i].worldFromNode, radius,
-                                           std::min(node.light->shadowSamples, mostShadowSamples))) {
+    for (SnapshotLight& one : sampledLight(light, placed[i].worldFromNode, radius, samples)) {
       setShadow(scene, placed, casters, one);
       lights.push_back(std::move(one));
     }
@@ -404,13 +409,23 @@ Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, Ca
 }
 
 Snapshot withExactShadows(Snapshot snapshot) {
-  for (SnapshotLight& light : snapshot.lights) light.plane.reset();
+  std::vector<SnapshotLight> lights;
+  for (SnapshotLight light : std::move(snapshot.lights)) {
+    light.plane.reset();
+    const double radius = light.map ? light.map->radius : 0;
+    light.map.reset();
+    const std::uint32_t samples = std::exchange(light.samples, 1U);
+    for (SnapshotLight& one : sampledLight(light, Transform(), radius, samples))
+      lights.push_back(std::move(one));
+  }
+  snapshot.lights = std::move(lights);
+  std::ranges::sort(snapshot.lights, precedes);
   return snapshot;
 }
 
 std::size_t approximateShadows(const Snapshot& snapshot) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      snapshot.lights, [](const SnapshotLight& light) { return light.plane.has_value(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(snapshot.lights, [](const SnapshotLight& light) { return light.approximate(); }));
 }
 
 Box framingOf(const Snapshot& snapshot) {

@@ -41,8 +41,12 @@ struct SnapshotLight {
   std::optional<ShadeRule> shade;
   std::vector<NodeId> casters;
   std::optional<NodeId> plane = {};  ///< what a planar shadow falls on: it is on nothing else
+  /// Its shadow is that of a depth map, but of what is seen through, which is exact.
+  std::optional<ShadowMapThen> map = {};
+  std::uint32_t samples = 1;  ///< of one with a map and a radius: points that would stand for it
 
   [[nodiscard]] bool directional() const { return positionWorld.w == 0; }
+  [[nodiscard]] bool approximate() const { return plane || map; }
   [[nodiscard]] bool hasShadow() const { return shade.has_value() || !casters.empty(); }
   friend bool operator==(const SnapshotLight&, const SnapshotLight&) = default;
 };

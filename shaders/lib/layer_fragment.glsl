@@ -42,8 +42,8 @@ bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
 }
 
 void findLayers() {
-  vec3 place = layerPlace();
-  rayInView = layerRay();
+  vec3 place = pixelPlace();
+  rayInView = pixelRay();
   float rounding = varyingRounding.x + varyingRounding.y * length(place);
   // Beyond its margin the grid may not list what is seen.
   if (rounding > varyingRounding.z) {

@@ -6,7 +6,7 @@
 #include "lib/octahedral.glsl"
 
 void findLayerShadows() {
-  vec3 place = layerPlace(), ray = layerRay();
+  vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
     if ((point.material & (kLayerLit | kLayerByRay)) != 0) continue;

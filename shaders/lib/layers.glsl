@@ -6,6 +6,7 @@
 // the GPU", 2010.
 #ifndef LUXO_LIB_LAYERS_GLSL
 #define LUXO_LIB_LAYERS_GLSL
+#include "lib/pixel_ray.glsl"
 #include "lib/scene.glsl"
 
 layout(scalar, set = kSetLayers, binding = kBindingLayerHeads) buffer LayerHeads { uint layerHeads[]; };
@@ -29,16 +30,6 @@ float layerDepth(float buffered, vec3 place, vec3 ray) {
   float atPlace = dot(vec4(clip[0][2], clip[1][2], clip[2][2], clip[3][2]), vec4(place, 1)),
         alongRay = dot(vec3(clip[0][2], clip[1][2], clip[2][2]), ray);
   return buffered > 0.0 ? (buffered - atPlace) / alongRay : 1e30;
-}
-
-// Where the ray of a pixel is at the depth of what positions are relative to, and how it moves with the depth.
-vec3 layerPlace() {
-  vec2 pixel = gl_FragCoord.xy - view.middle;
-  return view.placeMiddle + pixel.x * view.placeRight + pixel.y * view.placeDown;
-}
-vec3 layerRay() {
-  vec2 pixel = gl_FragCoord.xy - view.middle;
-  return view.rayMiddle + pixel.x * view.rayRight + pixel.y * view.rayDown;
 }
 
 // Whoever asks for the list is told how many points there are; where it has no room for them it is asked again.

@@ -55,10 +55,11 @@ vec3 productOfPassages() {
   int last = -1;
   for (int i = 0; i < passageCount; ++i) {
     Passage passage = passages[i];
-    bool isTwice = last >= 0 && (passage.atBorder || passages[last].atBorder) &&
-                   passage.t - passages[last].t <= 4.0 * (passage.off + passages[last].off);
-    // A crease, or two sheets that cross, if the normals differ.
-    if (isTwice && length(passage.normal - passages[last].normal) > kSameNormal) isOpen = true;
+    bool isBeside = last >= 0 && passage.t - passages[last].t <= 4.0 * (passage.off + passages[last].off);
+    bool isTwice = isBeside && (passage.atBorder || passages[last].atBorder) &&
+                   length(passage.normal - passages[last].normal) <= kSameNormal;
+    // A crease, two sheets that cross, or a surface that covers itself.
+    if (isBeside && !isTwice) isOpen = true;
     last = i;
     if (!isTwice) product *= passage.part;
   }

@@ -62,7 +62,9 @@ LUXO_CONSTANT kBindingCasterCells = 3;
 LUXO_CONSTANT kBindingCasterParameters = 4;
 LUXO_CONSTANT kBindingShadowDoubts = 5;
 LUXO_CONSTANT kBindingCasterPatterns = 6;  // their parameters
-LUXO_CONSTANT kShadowBindings = 7;
+LUXO_CONSTANT kBindingLightMaps = 7;
+LUXO_CONSTANT kBindingLightDepths = 8;
+LUXO_CONSTANT kShadowBindings = 9;
 
 // Bindings of kSetLayers.
 LUXO_CONSTANT kBindingLayerHeads = 0;
@@ -281,6 +283,32 @@ struct FlatShadow {
   uint light;           // its bit
   uint receiver;        // number of the plane's material
   vec3 transmittance;   // of a caster that lets light through
+};
+
+// One of the pictures of a light's depth map; they are side by side in one target.
+struct LightMapFace {
+  vec3 right, down, forward;  // unit
+  vec3 origin;                // what depths are counted from; the middle of the picture is straight ahead of it
+};
+
+LUXO_CONSTANT kLightMapFacesInRow = 3;  // of six
+
+// The depth map of a light, and how points are compared with it (engine/scene/light.h).
+struct LightMap {
+  LightMapFace faces[6];
+  vec4 light;    // w = 1: where it is; w = 0: the direction toward it
+  uint faceCount, size;  // of one face, texels
+  float texel;   // what one is wide, metres (of a point light: at depth 1)
+  vec2 depthOfBuffer;  // of a value x of the depth buffer: the first / x (point light), or the first + the second x
+  float bias, slopeBias, normalOffset;
+  uint pcf, receiverPlane;
+  float radius;
+};
+
+// Pushed to the shaders that draw and read it.
+struct LightMapDraw {
+  mat4 clipFromObject;
+  uint map;
 };
 
 struct GridEntry {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/light_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "math/transform.h"
+
+namespace luxo {
+namespace {
+
+/// Beyond that many times its distance ahead a single picture would be mostly empty: 63 degrees aside.
+constexpr double kWidest = 2;
+/// Of the farthest distance: what is nearer to a point light is taken to be there.
+constexpr double kNearest = 1e-4;
+/// A texel on either side, for what is rounded.
+double withMargin(double half, int size) { return half * (1 + 2.0 / size); }
+
+Vec3 acrossOf(const Vec3& direction) {
+  const Vec3 axis = std::abs(direction.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  return unit(axis - glm::dot(axis, direction) * direction);
+}
+
+View directionalView(const Vec3& toward, const Box& casters, const Box& receivers, int size) {
+  const Vec3 up = acrossOf(toward), right = glm::cross(up, toward);
+  const auto extentOf = [&](const Box& box, const Vec3& axis) {
+    Interval extent{glm::dot(box.center(), axis), glm::dot(box.center(), axis)};
+    for (const Vec3& corner : cornersOf(box)) {
+      extent.lo = std::min(extent.lo, glm::dot(corner, axis));
+      extent.hi = std::max(extent.hi, glm::dot(corner, axis));
+    }
+    return extent;
+  };
+  // Nothing is in shadow but beside what is seen.
+  const auto common = [&](const Vec3& axis) {
+    const Interval casts = extentOf(casters, axis), seen = extentOf(receivers, axis);
+    const Interval both{std::max(casts.lo, seen.lo), std::min(casts.hi, seen.hi)};
+    return both.lo < both.hi ? both : casts;
+  };
+  const Interval x = common(right), y = common(up), depth = extentOf(casters, -toward);
+  const double side = std::max({x.width(), y.width(), 1e-6 * glm::length(casters.extent()), 1e-30});
+  const double before = std::max(depth.width(), side);
+  const Vec3 eye = 0.5 * (x.lo + x.hi) * right + 0.5 * (y.lo + y.hi) * up - (depth.lo - before) * toward;
+  const Camera camera{.eye = eye,
+                      .lookAt = eye - before * toward,
+                      .up = up,
+                      .near = 0.5 * before,
+                      .projection = Projection::Orthographic,
+                      .height = withMargin(side, size)};
+  return viewAt(camera, {}, {size, size}, casters);
+}
+
+View pointView(const Vec3& at, const Vec3& toward, const Vec3& up, double tangent, double near, int size) {
+  const Camera camera{
+      .eye = at, .lookAt = at + toward, .up = up, .fovY = 2 * std::atan(tangent), .near = near};
+  return viewAt(camera, {}, {size, size});
+}
+
+}  // namespace
+
+std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, const Box& receivers, int size) {
+  const Vec3 at(light.positionWorld);
+  if (light.directional()) return {directionalView(at, casters, receivers, size)};
+  const double farthest = glm::distance(at, casters.center()) + glm::length(casters.extent());
+  const double distance = glm::distance(at, glm::clamp(at, casters.min, casters.max));
+  const double near = std::max({0.5 * distance, kNearest * farthest, 1e-30});
+  const Vec3 way = casters.center() - at;
+  const Vec3 ahead = glm::length(way) > 0 ? unit(way) : Vec3(0, -1, 0);
+  double widest = distance > 0 ? 0 : 2 * kWidest;
+  const Vec3 up = acrossOf(ahead), right = glm::cross(ahead, up);
+  for (const Vec3& corner : cornersOf(casters)) {
+    const Vec3 to = corner - at;
+    const double depth = glm::dot(to, ahead);
+    const double aside = std::max(std::abs(glm::dot(to, right)), std::abs(glm::dot(to, up)));
+    widest = std::max(widest, aside <= kWidest * depth ? aside / depth : 2 * kWidest);
+  }
+  if (widest <= kWidest)
+    return {pointView(at, ahead, up, withMargin(std::max(widest, 1e-9), size), near, size)};
+  std::vector<View> views;
+  for (const Vec3& axis :
+       {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+    views.push_back(pointView(at, axis, acrossOf(axis), withMargin(1, size), kNearest * farthest, size));
+  return views;
+}
+
+Snapshot seenFromLight(Snapshot snapshot, int size) {
+  const auto light = std::ranges::find_if(
+      snapshot.lights, [](const SnapshotLight& l) { return !l.casters.empty() || l.shade; });
+  if (light == snapshot.lights.end())
+    throw Error(ErrorKind::Scene, "no light of the scene has a shadow: none has a depth picture",
+                "give a light a \"shadow\"");
+  const SnapshotLight seen = *light;
+  std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
+    return std::ranges::find(seen.casters, node.id) == seen.casters.end() &&
+           !(seen.shade && seen.shade->caster == node.id);
+  });
+  const Box casters = framingOf(snapshot);
+  if (casters.empty()) throw Error(ErrorKind::Scene, "what casts the light's shadow has no points");
+  snapshot.view = lightViews(seen, casters, casters, size).front();
+  return snapshot;
+}
+
+}  // namespace luxo

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// A caster's mesh as its light sees it: nothing but depth.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/scene_data.h"
+
+layout(location = 0) in vec3 inPosition;
+layout(scalar, push_constant) uniform Draw { LightMapDraw draw; };
+
+void main() { gl_Position = draw.clipFromObject * vec4(inPosition, 1); }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of a light reaches what a pixel shows that is seen through, as its depth map tells.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/layers.glsl"
+#include "lib/light_map.glsl"
+#include "lib/octahedral.glsl"
+
+void main() {
+  vec3 place = pixelPlace(), ray = pixelRay();
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    LayerPoint point = layerPoints[index];
+    if ((point.material & kLayerLit) != 0) continue;
+    layerPoints[index].transmittance *= litByMap(place + point.depth * ray, fromOctahedral(point.normal));
+  }
+}
