@@ -175,7 +175,11 @@ Shading parseShading(const std::string& text) {
 Output parseAov(const std::string& text) {
   static const Names kKnown = {"color", "depth", "position", "normal", "uv", "id", "residual", "certificate"};
   const auto found = std::find(kKnown.begin(), kKnown.end(), text);
-  if (found == kKnown.end()) refuseName("--aov", text, kKnown, "output");
+  if (found == kKnown.end()) {
+    Names all = kKnown;
+    all.push_back("light-depth");
+    refuseName("--aov", text, all, "output");
+  }
   static constexpr Output kOutputs[] = {Output::Color, Output::Depth, Output::Position, Output::Normal,
                                         Output::Uv,    Output::Id,    Output::Residual, Output::Certificate};
   return kOutputs[found - kKnown.begin()];

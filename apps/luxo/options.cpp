@@ -59,8 +59,8 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   if (files) {
     add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
         "NAME=FROM:TO:STEP");
-    add("--aov", t.aov, "what to write: color depth position normal uv id residual certificate (color)",
-        "NAME");
+    add("--aov", t.aov,
+        "what to write: color depth position normal uv id residual certificate light-depth (color)", "NAME");
     add("--sample", t.sample, "the sample of each pixel that --aov is of, from 0 (the pixel's centre)", "I");
     add("--report", t.report, "times, counts and errors of each frame, as JSON; - is stdout", "FILE");
   }
@@ -147,7 +147,11 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   request.camera = t.camera;
   for (const std::string& text : t.parameters) request.parameters.push_back(parseParameter(text));
   take(request.sweep, t.sweep, parseSweep);
-  take(request.aov, t.aov, parseAov);
+  request.fromLight = t.aov == "light-depth";
+  if (request.fromLight)
+    request.aov = Output::Depth;
+  else
+    take(request.aov, t.aov, parseAov);
   take(request.composition, t.composition, parseComposition);
   take(request.skips, t.skip, parseSkips);
   take(request.audit, t.audit, parseAudit);

@@ -27,6 +27,7 @@
 #include "report.h"
 #include "required_error.h"
 #include "scene/fitted_camera.h"
+#include "scene/light_view.h"
 #include "scene_request.h"
 #include "validation.h"
 #include "verbs.h"
@@ -169,6 +170,11 @@ class Run {
       for (std::size_t i = 0; i < values.size(); ++i)
         report_.frames[index].parameters.emplace_back(scene_.parameters()[i].name, values[i]);
       Snapshot snapshot = takeSnapshot(scene_, job.time, settings_.size, cameraAt(camera));
+      if (request_.fromLight)
+        snapshot =
+            seenFromLight(std::move(snapshot),
+                          request_.size ? std::optional(std::min(settings_.size.width, settings_.size.height))
+                                        : std::nullopt);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
       report_.frames[index].approximateShadows = approximateShadows(snapshot);

@@ -86,7 +86,7 @@ std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, con
   return views;
 }
 
-Snapshot seenFromLight(Snapshot snapshot, int size) {
+Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size) {
   const auto light = std::ranges::find_if(
       snapshot.lights, [](const SnapshotLight& l) { return !l.casters.empty() || l.shade; });
   if (light == snapshot.lights.end())
@@ -99,7 +99,9 @@ Snapshot seenFromLight(Snapshot snapshot, int size) {
   });
   const Box casters = framingOf(snapshot);
   if (casters.empty()) throw Error(ErrorKind::Scene, "what casts the light's shadow has no points");
-  snapshot.view = lightViews(seen, casters, casters, size).front();
+  const int usual = seen.map ? static_cast<int>(seen.map->size)
+                             : std::min(snapshot.view.size.width, snapshot.view.size.height);
+  snapshot.view = lightViews(seen, casters, casters, size.value_or(usual)).front();
   return snapshot;
 }
 

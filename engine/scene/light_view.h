@@ -2,6 +2,7 @@
 // What a light sees of what casts its shadow: the pictures of a depth map.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scene/snapshot.h"
@@ -16,8 +17,9 @@ namespace luxo {
 [[nodiscard]] std::vector<View> lightViews(const SnapshotLight& light, const Box& casters,
                                            const Box& receivers, int size);
 
-/// Of a snapshot with such a light the scene as the light sees it: its casters alone, through the first of
-/// its views. Throws Error(Scene) where no light has casters.
-[[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, int size);
+/// The scene as the first of its lights that have a shadow sees it: its casters alone, through the first of
+/// its views. Pixels along a side as given; else those of its map, or as many as fit into the snapshot's
+/// picture. Throws Error(Scene) where no light has a shadow.
+[[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size = std::nullopt);
 
 }  // namespace luxo

@@ -11,7 +11,8 @@ VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snap
                              {.shading = Shading::Exact, .output = output, .shellTolerancePx = shellPx});
   };
   const Picture color = show(Output::Color);
-  return {color.statistics, verify(snapshot, castPicture(snapshot),
+  const Snapshot exact = withExactShadows(snapshot);
+  return {color.statistics, verify(exact, castPicture(exact),
                                    {.color = color.image,
                                     .normal = show(Output::Normal).image,
                                     .uv = show(Output::Uv).image,

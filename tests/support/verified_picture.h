@@ -14,6 +14,7 @@ class VerifiedPictureTest : public PictureTest {
     Verification verification;
   };
 
+  /// Shadows that are not exact are held against those that are.
   [[nodiscard]] Verified verified(const Snapshot& snapshot, double shellPx = DrawOptions{}.shellTolerancePx);
 
   /// What an exact picture promises: nothing lost, every pixel within a thousandth, 110 dB, and coverage

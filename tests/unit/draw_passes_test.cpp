@@ -147,7 +147,7 @@ TEST(Passes, WhatIsSeenThroughComesAfterWhatIsNot) {
   list.groups[1].layerShades.resize(1);
   EXPECT_EQ(namesOf({.rays = &points}),
             (Names{"rays* 0", "shadows* 3", "shade 0", "shade 0", "layers of rays* 0", "layer shadows 1",
-                   "layer shadows 1", "shade layers 0", "shade layers 0", "layer shadows of rays* 0",
+                   "layer shadows 1", "shade layers 0", "shade layers 0", "light on layers of rays* 0",
                    "shade layers 0", "blend layers 0"}))
       << "a point holds the shadows of one group";
   // What is not lit later is drawn again, where rays add something to it: else layers would be blended twice.

@@ -183,6 +183,9 @@ TEST(SceneReader, RangesOfNumbers) {
        {"0", "\"90deg\""},
        {"-1", "1.58", "1e9"}},
       {R"("nodes": [{ "light": { "shadow_samples": @ } }])", {"1", "1024"}, {"0", "2.5", "1025", "1e39"}},
+      {R"("nodes": [{ "light": { "shadow": "map", "map": { "size": @ } } }])",
+       {"1", "8192"},
+       {"0", "2.5", "8193"}},
       {R"("nodes": [{ "translate": [@, 0, 0] }])", {"-1e18", "1e18"}, {"-1.01e18", "1.01e18", "1e308"}},
       {R"("nodes": [{ "scale": [1, @, 1] }])", {"-1e18", "0", "1e18"}, {"1.01e18", "1e308"}},
       {R"("camera": { "eye": [@, 0, 5] })", {"-1e18", "1e18"}, {"1.01e18"}},
@@ -322,9 +325,20 @@ TEST(SceneReader, EscapesInAFormulaPointAtAllOfIt) {
   expectAll({{formula("\"\\u0075v\", \"v\", \"0\""), "3:1", "unknown name 'uv'"}});
 }
 
-TEST(SceneReader, UnsupportedShadowsAreErrors) {
-  const std::string error = errorOf(scene(R"("nodes": [{ "name": "lamp", "light": { "shadow": "map" } }])"));
-  EXPECT_NE(error.find("not supported yet"), std::string::npos) << error;
+TEST(SceneReader, ShadowMapsHaveTheirOwnKeys) {
+  const auto light = [](const char* map) {
+    return scene(fmt::format(R"("nodes": [{{ "light": {{ "shadow": "map", "map": {} }} }}])", map));
+  };
+  EXPECT_EQ(errorOf(light(R"({ "size": 512, "bias": 0.01, "slope_bias": "1 + 0.5t", "normal_offset": 2,
+                               "pcf": 5, "receiver_plane": true })")),
+            "");
+  for (const auto& [map, said] : {std::pair{R"({ "pcf": 4 })", "it must be odd"},
+                                  {R"({ "size": 8193 })", "from 1 to 8192"},
+                                  {R"({ "bias": -1 })", "from 0 to 1e18"},
+                                  {R"({ "sise": 1 })", "unknown key \"sise\" in a shadow map"},
+                                  {R"({ "receiver_plane": 1 })", "receiver_plane"},
+                                  {"3", "a shadow map"}})
+    EXPECT_NE(errorOf(light(map)).find(said), std::string::npos) << map << ": " << errorOf(light(map));
 }
 
 TEST(SceneReader, ReportsEverythingAtOnceInTheOrderOfTheFile) {

@@ -300,10 +300,28 @@ TEST(Snapshot, ShadowsWithoutAClosedFormHaveTheirCasters) {
   EXPECT_EQ(castersGiven({}), both);  // everything
 }
 
-TEST(Snapshot, MapsAreNotSupportedYet) {
+/// Held against exact shadows: as many points as would stand for the light.
+TEST(Snapshot, AMapIsOneLightAndItsTruthAreItsPoints) {
   using S = Light::Shadow;
-  expectSceneError([] { (void)snap(lamp(Vec3(1), {.shadow = S::Map}).scene); },
-                   {"bulb", "not supported yet", "map"});
+  Light light;
+  light.shadow = S::Map;
+  light.radius = 0.1;
+  light.shadowSamples = 9;
+  light.map.size = 64;
+  const Snapshot map = snap(lamp(Vec3(1), light).scene);
+  ASSERT_EQ(map.lights.size(), 1U);
+  ASSERT_TRUE(map.lights[0].map);
+  EXPECT_EQ(map.lights[0].map->size, 64U);
+  EXPECT_EQ(map.lights[0].map->radius, 0.1);
+  EXPECT_EQ(approximateShadows(map), 1U);
+  const Snapshot exact = withExactShadows(map);
+  EXPECT_EQ(exact.lights.size(), 9U);
+  EXPECT_EQ(approximateShadows(exact), 0U);
+  light.map.pcf = 4;
+  expectSceneError([&] { (void)lamp(Vec3(1), light); }, {"bulb", "pcf", "odd"});
+  light.map = {};
+  light.map.bias = [](double) { return -1.0; };
+  expectSceneError([&] { (void)snap(lamp(Vec3(1), light).scene); }, {"bulb", "bias", "-1"});
 }
 
 TEST(Snapshot, PlanarShadowsFallOnWhatIsOpaque) {
@@ -319,8 +337,7 @@ TEST(Snapshot, PlanarShadowsFallOnWhatIsOpaque) {
     return planar;
   };
   EXPECT_EQ(snap(scene(false, {})).lights.size(), 1U);
-  expectSceneError([&] { (void)snap(scene(true, {})); },
-                   {"floor", "plane of a planar shadow"});
+  expectSceneError([&] { (void)snap(scene(true, {})); }, {"floor", "plane of a planar shadow"});
 }
 
 TEST(Snapshot, AShadeThatIsSeenThroughIsACasterLikeOthers) {
