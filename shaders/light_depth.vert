@@ -5,6 +5,6 @@
 #include "shared/scene_data.h"
 
 layout(location = 0) in vec3 inPosition;
-layout(scalar, push_constant) uniform Draw { LightMapDraw draw; };
+layout(scalar, push_constant) uniform Draw { mat4 clipFromObject; };
 
-void main() { gl_Position = draw.clipFromObject * vec4(inPosition, 1); }
+void main() { gl_Position = clipFromObject * vec4(inPosition, 1); }

@@ -7,10 +7,15 @@
 #include "lib/octahedral.glsl"
 
 void main() {
-  vec3 place = pixelPlace(), ray = pixelRay();
+  LightMapFace first = face;
+  vec2 pixel = gl_FragCoord.xy - varyingMiddle;
+  vec3 place = varyingPlace[0] + pixel.x * varyingPlace[1] + pixel.y * varyingPlace[2],
+       ray = varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerLit) != 0) continue;
+    face = first;
+    corner = ivec2(0);
     layerPoints[index].transmittance *= litByMap(place + point.depth * ray, fromOctahedral(point.normal));
   }
 }

@@ -150,6 +150,7 @@ int writeFiles(const ShadowBench& bench, const std::filesystem::path& folder) {
   write(folder / "shadows.csv", shadowCsv(bench));
   write(folder / "shadows.json", shadowJson(bench));
   const std::optional<std::string> svg = runGnuplot(shadowScript(bench));
+  write(folder / "shadows.html", shadowPage(bench, svg.value_or("")));
   if (!svg) return missesPlot("shadows.svg");
   write(folder / "shadows.svg", *svg);
   return exit_code::kDone;
@@ -170,7 +171,8 @@ int writeFiles(const BenchResult& result, const std::filesystem::path& folder) {
 
 int runShadowBench(const BenchOptions& options, const RenderRequest& request) {
   ShadowPlan plan;
-  if (options.quick) plan = {.size = {240, 180}, .runs = 3, .truthPixels = 200, .points = {1, 4, 16}};
+  if (options.quick)
+    plan = {.size = {240, 180}, .runs = 3, .truthPixels = 200, .points = {1, 4, 16}, .mapSizes = {64, 256}};
   if (request.size) plan.size = *request.size;
   if (options.runs) plan.runs = parseRuns(*options.runs);
   if (!options.folder.empty()) makeFolder(options.folder);
@@ -228,7 +230,7 @@ void addBench(CLI::App& app, Command& chosen) {
     verb->remove_option(verb->get_option(swept));
   verb->get_option("SCENE")->description(
       "scene file, built-in name, `standard`: the standard set, or `shadows`: what shadows cost, and "
-      "what is wrong with them (shadows.csv, .json, .svg)");
+      "what is wrong with them (shadows.html, .csv, .json, .svg)");
   verb->get_option("--size")->description("size in pixels (1024x1024)");
   verb->add_option(
           "-o,--output", options->folder,

@@ -46,12 +46,6 @@ std::string rowOf(const Cells& cells, const char* tag) {
   return html + "</tr>\n";
 }
 
-std::string tableOf(const TextTable& table) {
-  std::string html = "<table>\n" + rowOf(table.head, "th");
-  for (const Cells& row : table.rows) html += rowOf(row, "td");
-  return html + "</table>\n";
-}
-
 /// A dash for what does not apply.
 std::string number(double value, const char* format = "{:.3g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "\u2013";
@@ -66,11 +60,6 @@ std::string imageOf(const char* type, std::span<const std::byte> bytes, const st
 std::string figureOf(const Image& image, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
                      imageOf("image/png", encodePng(image), caption), escaped(caption));
-}
-
-std::string plotOf(const std::string& svg, const std::string& text) {
-  return fmt::format("<p>{}</p>\n",
-                     imageOf("image/svg+xml", std::as_bytes(std::span(svg)), text, " class=\"plot\""));
 }
 
 std::string machineTable(const BenchResult& result) {
@@ -140,6 +129,25 @@ least-squares fits, in logarithms, of the error that 99.9 % of the pixels do not
 
 }  // namespace
 
+std::string tableOf(const TextTable& table) {
+  std::string html = "<table>\n" + rowOf(table.head, "th");
+  for (const Cells& row : table.rows) html += rowOf(row, "td");
+  return html + "</table>\n";
+}
+
+std::string plotOf(const std::string& svg, const std::string& text) {
+  return fmt::format("<p>{}</p>\n",
+                     imageOf("image/svg+xml", std::as_bytes(std::span(svg)), text, " class=\"plot\""));
+}
+
+std::string pageOf(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head><meta "
+      "charset=\"utf-8\"/>"
+      "<title>{0}</title><style>{1}</style></head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
+      escaped(title), kStyle, body);
+}
+
 std::string base64Of(std::span<const std::byte> bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -155,20 +163,14 @@ std::string base64Of(std::span<const std::byte> bytes) {
 }
 
 std::string benchPage(const BenchResult& result, const std::vector<std::string>& plots) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head><meta "
-      "charset=\"utf-8\"/>"
-      "<title>luxo: time against error</title><style>{}</style></head>\n<body>\n<h1>luxo: time against "
-      "error</h1>\n",
-      kStyle);
-  html += kExplanation;
+  std::string html = kExplanation;
   if (!plots.empty()) html += plotOf(plots[0], "time against error of all scenes");
   html += kUsualExplanation + tableOf(usualTable(result));
   html += kTimeToErrorExplanation + tableOf(timeToErrorTable(result));
   html += machineTable(result);
   for (std::size_t i = 0; i < result.scenes.size(); ++i)
     html += sectionOf(result.scenes[i], i + 1 < plots.size() ? plots[i + 1] : "");
-  return html + "</body>\n</html>\n";
+  return pageOf("luxo: time against error", html);
 }
 
 }  // namespace luxo

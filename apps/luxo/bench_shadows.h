@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shadows cost, and what is wrong with them: exact ones from maps of several sizes beside flattened ones
-// and none, and soft ones of more and more points. All of a scene are timed in turns, in one run.
+// What shadows cost, and what is wrong with them: exact ones from maps of several sizes beside depth maps,
+// flattened ones and none, and soft ones of more and more points. All of a scene are timed in turns, in one
+// run.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +19,16 @@ namespace luxo {
 
 /// One way to have the shadows of a scene.
 struct ShadowWay {
-  enum class Kind { None, Exact, Planar, Soft };
+  enum class Kind { None, Exact, DepthMap, Planar, Soft };
   Kind kind = Kind::None;
-  int gridSize = 64;  ///< of the light's map of casters (DrawOptions::shadowGridSize)
+  int gridSize = 64;  ///< of the light's map of casters (DrawOptions::shadowGridSize), or its depth map
   int points = 1;     ///< of the light, where it has a radius
+  double bias = 0, slopeBias = 0;  ///< of a depth map
+  int pcf = 1;
 };
+
+/// The bias of the lesson that teaches depth maps: 43.34 of a viewport with 1,000 to the metre.
+inline constexpr double kLessonBias = 0.04334;
 
 [[nodiscard]] std::string nameOf(const ShadowWay& way);
 
@@ -55,6 +61,7 @@ struct ShadowPlan {
   double muchMs = 6000;              ///< a way that has taken so long is not timed again
   std::uint64_t truthPixels = 1500;  ///< in which soft shadows are held against the reference
   std::vector<int> points = {1, 4, 16, 64};
+  std::vector<int> mapSizes = {256, 512, 1024, 2048, 4096};  ///< of depth maps
 };
 
 /// `goesOn` as for measureScene(): nothing once it says no. Throws what Renderer and castPicture throw. Cost:
@@ -65,7 +72,10 @@ struct ShadowPlan {
 [[nodiscard]] std::string shadowText(const ShadowBench& bench);
 [[nodiscard]] std::string shadowCsv(const ShadowBench& bench);
 [[nodiscard]] std::string shadowJson(const ShadowBench& bench);
-/// For runGnuplot(): wrong pixels over time, and the error of soft shadows over their points.
+/// For runGnuplot(): wrong pixels over time and over the size of maps, and the error of soft shadows over
+/// their points.
 [[nodiscard]] std::string shadowScript(const ShadowBench& bench);
+/// One HTML page with all of that. `plot`: an SVG file; empty: no gnuplot.
+[[nodiscard]] std::string shadowPage(const ShadowBench& bench, const std::string& plot);
 
 }  // namespace luxo

@@ -177,7 +177,8 @@ class Run {
                                         : std::nullopt);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
-      report_.frames[index].approximateShadows = approximateShadows(snapshot);
+      if (request_.aov == Output::Color)
+        report_.frames[index].approximateShadows = approximateShadows(snapshot);
       const double animate = millisecondsSince(start);
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();

@@ -14,6 +14,7 @@
 #include "luxo/shaders/light_depth_vert.h"
 #include "luxo/shaders/light_map_frag.h"
 #include "luxo/shaders/light_map_layer_frag.h"
+#include "luxo/shaders/light_map_vert.h"
 #include "luxo/shaders/ray_layers_frag.h"
 #include "luxo/shaders/ray_layers_vert.h"
 #include "luxo/shaders/ray_shadows_frag.h"
@@ -94,9 +95,9 @@ void ScenePipelines::describeShadow(const DrawState& state, gpu::GraphicsPipelin
     desc.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}};
     desc.pushConstantBytes = sizeof(shared::FlatShadow);
   } else if (state.form == Form::LightMap) {
-    desc.vertexShader = luxo_whole_target_vert;
+    desc.vertexShader = luxo_light_map_vert;
     desc.fragmentShader = luxo_light_map_frag;
-    desc.pushConstantBytes = sizeof(shared::LightMapDraw);
+    desc.depthCompare = VK_COMPARE_OP_LESS;
   } else {
     desc.vertexShader = luxo_shadow_vert;
     desc.fragmentShader = casterShader(state);
@@ -115,7 +116,7 @@ void ScenePipelines::describeLightDepth(gpu::GraphicsPipelineDesc& desc) {
   desc.colorFormats.clear();
   desc.depthClamp = true;
   desc.specialization.clear();
-  desc.pushConstantBytes = sizeof(shared::LightMapDraw);
+  desc.pushConstantBytes = sizeof(Mat4f);
 }
 
 /// All points of a surface that is seen through, in every pixel; or what is done with the points of all.
@@ -152,9 +153,9 @@ void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelin
     desc.pushConstantBytes = sizeof(RayTarget);
     return;
   } else if (state.form == Form::LayerLightMap) {
+    desc.vertexShader = luxo_light_map_vert;
     desc.fragmentShader = luxo_light_map_layer_frag;
     desc.specialization.clear();
-    desc.pushConstantBytes = sizeof(shared::LightMapDraw);
   } else {
     desc.vertexShader = luxo_shadow_vert;
     desc.fragmentShader = casterShader(state);

@@ -282,8 +282,7 @@ void PassRecorder::drawLightMap(std::size_t group) {
 void PassRecorder::drawIntoMap(const gpu::GraphicsPipeline& pipeline, const LightMapDrawn::Caster& caster,
                                std::uint32_t face) {
   const DeviceMesh& mesh = store_.get(caster.mesh, false);
-  const shared::LightMapDraw draw{.clipFromObject = caster.clipFromObject[face], .map = 0};
-  pipeline.push(commands_, std::as_bytes(std::span(&draw, 1)));
+  pipeline.push(commands_, std::as_bytes(std::span(&caster.clipFromObject[face], 1)));
   constexpr VkDeviceSize kOffset = 0;
   const VkBuffer vertices = mesh.vertices;
   vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &kOffset);
@@ -296,7 +295,6 @@ void PassRecorder::drawIntoMap(const gpu::GraphicsPipeline& pipeline, const Ligh
 /// On all points that were found, or that are seen through.
 void PassRecorder::compareWithMap(Form form, std::size_t group) {
   const gpu::GraphicsPipeline& pipeline = pipelines_.get({.form = form}, view_.targets().format());
-  const shared::LightMapDraw draw{.clipFromObject = Mat4f(1), .map = static_cast<std::uint32_t>(group)};
   const std::uint32_t noLights = 0;
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
@@ -305,8 +303,7 @@ void PassRecorder::compareWithMap(Form form, std::size_t group) {
     pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   else
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
-  pipeline.push(commands_, std::as_bytes(std::span(&draw, 1)));
-  drawWhole(0);
+  drawWhole(static_cast<std::uint32_t>(group));
 }
 
 void PassRecorder::drawWhole(std::uint32_t instance) {

@@ -28,6 +28,9 @@ const SnapshotNode* nodeOf(const Snapshot& snapshot, NodeId id) {
   return node == snapshot.nodes.end() || node->id != id ? nullptr : &*node;
 }
 
+/// Of the distances involved: what double leaves of one.
+constexpr double kRounding = 1e-13;
+
 double distanceTo(const Box& box, const Vec3& p) { return glm::distance(p, glm::clamp(p, box.min, box.max)); }
 
 class ShadowLister {
@@ -53,7 +56,8 @@ class ShadowLister {
     group_ = &group;
     std::vector<const SnapshotNode*> casters;
     for (const NodeId caster : snapshot_.lights[light].casters)
-      if (const SnapshotNode* node = nodeOf(snapshot_, caster); node && !materialOf(*node).invisible())
+      if (const SnapshotNode* node = nodeOf(snapshot_, caster);
+          node && !materialOf(*node).invisible() && !shadowsNothing(snapshot_.lights[light], *node))
         casters.push_back(node);
     // By what they are: what rounding leaves of a product depends on the order.
     std::ranges::stable_sort(casters, {}, [&](const SnapshotNode* node) {
@@ -141,6 +145,14 @@ class ShadowLister {
     }
   }
 
+  /// In the middle of its domain.
+  [[nodiscard]] static Vec3 pointOf(const SnapshotNode& node) {
+    const Domain& domain = node.surface.domain();
+    return transformPoint(node.worldFromObject,
+                          node.surface.position(domain.u.lo + 0.5 * domain.u.width(),
+                                                domain.v.lo + 0.5 * domain.v.width(), node.parameters));
+  }
+
   /// The caster's mesh becomes the shadow on the light's plane, by the projection from the light: with the
   /// plane p . x = 0 and the light l, both of four components, x - (p . x) / (p . l) l (J. Blinn, Me and my
   /// (fake) shadow, 1988).
@@ -151,12 +163,7 @@ class ShadowLister {
         materials_.numberOfNode(static_cast<std::uint32_t>(&*plane - snapshot_.nodes.data()));
     if (receiver == shared::kMaxFoundMaterials) return;  // nothing of it is in the picture
     const View& view = snapshot_.view;
-    const Domain& domain = plane->surface.domain();
-    const Vec3 at =
-        transformPoint(plane->worldFromObject,
-                       plane->surface.position(domain.u.lo + 0.5 * domain.u.width(),
-                                               domain.v.lo + 0.5 * domain.v.width(), plane->parameters)) -
-        list_.origin;
+    const Vec3 at = pointOf(*plane) - list_.origin;
     Vec3 normal = unit(normalMatrix(plane->worldFromObject.linear) * *plane->surface.flatNormal());
     const Vec4 from(Vec3(light.positionWorld) - light.positionWorld.w * list_.origin, light.positionWorld.w);
     const Vec3 toLight = Vec3(from) - from.w * at;
@@ -257,6 +264,20 @@ class ShadowLister {
     const Vec3 towardLight = side > 0 ? normal : -normal;
     caster.plane = Vec4f(Vec4(towardLight, -glm::dot(towardLight, at - list_.origin)));
     caster.flags |= shared::kFlatCaster;
+  }
+
+  /// Whether all that is seen is on the light's side of a flat caster, if not in its plane: a floor, mostly.
+  [[nodiscard]] bool shadowsNothing(const SnapshotLight& light, const SnapshotNode& node) const {
+    const std::optional<Vec3> flat = node.surface.flatNormal();
+    if (!flat || !isFinite(receivers_)) return false;
+    const Vec3 at = pointOf(node), normal = unit(normalMatrix(node.worldFromObject.linear) * *flat);
+    const double side = glm::dot(normal, Vec3(light.positionWorld) - light.positionWorld.w * at);
+    double size = glm::length(at - list_.origin), lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3& corner : cornersOf(receivers_)) {
+      lowest = std::min(lowest, (side < 0 ? -1 : 1) * glm::dot(normal, corner - at));
+      size = std::max(size, glm::distance(corner, at));
+    }
+    return side != 0 && lowest >= -kRounding * size;
   }
 
   /// Pixels in which the caster may stand between the light and what is seen: those of all that lies behind

@@ -53,9 +53,9 @@ View directionalView(const Vec3& toward, const Box& casters, const Box& receiver
   return viewAt(camera, {}, {size, size}, casters);
 }
 
-View pointView(const Vec3& at, const Vec3& toward, const Vec3& up, double tangent, double near, int size) {
+View pointView(const Vec3& at, const Vec3& toward, double tangent, double near, int size) {
   const Camera camera{
-      .eye = at, .lookAt = at + toward, .up = up, .fovY = 2 * std::atan(tangent), .near = near};
+      .eye = at, .lookAt = at + toward, .up = acrossOf(toward), .fovY = 2 * std::atan(tangent), .near = near};
   return viewAt(camera, {}, {size, size});
 }
 
@@ -77,12 +77,11 @@ std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, con
     const double aside = std::max(std::abs(glm::dot(to, right)), std::abs(glm::dot(to, up)));
     widest = std::max(widest, aside <= kWidest * depth ? aside / depth : 2 * kWidest);
   }
-  if (widest <= kWidest)
-    return {pointView(at, ahead, up, withMargin(std::max(widest, 1e-9), size), near, size)};
+  if (widest <= kWidest) return {pointView(at, ahead, withMargin(std::max(widest, 1e-9), size), near, size)};
   std::vector<View> views;
   for (const Vec3& axis :
        {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
-    views.push_back(pointView(at, axis, acrossOf(axis), withMargin(1, size), kNearest * farthest, size));
+    views.push_back(pointView(at, axis, withMargin(1, size), kNearest * farthest, size));
   return views;
 }
 
@@ -101,7 +100,11 @@ Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size) {
   if (casters.empty()) throw Error(ErrorKind::Scene, "what casts the light's shadow has no points");
   const int usual = seen.map ? static_cast<int>(seen.map->size)
                              : std::min(snapshot.view.size.width, snapshot.view.size.height);
-  snapshot.view = lightViews(seen, casters, casters, size.value_or(usual)).front();
+  const std::vector<View> views = lightViews(seen, casters, casters, size.value_or(usual));
+  const Vec3 at(seen.positionWorld), way = casters.center() - at;
+  snapshot.view = views.size() == 1 ? views[0]
+                                    : pointView(at, glm::length(way) > 0 ? unit(way) : Vec3(0, -1, 0),
+                                                kWidest, views[0].near, size.value_or(usual));
   return snapshot;
 }
 

@@ -17,8 +17,8 @@ namespace luxo {
 [[nodiscard]] std::vector<View> lightViews(const SnapshotLight& light, const Box& casters,
                                            const Box& receivers, int size);
 
-/// The scene as the first of its lights that have a shadow sees it: its casters alone, through the first of
-/// its views. Pixels along a side as given; else those of its map, or as many as fit into the snapshot's
+/// The scene as the first of its lights that have a shadow sees it: its casters alone, in one picture, which
+/// of a light amid them shows what is within 63 degrees of their middle. Pixels along a side as given; else those of its map, or as many as fit into the snapshot's
 /// picture. Throws Error(Scene) where no light has a shadow.
 [[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size = std::nullopt);
 

@@ -305,12 +305,6 @@ struct LightMap {
   float radius;
 };
 
-// Pushed to the shaders that draw and read it.
-struct LightMapDraw {
-  mat4 clipFromObject;
-  uint map;
-};
-
 struct GridEntry {
   uint cell;
   float nearest;

@@ -123,7 +123,8 @@ TEST_F(BenchFilesTest, ShadowsAreRightOrCounted) {
   const bool plotted = outcome.code == 0;
   ASSERT_TRUE(plotted || outcome.code == 75) << outcome.err;
   const Json rows = Json::parse(textOf(folder / "shadows/shadows.json"))["rows"];
-  ASSERT_EQ(rows.size(), 3U * 8U);  // none, exact from three maps, planar, soft of 1, 4 and 16 points
+  ASSERT_EQ(rows.size(), 3U * 16U);  // none, exact from three maps, four depth maps of two sizes, planar,
+                                     // soft of 1, 4 and 16 points
   EXPECT_EQ(split(textOf(folder / "shadows/shadows.csv"), '\n').size(), 1 + rows.size());
   double rmsOfOne = 0;
   std::uint64_t planarWrong = 0;
@@ -138,6 +139,9 @@ TEST_F(BenchFilesTest, ShadowsAreRightOrCounted) {
     if (way.starts_with("exact")) {
       EXPECT_EQ(row["wrong_px"], 0) << row;
     }
+    if (way.starts_with("depth map")) {
+      EXPECT_GT(row["wrong_px"], 0) << row;
+    }
     if (way == "planar") planarWrong += row["wrong_px"].get<std::uint64_t>();
     // Points share the light: the error falls with their number, by a half at least from 1 to 16.
     if (way == "soft, 1 points") rmsOfOne = row["rms"];
@@ -147,6 +151,9 @@ TEST_F(BenchFilesTest, ShadowsAreRightOrCounted) {
   }
   EXPECT_GT(planarWrong, 0U) << "what is not the floor has no planar shadow";
   if (!plotted) return;
+  const std::string page = textOf(folder / "shadows/shadows.html");
+  EXPECT_TRUE(contains(page, "depth map of 256, bias 0.04334"));
+  EXPECT_EQ(unclosedIn(page), Words{});
   const std::string svg = textOf(folder / "shadows/shadows.svg");
   EXPECT_TRUE(contains(svg, "<svg"));
   EXPECT_EQ(unclosedIn(svg), Words{});
