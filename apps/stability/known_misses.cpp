@@ -22,10 +22,6 @@ constexpr KnownMiss kMisses[] = {
     {"ST-05", "error on the device: scherk",
      "the tangent grows without limit toward its poles, where the rounding of an angle counts most"},
     {"ST-05", "error on the device: boy", kProducts},  // both of that name
-    {"ST-27", "longest gap",
-     "of small pictures: the 256 samples lie closer than the tube is wide, so it is searches that miss: a "
-     "tube "
-     "far thinner than the shell of two pixels is a few cells around, each turning too far for curve tracing"},
 };
 
 }  // namespace
