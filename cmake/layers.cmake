@@ -2,12 +2,13 @@
 # The architecture as data: every folder of engine/, in flow order, with the folders it may include and link.
 # engine/CMakeLists.txt builds one library per row; the test `lint.layers` fails on any include a row does not name.
 
-set(LUXO_LAYERS base math formula surface scene cull tessellate shell shadow gpu image reference draw window)
+set(LUXO_LAYERS base math formula surface mesh scene cull tessellate shell shadow gpu image reference draw window)
 
 set(LUXO_LAYER_base)
 set(LUXO_LAYER_math base)
 set(LUXO_LAYER_formula base math)
 set(LUXO_LAYER_surface base math formula)
+set(LUXO_LAYER_mesh base math image)
 set(LUXO_LAYER_scene base math formula surface)
 set(LUXO_LAYER_cull base math surface scene)
 set(LUXO_LAYER_tessellate base math surface)
@@ -20,7 +21,7 @@ set(LUXO_LAYER_draw base math formula surface scene cull tessellate shell shadow
 set(LUXO_LAYER_window base math gpu)
 
 # Third-party headers that only the named folders may include: "<header regex>" -> folders.
-set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "GLFW/" "imgui" "glm/" "png\\.h" "Imf" "tbb/" "spirv-tools/")
+set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "GLFW/" "imgui" "glm/" "png\\.h" "Imf" "tbb/" "spirv-tools/" "meshoptimizer" "nlohmann/" "jpeglib")
 set(LUXO_EXCLUSIVE_vulkan/ gpu)
 set(LUXO_EXCLUSIVE_glslang/ gpu)
 set(LUXO_EXCLUSIVE_GLFW/ window)
@@ -30,3 +31,6 @@ set(LUXO_EXCLUSIVE_png\\.h image)
 set(LUXO_EXCLUSIVE_Imf image)
 set(LUXO_EXCLUSIVE_tbb/ tessellate shell gpu reference draw)
 set(LUXO_EXCLUSIVE_spirv-tools/ gpu)
+set(LUXO_EXCLUSIVE_meshoptimizer mesh)
+set(LUXO_EXCLUSIVE_nlohmann/ mesh)
+set(LUXO_EXCLUSIVE_jpeglib image)

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clusters of triangles: which lie together, in which order, and what bounds them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "mesh/vertex_normals.h"
+
+namespace luxo {
+
+/// Triangles in clusters and vertices in the order of their use, with those doubled that clusters of two
+/// ranges of 65536 vertices share. `indices` become the triangles in the order of clusters, which are without
+/// bounds. `groups` are of consecutive triangles and get their clusters; `order` becomes which vertex each
+/// was.
+[[nodiscard]] std::vector<MeshCluster> makeClusters(std::span<const Vec3f> positions,
+                                                    std::vector<std::uint32_t>& indices,
+                                                    std::vector<MeshGroup>& groups,
+                                                    std::vector<std::uint32_t>& order);
+
+/// Box, sphere and cone of normals, all rounded outward.
+void boundCluster(MeshCluster& cluster, std::span<const Vec3f> positions, const Vec3& origin,
+                  std::span<const std::uint32_t> indices);
+
+}  // namespace luxo

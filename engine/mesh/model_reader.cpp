@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/error.h"
+#include "mesh/model.h"
+
+namespace luxo {
+namespace {
+
+constexpr std::array<std::string_view, 5> kSuffixes = {".obj", ".gltf", ".glb", ".ply", ".stl"};
+
+std::string suffixOf(const std::filesystem::path& path) {
+  std::string suffix = path.extension().string();
+  for (char& c : suffix)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return suffix;
+}
+
+}  // namespace
+
+bool namesModel(const std::filesystem::path& path) {
+  return std::find(kSuffixes.begin(), kSuffixes.end(), suffixOf(path)) != kSuffixes.end();
+}
+
+Model readModel(const std::filesystem::path& path, const ModelOptions&) {
+  if (!namesModel(path))
+    throw Error(ErrorKind::Usage, fmt::format("'{}' does not name a model", path.string()),
+                "models are .obj, .gltf, .glb, .ply, .stl");
+  throw Error(ErrorKind::Scene,
+              fmt::format("cannot read '{}': {} is not supported yet", path.string(), suffixOf(path)));
+}
+
+}  // namespace luxo

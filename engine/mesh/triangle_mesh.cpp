@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/triangle_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/assert.h"
+#include "base/error.h"
+#include "mesh/mesh_clusters.h"
+#include "mesh/mesh_topology.h"
+#include "mesh/vertex_normals.h"
+
+namespace luxo {
+
+struct TriangleMesh::Data {
+  std::string name;
+  MeshVertices vertices;
+  std::vector<Vec4f> tangents;
+  std::vector<std::uint32_t> indices;
+  std::vector<MeshCluster> clusters;
+  std::vector<MeshGroup> groups;
+  Vec3 origin{0};
+  Box bounds;
+  MeshEdges edges;
+  std::uint64_t dropped = 0;
+};
+
+bool MeshCluster::facesAwayFrom(const Vec3& eye) const {
+  // For all normals n within the angle a of the axis and points p within the radius r of the centre c:
+  // n.(p - e) >= n.(c - e) - r >= |c - e| cos(angle(axis, c - e) + a) - r, and that cosine is at least
+  // cos(angle) - sin(a) wherever this is positive. Rounding: each term is off by less than 1e-15 of itself.
+  const Vec3 away = sphere.center - eye;
+  const double distance = glm::length(away);
+  return spread < 1 && glm::dot(away, axis) > (spread + 4e-15) * distance + sphere.radius;
+}
+
+bool MeshCluster::facesAwayAlong(const Vec3& direction) const {
+  return spread < 1 && glm::dot(direction, axis) > spread + 4e-15;
+}
+
+const std::string& TriangleMesh::name() const { return data_->name; }
+std::span<const Vec3f> TriangleMesh::positions() const { return data_->vertices.positions; }
+const Vec3& TriangleMesh::origin() const { return data_->origin; }
+std::span<const Vec3f> TriangleMesh::normals() const { return data_->vertices.normals; }
+std::span<const Vec2f> TriangleMesh::uvs() const { return data_->vertices.uvs; }
+std::span<const Vec4f> TriangleMesh::tangents() const { return data_->tangents; }
+std::span<const std::uint32_t> TriangleMesh::indices() const { return data_->indices; }
+std::span<const MeshCluster> TriangleMesh::clusters() const { return data_->clusters; }
+std::span<const MeshGroup> TriangleMesh::groups() const { return data_->groups; }
+const Box& TriangleMesh::bounds() const { return data_->bounds; }
+const MeshEdges& TriangleMesh::edges() const { return data_->edges; }
+std::uint64_t TriangleMesh::dropped() const { return data_->dropped; }
+
+std::vector<std::uint16_t> TriangleMesh::localIndices() const {
+  std::vector<std::uint16_t> local;
+  local.reserve(indices().size());
+  for (const MeshCluster& cluster : clusters())
+    for (const std::uint32_t index :
+         indices().subspan(3 * std::size_t(cluster.firstTriangle), 3 * std::size_t(cluster.triangles)))
+      local.push_back(std::uint16_t(index - cluster.firstVertex));
+  return local;
+}
+
+namespace {
+
+[[noreturn]] void refuse(std::string_view name, const std::string& why) {
+  throw Error(ErrorKind::Scene, fmt::format("mesh '{}': {}", name, why));
+}
+
+bool isFinite(const Vec2f& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool isFinite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void validate(const MeshArrays& arrays, std::string_view name, const MeshOptions& options) {
+  const std::size_t vertices = arrays.positions.size(), triangles = arrays.indices.size() / 3;
+  if (arrays.indices.size() % 3 != 0)
+    refuse(name, fmt::format("{} indices are not three a triangle", arrays.indices.size()));
+  if (vertices >= kMaxCorners || arrays.indices.size() >= kMaxCorners)
+    refuse(name, fmt::format("{} vertices and {} corners of triangles; it may have {} of each", vertices,
+                             arrays.indices.size(), kMaxCorners - 1));
+  const auto requireLength = [&](std::string_view what, std::size_t length, std::size_t wanted) {
+    if (length != 0 && length != wanted) refuse(name, fmt::format("{} {}, not {}", length, what, wanted));
+  };
+  requireLength("normals", arrays.normals.size(), vertices);
+  requireLength("uvs", arrays.uvs.size(), vertices);
+  requireLength("materials", arrays.materials.size(), triangles);
+  requireLength("smoothing numbers", arrays.smoothing.size(), triangles);
+  if (options.tangents) refuse(name, "tangents are not supported yet");
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const Vec3& p = arrays.positions[i];
+    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (!(largest <= kMaxCoordinate) || std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.z))
+      refuse(name, fmt::format("vertex {} is ({}, {}, {}), which is not within {:g}", i, p.x, p.y, p.z,
+                               kMaxCoordinate));
+  }
+  for (std::size_t i = 0; i < arrays.normals.size(); ++i)
+    if (!isFinite(arrays.normals[i])) refuse(name, fmt::format("the normal of vertex {} is not finite", i));
+  for (std::size_t i = 0; i < arrays.uvs.size(); ++i)
+    if (!isFinite(arrays.uvs[i])) refuse(name, fmt::format("the uv of vertex {} is not finite", i));
+  for (std::size_t i = 0; i < arrays.indices.size(); ++i)
+    if (arrays.indices[i] >= vertices)
+      refuse(name, fmt::format("triangle {} has vertex {} of {}", i / 3, arrays.indices[i], vertices));
+}
+
+// What floats are relative to, so that they are exact enough far from zero.
+Vec3 originOf(const std::vector<Vec3>& positions) {
+  Box box;
+  for (const Vec3& position : positions) box.add(position);
+  if (box.empty()) return Vec3(0);
+  const Vec3 center = box.center(), extent = box.extent();
+  const double far = std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
+  return far > std::max({extent.x, extent.y, extent.z}) ? center : Vec3(0);
+}
+
+// Triangles without an area go, and what is said of them; gives how many. The order of the others stays.
+std::uint64_t dropTriangles(const std::vector<Vec3f>& positions, MeshArrays& arrays) {
+  std::size_t kept = 0;
+  const std::size_t triangles = arrays.indices.size() / 3;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const auto at = [&](std::size_t corner) { return Vec3(positions[arrays.indices[3 * i + corner]]); };
+    const Vec3 area = glm::cross(at(1) - at(0), at(2) - at(0));
+    if (area == Vec3(0)) continue;
+    std::copy_n(arrays.indices.begin() + std::ptrdiff_t(3 * i), 3,
+                arrays.indices.begin() + std::ptrdiff_t(3 * kept));
+    if (!arrays.materials.empty()) arrays.materials[kept] = arrays.materials[i];
+    if (!arrays.smoothing.empty()) arrays.smoothing[kept] = arrays.smoothing[i];
+    ++kept;
+  }
+  arrays.indices.resize(3 * kept);
+  if (!arrays.materials.empty()) arrays.materials.resize(kept);
+  if (!arrays.smoothing.empty()) arrays.smoothing.resize(kept);
+  return triangles - kept;
+}
+
+MeshEdges edgesOf(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& indices) {
+  const std::vector<std::uint32_t> points = pointNumbers(positions);
+  std::vector<std::uint32_t> corners(indices.size());
+  std::transform(indices.begin(), indices.end(), corners.begin(), [&](std::uint32_t i) { return points[i]; });
+  return EdgeList(corners, positions.size()).count();
+}
+
+// Sorts the triangles by their material, which keeps the order of equals.
+std::vector<MeshGroup> groupByMaterial(std::vector<std::uint32_t>& indices,
+                                       const std::vector<std::uint32_t>& materials) {
+  const auto triangles = std::uint32_t(indices.size() / 3);
+  if (materials.empty()) return {{.triangles = triangles}};
+  std::vector<std::uint32_t> order(triangles);
+  std::iota(order.begin(), order.end(), 0u);
+  if (!std::is_sorted(materials.begin(), materials.end())) {
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return materials[a] < materials[b]; });
+    std::vector<std::uint32_t> sorted(indices.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+      sorted[i] = indices[3 * std::size_t(order[i / 3]) + i % 3];
+    indices = std::move(sorted);
+  }
+  std::vector<MeshGroup> groups;
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const std::uint32_t material = materials[order[i]];
+    if (groups.empty() || groups.back().material != material)
+      groups.push_back({.material = material, .firstTriangle = i});
+    ++groups.back().triangles;
+  }
+  return groups;
+}
+
+template <class T>
+std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  if (values.empty()) return {};
+  std::vector<T> result(order.size());
+  std::transform(order.begin(), order.end(), result.begin(), [&](std::uint32_t i) { return values[i]; });
+  return result;
+}
+
+}  // namespace
+
+TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOptions& options) {
+  validate(arrays, name, options);
+  auto data = std::make_shared<TriangleMesh::Data>();
+  data->name = name;
+  data->origin = originOf(arrays.positions);
+
+  MeshVertices& vertices = data->vertices;
+  vertices.positions.reserve(arrays.positions.size());
+  for (const Vec3& position : arrays.positions)
+    vertices.positions.push_back(Vec3f(position - data->origin) + 0.0f);  // + 0: no -0
+  arrays.positions = {};
+  vertices.normals = std::move(arrays.normals);
+  vertices.uvs = std::move(arrays.uvs);
+  for (Vec2f& uv : vertices.uvs) uv += 0.0f;
+
+  // Slivers that fill the gap beside a vertex on an edge belong to the whole, so edges are counted with them.
+  data->edges = edgesOf(vertices.positions, arrays.indices);
+  data->dropped = dropTriangles(vertices.positions, arrays);
+  if (arrays.indices.empty()) refuse(name, "it has no triangle with an area");
+  giveNormals(vertices, arrays.indices, arrays.smoothing, options);
+  data->groups = groupByMaterial(arrays.indices, arrays.materials);
+
+  std::vector<std::uint32_t> order;
+  data->clusters = makeClusters(vertices.positions, arrays.indices, data->groups, order);
+  vertices.positions = reordered(vertices.positions, order);
+  vertices.normals = reordered(vertices.normals, order);
+  vertices.uvs = reordered(vertices.uvs, order);
+  data->indices = std::move(arrays.indices);
+  for (MeshCluster& cluster : data->clusters) {
+    boundCluster(cluster, vertices.positions, data->origin, data->indices);
+    data->bounds.add(cluster.bounds);
+  }
+  return TriangleMesh(std::move(data));
+}
+
+}  // namespace luxo

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/triangle_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "base/error.h"
+#include "unit/mesh_test_support.h"
+
+namespace luxo {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusalOf(const MeshArrays& arrays, const MeshOptions& options = {}) {
+  try {
+    const TriangleMesh mesh = triangleMesh(arrays, "thing", options);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    return error.what();
+  }
+  return {};
+}
+
+MeshArrays oneTriangle() { return {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .indices = {0, 1, 2}}; }
+
+TEST(TriangleMesh, OfACubeHasItsPointsFacesAndEdges) {
+  const TriangleMesh cube = triangleMesh(cubeArrays(), "cube");
+  expectPromises(cube);
+  EXPECT_EQ(cube.name(), "cube");
+  EXPECT_EQ(cube.triangleCount(), 12u);
+  EXPECT_EQ(cube.positions().size(), 24u);  // its edges are creases, so each corner has three normals
+  EXPECT_EQ(cube.bounds(), (Box{Vec3(-1), Vec3(1)}));
+  EXPECT_TRUE(cube.closed());
+  EXPECT_EQ(cube.edges().border + cube.edges().turned + cube.edges().nonManifold, 0u);
+  for (std::size_t i = 0; i < 24; ++i)
+    EXPECT_EQ(glm::dot(cube.positions()[i], cube.normals()[i]), 1);  // outward, along an axis
+}
+
+TEST(TriangleMesh, SmoothNormalsOfABallAreItsRadii) {
+  const TriangleMesh ball = triangleMesh(ballArrays(64, 32), "ball");
+  expectPromises(ball);
+  EXPECT_EQ(ball.positions().size(), ballArrays(64, 32).positions.size());
+  EXPECT_TRUE(ball.closed());
+  // The mean of the triangles around a vertex is off by the square of their size, (tau/64)^2 = 0.01.
+  for (std::size_t i = 0; i < ball.positions().size(); ++i)
+    EXPECT_GT(glm::dot(ball.positions()[i], ball.normals()[i]), 1 - 1e-4);
+}
+
+TEST(TriangleMesh, NormalsAreWeighedByAngles) {
+  // A corner of a cube, smooth: its three faces count the same, though two of them are two triangles there.
+  MeshArrays arrays = cubeArrays();
+  const TriangleMesh cube = triangleMesh(arrays, "cube", {.crease = radians(100)});
+  EXPECT_EQ(cube.positions().size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i)
+    EXPECT_NEAR(glm::dot(Vec3(cube.positions()[i]), Vec3(cube.normals()[i])), std::sqrt(3.0), 1e-6);
+}
+
+TEST(TriangleMesh, FlatNormalsAreThoseOfTheTriangles) {
+  MeshArrays arrays = ballArrays(16, 8);
+  arrays.normals.assign(arrays.positions.size(), Vec3f(0, 0, 1));
+  const TriangleMesh ball = triangleMesh(arrays, "ball", {.normals = NormalRule::Flat});
+  expectPromises(ball);
+  for (std::size_t i = 0; i < ball.indices().size(); i += 3) {
+    const Vec3 a = ball.point(ball.indices()[i]), b = ball.point(ball.indices()[i + 1]),
+               c = ball.point(ball.indices()[i + 2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_GT(glm::dot(unit(glm::cross(b - a, c - a)), Vec3(ball.normals()[ball.indices()[i + k]])),
+                1 - 1e-6);
+  }
+}
+
+TEST(TriangleMesh, GivenNormalsStayAndMissingOnesAreMade) {
+  MeshArrays arrays = cubeArrays();
+  arrays.normals.assign(8, Vec3f(0));
+  arrays.normals[7] = Vec3f(3, 0, 4);
+  const TriangleMesh cube = triangleMesh(arrays);
+  expectPromises(cube);
+  EXPECT_EQ(cube.positions().size(), 7 * 3 + 1u);
+  for (std::size_t i = 0; i < cube.positions().size(); ++i)
+    if (cube.positions()[i] == Vec3f(1)) {
+      EXPECT_LT(glm::distance(cube.normals()[i], Vec3f(0.6f, 0, 0.8f)), 2e-7f);
+    }
+}
+
+TEST(TriangleMesh, SmoothingNumbersDecideWhatIsSharp) {
+  MeshArrays arrays = cubeArrays();
+  arrays.smoothing.assign(12, 1);
+  EXPECT_EQ(triangleMesh(arrays).positions().size(), 8u);
+  arrays.smoothing[0] = arrays.smoothing[1] = 2;  // the face z = -1, whose edges are sharp now
+  EXPECT_EQ(triangleMesh(arrays).positions().size(), 4 + 4 + 4u);
+  arrays.smoothing.assign(12, 0);
+  EXPECT_EQ(triangleMesh(arrays).positions().size(), 24u);
+}
+
+TEST(TriangleMesh, WeldsEqualVerticesOnly) {
+  MeshArrays arrays = oneTriangle();
+  arrays.positions.insert(arrays.positions.end(), {{1, 0, 0}, {1, 1, 0}, {-0.0, 1, 0}});
+  arrays.indices.insert(arrays.indices.end(), {3, 4, 5});
+  EXPECT_EQ(triangleMesh(arrays).positions().size(), 4u);
+  arrays.uvs.assign(6, Vec2f(0));
+  EXPECT_EQ(triangleMesh(arrays).positions().size(), 4u);
+  arrays.uvs[3] = Vec2f(0, 1);
+  const TriangleMesh seam = triangleMesh(arrays);
+  EXPECT_EQ(seam.positions().size(), 5u);
+  EXPECT_EQ(seam.edges().border, 4u);  // the seam of uvs is no border
+}
+
+TEST(TriangleMesh, CountsEdgesByThePointsTheyJoin) {
+  const MeshEdges open = triangleMesh(oneTriangle()).edges();
+  EXPECT_EQ(open.border, 3u);
+  EXPECT_FALSE(open.closed());
+
+  MeshArrays missing = cubeArrays();
+  missing.indices.resize(33);
+  EXPECT_EQ(triangleMesh(missing).edges().border, 3u);
+
+  MeshArrays turned = cubeArrays();
+  std::swap(turned.indices[0], turned.indices[1]);
+  EXPECT_EQ(triangleMesh(turned).edges().turned, 3u);
+  EXPECT_FALSE(triangleMesh(turned).closed());
+
+  // Two tetrahedra that share an edge: four triangles at it, two each way.
+  const MeshArrays tetrahedra{
+      .positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
+      .indices = {0, 1, 3, 0, 2, 1, 0, 3, 2, 1, 2, 3, 0, 1, 5, 0, 4, 1, 0, 5, 4, 1, 4, 5}};
+  const MeshEdges shared = triangleMesh(tetrahedra).edges();
+  EXPECT_EQ(shared.nonManifold, 1u);
+  EXPECT_EQ(shared.border, 0u);
+  EXPECT_TRUE(shared.closed());
+}
+
+TEST(TriangleMesh, TrianglesWithoutAreaAreLeftOutAndTheWholeStaysClosed) {
+  MeshArrays arrays = cubeArrays();
+  // The edge from vertex 0 to vertex 1 gets a point in its middle on one side, and a sliver fills the gap.
+  arrays.positions.emplace_back(0, -1, -1);
+  arrays.indices.erase(arrays.indices.begin() + 3, arrays.indices.begin() + 6);
+  arrays.indices.insert(arrays.indices.end(), {0, 3, 8, 8, 3, 1, 0, 8, 1});
+  arrays.indices.insert(arrays.indices.end(), {4, 4, 5});
+  const TriangleMesh mesh = triangleMesh(arrays);
+  expectPromises(mesh);
+  EXPECT_EQ(mesh.dropped(), 2u);
+  EXPECT_EQ(mesh.triangleCount(), 13u);
+  EXPECT_TRUE(mesh.closed());
+}
+
+TEST(TriangleMesh, FarFromTheOriginItsPointsAreExactToItsSize) {
+  const Vec3 far(4e6, -3e5, 1e7);
+  const MeshArrays arrays = ballArrays(32, 16, far);
+  const TriangleMesh ball = triangleMesh(arrays, "ball", {.crease = kPi});
+  expectPromises(ball);
+  EXPECT_GT(glm::length(ball.origin()), 1e7);
+  ASSERT_EQ(ball.positions().size(), arrays.positions.size());
+  for (std::uint32_t i = 0; i < arrays.positions.size(); ++i) {
+    double nearest = 1;
+    for (const Vec3& given : arrays.positions)
+      nearest = std::min(nearest, glm::distance(given, ball.point(i)));
+    EXPECT_LT(nearest, 2 * 1.8 / (1 << 24) + 1e-8);
+  }
+  EXPECT_EQ(triangleMesh(ballArrays(32, 16)).origin(), Vec3(0));
+}
+
+TEST(TriangleMesh, MaterialsAreGroupsInTheirOrder) {
+  MeshArrays arrays = ballArrays(40, 20);
+  for (std::size_t i = 0; i < arrays.indices.size() / 3; ++i)
+    arrays.materials.push_back(std::uint32_t(i * 7 % 3) * 2);
+  const TriangleMesh ball = triangleMesh(arrays);
+  expectPromises(ball);
+  ASSERT_EQ(ball.groups().size(), 3u);
+  std::map<TriangleKey, std::uint32_t> given;
+  for (std::size_t i = 0; i < arrays.materials.size(); ++i)
+    given[keyOf(Vec3f(arrays.positions[arrays.indices[3 * i]]),
+                Vec3f(arrays.positions[arrays.indices[3 * i + 1]]),
+                Vec3f(arrays.positions[arrays.indices[3 * i + 2]]))] = arrays.materials[i];
+  EXPECT_EQ(given.size(), arrays.materials.size());
+  for (const MeshGroup& group : ball.groups())
+    for (std::size_t i = group.firstTriangle; i < group.firstTriangle + group.triangles; ++i)
+      EXPECT_EQ(
+          given.at(keyOf(ball.positions()[ball.indices()[3 * i]], ball.positions()[ball.indices()[3 * i + 1]],
+                         ball.positions()[ball.indices()[3 * i + 2]])),
+          group.material);
+}
+
+TEST(TriangleMesh, ManyVerticesStayWithin16BitsOfTheirClusters) {
+  const MeshArrays arrays = ballArrays(500, 250);  // 124,502 vertices
+  const TriangleMesh ball = triangleMesh(arrays);
+  expectPromises(ball);
+  EXPECT_EQ(ball.triangleCount(), arrays.indices.size() / 3);
+  EXPECT_LT(ball.positions().size(),
+            double(arrays.positions.size()) * 1.02);  // those at the border of two ranges are doubled
+  EXPECT_EQ(trianglesOf(ball).size(), arrays.indices.size() / 3);
+  EXPECT_TRUE(ball.closed());
+}
+
+TEST(TriangleMesh, ClustersFaceAwayOnlyWhereNoTriangleShowsItsFront) {
+  const TriangleMesh ball = triangleMesh(ballArrays(96, 48, Vec3(3, 1, -2)));
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> between(-1, 1);
+  std::size_t away = 0, along = 0, possible = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 direction = unit(Vec3(between(random), between(random), between(random))),
+               eye = Vec3(3, 1, -2) - (1.05 + 3 * std::abs(between(random))) * direction;
+    for (const MeshCluster& cluster : ball.clusters()) {
+      bool front = false, frontAlong = false;
+      for (std::size_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangles; ++t) {
+        const Vec3 a = ball.point(ball.indices()[3 * t]), b = ball.point(ball.indices()[3 * t + 1]),
+                   c = ball.point(ball.indices()[3 * t + 2]), normal = glm::cross(b - a, c - a);
+        front |= glm::dot(normal, eye - a) > 0;
+        frontAlong |= glm::dot(normal, direction) < 0;
+      }
+      if (cluster.facesAwayFrom(eye)) {
+        EXPECT_FALSE(front);
+        ++away;
+      }
+      if (cluster.facesAwayAlong(direction)) {
+        EXPECT_FALSE(frontAlong);
+        ++along;
+      }
+      possible += !frontAlong;
+    }
+  }
+  EXPECT_GT(along, possible / 2);
+  EXPECT_GT(away, along / 2);
+}
+
+TEST(TriangleMesh, CopiesAreOneMesh) {
+  const TriangleMesh a = triangleMesh(oneTriangle()), b = a, c = triangleMesh(oneTriangle());
+  EXPECT_EQ(a, b);
+  EXPECT_NE(a, c);
+  EXPECT_EQ(a.identity(), b.identity());
+  EXPECT_FALSE(TriangleMesh().valid());
+}
+
+TEST(TriangleMesh, RefusesWhatIsNoMesh) {
+  MeshArrays arrays = oneTriangle();
+  arrays.indices = {0, 1};
+  EXPECT_THAT(refusalOf(arrays), HasSubstr("mesh 'thing': 2 indices are not three a triangle"));
+  arrays.indices = {0, 1, 3};
+  EXPECT_THAT(refusalOf(arrays), HasSubstr("triangle 0 has vertex 3 of 3"));
+  arrays.indices = {0, 1, 1};
+  EXPECT_THAT(refusalOf(arrays), HasSubstr("no triangle with an area"));
+  EXPECT_THAT(refusalOf({}), HasSubstr("no triangle with an area"));
+
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN(), 1.1e18}) {
+    arrays = oneTriangle();
+    arrays.positions[1].y = bad;
+    EXPECT_THAT(refusalOf(arrays), HasSubstr("vertex 1 is (1, "));
+  }
+  arrays = oneTriangle();
+  arrays.normals.resize(2);
+  EXPECT_THAT(refusalOf(arrays), HasSubstr("2 normals, not 3"));
+  arrays.normals.assign(3, Vec3f(std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_THAT(refusalOf(arrays), HasSubstr("the normal of vertex 0 is not finite"));
+  arrays = oneTriangle();
+  arrays.uvs.assign(3, Vec2f(float(kInfinity)));
+  EXPECT_THAT(refusalOf(arrays), HasSubstr("the uv of vertex 0 is not finite"));
+  arrays = oneTriangle();
+  arrays.materials = {0, 0};
+  EXPECT_THAT(refusalOf(arrays), HasSubstr("2 materials, not 1"));
+}
+
+}  // namespace
+}  // namespace luxo
