@@ -12,6 +12,7 @@
 #include "mesh/mesh_clusters.h"
 #include "mesh/mesh_topology.h"
 #include "mesh/vertex_normals.h"
+#include "mesh/vertex_tangents.h"
 
 namespace luxo {
 
@@ -87,7 +88,7 @@ void validate(const MeshArrays& arrays, std::string_view name, const MeshOptions
   requireLength("uvs", arrays.uvs.size(), vertices);
   requireLength("materials", arrays.materials.size(), triangles);
   requireLength("smoothing numbers", arrays.smoothing.size(), triangles);
-  if (options.tangents) refuse(name, "tangents are not supported yet");
+  if (options.tangents && arrays.uvs.empty()) refuse(name, "tangents need uvs");
   for (std::size_t i = 0; i < vertices; ++i) {
     const Vec3& p = arrays.positions[i];
     const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -196,6 +197,7 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   data->dropped = dropTriangles(vertices.positions, arrays);
   if (arrays.indices.empty()) refuse(name, "it has no triangle with an area");
   giveNormals(vertices, arrays.indices, arrays.smoothing, options);
+  if (options.tangents) data->tangents = giveTangents(vertices, arrays.indices);
   data->groups = groupByMaterial(arrays.indices, arrays.materials);
 
   std::vector<std::uint32_t> order;
@@ -203,6 +205,7 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   vertices.positions = reordered(vertices.positions, order);
   vertices.normals = reordered(vertices.normals, order);
   vertices.uvs = reordered(vertices.uvs, order);
+  data->tangents = reordered(data->tangents, order);
   data->indices = std::move(arrays.indices);
   for (MeshCluster& cluster : data->clusters) {
     boundCluster(cluster, vertices.positions, data->origin, data->indices);

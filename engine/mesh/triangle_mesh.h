@@ -111,7 +111,8 @@ class TriangleMesh {
   [[nodiscard]] std::span<const Vec3f> normals() const;  ///< one a vertex, unit to 2e-7
   [[nodiscard]] std::span<const Vec2f> uvs() const;      ///< one a vertex, or none; finite
   /// One a vertex, or none. x, y, z: unit to 2e-7, perpendicular to the normal to 1e-6; w: 1 or -1, the
-  /// bitangent is w * cross(normal, tangent).
+  /// bitangent, w * cross(normal, tangent), points to the top of an image, where v is 0
+  /// (mesh/vertex_tangents.h).
   [[nodiscard]] std::span<const Vec4f> tangents() const;
 
   /// Three a triangle, each below positions().size(), in the order of clusters. No triangle has an area of
