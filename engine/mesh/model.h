@@ -53,8 +53,9 @@ struct ModelMaterial {
   bool twoSided = false;  ///< asked for by the file
   /// Of opacities from a map: what is below is not there, the rest is opaque. 0: as it is, seen through.
   double cutoff = 0;
-  bool opacityFromMap = false;                    ///< the alpha of `map` is the opacity
-  double normalScale = 1;                         ///< of the x and y of normal maps
+  bool opacityFromMap = false;  ///< the alpha of `map` is the opacity
+  bool objectNormals = false;   ///< the normal map is in object space, not in that of the tangents
+  double normalScale = 1;       ///< of the x and y of normal maps
   ModelMap map, normalMap, specularMap, glowMap;  ///< colour (sRGB), data (tangent space), data, colour
 };
 

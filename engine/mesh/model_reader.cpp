@@ -6,7 +6,8 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "mesh/model.h"
+#include "image/file.h"
+#include "mesh/model_source.h"
 
 namespace luxo {
 namespace {
@@ -26,12 +27,19 @@ bool namesModel(const std::filesystem::path& path) {
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffixOf(path)) != kSuffixes.end();
 }
 
-Model readModel(const std::filesystem::path& path, const ModelOptions&) {
+Model readModel(const std::filesystem::path& path, const ModelOptions& options) {
   if (!namesModel(path))
     throw Error(ErrorKind::Usage, fmt::format("'{}' does not name a model", path.string()),
                 "models are .obj, .gltf, .glb, .ply, .stl");
+  const std::string suffix = suffixOf(path);
+  const std::vector<std::byte> bytes = readFile(path);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const ModelSource source(path, options);
+  if (suffix == ".obj") return readObj(source, text);
+  if (suffix == ".ply") return readPly(source, text);
+  if (suffix == ".stl") return readStl(source, text);
   throw Error(ErrorKind::Scene,
-              fmt::format("cannot read '{}': {} is not supported yet", path.string(), suffixOf(path)));
+              fmt::format("cannot read '{}': {} is not supported yet", path.string(), suffix));
 }
 
 }  // namespace luxo

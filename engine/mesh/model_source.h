@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the readers of model files share: their bytes, the files that they name, one shape of error.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/model.h"
+
+namespace luxo {
+
+/// Bytes that a terminal would act on, or that are not ASCII, become '?'.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// Error(Scene): "head.obj:12: why"; line 0: none.
+[[noreturn]] void refuseModel(std::string_view name, const std::string& why, std::size_t line = 0,
+                              const std::string& hint = {});
+
+/// A model file that is being read.
+class ModelSource {
+ public:
+  ModelSource(const std::filesystem::path& path, const ModelOptions& options)
+      : path_(path), name_(printable(path.string())), options_(options) {}
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const ModelOptions& options() const { return options_; }
+
+  /// A file that the model names, whether there is one or not. Backslashes are slashes. Error(Scene) where
+  /// the name leads out of the model's folder, unless that is allowed.
+  [[nodiscard]] std::filesystem::path besides(std::string_view name, std::string_view inFile,
+                                              std::size_t line) const;
+  /// The number of an image of the model, taken in where it is new; where there is no such file, kNone, and
+  /// one warning.
+  [[nodiscard]] std::uint32_t image(Model& model, std::string_view name, std::string_view inFile,
+                                    std::size_t line) const;
+
+  void tellProgress(double part) const {
+    if (options_.progress) options_.progress(part);
+  }
+
+  /// A mesh of what was read, with its warnings; tangents where a material with a normal map has uvs.
+  void addMesh(Model& model, MeshArrays arrays, std::string_view name,
+               NormalRule given = NormalRule::Given) const;
+
+ private:
+  std::filesystem::path path_;
+  std::string name_;
+  const ModelOptions& options_;
+};
+
+/// Readers of one format each; the bytes are those of the source's file. One mesh at one node, but for glTF.
+[[nodiscard]] Model readObj(const ModelSource& source, std::string_view text);
+[[nodiscard]] Model readPly(const ModelSource& source, std::string_view bytes);
+[[nodiscard]] Model readStl(const ModelSource& source, std::string_view bytes);
+[[nodiscard]] Model readGltf(const ModelSource& source, std::string_view bytes);
+
+}  // namespace luxo

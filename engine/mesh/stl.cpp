@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// STL, as 3D Systems defined it: triangles, as text or as 50 bytes each. Coordinates are taken for metres;
+// the normals of facets are made anew.
+#include <bit>
+#include <cstring>
+
+#include "mesh/binary.h"
+#include "mesh/text_lines.h"
+
+namespace luxo {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 80, kFacetBytes = 50;
+
+MeshArrays readBinary(const ModelSource& source, std::string_view bytes) {
+  MeshArrays arrays;
+  const auto facets = readNumber<std::uint32_t>(bytes, kHeaderBytes, std::endian::little);
+  arrays.positions.reserve(3 * std::size_t(facets));
+  for (std::size_t i = 0; i < facets; ++i)
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Vec3 point;
+      for (int k = 0; k < 3; ++k)
+        point[k] = readNumber<float>(
+            bytes, kHeaderBytes + 4 + i * kFacetBytes + 12 + 12 * corner + 4 * std::size_t(k),
+            std::endian::little);
+      if (!(glm::length(point) <= kMaxCoordinate))
+        refuseModel(source.name(),
+                    fmt::format("facet {} has a corner at ({}, {}, {})", i, point.x, point.y, point.z));
+      arrays.indices.push_back(std::uint32_t(arrays.positions.size()));
+      arrays.positions.push_back(point);
+    }
+  return arrays;
+}
+
+MeshArrays readText(const ModelSource& source, std::string_view text) {
+  MeshArrays arrays;
+  TextLines lines(source.name(), text);
+  std::size_t corners = 0;
+  while (lines.nextLine()) {
+    const std::string_view key = lines.word();
+    if (key == "vertex") {
+      if (++corners > 3) lines.refuse("a facet of more than three vertices");
+      Vec3 point;
+      for (int k = 0; k < 3; ++k) point[k] = lines.number("a coordinate");
+      arrays.indices.push_back(std::uint32_t(arrays.positions.size()));
+      arrays.positions.push_back(point);
+    } else if (key == "endloop") {
+      if (corners != 3) lines.refuse(fmt::format("a facet of {} vertices", corners));
+      corners = 0;
+    } else if (key != "solid" && key != "facet" && key != "outer" && key != "endfacet" && key != "endsolid" &&
+               key != "color") {
+      lines.refuse(fmt::format("'{}' is no word of STL", TextLines::shown(key)));
+    }
+  }
+  if (corners != 0) lines.refuse("the file ends within a facet");
+  return arrays;
+}
+
+}  // namespace
+
+Model readStl(const ModelSource& source, std::string_view bytes) {
+  const bool counted = bytes.size() >= kHeaderBytes + 4;
+  const std::size_t told = counted ? readNumber<std::uint32_t>(bytes, kHeaderBytes, std::endian::little) : 0,
+                    whole = kHeaderBytes + 4 + kFacetBytes * told;
+  // Binary headers may begin with "solid", too: the length decides.
+  const bool text = bytes.starts_with("solid") && !(counted && bytes.size() == whole);
+  if (!text && !counted) refuseModel(source.name(), "it is no STL: neither 'solid' nor a header of 84 bytes");
+  if (!text && bytes.size() < whole)
+    refuseModel(source.name(), fmt::format("{} facets need {} bytes, and it has {}; is it cut short?", told,
+                                           whole, bytes.size()));
+  Model model{.name = printable(source.path().stem().string())};
+  model.materials.push_back({.name = "default"});
+  MeshArrays arrays = text ? readText(source, bytes) : readBinary(source, bytes);
+  if (arrays.indices.empty()) refuseModel(source.name(), "it has no facets");
+  source.tellProgress(0.4);
+  source.addMesh(model, std::move(arrays), model.name, NormalRule::Flat);
+  model.nodes.push_back({.name = model.name, .mesh = 0});
+  source.tellProgress(1);
+  return model;
+}
+
+}  // namespace luxo
