@@ -28,15 +28,15 @@ struct ModelImage {
   std::shared_ptr<const std::vector<std::byte>> bytes = nullptr;  ///< instead of a file: embedded
 };
 
-/// How a map is read: uv' = rotate(angle) * (scale * uv) + offset, as in KHR_texture_transform. Row 0 of the
-/// image, its top, is at v = 0, as in glTF; readers of other formats have turned their v around.
+/// How a map is read: uv' = turned(angle) * (scale * uv) + offset, where a turn takes u toward v. Row 0 of
+/// the image, its top, is at v = 0, as in glTF; readers of other formats have turned their v around.
 struct ModelMap {
   enum class Wrap { Repeat, Clamp, Mirror };
   std::uint32_t image = kNone;  ///< of Model::images; kNone: no map
   Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
   bool nearest = false;  ///< instead of a trilinear filter
   Vec2 offset{0}, scale{1};
-  double angle = 0;  ///< radians, counter-clockwise in glTF's uv (which has v down)
+  double angle = 0;  ///< radians
 
   [[nodiscard]] bool given() const { return image != kNone; }
 };
@@ -101,7 +101,7 @@ struct ModelCamera {
 };
 
 /// At its node; directional ones shine along -Z. KHR_lights_punctual, whose unit of light is kept: candela of
-/// points (they fall with the square of the distance), lux of directions. Spots are refused.
+/// points (they fall with the square of the distance), lux of directions. Spots are points, with a warning.
 struct ModelLight {
   std::string name;
   bool directional = false;

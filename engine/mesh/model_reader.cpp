@@ -38,8 +38,7 @@ Model readModel(const std::filesystem::path& path, const ModelOptions& options) 
   if (suffix == ".obj") return readObj(source, text);
   if (suffix == ".ply") return readPly(source, text);
   if (suffix == ".stl") return readStl(source, text);
-  throw Error(ErrorKind::Scene,
-              fmt::format("cannot read '{}': {} is not supported yet", path.string(), suffix));
+  return readGltf(source, text);
 }
 
 }  // namespace luxo

@@ -36,8 +36,9 @@ std::uint32_t ModelSource::image(Model& model, std::string_view name, std::strin
     if (model.images[i].file == file) return i;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
-    std::string warning = fmt::format("{}:{}: there is no image '{}'; it is drawn without", inFile, line,
-                                      printable(file.string()));
+    const std::string place = line == 0 ? std::string(inFile) : fmt::format("{}:{}", inFile, line);
+    std::string warning =
+        fmt::format("{}: there is no image '{}'; it is drawn without", place, printable(file.string()));
     const std::string_view what = std::string_view(warning).substr(warning.find(": "));
     if (std::none_of(model.warnings.begin(), model.warnings.end(),
                      [&](const std::string& other) { return other.ends_with(what); }))

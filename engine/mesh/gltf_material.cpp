@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/gltf_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luxo {
+namespace {
+
+class MaterialReader {
+ public:
+  MaterialReader(const ModelSource& source, GltfFile& file, Model& model)
+      : source_(source), file_(file), model_(model), images_(file.list("images").size(), kUnread) {}
+
+  ModelMaterial read(const GltfValue& value) {
+    ModelMaterial material{.name = printable(value["name"].textOr("material"))};
+    const GltfValue pbr = value["pbrMetallicRoughness"];
+    const Vec4 base = pbr["baseColorFactor"].vectorOr(Vec4(1));
+    if (std::min({base.x, base.y, base.z, base.w}) < 0) pbr["baseColorFactor"].refuse("a factor below 0");
+    double metallic = std::clamp(pbr["metallicFactor"].numberOr(1), 0.0, 1.0),
+           roughness = std::clamp(pbr["roughnessFactor"].numberOr(1), 0.0, 1.0);
+    if (pbr.has("metallicRoughnessTexture")) {
+      warn(value, "its metallic and roughness map is not read: it is taken for rough and no metal");
+      metallic = 0;
+      roughness = std::max(roughness, 0.5);
+    }
+    if (value.has("occlusionTexture")) warn(value, "its occlusion map is not read");
+    setBlinn(material, Vec3(base), metallic, roughness);
+
+    material.map = map(pbr["baseColorTexture"]);
+    material.normalMap = map(value["normalTexture"]);
+    material.normalScale = value["normalTexture"]["scale"].numberOr(1);
+    material.glowMap = map(value["emissiveTexture"]);
+    const GltfValue extensions = value["extensions"];
+    material.glow =
+        value["emissiveFactor"].colourOr(Vec3(0)) *
+        std::max(0.0, extensions["KHR_materials_emissive_strength"]["emissiveStrength"].numberOr(1));
+    if (extensions.has("KHR_materials_unlit")) {
+      material.glow = Vec3(base);
+      material.glowMap = material.map;
+      material.diffuse = material.specular = Vec3(0);
+      material.ambient = Vec3(0);
+    }
+
+    const std::string mode = value["alphaMode"].textOr("OPAQUE");
+    if (mode != "OPAQUE") {
+      material.opacity = std::min(base.w, 1.0);
+      material.opacityFromMap = material.map.given();
+      if (mode == "MASK") material.cutoff = std::clamp(value["alphaCutoff"].numberOr(0.5), 0.0, 1.0);
+    }
+    material.twoSided = value["doubleSided"].flagOr(false);
+    return material;
+  }
+
+ private:
+  static constexpr std::uint32_t kUnread = kNone - 1;
+
+  void warn(const GltfValue& value, std::string_view what) {
+    model_.warnings.push_back(fmt::format("{}: {}: {}", source_.name(), value.place(), what));
+  }
+
+  static void setBlinn(ModelMaterial& material, const Vec3& base, double metallic, double roughness) {
+    const double alpha = roughness * roughness;
+    const double shininess = std::min(2 / std::max(alpha * alpha, 1e-12) - 2, kMaxGltfShininess);
+    const Vec3 f0 = Vec3(0.04) + metallic * (base - Vec3(0.04));
+    material.diffuse = (1 - metallic) * base;
+    material.ambient = base;
+    material.shininess = shininess;
+    material.specular = (shininess + 2) / 8 * f0;
+  }
+
+  ModelMap map(const GltfValue& info) {
+    ModelMap map;
+    if (!info.given()) return map;
+    const GltfValue texture = file_.list("textures")[info["index"].integer()];
+    const GltfValue transform = info["extensions"]["KHR_texture_transform"];
+    if (transform["texCoord"].integerOr(info["texCoord"].integerOr(0)) != 0) {
+      warn(info, "it uses uvs other than the first, and is not read");
+      return map;
+    }
+    if (!texture.has("source")) {
+      warn(texture, "its image is of a kind that is not supported, and is not read");
+      return map;
+    }
+    map.image = image(texture["source"].integer(images_.size()));
+    map.offset = transform["offset"].vectorOr(Vec2(0));
+    map.scale = transform["scale"].vectorOr(Vec2(1));
+    map.angle = -transform["rotation"].numberOr(0);
+    if (texture.has("sampler")) {
+      const GltfValue sampler = file_.list("samplers")[texture["sampler"].integer()];
+      const auto wrap = [](const GltfValue& mode) {
+        const std::uint64_t code = mode.integerOr(10497);
+        return code == 33071   ? ModelMap::Wrap::Clamp
+               : code == 33648 ? ModelMap::Wrap::Mirror
+                               : ModelMap::Wrap::Repeat;
+      };
+      map.wrapU = wrap(sampler["wrapS"]);
+      map.wrapV = wrap(sampler["wrapT"]);
+      map.nearest = sampler["magFilter"].integerOr(9729) == 9728;
+    }
+    return map;
+  }
+
+  std::uint32_t image(std::uint64_t number) {
+    if (images_[number] != kUnread) return images_[number];
+    const GltfValue image = file_.list("images")[number], uri = image["uri"];
+    const std::string name = printable(image["name"].textOr("image"));
+    std::uint32_t& read = images_[number];
+    if (uri.given() && !GltfFile::isData(uri.text())) {
+      return read = source_.image(model_, GltfFile::decodedName(uri.text()), source_.name(), 0);
+    }
+    std::vector<std::byte> bytes;
+    if (uri.given()) {
+      bytes = GltfFile::decodedData(uri);
+    } else {
+      const auto view = std::as_bytes(std::span(file_.view(image["bufferView"].integer())));
+      bytes.assign(view.begin(), view.end());
+    }
+    read = std::uint32_t(model_.images.size());
+    model_.images.push_back(
+        {.name = name, .bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes))});
+    return read;
+  }
+
+  const ModelSource& source_;
+  GltfFile& file_;
+  Model& model_;
+  std::vector<std::uint32_t> images_;
+};
+
+}  // namespace
+
+void readGltfMaterials(const ModelSource& source, GltfFile& file, Model& model) {
+  MaterialReader reader(source, file, model);
+  const GltfValue materials = file.list("materials");
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    // In a statement of its own: reading adds images and warnings to the model.
+    ModelMaterial material = reader.read(materials[i]);
+    model.materials.push_back(std::move(material));
+  }
+}
+
+}  // namespace luxo

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <nlohmann/json.hpp>
+
+#include "unit/mesh_model_support.h"
+
+namespace luxo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+std::string bytesOf(const std::vector<float>& values) {
+  return {reinterpret_cast<const char*>(values.data()), 4 * values.size()};
+}
+std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? std::uint8_t(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+std::string dataOf(const std::string& bytes) {
+  return "data:application/octet-stream;base64," + base64(bytes);
+}
+
+// A square of two triangles: four points at 0, six 16-bit indices at 48, times and values at 60.
+const std::vector<float> kPoints = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+const std::vector<float> kMoves = {0, 2, /**/ 0, 0, 0, 4, 6, 8};
+std::string buffer() {
+  return bytesOf(kPoints) + std::string("\0\0\1\0\2\0\0\0\2\0\3\0", 12) + bytesOf(kMoves);
+}
+
+Json square() {
+  return Json::parse(R"({
+    "asset": {"version": "2.0"},
+    "buffers": [{"byteLength": 92}],
+    "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12},
+                    {"buffer": 0, "byteOffset": 60, "byteLength": 32}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+                  {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                  {"bufferView": 2, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    "meshes": [{"name": "square", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "nodes": [{"name": "leaf", "mesh": 0, "translation": [1, 2, 3]}, {"name": "root", "children": [0]}],
+    "scenes": [{"nodes": [1]}], "scene": 0
+  })");
+}
+Json embedded(Json json) {
+  json["buffers"][0]["uri"] = dataOf(buffer());
+  return json;
+}
+std::string glb(std::string text, std::string binary) {
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  binary.resize((binary.size() + 3) / 4 * 4);
+  const auto word = [](std::size_t value) {
+    const auto raw = std::bit_cast<std::array<char, 4>>(std::uint32_t(value));
+    return std::string(raw.data(), 4);
+  };
+  return "glTF" + word(2) + word(12 + 8 + text.size() + 8 + binary.size()) + word(text.size()) + "JSON" +
+         text + word(binary.size()) + std::string("BIN\0", 4) + binary;
+}
+
+class ReadGltf : public testing::Test {
+ protected:
+  Model read(const Json& json) { return folder_.read("a.gltf", embedded(json).dump(1)); }
+  std::string refusal(const Json& json) { return folder_.refusal("a.gltf", embedded(json).dump(1)); }
+
+  ModelFolder folder_;
+};
+
+TEST_F(ReadGltf, BuffersMayBeEmbeddedBesideOrWithin) {
+  const Model data = read(square());
+  ASSERT_EQ(data.meshes.size(), 1u);
+  expectPromises(data.meshes[0]);
+  EXPECT_EQ(data.triangleCount(), 2u);
+  EXPECT_EQ(data.meshes[0].bounds(), (Box{Vec3(0), Vec3(1, 1, 0)}));
+  EXPECT_EQ(data.meshes[0].name(), "square");
+  EXPECT_EQ(data.meshes[0].normals()[0], Vec3f(0, 0, 1));
+
+  Json beside = square();
+  beside["buffers"][0]["uri"] = "the%20data.bin";
+  folder_.write("the data.bin", buffer());
+  EXPECT_EQ(trianglesOf(folder_.read("b.gltf", beside.dump()).meshes[0]), trianglesOf(data.meshes[0]));
+  EXPECT_EQ(trianglesOf(folder_.read("c.glb", glb(square().dump(), buffer())).meshes[0]),
+            trianglesOf(data.meshes[0]));
+}
+
+TEST_F(ReadGltf, NodesHangOnEachOtherParentsFirst) {
+  Json json = square();
+  json["nodes"].push_back({{"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1}}, {"mesh", 0}});
+  json["nodes"].push_back({{"matrix", {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}, {"mesh", 0}});
+  json["scenes"][0]["nodes"] = {1, 2, 3};
+  const Model model = read(json);
+  ASSERT_EQ(model.nodes.size(), 4u);
+  EXPECT_EQ(model.meshes.size(), 1u);
+  EXPECT_EQ(model.nodes[0].name, "root");
+  EXPECT_EQ(model.nodes[0].parent, kNone);
+  EXPECT_EQ(model.nodes[1].name, "leaf");
+  EXPECT_EQ(model.nodes[1].parent, 0u);
+  EXPECT_EQ(model.nodes[1].translationAt(0), Vec3(1, 2, 3));
+  // A quarter turn about z and a scale of 2: x goes to 2y.
+  EXPECT_FALSE(model.nodes[2].shear);
+  EXPECT_LT(
+      glm::distance(transformPoint(model.nodes[2].parentFromNodeAt(0), {1, 2, 3}), Vec3(5 - 4, 6 + 2, 7 + 6)),
+      1e-14);
+  EXPECT_TRUE(model.nodes[3].shear);
+  EXPECT_EQ(transformPoint(model.nodes[3].parentFromNodeAt(0), {1, 2, 3}), Vec3(3, 2, 3));
+}
+
+TEST_F(ReadGltf, AnimationsAreSampledAtTheirKeys) {
+  Json json = square();
+  json["animations"] =
+      Json::parse(R"([{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                                        "samplers": [{"input": 2, "output": 3}]}])");
+  const Model model = read(json);
+  const ModelNode& leaf = model.nodes[1];
+  EXPECT_TRUE(leaf.moves());
+  EXPECT_EQ(model.duration, 2);
+  EXPECT_EQ(leaf.translationAt(0), Vec3(0));
+  EXPECT_EQ(leaf.translationAt(0.5), Vec3(1, 1.5, 2));
+  EXPECT_EQ(leaf.translationAt(2), Vec3(4, 6, 8));
+}
+
+TEST_F(ReadGltf, CamerasAndLightsStandAtTheirNodes) {
+  Json json = square();
+  json["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.25}},
+                                    {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 3, "znear": 0, "zfar": 9}}])");
+  json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(
+      R"([{"type": "point", "color": [1, 0.5, 0], "intensity": 40}, {"type": "directional"}, {"type": "spot"}])");
+  json["nodes"][0]["camera"] = 1;
+  json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  const Model model = read(json);
+  EXPECT_EQ(model.nodes[1].camera, 1u);
+  EXPECT_EQ(model.nodes[0].light, 0u);
+  EXPECT_EQ(model.cameras[0].fovY, 0.7);
+  EXPECT_EQ(model.cameras[0].near, 0.25);
+  EXPECT_FALSE(model.cameras[1].perspective);
+  EXPECT_EQ(model.cameras[1].height, 6);
+  EXPECT_EQ(model.lights[0].color, Vec3(1, 0.5, 0));
+  EXPECT_EQ(model.lights[0].intensity, 40);
+  EXPECT_TRUE(model.lights[1].directional);
+  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("lights[2]: a spot light shines as a point")));
+}
+
+TEST_F(ReadGltf, MaterialsAreBlinnsOfTheSameLobe) {
+  Json json = square();
+  json["materials"] = Json::parse(R"([
+    {"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 0.75], "metallicFactor": 0, "roughnessFactor": 0.5},
+     "alphaMode": "BLEND", "doubleSided": true},
+    {"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 0.75], "metallicFactor": 1, "roughnessFactor": 1}},
+    {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
+       {"offset": [0, 1], "rotation": 1.5707963267948966, "scale": [0.5, 0.5]}}}, "roughnessFactor": 0},
+     "normalTexture": {"index": 1, "scale": 0.5}, "alphaMode": "MASK"}])");
+  json["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}, {"source": 1}])");
+  json["samplers"] = Json::parse(R"([{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}])");
+  json["images"] = {{{"uri", "data:image/png;base64,aGVsbG8="}}, {{"uri", "gone.png"}}};
+  json["meshes"][0]["primitives"][0]["material"] = 2;
+  const Model model = read(json);
+  const ModelMaterial &plastic = model.materials[0], &metal = model.materials[1],
+                      &mapped = model.materials[2];
+  EXPECT_EQ(plastic.diffuse, Vec3(0.5, 0.25, 1));
+  EXPECT_NEAR(plastic.shininess, 2 / std::pow(0.5, 4) - 2, 1e-12);  // 30
+  EXPECT_LT(glm::distance(plastic.specular, Vec3(0.04 * 32 / 8)), 1e-15);
+  EXPECT_EQ(plastic.opacity, 0.75);
+  EXPECT_TRUE(plastic.twoSided);
+  EXPECT_EQ(metal.diffuse, Vec3(0));
+  EXPECT_EQ(metal.ambient, Vec3(0.5, 0.25, 1));
+  EXPECT_EQ(metal.shininess, 0);
+  EXPECT_EQ(metal.opacity, 1);  // opaque, whatever its alpha
+  EXPECT_EQ(mapped.shininess, 1000);
+  EXPECT_EQ(mapped.cutoff, 0.5);
+  EXPECT_TRUE(mapped.opacityFromMap);
+  ASSERT_EQ(model.images.size(), 1u);
+  EXPECT_EQ(model.images[0].bytes->size(), 5u);
+  EXPECT_EQ(mapped.map.wrapU, ModelMap::Wrap::Clamp);
+  EXPECT_EQ(mapped.map.wrapV, ModelMap::Wrap::Mirror);
+  EXPECT_TRUE(mapped.map.nearest);
+  EXPECT_FALSE(mapped.normalMap.given());
+  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("there is no image")));
+  // The extension's own example: the lower left quarter of the image, turned.
+  const auto turned = [&](double u, double v) {
+    const Vec2 s(u * mapped.map.scale.x, v * mapped.map.scale.y);
+    const double c = std::cos(mapped.map.angle), n = std::sin(mapped.map.angle);
+    return Vec2(c * s.x - n * s.y, n * s.x + c * s.y) + mapped.map.offset;
+  };
+  EXPECT_LT(glm::distance(turned(0, 0), Vec2(0, 1)), 1e-15);
+  EXPECT_LT(glm::distance(turned(1, 1), Vec2(0.5, 0.5)), 1e-15);
+}
+
+TEST_F(ReadGltf, StripsFansAndUnindexedTrianglesAreTheSame) {
+  Json json = square();
+  json["accessors"][1]["count"] = 3;
+  Json primitive = json["meshes"][0]["primitives"][0];
+  json["meshes"][0]["primitives"][0].erase("indices");
+  json["meshes"][0]["primitives"][0]["mode"] = 6;
+  EXPECT_EQ(trianglesOf(read(json).meshes[0]), trianglesOf(read(square()).meshes[0]));
+  json["meshes"][0]["primitives"][0]["mode"] = 5;
+  EXPECT_EQ(read(json).triangleCount(), 2u);
+  primitive["mode"] = 1;
+  json["meshes"][0]["primitives"].push_back(primitive);
+  EXPECT_THAT(read(json).warnings, ElementsAre(HasSubstr("points and lines are not drawn")));
+}
+
+TEST_F(ReadGltf, BadFilesAreRefused) {
+  const auto with = [&](const char* pointer, const Json& value) {
+    Json json = square();
+    json[Json::json_pointer(pointer)] = value;
+    return refusal(json);
+  };
+  EXPECT_THAT(folder_.refusal("a.gltf", "{\n\"asset\": }"), HasSubstr("a.gltf:2: it is no JSON at byte"));
+  EXPECT_THAT(folder_.refusal("a.gltf", "[1]"), HasSubstr("its JSON is no object"));
+  EXPECT_THAT(with("/asset/version", "1.0"), HasSubstr("version '1.0' of glTF is not supported"));
+  EXPECT_THAT(with("/extensionsRequired", {"KHR_draco_mesh_compression"}),
+              HasSubstr("which is not supported"));
+  EXPECT_THAT(with("/nodes/0/children", {1}), HasSubstr("its own ancestor"));
+  EXPECT_THAT(with("/nodes/1/children", {0, 0}), HasSubstr("hangs on node 1 already"));
+  EXPECT_THAT(with("/nodes/1/children", {7}),
+              HasSubstr("nodes[1].children[0]: 7 is not a whole number from 0 to 1"));
+  EXPECT_THAT(with("/nodes/0/skin", 0), HasSubstr("skins are not supported"));
+  EXPECT_THAT(with("/nodes/0/rotation", {0, 0, 0, 2}), HasSubstr("its length is 2, not 1"));
+  EXPECT_THAT(with("/meshes/0/primitives/0/targets", Json::array({Json::object()})),
+              HasSubstr("morph targets are not supported"));
+  EXPECT_THAT(with("/meshes/0/primitives", Json::array()), HasSubstr("it has no triangles"));
+  EXPECT_THAT(with("/buffers/0/byteLength", 4'000'000'000),
+              HasSubstr("it promises 4000000000 bytes, and has 92"));
+  EXPECT_THAT(with("/bufferViews/0/byteLength", 93),
+              HasSubstr("bufferViews[0]: bytes 0 to 93 of a buffer of 92"));
+  EXPECT_THAT(with("/accessors/0/count", 5), HasSubstr("5 elements of 12 bytes do not fit the 48"));
+  EXPECT_THAT(with("/accessors/0/count", 2'000'000'000), HasSubstr("do not fit"));
+  EXPECT_THAT(with("/accessors/0/byteOffset", 1), HasSubstr("do not fit"));
+  EXPECT_THAT(with("/accessors/0/type", "VEC2"), HasSubstr("3 numbers are wanted"));
+  EXPECT_THAT(with("/accessors/0/sparse", Json::object()), HasSubstr("sparse accessors are not supported"));
+  EXPECT_THAT(with("/accessors/1/byteOffset", -2), HasSubstr("-2 is not a whole number"));
+  EXPECT_THAT(with("/accessors/0/count", 3), HasSubstr("there is vertex 3 of 3"));
+  EXPECT_THAT(with("/bufferViews/0/byteStride", 4), HasSubstr("4 bytes between elements of 12"));
+  Json outside = square();
+  outside["buffers"][0]["uri"] = "../../etc/passwd";
+  EXPECT_THAT(folder_.refusal("b.gltf", outside.dump()), HasSubstr("outside of the model's folder"));
+  Json nan = square();
+  std::string bytes = buffer();
+  bytes.replace(0, 4, std::string("\0\0\xc0\x7f", 4));
+  nan["buffers"][0]["uri"] = dataOf(bytes);
+  EXPECT_THAT(folder_.refusal("b.gltf", nan.dump()), HasSubstr("accessors[0]: number 0 of element 0 is nan"));
+}
+
+TEST_F(ReadGltf, AGlbCutShortIsRefused) {
+  const std::string whole = glb(square().dump(), buffer());
+  for (std::size_t length = 0; length < whole.size(); length += 5)
+    EXPECT_NE(folder_.refusal("a.glb", whole.substr(0, length)), "") << length;
+  std::string lie = whole;
+  lie.replace(12, 4, "\xff\xff\xff\xff");
+  EXPECT_THAT(folder_.refusal("a.glb", lie), HasSubstr("a chunk of 4294967295 bytes"));
+}
+
+TEST_F(ReadGltf, WhatIsReadOverAndOverIsRefused) {
+  Json json = square();
+  for (int i = 0; i < 3000; ++i) {
+    json["accessors"].push_back(json["accessors"][0]);
+    json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 4 + i}}}, {"indices", 1}});
+  }
+  EXPECT_EQ(read(json).triangleCount(), 6002u);  // that much JSON says as much
+  json["buffers"][0]["byteLength"] = 60000;
+  json["bufferViews"][0]["byteLength"] = 60000;
+  for (auto& accessor : json["accessors"])
+    if (accessor["type"] == "VEC3" && accessor["bufferView"] == 0) accessor["count"] = 5000;
+  json["buffers"][0]["uri"] = dataOf(buffer() + std::string(60000, '\0'));
+  EXPECT_THAT(folder_.refusal("a.gltf", json.dump()), HasSubstr("cannot be meant"));
+}
+
+}  // namespace
+}  // namespace luxo
