@@ -144,5 +144,101 @@ constexpr std::string_view kSceneWords[] = {
 TEST(FuzzScene, KeptInputsKeepThePromises) { replay("scene", fuzzScene); }
 TEST(FuzzScene, MutatedInputsKeepThePromises) { mutate("scene", fuzzScene, kSceneWords, 20'000); }
 
+constexpr std::string_view kModelWords[] = {
+    "v ",
+    "vt ",
+    "vn ",
+    "f ",
+    "s off",
+    "s 1",
+    "usemtl ",
+    "mtllib ",
+    "\n",
+    "\\\n",
+    "0",
+    "-1",
+    "1",
+    "7",
+    "1e30",
+    "1e999",
+    "nan",
+    "0.5",
+    "4294967295",
+    "2147483648",
+    "1/1/1",
+    "2//2",
+    "-3/-2",
+    "newmtl ",
+    "Kd ",
+    "map_Kd ",
+    "-o ",
+    "-s ",
+    "map_Bump ",
+    "../",
+    "/",
+    "a.png",
+    "solid ",
+    "facet ",
+    "vertex ",
+    "endloop",
+    "property ",
+    "list ",
+    "uchar ",
+    "float ",
+    "double ",
+    "int ",
+    "x",
+    "element ",
+    "face ",
+    "ascii",
+    "binary_big_endian",
+    "end_header\n",
+    "vertex_indices",
+    "{",
+    "}",
+    "[",
+    "]",
+    ",",
+    ":",
+    "\"mesh\"",
+    "\"nodes\"",
+    "\"children\"",
+    "\"count\"",
+    "5126",
+    "5123",
+    "\"VEC3\"",
+    "\"SCALAR\"",
+    "[0,1]",
+    "[0]",
+    "\"matrix\"",
+    "\"camera\"",
+    "\"indices\"",
+    "\"mode\"",
+    "\"byteOffset\"",
+    "\"byteStride\"",
+    "\"normalized\":true",
+};
+
+struct ModelTarget {
+  std::string_view name;
+  Target target;
+  int mutations;  ///< 1 s of each, with assertions
+};
+
+class FuzzModel : public testing::TestWithParam<ModelTarget> {};
+
+TEST_P(FuzzModel, KeptInputsKeepThePromises) { replay(GetParam().name, GetParam().target); }
+TEST_P(FuzzModel, MutatedInputsKeepThePromises) {
+  mutate(GetParam().name, GetParam().target, kModelWords, GetParam().mutations);
+}
+
+INSTANTIATE_TEST_SUITE_P(Readers, FuzzModel,
+                         testing::Values(ModelTarget{"obj", fuzzObj, 20'000},
+                                         ModelTarget{"mtl", fuzzMtl, 20'000},
+                                         ModelTarget{"ply", fuzzPly, 20'000},
+                                         ModelTarget{"stl", fuzzStl, 20'000},
+                                         ModelTarget{"gltf", fuzzGltf, 5'000}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
 }  // namespace
 }  // namespace luxo

@@ -13,4 +13,12 @@ void fuzzFormula(std::string_view input);
 /// A scene file: read; if it is good, written, read again, built, and looked at at two moments.
 void fuzzScene(std::string_view input);
 
+/// Model files of each kind, beside which there are no others: read; if they are good, their meshes are held
+/// to what triangle_mesh.h promises, and their nodes looked at at two moments.
+void fuzzObj(std::string_view input);
+void fuzzMtl(std::string_view input);
+void fuzzPly(std::string_view input);
+void fuzzStl(std::string_view input);
+void fuzzGltf(std::string_view input);
+
 }  // namespace luxo
