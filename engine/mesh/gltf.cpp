@@ -251,7 +251,8 @@ class GltfReader {
                                               attributes["TEXCOORD_0"].integerOr(kAbsent)};
     const auto [found, fresh] =
         ranges.try_emplace(key, Range{.begin = std::uint32_t(arrays.positions.size())});
-    auto& [begin, count] = found->second;
+    const std::uint32_t begin = found->second.begin;
+    std::size_t& count = found->second.count;
     if (fresh) {
       const std::vector<float> positions = file_.floats(key[0], 3);
       count = positions.size() / 3;

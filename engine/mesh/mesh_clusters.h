@@ -11,10 +11,11 @@
 
 namespace luxo {
 
-/// Triangles in clusters and vertices in the order of their use, with those doubled that clusters of two
-/// ranges of 65536 vertices share. `indices` become the triangles in the order of clusters, which are without
-/// bounds. `groups` are of consecutive triangles and get their clusters; `order` becomes which vertex each
-/// was.
+/// Puts triangles into clusters of neighbours that face alike, in the order of a vertex cache, and clusters
+/// into one that hides much early; vertices into the order of clusters, with those doubled that clusters of
+/// two ranges of 65536 vertices share. `indices` become the triangles in the order of clusters, which are
+/// without bounds. `groups` are of consecutive triangles and get their clusters; `order` becomes which vertex
+/// each was.
 [[nodiscard]] std::vector<MeshCluster> makeClusters(std::span<const Vec3f> positions,
                                                     std::vector<std::uint32_t>& indices,
                                                     std::vector<MeshGroup>& groups,
