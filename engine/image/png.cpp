@@ -102,16 +102,19 @@ struct Samples {
   const Layout& layout;
   const std::vector<std::uint8_t>& bytes;
 
+  Codes codes;
+
   // Sample i as a linear value; alpha is not on the sRGB curve.
-  float operator()(std::size_t i, bool alpha) const {
+  float operator()(std::size_t i, bool isAlpha) const {
+    const bool alpha = isAlpha || codes == Codes::Data;
     if (layout.bits == 8) return alpha ? float(bytes[i]) / 255.0f : decodeSrgb8(bytes[i]);
     const double value = (bytes[2 * i] * 256 + bytes[2 * i + 1]) / 65535.0;
     return float(alpha ? value : linearFromSrgb(value));
   }
 };
 
-Image toLinear(const Layout& layout, const std::vector<std::uint8_t>& bytes) {
-  const Samples sample{layout, bytes};
+Image toLinear(const Layout& layout, const std::vector<std::uint8_t>& bytes, Codes codes) {
+  const Samples sample{layout, bytes, codes};
   const bool greyAlpha = layout.channels == 2;
   Image image(int(layout.width), int(layout.height), greyAlpha ? 4 : layout.channels);
   const auto out = image.samples();
@@ -145,7 +148,7 @@ std::vector<std::byte> encodePng(const Image& image) {
   return out;
 }
 
-Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
+Image decodePng(std::span<const std::byte> bytes, std::string_view name, Codes codes) {
   Reader reader(bytes);
   requireMemory(reader.png, reader.info);
   const auto orThrow = [&](bool done) {
@@ -171,7 +174,7 @@ Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
     png_read_image(reader.png, rows.data());
     png_read_end(reader.png, nullptr);
   }));
-  return toLinear(layout, samples);
+  return toLinear(layout, samples, codes);
 }
 
 }  // namespace luxo

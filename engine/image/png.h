@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/codes.h"
 #include "image/image.h"
 
 namespace luxo {
@@ -16,9 +17,10 @@ namespace luxo {
 /// equal bytes.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image);
 
-/// Any PNG: grey gives one channel, colour three, transparency four; 8 and 16 bit are read as sRGB (gAMA and
-/// colour profiles are not applied) and given linear. `name` is for messages. Error(Scene): damaged, or too
-/// large to be true.
-[[nodiscard]] Image decodePng(std::span<const std::byte> bytes, std::string_view name);
+/// Any PNG: grey gives one channel, colour three, transparency four; 8 and 16 bit are read as `codes` says
+/// (gAMA and colour profiles are not applied) and given linear. `name` is for messages. Error(Scene):
+/// damaged, or too large to be true.
+[[nodiscard]] Image decodePng(std::span<const std::byte> bytes, std::string_view name,
+                              Codes codes = Codes::Srgb);
 
 }  // namespace luxo

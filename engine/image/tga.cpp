@@ -78,8 +78,11 @@ std::vector<std::byte> expandRuns(std::span<const std::byte> in, const Header& h
 }
 
 // Blue, green, red, alpha in the file; red, green, blue, alpha in an image.
-void readPixel(std::span<const std::byte> stored, std::span<float> pixel) {
-  const auto linear = [&](std::size_t i) { return decodeSrgb8(std::to_integer<std::uint8_t>(stored[i])); };
+void readPixel(std::span<const std::byte> stored, std::span<float> pixel, Codes codes) {
+  const auto linear = [&](std::size_t i) {
+    const auto code = std::to_integer<std::uint8_t>(stored[i]);
+    return codes == Codes::Data ? float(code) / 255.0f : decodeSrgb8(code);
+  };
   if (pixel.size() == 1) {
     pixel[0] = linear(0);
     return;
@@ -115,7 +118,7 @@ std::vector<std::byte> encodeTga(const Image& image) {
   return out;
 }
 
-Image decodeTga(std::span<const std::byte> bytes, std::string_view name) {
+Image decodeTga(std::span<const std::byte> bytes, std::string_view name, Codes codes) {
   if (bytes.size() < kHeaderBytes) throwBadImage(name, "TGA", "it is shorter than a header");
   const Header header(bytes);
   requireSupported(header, name);
@@ -137,7 +140,7 @@ Image decodeTga(std::span<const std::byte> bytes, std::string_view name) {
       const int x = (header.descriptor & kRightColumnFirst) != 0 ? header.width - 1 - column : column;
       const std::size_t at =
           (std::size_t(row) * std::size_t(header.width) + std::size_t(column)) * header.bytesPerPixel();
-      readPixel(stored.subspan(at, header.bytesPerPixel()), image.pixel(x, y));
+      readPixel(stored.subspan(at, header.bytesPerPixel()), image.pixel(x, y), codes);
     }
   }
   return image;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/codes.h"
 #include "image/image.h"
 
 namespace luxo {
@@ -16,8 +17,9 @@ namespace luxo {
 [[nodiscard]] std::vector<std::byte> encodeTga(const Image& image);
 
 /// Grey (8 bit: one channel) or true colour (24, 32 bit: three or four channels), uncompressed or run-length
-/// encoded, in any of the four orders of rows and columns; given linear. `name` is for messages.
-/// Error(Scene): damaged, or a kind not named here (palettes, 15 and 16 bit).
-[[nodiscard]] Image decodeTga(std::span<const std::byte> bytes, std::string_view name);
+/// encoded, in any of the four orders of rows and columns; read as `codes` says and given linear. `name`
+/// is for messages. Error(Scene): damaged, or a kind not named here (palettes, 15 and 16 bit).
+[[nodiscard]] Image decodeTga(std::span<const std::byte> bytes, std::string_view name,
+                              Codes codes = Codes::Srgb);
 
 }  // namespace luxo

@@ -232,13 +232,12 @@ TEST_P(FuzzModel, MutatedInputsKeepThePromises) {
   mutate(GetParam().name, GetParam().target, kModelWords, GetParam().mutations);
 }
 
-INSTANTIATE_TEST_SUITE_P(Readers, FuzzModel,
-                         testing::Values(ModelTarget{"obj", fuzzObj, 20'000},
-                                         ModelTarget{"mtl", fuzzMtl, 20'000},
-                                         ModelTarget{"ply", fuzzPly, 20'000},
-                                         ModelTarget{"stl", fuzzStl, 20'000},
-                                         ModelTarget{"gltf", fuzzGltf, 5'000}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Readers, FuzzModel,
+    testing::Values(ModelTarget{"obj", fuzzObj, 20'000}, ModelTarget{"mtl", fuzzMtl, 20'000},
+                    ModelTarget{"ply", fuzzPly, 20'000}, ModelTarget{"stl", fuzzStl, 20'000},
+                    ModelTarget{"gltf", fuzzGltf, 5'000}, ModelTarget{"texture", fuzzTexture, 5'000}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace luxo

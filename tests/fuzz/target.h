@@ -21,4 +21,7 @@ void fuzzPly(std::string_view input);
 void fuzzStl(std::string_view input);
 void fuzzGltf(std::string_view input);
 
+/// An image file as a texture, as colours and as data: its levels are held to what texture.h promises.
+void fuzzTexture(std::string_view input);
+
 }  // namespace luxo
