@@ -136,7 +136,9 @@ class Builder {
       shell.offset = std::max({shell.offset, glm::length(m.out), glm::length(m.in)});
       shell.proven = shell.proven && m.leadOut;
     }
+    if (!std::isfinite(mesh_.bound) || mesh_.dropped > 0) return;  // no box holds what that leaves out
     addPinches(shell, [&](std::uint32_t v) { return !moves[frame_.pointOf(v)].leadOut; });
+    addUnfollowed(shell);
   }
 
   /// Of the surface that triangles around a pinched vertex stand for nothing is farther from it than they
@@ -154,6 +156,17 @@ class Builder {
                                  glm::distance(mesh_.positions[v], mesh_.positions[other]) + frame_.bound(t));
       }
     for (const auto& [point, pinch] : pinches) shell.pinches.push_back(pinch);
+  }
+
+  /// None of the surface that a triangle stands for is farther from its corner than the other corners are,
+  /// and the deviation: rays look for what may stick out of slabs that it is over.
+  void addUnfollowed(Shell& shell) const {
+    for (const std::size_t t : frame_.heights().unfollowed) {
+      const auto at = [&](std::size_t k) { return mesh_.positions[frame_.corners(t)[k]]; };
+      const double reach = std::max(glm::distance(at(0), at(1)), glm::distance(at(0), at(2)));
+      shell.pinches.push_back({.center = at(0), .reach = reach + frame_.bound(t)});
+      shell.proven = false;
+    }
   }
 
   /// The normal turns along an edge by the edge's length over the radius.

@@ -20,8 +20,9 @@ namespace {
 constexpr int kParts = 4;
 /// Triangles that are looked at together.
 constexpr std::size_t kBatch = 256, kBatchesForAllCores = 4;
-/// Triangles that a point may be over.
-constexpr std::size_t kFarthestWalk = 32;
+/// Triangles that a point is followed over: a bound of work. (Of the catalogue 0.3 % of the strays are over
+/// more than 32.)
+constexpr std::size_t kFarthestWalk = 256;
 
 using Weights = std::array<double, 3>;  // of a triangle's corners
 
@@ -126,20 +127,25 @@ class Strays {
 
   /// Walks from the triangle across all edges that the point is beyond, or nearly so, as seen from both
   /// sides: calls action(triangle) for those it comes to. `reach`: how far it is from the triangle's plane.
+  /// False where there are more than kFarthestWalk.
   template <typename Action>
-  void walk(std::size_t triangle, const Vec3& point, double reach, const Action& action) {
+  [[nodiscard]] bool walk(std::size_t triangle, const Vec3& point, double reach, const Action& action) {
     if (borders_.empty()) joinTriangles();
-    std::array<std::size_t, kFarthestWalk> visited{triangle};
-    std::size_t count = 1;
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t k = 0; k < 3 && count < kFarthestWalk; ++k) {
-        const Border& border = borders_[3 * visited[i] + k];
-        if (border.other == kNone || glm::dot(border.across, point - border.place) < -reach) continue;
-        if (std::find(visited.begin(), visited.begin() + count, border.other) != visited.begin() + count)
+    ++walk_;
+    visited_.assign(1, triangle);
+    walkOf_[triangle] = walk_;
+    for (std::size_t i = 0; i < visited_.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Border& border = borders_[3 * visited_[i] + k];
+        if (border.other == kNone || walkOf_[border.other] == walk_ ||
+            glm::dot(border.across, point - border.place) < -reach)
           continue;
+        if (visited_.size() == kFarthestWalk) return false;
         action(border.other);
-        visited[count++] = border.other;
+        walkOf_[border.other] = walk_;
+        visited_.push_back(border.other);
       }
+    return true;
   }
 
  private:
@@ -160,6 +166,7 @@ class Strays {
     for (std::size_t t = 0; t < count; ++t)
       for (std::size_t k = 0; k < 3; ++k) beside[edgeOf(t, k, Along::Forward)] = {t, k};
     borders_.resize(3 * count);
+    walkOf_.resize(count);
     for (std::size_t t = 0; t < count; ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto found = beside.find(edgeOf(t, k, Along::Backward));
@@ -179,7 +186,9 @@ class Strays {
   }
 
   const ShellFrame& frame_;
-  std::vector<Border> borders_;  // three for each triangle; filled when first asked for
+  std::vector<Border> borders_;                // three for each triangle; filled when first asked for
+  std::vector<std::size_t> visited_, walkOf_;  // by the last walk; of each triangle, the last to come to it
+  std::size_t walk_ = 0;
 };
 
 }  // namespace
@@ -226,12 +235,16 @@ ShellHeights ShellLook::heightsOf(const ShellFrame& frame) {
   }
   Strays strays(frame);
   for (std::size_t t = 0; t < count; ++t)
-    for (const TriangleLook::Stray& stray : looks[t]->strays)
-      strays.walk(t, stray.point, stray.reach, [&](std::size_t other) {
+    for (const TriangleLook::Stray& stray : looks[t]->strays) {
+      const bool followed = strays.walk(t, stray.point, stray.reach, [&](std::size_t other) {
         const double height = heightOver(frame, other, stray.point);
         heights.above[other] = std::max(heights.above[other], height + stray.around);
         heights.below[other] = std::max(heights.below[other], stray.around - height);
       });
+      if (followed) continue;
+      heights.unfollowed.push_back(t);
+      break;
+    }
   for (const ShellFrame::WallEdge& wall : frame.walls()) {
     std::size_t opposite = 0;
     while (cornerOf(frame, wall.triangle, opposite + 1) != wall.from) ++opposite;

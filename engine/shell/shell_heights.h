@@ -29,6 +29,8 @@ struct ShellHeights {
   std::vector<double> beyond, within;
   /// Of each triangle, seen but not proven: the least cosine between its normal and the surface's.
   std::vector<double> alike;
+  /// Triangles whose surface may stand over more others than it was followed to, ascending.
+  std::vector<std::size_t> unfollowed;
 };
 
 /// How far a point has to be moved from what stands around it: out of the planes of triangles, or in; and out

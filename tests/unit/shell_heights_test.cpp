@@ -100,6 +100,82 @@ TEST(ShellHeights, ASecondLookSeesTheSame) {
   EXPECT_EQ(again.alike, once.alike);
 }
 
+/// A plate whose points slide to and fro along it, `waves` times, by `slide`, and rise as they do, the more
+/// the larger u is: a cell may have a whole wave, and stands over, or under, many others.
+Surface sliding(double waves, double slide) {
+  return surface(
+      [=](auto u, auto v) {
+        const auto wave = sin((kTau * waves) * u);
+        return point(u + slide * wave, 0.1 * u * wave, -v);
+      },
+      {{0, 1}, {0, 1}});
+}
+
+Framed oneWaveACell(std::uint32_t waves, double slide) {
+  Framed framed(sliding(waves, slide), 1);
+  Block all{.patch = 0, .tile = {}, .segments = {waves, 1}};
+  all.bound = framed.map.over(0, all.tile).deviation(1.0 / waves, 1);
+  framed.blocks = {all};
+  return framed;
+}
+
+// A point that is over another triangle raises that one's height, however many triangles are between.
+TEST(ShellHeights, StraysAreFollowed) {
+  const Framed framed = oneWaveACell(256, 0.1);
+  ShellLook look(framed.surface, {}, framed.patches);
+  const ShellFrame frame = framed.frame(look);
+  const ShellHeights& heights = frame.heights();
+  EXPECT_TRUE(heights.unfollowed.empty());
+  const auto at = [&](std::size_t t, std::size_t k) {
+    return frame.mesh().positions[frame.corners(t)[k % 3]];
+  };
+  const auto isOver = [&](const Vec3& point, std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (glm::dot(glm::cross(frame.facet(t), at(t, k + 1) - at(t, k)), point - at(t, k)) <= 0) return false;
+    return true;
+  };
+  std::size_t far = 0;
+  for (std::size_t t = 0; t < frame.mesh().triangleCount(); ++t)
+    for (int i = 1; i < 4; ++i) {
+      const std::vector<Vec2>& uv = frame.mesh().parameters;
+      const auto corners = frame.corners(t);
+      const Vec2 place = 0.25 * (uv[corners[0]] * (1.0 * i) + uv[corners[1]] * (3.0 - i) + uv[corners[2]]);
+      const Vec3 point = framed.surface.position(0, place.x, place.y);
+      for (std::size_t o = 0; o < frame.mesh().triangleCount(); ++o) {
+        if (!isOver(point, o)) continue;
+        const double height = glm::dot(frame.facet(o), point - at(o, 0));
+        ASSERT_LE(height + frame.bound(t) / 16, heights.above[o] + 1e-12) << t << " over " << o;
+        ASSERT_LE(-height + frame.bound(t) / 16, heights.below[o] + 1e-12) << t << " under " << o;
+        far += std::max(t, o) - std::min(t, o) > 32 ? 1 : 0;
+      }
+    }
+  EXPECT_GT(far, 100U);
+}
+
+// What is over more than can be followed is nowhere left out silently: the shell is not proven, and boxes
+// hold it, in which rays look.
+TEST(ShellHeights, WhatIsNotFollowedIsTold) {
+  const Framed framed = oneWaveACell(512, 0.4);
+  ShellLook look(framed.surface, {}, framed.patches);
+  const ShellFrame frame = framed.frame(look);
+  ASSERT_FALSE(frame.heights().unfollowed.empty());
+  const std::optional<Shell> shell =
+      makeShell(framed.surface, {}, framed.map, {.tolerance = 1.01 * frame.mesh().bound});
+  ASSERT_TRUE(shell.has_value());
+  EXPECT_FALSE(shell->proven);
+  ASSERT_FALSE(shell->pinches.empty());
+  const auto isHeld = [&](const Vec3& point) {
+    return std::ranges::any_of(shell->pinches, [&](const Shell::Pinch& pinch) {
+      return glm::all(glm::lessThanEqual(glm::abs(point - pinch.center), Vec3(pinch.reach)));
+    });
+  };
+  for (const std::size_t t : frame.heights().unfollowed) {
+    Vec2 middle(0);
+    for (const std::uint32_t v : frame.corners(t)) middle += frame.mesh().parameters[v] / 3.0;
+    EXPECT_TRUE(isHeld(framed.surface.position(0, middle.x, middle.y))) << t;
+  }
+}
+
 TEST(ShellHeights, TellWhereACellHoldsAFold) {
   // The profile of the teapot's knob turns back within a cell as large as the knob.
   const auto least = [](double part) {
