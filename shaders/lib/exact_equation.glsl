@@ -12,6 +12,7 @@ const float kSettledPart = 0.02;  // of the tube: where the ray is nearest is kn
 const float kStride = 0.25;       // of the tube: the first step of following a ray; each next is twice as long
 const float kMaxStride = 0.35;   // of the ring
 const int kMaxSteps = 24;
+const int kWalkSteps = 32;        // from where the ray enters the shell to a torus's root
 
 struct Expansion {
   real c, b, a;
@@ -69,7 +70,7 @@ int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, ino
 real3 startOfSearch() { return real3(0); }
 
 // No other root is on that side.
-bool isNear(real3 start, real3 p) { return true; }
+bool isFirst(real3 entry, real3 p, real3 way, Expansion e) { return true; }
 real mostBend(Expansion e, real3 p) { return abs(e.a); }
 
 #else
@@ -115,16 +116,41 @@ int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, ino
 
 real3 startOfSearch() { return real3(startAtEntry()); }
 
-bool isNear(real3 start, real3 p) {
-  real ring = number(kTorusRing), tube = number(kTorusTube);
-  real cell = 2.0 * kPi * max(varyingCellHalf.x * (ring + tube), varyingCellHalf.y * tube);
-  return distance(p, start) <= kFarCells * cell;
-}
-
-// A bound of `a` around a point, as far as half its distance from the axis.
+// A bound of `a` around a point, as far as half its distance from the axis: |way| is 1, and there the distance is at least
+// half of what it is, the ring no farther off than it is and half of it.
 real mostBend(Expansion e, real3 p) {
   real radius = sqrt(p.x * p.x + p.z * p.z);
   return 2.0 + 2.0 * abs(radius - number(kTorusRing)) / max(radius, kSmallest);
+}
+
+// Whether the ray has met the torus nowhere between `entry`, where it has come into the shell, and its root p. A root that
+// is nearer to the eye than the entry hides what is farther. Else the way is walked from the entry.
+//
+// Theorem: where F has the value c, and c > 0, and the slope 2 b along a way, it has no zero nearer than
+// c / (sqrt(b^2 + B c) - b), if half its second derivative is at least -B; and before a zero p at which it falls with the
+// slope -2 b there is none nearer to p than 2 b / B. Of -F the same is true, if half its second derivative is at most B.
+// Proof: F >= c + 2 b t - B t^2; and, s before p, F >= 2 b s - B s^2. Half its second derivative, the `a` of an expansion, is
+// at least -(ring - r) / r, or 0, and at most 1 + |r - ring| / r, r being the distance from the axis; on the way that is no
+// less than the lesser of both ends but half the way, and no farther from the ring than the farther of both and half.
+bool isFirst(real3 entry, real3 p, real3 way, Expansion e) {
+  real far = dot(p - entry, way), left = abs(far), ring = number(kTorusRing);
+  real3 onward = far < 0.0 ? -way : way;
+  Expansion at = expansionAt(entry, onward);
+  real side = at.c < 0.0 ? -1.0 : 1.0, radiusHere = length(entry.xz), radiusThere = length(p.xz);
+  real least = max(min(radiusHere, radiusThere) - 0.5 * left, kSmallest);
+  real farthest = max(abs(radiusHere - ring), abs(radiusThere - ring)) + 0.5 * left;
+  real bend = side < 0.0 ? 1.0 + farthest / least : max(ring - least, 0.0) / least;
+  left -= 2.0 * max(-side * dot(e.half_, onward), 0.0) / max(bend, kSmallest);
+  bool first = gl_FrontFacing && far <= 0.0;
+  real3 q = entry;
+  for (int i = 0; i < kWalkSteps && !first; ++i) {
+    real c = side * at.c, b = side * at.b, step_ = max(c, 0.0) / max(sqrt(max(b * b + bend * c, 0.0)) - b, kSmallest);
+    left -= step_;
+    first = left <= 0.0 && dot(e.half_, onward) * side < 0.0;
+    q += step_ * onward;
+    at = expansionAt(q, onward);
+  }
+  return first;
 }
 
 #endif
@@ -166,6 +192,6 @@ int rootOfPixel(out Root root) {
   real off = max(abs(f.x), abs(f.y));
   root.residual = float(off / widthAt(root.depth));
   // Newton-Kantorovich, of one variable. A quadric's one step need not come within the tolerance.
-  root.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isNear(start, p) && off <= toleranceAt(root.depth);
+  root.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isFirst(start, p, way, e) && off <= toleranceAt(root.depth);
   return result;
 }
