@@ -13,10 +13,9 @@ const float kTraceGrowth = 1.6;  // how many times as long the next one is where
 const float kTraceMax = 4.0;    // and the longest
 const float kSteady = 0.1;      // of the offset: what the slopes at both ends of a step say of it may be wrong by that
 const int kBackward = 2, kForward = 40;  // steps against the ray, if any, and, at most, along it
-const float kMoreSteps = 4.0;   // after a trace: a root that is not farther off is not given up
 const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
-const float kBesideEdge = 2e-4;  // cells: a trace begins no nearer to an edge, and sees nothing between; some 0.005 pixels
+const float kBesideEdge = 2e-4;  // cells: a trace begins no nearer to an edge; some 0.005 pixels
 const int kAttempts = 3;        // to find a root, all but the first by a trace; one more takes what is held
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
@@ -121,6 +120,11 @@ real2 besideEdges(real2 p) {
   return real2(has(kWrapsU) ? p.x : inside.x, has(kWrapsV) ? p.y : inside.y);
 }
 
+// How much the offset's derivatives, each per cell, change over a cell, at most.
+real changeOfOffset(Ray ray) {
+  return varyingViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
+}
+
 // How many cells p is beyond the domain; below 0 inside.
 real cellsBeyond(real2 p) {
   real2 beyond = max(patchDomain.xy - p, p - patchDomain.zw) / varyingCellHalf.xy;
@@ -184,6 +188,7 @@ struct Sample {
                   // per cell
   real depth;
   real2 way;      // unit, along the curve, cells
+  real across, tilt;  // how fast, per cell across the curve, the offset along the fold grows; and by what part of that g does
 };
 
 // Which way along the curve leads away from the viewer.
@@ -207,6 +212,8 @@ Sample sampleAt(Ray ray, real2 p, Probe at, real sense) {
   s.g = dot(across, at.f + a * correction.x + b * correction.y);
   s.slope = dot(across, a * s.way.x + b * s.way.y);
   s.depth = at.depth;
+  s.across = 1.0 / perRate;
+  s.tilt = abs(dot(across, a * rate.x + b * rate.y)) * perRate * perRate;
   return s;
 }
 
@@ -277,8 +284,7 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
 // `wantedSide`. That is the side that the shell is seen from, or, where the ray has run past a border before, the other.
 // Found, or missed, or lost. A miss has to be explained: the ray was outside of the surface from the first place to the last,
 // or it came in beyond a border, or through a root that is known to be none. What ends inside without that has passed a root
-// unseen: lost. So is what still nears the surface, in its shell, when the trace is over; but with edges to pass, rays run
-// out over them far more often than they meet the surface there: these have missed.
+// unseen: lost. So is what has not left the shell, or the patch, when the trace is over.
 //
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well, and what a long one has passed is walked again with shorter ones.
@@ -287,7 +293,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
   real nearest = 1e30, length_ = kTraceStep, most = kTraceMax;
   real sense = senseOf(ray);
   Sample first, last;
-  bool endless = has(kWrapsU) && has(kWrapsV), nears = false, passedBorder = false, explained = true;
+  bool hasLeft = false, passedBorder = false, explained = true, blind = false;
   best = p;
   crossed = false;
   for (int steps = 0; steps <= kBackward + kForward; ++steps) {
@@ -299,6 +305,13 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
       // Behind the surface it begins where it has come in past a border, or where the root is behind the start.
       explained = now.g <= 0.0 || cellsBeyond(p) > -kNearCells;
       passedBorder = now.g > 0.0 && seesPastBorder();
+      // Where the trace begins beside the edge it sees nothing between, s cells wide: there f is at least |f| - |J| s - K s^2,
+      // and if that may be 0 a miss is lost.
+      if (any(notEqual(p, startAtEntry().xy))) {
+        real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
+        real strip = 1.5 * kBesideEdge, bend = changeOfOffset(ray) * strip * strip;
+        blind = !(length(at.f) > sqrt(dot(ju, ju) + dot(jv, jv)) * strip + bend);
+      }
       // Where the ray begins outside and nears the surface, nothing is behind.
       if (now.g < 0.0 && now.slope > 0.0) steps = kBackward;
     } else {
@@ -326,7 +339,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
     // Beyond the shell and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
     bool leavesSlab = abs(now.g) > max(abs(last.g), varyingClip.z);
     bool leaves = !back && !again && (leavesSlab || turned || cellsBeyond(now.p) > kBeyond);
-    nears = endless && !leaves && now.g < 0.0 && -now.g < min(varyingClip.z, kMoreSteps * length_ * now.slope);
+    hasLeft = leaves;
     if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
     if (again) most = max(0.25 * length_, kTraceStep);
     bool steady = !back && abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope)) < kSteady * abs(now.g);
@@ -337,7 +350,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
     p = last.p + (steps < kBackward ? -length_ : length_) * last.way * varyingCellHalf.xy;
   }
   after = nearest;
-  return nearest < 1e30 ? kFound : nears || !explained ? kLost : kMissed;
+  return nearest < 1e30 ? kFound : hasLeft && explained && !blind ? kMissed : kLost;
 }
 
 // The point where rays may graze the surface.
@@ -386,14 +399,21 @@ int findRoot(Ray ray, out real2 p, out Probe at) {
 //
 // And the ray has not met the surface before, between where it entered the shell and the root. That is so of a root nearer
 // to the eye than that place, which hides whatever is farther on, and where J cannot vanish that near to the root,
-// |1/J| K r < 1. Elsewhere the way there is walked, along the curve of points to which the ray's are nearest; its bend
-// counts for another K. Between places d cells apart at which the ray is h and h' above the surface it is above it if
-// sqrt(h) + sqrt(h') >= d sqrt(K): so from one place a step of sqrt(h / K) passes nothing, if the ray is above the surface
-// where it ends, or that is the root. One lane in a hundred, and a loop that no pixel of a group is in costs nothing.
+// |1/J| K r < 1. Elsewhere the way there is walked, along the curve of points to which the ray's are nearest. One lane in a
+// hundred, and a loop that no pixel of a group is in costs nothing.
+//
+// Theorem: let the offset at a place of the curve be h, along the normal n on the screen, and let it grow across the curve,
+// per cell, by a along the fold t and by `tilt` a along n. On the curve n.f has no zero within d cells, 0 < d <= a / 4 K, if
+// at the end it is h' > 0 and sqrt(h) + sqrt(h') >= d sqrt(3 K (1 + tilt) / 4). Proof: x along the curve's tangent and y
+// across it, t.f = 0 is y(x), as t.f grows by 3/4 a at least with y; y' <= (K d) / (3/4 a) <= 1/3, and |y''| <=
+// K (1 + y'^2) / (3/4 a). n.f has with them the second derivative n.D2f + (n.f)_y y'', that is at most
+// K (1 + 1/9) (1 + (tilt a + a / 4) / (3/4 a)) <= 3/2 K (1 + tilt) = B; and a function of which it is at most B, and that
+// touches 0 between, is at most B x^2 / 2 on either side. So a step of sqrt(h / (3/4 K (1 + tilt))) or less passes nothing,
+// if the ray is above the surface where it ends, or that is the root.
 bool certified(Ray ray, real2 p, Probe at) {
   real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
   real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p);
-  real k = varyingViewerSecond.w * sqrt(dot(ray.across1, ray.across1) + dot(ray.across2, ray.across2));
+  real k = changeOfOffset(ray);
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
   if (kGrazing) {
     bool nearer = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
@@ -401,9 +421,10 @@ bool certified(Ray ray, real2 p, Probe at) {
     real side = det * shellSide() > 0.0 ? 1.0 : -1.0, left = r;
     for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
       real2 q = mix(p, startAtEntry().xy, left / r);
-      real height = -side * sampleAt(ray, q, probeAt(ray, q), senseOf(ray)).g;
+      Sample place = sampleAt(ray, q, probeAt(ray, q), senseOf(ray));
+      real height = -side * place.g;
       proven = height > 0.0;
-      real step_ = sqrt(max(height, 0.0) / k);
+      real step_ = min(sqrt(max(height, 0.0) / (k * 0.75 * (1.0 + place.tilt))), 0.25 * place.across / k);
       first = step_ >= left;
       left -= step_;
     }
