@@ -19,6 +19,7 @@ namespace luxo {
 [[nodiscard]] std::vector<StressCase> shadingCases();           ///< ST-28 to 31, 33
 [[nodiscard]] std::vector<StressCase> hazardCases();            ///< ST-32
 [[nodiscard]] std::vector<StressCase> lampCases();              ///< ST-34
+[[nodiscard]] std::vector<StressCase> shadowCases();            ///< ST-35 to 38
 [[nodiscard]] std::vector<StressCase> systemCases();            ///< ST-39, 40
 
 }  // namespace luxo

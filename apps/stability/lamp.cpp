@@ -40,7 +40,7 @@ struct Ceiling {
   }
 };
 
-Scene sceneUnder(const Ceiling& ceiling) {
+Scene sceneUnder(const Ceiling& ceiling, Light::Shadow shadow) {
   Scene scene;
   scene.set(RenderSettings{.background = Vec3(0), .ambient = Vec3(0)});
   const NodeId shade = scene.add(Node{.name = "shade", .surface = paraboloid(kFocalLength, kHeight)});
@@ -51,7 +51,7 @@ Scene sceneUnder(const Ceiling& ceiling) {
   Light bulb;
   bulb.intensity = 50.0;
   bulb.attenuation = Light::Attenuation::InverseSquare;
-  bulb.shadow = Light::Shadow::Exact;
+  bulb.shadow = shadow;
   bulb.casters = {shade};
   scene.add(Node{.parent = shade, .translation = Vec3(0, kFocalLength, 0), .light = bulb});
   scene.add(Camera{.eye = Vec3(6, 0.5, 7), .lookAt = Vec3(0, 4.7, 0), .fovY = radians(55)});
@@ -80,13 +80,13 @@ double distanceToBorder(const Ceiling& ceiling, const View& view, const Vec2& pi
   return least;
 }
 
-std::vector<Measurement> rims(StressContext& context) {
+std::vector<Measurement> rims(StressContext& context, Light::Shadow shadow) {
   constexpr double kMaxPx = 0.01;
   const Ceiling ceilings[] = {{.name = "circle on a perpendicular plane"},
                               {.name = "ellipse on a tilted plane", .tiltAxis = {1, 0, -0.4}, .tilt = -0.45}};
   std::vector<Measurement> result;
   for (const Ceiling& ceiling : ceilings) {
-    const Scene scene = sceneUnder(ceiling);
+    const Scene scene = sceneUnder(ceiling, shadow);
     const Snapshot snapshot = takeSnapshot(scene, 0, context.size());
     const auto number = static_cast<float>(
         std::ranges::find(snapshot.nodes, *scene.findNode("ceiling"), &SnapshotNode::id)->number);
@@ -118,7 +118,10 @@ std::vector<Measurement> rims(StressContext& context) {
 }  // namespace
 
 std::vector<StressCase> lampCases() {
-  return {{.id = "ST-34", .title = "the lamp's rim on planes", .run = rims}};
+  return {{.id = "ST-34",
+           .title = "the lamp's rim on planes",
+           .run = [](StressContext& context) { return rims(context, Light::Shadow::Exact); },
+           .canary = [](StressContext& context) { return rims(context, Light::Shadow::Map); }}};
 }
 
 }  // namespace luxo

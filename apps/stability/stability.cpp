@@ -18,9 +18,19 @@ namespace {
 
 using Group = std::vector<StressCase> (*)();
 
-constexpr Group kGroups[] = {parameterisationCases, derivativeCases, accuracyCases,  rasterisationCases,
-                             tessellationCases,     depthCases,      transformCases, invarianceCases,
-                             shadingCases,          hazardCases,     lampCases,      systemCases};
+constexpr Group kGroups[] = {parameterisationCases,
+                             derivativeCases,
+                             accuracyCases,
+                             rasterisationCases,
+                             tessellationCases,
+                             depthCases,
+                             transformCases,
+                             invarianceCases,
+                             shadingCases,
+                             hazardCases,
+                             lampCases,
+                             shadowCases,
+                             systemCases};
 
 std::vector<StressCase> allCases() {
   std::vector<StressCase> cases;
