@@ -242,9 +242,10 @@ Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, 
 
 std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3& toViewer) const {
   std::vector<Shadowed> lights;
-  for (const SnapshotLight& light : snapshot_.lights) {
+  for (std::uint32_t i = 0; i < snapshot_.lights.size(); ++i) {
+    const SnapshotLight& light = snapshot_.lights[i];
     if (!light.hasShadow()) continue;
-    Shadowed one{.share = shareOf(light, hit, toViewer)};
+    Shadowed one{.light = i, .share = shareOf(light, hit, toViewer)};
     if (one.share == Vec3(0)) continue;
     const Vec3 left = reaching(light, hit, one.certified);
     one.visible = left != Vec3(0);

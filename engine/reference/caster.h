@@ -70,12 +70,18 @@ class Caster {
   /// A light that may be in shadow at a hit: what it adds where it is seen (of an opaque surface), and
   /// whether it is.
   struct Shadowed {
+    std::uint32_t light = 0;  ///< index into Snapshot::lights
     Vec3 share{0};
     bool visible = true, certified = true;
   };
   /// The lights that have a shadow (SnapshotLight::hasShadow) and would add something, in the snapshot's
   /// order.
   [[nodiscard]] std::vector<Shadowed> shadowedLights(const Hit& hit, const Vec3& toViewer) const;
+  /// Whether a light adds something to a hit that it adds something to where it sees it.
+  [[nodiscard]] bool sees(std::uint32_t light, const Hit& hit) const {
+    bool certified = true;
+    return shinesOn(light, hit) && reaching(light, hit, certified) != Vec3(0);
+  }
 
   /// How much of a light (index into Snapshot::lights) reaches a hit that faces it, for what stands between.
   /// `certified` turns false where that was not decided.

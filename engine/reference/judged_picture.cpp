@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -27,6 +28,11 @@ constexpr double kMaxTurn = 0.1;      // the same for the sine between their lin
 constexpr double kTouchingUlps = 2;   // of two depths, each of which is rounded up or down
 constexpr double kFloatRounding = 0x1p-24;  // of a number: the nearest float is no farther
 constexpr double kOtherLight = 1e-4;  // linear: smaller differences are not looked into for a light's shadow
+
+/// Pixels whose light may be wrong, times lights: where there are more, thousands of pixels are wrong, and
+/// borders of shadows are looked for in four directions alone, so that judging takes no longer than four
+/// times casting them did. What has a border nearby may be counted then that would not be.
+constexpr std::size_t kMostTurned = 20'000;
 
 /// What is not a number is wrong without bound.
 double errorOf(double value) { return std::isnan(value) ? kInfinity : std::abs(value); }
@@ -287,6 +293,9 @@ class Judge {
       if (pixels_[k].mismatch != Mismatch::None || pixels_[k].offPoint || mayBeInShadow(pixels_[k]))
         wrong.push_back(k);
     if (wrong.empty() || !options_.silhouettes) return;
+    const auto lights =
+        std::ranges::count_if(snapshot_.lights, [](const SnapshotLight& light) { return light.hasShadow(); });
+    coarse_ = wrong.size() * static_cast<std::size_t>(lights) > kMostTurned;
     const Caster caster(snapshot_);
     tbb::parallel_for(std::size_t(0), wrong.size(), [&](std::size_t w) {
       JudgedPixel& pixel = pixels_[wrong[w]];
@@ -339,45 +348,76 @@ class Judge {
     return false;
   }
 
+  /// A light of which the colour shown may have it that it is seen where it is not, or the other way round.
+  struct Turned {
+    std::uint32_t light;  ///< index into Snapshot::lights
+    bool visible;         ///< in truth
+    Vec3 change;          ///< of the colour
+    bool atBorder = false;
+  };
+
+  /// Finds of which lights a border, or of all of them an outline, is within kSilhouettePx of a pixel's
+  /// centre. All are looked for at the same places, so that the points of a soft light cost what their rays
+  /// do.
+  void findBorders(const Caster& caster, std::uint32_t i, std::vector<Turned>& lights) const {
+    if (coarse_) return findBorders(caster, i, lights, {1.0}, 4);
+    // 16 places around: the last ring is as much wider as a straight border that touches the circle passes
+    // beside them.
+    findBorders(caster, i, lights, {0.1, 0.2, 0.4, 0.8, 1.02}, 16);
+  }
+
+  /// At so many places of rings, whose radii are in kSilhouettePx.
+  void findBorders(const Caster& caster, std::uint32_t i, std::vector<Turned>& lights,
+                   std::initializer_list<double> radii, int directions) const {
+    const Vec2 center = centerOf(i);
+    std::size_t left = lights.size();
+    double turn = 0;  // of every other ring by half a step
+    for (const double radius : radii) {
+      for (int k = 0; k < directions && left > 0; ++k) {
+        const double angle = kTau * (k + turn) / directions;
+        const Vec2 at = center + radius * kSilhouettePx * Vec2(std::cos(angle), std::sin(angle));
+        const auto sight = caster.look(caster.rayThrough(at.x, at.y));
+        const bool sameLayer = seesLayerOf(i, sight, at);
+        for (Turned& one : lights) {
+          if (one.atBorder || (sameLayer && caster.sees(one.light, sight.hits.front()) == one.visible))
+            continue;
+          one.atBorder = true;
+          --left;
+        }
+      }
+      turn = 0.5 - turn;
+    }
+  }
+
   /// Whether the colour shown is nearer to that with one light's visibility turned round than to the truth,
   /// and no border of that shadow, and no outline, is near. Of many lights that are as bright, the points of
   /// a soft shadow, several may explain a colour: those with a border nearby do so first.
   [[nodiscard]] bool inAnotherLight(const Caster& caster, std::uint32_t i) const {
-    const auto lightsAt = [&](const Ray& ray, const Caster::Sight& sight) {
-      return caster.shadowedLights(sight.hits.front(), -ray.direction);
-    };
     const Vec2 center = centerOf(i);
     const Ray ray = caster.rayThrough(center.x, center.y);
     const auto sight = caster.look(ray);
     if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
       return false;  // seen through: no closed form
     Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
-    const auto lights = lightsAt(ray, sight);
     const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-    std::vector<Vec3> bordering, others;  // what they change when they are turned round
-    for (std::size_t k = 0; k < lights.size(); ++k) {
-      const Vec3 turned = lights[k].visible ? -lights[k].share : lights[k].share;
-      if (!lights[k].certified || !(size(off - turned) < size(off))) continue;
-      const double border = distanceTo(
-          [&](const Vec2& at) {
-            const Ray other = caster.rayThrough(at.x, at.y);
-            const auto seen = caster.look(other);
-            if (!seesLayerOf(i, seen, at)) return true;
-            const auto there = lightsAt(other, seen);
-            return there.size() != lights.size() || there[k].visible != lights[k].visible;
-          },
-          center, 2 * kSilhouettePx);
-      (border > kSilhouettePx ? others : bordering).push_back(turned);
+    std::vector<Turned> lights;
+    for (const Caster::Shadowed& one : caster.shadowedLights(sight.hits.front(), -ray.direction)) {
+      const Vec3 change = one.visible ? -one.share : one.share;
+      if (one.certified && size(off - change) < size(off)) lights.push_back({one.light, one.visible, change});
     }
+    findBorders(caster, i, lights);
+    const auto others = std::ranges::partition(lights, &Turned::atBorder);
+    std::vector<Vec3> bordering;
+    for (auto one = lights.begin(); one != others.begin(); ++one) bordering.push_back(one->change);
     while (!bordering.empty()) {
       const auto best =
-          std::ranges::min_element(bordering, {}, [&](const Vec3& turned) { return size(off - turned); });
+          std::ranges::min_element(bordering, {}, [&](const Vec3& change) { return size(off - change); });
       if (!(size(off - *best) < size(off))) break;
       off -= *best;
       bordering.erase(best);
     }
     return size(off) > kOtherLight &&
-           std::ranges::any_of(others, [&](const Vec3& turned) { return size(off - turned) < size(off); });
+           std::ranges::any_of(others, [&](const Turned& one) { return size(off - one.change) < size(off); });
   }
 
   /// From a pixel's centre to where the truth is what the pixel shows.
@@ -412,6 +452,7 @@ class Judge {
   DepthScale depthScale_;
   std::vector<std::uint32_t> chosen_;
   std::vector<JudgedPixel> pixels_;  // as chosen_
+  bool coarse_ = false;              // kMostTurned
 };
 
 }  // namespace
