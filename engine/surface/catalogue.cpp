@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
 
 #include "base/assert.h"
 #include "base/error.h"
@@ -250,12 +253,33 @@ const CatalogueEntry* findCatalogueEntry(std::string_view name) {
   return found == catalogue().end() ? nullptr : &*found;
 }
 
-Surface makeSurface(const CatalogueEntry& entry, std::span<const SurfaceArgument> arguments,
-                    const Moment& start) {
+namespace {
+
+Surface makeAnew(const CatalogueEntry& entry, std::span<const SurfaceArgument> arguments,
+                 const Moment& start) {
   const auto values = std::make_shared<const CatalogueValues>(entry, arguments);
   GeneralForms forms;
   static_cast<void>(entry.make(SurfaceInputs(values, forms)));
   return entry.make(SurfaceInputs(values, start, std::move(forms)));
+}
+
+/// The same one each time, so that what is known of it by its identity (meshes, shells, casters) is known in
+/// the next scene, too.
+Surface asListed(const CatalogueEntry& entry) {
+  static std::mutex mutex;
+  static std::map<const CatalogueEntry*, Surface> made;
+  const std::lock_guard lock(mutex);
+  const auto known = made.find(&entry);
+  return known != made.end() ? known->second : made.emplace(&entry, makeAnew(entry, {}, {})).first->second;
+}
+
+}  // namespace
+
+Surface makeSurface(const CatalogueEntry& entry, std::span<const SurfaceArgument> arguments,
+                    const Moment& start) {
+  const auto all = catalogue();
+  const bool listed = &entry >= all.data() && &entry < all.data() + all.size();
+  return arguments.empty() && listed ? asListed(entry) : makeAnew(entry, arguments, start);
 }
 
 Surface makeSurface(std::string_view name, const std::vector<SurfaceArgument>& arguments,

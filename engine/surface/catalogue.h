@@ -75,7 +75,8 @@ struct CatalogueEntry {
 /// surface, the argument, its value and what is allowed: for an argument that is unknown, given twice, has
 /// the wrong number of components, must not move, or is out of range; for arguments that do not go together
 /// (a torus whose tube is thicker than its ring). Moving arguments are checked at every moment they are asked
-/// for. The topology is that of the moment `start`, which must have what moving arguments read.
+/// for. Without arguments it is the same surface each time. The topology is that of the moment `start`, which
+/// must have what moving arguments read.
 [[nodiscard]] Surface makeSurface(const CatalogueEntry& entry,
                                   std::span<const SurfaceArgument> arguments = {}, const Moment& start = {});
 /// As above, by name. Throws Error(Scene) with a suggestion when there is no such surface.
