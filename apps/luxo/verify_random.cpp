@@ -51,7 +51,7 @@ RandomOptions::RandomOptions(CLI::App& command) : texts_(std::make_unique<Texts>
   add("--random", texts_->count, "so many random hard scenes, or SCENE from so many random cameras", "N");
   add("--seed", texts_->seed, "of the random scenes (1)", "S");
   add("--first", texts_->first, "index of the first random scene (0)", "I");
-  add("--kind", texts_->kind, "only random scenes of this kind", "NAME");
+  add("--kind", texts_->kind, "only random scenes of this kind; crowd: of named surfaces in shadows", "NAME");
   add("--samples", texts_->samples, "of the random scenes (some 1, some 4)", "1|4");
 }
 

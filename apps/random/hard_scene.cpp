@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "random/scene_parts.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 
@@ -15,13 +16,6 @@ constexpr double kWithShadows = 0.4;
 constexpr double kWithGlass = 0.5, kGlassInShadows = 0.4;  // of the others; of these
 constexpr std::uint64_t kGlass = 0x676c617373;             // numbers of its own
 constexpr double kFourSamples = 1.0 / 6;                   // of the scenes: one costs four of the others
-
-Json vectorJson(double x, double y, double z) { return Json::array({rounded(x), rounded(y), rounded(z)}); }
-
-Json turned(Numbers& n) {
-  const double x = n.between(-1, 1), y = n.between(-1, 1), z = n.between(-1, 1);
-  return {{"axis", vectorJson(x, y, z)}, {"angle", rounded(n.between(0, 6.28))}};
-}
 
 Json offset(Numbers& n, double most) {
   const double x = n.signedBetween(0, most), y = n.signedBetween(0, most);
@@ -125,6 +119,13 @@ std::string addGlass(Json& json, Numbers& n) {
   return patterned ? "+glass pattern" : "+glass";
 }
 
+}  // namespace
+
+Json turned(Numbers& n) {
+  const double x = n.between(-1, 1), y = n.between(-1, 1), z = n.between(-1, 1);
+  return {{"axis", vectorJson(x, y, z)}, {"angle", rounded(n.between(0, 6.28))}};
+}
+
 std::pair<PixelSize, int> formatOf(const HardSceneOptions& options, Numbers& n) {
   const bool four = n.chance(kFourSamples);
   const int part = n.whole(0, 8);
@@ -135,8 +136,6 @@ std::pair<PixelSize, int> formatOf(const HardSceneOptions& options, Numbers& n) 
   if (samples > 1) size = {size.width / 2, size.height / 2};
   return {options.size.value_or(size), samples};
 }
-
-}  // namespace
 
 std::string_view kindAt(std::uint64_t index) {
   const auto kinds = surfaceKinds();

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "random/crowd_scene.h"
 #include "random/shrink.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
@@ -18,10 +19,12 @@ namespace {
 
 void requireKind(const std::string& kind) {
   const auto kinds = surfaceKinds();
-  if (kind.empty() || std::ranges::any_of(kinds, [&](const SurfaceKind& k) { return k.name == kind; }))
+  if (kind.empty() || kind == kCrowd ||
+      std::ranges::any_of(kinds, [&](const SurfaceKind& k) { return k.name == kind; }))
     return;
   std::vector<std::string> names;
   for (const SurfaceKind& k : kinds) names.emplace_back(k.name);
+  names.emplace_back(kCrowd);
   throw Error(ErrorKind::Usage, fmt::format("there is no kind of scene '{}'", kind),
               didYouMean(kind, names, fmt::format("the kinds are {}", listed(names))));
 }
@@ -99,7 +102,9 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
   requireKind(request.kind);
   RunTotals totals;
   for (std::uint64_t index = request.first, done = 0; done < request.count && request.goesOn(); ++index) {
-    if (request.scene == nullptr && !request.kind.empty() && kindAt(index) != request.kind) continue;
+    const bool crowd = request.kind == kCrowd;
+    if (request.scene == nullptr && !request.kind.empty() && !crowd && kindAt(index) != request.kind)
+      continue;
     ++done;
     Json line;
     try {
@@ -116,7 +121,7 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
                          {.samples = sight.samples, .skips = request.skips, .goesOn = request.goesOn});
         describe(line, trial);
       } else {
-        const HardScene hard = hardScene(request.seed, index, request.options);
+        const HardScene hard = (crowd ? crowdScene : hardScene)(request.seed, index, request.options);
         line = lineOf(request, index, hard.kind, hard.camera);
         trial = tryJson(renderer, request, hard.json);
         describe(line, trial);
@@ -130,7 +135,7 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
       add(totals, trial);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::Scene) throw;
-      if (line.empty()) line = lineOf(request, index, std::string(kindAt(index)), "");
+      if (line.empty()) line = lineOf(request, index, std::string(crowd ? kCrowd : kindAt(index)), "");
       line["error"] = error.what();
       ++totals.refusedScenes;
     }

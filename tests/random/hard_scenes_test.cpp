@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sixty random hard scenes against the ground truth, small ones, the same every time:
-// `luxo verify --random N --seed S` draws as many others as one likes.
+// Sixty random hard scenes and forty crowds in shadows against the ground truth, small ones, the same every
+// time: `luxo verify --random N --seed S` (`--kind crowd`) draws as many others as one likes.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -36,6 +36,36 @@ TEST_P(HardScenes, HaveNoPixelSilentlyWrong) {
     hits += totals.hits;
   }
   EXPECT_GT(drawn, kScenes / kParts / 2);
+  EXPECT_GT(hits, 1000U);
+}
+
+// In two parts, as each makes what it knows of 35 surfaces anew: 20 s of CPU each.
+constexpr std::uint64_t kCrowds = 40, kCrowdParts = 2;
+
+class Crowds : public PictureTest, public testing::WithParamInterface<std::uint64_t> {};
+
+INSTANTIATE_TEST_SUITE_P(Parts, Crowds, testing::Range(std::uint64_t{0}, kCrowdParts));
+
+/// Three to twelve surfaces of the catalogue in the shadows of each other, from the usual map of 64 texels.
+TEST_P(Crowds, HaveNoPixelWrong) {
+  std::uint64_t drawn = 0, hits = 0;
+  for (std::uint64_t index = GetParam(); index < kCrowds; index += kCrowdParts) {
+    const random::RunTotals totals =
+        random::runRandom(renderer(), {.count = 1,
+                                       .seed = kSeed,
+                                       .first = index,
+                                       .kind = "crowd",
+                                       .options = {.size = kSize, .samples = 1},
+                                       .print = [&](const std::string& line) {
+                                         SCOPED_TRACE(line);
+                                         EXPECT_EQ(line.find("\"error\""), std::string::npos);
+                                       }});
+    EXPECT_EQ(totals.wrong, 0U) << "luxo verify --random 1 --kind crowd --samples 1 --seed " << kSeed
+                                << " --first " << index << " --size " << kSize.width << "x" << kSize.height;
+    drawn += totals.scenes;
+    hits += totals.hits;
+  }
+  EXPECT_EQ(drawn, kCrowds / kCrowdParts);
   EXPECT_GT(hits, 1000U);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "random/crowd_scene.h"
 #include "random/hard_scene.h"
 #include "random/shrink.h"
 
@@ -62,6 +63,28 @@ TEST(HardScenes, SizeAndSamplesAreTheCallers) {
   const Scene scene = sceneOf(hard.json);
   EXPECT_EQ(scene.settings().size, (PixelSize{40, 30}));
   EXPECT_EQ(scene.settings().samples, 4);
+}
+
+TEST(CrowdScenes, CanBeReadAndHaveAllSortsOfLights) {
+  std::set<std::string> lights;
+  std::set<std::size_t> counts;
+  for (std::uint64_t index = 0; index < 150; ++index) {
+    const HardScene crowd = crowdScene(11, index, {});
+    SCOPED_TRACE(crowd.json.dump());
+    EXPECT_EQ(crowdScene(11, index, {}).json, crowd.json);
+    const Scene scene = sceneOf(crowd.json);
+    const Snapshot snapshot = takeSnapshot(scene, 0, scene.settings().size);
+    EXPECT_GE(snapshot.nodes.size(), 3U);
+    EXPECT_LE(snapshot.nodes.size(), 12U + 1U);
+    for (const SnapshotLight& light : snapshot.lights) EXPECT_TRUE(light.hasShadow());
+    counts.insert(snapshot.nodes.size());
+    for (const Json& node : crowd.json["nodes"])
+      if (node.contains("light")) lights.insert(node["light"].contains("radius") ? "soft" : "hard");
+    for (const char* kind : {"low sun", "+sun", "direction", "far", "near", "inside", "grazing", "glass"})
+      if (crowd.kind.find(kind) != std::string::npos) lights.insert(kind);
+  }
+  EXPECT_EQ(lights.size(), 2U + 8U);
+  EXPECT_GT(counts.size(), 8U);
 }
 
 // What fails here is any scene whose formula still has a cosine of u and whose picture still sees the origin.
