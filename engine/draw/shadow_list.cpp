@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/shadow_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "base/error.h"
 #include "draw/caster_list.h"
 #include "draw/exact_data.h"
 #include "math/transform.h"
 #include "scene/light_view.h"
+#include "shadow/shadow_reach.h"
 #include "surface/spread.h"
 
 namespace luxo {
@@ -21,6 +25,9 @@ constexpr double kInPlane = 1e-4;
 /// What is nearer to a light than that part of the light's height over a plane has its flattened mesh spread
 /// by no more than the inverse, as far as tolerances go.
 constexpr double kNearLight = 1.0 / 16;
+
+/// Texels along a side of all faces of a depth map together: what CPU devices, and most others, have at most.
+constexpr std::uint32_t kMaxMapSide = 16384;
 
 const SnapshotNode* nodeOf(const Snapshot& snapshot, NodeId id) {
   const auto node = std::ranges::lower_bound(snapshot.nodes, id.index, {},
@@ -44,7 +51,15 @@ class ShadowLister {
         list_(list),
         casters_(snapshot, geometry, list) {
     for (const auto* nodes : {&visible.opaque, &visible.transparent})
-      for (const VisibleNode& node : *nodes) receivers_.add(snapshot.nodes[node.node].boundsWorld);
+      for (const VisibleNode& node : *nodes) {
+        seen_.push_back(&snapshot.nodes[node.node]);
+        receivers_.add(seen_.back()->boundsWorld);
+      }
+    // What most is in the shadow of comes first.
+    std::ranges::stable_sort(seen_, std::ranges::greater(), [](const SnapshotNode* node) {
+      const Vec3 extent = node->boundsWorld.extent();
+      return std::max({extent.x, extent.y, extent.z});
+    });
     gated_ = std::ranges::none_of(snapshot.materials, &Material::lectureSpecular);
     for (const auto* batches : {&list.opaque, &list.layers.meshes})
       for (const DrawBatch& batch : *batches)
@@ -91,6 +106,13 @@ class ShadowLister {
     if (box.empty() || !isFinite(box) || receivers_.empty()) return;
     const int size = static_cast<int>(drawn.map.size);
     const std::vector<View> views = lightViews(light, box, isFinite(receivers_) ? receivers_ : box, size);
+    if (views.size() > 1 && drawn.map.size > kMaxMapSide / shared::kLightMapFacesInRow)
+      throw Error(
+          ErrorKind::Scene,
+          fmt::format("the depth map of node {} has {} faces of {} texels: they fit with up to {} alone",
+                      light.id.index + 1, views.size(), drawn.map.size,
+                      kMaxMapSide / shared::kLightMapFacesInRow),
+          "give its map a smaller \"size\", or move the light away from what casts its shadow");
     drawn.map.faceCount = static_cast<std::uint32_t>(views.size());
     drawn.map.texel = static_cast<float>(1 / views[0].pixelsPerUnit);
     drawn.map.depthOfBuffer =
@@ -205,9 +227,24 @@ class ShadowLister {
                                .transmittance = Vec3f(material.lightThroughAt(0, 0))}});
   }
 
+  /// Whether something that is seen may be in its shadow.
+  [[nodiscard]] bool reachesWhatIsSeen(const SnapshotLight& light, const SnapshotNode& node) const {
+    return std::ranges::any_of(seen_, [&](const SnapshotNode* receiver) {
+      return receiver == &node ? mayShadowItself(node)
+                               : mayShadow(light.positionWorld, node.boundsWorld, receiver->boundsWorld);
+    });
+  }
+
+  /// Normals that turn toward the viewer may face a light from inside.
+  [[nodiscard]] bool mayShadowItself(const SnapshotNode& node) const {
+    if (node.surface.flatNormal()) return false;
+    if (!gated_ || materialOf(node).twoSided == TwoSided::Yes) return true;
+    return !isEllipsoid(node.surface, node.parameters);
+  }
+
   void list(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
     const std::optional<PixelRect> area = areaOf(light, node);
-    if (!area) return;
+    if (!area || !reachesWhatIsSeen(light, node)) return;
     bool found = true;
     for (const CasterPart& part : casterParts(geometry_.codes, node))
       found &= add(bit, light, node, part, *area);
@@ -316,7 +353,8 @@ class ShadowLister {
   DrawList& list_;
   CasterList casters_;
   LightGroup* group_ = nullptr;  // of the light whose casters are listed
-  Box receivers_;
+  std::vector<const SnapshotNode*> seen_;
+  Box receivers_;  ///< of these
   bool gated_ = true;
   double offPx_ = kExactTolerancePx;
 };

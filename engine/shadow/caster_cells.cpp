@@ -34,7 +34,7 @@ class Cutter {
     const Box framing = surface_.framing(parameters_);
     CasterCells made{.size = framing.empty() ? 0 : glm::length(framing.extent()),
                      .flatNormal = surface_.flatNormal(),
-                     .convex = isEllipsoid()};
+                     .convex = isEllipsoid(surface_, parameters_)};
     size_ = made.size;
     for (const std::uint32_t patch : patches) add(patch, {});
     while (!open_.empty() && open_.size() + done_.size() < kMaxCasterCells) {
@@ -59,11 +59,6 @@ class Cutter {
     double excess = 0;  ///< how many times as large as it should be
     bool acrossU = false;
   };
-
-  [[nodiscard]] bool isEllipsoid() const {
-    const auto equation = equationOf(surface_, 0, parameters_);
-    return equation && equation->form() == Equation::Form::Quadric && boundsSolid(surface_, parameters_);
-  }
 
   void add(std::uint32_t patch, const Tile& tile) {
     Part part = partOf(patch, tile);
@@ -138,6 +133,11 @@ class Cutter {
 };
 
 }  // namespace
+
+bool isEllipsoid(const Surface& surface, std::span<const double> parameters) {
+  const auto equation = equationOf(surface, 0, parameters);
+  return equation && equation->form() == Equation::Form::Quadric && boundsSolid(surface, parameters);
+}
 
 bool CasterCell::proven() const {
   return std::isfinite(bend) && isFinite(middle) && isFinite(a) && isFinite(b);

@@ -43,11 +43,14 @@ struct CasterCells {
   Box bounds;                      ///< of all cells; infinite where one is
   double size = 0;                 ///< of the surface, about
   std::optional<Vec3> flatNormal;  ///< of a surface in one plane; object space
-  bool convex = false;             ///< all of an ellipsoid: no point that faces a light is in its shadow
+  bool convex = false;             ///< isEllipsoid()
 
   /// Whether light rays can be held against them: they end somewhere.
   [[nodiscard]] bool finite() const { return isFinite(bounds); }
 };
+
+/// Whether it is all of an ellipsoid: no point of it that faces a light is in its own shadow.
+[[nodiscard]] bool isEllipsoid(const Surface& surface, std::span<const double> parameters);
 
 /// Cells bend by at most that part of the surface's size, and are no longer than that part of it, unless that
 /// takes too many. A cell that bends less is settled sooner, but there are more to look at (measured on the

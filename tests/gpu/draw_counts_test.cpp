@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 #include "cull/cull.h"
 #include "draw/draw_list.h"
@@ -193,6 +194,86 @@ TEST_F(DrawCounts, NothingPilesUp) {
   EXPECT_EQ(after.deviceBytes, before.deviceBytes);
   EXPECT_EQ(after.pipelinesCreated, before.pipelinesCreated);
   EXPECT_GE(after.submits, before.submits + 1000);
+}
+
+/// A ball, what else there is, and a light with exact shadows; the eye looks down from (0, 9, 5).
+Scene ballAnd(const std::vector<Node>& others, const Vec3& light, const Vec3& lookAt = Vec3(0)) {
+  Scene scene;
+  scene.add(Node{.surface = sphere(1)});
+  for (const Node& other : others) scene.add(other);
+  scene.add(Node{.translation = light, .light = Light{.shadow = Light::Shadow::Exact}});
+  scene.add(Camera{.eye = Vec3(0, 9, 5), .lookAt = lookAt});
+  return scene;
+}
+
+TEST_F(DrawCounts, NoCasterIsLookedForThatShadowsNothingSeen) {
+  // Maps, and draws that look for a caster.
+  const auto looks = [](const Scene& scene) {
+    Geometry geometry;
+    const Snapshot snapshot = takeSnapshot(scene, 0, kTiny);
+    const DrawList list = listDraws(snapshot, cull(snapshot, {}), {}, geometry);
+    std::size_t draws = 0;
+    for (const LightGroup& group : list.groups) draws += group.shadows.size();
+    EXPECT_EQ(list.casters.casters.size(), draws);
+    EXPECT_EQ(geometry.casters.made() > 0, draws > 0) << "what is not looked for is not made";
+    return draws;
+  };
+  const auto ball = [](const Vec3& at) { return Node{.translation = at, .surface = sphere(1)}; };
+  const Node floor{.translation = Vec3(0, -2, 0), .surface = rectangle(20, 20)};
+  EXPECT_EQ(looks(ballAnd({floor}, {2, 5, 0})), 1U) << "onto the floor";
+  EXPECT_EQ(looks(ballAnd({}, {2, 5, 0})), 0U) << "a ball alone";
+  EXPECT_EQ(looks(ballAnd({ball({0, 0, 2.5})}, {0, 9, 1})), 0U) << "beside each other";
+  EXPECT_EQ(looks(ballAnd({ball({0, 0, 2.5})}, {0, 0.5, 9})), 1U) << "one behind the other";
+  EXPECT_EQ(looks(ballAnd({ball({0, 0, 2.5})}, {0, 0, 1.25})), 0U) << "on either side of the light";
+  EXPECT_EQ(looks(ballAnd({floor}, {0, -1.5, 0})), 0U) << "above the light";
+  EXPECT_EQ(looks(ballAnd({floor}, {30, 0, 0}, {0, 9, -5})), 0U) << "of the floor nothing is in the picture";
+  EXPECT_EQ(looks(ballAnd({Node{.translation = Vec3(0, 0, 3), .surface = torus(0.8, 0.2)}}, {0, 9, 0})), 1U)
+      << "a torus may be in its own shadow; in the ball's it is not";
+  EXPECT_EQ(draw(ballAnd({ball({0, 0, 2.5})}, {0, 9, 1}), kTiny).statistics.count.shadowPasses, 0U);
+}
+
+TEST_F(DrawCounts, ShadowsAreNotFoundAgain) {
+  const Scene scene = ballAnd({Node{.translation = Vec3(0, -2, 0), .surface = rectangle(20, 20)},
+                               Node{.translation = Vec3(1.5, 0, 0), .surface = torus(0.8, 0.2)}},
+                              {2, 5, 0});
+  const Picture first = draw(scene, kTiny);
+  EXPECT_EQ(first.statistics.count.shadowPasses, 2U);
+  const Picture still = draw(scene, kTiny);
+  EXPECT_TRUE(sameBytes(still.image, first.image));
+  EXPECT_EQ(still.statistics.count.submits + still.statistics.count.uploadBytes, 0U);
+  // Drawn all the same, nothing is made or uploaded for it.
+  const FrameCounts drawn = draw(scene, kTiny, {.skips = {.passes = false}}).statistics.count;
+  EXPECT_GT(drawn.submits, 0U);
+  EXPECT_EQ(drawn.tessellated + drawn.uploadBytes + drawn.pipelinesCreated, 0U);
+}
+
+TEST_F(DrawCounts, WhatIsOpaqueRunsNoPassOfWhatIsSeenThrough) {
+  Scene opaque = ballAnd({Node{.translation = Vec3(0, -2, 0), .surface = rectangle(20, 20)}}, {2, 5, 0});
+  const FrameCounts before = draw(opaque, kTiny).statistics.count;
+  EXPECT_EQ(before.layerPoints, 0U);
+  EXPECT_EQ(before.passes, 3U) << "points, shadows, light";
+  opaque.add(Node{.translation = Vec3(0, 2, 0),
+                  .surface = sphere(0.3),
+                  .material = opaque.add(Material{.opacity = 0.5})});
+  const FrameCounts after = draw(opaque, kTiny).statistics.count;
+  EXPECT_GT(after.layerPoints, 0U);
+  EXPECT_GT(after.passes, before.passes);
+}
+
+TEST_F(DrawCounts, LightsThatReachNothingCostNothing) {
+  const std::vector<Node> floor{Node{.translation = Vec3(0, -2, 0), .surface = rectangle(20, 20)}};
+  const FrameCounts one = draw(ballAnd(floor, {2, 5, 0}), kTiny).statistics.count;
+  Scene scene = ballAnd(floor, {2, 5, 0});
+  for (int i = 0; i < 40; ++i)
+    scene.add(Node{
+        .translation = Vec3(i, 5, 1),
+        .light = Light{.intensity = 0.0, .shadow = Light::Shadow::Exact, .radius = 0.1, .shadowSamples = 9}});
+  const Picture many = draw(scene, kTiny);
+  EXPECT_EQ(many.statistics.count.shadowPasses, one.shadowPasses);
+  EXPECT_EQ(many.statistics.count.passes, one.passes);
+  EXPECT_EQ(many.statistics.count.drawCalls, one.drawCalls);
+  EXPECT_EQ(many.statistics.count.culledLights, 2U * 9 * 40) << "by each of two nodes";
+  EXPECT_TRUE(sameBytes(many.image, draw(ballAnd(floor, {2, 5, 0}), kTiny).image));
 }
 
 }  // namespace
