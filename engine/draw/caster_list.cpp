@@ -35,6 +35,16 @@ std::vector<CasterPart> casterParts(SurfaceCodes& codes, const SnapshotNode& nod
   return parts;
 }
 
+CasterList::CasterList(const Snapshot& snapshot, Geometry& geometry, DrawList& list)
+    : snapshot_(snapshot), geometry_(geometry), list_(list) {
+  auto entries =
+      static_cast<std::size_t>(std::ranges::count_if(snapshot.nodes, [&](const SnapshotNode& node) {
+        return snapshot.materials[node.material.index].transparent();
+      }));
+  for (const SnapshotLight& light : snapshot.lights) entries += light.casters.size();
+  share_ = kMaxCasterBytes / std::max<std::size_t>(entries, 1);
+}
+
 std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, const CasterPart& part,
                                                      const Vec4& from, int gridSize) {
   const Mat3& linear = node.worldFromObject.linear;
@@ -47,11 +57,18 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   if (!cells.finite()) return std::nullopt;
   const Vec3 toward = Vec3(from) - from.w * node.worldFromObject.translation;
   const Vec4 fromObject(inverse * toward, from.w);
-  const auto grid = geometry_.casters.grid(node.surface, node.parameters, part.patches, fromObject, gridSize);
+  const auto grid = gridThatFits(node, part, fromObject, gridSize);
 
   const Vec3 origin = inverse * (list_.origin - node.worldFromObject.translation);
   const Vec3 farthest = glm::max(glm::abs(cells.bounds.min), glm::abs(cells.bounds.max));
   Casters& all = list_.casters;
+  const auto fits = [](const auto& held, std::size_t more) {
+    return (held.size() + more) * sizeof(held[0]) <= kMaxCasterBytes;
+  };
+  if (!fits(all.gridStarts, grid->starts.size()) || !fits(all.gridEntries, grid->entries.size()) ||
+      !fits(all.cells, cells.cells.size()))
+    return std::nullopt;
+  const Place place = addPart(node, part, cells);
   shared::ShadowCaster& caster = entry.caster.emplace(shared::ShadowCaster{
       .gridFromRelative = Mat3f(grid->axes * inverse),
       .gridOrigin = Vec3f(grid->axes * (origin - grid->light)),
@@ -61,8 +78,8 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       .lightRelative = Vec4f(Vec3f(Vec3(from) - from.w * list_.origin), from.w),
       .gridSize = static_cast<std::uint32_t>(grid->size),
       .firstEntry = static_cast<std::uint32_t>(all.gridEntries.size()),
-      .firstCell = static_cast<std::uint32_t>(all.cells.size()),
-      .firstParameter = static_cast<std::uint32_t>(all.parameters.size()),
+      .firstCell = place.firstCell,
+      .firstParameter = place.firstParameter,
       .parameters = static_cast<std::uint32_t>(part.parameters[0].size()),
       .flags = (from.w == 0 ? shared::kParallelLight : 0) |
                (part.patches.size() == node.surface.patchCount() ? shared::kWholeCaster : 0),
@@ -79,10 +96,32 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   all.gridStarts.insert(all.gridStarts.end(), grid->starts.begin(), grid->starts.end());
   for (const LightGrid::Entry& listed : grid->entries)
     all.gridEntries.push_back({listed.cell, listed.nearest});
+  return entry;
+}
+
+CasterList::Place CasterList::addPart(const SnapshotNode& node, const CasterPart& part,
+                                      const CasterCells& cells) {
+  Casters& all = list_.casters;
+  const auto [place, isNew] = places_.try_emplace(
+      {&node, part.patches[0]},
+      Place{static_cast<std::uint32_t>(all.cells.size()), static_cast<std::uint32_t>(all.parameters.size())});
+  if (!isNew) return place->second;
   addCells(cells, node.surface, part);
   for (const std::vector<double>& parameters : part.parameters)
     all.parameters.insert(all.parameters.end(), parameters.begin(), parameters.end());
-  return entry;
+  return place->second;
+}
+
+std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& node, const CasterPart& part,
+                                                          const Vec4& fromObject, int gridSize) {
+  // With fewer texels than that lists are too long to be walked: rays are faster.
+  constexpr int kLeast = 8;
+  for (;; gridSize = std::max(gridSize / 2, kLeast)) {
+    auto grid = geometry_.casters.grid(node.surface, node.parameters, part.patches, fromObject, gridSize);
+    if (gridSize <= kLeast || std::max(grid->starts.size() * sizeof(grid->starts[0]),
+                                       grid->entries.size() * sizeof(grid->entries[0])) <= share_)
+      return grid;
+  }
 }
 
 std::uint32_t CasterList::add(const shared::ShadowCaster& caster) {

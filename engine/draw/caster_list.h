@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "draw/draw_list.h"
@@ -24,12 +26,14 @@ struct CasterPart {
 /// By their general form, where they have one: surfaces of one name share it.
 [[nodiscard]] std::vector<CasterPart> casterParts(SurfaceCodes& codes, const SnapshotNode& node);
 
+/// Of each buffer of DrawList::casters: what every device binds at once (maxStorageBufferRange).
+inline constexpr std::size_t kMaxCasterBytes = std::size_t{1} << 27;
+
 /// Fills DrawList::casters.
 class CasterList {
  public:
   /// All must outlive this.
-  CasterList(const Snapshot& snapshot, Geometry& geometry, DrawList& list)
-      : snapshot_(snapshot), geometry_(geometry), list_(list) {}
+  CasterList(const Snapshot& snapshot, Geometry& geometry, DrawList& list);
 
   /// What a shader needs to look for a part of a node; whoever asks adds what he asks for.
   struct Entry {
@@ -37,7 +41,7 @@ class CasterList {
     std::shared_ptr<const CasterCells> cells;
   };
   /// `from`: world; w = 1: the point; w = 0: the direction toward it. Nothing where shaders cannot find the
-  /// part: it ends nowhere, or its formula is too large.
+  /// part: it ends nowhere, its formula is too large, or there is no room for more (kMaxCasterBytes).
   [[nodiscard]] std::optional<Entry> entryOf(const SnapshotNode& node, const CasterPart& part,
                                              const Vec4& from, int gridSize);
   /// The number of the caster.
@@ -47,11 +51,23 @@ class CasterList {
   [[nodiscard]] std::optional<PixelRect> pixelsAround(std::span<const Vec3> points) const;
 
  private:
+  /// Where the cells and the parameters of a part begin, which all its lights share.
+  struct Place {
+    std::uint32_t firstCell = 0, firstParameter = 0;
+  };
+  Place addPart(const SnapshotNode& node, const CasterPart& part, const CasterCells& cells);
   void addCells(const CasterCells& cells, const Surface& surface, const CasterPart& part);
+  /// One whose share of the room is enough: grids may be of any size, and those of a thousand lights, or of
+  /// as many layers, are smaller.
+  [[nodiscard]] std::shared_ptr<const LightGrid> gridThatFits(const SnapshotNode& node,
+                                                              const CasterPart& part, const Vec4& fromObject,
+                                                              int gridSize);
 
   const Snapshot& snapshot_;
   Geometry& geometry_;
   DrawList& list_;
+  std::size_t share_;  ///< bytes that one entry may take of a buffer
+  std::map<std::pair<const SnapshotNode*, std::uint32_t>, Place> places_;  // by the first patch
 };
 
 }  // namespace luxo

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights and casters where nobody would put them: each picture is right, or says how many of its pixels are
+// not known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "support/verified_picture.h"
+
+namespace luxo::test {
+namespace {
+
+class ShadowHazards : public VerifiedPictureTest {
+ protected:
+  [[nodiscard]] static Scene sceneOf(const std::string& nodes) {
+    return buildScene(parseScene(R"_({ "luxo": 1,
+      "render": { "ambient": [0.1, 0.1, 0.1], "background": [0, 0, 0] },
+      "materials": { "m": { "diffuse": [0.7, 0.7, 0.7], "specular": 0 }, "glass": { "opacity": 0.3 } },
+      "surfaces": { "floor": { "type": "rectangle", "size": [20, 20] }, "ball": { "type": "sphere" },
+                    "cone": { "type": "cone", "radius": 1, "top_radius": 0, "height": 2 },
+                    "pot": { "type": "teapot" }, "torus": { "type": "torus" },
+                    "endless": { "type": "formula", "position": ["u", "1/v", "v"], "u": [-1, 1], "v": [-1, 1] },
+                    "poles": { "type": "formula", "position": ["tan(u)", "v", "0"], "u": [-2, 2], "v": [-1, 1] },
+                    "torn": { "type": "formula", "position": ["u", "sqrt(u)*v", "v"], "u": [-1, 1], "v": [-1, 1] },
+                    "line": { "type": "formula", "position": ["u", "1+0*v", "0"], "u": [-1, 1], "v": [-1, 1] } },
+      "camera": { "eye": [1, 5, 6], "look_at": [0, 0.5, 0], "fov_y": "50deg" },
+      "nodes": [ { "name": "floor", "surface": "floor", "material": "m" }, )_" +
+                                     nodes + "] }",
+                                 "hazards"));
+  }
+  [[nodiscard]] static std::string caster(const std::string& surface, const std::string& more) {
+    return R"({ "name": "caster", "surface": ")" + surface + R"(", "material": "m", )" + more + " }, ";
+  }
+  [[nodiscard]] static std::string lightAt(const std::string& at, const std::string& more = "",
+                                           const std::string& shadow = "exact") {
+    return R"({ "translate": )" + at + R"(, "light": { "shadow": ")" + shadow + "\"" + more + " } }";
+  }
+
+  /// No pixel is wrong that is not counted, and every one is a number.
+  FrameStatistics expectRightOrTold(const Scene& scene, PixelSize size) {
+    const Verified found = verified(takeSnapshot(scene, 0, size));
+    const FrameError& error = found.statistics.error;
+    EXPECT_LE(found.verification.wrong.total(), error.unconvergedPx + error.uncertifiedPx);
+    EXPECT_EQ(error.nonfinitePx, 0U);
+    EXPECT_EQ(found.verification.nanPixels, 0U);
+    return found.statistics;
+  }
+};
+
+constexpr PixelSize kSize{48, 36};
+
+TEST_F(ShadowHazards, LightsOnCornersAndInsideOfCasters) {
+  const std::string cone = caster("cone", R"("translate": [0, 0, 0])"),
+                    pot = caster("pot", R"("translate": [0, 0, 0])"),
+                    torus = caster("torus", R"("translate": [0, 1, 0])");
+  for (const std::string& nodes :
+       {cone + lightAt("[0, 2, 0]"), cone + lightAt("[0, 2.0000001, 0]"), cone + lightAt("[1, 0, 0]"),
+        pot + lightAt("[0, 3.15, 0]"), pot + lightAt("[0, 1, 0]"), torus + lightAt("[0, 1, 0]"),
+        torus + lightAt("[1, 1, 0]"), torus + lightAt("[1.4, 1, 0]"), torus + lightAt("[10, 0, 10]"),
+        torus + lightAt("[2, 0, 1]"), torus + lightAt("[2, 1e-9, 1]")}) {
+    SCOPED_TRACE(nodes);
+    expectRightOrTold(sceneOf(nodes), kSize);
+  }
+}
+
+TEST_F(ShadowHazards, ACasterAroundTheCamera) {
+  const std::string shell = caster("ball", R"("translate": [0, 3, 3], "scale": [8, 8, 8])");
+  for (const std::string& light : {lightAt("[3, 6, 4]"), lightAt("[30, 60, 40]")}) {
+    SCOPED_TRACE(light);
+    const FrameStatistics told = expectRightOrTold(
+        sceneOf(shell + R"({ "surface": "torus", "material": "m", "translate": [0, 1, 0] }, )" + light),
+        kSize);
+    EXPECT_EQ(told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
+  }
+  // From outside no light gets in.
+  const Image image = draw(sceneOf(shell + lightAt("[30, 60, 40]")), kSize).image;
+  const float dark = 0.07F;  // the ambient light alone
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) ASSERT_LE(image.pixel(x, y)[0], dark + 1e-6F) << x << ", " << y;
+}
+
+TEST_F(ShadowHazards, CastersWithoutEndOrWidth) {
+  for (const std::string& one :
+       {caster("endless", R"("translate": [0, 1, 0])"), caster("poles", R"("translate": [0, 1, 0])"),
+        caster("torn", R"("translate": [0, 1.5, 0])"), caster("line", R"("translate": [0, 1, 0])"),
+        caster("ball", R"("translate": [0, 2, 0], "scale": [1, 0, 1])"),
+        caster("ball", R"("translate": [0, 2, 0], "scale": [0, 0, 0])"),
+        caster("ball", R"("translate": [0, -1000000003, 0], "scale": [1e9, 1e9, 1e9])")}) {
+    SCOPED_TRACE(one);
+    expectRightOrTold(sceneOf(one + lightAt("[2, 6, 3]")), kSize);
+  }
+}
+
+/// Who has no surface, or is not there, casts nothing.
+TEST_F(ShadowHazards, CastersThatAreNone) {
+  const std::string ball = caster("ball", R"("translate": [0, 1.2, 0])"), group = R"({ "name": "group" }, )",
+                    hidden = R"({ "name": "hidden", "surface": "ball", "visible": 0 }, )";
+  const auto pictureOf = [&](const std::string& light) {
+    return draw(sceneOf(ball + group + hidden +
+                        R"({ "name": "lamp", "translate": [2, 6, 3], "light": { "shadow": "exact")" + light +
+                        " } }"),
+                kSize, {.composition = Composition::Deferred})
+        .image;
+  };
+  const Image without = draw(sceneOf(ball + R"({ "translate": [2, 6, 3], "light": {} })"), kSize,
+                             {.composition = Composition::Deferred})
+                            .image;
+  for (const char* casters :
+       {R"(["lamp"])", R"(["group"])", R"(["hidden"])", R"(["lamp", "group", "hidden"])"})
+    EXPECT_TRUE(sameBytes(pictureOf(std::string(R"(, "casters": )") + casters), without)) << casters;
+  EXPECT_FALSE(sameBytes(pictureOf(""), without));
+  EXPECT_TRUE(sameBytes(pictureOf(R"(, "casters": ["caster", "caster", "caster"])"), pictureOf("")));
+  // A surface that carries its light, at its middle, is dark outside, and lets none out.
+  expectRightOrTold(sceneOf(R"({ "name": "both", "surface": "ball", "material": "m", "translate": [0, 2, 0],
+                   "light": { "shadow": "exact", "casters": ["both"] } })"),
+                    kSize);
+}
+
+TEST_F(ShadowHazards, AsManyLightsAsOneLikes) {
+  for (const int count : {32, 33, 100}) {
+    SCOPED_TRACE(count);
+    std::string nodes = caster("torus", R"("translate": [0, 1.2, 0])");
+    for (int i = 0; i < count; ++i)
+      nodes += (i > 0 ? ", " : "") +
+               lightAt("[" + std::to_string(4 * std::cos(i)) + ", " + std::to_string(4 + std::sin(3 * i)) +
+                           ", " + std::to_string(4 * std::sin(i)) + "]",
+                       R"(, "intensity": 0.02)");
+    const FrameStatistics told = expectRightOrTold(sceneOf(nodes), {32, 24});
+    EXPECT_EQ(told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
+    // Of more than 32 they are found again beside what rays know.
+    EXPECT_TRUE(told.count.shadowPasses == static_cast<std::uint64_t>(count) ||
+                (count > 32 && told.count.shadowPasses == 2U * static_cast<std::uint64_t>(count)));
+  }
+}
+
+TEST_F(ShadowHazards, SoftLightsOfOnePointAndOfAThousand) {
+  const std::string ball = caster("ball", R"("translate": [0, 1.2, 0])");
+  for (const char* samples : {"1", "1024"}) {
+    SCOPED_TRACE(samples);
+    const FrameStatistics told = expectRightOrTold(
+        sceneOf(ball + lightAt("[2, 6, 3]", std::string(R"(, "radius": 0.5, "shadow_samples": )") + samples)),
+        {24, 18});
+    EXPECT_EQ(told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
+  }
+  // One point is the middle: the hard shadow.
+  EXPECT_TRUE(sameBytes(
+      draw(sceneOf(ball + lightAt("[2, 6, 3]", R"(, "radius": 0.5, "shadow_samples": 1)")), kSize).image,
+      draw(sceneOf(ball + lightAt("[2, 6, 3]", R"(, "radius": 0)")), kSize).image));
+}
+
+TEST_F(ShadowHazards, AThousandLayers) {
+  std::string nodes;
+  for (int i = 0; i < 500; ++i)
+    nodes += std::string(i > 0 ? ", " : "") +
+             R"({ "surface": "ball", "material": "glass", "translate": [0, 1.2, 0], "scale": [)" +
+             std::to_string(0.2 + 0.002 * i) + ", " + std::to_string(0.2 + 0.002 * i) + ", " +
+             std::to_string(0.2 + 0.002 * i) + "] }";
+  const Picture picture = draw(sceneOf(nodes + R"(, { "translate": [2, 6, 3], "light": {} })"), {24, 18});
+  const FrameError& error = picture.statistics.error;
+  EXPECT_EQ(error.layersMissing + error.unconvergedPx + error.uncertifiedPx + error.nonfinitePx, 0U);
+  EXPECT_GT(picture.statistics.count.layerPoints, 10'000U);
+  EXPECT_EQ(error.auditFailedPx, 0U);
+}
+
+/// Depth maps are not exact, but what they show is defined.
+TEST_F(ShadowHazards, DepthMapsOfOddSizesAndBiases) {
+  const std::string ball = caster("ball", R"("translate": [0, 1.2, 0])");
+  const auto pictureOf = [&](const std::string& at, const std::string& map) {
+    const Picture picture = draw(sceneOf(ball + lightAt(at, R"(, "map": )" + map, "map")), kSize);
+    EXPECT_EQ(picture.statistics.error.nonfinitePx, 0U);
+    EXPECT_TRUE(allFinite(picture.image));
+    return picture.image;
+  };
+  for (const char* map : {R"({ "size": 1 })", R"({ "size": 64, "pcf": 15 })", R"({ "bias": 1e18 })",
+                          R"({ "slope_bias": 1e18 })", R"({ "normal_offset": 1e18 })"})
+    for (const char* at : {"[2, 6, 3]", "[0, 1.2, 0]", "[2, 0, 1]", "[0, 2.2, 0]"}) {
+      SCOPED_TRACE(std::string(map) + at);
+      static_cast<void>(pictureOf(at, map));
+    }
+  // From inside it has six faces, which are too large together.
+  try {
+    static_cast<void>(pictureOf("[0, 1.2, 0]", R"({ "size": 8192 })"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    EXPECT_NE(std::string(error.what()).find("6 faces of 8192 texels"), std::string::npos) << error.what();
+  }
+  // With such a bias all is nearer to the light than anything in the map.
+  const Image unshadowed = draw(sceneOf(ball + R"({ "translate": [2, 6, 3], "light": {} })"), kSize).image,
+              biased = pictureOf("[2, 6, 3]", R"({ "bias": 1e18 })");
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x)
+      ASSERT_TRUE(near(colorAt(biased, x, y), colorAt(unshadowed, x, y), 1e-5)) << x << ", " << y;
+}
+
+}  // namespace
+}  // namespace luxo::test
