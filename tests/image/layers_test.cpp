@@ -129,6 +129,39 @@ TEST_F(LayersTest, OrderOfNodesChangesNoByte) {
   EXPECT_TRUE(sameBytes(shown(), expected));
 }
 
+TEST_F(LayersTest, NorDoesItThroughAnyCamera) {
+  // Surfaces that are the same but for what they are made of, and one within another.
+  std::vector<std::string> nodes{node("torus", "glass"),
+                                 node("torus", "stained"),
+                                 node("ball", "glow"),
+                                 node("ball", "red"),
+                                 node("sheet", "waves"),
+                                 node("sheet", "glass"),
+                                 node("klein", "red", R"(, "scale": [0.3, 0.3, 0.3])")};
+  std::vector<Camera> cameras;
+  for (const Vec3& eye : {Vec3(0, 5, 0), Vec3(0.2, 0.1, 0), Vec3(-3, 0, 0.1), Vec3(300, 200, 100)})
+    cameras.push_back({.eye = eye,
+                       .lookAt = Vec3(0.01, 0, -0.02),
+                       .fovY = glm::length(eye) > 9 ? 0.01 : 0.9,
+                       .near = 0.01});
+  cameras.push_back({.eye = Vec3(3, 0, 4), .projection = Projection::Orthographic, .height = 4.0});
+  std::vector<std::string> sorted = nodes;
+  std::ranges::sort(sorted);
+  const auto sceneOfAll = [](const std::vector<std::string>& of) {
+    std::string all;
+    for (const std::string& one : of) all += (all.empty() ? "" : ", ") + one;
+    return sceneOf(all);
+  };
+  for (const Camera& camera : cameras) {
+    const Picture expected = draw(sceneOfAll(sorted), camera, {80, 60});
+    EXPECT_GT(expected.statistics.count.layerPoints, 500U);
+    std::ranges::rotate(nodes, nodes.begin() + 2);
+    EXPECT_TRUE(sameBytes(draw(sceneOfAll(nodes), camera, {80, 60}).image, expected.image));
+    std::ranges::reverse(nodes);
+    EXPECT_TRUE(sameBytes(draw(sceneOfAll(nodes), camera, {80, 60}).image, expected.image));
+  }
+}
+
 /// The lecture's demonstration: each over all before it, wherever it is.
 TEST_F(LayersTest, GivenOrderIsWhatIsGiven) {
   const std::string near = node("sheet", "red", R"(, "translate": [0, 0.2, 0])"),
