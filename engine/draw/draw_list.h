@@ -73,6 +73,8 @@ struct DrawState {
   bool manyGroups = false;          ///< of Form::ShadeLayers: there are others, which light the same points
   bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
   bool transmits = false;           ///< with it: LightGroup::transmits
+  std::uint32_t closed = 0;         ///< of Form::Shadow and LayerShadow: so many casters, by their equations
+  bool torus = false;               ///< with it: these are of tori; else of quadrics
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -117,6 +119,7 @@ struct FoundNode {
 
 /// Surfaces as rays from a light or from the eye meet them (draw/caster_list.h).
 struct Casters {
+  std::vector<shared::ClosedCaster> closed;
   std::vector<shared::ShadowCaster> casters;
   std::vector<std::uint32_t> gridStarts;
   std::vector<shared::GridEntry> gridEntries;
@@ -124,10 +127,10 @@ struct Casters {
   std::vector<float> parameters;  ///< of the casters' formulas, patch by patch
 };
 
-/// Looks for a caster in all pixels of an area.
+/// Looks for a caster, or for some (DrawState::closed), in all pixels of an area.
 struct CasterDraw {
   DrawState state;
-  std::uint32_t caster = 0;  ///< index into Casters::casters
+  std::uint32_t caster = 0;  ///< index into Casters::casters, or of the first in Casters::closed
   PixelRect area;
 };
 
@@ -154,7 +157,7 @@ struct LightGroup {
   std::uint32_t lightSet = 0;
   bool transmits = false;  ///< it is one light, of which a part may come through: by casters, or by a map
   std::vector<DrawState> shades, layerShades;  ///< a draw for each pattern
-  /// With `lights`: one draw for each light and each caster that may keep it from what is seen.
+  /// With `lights`: what looks for the casters of each light that may keep it from what is seen.
   std::vector<CasterDraw> shadows, layerShadows;
   std::vector<FlatShadowDraw> flatShadows;
   /// Of one that transmits: a draw for each caster that lets some of the light through.

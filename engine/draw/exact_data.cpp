@@ -90,14 +90,6 @@ std::uint32_t flagsOf(const ShellPatch& patch) {
          (equation && equation->isRadial() ? shared::kRadial : 0);
 }
 
-/// Where a quadric is written about, by y: its centre, which a cone has at its apex, as around it F is free
-/// of differences of large numbers. Not so far away that places lose more than F gains.
-double centerOf(const Equation& equation) {
-  if (equation.yy == 0) return 0;
-  const double center = -0.5 * equation.y / equation.yy;
-  return std::abs(center) <= 2 * equation.reach ? center : 0;
-}
-
 /// What shaders/lib/exact_equation.glsl reads, in metres.
 void appendEquation(const Equation& equation, const Domain& domain, std::vector<double>& numbers) {
   const Vec3& scale = equation.scale;
@@ -105,7 +97,7 @@ void appendEquation(const Equation& equation, const Domain& domain, std::vector<
   const Box edges = equation.edgesOf(domain);
   Vec3 lowest = glm::max(edges.min, Vec3(-kNowhere)), highest = glm::min(edges.max, Vec3(kNowhere));
 
-  const double center = centerOf(equation);
+  const double center = equation.center();
   lowest.y -= center * scale.y;
   highest.y -= center * scale.y;
 

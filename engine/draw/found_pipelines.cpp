@@ -8,6 +8,7 @@
 #include "draw/ray_points.h"
 #include "draw/scene_pipelines.h"
 #include "luxo/shaders/blend_layers_frag.h"
+#include "luxo/shaders/closed_shadow_vert.h"
 #include "luxo/shaders/flat_shadow_frag.h"
 #include "luxo/shaders/flat_shadow_vert.h"
 #include "luxo/shaders/flat_transmittance_frag.h"
@@ -15,6 +16,8 @@
 #include "luxo/shaders/light_map_frag.h"
 #include "luxo/shaders/light_map_layer_frag.h"
 #include "luxo/shaders/light_map_vert.h"
+#include "luxo/shaders/quadric_layer_shadow_frag.h"
+#include "luxo/shaders/quadric_shadow_frag.h"
 #include "luxo/shaders/ray_layers_frag.h"
 #include "luxo/shaders/ray_layers_vert.h"
 #include "luxo/shaders/ray_shadows_frag.h"
@@ -26,6 +29,8 @@
 #include "luxo/shaders/shade_layers_frag.h"
 #include "luxo/shaders/shade_vert.h"
 #include "luxo/shaders/shadow_vert.h"
+#include "luxo/shaders/torus_layer_shadow_frag.h"
+#include "luxo/shaders/torus_shadow_frag.h"
 #include "luxo/shaders/whole_target_vert.h"
 
 namespace luxo {
@@ -99,11 +104,29 @@ void ScenePipelines::describeShadow(const DrawState& state, gpu::GraphicsPipelin
     desc.fragmentShader = luxo_light_map_frag;
     desc.depthCompare = VK_COMPARE_OP_LESS;
   } else {
+    desc.depthCompare = VK_COMPARE_OP_LESS;
+    describeCaster(state, desc);
+  }
+}
+
+/// By its cells, or some by their equations.
+void ScenePipelines::describeCaster(const DrawState& state, gpu::GraphicsPipelineDesc& desc) const {
+  if (state.closed == 0) {
     desc.vertexShader = luxo_shadow_vert;
     desc.fragmentShader = casterShader(state);
-    desc.depthCompare = VK_COMPARE_OP_LESS;
     desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
+    return;
   }
+  const std::span<const std::uint32_t> onFound =
+                                           state.torus ? std::span<const std::uint32_t>(luxo_torus_shadow_frag)
+                                                       : std::span<const std::uint32_t>(luxo_quadric_shadow_frag),
+                                       onLayers =
+                                           state.torus
+                                               ? std::span<const std::uint32_t>(luxo_torus_layer_shadow_frag)
+                                               : std::span<const std::uint32_t>(luxo_quadric_layer_shadow_frag);
+  desc.vertexShader = luxo_closed_shadow_vert;
+  desc.fragmentShader = state.form == Form::Shadow ? onFound : onLayers;
+  desc.specialization = {{shared::kConstantClosedCasters, state.closed}};
 }
 
 /// A mesh as a light sees it.
@@ -157,9 +180,7 @@ void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelin
     desc.fragmentShader = luxo_light_map_layer_frag;
     desc.specialization.clear();
   } else {
-    desc.vertexShader = luxo_shadow_vert;
-    desc.fragmentShader = casterShader(state);
-    desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
+    describeCaster(state, desc);
   }
   desc.bindings.clear();
   desc.attributes.clear();

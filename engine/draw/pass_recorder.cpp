@@ -221,7 +221,7 @@ void PassRecorder::search(const CasterDraw& draw) {
     pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   setScissor(area);
   drawWhole(draw.caster);
-  if (draw.state.form != Form::Layer) ++statistics_.count.shadowPasses;
+  if (draw.state.form != Form::Layer) statistics_.count.shadowPasses += std::max(draw.state.closed, 1U);
   setScissor(rows_);
 }
 

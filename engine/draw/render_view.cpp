@@ -171,6 +171,7 @@ void RenderView::uploadCasters(Uploads& uploads, bool always) {
     writeElements(*context_, buffer, elements, name, always);
   };
   store(uploads.casters, casters.casters, "casters");
+  store(uploads.closedCasters, casters.closed, "casters with equations");
   store(uploads.gridStarts, casters.gridStarts, "texels of grids");
   store(uploads.gridEntries, casters.gridEntries, "entries of grids");
   store(uploads.casterCells, casters.cells, "cells of casters");
@@ -239,7 +240,8 @@ VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& 
                                                                feedback_.doubtful(),
                                                                patterns,
                                                                uploads.lightMaps.use(*context_),
-                                                               {depths, pipelines.texelSampler()}});
+                                                               {depths, pipelines.texelSampler()},
+                                                               uploads.closedCasters.use(*context_)});
 }
 
 VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {

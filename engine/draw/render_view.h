@@ -88,7 +88,7 @@ class RenderView {
   /// A draw list on the device.
   struct Uploads {
     MirroredBuffer view, instances, materials, lights, patternParameters, exactInstances, exactPatches,
-        exactParameters, shellIndices, casters, gridStarts, gridEntries, casterCells, casterParameters,
+        exactParameters, shellIndices, casters, closedCasters, gridStarts, gridEntries, casterCells, casterParameters,
         lightMaps;
   };
 

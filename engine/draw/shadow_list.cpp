@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "draw/caster_list.h"
+#include "draw/closed_caster.h"
 #include "draw/exact_data.h"
 #include "math/transform.h"
 #include "scene/light_view.h"
@@ -90,6 +91,7 @@ class ShadowLister {
       else if (!from.map || materialOf(*caster).transparent())
         list(bit, from, *caster);
     }
+    drawClosed();
   }
 
  private:
@@ -244,11 +246,64 @@ class ShadowLister {
 
   void list(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
     const std::optional<PixelRect> area = areaOf(light, node);
-    if (!area || !reachesWhatIsSeen(light, node)) return;
+    if (!area || !reachesWhatIsSeen(light, node) || addClosed(bit, light, node, *area)) return;
     bool found = true;
     for (const CasterPart& part : casterParts(geometry_.codes, node))
       found &= add(bit, light, node, part, *area);
     if (!found) list_.byRays.push_back(*area);
+  }
+
+  /// Whether a shader can find it by its equation.
+  bool addClosed(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node,
+                 const PixelRect& area) {
+    if (materialOf(node).transparent()) return false;
+    const auto closed =
+        closedCaster(snapshot_, node, light.positionWorld, list_.origin, offPx_, geometry_.casters);
+    if (!closed) return false;
+    Closed& caster = closed_.emplace_back(Closed{closed->data, closed->torus, area});
+    caster.data.light_ = bit;
+    caster.data.flags |= flagsOf(node, closed->convex);
+    caster.data.material = numberOf(node);
+    return true;
+  }
+
+  /// Of those that are listed some at once, where they have pixels in common.
+  void drawClosed() {
+    std::ranges::stable_sort(closed_, {}, &Closed::torus);
+    for (std::size_t i = 0; i < closed_.size();) {
+      CasterDraw draw{.state = {.form = Form::Shadow, .closed = 0, .torus = closed_[i].torus},
+                      .caster = static_cast<std::uint32_t>(list_.casters.closed.size()),
+                      .area = closed_[i].area};
+      do {
+        draw.area = around(draw.area, closed_[i].area);
+        list_.casters.closed.push_back(closed_[i].data);
+        ++draw.state.closed;
+        ++i;
+      } while (i < closed_.size() && draw.state.closed < shared::kMostClosedCasters &&
+               closed_[i].torus == draw.state.torus &&
+               around(draw.area, closed_[i].area).count() <= draw.area.count() + closed_[i].area.count());
+      if (!group_->shades.empty()) group_->shadows.push_back(draw);
+      if (!group_->layerShades.empty()) {
+        draw.state.form = Form::LayerShadow;
+        group_->layerShadows.push_back(draw);
+      }
+    }
+    closed_.clear();
+  }
+
+  [[nodiscard]] static PixelRect around(const PixelRect& a, const PixelRect& b) {
+    return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+            {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+  }
+
+  [[nodiscard]] std::uint32_t numberOf(const SnapshotNode& node) const {
+    return materials_.numberOfNode(static_cast<std::uint32_t>(&node - snapshot_.nodes.data()));
+  }
+
+  /// Normals that turn toward the viewer may face a light from inside.
+  [[nodiscard]] std::uint32_t flagsOf(const SnapshotNode& node, bool convex) const {
+    const bool turns = materialOf(node).twoSided == TwoSided::Yes;
+    return (gated_ ? shared::kGatedLight : 0) | (convex && !turns ? shared::kConvexCaster : 0);
   }
 
   /// Whether a shader can find it.
@@ -258,13 +313,10 @@ class ShadowLister {
     if (!entry) return false;
     if (!entry->caster) return true;
     shared::ShadowCaster caster = *entry->caster;
-    // Normals that turn toward the viewer may face a light from inside.
-    const bool turns = materialOf(node).twoSided == TwoSided::Yes;
     caster.light = bit;
-    caster.flags |=
-        (gated_ ? shared::kGatedLight : 0) | (entry->cells->convex && !turns ? shared::kConvexCaster : 0);
+    caster.flags |= flagsOf(node, entry->cells->convex);
     caster.offPixels = static_cast<float>(offPx_);
-    caster.material = materials_.numberOfNode(static_cast<std::uint32_t>(&node - snapshot_.nodes.data()));
+    caster.material = numberOf(node);
     if (entry->cells->flatNormal) setPlane(light, node, *entry->cells, caster);
     CasterDraw draw{.state = {.surface = part.code}, .area = area};
     const Material& material = materialOf(node);
@@ -352,6 +404,12 @@ class ShadowLister {
   MaterialList& materials_;
   DrawList& list_;
   CasterList casters_;
+  struct Closed {
+    shared::ClosedCaster data;
+    bool torus = false;
+    PixelRect area;
+  };
+  std::vector<Closed> closed_;   // of the light whose casters are listed
   LightGroup* group_ = nullptr;  // of the light whose casters are listed
   std::vector<const SnapshotNode*> seen_;
   Box receivers_;  ///< of these

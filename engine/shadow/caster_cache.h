@@ -4,16 +4,29 @@
 
 #include <compare>
 #include <memory>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
 
 #include "shadow/caster_cells.h"
 #include "shadow/light_grid.h"
+#include "surface/equation.h"
 #include "tessellate/curvature_map.h"
 #include "tessellate/shape_cache.h"
 
 namespace luxo {
+
+/// A surface that is all of one equation, but for its edges.
+struct CasterEquation {
+  Equation equation;
+  Box edges;            ///< Equation::edgesOf(), in the equation's units
+  bool convex = false;  ///< all of an ellipsoid: no point that faces a light is in its shadow
+};
+
+/// Of a surface of one patch, or of the two sheets of a hyperboloid; nothing of others.
+[[nodiscard]] std::optional<CasterEquation> casterEquation(const Surface& surface,
+                                                           std::span<const double> parameters);
 
 /// Not thread-safe.
 class CasterCache {
@@ -29,6 +42,10 @@ class CasterCache {
                                                       std::span<const double> parameters,
                                                       const std::vector<std::uint32_t>& patches,
                                                       const Vec4& light, int size);
+
+  /// casterEquation(). Valid until the next call.
+  [[nodiscard]] const std::optional<CasterEquation>& equation(const Surface& surface,
+                                                              std::span<const double> parameters);
 
   /// Casters and maps made so far (not found here).
   [[nodiscard]] std::uint64_t made() const { return cells_.made() + grids_.made(); }
@@ -51,6 +68,7 @@ class CasterCache {
   ShapeCache<Key, CasterCells> cells_;
   ShapeCache<Key, LightGrid> grids_;
   ShapeTable<CurvatureMap> maps_{64};
+  ShapeTable<std::optional<CasterEquation>> equations_{1024};
 };
 
 /// How far from where they should be rays may be, at most, of a caster's size: its maps have room for it.

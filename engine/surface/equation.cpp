@@ -209,6 +209,12 @@ Box Equation::edgesOf(const Domain& domain) const {
   return edges;
 }
 
+double Equation::center() const {
+  if (form() == Form::Torus || yy == 0) return 0;
+  const double middle = -0.5 * y / yy;
+  return std::abs(middle) <= 2 * reach ? middle : 0;
+}
+
 std::optional<Equation> equationOf(const Surface& surface, std::uint32_t patch,
                                    std::span<const double> parameters) {
   const Recognition recognition{surface, patch, parameters};

@@ -54,6 +54,9 @@ struct Equation {
   /// where nothing ends.
   [[nodiscard]] Box edgesOf(const Domain& domain) const;
   [[nodiscard]] bool isRadial() const { return v.along == Along::Radius; }
+  /// Where a quadric is written about, by y: its centre, which a cone has at its apex, as around it F is free
+  /// of differences of large numbers. Not so far away that places lose more than F gains.
+  [[nodiscard]] double center() const;
 };
 
 /// The equation of a rectangle, disk, cylinder, cone, sphere, ellipsoid, paraboloid, hyperboloid, one sheet

@@ -2,7 +2,7 @@
 // The point that a pixel sees, as shadows need it, and the pixel's bit where what light reaches it is open.
 #include "lib/material_of_texel.glsl"
 #include "lib/octahedral.glsl"
-#include "lib/shadow_interface.glsl"
+#include "lib/place_interface.glsl"
 
 layout(scalar, set = kSetShadow, binding = kBindingShadowDoubts) buffer Doubts { uint ofPixels[]; } doubts;
 layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
@@ -10,7 +10,7 @@ layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
 struct FoundPlace {
   vec3 position, normal;
   float depth;
-  bool isOwn;  // of the caster itself
+  uint material;  // its number
 };
 
 FoundPlace foundPlace() {
@@ -18,7 +18,7 @@ FoundPlace foundPlace() {
   vec2 pixel = gl_FragCoord.xy - varyingMiddle.xy;
   vec3 place = varyingPlace[0] + pixel.x * varyingPlace[1] + pixel.y * varyingPlace[2],
        sight = varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
-  return FoundPlace(place + texel.x * sight, fromOctahedral(texel.yz), texel.x, materialOfTexel(texel) == varyingMaterial.x);
+  return FoundPlace(place + texel.x * sight, fromOctahedral(texel.yz), texel.x, materialOfTexel(texel));
 }
 
 void doubtPixel() {

@@ -8,7 +8,7 @@ layout(location = 0) out uint outShadows;
 
 void findShadow() {
   FoundPlace found = foundPlace();
-  int result = shadowAt(found.position, found.normal, found.depth, found.isOwn);
+  int result = shadowAt(found.position, found.normal, found.depth, found.material == varyingMaterial.x);
   if (result == kOpen) doubtPixel();
   if (result != kMet) discard;
   outShadows = 1u << varyingCaster.y;

@@ -2,17 +2,8 @@
 // What a draw of shadows tells its fragments: the pixel's place, and the caster; the same all over the target.
 #ifndef LUXO_LIB_SHADOW_INTERFACE_GLSL
 #define LUXO_LIB_SHADOW_INTERFACE_GLSL
-#include "shared/scene_data.h"
+#include "lib/place_interface.glsl"
 
-#ifdef LUXO_VERTEX
-#define LUXO_VARYING out
-#else
-#define LUXO_VARYING in
-#endif
-
-layout(location = 0) flat LUXO_VARYING vec3 varyingPlace[3];  // middle, right, down, as in ViewData
-layout(location = 3) flat LUXO_VARYING vec3 varyingRay[3];
-layout(location = 6) flat LUXO_VARYING vec4 varyingMiddle;    // x, y; whether perspective; the depth of what positions are relative to
 layout(location = 7) flat LUXO_VARYING vec4 varyingGrid[3];   // rows: of gridFromRelative, and the origin
 layout(location = 10) flat LUXO_VARYING vec4 varyingObject[3];
 layout(location = 13) flat LUXO_VARYING vec4 varyingLightObject;

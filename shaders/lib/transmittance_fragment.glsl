@@ -8,7 +8,7 @@ layout(location = 0) out vec4 outTransmittance;
 
 void findTransmittance() {
   FoundPlace found = foundPlace();
-  vec3 transmittance = transmittanceAt(found.position, found.normal, found.depth, found.isOwn);
+  vec3 transmittance = transmittanceAt(found.position, found.normal, found.depth, found.material == varyingMaterial.x);
   if (isOpen) doubtPixel();
   if (transmittance == vec3(1)) discard;
   outTransmittance = vec4(transmittance, 1);

@@ -64,7 +64,8 @@ LUXO_CONSTANT kBindingShadowDoubts = 5;
 LUXO_CONSTANT kBindingCasterPatterns = 6;  // their parameters
 LUXO_CONSTANT kBindingLightMaps = 7;
 LUXO_CONSTANT kBindingLightDepths = 8;
-LUXO_CONSTANT kShadowBindings = 9;
+LUXO_CONSTANT kBindingClosedCasters = 9;
+LUXO_CONSTANT kShadowBindings = 10;
 
 // Bindings of kSetLayers.
 LUXO_CONSTANT kBindingLayerHeads = 0;
@@ -95,6 +96,7 @@ LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
 LUXO_CONSTANT kConstantAddsLight = 12;      // to what is lit already: no ambient light
 LUXO_CONSTANT kConstantManyGroups = 13;     // of lights, for the same points
 LUXO_CONSTANT kConstantTransmits = 14;      // there is one light, some of which gets through its casters
+LUXO_CONSTANT kConstantClosedCasters = 15;  // of a draw
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -318,6 +320,7 @@ LUXO_CONSTANT kWholeCaster = 16;  // it is all of a node
 LUXO_CONSTANT kShowsFront = 32;   // what is seen through: only the outer side is seen
 LUXO_CONSTANT kTurnsNormal = 64;  // and its normal turns toward the viewer
 LUXO_CONSTANT kTintsLight = 128;  // what it lets through has its diffuse colour
+LUXO_CONSTANT kRadialCaster = 256;  // of an equation: what it limits is the distance from the axis, not x
 
 // What may keep a light from what is seen: a node, or those of its patches that share their code, as the light sees them
 // (engine/shadow/light_grid.h).
@@ -345,6 +348,29 @@ struct ShadowCaster {
   float opacity;
   uint firstPatternParameter;
 };
+
+// A caster that is known as an equation (engine/surface/equation.h), which keeps the light from what is behind it: in units
+// of the equation, from its centre on.
+struct ClosedCaster {
+  vec4 unitFromRelative[3];  // rows; w: the origin
+  vec4 light;                // w = 1: where it is; w = 0: the direction toward it
+  vec4 lightRelative;        // the same, as points are
+  vec3 squares;              // of a quadric: F = squares . p^2 + 2 halfY y + constant
+  float halfY, constant;
+  float tube;                // of a torus
+  float atLight;             // F where the light is; of one at infinity its sign there
+  vec3 lowest, highest;      // x (kRadialCaster: the distance from the axis), y, z: beyond there is nothing
+  vec3 rounding, roundingPerMetre;  // how far floats leave a point from where it is, by axis; of these, for each metre from
+                                    // what positions are relative to
+  float offPerPixel;         // how far what is drawn may be off its surface: metres in a pixel (perspective: at depth 1) by the
+                             // part of them that floats leave
+  uint light_;               // its bit
+  uint flags;                // kGatedLight and on
+  uint material;             // of found texels that show the caster, and nothing else
+};
+
+// So many of one light are looked for at once: as many as a draw can tell its fragments of.
+LUXO_CONSTANT kMostClosedCasters = 2;
 
 LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
 LUXO_CONSTANT kLayerLit = 1 << 17;       // its light is known,
@@ -389,7 +415,7 @@ static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(LayerPoint) == 72 && sizeof(ReachingLight) == 16);
+static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 72 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

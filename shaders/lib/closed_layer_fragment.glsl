@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether casters that are known as equations keep their light from the points of a pixel that are seen through.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/closed_test.glsl"
+#include "lib/layers.glsl"
+#include "lib/octahedral.glsl"
+
+void findLayerShadows() {
+  vec3 place = pixelPlace(), ray = pixelRay();
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    LayerPoint point = layerPoints[index];
+    if ((point.material & (kLayerLit | kLayerByRay)) != 0) continue;
+    bool isOpen;
+    uint shadows = closedShadowsAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
+                                   point.material & kLayerMaterial, isOpen);
+    if (isOpen) doubtLayers();
+    if (shadows != 0) layerPoints[index].shadows |= shadows;
+  }
+}
