@@ -72,7 +72,7 @@ std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const Snapsho
   const Mat3 rows = glm::transpose(unitFromWorld);
   const Vec3 lengths(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
 
-  ClosedCaster made{.torus = torus, .convex = known->convex, .data = {}};
+  ClosedCaster made;
   shared::ClosedCaster& caster = made.data;
   for (int i = 0; i < 3; ++i) caster.unitFromRelative[i] = Vec4f(Vec4(rows[i], from[i]));
   caster.light = Vec4f(at);
@@ -87,8 +87,15 @@ std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const Snapsho
   caster.rounding = Vec3f(kRounding * (glm::abs(from) + equation.reach + std::abs(center)));
   caster.roundingPerMetre = Vec3f(kRounding * lengths);
   caster.offPerPixel = static_cast<float>(offPx / (snapshot.view.pixelsPerUnit * kRounding));
-  caster.flags = (equation.isRadial() ? shared::kRadialCaster : 0) |
-                 (equation.isPlane() ? shared::kFlatCaster : 0);
+  if (equation.isRadial()) {
+    caster.flags = shared::kRadialCaster;
+    if (caster.lowest.x <= 0) caster.lowest.x = static_cast<float>(-kNowhere);  // the axis is no edge
+  }
+  made.kind = torus                ? shared::kClosedTorus
+              : equation.isPlane() ? shared::kClosedPlane
+              : known->convex      ? shared::kClosedBall
+              : caster.halfY == 0  ? shared::kClosedCentered
+                                   : shared::kClosedQuadric;
   if (caster.atLight == 0 || !isFinite(caster)) return std::nullopt;
   return made;
 }

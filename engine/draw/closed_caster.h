@@ -3,6 +3,7 @@
 // (shaders/lib/closed_test.glsl), without a grid and without cells.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "scene/snapshot.h"
@@ -12,7 +13,7 @@
 namespace luxo {
 
 struct ClosedCaster {
-  bool torus = false, convex = false;
+  std::uint32_t kind = shared::kClosedQuadric;
   /// All but the light's bit, the material and the flags that both do not decide.
   shared::ClosedCaster data;
 };
@@ -20,8 +21,8 @@ struct ClosedCaster {
 /// `light`: world; w = 1: where it is; w = 0: the direction toward it. `origin`: what positions are relative
 /// to, world. `offPx`: how far what is drawn may be off its surface.
 ///
-/// Nothing of a node without equations, or with several that are not the sheets of one; nor where the light is
-/// on the quadric or inside of the torus, as near as 1e-6, or a torus is nearly or more than closed: cells
+/// Nothing of a node without equations, or with several that are not the sheets of one; nor where the light
+/// is on the quadric or inside of the torus, as near as 1e-6, or a torus is nearly or more than closed: cells
 /// tell there. Cost: a microsecond, and that of the equation once (CasterCache).
 [[nodiscard]] std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const SnapshotNode& node,
                                                        const Vec4& light, const Vec3& origin, double offPx,

@@ -74,7 +74,7 @@ struct DrawState {
   bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
   bool transmits = false;           ///< with it: LightGroup::transmits
   std::uint32_t closed = 0;         ///< of Form::Shadow and LayerShadow: so many casters, by their equations
-  bool torus = false;               ///< with it: these are of tori; else of quadrics
+  std::uint32_t closedKind = 0;     ///< with it: shared::kClosedPlane and on
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };

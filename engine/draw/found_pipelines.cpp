@@ -8,6 +8,8 @@
 #include "draw/ray_points.h"
 #include "draw/scene_pipelines.h"
 #include "luxo/shaders/blend_layers_frag.h"
+#include "luxo/shaders/closed_layer_shadow_frag.h"
+#include "luxo/shaders/closed_shadow_frag.h"
 #include "luxo/shaders/closed_shadow_vert.h"
 #include "luxo/shaders/flat_shadow_frag.h"
 #include "luxo/shaders/flat_shadow_vert.h"
@@ -16,8 +18,6 @@
 #include "luxo/shaders/light_map_frag.h"
 #include "luxo/shaders/light_map_layer_frag.h"
 #include "luxo/shaders/light_map_vert.h"
-#include "luxo/shaders/quadric_layer_shadow_frag.h"
-#include "luxo/shaders/quadric_shadow_frag.h"
 #include "luxo/shaders/ray_layers_frag.h"
 #include "luxo/shaders/ray_layers_vert.h"
 #include "luxo/shaders/ray_shadows_frag.h"
@@ -29,8 +29,6 @@
 #include "luxo/shaders/shade_layers_frag.h"
 #include "luxo/shaders/shade_vert.h"
 #include "luxo/shaders/shadow_vert.h"
-#include "luxo/shaders/torus_layer_shadow_frag.h"
-#include "luxo/shaders/torus_shadow_frag.h"
 #include "luxo/shaders/whole_target_vert.h"
 
 namespace luxo {
@@ -117,16 +115,12 @@ void ScenePipelines::describeCaster(const DrawState& state, gpu::GraphicsPipelin
     desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
     return;
   }
-  const std::span<const std::uint32_t> onFound =
-                                           state.torus ? std::span<const std::uint32_t>(luxo_torus_shadow_frag)
-                                                       : std::span<const std::uint32_t>(luxo_quadric_shadow_frag),
-                                       onLayers =
-                                           state.torus
-                                               ? std::span<const std::uint32_t>(luxo_torus_layer_shadow_frag)
-                                               : std::span<const std::uint32_t>(luxo_quadric_layer_shadow_frag);
   desc.vertexShader = luxo_closed_shadow_vert;
-  desc.fragmentShader = state.form == Form::Shadow ? onFound : onLayers;
-  desc.specialization = {{shared::kConstantClosedCasters, state.closed}};
+  desc.fragmentShader = state.form == Form::Shadow
+                            ? std::span<const std::uint32_t>(luxo_closed_shadow_frag)
+                            : std::span<const std::uint32_t>(luxo_closed_layer_shadow_frag);
+  desc.specialization = {{shared::kConstantClosedCasters, state.closed},
+                         {shared::kConstantClosedKind, state.closedKind}};
 }
 
 /// A mesh as a light sees it.

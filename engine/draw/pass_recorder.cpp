@@ -2,6 +2,8 @@
 #include "draw/pass_recorder.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "gpu/barrier.h"
@@ -39,6 +41,22 @@ gpu::Contents contentsOf(Begin begin) {
   return begin == Begin::Clear ? gpu::Contents::Discard : gpu::Contents::Keep;
 }
 
+/// Rectangles that hold those pixels, one in each tile with some; all where there are none.
+std::vector<PixelRect> areasAround(std::span<const RayShadow> pixels, const PixelRect& all) {
+  constexpr std::int32_t kTile = 64;
+  if (pixels.empty()) return {all};
+  std::map<std::pair<std::int32_t, std::int32_t>, PixelRect> tiles;
+  for (const RayShadow& pixel : pixels) {
+    const auto x = static_cast<std::int32_t>(pixel.place.x), y = static_cast<std::int32_t>(pixel.place.y);
+    PixelRect& area = tiles.try_emplace({x / kTile, y / kTile}, PixelRect{{x, y}, {x, y}}).first->second;
+    area = {{std::min(area.low.x, x), std::min(area.low.y, y)},
+            {std::max(area.high.x, x + 1), std::max(area.high.y, y + 1)}};
+  }
+  std::vector<PixelRect> areas;
+  for (const auto& [tile, area] : tiles) areas.push_back(area);
+  return areas;
+}
+
 constexpr VkClearDepthStencilValue kInfinitelyFar{0.0f, 0};  // reversed
 
 }  // namespace
@@ -66,7 +84,8 @@ void PassRecorder::record(const Pass& pass) {
   else if (pass.rays)
     drawRays(*pass.rays);
   if (pass.readsLightMap) compareWithMap(target ? Form::LightMap : Form::LayerLightMap, pass.group);
-  for (const DrawState& state : pass.shades) shade(state, pass.group);
+  const std::vector<PixelRect> areas = areasAround(pass.pixels, rows_);
+  for (const DrawState& state : pass.shades) shade(state, pass.group, areas);
   vkCmdEndRendering(commands_);
   if (pass.countsLayers) view_.layerLists().keepCount(commands_, pass.band.index);
   if (pass.probes && ofShadows)
@@ -188,8 +207,8 @@ void PassRecorder::count(std::uint32_t instances, std::uint64_t triangles, std::
   statistics_.count.vertices += vertices * instances;
 }
 
-/// One triangle over all that was found.
-void PassRecorder::shade(const DrawState& state, std::size_t group) {
+/// One triangle over all that was found there.
+void PassRecorder::shade(const DrawState& state, std::size_t group, std::span<const PixelRect> areas) {
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
   // What blends layers asks for no light.
   const std::vector<LightGroup>& groups = view_.list().groups;
@@ -201,7 +220,11 @@ void PassRecorder::shade(const DrawState& state, std::size_t group) {
     pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   else
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
-  drawWhole(0);
+  for (const PixelRect& area : areas) {
+    setScissor(area);
+    drawWhole(0);
+  }
+  setScissor(rows_);
 }
 
 /// Where the caster may stand between the light and what was found; or where it may be seen.

@@ -35,7 +35,7 @@ class PassRecorder {
   void setScissor(const PixelRect& rect);
   void draw(const DrawBatch& batch);
   void drawRays(const RayPoints& points);
-  void shade(const DrawState& state, std::size_t group);
+  void shade(const DrawState& state, std::size_t group, std::span<const PixelRect> areas);
   void search(const CasterDraw& draw);
   void flattenShadow(Form form, const FlatShadowDraw& draw);
   void drawShadows(Form form, const RayPoints& points, std::size_t group);

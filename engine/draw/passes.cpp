@@ -57,13 +57,17 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
   // The shadows of many groups share one target, which holds those of the last; and points of rays are
   // compared with a map, too.
   const bool shadowsStay = replaces && list.groups.size() == 1 && !list.hasLightMaps();
+  // Rays tell the shadows of all their pixels: the light of the others is there. A miss is cleared with all.
+  const bool shadesStay = shadowsStay && frame.rays->misses.empty() && !list.layers.any() &&
+                          frame.rays->shadows.size() == 1 && !frame.rays->shadows[0].empty();
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
     const LightGroup& group = list.groups[i];
     Pass shades{.name = "shade",
-                .colors = color(i == 0 ? Begin::Clear : Begin::Keep),
+                .colors = color(i == 0 && !shadesStay ? Begin::Clear : Begin::Keep),
                 .reads = reads,
                 .group = i,
                 .shades = group.shades};
+    if (shadesStay) shades.pixels = frame.rays->shadows[i];
     if (!group.lights.empty() || group.transmits) {
       passes.push_back({.name = "shadows",
                         .colors = {{Target::Shadows, shadowsStay ? Begin::Keep : Begin::Clear}},

@@ -42,6 +42,7 @@ struct Pass {
   bool clearsLayers = false, countsLayers = false;  ///< before it, and after it
   const RayPoints* rays = nullptr;                  ///< drawn after these; after shadows or layers, theirs
   std::span<const DrawState> shades;                ///< light on all that was found
+  std::span<const RayShadow> pixels;                ///< where not empty: light in these alone
   bool probes = false;                              ///< depths are copied from it, for the audit
 };
 

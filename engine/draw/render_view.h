@@ -88,8 +88,8 @@ class RenderView {
   /// A draw list on the device.
   struct Uploads {
     MirroredBuffer view, instances, materials, lights, patternParameters, exactInstances, exactPatches,
-        exactParameters, shellIndices, casters, closedCasters, gridStarts, gridEntries, casterCells, casterParameters,
-        lightMaps;
+        exactParameters, shellIndices, casters, closedCasters, gridStarts, gridEntries, casterCells,
+        casterParameters, lightMaps;
   };
 
   void upload(Uploads& uploads, bool always);

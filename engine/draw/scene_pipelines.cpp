@@ -441,7 +441,9 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (ofLayers) {
     static_assert(shared::kSetLayers == 3);
     desc.setLayouts = {sceneLayout_,
-                       state.surface || state.closed > 0 || state.form == Form::LayerLightMap ? shadowLayout() : patternLayout(),
+                       state.surface || state.closed > 0 || state.form == Form::LayerLightMap
+                           ? shadowLayout()
+                           : patternLayout(),
                        foundLayout(), layersLayout()};
     desc.depthFormat = VK_FORMAT_UNDEFINED;
     if (state.form != Form::BlendLayers) desc.colorFormats.clear();

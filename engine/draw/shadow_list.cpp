@@ -260,18 +260,18 @@ class ShadowLister {
     const auto closed =
         closedCaster(snapshot_, node, light.positionWorld, list_.origin, offPx_, geometry_.casters);
     if (!closed) return false;
-    Closed& caster = closed_.emplace_back(Closed{closed->data, closed->torus, area});
+    Closed& caster = closed_.emplace_back(Closed{closed->data, closed->kind, area});
     caster.data.light_ = bit;
-    caster.data.flags |= flagsOf(node, closed->convex);
+    caster.data.flags |= flagsOf(node, closed->kind == shared::kClosedBall);
     caster.data.material = numberOf(node);
     return true;
   }
 
   /// Of those that are listed some at once, where they have pixels in common.
   void drawClosed() {
-    std::ranges::stable_sort(closed_, {}, &Closed::torus);
+    std::ranges::stable_sort(closed_, {}, &Closed::kind);
     for (std::size_t i = 0; i < closed_.size();) {
-      CasterDraw draw{.state = {.form = Form::Shadow, .closed = 0, .torus = closed_[i].torus},
+      CasterDraw draw{.state = {.form = Form::Shadow, .closed = 0, .closedKind = closed_[i].kind},
                       .caster = static_cast<std::uint32_t>(list_.casters.closed.size()),
                       .area = closed_[i].area};
       do {
@@ -280,7 +280,7 @@ class ShadowLister {
         ++draw.state.closed;
         ++i;
       } while (i < closed_.size() && draw.state.closed < shared::kMostClosedCasters &&
-               closed_[i].torus == draw.state.torus &&
+               closed_[i].kind == draw.state.closedKind &&
                around(draw.area, closed_[i].area).count() <= draw.area.count() + closed_[i].area.count());
       if (!group_->shades.empty()) group_->shadows.push_back(draw);
       if (!group_->layerShades.empty()) {
@@ -406,7 +406,7 @@ class ShadowLister {
   CasterList casters_;
   struct Closed {
     shared::ClosedCaster data;
-    bool torus = false;
+    std::uint32_t kind = 0;
     PixelRect area;
   };
   std::vector<Closed> closed_;   // of the light whose casters are listed

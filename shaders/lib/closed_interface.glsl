@@ -7,6 +7,7 @@
 
 const int kClosedNumbers = 10;  // of a caster, four at a time
 layout(constant_id = kConstantClosedCasters) const uint kClosedCasters = 1;
+layout(constant_id = kConstantClosedKind) const uint kClosedKind = kClosedQuadric;
 
 layout(location = 7) flat LUXO_VARYING vec4 varyingLightRelative;
 layout(location = 8) flat LUXO_VARYING vec4 varyingNumbers[kClosedNumbers * kMostClosedCasters];

@@ -11,9 +11,15 @@
 //     D = - (Ay Az mx^2 + Az Ax my^2 + Ax Ay mz^2) + 2 l (Ax dx mz - Az dz mx) + l^2 dy^2 - k d A d     (Lagrange's identity),
 //
 // which cancels nothing but at the outline itself: of a sphere it compares the ray's distance from the middle with the radius.
+//
+// A CPU device computes both sides of every branch: what a kind of quadric does not have is known when the pipeline is made.
+
+const bool kIsBall = kClosedKind == kClosedBall;            // A = 1, k = -1, and no edges
+const bool kHasLinear = kClosedKind == kClosedQuadric;      // l is not 0
 
 // 1: the point at t, which may be off by `dt`, is one of the patch; -1: it is not; 0: floats do not tell.
 int insideAt(ClosedCaster caster, ClosedRay ray, float t, float dt) {
+  if (kIsBall) return dt < 1e30 ? 1 : 0;
   vec3 p = ray.from + t * ray.way, e = 2.0 * ray.e + abs(ray.way) * (dt + kUlps * abs(t));
   if ((caster.flags & kRadialCaster) != 0) {
     p = vec3(length(p.xz), p.y, 0);
@@ -24,55 +30,70 @@ int insideAt(ClosedCaster caster, ClosedRay ray, float t, float dt) {
   return min(min(most.x, most.y), most.z) < 0.0 ? -1 : 0;
 }
 
-int meets(ClosedCaster caster, ClosedRay ray) {
-  vec3 q = ray.from, d = ray.way, e = ray.e, ed = ray.eOfWay, A = caster.squares;
-  float l = caster.halfY, k = caster.constant, atLight = caster.atLight;
-  vec3 half_ = A * q, Ad = A * d, size = abs(A);
+// y = 0: one division.
+int meetsPlane(ClosedCaster caster, ClosedRay ray) {
+  float y = ray.from.y, way = ray.way.y, perWay = 1.0 / way;
+  if (!(abs(y) > ray.e.y)) {
+    float t = abs(ray.e.y * perWay);
+    return insideAt(caster, ray, 0.0, 2.0 * t) < 0 ? kPassed : kOpen;
+  }
+  if (y > 0.0 == caster.atLight > 0.0) return kPassed;
+  float t = -y * perWay;
+  int inside = abs(way) > 2.0 * ray.eOfWay.y ? insideAt(caster, ray, t, 2.0 * (ray.e.y + abs(t) * ray.eOfWay.y) * abs(perWay)) : 0;
+  return inside > 0 ? kMet : inside < 0 ? kPassed : kOpen;
+}
+
+int meetsQuadric(ClosedCaster caster, ClosedRay ray) {
+  vec3 q = ray.from, d = ray.way, e = ray.e, ed = ray.eOfWay, A = kIsBall ? vec3(1) : caster.squares, size = abs(A);
+  float l = kHasLinear ? caster.halfY : 0.0, k = kIsBall ? -1.0 : caster.constant;
+  vec3 half_ = A * q, Ad = A * d;
   half_.y += l;
   float b = dot(half_, d), a = dot(Ad, d), c = dot(half_, q) + l * q.y + k;
-  vec3 D_ = abs(d) + ed, AD = size * D_;
-  float ec = 2.0 * dot(abs(half_) + size * e, e) + kUlps * (dot(size * q, q) + 2.0 * abs(l * q.y) + abs(k));
-  float eb = dot(AD, e) + dot(size * abs(q), ed) + abs(l) * ed.y, ea = 2.0 * dot(AD, ed);
-  float ebOfOwn = eb + dot(AD + size * abs(q), ray.off) + abs(l) * ray.off.y;
+  vec3 D_ = abs(d) + ed, AD = size * D_, AQ = size * abs(q);
+  float ec = 2.0 * dot(abs(half_) + size * e, e) + kUlps * (dot(AQ, abs(q)) + 2.0 * abs(l * q.y) + abs(k));
+  float eb = dot(AD, e) + dot(AQ, ed) + abs(l) * ed.y, ea = 2.0 * dot(AD, ed);
+  float ebOfOwn = eb + dot(AD + AQ, ray.off) + abs(l) * ray.off.y;
 
   vec3 light = caster.light.xyz, m = cross(q, light), AA = A.yzx * A.zxy;
   vec3 em = 2.0 * (abs(light.yzx) * e.zxy + abs(light.zxy) * e.yzx), M = abs(m) + em;
-  float square = 2.0 * l * (Ad.x * m.z - Ad.z * m.x) + l * l * d.y * d.y - k * a - dot(AA * m, m);
-  float eSquare = 2.0 * (dot(abs(AA) * M, em) + l * l * D_.y * ed.y + abs(k) * dot(AD, ed) +
-                         abs(l) * (AD.x * em.z + AD.z * em.x + size.x * M.z * ed.x + size.z * M.x * ed.z));
+  float square = -k * a - dot(AA * m, m), eSquare = dot(abs(AA) * M, em) + abs(k) * dot(AD, ed);
+  if (kHasLinear) {
+    square += l * (2.0 * (Ad.x * m.z - Ad.z * m.x) + l * d.y * d.y);
+    eSquare += abs(l) * (AD.x * em.z + AD.z * em.x + size.x * M.z * ed.x + size.z * M.x * ed.z + abs(l) * D_.y * ed.y);
+  }
+  eSquare *= 2.0;
   if (ray.isOwn) {
     square = b * b;
     eSquare = ec = 0.0;
   }
-  float root = sqrt(max(square, 0.0)), sign_ = atLight > 0.0 ? 1.0 : -1.0;
+  float root = sqrt(max(square, 0.0)), perRoot = 1.0 / max(root, kTiny), perA = 1.0 / a;
+  float sign_ = caster.atLight > 0.0 ? 1.0 : -1.0;
   // The roots where F turns to the light's sign, and where it turns away from that. Of the two ways to write a root the one
-  // that cancels nothing.
-  float turned = sign_ * root;
-  float to = b * turned > 0.0 && !ray.isOwn ? -c / (b + turned) : (turned - b) / a;
-  float away = b * turned < 0.0 ? -c / (b - turned) : (-turned - b) / a;
+  // that cancels nothing; of a point of the surface itself the root that is not 0.
+  float turned = sign_ * root, large = b > 0.0 ? b + root : b - root;
+  float first = -large * perA, second = ray.isOwn ? first : -c / large;
+  bool isSecond = b * turned > 0.0;
+  float to = isSecond ? second : first, away = isSecond ? first : second;
 
-  bool touches = !ray.isOwn && abs(c) <= ec;
+  bool touches = !ray.isOwn && !(abs(c) > ec);
   float start = ray.isOwn || touches ? b : c, eStart = ray.isOwn ? ebOfOwn : touches ? eb : ec;
-  float perRoot = 1.0 / max(root, kTiny);
+  bool isClear = square > eSquare, turns = start * sign_ < 0.0;
+  bool isSurelyPast = !turns && (ray.isOwn || touches || square < -eSquare || b * sign_ > eb);
+  // What of a meeting at `to` there is; and at another one: where the point lies on the surface within rounding, that is no
+  // meeting where this goes on beyond its edges; where the ray grazes it, if anything, it is near the vertex of the parabola.
   float eTo = (ec + abs(to) * (2.0 * eb + abs(to) * ea)) * perRoot;
-  bool isClear = ray.isOwn ? root > 0.0 : square > eSquare;
-  // Of a point that lies on the surface within rounding, where that goes on beyond its edges, t = 0 is no meeting.
-  if (touches && !(isClear && insideAt(caster, ray, 0.0, 2.0 * ec * perRoot) < 0)) return kOpen;
+  float other = touches ? 0.0 : isClear ? away : -b * perA;
+  float eOther = touches ? 2.0 * ec * perRoot
+                 : isClear ? (ec + abs(away) * (2.0 * eb + abs(away) * ea)) * perRoot
+                           : (eb + abs(other) * ea + sqrt(2.0 * eSquare)) / max(abs(a) - ea, kTiny);
+  int insideTo = isClear ? insideAt(caster, ray, to, eTo) : 0, insideOther = insideAt(caster, ray, other, eOther);
+  if (touches && !(isClear && insideOther < 0)) return kOpen;
   if (!(abs(start) > eStart)) return kOpen;
-  if (start * sign_ < 0.0) {  // one root
-    int inside = isClear ? insideAt(caster, ray, to, eTo) : 0;
-    return inside > 0 ? kMet : inside < 0 ? kPassed : kOpen;
-  }
-  if (ray.isOwn || touches || square < -eSquare || b * sign_ > eb) return kPassed;
-  if (!isClear) {  // it grazes the surface, if anything, near the vertex of the parabola
-    float perA = 1.0 / max(abs(a) - ea, kTiny), vertex = -b / a;
-    float eVertex = (eb + abs(vertex) * ea + sqrt(2.0 * eSquare)) * perA;
-    bool isBeyond = caster.light.w != 0.0 && vertex - eVertex > 1.0;
-    return isBeyond || insideAt(caster, ray, vertex, eVertex) < 0 ? kPassed : kOpen;
-  }
-  float eAway = (ec + abs(away) * (2.0 * eb + abs(away) * ea)) * perRoot;
-  if (away + eAway < 0.0 || (caster.light.w != 0.0 && away - eAway > 1.0)) return kPassed;
-  if (!(away - eAway > 0.0 && (caster.light.w == 0.0 || away + eAway < 1.0))) return kOpen;
-  int first = insideAt(caster, ray, away, eAway), second = insideAt(caster, ray, to, eTo);
-  return first > 0 || second > 0 ? kMet : first < 0 && second < 0 ? kPassed : kOpen;
+  if (isSurelyPast) return kPassed;
+  if (turns) return insideTo > 0 ? kMet : insideTo < 0 ? kPassed : kOpen;
+  bool isBeyond = caster.light.w != 0.0 && other - eOther > 1.0, isBehind = isClear && other + eOther < 0.0;
+  if (isBeyond || isBehind) return kPassed;
+  if (!isClear) return insideOther < 0 ? kPassed : kOpen;
+  if (!(other - eOther > 0.0 && (caster.light.w == 0.0 || other + eOther < 1.0))) return kOpen;
+  return insideOther > 0 || insideTo > 0 ? kMet : insideOther < 0 && insideTo < 0 ? kPassed : kOpen;
 }

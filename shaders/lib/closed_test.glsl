@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether casters that are known as equations keep their light from a point. Includers have defined LUXO_TORUS, or it is of
-// quadrics.
+// Whether casters that are known as equations, all of one kind, keep their light from a point.
 //
 // F(p + t d) is a polynomial of t, with the point at t = 0 and the light at t = 1, or at infinity. Of a point of the caster
 // itself t = 0 is a root: it is divided out before anything is rounded.
@@ -20,18 +19,20 @@ struct ClosedRay {
   bool isOwn;
 };
 
-#ifdef LUXO_TORUS
-#include "lib/closed_torus.glsl"
-#else
 #include "lib/closed_quadric.glsl"
-#endif
+#include "lib/closed_torus.glsl"
+
+int meets(ClosedCaster caster, ClosedRay ray) {
+  if (kClosedKind == kClosedTorus) return meetsTorus(caster, ray);
+  return kClosedKind == kClosedPlane ? meetsPlane(caster, ray) : meetsQuadric(caster, ray);
+}
 
 // Of a point that the picture shows at a depth (metres beyond that of what positions are relative to), whose pixels are
 // `width` times as wide as one metre away.
 int closedShadowAt(ClosedCaster caster, vec3 position, float cosine, float width, uint material) {
   bool isOwn = material == caster.material;
   if ((caster.flags & kGatedLight) != 0 && cosine <= 0.0) return kPassed;
-  if (isOwn && ((caster.flags & kFlatCaster) != 0 || ((caster.flags & kConvexCaster) != 0 && cosine > 0.0))) return kPassed;
+  if (isOwn && (kClosedKind == kClosedPlane || ((caster.flags & kConvexCaster) != 0 && cosine > 0.0))) return kPassed;
   ClosedRay ray;
   for (int i = 0; i < 3; ++i)
     ray.from[i] = dot(caster.unitFromRelative[i].xyz, position) + caster.unitFromRelative[i].w;

@@ -14,7 +14,7 @@
 
 const int kMostSteps = 32;
 
-int meets(ClosedCaster caster, ClosedRay ray) {
+int meetsTorus(ClosedCaster caster, ClosedRay ray) {
   vec3 q = ray.from, d = ray.way;
   float tube = caster.tube, e = length(ray.e), ed = length(ray.eOfWay);
   float dd = dot(d, d), dRound = dot(d.xz, d.xz), size = sqrt(dd);

@@ -97,6 +97,7 @@ LUXO_CONSTANT kConstantAddsLight = 12;      // to what is lit already: no ambien
 LUXO_CONSTANT kConstantManyGroups = 13;     // of lights, for the same points
 LUXO_CONSTANT kConstantTransmits = 14;      // there is one light, some of which gets through its casters
 LUXO_CONSTANT kConstantClosedCasters = 15;  // of a draw
+LUXO_CONSTANT kConstantClosedKind = 16;     // of them all
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -368,6 +369,13 @@ struct ClosedCaster {
   uint flags;                // kGatedLight and on
   uint material;             // of found texels that show the caster, and nothing else
 };
+
+// Kinds of equations.
+LUXO_CONSTANT kClosedPlane = 0;
+LUXO_CONSTANT kClosedBall = 1;      // all of an ellipsoid
+LUXO_CONSTANT kClosedCentered = 2;  // halfY is 0
+LUXO_CONSTANT kClosedQuadric = 3;
+LUXO_CONSTANT kClosedTorus = 4;
 
 // So many of one light are looked for at once: as many as a draw can tell its fragments of.
 LUXO_CONSTANT kMostClosedCasters = 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadows of quadrics on what is seen through.
+// Shadows, by equations, on what is seen through.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/closed_layer_fragment.glsl"

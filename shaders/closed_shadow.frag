@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadows of tori on what is seen.
+// Shadows, by equations, on what is seen.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define LUXO_TORUS
 #include "lib/closed_fragment.glsl"
 
 void main() { findShadows(); }

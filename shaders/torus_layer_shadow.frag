@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-// Shadows of tori on what is seen through.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define LUXO_TORUS
-#include "lib/closed_layer_fragment.glsl"
-
-void main() { findLayerShadows(); }
