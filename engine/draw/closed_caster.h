@@ -15,7 +15,7 @@ namespace luxo {
 struct ClosedCaster {
   std::uint32_t kind = shared::kClosedQuadric;
   /// All but the light's bit, the material and the flags that both do not decide.
-  shared::ClosedCaster data;
+  shared::ClosedCaster data{};
 };
 
 /// `light`: world; w = 1: where it is; w = 0: the direction toward it. `origin`: what positions are relative

@@ -73,7 +73,7 @@ class ShadowLister {
     std::vector<const SnapshotNode*> casters;
     for (const NodeId caster : snapshot_.lights[light].casters)
       if (const SnapshotNode* node = nodeOf(snapshot_, caster);
-          node && !materialOf(*node).invisible() && !shadowsNothing(snapshot_.lights[light], *node))
+          node && !materialOf(*node).invisible() && !behind(snapshot_.lights[light], *node).empty())
         casters.push_back(node);
     // By what they are: what rounding leaves of a product depends on the order.
     std::ranges::stable_sort(casters, {}, [&](const SnapshotNode* node) {
@@ -355,18 +355,26 @@ class ShadowLister {
     caster.flags |= shared::kFlatCaster;
   }
 
-  /// Whether all that is seen is on the light's side of a flat caster, if not in its plane: a floor, mostly.
-  [[nodiscard]] bool shadowsNothing(const SnapshotLight& light, const SnapshotNode& node) const {
+  /// All that may be in the caster's shadow: of a flat one no box that is on the light's side, if not in the
+  /// plane, as all is of a floor, mostly.
+  [[nodiscard]] Box behind(const SnapshotLight& light, const SnapshotNode& node) const {
     const std::optional<Vec3> flat = node.surface.flatNormal();
-    if (!flat || !isFinite(receivers_)) return false;
+    if (!flat) return receivers_;
     const Vec3 at = pointOf(node), normal = unit(normalMatrix(node.worldFromObject.linear) * *flat);
     const double side = glm::dot(normal, Vec3(light.positionWorld) - light.positionWorld.w * at);
-    double size = glm::length(at - list_.origin), lowest = std::numeric_limits<double>::infinity();
-    for (const Vec3& corner : cornersOf(receivers_)) {
-      lowest = std::min(lowest, (side < 0 ? -1 : 1) * glm::dot(normal, corner - at));
-      size = std::max(size, glm::distance(corner, at));
+    if (side == 0) return receivers_;
+    Box behind;
+    for (const SnapshotNode* receiver : seen_) {
+      const Box& box = receiver->boundsWorld;
+      if (box.empty()) continue;
+      double size = glm::length(at - list_.origin), lowest = std::numeric_limits<double>::infinity();
+      for (const Vec3& corner : cornersOf(box)) {
+        lowest = std::min(lowest, (side < 0 ? -1 : 1) * glm::dot(normal, corner - at));
+        size = std::max(size, glm::distance(corner, at));
+      }
+      if (!(lowest >= -kRounding * size)) behind.add(box);
     }
-    return side != 0 && lowest >= -kRounding * size;
+    return behind;
   }
 
   /// Pixels in which the caster may stand between the light and what is seen: those of all that lies behind
@@ -374,10 +382,13 @@ class ShadowLister {
   [[nodiscard]] std::optional<PixelRect> areaOf(const SnapshotLight& light, const SnapshotNode& node) const {
     const View& view = snapshot_.view;
     const PixelRect all{{0, 0}, {view.size.width, view.size.height}};
-    if (receivers_.empty() || node.boundsWorld.empty()) return std::nullopt;
-    if (!isFinite(receivers_) || !isFinite(node.boundsWorld)) return all;
+    const Box receivers = behind(light, node);
+    if (receivers.empty() || node.boundsWorld.empty()) return std::nullopt;
+    if (!isFinite(receivers) || !isFinite(node.boundsWorld)) return all;
+    const auto corners = cornersOf(node.boundsWorld), ends = cornersOf(receivers);
+    const std::optional<PixelRect> seen = casters_.pixelsAround(ends);
+    if (!seen) return std::nullopt;
     std::vector<Vec3> hull;
-    const auto corners = cornersOf(node.boundsWorld), ends = cornersOf(receivers_);
     const Vec3 at(light.positionWorld);
     if (light.directional()) {
       double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
@@ -391,11 +402,14 @@ class ShadowLister {
       double farthest = 0;
       for (const Vec3& end : ends) farthest = std::max(farthest, glm::distance(at, end));
       if (farthest <= nearest) return std::nullopt;
-      if (!(nearest > 1e-6 * farthest)) return all;
+      if (!(nearest > 1e-6 * farthest)) return seen;
       for (const Vec3& corner : corners)
         hull.insert(hull.end(), {corner, at + (corner - at) * (farthest / nearest)});
     }
-    return casters_.pixelsAround(hull);
+    const std::optional<PixelRect> hidden = casters_.pixelsAround(hull);
+    if (!hidden) return std::nullopt;
+    const PixelRect both = overlap(*seen, *hidden);
+    return both.low.x < both.high.x && both.low.y < both.high.y ? std::optional(both) : std::nullopt;
   }
 
   const Snapshot& snapshot_;

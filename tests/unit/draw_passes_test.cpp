@@ -95,6 +95,13 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   const RayPoints points;
   EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
       << "what was found stays";
+  const RayPoints shadows{.shadows = {{{.place = Vec2f(7.5, 3.5)}}}};
+  EXPECT_EQ(namesOf({.rays = &shadows}), (Names{"rays+* 0", "shadows+* 0", "shade+ 0"}))
+      << "so does the light, but in the pixels of rays";
+  EXPECT_EQ(passesOf(list, {.rays = &shadows})[2].pixels.size(), 1U);
+  const RayPoints missed{.misses = {{9, 3}}, .shadows = shadows.shadows};
+  EXPECT_EQ(namesOf({.rays = &missed}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
+      << "where a ray meets nothing there is no light";
 
   list.groups.resize(3);  // the last without shadows
   list.groups[1].lights.resize(1);

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadows of casters that are known as equations, against the reference's rays, in every pixel.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "support/verified_picture.h"
+
+namespace luxo::test {
+namespace {
+
+class ClosedShadowTest : public VerifiedPictureTest {};
+
+constexpr std::array kKinds = {R"("type": "sphere", "radius": 0.8)",
+                               R"("type": "cylinder", "radius": 0.6, "height": 1.5)",
+                               R"("type": "cone", "height": 1.4)",
+                               R"("type": "disk")",
+                               R"("type": "rectangle", "size": [1.6, 1.1])",
+                               R"("type": "ellipsoid")",
+                               R"("type": "paraboloid", "focal_length": 0.2, "height": 1)",
+                               R"("type": "hyperboloid")",
+                               R"("type": "hyperboloid2")",
+                               R"("type": "hyperbolic_paraboloid")",
+                               R"("type": "torus", "major": 0.8, "minor": 0.3)",
+                               R"("type": "torus", "major": 1, "minor": 0.04)",
+                               R"("type": "torus", "major": 0.7, "minor": 0.6)"};
+
+/// Some of all kinds, turned, stretched and mirrored, in lights near, far, between them and at infinity.
+class RandomCasters {
+ public:
+  explicit RandomCasters(unsigned seed) : random_(seed) {}
+
+  [[nodiscard]] Scene scene() {
+    std::string surfaces, nodes;
+    for (std::size_t i = 0; i < kKinds.size(); ++i)
+      surfaces += fmt::format(R"("s{}": {{ {} }}, )", i, kKinds[i]);
+    const int casters = 2 + pick(4), lights = 1 + pick(2);
+    for (int i = 0; i < casters; ++i)
+      nodes += fmt::format(
+          R"({{ "surface": "s{}", "translate": [{}, {}, {}], "rotate": {{ "axis": [{}, {}, {}], "angle": {} }},
+                "scale": [{}, {}, {}] }}, )",
+          pick(kKinds.size()), in(-2, 2), in(-0.2, 2.2), in(-2, 2), in(-1, 1), in(-1, 1), in(-1, 1.01),
+          pick(3) > 0 ? in(0, 6.28) : 0, (pick(3) > 0 ? 1 : -1) * in(0.4, 1.6), in(0.3, 1.6), in(0.4, 1.6));
+    if (pick(4) > 0) nodes += R"({ "surface": "floor" }, )";
+    for (int i = 0; i < lights; ++i) {
+      const double far = pick(3) == 0 ? in(0.1, 1.5) : pick(4) == 0 ? 1e4 : 6;
+      if (pick(3) == 0)
+        nodes += fmt::format(
+            R"({{ "rotate": {{ "axis": [{}, {}, {}], "angle": {} }},
+                  "light": {{ "type": "directional", "intensity": 0.5, "shadow": "exact" }} }}, )",
+            in(-1, 1), in(-1, 1), in(-1, 1.01), in(0, 6.28));
+      else
+        nodes += fmt::format(
+            R"({{ "translate": [{}, {}, {}], "light": {{ "intensity": 0.6, "shadow": "exact" }} }}, )",
+            in(-1, 1) * far, in(0.05, 1) * far, in(-1, 1) * far);
+    }
+    nodes.resize(nodes.size() - 2);
+    return buildScene(parseScene(fmt::format(R"({{ "luxo": 1, "render": {{ "ambient": 0.1 }},
+          "surfaces": {{ {} "floor": {{ "type": "rectangle", "size": [14, 14] }} }},
+          "camera": {{ "eye": [{}, {}, {}], "look_at": [0, 0.7, 0], "fov_y": "45deg" }}, "nodes": [ {} ] }})",
+                                             surfaces, in(-5, 5), in(0.5, 6), in(2, 6), nodes),
+                                 "casters"));
+  }
+
+ private:
+  [[nodiscard]] double in(double lo, double hi) { return lo + (hi - lo) * (random_() / 4294967296.0); }
+  [[nodiscard]] int pick(std::size_t count) { return static_cast<int>(random_() % count); }
+
+  std::mt19937 random_;
+};
+
+TEST_F(ClosedShadowTest, OfRandomCastersAreTheTruth) {
+  std::uint64_t byRays = 0, pixels = 0;
+  for (unsigned seed = 1; seed <= 16; ++seed) {
+    SCOPED_TRACE(seed);
+    const Verified found = verified(takeSnapshot(RandomCasters(seed).scene(), 0, {72, 54}));
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.auditFailedPx, 0U);
+    byRays += found.statistics.error.shadowRaysPx;
+    pixels += 72 * 54;
+  }
+  // Far below what one caster that is left to rays as a whole would make it.
+  EXPECT_LE(byRays, pixels / 500);
+}
+
+/// No grid, no cells: nothing is made for the shadow of what has an equation.
+TEST_F(ClosedShadowTest, MakeNothing) {
+  const auto made = [&](const char* type, const char* light) {
+    const Scene scene =
+        buildScene(parseScene(fmt::format(R"({{ "luxo": 1, "surfaces": {{ "s": {{ "type": "{}" }} }},
+             "nodes": [ {{ "surface": "s" }}, {{ "surface": "s", "translate": [0.5, -3, 0] }},
+                        {{ "translate": [1, 9, 2], "light": {{ {} }} }} ] }})",
+                                          type, light),
+                              "casters"));
+    Renderer fresh(context());
+    return fresh.render(takeSnapshot(scene, 0, {64, 48})).statistics.count.tessellated;
+  };
+  for (const char* type : {"sphere", "cylinder", "torus", "hyperboloid2", "hyperbolic_paraboloid"})
+    EXPECT_EQ(made(type, R"("shadow": "exact")"), made(type, "")) << type;
+  EXPECT_GT(made("klein", R"("shadow": "exact")"), made("klein", "")) << "which has cells";
+}
+
+/// Two cylinders of one radius on each other: all points of one lie on the other's equation, beyond its edge.
+/// No ray is asked but at that edge.
+TEST_F(ClosedShadowTest, OfWhatGoesOnBeyondItsEdgesAreSettled) {
+  const Scene scene = buildScene(parseScene(
+      R"({ "luxo": 1, "surfaces": { "c": { "type": "cylinder", "radius": 0.7, "height": 1 },
+                                    "r": { "type": "rectangle", "size": [2, 2] } },
+           "camera": { "eye": [3, 4, 5], "look_at": [0, 0.8, 0], "fov_y": "40deg" },
+           "nodes": [ { "surface": "c" }, { "surface": "c", "translate": [0, 1, 0] },
+                      { "surface": "r", "translate": [1, 0, 0] }, { "surface": "r", "translate": [3, 0, 0] },
+                      { "translate": [-2, 4, 2], "light": { "shadow": "exact" } } ] })",
+      "casters"));
+  const Verified found = verified(takeSnapshot(scene, 0, {160, 120}));
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_LE(found.statistics.error.shadowRaysPx, 4U);
+}
+
+}  // namespace
+}  // namespace luxo::test
