@@ -377,6 +377,23 @@ class ShadowLister {
     return behind;
   }
 
+  /// Where all ways lead to one side of the box, they end there: what a half space cuts off a cone of rays is
+  /// around the points where it cuts its edges.
+  static void shorten(const std::array<Vec3, 8>& corners, const std::array<Vec3, 8>& ways, const Box& box,
+                      std::array<double, 8>& lengths) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double sign : {-1.0, 1.0}) {
+        const double end = sign < 0 ? box.min[axis] : box.max[axis];
+        std::array<double, 8> cut{};
+        bool leads = true;
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+          leads &= sign * ways[i][axis] > kInPlane * glm::length(ways[i]);
+          cut[i] = std::max((end - corners[i][axis]) / ways[i][axis], 0.0);
+        }
+        if (leads && std::ranges::max(cut) < std::ranges::max(lengths)) lengths = cut;
+      }
+  }
+
   /// Pixels in which the caster may stand between the light and what is seen: those of all that lies behind
   /// it, as far as there is anything.
   [[nodiscard]] std::optional<PixelRect> areaOf(const SnapshotLight& light, const SnapshotNode& node) const {
@@ -388,24 +405,30 @@ class ShadowLister {
     const auto corners = cornersOf(node.boundsWorld), ends = cornersOf(receivers);
     const std::optional<PixelRect> seen = casters_.pixelsAround(ends);
     if (!seen) return std::nullopt;
-    std::vector<Vec3> hull;
+    // Away from the light, and how many times as far there may be anything.
+    std::array<Vec3, 8> ways;
+    double most = 0;
     const Vec3 at(light.positionWorld);
     if (light.directional()) {
       double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
       for (const Vec3& corner : corners) nearest = std::min(nearest, -glm::dot(at, corner));
       for (const Vec3& end : ends) farthest = std::max(farthest, -glm::dot(at, end));
-      if (farthest <= nearest) return std::nullopt;
-      for (const Vec3& corner : corners)
-        hull.insert(hull.end(), {corner, corner - at * (farthest - nearest)});
+      ways.fill(-at);
+      most = farthest - nearest;
     } else {
       const double nearest = distanceTo(node.boundsWorld, at);
       double farthest = 0;
       for (const Vec3& end : ends) farthest = std::max(farthest, glm::distance(at, end));
-      if (farthest <= nearest) return std::nullopt;
-      if (!(nearest > 1e-6 * farthest)) return seen;
-      for (const Vec3& corner : corners)
-        hull.insert(hull.end(), {corner, at + (corner - at) * (farthest / nearest)});
+      if (farthest > nearest && !(nearest > 1e-6 * farthest)) return seen;
+      for (std::size_t i = 0; i < ways.size(); ++i) ways[i] = corners[i] - at;
+      most = farthest / nearest - 1;
     }
+    if (!(most > 0)) return std::nullopt;
+    std::array<double, 8> lengths;
+    lengths.fill(most);
+    shorten(corners, ways, receivers, lengths);
+    std::vector<Vec3> hull(corners.begin(), corners.end());
+    for (std::size_t i = 0; i < ways.size(); ++i) hull.push_back(corners[i] + ways[i] * lengths[i]);
     const std::optional<PixelRect> hidden = casters_.pixelsAround(hull);
     if (!hidden) return std::nullopt;
     const PixelRect both = overlap(*seen, *hidden);
