@@ -65,7 +65,7 @@ void main() {
   vec3 light = vec3(0), through = vec3(1);
   vec2 sums = vec2(0);
   LayerPoint last;
-  last.material = kLayerLit;  // of nothing that was searched for
+  last.material = kLayerOfNothing;
   for (uint index = head; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerOfMesh) != 0 && point.depth >= opaque) continue;

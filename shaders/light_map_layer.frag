@@ -13,7 +13,6 @@ void main() {
        ray = varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
-    if ((point.material & kLayerLit) != 0) continue;
     face = first;
     corner = ivec2(0);
     layerPoints[index].transmittance *= litByMap(place + point.depth * ray, fromOctahedral(point.normal));

@@ -2,10 +2,10 @@
 // A drawing in two levels with an outline that is seen through.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/layer_lit.glsl"
+#include "lib/again.glsl"
 #include "lib/toon.glsl"
+#include "lib/again_layer.glsl"
 
-void main() {
-  vec4 color = drawnFragment(inDiffuse);
-  addLitLayer(inNumbers.y, color.rgb, color.a, inDiffuse);
-}
+layout(location = 15) flat in vec4 inParameterBounds;
+
+void main() { drawAgain(vec4(inDiffuse, inShininessOpacity.y), inParameterBounds); }

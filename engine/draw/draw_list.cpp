@@ -102,8 +102,8 @@ class DrawLister {
 
   /// What instances must have in common to be drawn at once.
   static auto kindOf(const DrawBatch& b) {
-    return std::tuple(b.state, b.mesh.get(), b.shell.get(), b.shared, b.firstIndex, b.culling, b.bothSides,
-                      b.mirrored, b.lightSet);
+    return std::tuple(b.state, b.again, b.mesh.get(), b.shell.get(), b.shared, b.firstIndex, b.culling,
+                      b.bothSides, b.mirrored, b.lightSet);
   }
 
   /// What is lit later comes first, and of that what is searched for, then what is searched for. What hides
@@ -156,8 +156,8 @@ class DrawLister {
 
   /// Of all that a ray meets the eye's grid says where it may be.
   void findLayers(const VisibleNode& v, const SnapshotNode& node, const Material& material) {
-    DrawState state{.shading = Shading::Exact, .pattern = material.diffusePattern};
-    const LightSets::Choice lights = materials_.lightLayer(state, lightSets_, node);
+    DrawBatch batch{.state = {.shading = Shading::Exact, .pattern = material.diffusePattern}};
+    const LightSets::Choice lights = materials_.lightLayer(batch, lightSets_, node);
     const std::uint32_t number = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
     requireNumber(number);
     list_.layers.found.push_back({v.node, number});
@@ -188,14 +188,7 @@ class DrawLister {
     batch.culling = v.hideBackFaces ? FaceCulling::Back : FaceCulling::None;
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
-    LightSets::Choice lights;
-    if (shading == Shading::Gouraud || shading == Shading::Toon) {
-      if (materials_.shadows()) refuseShadows(node, shading);
-      lights = lightSets_.choose(std::span(visible_.lights).subspan(v.firstLight, v.lightCount), node);
-      batch.state.form = Form::Layer;
-    } else {
-      lights = materials_.lightLayer(batch.state, lightSets_, node);
-    }
+    const LightSets::Choice lights = materials_.lightLayer(batch, lightSets_, node);
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
@@ -251,9 +244,9 @@ class DrawLister {
     LightSets::Choice lights;
     if (needsLights(batch.state)) {
       batch.state.pattern = material.diffusePattern;
-      if (materials_.shadows() && !materials_.litLater(batch.state)) refuseShadows(node, shading);
+      if (materials_.shadows() && !materials_.litLater(batch.state)) refuseShadows(node);
       const auto reaching = std::span(visible_.lights).subspan(v.firstLight, v.lightCount);
-      lights = materials_.litLater(batch.state) ? materials_.lightLater(batch.state, lightSets_, node)
+      lights = materials_.litLater(batch.state) ? materials_.lightLater(batch, lightSets_, node)
                                                 : lightSets_.choose(reaching, node);
     }
     batch.lightSet = lights.index;
@@ -284,14 +277,13 @@ class DrawLister {
     return item;
   }
 
-  /// Light that is interpolated between vertices, or counted in steps, has no room for a shadow.
-  [[noreturn]] static void refuseShadows(const SnapshotNode& node, Shading shading) {
-    throw Error(
-        ErrorKind::Scene,
-        fmt::format("node number {} is shaded as {}, in a scene with exact shadows, which is not supported "
-                    "yet (or there are too many materials)",
-                    node.number, nameOf(shading)),
-        "use exact, phong or flat shading, or set the lights' shadows to \"none\"");
+  /// Shadows are found for points that are lit later.
+  [[noreturn]] static void refuseShadows(const SnapshotNode& node) {
+    throw Error(ErrorKind::Scene,
+                fmt::format("node number {} is blended in the order of the file (or there are more than {} "
+                            "nodes), in a scene with shadows, which is not supported yet",
+                            node.number, shared::kMaxFoundMaterials - 1),
+                "set render.blend_order to \"exact\", or the lights' shadows to \"none\"");
   }
 
   /// Returns the origin of the mesh's vertices.

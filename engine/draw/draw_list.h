@@ -29,7 +29,8 @@ namespace luxo {
 /// keeps a light from it, or how much of a light gets through it; or write what rays have found of that; or
 /// are a caster's mesh that is flattened onto a plane; or draw a light's depth map, or compare with it. Of
 /// what is seen through they put points in the list of their pixel; or find what light reaches those; or put
-/// there what rays have found; or light all points of a list; or blend them.
+/// there what rays have found; or light all points of a list; or blend them. Meshes whose light takes more
+/// than their points (Gouraud shading, drawings) are drawn again to light them.
 enum class Form {
   Fused,
   Found,
@@ -49,7 +50,9 @@ enum class Form {
   LayerTransmittance,
   LayersByRays,
   ShadeLayers,
-  BlendLayers
+  BlendLayers,
+  Again,
+  LayerAgain
 };
 
 /// What decides the shaders and fixed-function state of a draw. Light counts are part of it (the loops over
@@ -75,6 +78,8 @@ struct DrawState {
   bool transmits = false;           ///< with it: LightGroup::transmits
   std::uint32_t closed = 0;         ///< of Form::Shadow and LayerShadow: so many casters, by their equations
   std::uint32_t closedKind = 0;     ///< with it: shared::kClosedPlane and on
+  std::uint32_t firstLight = 0;     ///< of Form::Again, in Gouraud shading: of kVertexLights
+  std::uint32_t exactShadows = 0;   ///< and the lights, a bit each, that have exact ones
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -91,6 +96,7 @@ enum class Half { Whole, Near, Far };
 /// node, in one state.
 struct DrawBatch {
   DrawState state;
+  std::optional<DrawState> again;                ///< of a mesh that is drawn again to light its points
   std::shared_ptr<const Mesh> mesh;              ///< null where the surface is found in every pixel
   std::shared_ptr<const Shell> shell;            ///< then not null
   std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of DrawList::shellIndices
@@ -156,7 +162,9 @@ struct LightMapDrawn {
 struct LightGroup {
   std::uint32_t lightSet = 0;
   bool transmits = false;  ///< it is one light, of which a part may come through: by casters, or by a map
+  std::uint32_t plainLights = 0, shadedLights = 0;
   std::vector<DrawState> shades, layerShades;  ///< a draw for each pattern
+  std::vector<DrawBatch> again, layerAgain;    ///< meshes that are drawn again
   /// With `lights`: what looks for the casters of each light that may keep it from what is seen.
   std::vector<CasterDraw> shadows, layerShadows;
   std::vector<FlatShadowDraw> flatShadows;
@@ -167,6 +175,9 @@ struct LightGroup {
   /// Of each light of the set, index into Snapshot::lights, as rays find its shadow; nothing of lights
   /// without one. Empty where none has one.
   std::vector<std::optional<std::uint32_t>> lights;
+
+  [[nodiscard]] bool lightsPoints() const { return !shades.empty() || !again.empty(); }
+  [[nodiscard]] bool lightsLayers() const { return !layerShades.empty() || !layerAgain.empty(); }
 };
 
 /// A node whose layers are found in every pixel, by searches or by rays.

@@ -29,6 +29,9 @@ static_assert(static_cast<std::uint32_t>(Blend::Over) == shared::kBlendOver &&
               static_cast<std::uint32_t>(Blend::Add) == shared::kBlendAdd &&
               static_cast<std::uint32_t>(Blend::Multiply) == shared::kBlendMultiply);
 
+/// Whether the light on a point is more than its normal, its place and its material.
+bool isDrawnAgain(Shading shading) { return shading == Shading::Gouraud || shading == Shading::Toon; }
+
 /// As few groups as have room for all lights; but one some of which gets through its casters is alone. Those
 /// that are shaded in closed form are in one, the last, as they are the last of their sets.
 std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
@@ -58,7 +61,7 @@ std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
 
 MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                            DrawList& list)
-    : snapshot_(snapshot), list_(list) {
+    : snapshot_(snapshot), shading_(options.shading), list_(list) {
   const std::set<std::uint32_t> distinct(visible.lights.begin(), visible.lights.end());
   const std::vector<std::uint32_t> lights(distinct.begin(), distinct.end());
   const std::vector<Material>& materials = snapshot.materials;
@@ -93,6 +96,7 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
     data.pattern = patternNumber(material.diffusePattern);
     data.firstPatternParameter = firstPatternParameter(material);
   }
+  if (isDrawnAgain(material.shadingIn(shading_))) data.pattern = shared::kDrawnAgain;
   list_.materials.push_back(data);
   return entry->second;
 }
@@ -119,40 +123,74 @@ std::uint32_t MaterialList::patternNumber(const Pattern& pattern) {
 bool MaterialList::litLater(const DrawState& state) const {
   return list_.deferred && !state.blended &&
          (state.shading == Shading::Exact || state.shading == Shading::Phong ||
-          state.shading == Shading::Flat);
+          state.shading == Shading::Flat || (shadows_ && isDrawnAgain(state.shading)));
 }
 
-LightSets::Choice MaterialList::lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node) {
-  const std::uint32_t shadeOf = shadeLater(Form::Shade, state.pattern, lightSets, node, shades_);
+LightSets::Choice MaterialList::lightLater(DrawBatch& batch, LightSets& lightSets, const SnapshotNode& node) {
+  DrawState& state = batch.state;
+  if (isDrawnAgain(state.shading))
+    batch.again = DrawState{.shading = state.shading, .form = Form::Again, .pattern = state.pattern};
+  const std::uint32_t shadeOf = shadeLater(
+      {.shading = state.shading, .form = Form::Shade, .pattern = state.pattern}, lightSets, node, shades_);
   state.form = list_.findsParameters ? Form::FoundWithParameters : Form::Found;
   state.pattern = {};
+  if (batch.again) state.shading = Shading::Phong;
   return {.shadeOf = shadeOf};
 }
 
-LightSets::Choice MaterialList::lightLayer(DrawState& state, LightSets& lightSets, const SnapshotNode& node) {
-  const std::uint32_t shadeOf = shadeLater(Form::ShadeLayers, state.pattern, lightSets, node, layerShades_);
+LightSets::Choice MaterialList::lightLayer(DrawBatch& batch, LightSets& lightSets, const SnapshotNode& node) {
+  DrawState& state = batch.state;
+  if (isDrawnAgain(state.shading))
+    batch.again = DrawState{.shading = state.shading, .form = Form::LayerAgain, .pattern = state.pattern};
+  const std::uint32_t shadeOf =
+      shadeLater({.shading = state.shading, .form = Form::ShadeLayers, .pattern = state.pattern}, lightSets,
+                 node, layerShades_);
   state.form = Form::Layer;
   state.pattern = {};
+  if (batch.again) state.shading = Shading::Phong;
   return {.shadeOf = shadeOf};
 }
 
-std::uint32_t MaterialList::shadeLater(Form form, const Pattern& pattern, LightSets& lightSets,
-                                       const SnapshotNode& node, std::vector<std::set<DrawState>>& shades) {
+std::uint32_t MaterialList::shadeLater(const DrawState& shade, LightSets& lightSets, const SnapshotNode& node,
+                                       std::vector<std::set<DrawState>>& shades) {
   std::uint32_t shadeOf = 0;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     LightSets::Choice choice = lightSets.choose(groups_[i], node);
-    shades[i].insert({.form = form,
-                      .plainLights = choice.plain,
-                      .shadedLights = choice.shaded,
-                      .pattern = pattern,
-                      .patternNumber = patternNumber(pattern),
-                      .manyGroups = groups_.size() > 1,
-                      .addsLight = i > 0});
+    if (!isDrawnAgain(shade.shading))
+      shades[i].insert({.form = shade.form,
+                        .plainLights = choice.plain,
+                        .shadedLights = choice.shaded,
+                        .pattern = shade.pattern,
+                        .patternNumber = patternNumber(shade.pattern),
+                        .manyGroups = groups_.size() > 1,
+                        .addsLight = i > 0});
     list_.groups[i].lightSet = choice.index;
+    list_.groups[i].plainLights = choice.plain;
+    list_.groups[i].shadedLights = choice.shaded;
     groups_[i] = std::move(choice.lights);
     shadeOf = std::max(shadeOf, choice.shadeOf);
   }
   return shadeOf;
+}
+
+/// For each group of lights a draw; of light between vertices as many as it takes.
+void MaterialList::listAgain(const DrawBatch& batch, bool layer) {
+  const bool inPieces = batch.again->shading == Shading::Gouraud;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    LightGroup& group = list_.groups[i];
+    const std::uint32_t lights = group.plainLights + group.shadedLights;
+    for (std::uint32_t first = 0; first == 0 || (inPieces && first < lights);
+         first += shared::kVertexLights) {
+      DrawBatch& again = (layer ? group.layerAgain : group.again).emplace_back(batch);
+      again.state = *batch.again;
+      again.state.plainLights = group.plainLights;
+      again.state.shadedLights = group.shadedLights;
+      again.state.manyGroups = groups_.size() > 1;
+      again.state.addsLight = i > 0 || first > 0;
+      again.state.firstLight = first;
+      again.lightSet = group.lightSet;
+    }
+  }
 }
 
 void MaterialList::listShades() {
@@ -166,6 +204,10 @@ void MaterialList::listShades() {
     list_.groups[i].shades = listed(shades_[i]);
     list_.groups[i].layerShades = listed(layerShades_[i]);
   }
+  for (const DrawBatch& batch : list_.opaque)
+    if (batch.again) listAgain(batch, false);
+  for (const DrawBatch& batch : list_.layers.meshes)
+    if (batch.again) listAgain(batch, true);
 }
 
 }  // namespace luxo

@@ -38,12 +38,13 @@ class MaterialList {
   /// Whether draws of this state leave the light to a later pass: of what light falls on per fragment, with
   /// nothing else.
   [[nodiscard]] bool litLater(const DrawState& state) const;
-  /// Turns a state that finds and lights into one that finds, and notes the light that is left to do: that of
-  /// all lights of the picture, as those that do not reach a node add nothing.
-  LightSets::Choice lightLater(DrawState& state, LightSets& lightSets, const SnapshotNode& node);
+  /// Turns the state of a draw that finds and lights into one that finds, and notes the light that is left to
+  /// do: that of all lights of the picture, as those that do not reach a node add nothing. Light between
+  /// vertices, and drawings, are left to another draw of the same.
+  LightSets::Choice lightLater(DrawBatch& batch, LightSets& lightSets, const SnapshotNode& node);
   /// As lightLater(), of what is seen through.
-  LightSets::Choice lightLayer(DrawState& state, LightSets& lightSets, const SnapshotNode& node);
-  /// Once all nodes are listed.
+  LightSets::Choice lightLayer(DrawBatch& batch, LightSets& lightSets, const SnapshotNode& node);
+  /// Once all nodes are listed, and draws are in their order.
   void listShades();
   /// The lights of a group, in the order of its set: indices into Snapshot::lights.
   [[nodiscard]] const std::vector<std::uint32_t>& lightsOf(std::size_t group) const { return groups_[group]; }
@@ -53,11 +54,14 @@ class MaterialList {
  private:
   /// Notes a draw of each group that lights a pattern; gives which of the shaded lights the node is the shade
   /// of.
-  std::uint32_t shadeLater(Form form, const Pattern& pattern, LightSets& lightSets, const SnapshotNode& node,
+  std::uint32_t shadeLater(const DrawState& shade, LightSets& lightSets, const SnapshotNode& node,
                            std::vector<std::set<DrawState>>& shades);
   [[nodiscard]] std::uint32_t patternNumber(const Pattern& pattern);
 
+  void listAgain(const DrawBatch& batch, bool layer);
+
   const Snapshot& snapshot_;
+  Shading shading_;
   DrawList& list_;
   /// By material, shadeOf and, where there are shadows, node.
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> numberOf_;

@@ -179,7 +179,9 @@ void PassRecorder::draw(const DrawBatch& batch) {
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   if (batch.state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
-  if (batch.state.form == Form::Layer) pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+  if (batch.state.form == Form::Layer || batch.state.form == Form::LayerAgain)
+    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+  if (batch.state.form == Form::Again) pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   if (batch.shell) {
     pipeline.bindSet(commands_, shared::kSetExact, bindings_.exact);
     const ShellDraw draw{batch.half == Half::Far ? -1.0f : 1.0f, view_.targets().guard()};

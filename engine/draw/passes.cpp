@@ -96,7 +96,13 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
       if (group.map) passes.back().reads.push_back(Target::LightDepth);
       shades.reads.push_back(Target::Transmittance);
     }
+    Pass again{.name = "meshes again",
+               .colors = color(Begin::Keep),
+               .reads = shades.reads,
+               .batches = group.again,
+               .group = i};
     passes.push_back(std::move(shades));
+    if (!group.again.empty()) passes.push_back(std::move(again));
   }
   return passes;
 }
@@ -130,13 +136,15 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
         add("layer shadows", {.searches = true, .group = i, .casters = casters.subspan(k, 1)});
     // That of the first group comes with the points that rays have found.
     if (frame.rays && i > 0) add("light on layers of rays", {.group = i, .rays = frame.rays});
-    if (group.map && !group.layerShades.empty()) {
+    if (group.map && group.lightsLayers()) {
       passes.push_back(lightDepths(i));
       add("light map on layers", {.group = i, .readsLightMap = true});
       passes.back().reads.push_back(Target::LightDepth);
     }
     for (std::size_t k = 0; k < group.layerShades.size(); ++k)
       add("shade layers", {.group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
+    for (std::size_t k = 0; k < group.layerAgain.size(); ++k)
+      add("layers again", {.batches = std::span(group.layerAgain).subspan(k, 1), .group = i});
   }
   add("blend layers",
       {.colors = color(Begin::Keep), .searches = true, .countsLayers = true, .shades = kBlendLayers});

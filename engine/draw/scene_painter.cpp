@@ -119,14 +119,16 @@ void ScenePainter::preparePipelines(RenderView& view) {
   for (const LightGroup& group : view.list().groups) {
     for (const auto* shades : {&group.shades, &group.layerShades})
       states.insert(states.end(), shades->begin(), shades->end());
+    for (const auto* batches : {&group.again, &group.layerAgain})
+      for (const DrawBatch& batch : *batches) states.push_back(batch.state);
     for (const auto* draws :
          {&group.shadows, &group.layerShadows, &group.transmittances, &group.layerTransmittances})
       for (const CasterDraw& draw : *draws) states.push_back(draw.state);
     if (!group.flatShadows.empty()) states.push_back({.form = Form::FlatShadow});
     if (group.map) {
       states.push_back({.form = Form::LightDepth});
-      if (!group.shades.empty()) states.push_back({.form = Form::LightMap});
-      if (!group.layerShades.empty()) states.push_back({.form = Form::LayerLightMap});
+      if (group.lightsPoints()) states.push_back({.form = Form::LightMap});
+      if (group.lightsLayers()) states.push_back({.form = Form::LayerLightMap});
     }
     if (!group.flatTransmittances.empty()) states.push_back({.form = Form::FlatTransmittance});
   }

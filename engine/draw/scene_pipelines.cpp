@@ -18,9 +18,10 @@
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
 #include "luxo/shaders/found_parameters_frag.h"
+#include "luxo/shaders/gouraud_again_frag.h"
+#include "luxo/shaders/gouraud_again_vert.h"
 #include "luxo/shaders/gouraud_frag.h"
 #include "luxo/shaders/gouraud_layer_frag.h"
-#include "luxo/shaders/gouraud_layer_vert.h"
 #include "luxo/shaders/gouraud_pattern_vert.h"
 #include "luxo/shaders/gouraud_vert.h"
 #include "luxo/shaders/inspect_frag.h"
@@ -33,6 +34,7 @@
 #include "luxo/shaders/surface_layer_frag.h"
 #include "luxo/shaders/surface_pattern_vert.h"
 #include "luxo/shaders/surface_vert.h"
+#include "luxo/shaders/toon_again_frag.h"
 #include "luxo/shaders/toon_frag.h"
 #include "luxo/shaders/toon_layer_frag.h"
 #include "luxo/shaders/toon_vert.h"
@@ -163,6 +165,8 @@ bool isFoundOnly(const DrawState& state) {
   return state.form == Form::Found || state.form == Form::FoundWithParameters;
 }
 
+bool isAgain(const DrawState& state) { return state.form == Form::Again || state.form == Form::LayerAgain; }
+
 /// What fragments tell of their points, if no geometry is shown.
 std::uint32_t quantityOf(const DrawState& state) {
   return isFoundOnly(state) ? shared::kFoundTexel : shared::kLight;
@@ -178,9 +182,8 @@ DrawState canonical(DrawState state) {
 
 bool readsParameters(const DrawState& state) {
   if (state.surface) return false;  // a shell has them among its vertices
-  const bool lit = state.shading == Shading::Gouraud || state.shading == Shading::Toon;
   return inspectionOf(state).has_value() || state.pattern.valid() ||
-         state.form == Form::FoundWithParameters || (state.form == Form::Layer && !lit);
+         state.form == Form::FoundWithParameters || state.form == Form::Layer || isAgain(state);
 }
 
 ScenePipelines::ScenePipelines(gpu::Context& context)
@@ -387,7 +390,6 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
   desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_frag)
                         : toon  ? std::span<const std::uint32_t>(luxo_toon_frag)
                                 : std::span<const std::uint32_t>(luxo_surface_frag);
-  const bool layer = state.form == Form::Layer;
   if (!gouraud && !toon)
     desc.specialization.insert(desc.specialization.end(),
                                {{shared::kConstantFacetNormal, state.shading == Shading::Flat},
@@ -396,20 +398,44 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
     desc.vertexShader = luxo_surface_pattern_vert;
     desc.fragmentShader = luxo_found_parameters_frag;
   }
-  if (layer) {
-    if (gouraud) desc.vertexShader = luxo_gouraud_layer_vert;
-    if (!gouraud && !toon) desc.vertexShader = luxo_surface_pattern_vert;
-    desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_layer_frag)
-                          : toon  ? std::span<const std::uint32_t>(luxo_toon_layer_frag)
-                                  : std::span<const std::uint32_t>(luxo_surface_layer_frag);
+  if (state.form == Form::Layer) {
+    desc.vertexShader = luxo_surface_pattern_vert;
+    desc.fragmentShader = luxo_surface_layer_frag;
   }
   if (!state.pattern.valid()) return;
   desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert)
                               : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
-  desc.fragmentShader =
-      patternShader(state.pattern, gouraud ? (layer ? "pattern/gouraud_layer.frag" : "pattern/gouraud.frag")
-                                   : toon  ? (layer ? "pattern/toon_layer.frag" : "pattern/toon.frag")
-                                           : "pattern/surface.frag");
+  desc.fragmentShader = patternShader(state.pattern, gouraud ? "pattern/gouraud.frag"
+                                                     : toon  ? "pattern/toon.frag"
+                                                             : "pattern/surface.frag");
+}
+
+/// The light on points that the same triangles have put down: as near as these are, where they are one a
+/// pixel.
+void ScenePipelines::describeAgain(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  const bool gouraud = state.shading == Shading::Gouraud, layer = state.form == Form::LayerAgain;
+  desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_again_vert)
+                              : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
+  if (state.pattern.valid())
+    desc.fragmentShader = patternShader(
+        state.pattern, gouraud ? (layer ? "pattern/gouraud_layer.frag" : "pattern/gouraud_again.frag")
+                               : (layer ? "pattern/toon_layer.frag" : "pattern/toon_again.frag"));
+  else if (layer)
+    desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_layer_frag)
+                                  : std::span<const std::uint32_t>(luxo_toon_layer_frag);
+  else
+    desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_again_frag)
+                                  : std::span<const std::uint32_t>(luxo_toon_again_frag);
+  desc.specialization.insert(desc.specialization.end(), {{shared::kConstantFirstLight, state.firstLight},
+                                                         {shared::kConstantExactShadows, state.exactShadows},
+                                                         {shared::kConstantAddsLight, state.addsLight},
+                                                         {shared::kConstantManyGroups, state.manyGroups},
+                                                         {shared::kConstantTransmits, state.transmits}});
+  desc.depthWrite = false;
+  if (layer) return;
+  desc.depthCompare = VK_COMPARE_OP_EQUAL;
+  if (state.addsLight) desc.blend = gouraud ? gpu::Blend::Add : gpu::Blend::Lighten;
+  desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
 }
 
 gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
@@ -437,7 +463,7 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerShadow ||
                         state.form == Form::LayerTransmittance || state.form == Form::LayersByRays ||
                         state.form == Form::ShadeLayers || state.form == Form::BlendLayers ||
-                        state.form == Form::LayerLightMap;
+                        state.form == Form::LayerLightMap || state.form == Form::LayerAgain;
   if (ofLayers) {
     static_assert(shared::kSetLayers == 3);
     desc.setLayouts = {sceneLayout_,
@@ -448,7 +474,9 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
     desc.depthFormat = VK_FORMAT_UNDEFINED;
     if (state.form != Form::BlendLayers) desc.colorFormats.clear();
   }
-  if (ofLayers && (state.form != Form::Layer || state.surface)) {
+  if (isAgain(state)) {
+    describeAgain(state, desc);
+  } else if (ofLayers && (state.form != Form::Layer || state.surface)) {
     describeLayers(state, desc);
   } else if (state.form == Form::LightDepth) {
     describeLightDepth(desc);

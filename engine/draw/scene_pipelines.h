@@ -77,6 +77,7 @@ class ScenePipelines {
   void compileExactShaders(std::span<const DrawState> states);
   void describeExact(const DrawState& state, const TargetFormat& format, gpu::GraphicsPipelineDesc& desc);
   void describeMesh(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+  void describeAgain(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   /// The fragment shader that finds what it does where rays meet the cells of the state's surface.
   [[nodiscard]] std::span<const std::uint32_t> casterShader(const DrawState& state) const;
   void describeCaster(const DrawState& state, gpu::GraphicsPipelineDesc& desc) const;

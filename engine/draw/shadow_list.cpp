@@ -331,11 +331,11 @@ class ShadowLister {
       }
     }
     draw.caster = casters_.add(caster);
-    if (!group_->shades.empty()) {
+    if (group_->lightsPoints()) {
       draw.state.form = transmits ? Form::Transmittance : Form::Shadow;
       (transmits ? group_->transmittances : group_->shadows).push_back(draw);
     }
-    if (!group_->layerShades.empty()) {
+    if (group_->lightsLayers()) {
       draw.state.form = transmits ? Form::LayerTransmittance : Form::LayerShadow;
       (transmits ? group_->layerTransmittances : group_->layerShadows).push_back(draw);
     }
@@ -506,6 +506,16 @@ void listShadows(const Snapshot& snapshot, const VisibleList& visible, const Dra
       shade.transmits = group.transmits;
     }
     for (DrawState& shade : group.layerShades) shade.transmits = group.transmits;
+    std::uint32_t exact = 0;
+    for (std::uint32_t bit = 0; bit < lights.size(); ++bit)
+      if (const SnapshotLight& light = snapshot.lights[lights[bit]];
+          casts(lights[bit]) && !light.map && !light.plane)
+        exact |= 1U << bit;
+    for (auto* batches : {&group.again, &group.layerAgain})
+      for (DrawBatch& batch : *batches) {
+        batch.state.transmits = group.transmits;
+        batch.state.exactShadows = batch.state.shading == Shading::Gouraud ? exact : 0;
+      }
   }
 }
 

@@ -60,6 +60,11 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
     state.srcColorBlendFactor = state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     return state;
   }
+  if (blend == Blend::Lighten) {
+    state.srcColorBlendFactor = state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    state.colorBlendOp = VK_BLEND_OP_MAX;
+    return state;
+  }
   if (blend == Blend::Multiply) {
     state.srcColorBlendFactor = VK_BLEND_FACTOR_DST_COLOR;
     state.dstColorBlendFactor = state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;

@@ -24,6 +24,7 @@ enum class Blend {
              ///< features().dualSrcBlend
   Add,       ///< the sum of colours; the destination's alpha
   Multiply,  ///< the product of colours; the destination's alpha
+  Lighten,   ///< the larger of colours; the destination's alpha
   Or,        ///< of integers: bits that are set in either; needs features().logicOp
 };
 

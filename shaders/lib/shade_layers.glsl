@@ -40,7 +40,6 @@ void shadeLayers() {
        ray = inRay[0] + pixel.x * inRay[1] + pixel.y * inRay[2];
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
-    if ((point.material & kLayerLit) != 0) continue;
     uint number = point.material & kLayerMaterial;
     if (kManyMaterials)
       material = materials[number];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface as a drawing: its diffuse colour at two levels, full where some light falls in at less than 60 degrees and
-// half elsewhere, and a black line along its silhouette.
+// A surface as a drawing: its diffuse colour at two levels, full where some light that reaches it falls in at less than 60
+// degrees and half elsewhere, with an edge one pixel wide, and a black line along its silhouette. Where only a part of a
+// light gets through to it, that part of the cosine counts, in each colour.
 #include "lib/surface_fragment.glsl"
 
 const float kBright = 0.5;        // N.L from which the colour is full
@@ -11,22 +12,29 @@ layout(location = 14) sample in vec3 inDetail;  // u, v where there is a pattern
 
 float gradientLength(float x) { return max(length(vec2(dFdx(x), dFdy(x))), 1e-30); }
 
-// How much of a pixel lies where x > 0: an edge one pixel wide.
-float coverage(float x) { return clamp(x / gradientLength(x) + 0.5, 0.0, 1.0); }
+#ifndef LUXO_LIB_AGAIN_GLSL
+bool reachesPoint(uint light) { return true; }
+vec3 throughToPoint() { return vec3(1); }
+#endif
 
-float brightness(vec3 n) {
-  float bright = 0.0;
+// How much of a pixel is where the cosine of light's angle, times what gets through of it, is above kBright: of each colour.
+vec3 covered(float cosine, vec3 through) {
+  return clamp((cosine * through - kBright) / max(gradientLength(cosine) * through, vec3(1e-30)) + 0.5, 0.0, 1.0);
+}
+
+vec3 brightness(vec3 n) {
+  vec3 bright = vec3(0);
   for (uint i = 0; i < kPlainLights + kShadedLights; ++i) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - inPosition * light.position.w;
     float squared = dot(toLight, toLight);
-    float covered = coverage(dot(n, toLight) * inversesqrt(max(squared, kTiny)) - kBright);
-    bool shines = any(greaterThan(light.radiance, vec3(0)));
+    vec3 covers = covered(dot(n, toLight) * inversesqrt(max(squared, kTiny)), throughToPoint());
+    bool shines = any(greaterThan(light.radiance, vec3(0))) && reachesPoint(i);
     if (i >= kPlainLights) {
       uint shade = i - kPlainLights;
       shines = shines && (shadeOf(inNumbers.x) == shade + 1 || litThroughShade(shadeAt(shade), -toLight));
     }
-    bright = max(bright, shines ? covered : 0.0);
+    bright = max(bright, shines ? covers : vec3(0));
   }
   return bright;
 }
@@ -39,7 +47,20 @@ float outline() {
 
 vec2 foundParameters() { return vec2(0); }
 
-vec4 drawnFragment(vec3 color) {
+vec3 drawn(vec3 color) {
   vec3 n = fragmentNormal(towardViewer(inViewer, inPosition));
-  return vec4(color * mix(kShaded, 1.0, brightness(n)) * (1.0 - outline()), inShininessOpacity.y);
+  return color * mix(vec3(kShaded), vec3(1), brightness(n)) * (1.0 - outline());
 }
+
+#ifdef LUXO_LIB_AGAIN_GLSL
+// What more lights make of it is never darker.
+vec3 together(vec3 light, vec3 more) { return max(light, more); }
+bool isLastOfGroup() { return true; }
+
+void drawAgain(vec4 paint, vec4 bounds) {
+  bool isThere = findPoint(inNumbers.y, clamp(inDetail.xy, bounds.xy, bounds.zw), bounds);
+  vec3 color = drawn(paint.rgb);  // before any fragment ends: it asks for derivatives
+  if (!isThere) discard;
+  lightPoint(color, paint);
+}
+#endif

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpolated light of the side that is seen, and seen through, on a pattern.
+// Light per vertex, of what is seen through, on a pattern.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/layer_lit.glsl"
-
-layout(location = 0) sample in vec3 inFront;
-layout(location = 1) sample in vec3 inBack;
-layout(location = 2) sample in vec4 inFrontRest;
-layout(location = 3) sample in vec4 inBackRest;
-layout(location = 6) flat in uvec3 inNumbers;
-layout(location = 14) sample in vec2 inParameters;
-
+#include "lib/gouraud_again.glsl"
 #include "lib/pattern_of_mesh.glsl"
+#include "lib/again_layer.glsl"
 
 void main() {
-  vec4 rest = gl_FrontFacing ? inFrontRest : inBackRest, paint = paintAt(inParameters);
-  addLitLayer(inNumbers.y, paint.rgb * (gl_FrontFacing ? inFront : inBack) + rest.rgb, rest.a * paint.a, paint.rgb);
+  vec4 paint = paintAt(inParameters);
+  lightBetweenVertices(vec4(paint.rgb, inOpacity * paint.a), inParameterBounds);
 }

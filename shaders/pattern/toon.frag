@@ -5,4 +5,4 @@
 #include "lib/toon.glsl"
 #include "lib/pattern_of_mesh.glsl"
 
-void main() { outColor = drawnFragment(patternAt(inDetail.xy)); }
+void main() { outColor = vec4(drawn(patternAt(inDetail.xy)), inShininessOpacity.y); }

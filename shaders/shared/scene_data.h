@@ -98,6 +98,8 @@ LUXO_CONSTANT kConstantManyGroups = 13;     // of lights, for the same points
 LUXO_CONSTANT kConstantTransmits = 14;      // there is one light, some of which gets through its casters
 LUXO_CONSTANT kConstantClosedCasters = 15;  // of a draw
 LUXO_CONSTANT kConstantClosedKind = 16;     // of them all
+LUXO_CONSTANT kConstantFirstLight = 17;     // of kVertexLights of a group
+LUXO_CONSTANT kConstantExactShadows = 18;   // the lights, a bit each, that have exact ones
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -145,6 +147,9 @@ LUXO_CONSTANT kMaxLights = 32;  // that may reach one object
 // So many of them are carried from vertices to fragments; more are read from a buffer, which takes a CPU device longer.
 LUXO_CONSTANT kCarriedLights = 2;
 LUXO_CONSTANT kCarriedShades = 1;
+
+// So many lights are interpolated between vertices, each by itself, in one draw.
+LUXO_CONSTANT kVertexLights = 8;
 
 // vec4 that vertices of a shell hand to fragments: more than Vulkan promises, as many as devices have.
 LUXO_CONSTANT kVaryings = 30;
@@ -208,9 +213,12 @@ struct MaterialData {
   vec3 specular;
   uint flags;
   uint firstPatternParameter;  // in the buffer of them all
-  uint pattern;                // 1 + index among the picture's patterns; 0: none
+  uint pattern;                // 1 + index among the picture's patterns; 0: none; or
   uint blend;                  // below
 };
+
+// A material whose meshes are drawn again to light the points that they have put down.
+LUXO_CONSTANT kDrawnAgain = 0xffffffffu;
 
 // What comes through from behind: 1 - opacity of it; all of it; 1 - opacity of it times the diffuse colour.
 LUXO_CONSTANT kBlendOver = 0;
@@ -381,7 +389,7 @@ LUXO_CONSTANT kClosedTorus = 4;
 LUXO_CONSTANT kMostClosedCasters = 2;
 
 LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
-LUXO_CONSTANT kLayerLit = 1 << 17;       // its light is known,
+LUXO_CONSTANT kLayerOfNothing = 1 << 17;
 LUXO_CONSTANT kLayerAtBorder = 1 << 18;  // or on a border between two cells, which may both have found it
 LUXO_CONSTANT kLayerByRay = 1 << 19;     // or found by a ray
 LUXO_CONSTANT kLayerMaterial = 0xffff;

@@ -406,19 +406,8 @@ TEST_F(ShadowTest, PlanarOnesNeedAPlane) {
   }
 }
 
-TEST_F(ShadowTest, AreRefusedWhereTheyWouldBeWrong) {
+TEST_F(ShadowTest, AreNotLookedForInViewsOfGeometry) {
   const Scene scene = sceneOf(kCrowd);
-  for (const Shading shading : {Shading::Gouraud, Shading::Toon}) {
-    try {
-      static_cast<void>(draw(scene, kSize, {.shading = shading}));
-      FAIL() << nameOf(shading);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::Scene);
-      EXPECT_NE(std::string(error.what()).find("not supported yet"), std::string::npos) << error.what();
-    }
-  }
-  EXPECT_NO_THROW(static_cast<void>(
-      draw(scene, {32, 24}, {.shading = Shading::Gouraud, .shadows = ShadowKinds::ClosedForms})));
   // Views of geometry have no light.
   EXPECT_NO_THROW(static_cast<void>(draw(scene, {32, 24}, {.shading = Shading::Normal})));
   EXPECT_NO_THROW(static_cast<void>(draw(scene, {32, 24}, {.shading = Shading::Wireframe})));

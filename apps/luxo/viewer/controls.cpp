@@ -28,7 +28,7 @@ constexpr KeyHelp kKeys[] = {
     {"T", "toon: a drawing with outlines"},
     {"W", "wireframe"},
     {"L", "hidden lines of wireframes"},
-    {"X", "shadows (of exact, phong and flat shading)"},
+    {"X", "shadows"},
     {"C", "back-face culling"},
     {"M", "4 samples per pixel, or 1"},
     {"A", "smooth edges while nothing moves"},
@@ -154,8 +154,7 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
 
 void Controls::shade(Shading shading) {
   draw_.shading = shading;
-  const bool finds = shading != Shading::Gouraud && shading != Shading::Toon;
-  draw_.shadows = !wantsShadows_ ? ShadowKinds::None : finds ? ShadowKinds::All : ShadowKinds::ClosedForms;
+  draw_.shadows = wantsShadows_ ? ShadowKinds::All : ShadowKinds::None;
   if (shading != Shading::Wireframe) solidShading_ = shading;
 }
 

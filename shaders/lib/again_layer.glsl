@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points that are seen through, in the list of their pixel.
+#include "lib/again.glsl"
+#include "lib/layers.glsl"
+#include "lib/octahedral.glsl"
+
+layout(constant_id = kConstantManyGroups) const bool kManyGroups = false;
+
+// Of two draws of the same point, for some lights each; and whether there is another one for the same group of lights.
+vec3 together(vec3 light, vec3 more);
+bool isLastOfGroup();
+
+uint ownPoint;
+
+// Every fragment has put down one, of parameters of its own.
+bool findPoint(uint material, vec2 parameters, vec4 bounds) {
+  float nearest = 3e38;
+  ownPoint = 0;
+  for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    if ((layerPoints[index].material & (kLayerMaterial | kLayerOfMesh)) != (material | kLayerOfMesh)) continue;
+    vec2 off = abs(layerPoints[index].parameters - parameters) / max(bounds.zw - bounds.xy, vec2(1e-37));
+    if (off.x + off.y >= nearest) continue;
+    nearest = off.x + off.y;
+    ownPoint = index;
+  }
+  if (ownPoint == 0) return false;
+  LayerPoint found = layerPoints[ownPoint];
+  point = DrawnPoint(pixelPlace() + found.depth * pixelRay(), fromOctahedral(found.normal), found.shadows, found.transmittance);
+  return true;
+}
+
+void lightPoint(vec3 light, vec4 paint) {
+  vec3 reflected_ = paint.a * light;
+  layerPoints[ownPoint].light = kAddsLight ? together(layerPoints[ownPoint].light, reflected_) : reflected_;
+  layerPoints[ownPoint].through = throughLayer(materials[layerPoints[ownPoint].material & kLayerMaterial].blend, paint.a, paint.rgb);
+  if (!kManyGroups || !isLastOfGroup()) return;  // the next group has its own
+  layerPoints[ownPoint].shadows = 0;
+  layerPoints[ownPoint].transmittance = vec3(1);
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// A drawing in two levels with an outline where there are shadows, of a pattern.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/again.glsl"
+#include "lib/toon.glsl"
+#include "lib/pattern_of_mesh.glsl"
+#include "lib/again_found.glsl"
+
+void main() {
+  vec4 paint = paintAt(inDetail.xy);
+  drawAgain(vec4(paint.rgb, inShininessOpacity.y * paint.a), inParameterBounds);
+}

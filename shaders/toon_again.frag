@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// A drawing in two levels with an outline where there are shadows.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/again.glsl"
+#include "lib/toon.glsl"
+#include "lib/again_found.glsl"
+
+layout(location = 15) flat in vec4 inParameterBounds;
+
+void main() { drawAgain(vec4(inDiffuse, inShininessOpacity.y), inParameterBounds); }
