@@ -182,7 +182,7 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
                       .batches = opaque.found,
                       .rays = frame.rays});
   if (!list.deferred) passes.back().probes = frame.probes;
-  if (!replaces && !opaque.found.empty() && !opaque.meshes.empty())
+  if (!replaces && (list.deferred || !opaque.found.empty()) && !opaque.meshes.empty())
     passes.push_back({.name = "meshes", .colors = color(Begin::Keep), .batches = opaque.meshes});
   for (std::uint32_t band = 0; list.layers.any() && band < frame.layerBands; ++band)
     addLayers(list, frame, {band, frame.layerBands}, replaces, passes);

@@ -315,9 +315,13 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
   pixels.insert(pixels.end(), layered.begin(), layered.end());
   rays_.addLayers(pixels, view_.list().layers.found, view_.list().origin, view_.list().groups, points);
   statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
-  statistics.error.resolvedByRaysPx = points.resolved - points.undecided + shadowed.size() + layered.size();
+  // Of a mesh that is seen through no ray tells which point it is that is shown.
+  const std::size_t ofMeshes = view_.list().layers.meshes.empty() ? 0 : layered.size();
+  statistics.error.resolvedByRaysPx =
+      points.resolved - points.undecided + shadowed.size() + layered.size() - ofMeshes;
   statistics.error.shadowRaysPx = shadowed.size();
-  statistics.error.uncertifiedPx = points.undecided + points.shadowsUndecided + points.layersUndecided;
+  statistics.error.uncertifiedPx =
+      points.undecided + points.shadowsUndecided + std::max<std::uint64_t>(points.layersUndecided, ofMeshes);
   statistics.error.unconvergedPx += points.unknown;
   if (points.empty()) return;
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });

@@ -47,6 +47,13 @@ TEST(Passes, APictureClearsItsTargetsOnce) {
   EXPECT_EQ(told(passesOf(listOf(1, 0, 0), {.emptyPasses = true})), (Names{"found 1", "transparent+ 0"}));
 }
 
+TEST(Passes, WhatIsLitAtOnceIsDrawnWhereNothingIsLitLater) {
+  DrawList list = listOf(0, 2, 0);
+  list.deferred = true;
+  list.groups.resize(1);
+  EXPECT_EQ(told(passesOf(list, {})), (Names{"found 0", "shade 0", "meshes+ 2"}));
+}
+
 TEST(Passes, WhatIsCompletedIsKept) {
   EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {.completes = true})), (Names{"found+ 2"}));
 }
