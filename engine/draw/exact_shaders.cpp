@@ -12,10 +12,10 @@ namespace luxo {
 
 namespace {
 
-using Formulas = std::tuple<std::string_view, std::string_view, bool, bool, int>;
+using Formulas = std::tuple<std::string_view, std::string_view, bool, bool, int, bool>;
 
 Formulas formulasOf(const ExactShader& shader) {
-  return {shader.surface, shader.pattern, shader.inDouble, shader.grazing, shader.caster};
+  return {shader.surface, shader.pattern, shader.inDouble, shader.grazing, shader.caster, shader.parameters};
 }
 
 std::string_view textOf(const Pattern& pattern) {
@@ -31,13 +31,21 @@ std::span<const std::uint32_t> builtIn(const Formulas& wanted) {
 }  // namespace
 
 std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, const Pattern& pattern,
-                                                  bool grazing) {
-  return builtIn({surface.glsl, textOf(pattern), surface.number == GlslNumber::Double, grazing, -1});
+                                                  bool grazing, bool parameters) {
+  return builtIn(
+      {surface.glsl, textOf(pattern), surface.number == GlslNumber::Double, grazing, -1, parameters});
 }
 
 std::span<const std::uint32_t> builtInCasterShader(ExactSource::Caster caster, const SurfaceCode& surface,
                                                    const Pattern& pattern) {
-  return builtIn({surface.glsl, textOf(pattern), false, true, static_cast<int>(caster)});
+  return builtIn({surface.glsl, textOf(pattern), false, true, static_cast<int>(caster), false});
+}
+
+std::span<const std::uint32_t> builtInPatternShader(std::string_view name, const Pattern& pattern) {
+  const auto found = std::ranges::find_if(kPatternShaders, [&](const PatternShader& shader) {
+    return shader.name == name && shader.pattern == textOf(pattern);
+  });
+  return found == kPatternShaders.end() ? std::span<const std::uint32_t>() : found->spirv;
 }
 
 }  // namespace luxo

@@ -322,9 +322,8 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
     const std::string_view patternText = pattern.valid() ? std::string_view(pattern.glsl()) : "";
     const std::optional<ExactSource::Caster> caster = casterOf(form);
     const bool parameters = form == Form::FoundWithParameters;
-    const auto builtIn = caster       ? builtInCasterShader(*caster, *surface, pattern)
-                         : parameters ? std::span<const std::uint32_t>()
-                                      : builtInExactShader(*surface, pattern, grazing);
+    const auto builtIn = caster ? builtInCasterShader(*caster, *surface, pattern)
+                                : builtInExactShader(*surface, pattern, grazing, parameters);
     if (!builtIn.empty()) {
       missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
       return;
@@ -373,6 +372,10 @@ const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& p
                                                                 std::string_view name) {
   const auto found = patternShaders_.find({pattern, name});
   if (found != patternShaders_.end()) return found->second;
+  if (const auto builtIn = builtInPatternShader(name, pattern); !builtIn.empty())
+    return patternShaders_
+        .emplace(std::pair{pattern, name}, std::vector<std::uint32_t>(builtIn.begin(), builtIn.end()))
+        .first->second;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"pattern", pattern.glsl()});
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs when luxo is built: the exact fragment shaders of the named surfaces, and of the surfaces and patterns
-// of some scenes, made from their formulas, as a C++ table.
+// of some scenes, made from their formulas, and the shaders of the light on these patterns, as C++ tables.
 //
 //     luxo_exact_shaders HEADER [SCENE.luxo.json ...]
 #include <fmt/format.h>
@@ -41,14 +41,29 @@ struct Formulas {
   GlslNumber number;
   bool grazing;
   std::optional<Caster> caster = std::nullopt;
+  bool parameters = false;  ///< which are told where points are lit later
 
   friend auto operator<=>(const Formulas&, const Formulas&) = default;
 };
 
+/// A shader of the light on a pattern.
+struct PatternLight {
+  std::string name, pattern;
+
+  friend auto operator<=>(const PatternLight&, const PatternLight&) = default;
+};
+
+struct Wanted {
+  std::set<Formulas> formulas;
+  std::set<PatternLight> lights;
+};
+
 constexpr GlslNumber kNumbers[] = {GlslNumber::Float, GlslNumber::Double};
 
-void addFormula(std::set<Formulas>& all, const SurfaceCode& code, const std::string& pattern) {
-  for (const bool grazing : {false, true}) all.insert({code.glsl, pattern, code.number, grazing});
+void addFormula(std::set<Formulas>& all, const SurfaceCode& code, const std::string& pattern,
+                bool parameters = false) {
+  for (const bool grazing : {false, true})
+    all.insert({code.glsl, pattern, code.number, grazing, std::nullopt, parameters});
 }
 
 /// By its general form, where it has one.
@@ -61,17 +76,20 @@ void addCaster(std::set<Formulas>& all, const Surface& surface, Caster caster,
 }
 
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
-                const std::string& pattern) {
+                const std::string& pattern, bool tellsParameters = false) {
   addCaster(all, surface, Caster::Shadow);
+  const auto add = [&](const std::string& glsl, GlslNumber number) {
+    all.insert({glsl, pattern, number, true, std::nullopt, tellsParameters});
+  };
   const auto equations = equationsOf(surface, parameters);
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     for (const GlslNumber number : kNumbers)
       if (equations[i])
-        all.insert({equationCode(equations[i]->form(), 0, number).glsl, pattern, number, true});
+        add(equationCode(equations[i]->form(), 0, number).glsl, number);
       else
-        addFormula(all, surfaceCode(*surface.patches()[i].function, 0, number), pattern);
+        addFormula(all, surfaceCode(*surface.patches()[i].function, 0, number), pattern, tellsParameters);
   if (equations.size() == 1 && equations[0] && equations[0]->isPlane())
-    all.insert({planeCode(0).glsl, pattern, GlslNumber::Double, true});
+    add(planeCode(0).glsl, GlslNumber::Double);
 }
 
 /// What finds a named surface whatever its arguments.
@@ -91,32 +109,46 @@ void addSuperquadrics(std::set<Formulas>& all) {
       for (const double f : exponents) addGeneralForms(all, makeSurface(name, {{"exponents", {e, f}}}));
 }
 
-void addScene(std::set<Formulas>& all, const Scene& scene) {
+void addScene(Wanted& wanted, const Scene& scene) {
+  std::set<Formulas>& all = wanted.formulas;
   const Snapshot snapshot = takeSnapshot(scene, 0, {64, 64});
-  const auto isSeenThrough = [&](const SnapshotNode& node) {
-    return snapshot.materials[node.material.index].transparent();
+  const auto materialOf = [&](const SnapshotNode& node) -> const Material& {
+    return snapshot.materials[node.material.index];
   };
+  const auto isSeenThrough = [&](const SnapshotNode& node) { return materialOf(node).transparent(); };
   const bool layers = std::ranges::any_of(snapshot.nodes, isSeenThrough),
-             shadows = std::ranges::any_of(snapshot.lights, &SnapshotLight::hasShadow);
+             shadows = std::ranges::any_of(snapshot.lights, &SnapshotLight::hasShadow),
+             patterns = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode&node) {
+               return materialOf(node).diffusePattern.valid();
+             });
   for (const SnapshotNode& node : snapshot.nodes) {
-    const Material& material = snapshot.materials[node.material.index];
-    if (isSeenThrough(node)) addCaster(all, node.surface, Caster::Layer);
+    const bool through = isSeenThrough(node);
+    const Pattern& pattern = materialOf(node).diffusePattern;
+    const std::string text = pattern.valid() ? pattern.glsl() : "";
+    if (through) addCaster(all, node.surface, Caster::Layer);
     if (layers && shadows) {
-      const bool through = isSeenThrough(node);
-      const std::string pattern =
-          through && material.diffusePattern.valid() ? material.diffusePattern.glsl() : "";
-      if (through) addCaster(all, node.surface, Caster::Transmittance, pattern);
-      addCaster(all, node.surface, through ? Caster::LayerTransmittance : Caster::LayerShadow, pattern);
+      if (through) addCaster(all, node.surface, Caster::Transmittance, text);
+      for (const Caster caster : {Caster::LayerTransmittance, Caster::LayerShadow})
+        if ((caster == Caster::LayerTransmittance) == through)
+          addCaster(all, node.surface, caster, through ? text : "");
     }
     addSurface(all, node.surface, node.parameters, {});
-    const Pattern& pattern = snapshot.materials[node.material.index].diffusePattern;
-    if (pattern.valid()) addSurface(all, node.surface, node.parameters, pattern.glsl());
+    if (pattern.valid()) addSurface(all, node.surface, node.parameters, text);
+    if (!layers && !shadows) continue;
+    // Points are lit later.
+    if (patterns && !through) addSurface(all, node.surface, node.parameters, {}, true);
+    if (pattern.valid())
+      wanted.lights.insert({through   ? "pattern/shade_layers.frag"
+                            : shadows ? "pattern/shade_in_shadows.frag"
+                                      : "pattern/shade.frag",
+                            text});
   }
 }
 
 /// Of the named surfaces as they are without arguments and in general, and of these scene files.
-std::set<Formulas> builtInFormulas(std::span<const char* const> scenes) {
-  std::set<Formulas> all;
+Wanted builtIn(std::span<const char* const> scenes) {
+  Wanted wanted;
+  std::set<Formulas>& all = wanted.formulas;
   for (const CatalogueEntry& entry : catalogue()) {
     const Surface surface = makeSurface(entry);
     addSurface(all, surface, {}, {});
@@ -126,9 +158,9 @@ std::set<Formulas> builtInFormulas(std::span<const char* const> scenes) {
   for (const char* scene : scenes) {
     std::ifstream file(scene);
     if (!file) throw Error(ErrorKind::Scene, fmt::format("cannot read {}", scene));
-    addScene(all, buildScene(readScene(file, scene)));
+    addScene(wanted, buildScene(readScene(file, scene)));
   }
-  return all;
+  return wanted;
 }
 
 void validate(const Words& words) {
@@ -145,15 +177,27 @@ void validate(const Words& words) {
 
 Words compile(const Formulas& formulas) {
   const SurfaceCode surface{.glsl = formulas.surface, .number = formulas.number};
-  const ExactSource source = formulas.caster ? ExactSource::of(*formulas.caster, surface, formulas.pattern)
-                                             : ExactSource(surface, formulas.pattern, formulas.grazing);
+  const ExactSource source =
+      formulas.caster ? ExactSource::of(*formulas.caster, surface, formulas.pattern)
+                      : ExactSource(surface, formulas.pattern, formulas.grazing, formulas.parameters);
   Words words = gpu::ShaderCompiler(std::filesystem::path()).compile(source.desc()).spirv;
   validate(words);
   return words;
 }
 
+Words compile(const PatternLight& light) {
+  std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
+  sources.push_back({"pattern", light.pattern});
+  const auto source = std::ranges::find(kShaderSources, light.name, &gpu::ShaderSource::name);
+  Words words =
+      gpu::ShaderCompiler(std::filesystem::path()).compile({.source = *source, .includes = sources}).spirv;
+  validate(words);
+  return words;
+}
+
 /// On all cores: most of it is the optimiser's work.
-std::vector<Words> compile(const std::vector<Formulas>& all) {
+template <class Shader>
+std::vector<Words> compileAll(const std::vector<Shader>& all) {
   std::vector<Words> shaders(all.size());
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { shaders[i] = compile(all[i]); });
   return shaders;
@@ -164,32 +208,46 @@ std::string literal(const std::string& text) {
   return fmt::format("{{R\"luxo({})luxo\", {}}}", text, text.size());
 }
 
+/// The definition of an array of this name.
+std::string arrayOf(const std::string& name, const Words& words) {
+  std::string text = fmt::format("inline constexpr std::uint32_t {}[] = {{\n", name);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
+  return text + "};\n";
+}
+
 std::string table(std::span<const char* const> scenes) {
-  const std::set<Formulas> known = builtInFormulas(scenes);
-  const std::vector<Formulas> all(known.begin(), known.end());
-  const std::vector<Words> shaders = compile(all);
-  std::string arrays, entries;
+  const Wanted wanted = builtIn(scenes);
+  const std::vector<Formulas> all(wanted.formulas.begin(), wanted.formulas.end());
+  const std::vector<PatternLight> lights(wanted.lights.begin(), wanted.lights.end());
+  const std::vector<Words> shaders = compileAll(all), lightShaders = compileAll(lights);
+  std::string arrays, entries, lightEntries;
   for (std::size_t index = 0; index < all.size(); ++index) {
     const Formulas& formulas = all[index];
-    const Words& words = shaders[index];
-    arrays += fmt::format("inline constexpr std::uint32_t kExactShader{}[] = {{\n", index);
-    for (std::size_t i = 0; i < words.size(); ++i)
-      arrays += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
-    arrays += "};\n";
-    entries += fmt::format("    {{{}, {}, {}, {}, {}, kExactShader{}}},\n", literal(formulas.surface),
-                           literal(formulas.pattern), formulas.number == GlslNumber::Double, formulas.grazing,
-                           formulas.caster ? static_cast<int>(*formulas.caster) : -1, index);
+    const std::string name = fmt::format("kExactShader{}", index);
+    arrays += arrayOf(name, shaders[index]);
+    entries +=
+        fmt::format("    {{{}, {}, {}, {}, {}, {}, {}}},\n", literal(formulas.surface),
+                    literal(formulas.pattern), formulas.number == GlslNumber::Double, formulas.grazing,
+                    formulas.caster ? static_cast<int>(*formulas.caster) : -1, formulas.parameters, name);
+  }
+  for (std::size_t index = 0; index < lights.size(); ++index) {
+    const std::string name = fmt::format("kPatternShader{}", index);
+    arrays += arrayOf(name, lightShaders[index]);
+    lightEntries += fmt::format("    PatternShader{{{}, {}, {}}},\n", literal(lights[index].name),
+                                literal(lights[index].pattern), name);
   }
   return fmt::format(
-      "#pragma once\n#include <cstdint>\n#include <span>\n#include <string_view>\n\nnamespace luxo {{\n\n{}\n"
-      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing;\n  int "
-      "caster;\n  "
-      "std::span<const "
-      "std::uint32_t> "
-      "spirv;\n}};\n\n"
-      "/// By formulas.\ninline constexpr ExactShader kExactShaders[] = {{\n{}}};\n\n}}  // namespace "
-      "luxo\n",
-      arrays, entries);
+      "#pragma once\n#include <array>\n#include <cstdint>\n#include <span>\n#include <string_view>\n\n"
+      "namespace luxo {{\n\n{}\n"
+      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing;\n"
+      "  int caster;\n  bool parameters;\n  std::span<const std::uint32_t> spirv;\n}};\n\n"
+      "/// By formulas.\ninline constexpr ExactShader kExactShaders[] = {{\n{}}};\n\n"
+      "struct PatternShader {{\n  std::string_view name, pattern;\n"
+      "  std::span<const std::uint32_t> spirv;\n}};\n\n"
+      "inline constexpr std::array<PatternShader, {}> kPatternShaders = {{{{\n{}}}}};\n\n"
+      "}}  // namespace luxo\n",
+      arrays, entries, lights.size(), lightEntries);
 }
 
 }  // namespace
