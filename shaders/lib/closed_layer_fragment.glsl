@@ -9,7 +9,7 @@ void findLayerShadows() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
-    if ((point.material & (kLayerLit | kLayerByRay)) != 0) continue;
+    if ((point.material & kLayerByRay) != 0) continue;
     bool isOpen;
     uint shadows = closedShadowsAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
                                    point.material & kLayerMaterial, isOpen);
