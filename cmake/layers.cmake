@@ -2,14 +2,14 @@
 # The architecture as data: every folder of engine/, in flow order, with the folders it may include and link.
 # engine/CMakeLists.txt builds one library per row; the test `lint.layers` fails on any include a row does not name.
 
-set(LUXO_LAYERS base math formula surface mesh scene cull tessellate shell shadow gpu image reference draw window)
+set(LUXO_LAYERS base math formula mesh surface scene cull tessellate shell shadow gpu image reference draw window)
 
 set(LUXO_LAYER_base)
 set(LUXO_LAYER_math base)
 set(LUXO_LAYER_formula base math)
-set(LUXO_LAYER_surface base math formula)
 set(LUXO_LAYER_mesh base math image)
-set(LUXO_LAYER_scene base math formula surface)
+set(LUXO_LAYER_surface base math formula mesh)
+set(LUXO_LAYER_scene base math formula mesh surface)
 set(LUXO_LAYER_cull base math surface scene)
 set(LUXO_LAYER_tessellate base math surface)
 set(LUXO_LAYER_shell base math surface tessellate)

@@ -11,6 +11,7 @@
 #include "scene/view.h"
 #include "surface/bounds.h"
 #include "surface/spread.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 namespace {
@@ -218,9 +219,45 @@ Depth depthOf(const std::vector<Vec3>& points, const Vec3& outward) {
   return depth;
 }
 
+/// The vertices of triangles; of many, those that are outermost along an axis in a column of a grid: no point
+/// reaches farther than those by more than a column is wide.
+std::vector<Vec3> outermost(const SurfaceTriangles& triangles) {
+  constexpr std::uint32_t kFew = 1 << 14, kColumns = 128;
+  std::vector<Vec3> points;
+  if (triangles.count <= kFew) {
+    for (std::uint32_t i = 0; i < triangles.count; ++i)
+      for (const Vec3& point : triangles.points(i)) points.push_back(point);
+    return points;
+  }
+  struct Column {
+    Vec3 low{kInfinity}, high{-kInfinity};
+  };
+  const Box& box = triangles.mesh.bounds();
+  std::array<std::vector<Column>, 3> columns;
+  for (std::vector<Column>& all : columns) all.resize(std::size_t{kColumns} * kColumns);
+  for (std::uint32_t i = 0; i < triangles.count; ++i)
+    for (const Vec3& point : triangles.points(i))
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto cell = [&](int across) {
+          const double width = box.extent()[across];
+          const double part = width > 0 ? (point[across] - box.min[across]) / width : 0;
+          return std::min(static_cast<std::size_t>(part * kColumns), std::size_t{kColumns - 1});
+        };
+        Column& column =
+            columns[static_cast<std::size_t>(axis)][cell((axis + 1) % 3) * kColumns + cell((axis + 2) % 3)];
+        if (point[axis] < column.low[axis]) column.low = point;
+        if (point[axis] > column.high[axis]) column.high = point;
+      }
+  for (const std::vector<Column>& all : columns)
+    for (const Column& column : all)
+      if (column.low.x <= box.max.x) points.insert(points.end(), {column.low, column.high});
+  return points;
+}
+
 }  // namespace
 
 std::vector<Vec3> pointsToSee(const SnapshotNode& node, int perSide) {
+  if (const SurfaceTriangles* triangles = node.surface.triangles()) return outermost(*triangles);
   const bool open = !isFinite(node.boundsObject);
   const int most = open ? kMaxPerOpenSide : kMaxPerSide;
   const int samples =

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "base/assert.h"
@@ -14,6 +15,7 @@
 #include "surface/holes.h"
 #include "surface/normal.h"
 #include "surface/spread.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 
@@ -23,6 +25,7 @@ struct Surface::Description {
   SurfaceTraits traits;
   Topology topology;
   std::size_t parameterCount = 0;
+  std::optional<SurfaceTriangles> triangles;  ///< instead of patches
 
   // Proven bounds of a surface without parameters never change: they are found when first asked for.
   mutable std::once_flag boundsOnce, partialsOnce;
@@ -81,6 +84,41 @@ PartialBounds partialsOf(const std::vector<Patch>& patches, bool revolution,
   return all;
 }
 
+Box boundsOf(const SurfaceTriangles& triangles) {
+  if (triangles.count == triangles.mesh.triangleCount()) return triangles.mesh.bounds();
+  Box box;
+  for (std::uint32_t i = 0; i < triangles.count; ++i)
+    for (const Vec3& point : triangles.points(i)) box.add(point);
+  return box;
+}
+
+Domain domainOf(const SurfaceTriangles& triangles) {
+  const std::span<const Vec2f> uvs = triangles.mesh.uvs();
+  if (uvs.empty()) return {};
+  Vec2f low(std::numeric_limits<float>::infinity()), high(-low);
+  for (std::uint32_t i = 0; i < triangles.count; ++i)
+    for (const std::uint32_t vertex : triangles.corners(i)) {
+      low = glm::min(low, uvs[vertex]);
+      high = glm::max(high, uvs[vertex]);
+    }
+  const auto range = [](double from, double to) { return Interval(from, from < to ? to : from + 1); };
+  return {range(low.x, high.x), range(low.y, high.y)};
+}
+
+/// Where all points are in the first triangle's plane, but for what double rounds away of their distance.
+std::optional<Vec3> flatNormalOf(const SurfaceTriangles& triangles, const Box& bounds) {
+  const auto [a, b, c] = triangles.points(0);
+  const Vec3 normal = unit(glm::cross(b - a, c - a));
+  const double slack = 0x1p-50 * glm::length(bounds.extent());
+  for (std::uint32_t i = 0; i < triangles.count; ++i) {
+    const auto [p, q, r] = triangles.points(i);
+    for (const Vec3& point : {p, q, r})
+      if (!(std::abs(glm::dot(normal, point - a)) <= slack)) return std::nullopt;
+    if (!(glm::dot(normal, glm::cross(q - p, r - p)) > 0)) return std::nullopt;
+  }
+  return normal;
+}
+
 }  // namespace
 
 Surface::Surface(std::vector<Patch> patches, std::vector<Animated<double>> parameters, SurfaceTraits traits) {
@@ -105,6 +143,24 @@ Surface::Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
                  std::vector<Animated<double>> parameters, SurfaceTraits traits)
     : Surface(std::vector<Patch>{{std::move(function), domain}}, std::move(parameters), std::move(traits)) {}
 
+Surface::Surface(const TriangleMesh& mesh)
+    : Surface(mesh, {.firstTriangle = 0, .triangles = mesh.triangleCount()}) {}
+
+Surface::Surface(const TriangleMesh& mesh, const MeshGroup& group) {
+  auto description = std::make_shared<Description>();
+  description->traits.name = mesh.name();
+  description->topology.closed = mesh.closed();
+  description->topology.borderless = mesh.edges().border == 0;
+  SurfaceTriangles triangles{mesh, group.firstTriangle, group.triangles};
+  description->bounds = boundsOf(triangles);
+  std::call_once(description->boundsOnce, [] {});
+  description->domain = domainOf(triangles);
+  description->traits.flatNormal = flatNormalOf(triangles, description->bounds);
+  description->triangles = std::move(triangles);
+  description_ = std::move(description);
+  parameters_ = std::make_shared<const std::vector<Animated<double>>>();
+}
+
 Surface Surface::withParameters(std::vector<Animated<double>> parameters) const {
   LUXO_REQUIRE_COMPARE(parameters.size(), ==, description_->parameterCount);
   Surface other = *this;
@@ -113,6 +169,9 @@ Surface Surface::withParameters(std::vector<Animated<double>> parameters) const 
 }
 
 const std::string& Surface::name() const { return description_->traits.name; }
+const SurfaceTriangles* Surface::triangles() const {
+  return description_ && description_->triangles ? &*description_->triangles : nullptr;
+}
 const std::vector<Patch>& Surface::patches() const { return description_->patches; }
 const Domain& Surface::patchDomain(std::uint32_t patch) const { return patches()[patch].domain; }
 const Domain& Surface::domain() const { return description_->domain; }
@@ -170,6 +229,7 @@ Vec3 Surface::normal(std::uint32_t patch, double u, double v, std::span<const do
 }
 
 std::uint32_t Surface::patchAt(double u, double v) const {
+  if (triangles()) return 0;
   const auto holds = [&](const Patch& patch) { return patch.domain.contains(u, v); };
   const auto found = std::ranges::find_if(patches(), holds);
   return found == patches().end() ? patchCount() - 1 : static_cast<std::uint32_t>(found - patches().begin());
@@ -177,6 +237,12 @@ std::uint32_t Surface::patchAt(double u, double v) const {
 
 Vec3 Surface::position(double u, double v, std::span<const double> parameters) const {
   return position(patchAt(u, v), u, v, parameters);
+}
+
+Vec3 Surface::somePoint(std::span<const double> parameters) const {
+  if (triangles()) return triangles()->points(0)[0];
+  return position(domain().u.lo + 0.5 * domain().u.width(), domain().v.lo + 0.5 * domain().v.width(),
+                  parameters);
 }
 
 Vec3 Surface::normal(double u, double v, std::span<const double> parameters) const {
@@ -243,6 +309,7 @@ Box Surface::framing(std::span<const double> parameters) const {
 
 PartialBounds Surface::partialBounds(std::span<const double> parameters) const {
   const Description& d = *description_;
+  if (d.triangles) return {};
   if (d.parameterCount > 0) return partialsOf(d.patches, d.traits.revolution, parameters);
   std::call_once(d.partialsOnce, [&] { d.partials = partialsOf(d.patches, d.traits.revolution, {}); });
   return d.partials;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A parametric surface S(u,v): everything derived from one formula. In comes an expression graph, out goes
-// position, exact derivatives, normals with limits at poles, seams, orientation, closedness and proven
-// bounds.
+// A surface: a formula S(u,v), or the triangles of a mesh, behind one value. What both have is asked of both:
+// name, identity, whether it is closed or flat, bounds, framing, the range of its (u, v).
+//
+// Of a formula everything is derived. In comes an expression graph, out goes position, exact derivatives,
+// normals with limits at poles, seams, orientation, closedness and proven bounds.
 //
 // A surface is written once, as a generic function and its domain:
 //
@@ -12,10 +14,14 @@
 //
 // Seams, poles, their limit normals, closedness and orientation are found from the formula itself
 // (surface/topology.h). What one formula on one rectangle cannot say is made of patches: a Klein bottle of
-// two halves, a teapot of 32. Values are cheap to copy: the description behind them is shared and immutable.
+// two halves, a teapot of 32. Triangles have no patches: they are asked of their mesh (triangles()), and are
+// the truth as they are. Values are cheap to copy: the description behind them is shared and immutable.
 // Reading is safe from any thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +39,10 @@
 #include "surface/topology.h"
 
 namespace luxo {
+
+class TriangleMesh;
+struct MeshGroup;
+struct SurfaceTriangles;
 
 /// Upper bounds of the lengths of second derivatives over a rectangle. Infinite when none could be proven.
 struct PartialBounds {
@@ -75,6 +85,11 @@ class Surface {
   Surface(std::shared_ptr<const SurfaceFunction> function, Domain domain,
           std::vector<Animated<double>> parameters = {}, SurfaceTraits traits = {});
 
+  /// The triangles of a mesh, which has to be valid.
+  Surface(const TriangleMesh& mesh);  // NOLINT: it is a surface
+  /// Some of them: those of a material. Closed where the mesh is: whoever sees it from outside sees fronts.
+  Surface(const TriangleMesh& mesh, const MeshGroup& group);
+
   /// The same surface (identity, topology) with other values of its free parameters, as many as it has.
   [[nodiscard]] Surface withParameters(std::vector<Animated<double>> parameters) const;
 
@@ -84,15 +99,20 @@ class Surface {
   [[nodiscard]] const void* identity() const { return description_.get(); }
 
   [[nodiscard]] const std::string& name() const;
+  /// Null where it has a formula; else (surface/surface_triangles.h) it has no patches, and no point at (u,
+  /// v).
+  [[nodiscard]] const SurfaceTriangles* triangles() const;
   [[nodiscard]] const std::vector<Patch>& patches() const;
   [[nodiscard]] std::uint32_t patchCount() const { return static_cast<std::uint32_t>(patches().size()); }
   [[nodiscard]] const Domain& patchDomain(std::uint32_t patch) const;
-  /// The smallest rectangle that holds all patches.
+  /// The smallest rectangle that holds all patches, or the (u, v) of all triangles; 0..1 where they have
+  /// none.
   [[nodiscard]] const Domain& domain() const;
   [[nodiscard]] const Topology& topology() const;
   [[nodiscard]] bool closed() const { return topology().closed; }
   [[nodiscard]] const std::vector<Animated<double>>& parameters() const { return *parameters_; }
   [[nodiscard]] std::optional<Paraboloid> paraboloid() const;
+  /// Unit, of what lies in one plane.
   [[nodiscard]] std::optional<Vec3> flatNormal() const;
   [[nodiscard]] bool revolution() const;
 
@@ -118,6 +138,8 @@ class Surface {
   /// As above, on the patch that holds the point.
   [[nodiscard]] Vec3 position(double u, double v, std::span<const double> parameters = {}) const;
   [[nodiscard]] Vec3 normal(double u, double v, std::span<const double> parameters = {}) const;
+  /// A point of it: in the middle of its domain, or a vertex.
+  [[nodiscard]] Vec3 somePoint(std::span<const double> parameters) const;
   /// As above, on the first patch: all there is of most surfaces.
   [[nodiscard]] SurfacePoints evaluate(std::span<const double> u, std::span<const double> v,
                                        std::span<const double> parameters) const;
@@ -148,7 +170,7 @@ class Surface {
   /// sampling, those near a pole of the formula left out.
   [[nodiscard]] Box framing(std::span<const double> parameters) const;
   /// Proven suprema of |Suu|, |Suv|, |Svv| over all patches, within 10 % of the true ones where intervals
-  /// allow; infinite for a surface with kinks.
+  /// allow; infinite for a surface with kinks. 0 of triangles, each of which is flat.
   [[nodiscard]] PartialBounds partialBounds(std::span<const double> parameters) const;
 
   /// Rectangles of the (u,v) plane where the formula has no finite value, a few at most, for a message: found

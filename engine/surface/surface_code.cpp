@@ -59,6 +59,8 @@ void SurfaceCodes::forgetGone() {
   std::erase_if(byText_, [](const auto& entry) { return entry.second.expired(); });
 }
 
+SurfaceCode triangleCode() { return {.glsl = "#define LUXO_TRIANGLES\n", .parameters = 9}; }
+
 SurfaceCodePtr SurfaceCodes::get(Equation::Form form, std::size_t parameters, GlslNumber number) {
   return shared(equationCode(form, parameters, number));
 }

@@ -42,6 +42,8 @@ inline constexpr std::size_t kMaxInstructions = 20'000;
 /// The code of all surfaces with an equation of that form, which reads `parameters` numbers of it.
 [[nodiscard]] SurfaceCode equationCode(Equation::Form form, std::size_t parameters,
                                        GlslNumber number = GlslNumber::Float);
+/// The code of all triangles that rays meet (shaders/lib/triangle_ray.glsl): of each nine numbers are read.
+[[nodiscard]] SurfaceCode triangleCode();
 /// The code of all planes that fill a shell, in double.
 [[nodiscard]] SurfaceCode planeCode(std::size_t parameters);
 
@@ -57,6 +59,7 @@ class SurfaceCodes {
                                    GlslNumber number = GlslNumber::Float);
   [[nodiscard]] SurfaceCodePtr get(Equation::Form form, std::size_t parameters,
                                    GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] SurfaceCodePtr triangles() { return shared(triangleCode()); }
   [[nodiscard]] SurfaceCodePtr plane(std::size_t parameters) { return shared(planeCode(parameters)); }
 
   /// Codes that are remembered, whether or not anyone has them still.

@@ -21,7 +21,9 @@ double toleranceLevel(double tolerance) {
 std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<const double> parameters,
                                            const MeshDesc& desc) {
   Key key{.shape = {surface, parameters}};
-  if (desc.uniform) {
+  if (surface.triangles()) {
+    // All levels are one.
+  } else if (desc.uniform) {
     key.uniform = *desc.uniform;
   } else {
     key.tolerance = toleranceLevel(desc.tolerance);
@@ -31,9 +33,10 @@ std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<con
   const auto mapOfSurface = [&]() -> const CurvatureMap& {
     return maps_.get(surface, parameters, [&] { return CurvatureMap(surface, parameters); });
   };
-  Mesh mesh = desc.uniform ? tessellate(surface, parameters, desc)
-                           : tessellate(surface, parameters, mapOfSurface(),
-                                        {.tolerance = key.tolerance, .longestEdge = key.longestEdge});
+  const bool plain = desc.uniform || surface.triangles();
+  Mesh mesh = plain ? tessellate(surface, parameters, desc)
+                    : tessellate(surface, parameters, mapOfSurface(),
+                                 {.tolerance = key.tolerance, .longestEdge = key.longestEdge});
   const std::size_t bytes = bytesIn(mesh.positions, mesh.normals, mesh.parameters, mesh.indices);
   return meshes_.insert(std::move(key), surface, std::move(mesh), bytes);
 }

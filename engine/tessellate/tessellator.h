@@ -48,7 +48,8 @@ struct MeshDesc {
   double longestEdge = std::numeric_limits<double>::infinity();
 };
 
-/// The triangles of a surface at given values of its parameters. Pure: equal input gives equal bits, on any
+/// The triangles of a surface at given values of its parameters: its own, whatever is asked for, where it has
+/// some. Pure: equal input gives equal bits, on any
 /// number of threads. Cost: that of the curvature map (unless uniform), of planning (below a millisecond for
 /// most surfaces), and of about half as many evaluations of the surface as there are triangles.
 [[nodiscard]] Mesh tessellate(const Surface& surface, std::span<const double> parameters,

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/meshes.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "tessellate/tessellator.h"
+
+namespace luxo::test {
+
+TriangleMesh quadMesh() {
+  return triangleMesh({.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
+                       .uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                       .indices = {0, 1, 2, 0, 2, 3}},
+                      "quad");
+}
+
+TriangleMesh cubeMesh() {
+  MeshArrays arrays;
+  for (int i = 0; i < 8; ++i)
+    arrays.positions.emplace_back((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+  arrays.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                    2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  return triangleMesh(std::move(arrays), "cube", {.normals = NormalRule::Flat});
+}
+
+TriangleMesh icosphere(int cuts) {
+  const double g = (1 + std::sqrt(5.0)) / 2;
+  MeshArrays arrays{.positions = {{-1, g, 0},
+                                  {1, g, 0},
+                                  {-1, -g, 0},
+                                  {1, -g, 0},
+                                  {0, -1, g},
+                                  {0, 1, g},
+                                  {0, -1, -g},
+                                  {0, 1, -g},
+                                  {g, 0, -1},
+                                  {g, 0, 1},
+                                  {-g, 0, -1},
+                                  {-g, 0, 1}},
+                    .indices = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1}};
+  for (Vec3& p : arrays.positions) p = unit(p);
+  for (int cut = 0; cut < cuts; ++cut) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [entry, isNew] = middles.try_emplace(std::minmax(a, b), arrays.positions.size());
+      if (isNew) arrays.positions.push_back(unit(arrays.positions[a] + arrays.positions[b]));
+      return entry->second;
+    };
+    std::vector<std::uint32_t> indices;
+    for (std::size_t i = 0; i < arrays.indices.size(); i += 3) {
+      const std::uint32_t a = arrays.indices[i], b = arrays.indices[i + 1], c = arrays.indices[i + 2];
+      const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      indices.insert(indices.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+    }
+    arrays.indices = std::move(indices);
+  }
+  for (const Vec3& p : arrays.positions) arrays.normals.emplace_back(p);
+  return triangleMesh(std::move(arrays), "icosphere");
+}
+
+TriangleMesh meshOf(const Surface& surface, double tolerance) {
+  const Mesh mesh = tessellate(surface, {}, {.tolerance = tolerance});
+  return triangleMesh({.positions = mesh.positions,
+                       .normals = {mesh.normals.begin(), mesh.normals.end()},
+                       .uvs = {mesh.parameters.begin(), mesh.parameters.end()},
+                       .indices = mesh.indices},
+                      surface.name());
+}
+
+TriangleMesh soup(std::mt19937& random, std::uint32_t triangles, double size) {
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto vector = [&] { return Vec3(any(random), any(random), any(random)); };
+  MeshArrays arrays;
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const Vec3 middle = vector();
+    for (int k = 0; k < 3; ++k) {
+      arrays.indices.push_back(static_cast<std::uint32_t>(arrays.positions.size()));
+      arrays.positions.push_back(middle + size * vector());
+      arrays.normals.emplace_back(vector());
+      arrays.uvs.emplace_back(any(random), any(random));
+    }
+  }
+  return triangleMesh(std::move(arrays), "soup");
+}
+
+}  // namespace luxo::test

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangle meshes that tests make themselves.
+#pragma once
+
+#include <random>
+
+#include "mesh/triangle_mesh.h"
+#include "surface/surface.h"
+
+namespace luxo::test {
+
+/// From -1 to 1 in x and y, normal +Z, uv from 0 to 1: two triangles.
+[[nodiscard]] TriangleMesh quadMesh();
+/// From -1 to 1, with flat normals: closed.
+[[nodiscard]] TriangleMesh cubeMesh();
+/// An icosahedron whose triangles were cut in four so many times, corners on the unit sphere: closed, with
+/// smooth normals.
+[[nodiscard]] TriangleMesh icosphere(int cuts);
+/// The triangles of a formula surface, with its normals and parameters.
+[[nodiscard]] TriangleMesh meshOf(const Surface& surface, double tolerance);
+/// Triangles with corners anywhere in the cube from -1 to 1, of about that size, with given normals and uvs.
+[[nodiscard]] TriangleMesh soup(std::mt19937& random, std::uint32_t triangles, double size);
+
+}  // namespace luxo::test
