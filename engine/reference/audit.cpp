@@ -48,7 +48,7 @@ class Judge {
     if (!first.hit) return {.certified = first.certified};
     const double cosine = glm::dot(ray.direction, view.forward()), depth = first.hit->t * cosine;
     const double metresPerPixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
-    const double facing = std::abs(glm::dot(first.hit->normal, ray.direction));
+    const double facing = std::abs(glm::dot(first.hit->facet, ray.direction));
     return {depth, metresPerPixel / (cosine * facing), first.certified};
   }
 
@@ -113,7 +113,7 @@ Judgement judgeLayers(const Caster& caster, std::span<const std::uint32_t> nodes
       const double metresPerPixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
       ++truth.count;
       truth.depths += depth;
-      allowed += rounding + px * metresPerPixel / (cosine * std::abs(glm::dot(hit.normal, ray.direction)));
+      allowed += rounding + px * metresPerPixel / (cosine * std::abs(glm::dot(hit.facet, ray.direction)));
     }
     return truth.count == shown.count && std::abs(truth.depths - shown.depths) <= allowed;
   };

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -28,9 +29,7 @@ Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snaps
   for (const SnapshotNode& node : snapshot.nodes) requests.emplace_back(node.surface, node.parameters);
   const auto shapes = cache.shapes(requests);
   if (cells == Cells::AtOnce)
-    tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) {
-      if (!shapes[i]->hasClosedForm()) static_cast<void>(shapes[i]->cells());
-    });
+    tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) { shapes[i]->build(); });
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const SnapshotNode& node = snapshot.nodes[i];
     const Material& material = snapshot.materials[node.material.index];
@@ -80,15 +79,42 @@ Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
   const Body& body = bodies_[node];
   Hit hit{.t = root.t, .node = node, .u = root.u, .v = root.v};
   hit.position = ray.origin + root.t * ray.direction;
+  if (n.surface.triangles()) {
+    placeOnTriangle(ray, root, hit);
+    return hit;
+  }
   hit.normal = unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
   if (body.twoSided && glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
+  hit.facet = hit.normal;
   return hit;
+}
+
+/// Interpolated by weights as the renderer does it: (u, v), and unit normals in the world. Which of its sides
+/// is seen the normal tells, or, where that is nearly across the ray, the triangle (shaders/lib/scene.glsl).
+void Caster::placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const {
+  constexpr double kTurningAway = 0.35;
+  const Body& body = bodies_[hit.node];
+  const SurfaceTriangles& triangles = *snapshot_.nodes[hit.node].surface.triangles();
+  const std::array<std::uint32_t, 3> corners = triangles.corners(root.patch);
+  const std::array<Vec3, 3> points = triangles.points(root.patch);
+  const std::array<double, 3> weights{1 - root.u - root.v, root.u, root.v};
+  Vec2 parameters(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    hit.normal += weights[i] * unit(body.normalFromObject * Vec3(triangles.mesh.normals()[corners[i]]));
+    if (!triangles.mesh.uvs().empty()) parameters += weights[i] * Vec2(triangles.mesh.uvs()[corners[i]]);
+  }
+  hit.u = parameters.x;
+  hit.v = parameters.y;
+  hit.normal = unit(hit.normal);
+  hit.facet = unit(body.normalFromObject * glm::cross(points[1] - points[0], points[2] - points[0]));
+  const double cosine = -glm::dot(hit.normal, ray.direction);
+  const bool front = std::abs(cosine) > kTurningAway ? cosine > 0 : glm::dot(hit.facet, ray.direction) < 0;
+  if (body.twoSided && !front) hit.normal = -hit.normal;
 }
 
 double Caster::beyond(const Ray& ray, const Hit& hit) const {
   const double reach = glm::length(hit.position) + glm::length(ray.origin);
-  const double off =
-      kRootRounding * reach / std::max(std::abs(glm::dot(hit.normal, ray.direction)), kGrazing);
+  const double off = kRootRounding * reach / std::max(std::abs(glm::dot(hit.facet, ray.direction)), kGrazing);
   return hit.t + std::max(1e-9 * hit.t, off);
 }
 
@@ -165,7 +191,7 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
   if (!mayMeet(ray, node)) return Vec3(1);
   // A hit is as far off its surface as rounding leaves it: along the ray that is more where this grazes it.
   const double reach = glm::distance(hit.position, snapshot_.view.eye) + glm::length(hit.position);
-  const double own = kHitRounding * reach / std::max(std::abs(glm::dot(hit.normal, ray.direction)), kGrazing);
+  const double own = kHitRounding * reach / std::max(std::abs(glm::dot(hit.facet, ray.direction)), kGrazing);
   const Body& body = bodies_[node];
   RootQuery query{own, distance, Facing::Both, false};
   Vec3 left(1);

@@ -20,7 +20,8 @@ struct Hit {
   std::uint32_t node = 0;  ///< index into Snapshot::nodes
   double u = 0, v = 0;
   Vec3 position{0};
-  Vec3 normal{0};  ///< unit; outward, or toward the viewer where two-sided
+  Vec3 normal{0};  ///< unit; outward, or toward the viewer where two-sided; of triangles interpolated
+  Vec3 facet{0};   ///< unit: of the triangle itself; of a formula the normal
   bool certified = true;
 };
 
@@ -118,6 +119,7 @@ class Caster {
   /// Where the next layer is looked for: far enough not to find this one again, near enough not to miss that.
   [[nodiscard]] double beyond(const Ray& ray, const Hit& hit) const;
   [[nodiscard]] Hit hitAt(const Ray& ray, std::uint32_t node, const Root& root) const;
+  void placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
             Sight& sight) const;
   /// What a light adds to a hit that sees it.

@@ -129,6 +129,7 @@ class PixelCut {
     for (std::uint32_t i = 0; i < caster.snapshot().nodes.size(); ++i) {
       if (node && *node != i) continue;
       const PlacedShape& shape = caster.shape(i);
+      LUXO_REQUIRE(!caster.snapshot().nodes[i].surface.triangles());
       bodies_.push_back(
           {&shape.shape().cells(), shape.worldFromObject(), caster.facing(i), caster.mirrored(i)});
     }

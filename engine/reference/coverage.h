@@ -27,8 +27,8 @@ struct CoverageBounds {
 /// anything, opaque or not: of the whole scene, or of one node (an index into Snapshot::nodes) as if it were
 /// alone. Depth range and back faces count as in the picture. `upper - lower` is at most `resolution`, unless
 /// squares of a 32nd of that side were still undecided: whole pixels seen edge-on, curves along which
-/// patches meet. Cost: some 0.1 ms for a pixel that is covered or empty; a silhouette through one
-/// takes about 100 us / resolution, through Bezier patches ten times that. Safe from any thread.
+/// patches meet. Not of triangles. Cost: some 0.1 ms for a pixel that is covered or empty; a silhouette
+/// through one takes about 100 us / resolution, through Bezier patches ten times that. Safe from any thread.
 [[nodiscard]] CoverageBounds pixelCoverage(const Caster& caster, int x, int y, double resolution = 1.0 / 1024,
                                            std::optional<std::uint32_t> node = std::nullopt);
 

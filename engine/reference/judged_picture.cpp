@@ -107,7 +107,9 @@ class Judge {
     };
     require(measured_.color, 3, "color", false);
     require(measured_.depth, 1, "depth", false);
-    require(measured_.position, 3, "position", false);
+    const bool triangles = std::ranges::any_of(
+        snapshot_.nodes, [](const SnapshotNode& node) { return node.surface.triangles() != nullptr; });
+    require(measured_.position, 3, "position", triangles);
     require(measured_.normal, 3, "normal", false);
     require(measured_.uv, 3, "uv", true);
     require(measured_.id, 1, "id", true);
@@ -123,6 +125,22 @@ class Judge {
     return Vec2(i % width + 0.5, static_cast<double>(i / width) + 0.5) + snapshot_.view.sampleOffsetPx;
   }
   [[nodiscard]] Vec2 parametersAt(std::uint32_t i) const { return Vec2(valueAt(measured_.uv, i)); }
+  [[nodiscard]] bool onTriangles(std::uint32_t node) const {
+    return snapshot_.nodes[node].surface.triangles() != nullptr;
+  }
+
+  /// The point that a pixel shows of a node, near to what is seen there.
+  [[nodiscard]] std::optional<Place> shownAt(std::uint32_t i, std::uint32_t node) const {
+    return onTriangles(node) ? layers_.onTriangle(node, parametersAt(i), valueAt(measured_.position, i))
+                             : layers_.at(node, parametersAt(i), truth_.position[i]);
+  }
+
+  /// The truth, rounded to the output.
+  [[nodiscard]] std::optional<Place> roundedPlace(const Place& seen) const {
+    return onTriangles(seen.node)
+               ? layers_.onTriangle(seen.node, seen.parameters, Vec3(roundedToFloat(seen.position)))
+               : layers_.at(seen.node, roundedToFloat(seen.parameters), seen.position);
+  }
 
   /// The truth of a pixel that shows a surface.
   [[nodiscard]] Place seenAt(std::uint32_t i) const {
@@ -151,17 +169,20 @@ class Judge {
       return;
     }
     const Place seen = seenAt(i);
-    const auto shown = layers_.at(seen.node, parametersAt(i), seen.position);
-    if (!shown || !layers_.same(*shown, seen, truth_.normal[i], seen.pixel)) {
+    const auto shown = shownAt(i, seen.node);
+    if (!shown || !layers_.same(*shown, seen, truth_.facet[i], seen.pixel)) {
       if (!tellsTheTruthRounded(i) && !showsTouching(i)) pixel.mismatch = Mismatch::WrongLayer;
       return;
     }
     compareGeometry(pixel, i, seen, *shown, floors);
   }
 
-  /// Whether the parameters are the truth's but for the output's single precision. At a rim that is
-  /// infinitely steep that moves a point by pixels, or out of the domain.
+  /// Whether the parameters, or of triangles the place, are the truth's but for the output's single
+  /// precision. At a rim that is infinitely steep that moves a point by pixels, or out of the domain.
   [[nodiscard]] bool tellsTheTruthRounded(std::uint32_t i) const {
+    if (onTriangles(*layers_.nodeOf(truth_.number[i])))
+      return glm::distance(valueAt(measured_.position, i), truth_.position[i]) <=
+             2 * kFloatRounding * glm::length(truth_.position[i]);
     const Vec2 off = glm::abs(parametersAt(i) - truth_.parameters[i]);
     return glm::all(glm::lessThanEqual(off, kFloatRounding * glm::abs(truth_.parameters[i])));
   }
@@ -172,14 +193,14 @@ class Judge {
   [[nodiscard]] bool showsTouching(std::uint32_t i) const {
     const auto node = layers_.nodeOf(measured_.id.samples()[i]);
     const Vec3& seen = truth_.position[i];
-    const auto shown = node ? layers_.at(*node, parametersAt(i), seen) : std::nullopt;
+    const auto shown = node ? shownAt(i, *node) : std::nullopt;
     if (!shown) return false;
     const double off = glm::distance(shown->pixel, centerOf(i));
     if (!(off <= kPointPx) && !(off <= kPointPx + roundingPx(*shown))) return false;
     const Vec3 behind = shown->position - seen;
     if (depthScale_.ulps(glm::dot(behind, snapshot_.view.forward()), truth_.depth[i]) <= kTouchingUlps)
       return true;
-    const double throughSurface = std::abs(glm::dot(behind, truth_.normal[i]));
+    const double throughSurface = std::abs(glm::dot(behind, truth_.facet[i]));
     return throughSurface <= kPointPx * layers_.footprint(seen);
   }
 
@@ -201,7 +222,7 @@ class Judge {
     pixel.parameter = glm::distance(shown.position, seen.position) / footprint;
     Floors floor;
     pixel.offPoint = !(pixel.position <= kPointPx) && !(pixel.position <= kPointPx + roundingPx(shown));
-    if (const auto best = layers_.at(seen.node, roundedToFloat(seen.parameters), seen.position)) {
+    if (const auto best = roundedPlace(seen)) {
       floor.position = glm::distance(best->pixel, seen.pixel);
       floor.parameter = glm::distance(best->position, seen.position) / footprint;
     }
@@ -221,8 +242,11 @@ class Judge {
     floors.add(floor);
   }
 
-  /// How far on the screen half a unit in the last place of u and of v may move a point, at most about.
+  /// How far on the screen half a unit in the last place of u and of v may move a point, at most about; or,
+  /// of triangles, of its place.
   [[nodiscard]] double roundingPx(const Place& shown) const {
+    if (onTriangles(shown.node))
+      return kFloatRounding * glm::length(shown.position) / layers_.footprint(shown.position);
     double sum = 0;
     for (const int axis : {0, 1}) {
       double most = 0;
@@ -273,9 +297,9 @@ class Judge {
     const Vec3 step = truth_.position[j] - truth_.position[i];
     const double length = glm::length(step);
     if (length < kMaxSpacingPx * layers_.footprint(truth_.position[i]) &&
-        std::abs(glm::dot(step, truth_.normal[i])) < kMaxTurn * length)
+        std::abs(glm::dot(step, truth_.facet[i])) < kMaxTurn * length)
       return true;
-    return layers_.same(seenAt(j), seenAt(i), truth_.normal[i], centerOf(i));
+    return layers_.same(seenAt(j), seenAt(i), truth_.facet[i], centerOf(i));
   }
 
   void findSilhouettes() {
@@ -314,7 +338,7 @@ class Judge {
     if (sight.hits.empty()) return false;
     const Hit& hit = sight.hits.front();
     const std::uint32_t patch = snapshot_.nodes[hit.node].surface.patchAt(hit.u, hit.v);
-    return layers_.same(seenAt(i), {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.normal, at);
+    return layers_.same(seenAt(i), {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.facet, at);
   }
 
   /// From a pixel's centre to where the truth shows another layer; not looked for far beyond kSilhouettePx.
@@ -425,7 +449,7 @@ class Judge {
     const auto node = layers_.nodeOf(measured_.id.samples()[i]);
     std::optional<Place> shown;
     if (mismatch == Mismatch::WrongLayer) {
-      shown = layers_.at(*node, parametersAt(i), truth_.position[i]);
+      shown = shownAt(i, *node);
       if (!shown) return options_.farthestPx;
     } else if (!node && mismatch != Mismatch::Missing) {
       return options_.farthestPx;
@@ -438,7 +462,7 @@ class Judge {
           if (!shown) return true;
           const Hit& hit = sight.hits.front();
           const std::uint32_t patch = snapshot_.nodes[hit.node].surface.patchAt(hit.u, hit.v);
-          return layers_.same(*shown, {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.normal, at);
+          return layers_.same(*shown, {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.facet, at);
         },
         centerOf(i), options_.farthestPx);
   }

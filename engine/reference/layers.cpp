@@ -49,8 +49,18 @@ std::optional<std::uint32_t> Layers::nodeOf(double number) const {
 
 std::optional<Place> Layers::place(std::uint32_t node, std::uint32_t patch, const Vec2& parameters) const {
   const Transform& worldFromObject = snapshot_.nodes[node].worldFromObject;
-  const Vec3 position =
-      transformPoint(worldFromObject, patches_[node][patch].at(parameters.x, parameters.y).position);
+  return placed(
+      node, patch, parameters,
+      transformPoint(worldFromObject, patches_[node][patch].at(parameters.x, parameters.y).position));
+}
+
+std::optional<Place> Layers::onTriangle(std::uint32_t node, const Vec2& parameters,
+                                        const Vec3& position) const {
+  return placed(node, 0, parameters, position);
+}
+
+std::optional<Place> Layers::placed(std::uint32_t node, std::uint32_t patch, const Vec2& parameters,
+                                    const Vec3& position) const {
   const Vec3 inEye = eyeFromWorldPoint(snapshot_.view, position);
   if (!std::isfinite(inEye.x + inEye.y + inEye.z) || (snapshot_.view.perspective() && !(inEye.z < 0)))
     return std::nullopt;
@@ -94,8 +104,9 @@ bool Layers::same(const Place& shown, const Place& seen, const Vec3& normal, con
   if (between <= kSamePointPx) return true;
   const double off = glm::distance(shown.pixel, pixel);
   const double radius = 2 * off + kNeighbourhoodPx;
-  const Domain& domain = patches_[shown.node][shown.patch].domain();
-  if (shown.patch == seen.patch) {
+  const bool onTriangles = patches_[shown.node].empty();
+  if (!onTriangles && shown.patch == seen.patch) {
+    const Domain& domain = patches_[shown.node][shown.patch].domain();
     if (staysNear(shown, seen.parameters, pixel, radius)) return true;
     // Across a seam, where the formula goes on as at the other edge.
     for (const double du : {-domain.u.width(), 0.0, domain.u.width()})
@@ -108,7 +119,8 @@ bool Layers::same(const Place& shown, const Place& seen, const Vec3& normal, con
       }
     return false;
   }
-  // Across an edge of patches, whose parameters have nothing in common: as far as the tangent plane leads.
+  // On triangles, and across an edge of patches, whose parameters have nothing in common: as far as the
+  // tangent plane leads.
   const Vec3 toViewer =
       snapshot_.view.perspective() ? unit(snapshot_.view.eye - seen.position) : -snapshot_.view.forward();
   return between <= radius / std::max(std::abs(glm::dot(normal, toViewer)), kMaxGrazing);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a snapshot's surfaces by node and (u, v), as pictures name them, and whether two of them are of
-// one layer.
+// Points of a snapshot's surfaces as pictures name them, by node and (u, v), or of triangles by node and
+// place; and whether two of them are of one layer.
 #pragma once
 
 #include <cstdint>
@@ -34,9 +34,14 @@ class Layers {
   /// all of them, and when the point is not finite or behind the eye.
   [[nodiscard]] std::optional<Place> at(std::uint32_t node, const Vec2& parameters, const Vec3& near) const;
 
+  /// A point of triangles, where the picture says it is: as far off the triangle as off the ray. Nothing when
+  /// it is not finite or behind the eye.
+  [[nodiscard]] std::optional<Place> onTriangle(std::uint32_t node, const Vec2& parameters,
+                                                const Vec3& position) const;
+
   /// Whether the surface leads from `shown` to `seen`, which lies on the ray of `pixel`, without leaving the
   /// pixel's neighbourhood on the screen: within twice the distance at which `shown` is, and a thousandth of
-  /// a pixel. `normal`: at `seen`.
+  /// a pixel. `normal`: at `seen`, of the triangle itself where it is on one.
   [[nodiscard]] bool same(const Place& shown, const Place& seen, const Vec3& normal, const Vec2& pixel) const;
 
   /// Metres that a pixel is wide at this depth.
@@ -45,6 +50,8 @@ class Layers {
  private:
   [[nodiscard]] std::optional<Place> place(std::uint32_t node, std::uint32_t patch,
                                            const Vec2& parameters) const;
+  [[nodiscard]] std::optional<Place> placed(std::uint32_t node, std::uint32_t patch, const Vec2& parameters,
+                                            const Vec3& position) const;
   [[nodiscard]] bool staysNear(const Place& from, const Vec2& to, const Vec2& pixel, double radius) const;
 
   const Snapshot& snapshot_;

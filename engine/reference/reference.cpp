@@ -61,6 +61,7 @@ class Exposure {
     picture_.depth.assign(count, std::numeric_limits<double>::infinity());
     picture_.position.assign(count, Vec3(0));
     picture_.normal.assign(count, Vec3(0));
+    picture_.facet.assign(count, Vec3(0));
     picture_.parameters.assign(count, Vec2(0));
     picture_.number.assign(count, 0);
     certified_.assign(count, 1);
@@ -143,6 +144,7 @@ class Exposure {
     picture_.depth[i] = glm::dot(ray.direction, snapshot.view.forward()) * hit.t;
     picture_.position[i] = hit.position;
     picture_.normal[i] = hit.normal;
+    picture_.facet[i] = hit.facet;
     picture_.parameters[i] = {hit.u, hit.v};
     picture_.number[i] = snapshot.nodes[hit.node].number;
   }

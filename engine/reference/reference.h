@@ -39,6 +39,7 @@ struct ReferencePicture {
   Image color;                ///< 3 channels
   std::vector<double> depth;  ///< along the view axis, metres
   std::vector<Vec3> position, normal;
+  std::vector<Vec3> facet;            ///< unit normals of triangles themselves; of formulas as `normal`
   std::vector<Vec2> parameters;       ///< (u, v)
   std::vector<std::uint32_t> number;  ///< of the node, as in the `id` output; 0: nothing
   std::vector<bool> certified;        ///< hit or miss, every sample and shadow of the pixel, is proven

@@ -52,7 +52,7 @@ struct RayFunctions {
 struct Root {
   double t = 0;  ///< metres along the ray
   std::uint32_t patch = 0;
-  double u = 0, v = 0;
+  double u = 0, v = 0;  ///< of triangles see reference/triangle_tree.h
 };
 
 /// Which side of a surface counts.

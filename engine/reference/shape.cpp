@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/assert.h"
+
 namespace luxo::reference {
 namespace {
 
@@ -37,20 +39,32 @@ Shape::Shape(const Surface& surface, std::span<const double> parameters)
       forms_(closedFormsOf(surface, parameters)) {}
 
 const CellTree& Shape::cells() const {
+  LUXO_REQUIRE(!surface_.triangles());
   std::call_once(building_, [this] {
-    if (!cells_) build(kManyCells);
+    if (!cells_) buildCells(kManyCells);
   });
   return *cells_;
 }
 
-void Shape::prepareFor(std::size_t rays) const {
-  if (!forms_.empty()) return;
-  const std::size_t before = cells_ ? cellsWorth(rays_) : 0;
-  rays_ = std::max(rays_, rays_ + rays);  // there may be no end of them
-  if (cellsWorth(rays_) > before) build(cellsWorth(rays_));
+const TriangleTree* Shape::triangles() const {
+  if (!surface_.triangles()) return nullptr;
+  std::call_once(building_,
+                 [this] { triangles_ = std::make_unique<const TriangleTree>(*surface_.triangles()); });
+  return triangles_.get();
 }
 
-void Shape::build(std::size_t mostCells) const {
+void Shape::build() const {
+  if (!triangles() && !hasClosedForm()) static_cast<void>(cells());
+}
+
+void Shape::prepareFor(std::size_t rays) const {
+  if (triangles() || hasClosedForm()) return;
+  const std::size_t before = cells_ ? cellsWorth(rays_) : 0;
+  rays_ = std::max(rays_, rays_ + rays);  // there may be no end of them
+  if (cellsWorth(rays_) > before) buildCells(cellsWorth(rays_));
+}
+
+void Shape::buildCells(std::size_t mostCells) const {
   // Isolated: a thread that waits for its part of this must not begin a ray that waits for this.
   tbb::this_task_arena::isolate(
       [&] { cells_ = std::make_unique<const CellTree>(surface_, parameters_, mostCells); });
@@ -72,6 +86,8 @@ bool PlacedShape::passesBy(const Ray& ray) const {
 }
 
 Roots PlacedShape::nearestRoot(const Ray& ray, const RootQuery& query) const {
+  if (const TriangleTree* triangles = shape_->triangles())
+    return reference::nearestRoot(*triangles, {ray, worldFromObject_}, query);
   if (objectFromWorld_) {
     if (passesBy(ray)) return {};
     const ObjectRay objectRay = (*objectFromWorld_)(ray);

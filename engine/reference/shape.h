@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What rays are cast against: a surface at given parameter values, as equations where it has them, else as
-// cells; and the surfaces of a picture, kept for the next one.
+// cells, or as triangles; and the surfaces of a picture, kept for the next one.
 #pragma once
 
 #include <map>
@@ -14,6 +14,7 @@
 #include "reference/cell_tree.h"
 #include "reference/closed_form.h"
 #include "reference/roots.h"
+#include "reference/triangle_tree.h"
 #include "surface/surface.h"
 
 namespace luxo::reference {
@@ -23,11 +24,15 @@ class Shape {
  public:
   Shape(const Surface& surface, std::span<const double> parameters);
 
-  /// The cells. Cost, on the first call: building them, unless prepareFor() has.
+  /// The cells of a formula. Cost, on the first call: building them, unless prepareFor() has.
   [[nodiscard]] const CellTree& cells() const;
+  /// Null for a formula. Cost, on the first call: building it.
+  [[nodiscard]] const TriangleTree* triangles() const;
+  /// Builds what rays need, unless it is there.
+  void build() const;
   /// Builds the cells that so many more rays are best cast against: few rays find their way through few large
   /// cells sooner than many small ones are built, but leave more of them undecided. Nothing where a closed
-  /// form answers. No other call at the same time.
+  /// form answers; of triangles all. No other call at the same time.
   void prepareFor(std::size_t rays) const;
   [[nodiscard]] bool hasClosedForm() const { return !forms_.empty(); }
   [[nodiscard]] std::span<const ClosedForm> closedForms() const { return forms_; }
@@ -35,10 +40,11 @@ class Shape {
  private:
   Surface surface_;
   std::vector<double> parameters_;
-  void build(std::size_t mostCells) const;
+  void buildCells(std::size_t mostCells) const;
 
   std::vector<ClosedForm> forms_;  ///< of every patch, or none
   mutable std::once_flag building_;
+  mutable std::unique_ptr<const TriangleTree> triangles_;
   mutable std::size_t rays_ = 0;  ///< that were prepared for
   mutable std::unique_ptr<const CellTree> cells_;
 };
@@ -48,7 +54,7 @@ class PlacedShape {
  public:
   PlacedShape(std::shared_ptr<const Shape> shape, const Transform& worldFromObject);
 
-  /// By equations; what these leave open, by cells.
+  /// By triangles; or by equations, and what these leave open by cells.
   [[nodiscard]] Roots nearestRoot(const Ray& ray, const RootQuery& query) const;
 
   [[nodiscard]] const Shape& shape() const { return *shape_; }

@@ -27,8 +27,9 @@
 
 namespace luxo {
 
-/// The outputs of one snapshot as luxo::Renderer draws them, one sample per pixel. `id` and `uv` are needed;
-/// of the others those that are not empty are judged.
+/// The outputs of one snapshot as luxo::Renderer draws them, one sample per pixel. `id` and `uv` are needed,
+/// and `position` where there are triangles, whose points it tells; of the others those that are not empty
+/// are judged.
 struct MeasuredPicture {
   Image color, depth, position, normal, uv, id;
 };
@@ -137,8 +138,9 @@ struct Verification {
   Image positionMap;  ///< positionPx per pixel, 1 channel; +infinity: a mismatch; -1: nothing to compare
 };
 
-/// Judges a picture. Error(Requirement): id or uv is missing, or an image has another size. Cost: a few
-/// surface evaluations per pixel, a few hundred rays per mismatched pixel, and cells for these rays once.
+/// Judges a picture. Error(Requirement): an output that is needed is missing, or an image has another size.
+/// Cost: a few surface evaluations per pixel, a few hundred rays per mismatched pixel, and cells for these
+/// rays once.
 [[nodiscard]] Verification verify(const Snapshot& snapshot, const ReferencePicture& truth,
                                   const MeasuredPicture& measured, const VerificationOptions& options = {});
 

@@ -14,6 +14,7 @@ VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snap
   const Snapshot exact = withExactShadows(snapshot);
   return {color.statistics, verify(exact, castPicture(exact),
                                    {.color = color.image,
+                                    .position = show(Output::Position).image,
                                     .normal = show(Output::Normal).image,
                                     .uv = show(Output::Uv).image,
                                     .id = show(Output::Id).image})};
