@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/transform.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 namespace {
@@ -19,6 +20,7 @@ constexpr float kUp = 1 + 0x1p-22F;  ///< a float that is rounded down is no bou
 
 std::vector<CasterPart> casterParts(SurfaceCodes& codes, const SnapshotNode& node) {
   std::vector<CasterPart> parts;
+  if (node.surface.triangles()) return {{codes.triangles(), {0}, {}}};
   for (std::uint32_t i = 0; i < node.surface.patchCount(); ++i) {
     const Patch& patch = node.surface.patches()[i];
     const PatchInputs inputs(patch, node.parameters);
@@ -51,13 +53,17 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   const Mat3 inverse = glm::inverse(linear);
   const bool invertible = isFinite(inverse[0]) && isFinite(inverse[1]) && isFinite(inverse[2]);
   if (!isFinite(node.boundsObject) || !invertible || part.code->isTooLarge()) return std::nullopt;
+  const SurfaceTriangles* triangles = node.surface.triangles();
+  if (triangles && triangles->count > kMaxCasterTriangles) return std::nullopt;
   Entry entry{.caster = {}, .cells = geometry_.casters.cells(node.surface, node.parameters, part.patches)};
   const CasterCells& cells = *entry.cells;
   if (cells.cells.empty()) return entry;
   if (!cells.finite()) return std::nullopt;
   const Vec3 toward = Vec3(from) - from.w * node.worldFromObject.translation;
   const Vec4 fromObject(inverse * toward, from.w);
-  const auto grid = gridThatFits(node, part, fromObject, gridSize);
+  // About a triangle a texel, where there are many.
+  const int size = triangles ? std::max(gridSize, static_cast<int>(std::sqrt(triangles->count))) : gridSize;
+  const auto grid = gridThatFits(node, part, fromObject, size);
 
   const Vec3 origin = inverse * (list_.origin - node.worldFromObject.translation);
   const Vec3 farthest = glm::max(glm::abs(cells.bounds.min), glm::abs(cells.bounds.max));
@@ -66,9 +72,10 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
     return (held.size() + more) * sizeof(held[0]) <= kMaxCasterBytes;
   };
   if (!fits(all.gridStarts, grid->starts.size()) || !fits(all.gridEntries, grid->entries.size()) ||
-      !fits(all.cells, cells.cells.size()))
+      !fits(all.cells, triangles ? triangles->count : cells.cells.size()) ||
+      !fits(all.parameters, triangles ? std::size_t{9} * triangles->count : 0))
     return std::nullopt;
-  const Place place = addPart(node, part, cells);
+  const Place& place = placeOf(entry.cells, node.surface, part);
   shared::ShadowCaster& caster = entry.caster.emplace(shared::ShadowCaster{
       .gridFromRelative = Mat3f(grid->axes * inverse),
       .gridOrigin = Vec3f(grid->axes * (origin - grid->light)),
@@ -80,9 +87,9 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       .firstEntry = static_cast<std::uint32_t>(all.gridEntries.size()),
       .firstCell = place.firstCell,
       .firstParameter = place.firstParameter,
-      .parameters = static_cast<std::uint32_t>(part.parameters[0].size()),
+      .parameters = triangles ? part.code->parameters : static_cast<std::uint32_t>(part.parameters[0].size()),
       .flags = (from.w == 0 ? shared::kParallelLight : 0) |
-               (part.patches.size() == node.surface.patchCount() ? shared::kWholeCaster : 0),
+               (triangles || part.patches.size() == node.surface.patchCount() ? shared::kWholeCaster : 0),
       .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest))),
       .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
       .margin = static_cast<float>(kGridMargin * cells.size),
@@ -99,19 +106,6 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   return entry;
 }
 
-CasterList::Place CasterList::addPart(const SnapshotNode& node, const CasterPart& part,
-                                      const CasterCells& cells) {
-  Casters& all = list_.casters;
-  const auto [place, isNew] = places_.try_emplace(
-      {&node, part.patches[0]},
-      Place{static_cast<std::uint32_t>(all.cells.size()), static_cast<std::uint32_t>(all.parameters.size())});
-  if (!isNew) return place->second;
-  addCells(cells, node.surface, part);
-  for (const std::vector<double>& parameters : part.parameters)
-    all.parameters.insert(all.parameters.end(), parameters.begin(), parameters.end());
-  return place->second;
-}
-
 std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& node, const CasterPart& part,
                                                           const Vec4& fromObject, int gridSize) {
   // With fewer texels than that lists are too long to be walked: rays are faster.
@@ -121,6 +115,32 @@ std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& no
     if (gridSize <= kLeast || std::max(grid->starts.size() * sizeof(grid->starts[0]),
                                        grid->entries.size() * sizeof(grid->entries[0])) <= share_)
       return grid;
+  }
+}
+
+const CasterList::Place& CasterList::placeOf(const std::shared_ptr<const CasterCells>& cells,
+                                             const Surface& surface, const CasterPart& part) {
+  Casters& all = list_.casters;
+  const auto [entry, isNew] =
+      places_.try_emplace(cells.get(), Place{cells, static_cast<std::uint32_t>(all.cells.size()),
+                                             static_cast<std::uint32_t>(all.parameters.size())});
+  if (!isNew) return entry->second;
+  if (surface.triangles()) {
+    addTriangles(*surface.triangles());
+  } else {
+    addCells(*cells, surface, part);
+    for (const std::vector<double>& parameters : part.parameters)
+      all.parameters.insert(all.parameters.end(), parameters.begin(), parameters.end());
+  }
+  return entry->second;
+}
+
+/// Their corners are their parameters.
+void CasterList::addTriangles(const SurfaceTriangles& triangles) {
+  for (std::uint32_t i = 0; i < triangles.count; ++i) {
+    list_.casters.cells.push_back({.bend = Vec3f(0), .patch_ = i});
+    for (const Vec3& point : triangles.points(i))
+      list_.casters.parameters.insert(list_.casters.parameters.end(), &point[0], &point[0] + 3);
   }
 }
 

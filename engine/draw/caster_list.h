@@ -16,7 +16,8 @@
 
 namespace luxo {
 
-/// Patches of a node whose points the same code finds, and the parameters of each.
+/// Patches of a node whose points the same code finds, and the parameters of each; or its triangles, which
+/// are one part, called patch 0.
 struct CasterPart {
   SurfaceCodePtr code;
   std::vector<std::uint32_t> patches;
@@ -51,12 +52,15 @@ class CasterList {
   [[nodiscard]] std::optional<PixelRect> pixelsAround(std::span<const Vec3> points) const;
 
  private:
-  /// Where the cells and the parameters of a part begin, which all its lights share.
+  /// Where in the list cells and their parameters begin: they are put there once.
   struct Place {
+    std::shared_ptr<const CasterCells> cells;
     std::uint32_t firstCell = 0, firstParameter = 0;
   };
-  Place addPart(const SnapshotNode& node, const CasterPart& part, const CasterCells& cells);
+  const Place& placeOf(const std::shared_ptr<const CasterCells>& cells, const Surface& surface,
+                       const CasterPart& part);
   void addCells(const CasterCells& cells, const Surface& surface, const CasterPart& part);
+  void addTriangles(const SurfaceTriangles& triangles);
   /// One whose share of the room is enough: grids may be of any size, and those of a thousand lights, or of
   /// as many layers, are smaller.
   [[nodiscard]] std::shared_ptr<const LightGrid> gridThatFits(const SnapshotNode& node,
@@ -67,7 +71,7 @@ class CasterList {
   Geometry& geometry_;
   DrawList& list_;
   std::size_t share_;  ///< bytes that one entry may take of a buffer
-  std::map<std::pair<const SnapshotNode*, std::uint32_t>, Place> places_;  // by the first patch
+  std::map<const CasterCells*, Place> places_;
 };
 
 }  // namespace luxo

@@ -17,6 +17,7 @@
 #include "draw/material_list.h"
 #include "draw/shadow_list.h"
 #include "draw/shell_list.h"
+#include "draw/triangle_precision.h"
 #include "math/transform.h"
 
 namespace luxo {
@@ -106,11 +107,11 @@ class DrawLister {
                       b.bothSides, b.mirrored, b.lightSet);
   }
 
-  /// What is lit later comes first, and of that what is searched for, then what is searched for. What hides
+  /// What is lit later comes first, and of that what finds surfaces, then what finds surfaces. What hides
   /// lines comes before all lines, and after all that it must not hide.
   static int placeInOrder(const DrawBatch& batch) {
-    if (batch.state.form != Form::Fused) return batch.shell ? -2 : -1;
-    if (batch.shell) return 0;
+    if (batch.state.form != Form::Fused) return batch.shell ? -3 : batch.state.isSurface ? -2 : -1;
+    if (batch.finds()) return 0;
     if (batch.state.hidesLines) return 2;
     return batch.state.shading == Shading::Wireframe ? 3 : 1;
   }
@@ -148,7 +149,7 @@ class DrawLister {
       else if (findsLayers(snapshot_, node, options_))
         findLayers(v, node, material);
       else
-        listLayerMesh(v, node, material, shading);
+        listLayerMesh(v, node, material, shading == Shading::Exact ? Shading::Phong : shading);
     }
     std::ranges::sort(list_.layers.found, {}, &FoundLayer::node);
     listTransparent(wires);
@@ -259,7 +260,9 @@ class DrawLister {
       item.found = batch.state;
       item.found->byRays = true;
       if (shading == Shading::Exact) item.found->shading = Shading::Phong;
-      if (auto shell = shells_.add(batch, node, v)) {
+      if (node.surface.triangles()) {
+        origin = addTriangles(item, batch, node, v);
+      } else if (auto shell = shells_.add(batch, node, v)) {
         item.batches = std::move(shell->batches);
         item.instance.exact = shell->exact;
         origin = shell->origin;
@@ -284,6 +287,16 @@ class DrawLister {
                             "nodes), in a scene with shadows, which is not supported yet",
                             node.number, shared::kMaxFoundMaterials - 1),
                 "set render.blend_order to \"exact\", or the lights' shadows to \"none\"");
+  }
+
+  /// Triangles that are the surface itself; where single precision would move them in the picture, rays find
+  /// it. Returns the origin of their vertices.
+  Vec3 addTriangles(Item& item, DrawBatch batch, const SnapshotNode& node, const VisibleNode& v) {
+    if (batch.state.shading == Shading::Exact) batch.state.shading = Shading::Phong;
+    batch.state.isSurface = true;
+    const Vec3 origin = addMesh(item, batch, node, v, {});
+    appendBlurred(snapshot_.view, node, v, list_.origin, list_.byRays);
+    return origin;
   }
 
   /// Returns the origin of the mesh's vertices.
@@ -311,7 +324,7 @@ class DrawLister {
       batches.back().state.hidesLines = true;
     }
     const bool bothSides =
-        !batch.shell && batch.bothSides && !batch.flat && batch.state.shading != Shading::Wireframe;
+        !batch.finds() && batch.bothSides && !batch.flat && batch.state.shading != Shading::Wireframe;
     if (!bothSides) {
       batches.push_back(std::move(batch));
       return;
@@ -371,12 +384,13 @@ bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const Draw
 bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Material& material = snapshot.materials[node.material.index];
   return snapshot.blendOrder == BlendOrder::Exact && seenThrough(snapshot, node, options) &&
-         !material.invisible() && material.shadingIn(options.shading) == Shading::Exact;
+         !material.invisible() && material.shadingIn(options.shading) == Shading::Exact &&
+         !node.surface.triangles();
 }
 
 bool DrawList::onlyFound() const {
   return transparent.empty() && std::ranges::all_of(opaque, [this](const DrawBatch& batch) {
-           return batch.shell && (!deferred || batch.state.form != Form::Fused);
+           return batch.finds() && (!deferred || batch.state.form != Form::Fused);
          });
 }
 

@@ -69,6 +69,7 @@ struct DrawState {
   bool grazing = false;             ///< with it: a ray may graze the surface, and meet it more than once
   bool poles = false;               ///< with that: an edge of a patch is one point
   bool byRays = false;              ///< points are drawn that rays have found
+  bool isSurface = false;           ///< the triangles are the surface itself, not near to it
   bool hidesLines = false;          ///< of a wireframe: its triangles, of which only the depth is drawn
   std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
   bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
@@ -110,12 +111,15 @@ struct DrawBatch {
   std::uint32_t lightSet = 0;
   std::uint32_t firstInstance = 0, instanceCount = 0;
 
+  /// Whether its points are the surface's own.
+  [[nodiscard]] bool finds() const { return shell || state.isSurface; }
   [[nodiscard]] std::size_t vertexCount() const {
     return shell ? shell->positions.size() : mesh->positions.size();
   }
 };
 
-/// A node whose points are found, by searches in its pixels or by rays, and how such a point is drawn.
+/// A node whose points are found, by searches in its pixels, as the triangles that it is, or by rays, and how
+/// such a point is drawn.
 struct FoundNode {
   std::uint32_t node = 0;  ///< index into Snapshot::nodes
   std::uint32_t lightSet = 0;
@@ -180,7 +184,7 @@ struct LightGroup {
   [[nodiscard]] bool lightsLayers() const { return !layerShades.empty() || !layerAgain.empty(); }
 };
 
-/// A node whose layers are found in every pixel, by searches or by rays.
+/// A node whose layers are found in every pixel, by searches or by rays; no triangles.
 struct FoundLayer {
   std::uint32_t node = 0;      ///< index into Snapshot::nodes
   std::uint32_t material = 0;  ///< its number
@@ -208,13 +212,15 @@ struct DrawList {
   std::vector<shared::MaterialData> materials;   ///< of instances; never empty
   std::vector<shared::LightSet> lightSets;       ///< never empty
   std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
-  std::vector<DrawBatch> opaque;                 ///< grouped, those with shells first, roughly front to back
-  std::vector<FoundNode> found;                  ///< ascending
-  std::vector<PixelRect> byRays;                 ///< where no shell tells what is seen
-  std::vector<PixelPlace> outlines;              ///< some of the pixels that searches graze
-  std::vector<DrawBatch> transparent;            ///< in this order: wires, and BlendOrder::Given
-  std::uint64_t culledHidden = 0;  ///< triangles of shells that are behind others, every instance counted
-  std::uint64_t tooLarge = 0;      ///< nodes found by rays: their formulas are too large for shaders
+  std::vector<DrawBatch> opaque;  ///< grouped, those that find surfaces first, roughly front to back
+  std::vector<FoundNode> found;   ///< ascending
+  std::vector<PixelRect> byRays;  ///< where no shell tells what is seen
+  std::vector<PixelRect>
+      shadowsByRays;                   ///< where triangles may stand before a light that no shader looks for
+  std::vector<PixelPlace> outlines;    ///< some of the pixels that searches graze
+  std::vector<DrawBatch> transparent;  ///< in this order: wires, and BlendOrder::Given
+  std::uint64_t culledHidden = 0;      ///< triangles of shells that are behind others, every instance counted
+  std::uint64_t tooLarge = 0;          ///< nodes found by rays: their formulas are too large for shaders
   /// Points are found first, and lit once each, by all lights that reach anything.
   bool deferred = false;
   bool findsParameters = false;    ///< of a deferred list: with (u, v), as some pattern asks for them
@@ -229,7 +235,9 @@ struct DrawList {
   /// Where the sums of their depths tell whether all layers are there, all of which are found then: what
   /// these depths are relative to.
   [[nodiscard]] std::optional<Vec3> layersFrom() const {
-    return layers.found.empty() || !layers.meshes.empty() ? std::nullopt : std::optional(origin);
+    return layers.found.empty() || !std::ranges::all_of(layers.meshes, &DrawBatch::finds)
+               ? std::nullopt
+               : std::optional(origin);
   }
   [[nodiscard]] bool findsShadows() const {
     return std::ranges::any_of(
@@ -269,8 +277,8 @@ inline constexpr double kStandInTolerance = 8;
 /// Whether something is, and comes together by its depth in every pixel.
 [[nodiscard]] bool hasLayers(const Snapshot& snapshot, const DrawOptions& options);
 
-/// Whether every pixel of a node finds its point of the surface, by a search or by a ray; and of what is seen
-/// through in the order of its depth all of them.
+/// Whether every pixel of a node finds its point of the surface, by a search, a triangle that is the surface,
+/// or a ray; and of what is seen through in the order of its depth all of them.
 [[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node,
                                 const DrawOptions& options);
 [[nodiscard]] bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node,

@@ -19,7 +19,7 @@ struct Opaque {
 
 Opaque opaqueOf(const DrawList& list) {
   const auto firstOther = std::ranges::find_if(list.opaque, [&](const DrawBatch& batch) {
-    return list.deferred ? batch.state.form == Form::Fused : !batch.shell;
+    return list.deferred ? batch.state.form == Form::Fused : !batch.finds();
   });
   return {{list.opaque.begin(), firstOther}, {firstOther, list.opaque.end()}};
 }
@@ -32,8 +32,7 @@ Pass lightDepths(std::size_t group) {
 /// other.
 std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                                  std::span<const DrawBatch> found, Begin begin, bool replaces) {
-  const auto firstMesh =
-      std::ranges::find_if(found, [](const DrawBatch& batch) { return batch.mesh != nullptr; });
+  const auto firstMesh = std::ranges::find_if(found, [](const DrawBatch& batch) { return !batch.finds(); });
   const std::span<const DrawBatch> searched(found.begin(), firstMesh), meshes(firstMesh, found.end());
   std::vector<Attachment> targets{{Target::Found, begin}};
   std::vector<Target> reads{Target::Found};

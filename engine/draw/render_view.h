@@ -30,7 +30,7 @@ class RenderView {
   [[nodiscard]] bool learn();
 
   /// Of the last recording, which has to be complete.
-  [[nodiscard]] std::vector<Doubt> doubts() { return feedback_.doubts(list_.byRays); }
+  [[nodiscard]] std::vector<Doubt> doubts() { return feedback_.doubts(list_.byRays, list_.shadowsByRays); }
   /// The depths of found surfaces in the pixels that tell whether the picture is right (DrawOptions::audit).
   [[nodiscard]] std::vector<DepthProbe> probes();
 

@@ -90,10 +90,11 @@ void describeInspection(const DrawState& state, const Inspection& inspection,
                         gpu::GraphicsPipelineDesc& desc) {
   desc.vertexShader = luxo_inspect_vert;
   desc.fragmentShader = luxo_inspect_frag;
-  desc.specialization = {
-      {shared::kConstantQuantity, inspection.quantity},
-      {shared::kConstantAsColor, inspection.asColor},
-      {shared::kConstantCertificate, state.byRays ? shared::kByRay : shared::kUncertified}};
+  desc.specialization = {{shared::kConstantQuantity, inspection.quantity},
+                         {shared::kConstantAsColor, inspection.asColor},
+                         {shared::kConstantCertificate, state.byRays      ? shared::kByRay
+                                                        : state.isSurface ? shared::kBySearch
+                                                                          : shared::kUncertified}};
   desc.depthWrite = true;
   desc.blend = gpu::Blend::None;
 }
@@ -172,8 +173,10 @@ std::uint32_t quantityOf(const DrawState& state) {
   return isFoundOnly(state) ? shared::kFoundTexel : shared::kLight;
 }
 
-/// States that make the same pipeline become equal: an auxiliary output is the same under every shading.
+/// States that make the same pipeline become equal: an auxiliary output is the same under every shading, and
+/// only one tells whether triangles are the surface.
 DrawState canonical(DrawState state) {
+  if (state.output != Output::Certificate) state.isSurface = false;
   if (state.output != Output::Color) state.shading = Shading::Phong;
   return state;
 }

@@ -145,7 +145,8 @@ LostPixels SearchFeedback::lostIn(Slot& slot) {
   return lost;
 }
 
-std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays) {
+std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays,
+                                          std::span<const PixelRect> shadowsByRays) {
   Slot& slot = slots_[current_];
   const auto width = static_cast<std::int32_t>(extent_.width),
              height = static_cast<std::int32_t>(extent_.height);
@@ -153,14 +154,17 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays) {
   std::vector<std::uint32_t> words((pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord);
   if (slot.searches)
     std::memcpy(words.data(), slot.doubtful.read().data(), words.size() * sizeof(std::uint32_t));
-  for (const PixelRect& rect : byRays)
+  const auto mark = [&](const PixelRect& rect, std::uint32_t doubt) {
     for (std::int32_t y = rect.low.y; y < rect.high.y; ++y)
       for (std::int32_t x = rect.low.x; x < rect.high.x; ++x) {
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-        words[pixel / shared::kDoubtsPerWord] |= shared::kLostHere
+        words[pixel / shared::kDoubtsPerWord] |= doubt
                                                  << shared::kDoubtBits * (pixel % shared::kDoubtsPerWord);
       }
+  };
+  for (const PixelRect& rect : byRays) mark(rect, shared::kLostHere);
+  for (const PixelRect& rect : shadowsByRays) mark(rect, shared::kShadowOpenHere);
   std::vector<Doubt> doubts;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {

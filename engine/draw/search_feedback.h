@@ -59,8 +59,9 @@ class SearchFeedback {
   [[nodiscard]] std::optional<Told> nextLost();
 
   /// What follows is of the last recording, which has to be complete.
-  /// By rows. `byRays`: what is left to rays.
-  [[nodiscard]] std::vector<Doubt> doubts(std::span<const PixelRect> byRays);
+  /// By rows. `byRays`: what is left to rays; `shadowsByRays`: the shadows of which are.
+  [[nodiscard]] std::vector<Doubt> doubts(std::span<const PixelRect> byRays,
+                                          std::span<const PixelRect> shadowsByRays);
   [[nodiscard]] std::vector<DepthProbe> depths();
 
  private:

@@ -64,7 +64,7 @@ class ShadowLister {
     gated_ = std::ranges::none_of(snapshot.materials, &Material::lectureSpecular);
     for (const auto* batches : {&list.opaque, &list.layers.meshes})
       for (const DrawBatch& batch : *batches)
-        if (batch.mesh && batch.state.form != Form::Fused)
+        if (batch.mesh && !batch.state.isSurface && batch.state.form != Form::Fused)
           offPx_ = std::max(offPx_, options.tolerancePx * (options.standIns ? kStandInTolerance : 1));
   }
 
@@ -169,12 +169,8 @@ class ShadowLister {
     }
   }
 
-  /// In the middle of its domain.
   [[nodiscard]] static Vec3 pointOf(const SnapshotNode& node) {
-    const Domain& domain = node.surface.domain();
-    return transformPoint(node.worldFromObject,
-                          node.surface.position(domain.u.lo + 0.5 * domain.u.width(),
-                                                domain.v.lo + 0.5 * domain.v.width(), node.parameters));
+    return transformPoint(node.worldFromObject, node.surface.somePoint(node.parameters));
   }
 
   /// The caster's mesh becomes the shadow on the light's plane, by the projection from the light: with the
@@ -247,10 +243,25 @@ class ShadowLister {
   void list(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
     const std::optional<PixelRect> area = areaOf(light, node);
     if (!area || !reachesWhatIsSeen(light, node) || addClosed(bit, light, node, *area)) return;
+    if (node.surface.triangles() && materialOf(node).transparent())
+      refuse(node, "is a mesh that is seen through, and casts an exact shadow");
     bool found = true;
     for (const CasterPart& part : casterParts(geometry_.codes, node))
       found &= add(bit, light, node, part, *area);
-    if (!found) list_.byRays.push_back(*area);
+    if (found) return;
+    if (!node.surface.triangles()) {
+      list_.byRays.push_back(*area);
+      return;
+    }
+    if (!list_.layers.meshes.empty())
+      refuse(node, "has too many triangles to cast an exact shadow on meshes that are seen through");
+    list_.shadowsByRays.push_back(*area);
+  }
+
+  [[noreturn]] static void refuse(const SnapshotNode& node, const char* why) {
+    throw Error(ErrorKind::Scene,
+                fmt::format("node number {} {}, which is not supported yet", node.number, why),
+                "leave it out of the lights' \"casters\", or make it opaque");
   }
 
   /// Whether a shader can find it by its equation.
@@ -346,7 +357,7 @@ class ShadowLister {
   void setPlane(const SnapshotLight& light, const SnapshotNode& node, const CasterCells& cells,
                 shared::ShadowCaster& caster) const {
     const Vec3 normal = unit(normalMatrix(node.worldFromObject.linear) * *cells.flatNormal);
-    const Vec3 at = transformPoint(node.worldFromObject, cells.cells[0].middle);
+    const Vec3 at = pointOf(node);
     const Vec3 toLight = Vec3(light.positionWorld) - light.positionWorld.w * at;
     const double side = glm::dot(normal, toLight);
     if (!(std::abs(side) > kInPlane * glm::length(toLight))) return;

@@ -28,6 +28,11 @@ std::shared_ptr<const CasterCells> CasterCache::cells(const Surface& surface,
                                                       const std::vector<std::uint32_t>& patches) {
   const Key key{.shape = Shape(surface, parameters), .firstPatch = patches.front()};
   if (auto known = cells_.find(key)) return known;
+  if (surface.triangles()) {
+    CasterCells made = makeCasterCells(surface, *surface.triangles());
+    const std::size_t bytes = bytesIn(made.cells);
+    return cells_.insert(key, surface, std::move(made), bytes);
+  }
   const CurvatureMap& map = maps_.get(surface, parameters, [&] { return CurvatureMap(surface, parameters); });
   CasterCells made = makeCasterCells(surface, parameters, patches, map);
   const std::size_t bytes = bytesIn(made.cells);

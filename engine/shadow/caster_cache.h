@@ -33,7 +33,7 @@ class CasterCache {
  public:
   explicit CasterCache(std::size_t mostBytes = kUsualCacheBytes) : cells_(mostBytes), grids_(mostBytes) {}
 
-  /// Of some of the patches, ascending.
+  /// Of some of the patches, ascending; of all triangles.
   [[nodiscard]] std::shared_ptr<const CasterCells> cells(const Surface& surface,
                                                          std::span<const double> parameters,
                                                          const std::vector<std::uint32_t>& patches);

@@ -8,6 +8,7 @@
 
 #include "surface/equation.h"
 #include "surface/spread.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 namespace {
@@ -141,6 +142,21 @@ bool isEllipsoid(const Surface& surface, std::span<const double> parameters) {
 
 bool CasterCell::proven() const {
   return std::isfinite(bend) && isFinite(middle) && isFinite(a) && isFinite(b);
+}
+
+CasterCells makeCasterCells(const Surface& surface, const SurfaceTriangles& triangles) {
+  CasterCells made{.bounds = surface.bounds({}),
+                   .size = glm::length(surface.bounds({}).extent()),
+                   .flatNormal = surface.flatNormal()};
+  made.cells.reserve(triangles.count);
+  for (std::uint32_t i = 0; i < triangles.count; ++i) {
+    Box box;
+    for (const Vec3& point : triangles.points(i)) box.add(point);
+    CasterCell& cell = made.cells.emplace_back(CasterCell{.patch = i, .middle = box.center()});
+    cell.reach = 0.5 * box.extent() + kRounding * (made.size + glm::length(cell.middle));
+    cell.bend = std::numeric_limits<double>::infinity();  // the box says it all
+  }
+  return made;
 }
 
 CasterCells makeCasterCells(const Surface& surface, std::span<const double> parameters,

@@ -30,9 +30,9 @@ struct CasterCell {
   Domain domain;
   /// Suprema of |Suu|, |Suv|, |Svv| per square of the parameters' units; infinite where nothing is proven.
   double uu = 0, uv = 0, vv = 0;
-  Vec3 middle{0};  ///< the middle point
-  Vec3 reach{0};   ///< no point of the cell is farther from the middle, by axis; infinite if unknown
-  Vec3 a{0}, b{0};
+  Vec3 middle{0};   ///< the middle point
+  Vec3 reach{0};    ///< no point of the cell is farther from the middle, by axis; infinite if unknown
+  Vec3 a{0}, b{0};  ///< of a triangle: 0
   double bend = 0;  ///< infinite where nothing is proven: a and b are 0 then
 
   [[nodiscard]] bool proven() const;
@@ -58,6 +58,12 @@ struct CasterCells {
 inline constexpr double kCellBend = 1.0 / 256, kCellLength = 1.0 / 8;
 inline constexpr std::size_t kMaxCasterCells = 16'384;
 
+/// Triangles of casters that shaders look for; of more rays tell.
+inline constexpr std::size_t kMaxCasterTriangles = 1U << 18;
+
+/// A cell for each triangle: nothing bends, and where it is the grid is to know. As many as
+/// kMaxCasterTriangles.
+[[nodiscard]] CasterCells makeCasterCells(const Surface& surface, const SurfaceTriangles& triangles);
 /// Of some of the patches. Cost: a microsecond a cell, beside the map.
 [[nodiscard]] CasterCells makeCasterCells(const Surface& surface, std::span<const double> parameters,
                                           std::span<const std::uint32_t> patches, const CurvatureMap& map);

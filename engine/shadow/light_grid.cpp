@@ -141,7 +141,7 @@ class GridMaker {
 
 LightGrid makeLightGrid(const CasterCells& caster, const Vec4& light, double margin, int size) {
   // With one texel there are no more entries than cells on each face.
-  static_assert(6 * kMaxCasterCells < kMaxGridEntries);
+  static_assert(6 * std::max(kMaxCasterCells, kMaxCasterTriangles) < kMaxGridEntries);
   for (;; size = (size + 1) / 2)
     if (auto grid = GridMaker(caster, light, margin, size).make()) return *std::move(grid);
 }

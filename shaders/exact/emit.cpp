@@ -155,6 +155,7 @@ Wanted builtIn(std::span<const char* const> scenes) {
     addGeneralForms(all, surface);
   }
   addSuperquadrics(all);
+  all.insert({triangleCode().glsl, {}, GlslNumber::Float, true, Caster::Shadow});
   for (const char* scene : scenes) {
     std::ifstream file(scene);
     if (!file) throw Error(ErrorKind::Scene, fmt::format("cannot read {}", scene));

@@ -62,6 +62,10 @@ int evaluationsLeft = kMaxEvaluations;
 int ownMeetings = 0;     // so many that may be the point's own
 int besideMeetings = 0;  // and so many that a neighbouring rectangle has, but for rounding
 
+#ifdef LUXO_TRIANGLES
+#include "lib/triangle_ray.glsl"
+#else
+
 // Rectangles are visited in order of a tree of halves, whose way back takes no memory that a device would have to index:
 // a bit for each cut tells which half this is, another whether u was cut.
 int meetsCell(CellRay ray, CasterCell cell) {
@@ -135,3 +139,4 @@ int meetsCell(CellRay ray, CasterCell cell) {
     }
   }
 }
+#endif

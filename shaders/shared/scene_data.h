@@ -113,7 +113,8 @@ LUXO_CONSTANT kCertificate = 6;
 LUXO_CONSTANT kLight = 7;
 LUXO_CONSTANT kFoundTexel = 8;
 
-// Values of a certificate: by the search that found the point, by a ray cast in double, or none.
+// Values of a certificate: by the search that found the point, or as a triangle that is the surface has it; by a ray cast
+// in double; or none.
 LUXO_CONSTANT kBySearch = 1;
 LUXO_CONSTANT kByRay = 2;
 LUXO_CONSTANT kUncertified = 3;

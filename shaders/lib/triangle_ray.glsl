@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a ray meets of a cell that is a triangle, in place of what lib/cell_ray.glsl says of curved ones.
+//
+// Seen along the ray the edges are signs of cross products of the corners' offsets from it. Those of an edge that two
+// triangles share are the same numbers turned round, so that no ray passes between them (S. Woop, C. Benthin, I. Wald,
+// "Watertight Ray/Triangle Intersection", 2013); borders are off by what rounding leaves, a small part of a pixel. How far
+// along the ray the meeting is floats tell worse the more the ray grazes the triangle: the triangle's own point, and what may
+// be nearer than that, is told from others as in lib/cell_ray.glsl.
+
+vec3 cornerOf(CellRay ray, uint first) {
+  vec3 from = vec3(casterParameterAt(first), casterParameterAt(first + 1), casterParameterAt(first + 2)) - ray.from;
+  return vec3(dot(ray.across1, from), dot(ray.across2, from), dot(ray.along, from));
+}
+
+// Turned round where a and b are: no product is fused with a sum.
+float spanned(vec3 a, vec3 b) {
+  precise float one = a.x * b.y, other = a.y * b.x;
+  precise float difference = one - other;
+  return difference;
+}
+
+int meetsCell(CellRay ray, CasterCell cell) {
+  precise vec3 a = cornerOf(ray, 0), b = cornerOf(ray, 3), c = cornerOf(ray, 6);
+  float ofA = spanned(b, c), ofB = spanned(c, a), ofC = spanned(a, b);
+  if (max(max(ofA, ofB), ofC) > 0.0 && min(min(ofA, ofB), ofC) < 0.0) return kPassed;
+  float area = ofA + ofB + ofC;
+  if (area == 0.0) return kPassed;  // edge-on: its neighbours have what the ray meets
+  float t = (ofA * a.z + ofB * b.z + ofC * c.z) / area;
+  if (!(abs(t) < 1e30)) return kOpen;
+  // By so much more the triangle is long along the ray than it is wide across it.
+  vec3 normal = cross(b - a, c - a);
+  float aslant = length(normal) / max(abs(area), 1e-37);
+  float nearest = min(min(a.z, b.z), c.z), farthest = max(max(a.z, b.z), c.z);
+  float off = min(ray.rounding * aslant, farthest - nearest + ray.rounding), own = 2.0 * ray.off * aslant;
+  if (t + off <= ray.first - own || t - off >= ray.last) return kPassed;
+  // Where floats are as coarse as that borders would be off.
+  if (kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
+  if (t - off > ray.first + own && t + off < ray.last)
+    return endsAt(ray, cell, vec2(ofB, ofC) / area, false) ? kMet : kPassed;
+  if (abs(t) + off > 2.0 * own) return kOpen;  // beside the light
+  ++ownMeetings;
+  return kPassed;
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of triangle meshes: against the ground truth in every pixel, and against what is known of them.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "support/meshes.h"
+#include "support/verified_picture.h"
+#include "surface/library.h"
+
+namespace luxo::test {
+namespace {
+
+class MeshPicture : public VerifiedPictureTest {
+ protected:
+  /// Every pixel: nothing lost, what is shown is the triangle that the pixel's ray meets, there.
+  void expectExact(const Snapshot& snapshot, std::uint64_t pixels) {
+    const Verified found = verified(snapshot);
+    const Verification& v = found.verification;
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+    EXPECT_EQ(found.statistics.error.uncertifiedPx, 0U);
+    EXPECT_EQ(found.statistics.error.boundPx, 0);
+    EXPECT_GE(v.coverage.both, pixels);
+    EXPECT_EQ(v.wrong.total(), 0U) << v.wrong.hitMiss << " hit or miss, " << v.wrong.layer << " layer, "
+                                   << v.wrong.point << " point, " << v.wrong.light << " light";
+    EXPECT_EQ(v.nanPixels, 0U);
+  }
+};
+
+/// A camera that sees the cube from -1 to 1.
+Camera cameraFrom(const Vec3& direction, const Vec3& middle = Vec3(0)) {
+  return {.eye = middle + 4.5 * unit(direction), .lookAt = middle};
+}
+
+Scene sceneOf(Surface surface, Material material = {}) {
+  Scene scene;
+  scene.add(Node{.surface = std::move(surface), .material = scene.add(std::move(material))});
+  scene.add(Node{.translation = Vec3(3, 5, 4), .light = Light{.intensity = 0.9}});
+  return scene;
+}
+
+TEST_F(MeshPicture, EveryPixelIsTheTrianglesOwnPoint) {
+  std::mt19937 random(1);
+  const std::array<TriangleMesh, 5> meshes = {quadMesh(), cubeMesh(), icosphere(3),
+                                              meshOf(torus(0.7, 0.25), 1e-3), soup(random, 150, 0.4)};
+  for (const TriangleMesh& mesh : meshes) {
+    SCOPED_TRACE(mesh.name());
+    const Scene scene = sceneOf(mesh);
+    expectExact(takeSnapshot(scene, 0, {160, 120}, cameraFrom({1, 0.8, 1.5})), 1500);
+    Camera parallel = cameraFrom({-1, 0.4, 0.7});
+    parallel.projection = Projection::Orthographic;
+    parallel.height = 3;
+    expectExact(takeSnapshot(scene, 0, {160, 120}, parallel), 1500);
+  }
+}
+
+TEST_F(MeshPicture, MirroredTurnedAndFarFromTheOriginItIsTheSame) {
+  std::mt19937 random(2);
+  for (const Vec3& place : {Vec3(0), Vec3(5e5, -3e5, 2e5)}) {
+    Scene scene;
+    scene.add(Node{.translation = place + Vec3(-0.6, 0, 0),
+                   .rotation = Rotation{{1, 2, 0}, 0.7},
+                   .scale = Vec3(-0.5, 0.8, 0.6),
+                   .surface = icosphere(2)});
+    scene.add(
+        Node{.translation = place + Vec3(0.5, 0, 0), .scale = Vec3(0.6), .surface = soup(random, 60, 0.5)});
+    scene.add(Node{.translation = place + Vec3(0, 0.1, 0), .surface = torus(0.9, 0.1)});
+    scene.add(Node{.translation = place + Vec3(3, 5, 4), .light = Light{}});
+    expectExact(takeSnapshot(scene, 0, {160, 120}, cameraFrom({1, 0.8, 1.5}, place)), 2000);
+  }
+}
+
+/// A mesh over a floor, a formula's ring around it, and a soup beside it, under two lights with exact
+/// shadows.
+Scene shadowScene(std::mt19937& random) {
+  Scene scene;
+  scene.add(Node{.name = "floor", .translation = Vec3(0, -1, 0), .surface = rectangle(8, 8)});
+  scene.add(Node{.translation = Vec3(-0.5, 0, 0),
+                 .rotation = Rotation{{1, 2, 0}, 0.7},
+                 .scale = Vec3(0.6),
+                 .surface = icosphere(2)});
+  scene.add(Node{
+      .translation = Vec3(0.8, -0.3, 0.3), .scale = Vec3(-0.7, 0.7, 0.7), .surface = soup(random, 40, 0.5)});
+  scene.add(Node{
+      .translation = Vec3(0.2, 0.2, 0), .rotation = Rotation{{1, 0, 1}, 0.5}, .surface = torus(1.1, 0.08)});
+  scene.add(
+      Node{.translation = Vec3(2, 4, 3), .light = Light{.intensity = 0.6, .shadow = Light::Shadow::Exact}});
+  scene.add(Node{
+      .rotation = Rotation{{1, 0.4, 0}, -0.9},
+      .light = Light{.type = Light::Type::Directional, .intensity = 0.4, .shadow = Light::Shadow::Exact}});
+  return scene;
+}
+
+TEST_F(MeshPicture, CastsExactShadowsOnItselfAndOthersAndReceivesThem) {
+  std::mt19937 random(3);
+  const Snapshot snapshot = takeSnapshot(shadowScene(random), 0, {160, 120}, cameraFrom({1, 0.8, 1.5}));
+  expectExact(snapshot, 10000);
+  // A shader finds them, and leaves some pixels to rays.
+  const Picture picture = renderer().render(snapshot, {});
+  EXPECT_LT(picture.statistics.error.shadowRaysPx, 160 * 120 / 8);
+  EXPECT_GT(picture.statistics.count.shadowPasses, 4U);
+}
+
+TEST_F(MeshPicture, SeenThroughItIsBlendedInTheOrderOfItsDepth) {
+  std::mt19937 random(4);
+  Scene scene;
+  const MaterialId glass = scene.add(Material{.diffuse = {0.2, 0.5, 0.9}, .opacity = 0.4});
+  scene.add(Node{.translation = Vec3(0, -1, 0), .surface = rectangle(8, 8)});
+  scene.add(
+      Node{.translation = Vec3(-0.4, 0, 0), .scale = Vec3(0.8), .surface = icosphere(2), .material = glass});
+  scene.add(Node{.scale = Vec3(0.8), .surface = soup(random, 40, 0.5), .material = glass});
+  scene.add(Node{.surface = torus(0.9, 0.2), .material = glass});
+  scene.add(Node{.translation = Vec3(2, 4, 3), .light = Light{}});
+  const Verified found = verified(takeSnapshot(scene, 0, {120, 90}, cameraFrom({1, 0.8, 1.5})));
+  EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_GT(found.statistics.count.layerPoints, 4000U);
+}
+
+TEST_F(MeshPicture, SeenThroughItCastsNoExactShadowYet) {
+  Scene scene;
+  scene.add(Node{.surface = cubeMesh(), .material = scene.add(Material{.opacity = 0.5})});
+  scene.add(Node{.translation = Vec3(2, 4, 3), .light = Light{.shadow = Light::Shadow::Exact}});
+  try {
+    static_cast<void>(renderer().render(takeSnapshot(scene, 0, {32, 32}), {}));
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    EXPECT_NE(std::string(error.what()).find("not supported yet"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace luxo::test
