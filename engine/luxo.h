@@ -6,6 +6,8 @@
 #include "image/compare.h"
 #include "image/format.h"
 #include "image/image.h"
+#include "mesh/model.h"
+#include "scene/model_scene.h"
 #include "scene/scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"

@@ -4,14 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "mesh/model.h"
+#include "scene/model_scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
@@ -56,11 +58,12 @@ std::string summaryOf(std::string_view text) {
   return summary;
 }
 
-void refuseModel(const std::filesystem::path& file) {
-  constexpr std::array kSuffixes = {".obj", ".glb", ".gltf", ".ply", ".stl"};
-  if (std::ranges::find(kSuffixes, file.extension().string()) != kSuffixes.end())
-    throw Error(ErrorKind::Scene, fmt::format("'{}': models are not supported yet", file.string()),
-                "write a scene file (.luxo.json) of formulas");
+Scene openModel(const std::string& file, std::vector<std::string>* warnings) {
+  const auto model = std::make_shared<const Model>(readModel(file));
+  if (warnings)
+    for (const std::string& warning : model->warnings)
+      warnings->push_back(fmt::format("{}: {}", file, warning));
+  return modelScene(model);
 }
 
 void requireKnown(const std::string& scene) {
@@ -109,7 +112,10 @@ Scene openScene(const std::string& scene, std::span<const ParameterValue> parame
     return gallery();
   }
   if (scene == kStandardInput) return buildScene(readScene(std::cin, "standard input"), parameters, warnings);
-  refuseModel(scene);
+  if (namesModel(scene)) {
+    refuseParameters(scene, parameters);
+    return openModel(scene, warnings);
+  }
   requireKnown(scene);
   return buildScene(readSceneFile(scene), parameters, warnings);
 }

@@ -20,9 +20,10 @@ struct BuiltinScene {
 /// By name. They are carried as text, so they work from any folder.
 [[nodiscard]] std::vector<BuiltinScene> builtinScenes();
 
-/// The scene of that name: built-in ones first, then files (so ./teapot is the file); - is standard input.
-/// `parameters` replace values of the scene's. Error(Scene): there is none of that name; it cannot be read or
-/// has errors; a model. Error(Usage): it has no such parameter, or not with that value.
+/// The scene of that name: built-in ones first, then files (so ./teapot is the file), a model (mesh/model.h)
+/// or a description; - is standard input. `parameters` replace values of the scene's. Error(Scene): there is
+/// none of that name; it cannot be read or has errors. Error(Usage): it has no such parameter, or not with
+/// that value.
 ///
 /// `warnings`, where given, takes what is allowed but probably not meant (scene/scene_builder.h), as people
 /// read it.

@@ -14,6 +14,7 @@
 #include "draw/renderer.h"
 #include "scene/scene_keys.h"
 #include "scene/snapshot.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 namespace {
@@ -168,6 +169,10 @@ class Inspector {
   [[nodiscard]] Json surfacesJson() {
     Json list = Json::array();
     for (const Surface* surface : distinctSurfaces()) {
+      if (const SurfaceTriangles* triangles = surface->triangles()) {
+        list.push_back(meshJson(*surface, *triangles));
+        continue;
+      }
       const Topology& topology = surface->topology();
       std::set<const SurfaceFunction*> functions;
       std::size_t position = 0, second = 0;
@@ -191,6 +196,20 @@ class Inspector {
                                         surface->name()));
     }
     return list;
+  }
+
+  [[nodiscard]] static Json meshJson(const Surface& surface, const SurfaceTriangles& triangles) {
+    const MeshEdges& edges = triangles.mesh.edges();
+    return {{"name", surface.name()},
+            {"triangles", triangles.count},
+            {"vertices", triangles.mesh.positions().size()},
+            {"closed", surface.closed()},
+            {"border_edges", edges.border},
+            {"turned_edges", edges.turned},
+            {"non_manifold_edges", edges.nonManifold},
+            {"dropped_triangles", triangles.mesh.dropped()},
+            {"u", intervalJson(surface.domain().u)},
+            {"v", intervalJson(surface.domain().v)}};
   }
 
   [[nodiscard]] Json materialsJson() const {
@@ -306,6 +325,11 @@ std::string nodeText(const Json& node) {
 }
 
 std::string surfaceText(const Json& surface) {
+  if (surface.contains("triangles"))
+    return fmt::format("  {:<20} {} mesh, {}, {}\n", textOf(surface["name"]),
+                       surface["closed"].get<bool>() ? "closed" : "open",
+                       counted(surface["triangles"], "triangle"),
+                       counted(surface["border_edges"], "border edge"));
   const char* kind = surface["closed"].get<bool>()       ? "closed"
                      : surface["orientable"].get<bool>() ? "open"
                                                          : "one-sided";

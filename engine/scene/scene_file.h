@@ -31,6 +31,9 @@
 
 namespace luxo {
 
+class ModelFiles;
+enum class NormalRule;
+
 /// Bytes [begin, end) of the file; empty for what was made in C++.
 struct FilePlace {
   std::uint32_t begin = 0, end = 0;
@@ -168,10 +171,20 @@ struct BezierShape {
   friend bool operator==(const BezierShape&, const BezierShape&) = default;
 };
 
+/// The triangles of a model file, all of them as one surface (scene/model_scene.h).
+struct MeshShape {
+  FileName file = {};         ///< relative to the folder of the scene, and in it
+  NormalRule normals{};       ///< Given
+  Quantity crease = "45deg";  ///< MeshOptions::crease
+
+  friend bool operator==(const MeshShape&, const MeshShape&) = default;
+};
+
 struct SurfaceDesc {
   FileName name = {};
   /// Nothing: it could not be read (never for what parseScene() returns).
-  std::variant<std::monostate, NamedShape, FormulaShape, RevolveShape, TubeShape, BezierShape> shape = {};
+  std::variant<std::monostate, NamedShape, FormulaShape, RevolveShape, TubeShape, BezierShape, MeshShape>
+      shape = {};
   std::optional<QuantityPair> segments = {};  ///< a uniform grid instead of the tolerance
 
   friend bool operator==(const SurfaceDesc&, const SurfaceDesc&) = default;
@@ -244,10 +257,11 @@ struct RenderDesc {
   friend bool operator==(const RenderDesc&, const RenderDesc&) = default;
 };
 
-/// The text that a description was read from, for messages.
+/// The text that a description was read from, for messages, and the models that it names.
 struct SceneSource {
   std::string name;
   std::shared_ptr<const std::string> text;  ///< null for what was made in C++
+  std::shared_ptr<ModelFiles> models = {};  ///< null: of the current folder
 
   friend bool operator==(const SceneSource&, const SceneSource&) { return true; }
 };

@@ -39,6 +39,7 @@ inline constexpr std::array<Names, 7> kRevolveNames = {"type", "radius", "height
                                                        "v",    "let",    "segments"};
 inline constexpr std::array<Names, 6> kTubeNames = {"type", "curve", "radius", "u", "let", "segments"};
 inline constexpr std::array<Names, 4> kBezierNames = {"type", "control_points", "patches", "segments"};
+inline constexpr std::array<Names, 4> kMeshNames = {"type", "file", "normals", "crease"};
 inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
 inline constexpr std::array<Names, 9> kNodeNames = {"name",    "translate", "rotate", "scale",   "visible",
                                                     "surface", "material",  "light",  "children"};
@@ -59,6 +60,7 @@ inline constexpr SceneKeys kFormula{"a formula surface", "surface_formula", kFor
 inline constexpr SceneKeys kRevolve{"a surface of revolution", "surface_revolve", kRevolveNames, 3};
 inline constexpr SceneKeys kTube{"a tube", "surface_tube", kTubeNames, 3};
 inline constexpr SceneKeys kBezier{"a Bezier surface", "surface_bezier", kBezierNames, 2};
+inline constexpr SceneKeys kMesh{"a mesh", "surface_mesh", kMeshNames, 2};
 inline constexpr SceneKeys kNode{"a node", "node", kNodeNames};
 inline constexpr SceneKeys kRotation{"a rotation", "rotation", kRotationNames, 2};
 inline constexpr SceneKeys kLight{"a light", "light", kLightNames};
@@ -67,7 +69,7 @@ inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
 /// All of them, but for named surfaces.
 inline constexpr std::array kAll = {kRoot,   kRender, kParameter, kMaterial, kFormula, kRevolve, kTube,
-                                    kBezier, kNode,   kRotation,  kLight,    kMap,     kCamera};
+                                    kBezier, kMesh,   kNode,      kRotation, kLight,   kMap,     kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};
@@ -77,7 +79,8 @@ inline constexpr std::array<Names, 3> kBlends = {"over", "add", "multiply"};
 inline constexpr std::array<Names, 2> kBlendOrders = {"exact", "given"};
 inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};
 /// Surfaces with a structure of their own; all other types are the catalogue's.
-inline constexpr std::array<Names, 4> kShapeTypes = {"formula", "revolve", "tube", "bezier"};
+inline constexpr std::array<Names, 5> kShapeTypes = {"formula", "revolve", "tube", "bezier", "mesh"};
+inline constexpr std::array<Names, 3> kNormalRules = {"given", "smooth", "flat"};
 
 }  // namespace keys
 }  // namespace luxo

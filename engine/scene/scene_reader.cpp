@@ -22,6 +22,7 @@
 #include "base/suggestion.h"
 #include "formula/parse.h"
 #include "scene/json.h"
+#include "scene/model_files.h"
 #include "scene/scene_construction.h"
 #include "scene/scene_members.h"
 #include "scene/shape_reader.h"
@@ -392,9 +393,10 @@ std::string readText(const std::filesystem::path& path) {
 
 }  // namespace
 
-SceneFile parseScene(std::string text, std::string name) {
+SceneFile parseScene(std::string text, std::string name, const std::filesystem::path& folder) {
   SceneFile file;
-  file.source = {name, std::make_shared<const std::string>(std::move(text))};
+  file.source = {name, std::make_shared<const std::string>(std::move(text)),
+                 std::make_shared<ModelFiles>(folder)};
   SceneProblems problems(file.source);
   {
     const JsonDocument document(file.source.text);
@@ -413,7 +415,7 @@ SceneFile readScene(std::istream& stream, std::string name) {
 }
 
 SceneFile readSceneFile(const std::filesystem::path& path) {
-  return parseScene(readText(path), path.string());
+  return parseScene(readText(path), path.string(), path.parent_path());
 }
 
 }  // namespace luxo

@@ -18,9 +18,11 @@ inline constexpr std::size_t kMaxSceneNodes = std::size_t{1} << 22;
 inline constexpr std::size_t kMaxSceneParameters = 4096;
 
 /// The description in a text; `name` is what messages call it. Throws Error(Scene) whose what() shows every
-/// error (20 of them, and how many more), those of its formulas and references included. Linear in the text.
+/// error (20 of them, and how many more), those of its formulas and references included. Models are named
+/// relative to `folder`. Linear in the text.
 /// Memory: the text, 16 bytes per JSON value while reading, then about 600 bytes per node.
-[[nodiscard]] SceneFile parseScene(std::string text, std::string name);
+[[nodiscard]] SceneFile parseScene(std::string text, std::string name,
+                                   const std::filesystem::path& folder = {});
 
 /// The description in a stream, such as standard input, up to its end.
 [[nodiscard]] SceneFile readScene(std::istream& stream, std::string name);

@@ -55,6 +55,7 @@ struct ShapeVisitor {
   void operator()(const BezierShape& shape) const {
     for (const Quantity3& point : shape.points) visitAll(point, visit);
   }
+  void operator()(const MeshShape& shape) const { visit(shape.crease); }
 };
 
 void visitCamera(const CameraDesc& camera, const Visit& visit) {

@@ -12,6 +12,7 @@
 
 #include "base/assert.h"
 #include "base/srgb_curve.h"
+#include "mesh/triangle_mesh.h"
 #include "scene/json_writer.h"
 #include "scene/scene_keys.h"
 
@@ -173,6 +174,12 @@ struct ShapeWriter {
       patches.add(std::move(indices));
     }
     members.put("patches", std::move(patches));
+  }
+  void operator()(const MeshShape& shape) const {
+    members.put("type", JsonText::string("mesh"));
+    members.put("file", JsonText::string(shape.file.text));
+    members.addWord("normals", shape.normals, NormalRule::Given, keys::kNormalRules);
+    members.add("crease", shape.crease, MeshShape{}.crease);
   }
 
  private:

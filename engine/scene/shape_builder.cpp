@@ -12,6 +12,8 @@
 #include "base/error.h"
 #include "formula/tape.h"
 #include "scene/formula_set.h"
+#include "scene/model_files.h"
+#include "scene/model_scene.h"
 #include "surface/bezier.h"
 #include "surface/catalogue.h"
 #include "surface/tube.h"
@@ -232,6 +234,25 @@ Surface ShapeBuilder::buildShape(const std::string& name, const BezierShape& sha
     }
   }
   return bezier(patches, {.name = name});
+}
+
+Surface ShapeBuilder::buildShape(const std::string&, const MeshShape& shape) {
+  const std::optional<double> crease =
+      formulas_.once(shape.crease, {{0, kPi}, "from 0 to pi, which is 180 degrees", true});
+  if (!crease) return {};
+  try {
+    const std::shared_ptr<ModelFiles>& ofScene = problems_.source().models;
+    const auto files = ofScene ? ofScene : std::make_shared<ModelFiles>();
+    const std::shared_ptr<const Model> model =
+        files->get(shape.file.text, {.normals = shape.normals, .crease = *crease});
+    if (warnings_)
+      for (const std::string& warning : model->warnings)
+        warnings_->push_back({rangeOf(shape.file.place), warning, ""});
+    return surfaceOf(*model);
+  } catch (const Error& error) {
+    problems_.add(shape.file.place, error.what(), error.hint());
+    return {};
+  }
 }
 
 ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const Quantity& opacity) {

@@ -43,6 +43,7 @@ class ShapeBuilder {
   Surface buildShape(const std::string& name, const RevolveShape& shape);
   Surface buildShape(const std::string& name, const TubeShape& shape);
   Surface buildShape(const std::string& name, const BezierShape& shape);
+  Surface buildShape(const std::string& name, const MeshShape& shape);
   Surface buildShape(const std::string&, std::monostate) { return {}; }
 
   [[nodiscard]] bool readOpacity(const Quantity& opacity, Animated<double>& value);

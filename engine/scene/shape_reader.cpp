@@ -29,6 +29,7 @@ class ShapeReader {
   void readRevolve(const JsonValue& value);
   void readTube(const JsonValue& value);
   void readBezier(const JsonValue& value);
+  void readMesh(const JsonValue& value);
   void readCatalogued(const JsonValue& value, const JsonValue& type, const CatalogueEntry& entry);
 
   bool readArgument(const JsonValue& value, const CatalogueArgument& argument, NamedShape& shape);
@@ -71,11 +72,8 @@ void ShapeReader::readAny(const JsonValue& value) {
   if (name == "revolve") return readRevolve(value);
   if (name == "tube") return readTube(value);
   if (name == "bezier") return readBezier(value);
+  if (name == "mesh") return readMesh(value);
   if (const CatalogueEntry* entry = findCatalogueEntry(name)) return readCatalogued(value, type, *entry);
-  if (name == "mesh") {
-    problems_.add(type.where(), "mesh surfaces are not supported yet");
-    return;
-  }
   const std::vector<std::string> types = surfaceTypes();
   problems_.add(type.where(), fmt::format("unknown surface type '{}'", name),
                 didYouMean(name, types, fmt::format("one of {}", listed(types))));
@@ -127,6 +125,16 @@ void ShapeReader::readBezier(const JsonValue& value) {
     good = readPoints(members["control_points"], shape.points) && readPatches(patches, shape) && good;
   else
     good = readWholePatches(members["control_points"], shape) && good;
+  if (good) surface_.shape = std::move(shape);
+}
+
+void ShapeReader::readMesh(const JsonValue& value) {
+  const SceneMembers members(value, keys::kMesh, problems_);
+  MeshShape shape;
+  bool good = members.complete();
+  good = values_.read(members["file"], shape.file) && good;
+  good = values_.readWord(members["normals"], keys::kNormalRules, shape.normals) && good;
+  good = values_.read(members["crease"], shape.crease) && good;
   if (good) surface_.shape = std::move(shape);
 }
 

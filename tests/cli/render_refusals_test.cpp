@@ -62,8 +62,7 @@ TEST_F(RenderRefusals, Scenes) {
     return run(folder, {"render", scene, "-o", "a.png"});
   };
   expectFailure(refused("luxo-granpa"), 3, "no scene 'luxo-granpa'", "did you mean 'luxo-grandpa'?");
-  for (const char* model : {"castle.obj", "castle.glb"})
-    expectFailure(refused(model), 3, "models are not supported yet", ".luxo.json");
+  for (const char* model : {"castle.obj", "castle.GLB"}) expectFailure(refused(model), 3, model);
   EXPECT_EQ(folder.entries(), 0u);
   expectFailure(run(folder, {"render", "-o", "a.png"}), 2, "no scene is given", "--list");
 }

@@ -143,8 +143,9 @@ TEST(SceneReader, PointsAtMistakesOfForm) {
        "expected an array of 2 numbers"},
       {scene("\"surfaces\": { \"s\": { \"type\": \"formula\" } }"), "2:20",
        "a formula surface needs \"position\""},
-      {scene("\"surfaces\": { \"s\": { \"type\": \"mesh\", \"file\": \"a.obj\" } }"), "2:30",
-       "mesh surfaces are not supported yet"},
+      {scene("\"surfaces\": { \"s\": { \"type\": \"mesh\" } }"), "2:20", "a mesh needs \"file\""},
+      {scene(R"("surfaces": { "s": { "type": "mesh", "file": "a.obj", "normals": "round" } })"), "2:67",
+       "unknown word 'round'", "smooth"},
       {scene("\"surfaces\": { \"s\": { \"type\": \"bezier\", \"control_points\": [[]] } }"), "2:59",
        "a patch has 16 control points, this one 0"},
       {scene("\"surfaces\": { \"s\": { \"type\": \"bezier\", \"control_points\": [[0,0,0]], \"patches\": "

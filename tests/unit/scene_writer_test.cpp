@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Descriptions as text: canonical, readable, and read back they are the same.
 #include "scene/scene_writer.h"
+#include "mesh/triangle_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -190,7 +191,7 @@ class RandomScene {
   }
   SurfaceDesc surface(int i) {
     SurfaceDesc desc{.name = name("s", i)};
-    switch (random_.below(5)) {
+    switch (random_.below(6)) {
       case 0: {
         const CatalogueEntry& entry =
             catalogue()[static_cast<std::size_t>(random_.below(int(catalogue().size())))];
@@ -217,6 +218,10 @@ class RandomScene {
       case 3:
         desc.shape =
             TubeShape{.u = quantities<2>(), .let = let(), .curve = quantities<3>(), .radius = quantity()};
+        break;
+      case 4:
+        desc.shape =
+            MeshShape{.file = "models/a b.obj", .normals = word<NormalRule>(3), .crease = quantity()};
         break;
       default: {
         BezierShape shape;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/model_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "math/transform.h"
+
+namespace luxo {
+namespace {
+
+using ModelPtr = std::shared_ptr<const Model>;
+
+Transform worldFromNode(const Model& model, std::uint32_t node, double seconds) {
+  const ModelNode& n = model.nodes[node];
+  const Transform local = n.parentFromNodeAt(seconds);
+  return n.parent == kNone ? local : worldFromNode(model, n.parent, seconds) * local;
+}
+
+/// Whether the node, or one that it hangs on, does.
+bool moves(const Model& model, std::uint32_t node) {
+  const ModelNode& n = model.nodes[node];
+  return n.moves() || (n.parent != kNone && moves(model, n.parent));
+}
+
+bool isIdentity(const Transform& t) { return t.linear == Mat3(1) && t.translation == Vec3(0); }
+
+Rotation rotationOf(const Vec4& quaternion) {
+  const Vec3 axis(quaternion);
+  const double sine = glm::length(axis);
+  return sine > 0 ? Rotation{axis / sine, 2 * std::atan2(sine, quaternion.w)} : Rotation{};
+}
+
+/// Adds a mesh's triangles as they stand in the world; turned over where that is mirrored, so that fronts
+/// stay fronts.
+void append(const TriangleMesh& mesh, const Transform& place, MeshArrays& arrays) {
+  const auto first = static_cast<std::uint32_t>(arrays.positions.size());
+  const Mat3 normals = normalMatrix(place.linear);
+  for (std::uint32_t i = 0; i < mesh.positions().size(); ++i) {
+    arrays.positions.push_back(transformPoint(place, mesh.point(i)));
+    arrays.normals.emplace_back(unit(normals * Vec3(mesh.normals()[i])));
+    arrays.uvs.push_back(mesh.uvs().empty() ? Vec2f(0) : mesh.uvs()[i]);
+  }
+  const bool turns = mirrors(place);
+  for (std::uint32_t i = 0; i < mesh.indices().size(); i += 3)
+    for (const std::uint32_t k : {0U, turns ? 2U : 1U, turns ? 1U : 2U})
+      arrays.indices.push_back(first + mesh.indices()[i + k]);
+}
+
+Material materialOf(const ModelMaterial& from) {
+  return {.name = from.name,
+          .diffuse = from.diffuse,
+          .ambient = from.ambient,
+          .specular = from.specular,
+          .shininess = from.shininess,
+          .opacity = from.opacity,
+          .twoSided = from.twoSided ? TwoSided::Yes : TwoSided::Auto};
+}
+
+class ModelBuilder {
+ public:
+  explicit ModelBuilder(const ModelPtr& model) : model_(model) {}
+
+  Scene build() {
+    for (const ModelMaterial& material : model_->materials)
+      materials_.push_back(scene_.add(materialOf(material)));
+    for (std::uint32_t i = 0; i < model_->nodes.size(); ++i) addNode(i);
+    if (model_->lights.empty()) addLights();
+    return std::move(scene_);
+  }
+
+ private:
+  void addNode(std::uint32_t index) {
+    const ModelNode& from = model_->nodes[index];
+    if (from.shear)
+      throw Error(
+          ErrorKind::Scene,
+          fmt::format("{}: node '{}' is sheared, which is not supported yet", model_->name, from.name),
+          "give it a translation, a rotation and a scale instead of a matrix");
+    Node node{.name = from.name, .parent = from.parent == kNone ? NodeId{} : nodes_[from.parent]};
+    node.translation = from.translation;
+    node.rotation = rotationOf(from.rotation);
+    node.scale = from.scale;
+    if (from.translationKeys)
+      node.translation = [model = model_, index](double t) { return model->nodes[index].translationAt(t); };
+    if (from.rotationKeys)
+      node.rotation = [model = model_, index](double t) {
+        return rotationOf(model->nodes[index].rotationAt(t));
+      };
+    if (from.scaleKeys)
+      node.scale = [model = model_, index](double t) { return model->nodes[index].scaleAt(t); };
+    if (from.light != kNone) node.light = lightOf(model_->lights[from.light]);
+    const TriangleMesh* mesh = from.mesh == kNone ? nullptr : &model_->meshes[from.mesh];
+    if (mesh && mesh->groups().size() == 1) {
+      node.surface = *mesh;
+      node.material = materials_[mesh->groups()[0].material];
+    }
+    nodes_.push_back(scene_.add(std::move(node)));
+    if (mesh && mesh->groups().size() > 1)
+      for (const MeshGroup& group : mesh->groups())
+        scene_.add(Node{.parent = nodes_.back(),
+                        .surface = Surface(*mesh, group),
+                        .material = materials_[group.material]});
+    if (from.camera != kNone) addCamera(index, model_->cameras[from.camera]);
+  }
+
+  [[nodiscard]] static Light lightOf(const ModelLight& from) {
+    return {.type = from.directional ? Light::Type::Directional : Light::Type::Point,
+            .color = from.color,
+            .intensity = from.intensity / kPi,
+            .attenuation = Light::Attenuation::InverseSquare};
+  }
+
+  void addCamera(std::uint32_t node, const ModelCamera& from) {
+    const auto placed = [&](const Vec3& point) -> Animated<Vec3> {
+      const auto at = [model = model_, node, point](double t) {
+        return transformPoint(worldFromNode(*model, node, t), point);
+      };
+      return moves(*model_, node) ? Animated<Vec3>(at) : Animated<Vec3>(at(0));
+    };
+    const auto directed = [&](const Vec3& direction) -> Animated<Vec3> {
+      const auto at = [model = model_, node, direction](double t) {
+        return transformDirection(worldFromNode(*model, node, t), direction);
+      };
+      return moves(*model_, node) ? Animated<Vec3>(at) : Animated<Vec3>(at(0));
+    };
+    Camera camera{.name = from.name.empty() ? "camera" : from.name,
+                  .eye = placed(Vec3(0)),
+                  .lookAt = placed(Vec3(0, 0, -1)),
+                  .up = directed(Vec3(0, 1, 0)),
+                  .fovY = from.fovY,
+                  .near = from.near,
+                  .projection = from.perspective ? Projection::Perspective : Projection::Orthographic,
+                  .height = from.height};
+    scene_.add(std::move(camera));
+  }
+
+  /// From the left and above, and a weak one from the right.
+  void addLights() {
+    const double azimuth = std::atan2(1.0, 1.5);  // of the direction in which fitted cameras are
+    const auto add = [&](const char* name, double turn, double tilt, double intensity, const Vec3& color) {
+      const NodeId turned = scene_.add(Node{.name = fmt::format("{} turn", name),
+                                            .rotation = Rotation{{0, 1, 0}, azimuth + radians(turn)}});
+      scene_.add(
+          Node{.name = name,
+               .parent = turned,
+               .rotation = Rotation{{1, 0, 0}, radians(tilt)},
+               .light = Light{.type = Light::Type::Directional, .color = color, .intensity = intensity}});
+    };
+    add("key light", -49, -50, 0.9, {1, 0.97, 0.92});
+    add("fill light", 66, -10, 0.25, {0.85, 0.92, 1});
+  }
+
+  ModelPtr model_;
+  Scene scene_;
+  std::vector<MaterialId> materials_;
+  std::vector<NodeId> nodes_;
+};
+
+}  // namespace
+
+Surface surfaceOf(const Model& model) {
+  std::vector<std::pair<std::uint32_t, Transform>> shown;  // meshes, and where they are
+  for (std::uint32_t i = 0; i < model.nodes.size(); ++i)
+    if (model.nodes[i].mesh != kNone) shown.emplace_back(model.nodes[i].mesh, worldFromNode(model, i, 0));
+  if (shown.empty())
+    throw Error(ErrorKind::Scene, fmt::format("the model '{}' has no triangles", model.name));
+  if (shown.size() == 1 && isIdentity(shown[0].second)) return model.meshes[shown[0].first];
+  MeshArrays arrays;
+  for (const auto& [mesh, place] : shown) append(model.meshes[mesh], place, arrays);
+  return triangleMesh(std::move(arrays), model.name);
+}
+
+Scene modelScene(const ModelPtr& model) { return ModelBuilder(model).build(); }
+
+}  // namespace luxo

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a model to what scenes are made of.
+//
+//     Scene scene = modelScene(readModel("lamp.glb"));
+#pragma once
+
+#include <memory>
+
+#include "mesh/model.h"
+#include "scene/scene.h"
+
+namespace luxo {
+
+/// All that a model shows at time 0, as one surface: its mesh as it is, where one stands at one place that is
+/// not moved; else all of them, put together. Error(Scene): it shows nothing.
+[[nodiscard]] Surface surfaceOf(const Model& model);
+
+/// The scene of a model: its nodes with their movements, a node below for each material of a mesh that has
+/// several; materials, cameras and lights. One without lights gets two, of a picture from (1, 0.8, 1.5),
+/// where a camera that is fitted looks from. Candela and lux are divided by pi: reflection here is not.
+/// Error(Scene): a node is sheared.
+[[nodiscard]] Scene modelScene(const std::shared_ptr<const Model>& model);
+
+}  // namespace luxo

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models as scenes, and as surfaces of scene files.
+#include "scene/model_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "scene/model_files.h"
+#include "scene/scene_builder.h"
+#include "scene_test_support.h"
+#include "support/meshes.h"
+#include "surface/surface_triangles.h"
+
+namespace luxo {
+namespace {
+
+using test::expectNear;
+using test::expectSceneError;
+
+Vec4 turn(const Vec3& axis, double angle) { return {std::sin(angle / 2) * axis, std::cos(angle / 2)}; }
+
+/// Two quads on one node that turns, one of each material; a ball below it, mirrored; a camera and a light.
+Model lampModel() {
+  MeshArrays arrays{.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
+                    .indices = {0, 1, 2, 0, 2, 3},
+                    .materials = {0, 1}};
+  Model model{.name = "lamp"};
+  model.meshes = {triangleMesh(std::move(arrays), "halves"), test::icosphere(1)};
+  model.materials = {{.name = "red", .diffuse = {1, 0, 0}},
+                     {.name = "blue", .diffuse = {0, 0, 1}, .twoSided = true}};
+  model.nodes = {{.name = "arm", .translation = {0, 2, 0}, .mesh = 0},
+                 {.name = "bulb", .parent = 0, .translation = {3, 0, 0}, .scale = {-1, 1, 1}, .mesh = 1},
+                 {.name = "eye", .translation = {0, 0, 9}, .rotation = turn({0, 1, 0}, kPi / 2), .camera = 0},
+                 {.name = "sun", .light = 0}};
+  model.nodes[0].rotationKeys =
+      Keyframes{.times = {0, 1}, .values = {turn({0, 0, 1}, 0), turn({0, 0, 1}, kPi / 2)}};
+  model.cameras = {{.name = "eye", .fovY = 0.5, .near = 0.2}};
+  model.lights = {{.name = "sun", .directional = true, .color = {1, 0.5, 0.25}, .intensity = 2 * kPi}};
+  return model;
+}
+
+TEST(ModelScene, HasTheModelsNodesMaterialsCamerasAndLights) {
+  const Scene scene = modelScene(std::make_shared<const Model>(lampModel()));
+  const Snapshot still = takeSnapshot(scene, 0, {64, 64}), later = takeSnapshot(scene, 1, {64, 64});
+  ASSERT_EQ(still.nodes.size(), 3U);  // two parts and the ball
+  EXPECT_EQ(still.materials[still.nodes[0].material.index].name, "red");
+  EXPECT_EQ(still.materials[still.nodes[1].material.index].name, "blue");
+  EXPECT_EQ(still.materials[still.nodes[1].material.index].twoSided, TwoSided::Yes);
+  EXPECT_EQ(still.nodes[0].surface.triangles()->count, 1U);
+  expectNear(still.nodes[2].worldFromObject.translation, {3, 2, 0}, 1e-12);
+  expectNear(later.nodes[2].worldFromObject.translation, {0, 5, 0}, 1e-12);
+  expectNear(later.nodes[2].worldFromObject.linear[0], {0, -1, 0}, 1e-12);
+  EXPECT_TRUE(scene.movesWithTime());
+  expectNear(still.view.eye, {0, 0, 9}, 1e-12);
+  expectNear(still.view.forward(), {-1, 0, 0}, 1e-12);
+  ASSERT_EQ(still.lights.size(), 1U);
+  expectNear(Vec3(still.lights[0].positionWorld), {0, 0, 1}, 1e-12);
+  expectNear(still.lights[0].radiance, {2, 1, 0.5}, 1e-12);
+}
+
+TEST(ModelScene, WithoutLightsHasTwoThatLightWhatAFittedCameraSees) {
+  Model model = lampModel();
+  model.lights.clear();
+  model.nodes.pop_back();
+  const Snapshot snapshot =
+      takeSnapshot(modelScene(std::make_shared<const Model>(std::move(model))), 0, {64, 64});
+  ASSERT_EQ(snapshot.lights.size(), 2U);
+  for (const SnapshotLight& light : snapshot.lights)
+    EXPECT_GT(glm::dot(Vec3(light.positionWorld), unit(Vec3(1, 0.8, 1.5))), 0.3);
+}
+
+TEST(ModelScene, AShearIsRefused) {
+  Model model = lampModel();
+  model.nodes[1].shear = Mat3(1);
+  const auto shared = std::make_shared<const Model>(std::move(model));
+  expectSceneError([&] { static_cast<void>(modelScene(shared)); }, {"lamp", "'bulb'", "sheared"});
+}
+
+TEST(ModelSurface, IsAllOfTheModelAtRest) {
+  const Model model = lampModel();
+  const Surface surface = surfaceOf(model);
+  EXPECT_EQ(surface.triangles()->count, 2 + model.meshes[1].triangleCount());
+  EXPECT_NEAR(surface.bounds({}).max.x, 4, 1e-6);  // the ball around (3, 2, 0)
+  // Mirrored fronts are fronts: the volume of the ball is above 0.
+  double volume = 0;
+  for (std::uint32_t i = 0; i < surface.triangles()->count; ++i) {
+    const auto [a, b, c] = surface.triangles()->points(i);
+    volume += glm::dot(a - Vec3(3, 2, 0), glm::cross(b - Vec3(3, 2, 0), c - Vec3(3, 2, 0))) / 6;
+  }
+  EXPECT_NEAR(volume, 4 * kPi / 3, 0.7);
+}
+
+TEST(ModelSurface, OneMeshAtOnePlaceIsThatMesh) {
+  Model model{.meshes = {test::quadMesh()}, .nodes = {{.mesh = 0}}};
+  EXPECT_EQ(surfaceOf(model).triangles()->mesh, model.meshes[0]);
+  expectSceneError([] { static_cast<void>(surfaceOf(Model{.name = "void"})); }, {"'void' has no triangles"});
+}
+
+TEST(ModelFiles, LeadNowhereElse) {
+  ModelFiles files("models");
+  for (const char* name : {"../a.obj", "/tmp/a.obj", "sub/../../a.obj", ""})
+    expectSceneError([&] { static_cast<void>(files.get(name, {})); },
+                     {"the model '" + std::string(name) + "'"});
+}
+
+TEST(ModelFiles, ProblemsHaveThePlaceInTheScene) {
+  SceneFile file;
+  file.surfaces = {{.name = "s", .shape = MeshShape{.file = "missing.obj"}}};
+  file.nodes = {NodeDesc{.surface = "s"}};
+  expectSceneError([&] { static_cast<void>(buildScene(file)); }, {"missing.obj"});
+}
+
+/// A mesh has what surfaces have.
+TEST(SurfaceOfTriangles, KnowsItsBoundsRangeAndShape) {
+  const Surface quad = test::quadMesh(), cube = test::cubeMesh();
+  EXPECT_EQ(quad.name(), "quad");
+  EXPECT_EQ(quad.patchCount(), 0U);
+  EXPECT_EQ(quad.bounds({}), (Box{{-1, -1, 0}, {1, 1, 0}}));
+  EXPECT_EQ(quad.domain(), (Domain{{0, 1}, {0, 1}}));
+  EXPECT_EQ(quad.flatNormal(), std::optional(Vec3(0, 0, 1)));
+  EXPECT_FALSE(quad.closed());
+  EXPECT_TRUE(cube.closed());
+  EXPECT_FALSE(cube.flatNormal());
+  EXPECT_EQ(cube.framing({}), (Box{Vec3(-1), Vec3(1)}));
+  EXPECT_NE(quad.identity(), Surface(test::quadMesh()).identity());
+}
+
+TEST(SurfaceOfTriangles, IsFittedIntoThePicture) {
+  Scene scene;
+  scene.add(Node{.translation = Vec3(1e3, 0, 0), .surface = test::icosphere(6)});  // 81,920 triangles
+  const Snapshot snapshot = takeSnapshot(scene, 0, {200, 100});
+  double reach = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double z = 1 - (i + 0.5) / 2000, phi = i * 2.4, r = std::sqrt(1 - z * z);
+    const Vec3 point = Vec3(1e3, 0, 0) + Vec3(r * std::cos(phi), r * std::sin(phi), z);
+    const Vec2 pixel = pixelFromEye(snapshot.view, eyeFromWorldPoint(snapshot.view, point));
+    reach = std::max({reach, std::abs(pixel.x - 100) / 100, std::abs(pixel.y - 50) / 50});
+  }
+  EXPECT_NEAR(reach, 0.85, 0.02);
+}
+
+}  // namespace
+}  // namespace luxo
