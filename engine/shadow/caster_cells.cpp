@@ -136,6 +136,7 @@ class Cutter {
 }  // namespace
 
 bool isEllipsoid(const Surface& surface, std::span<const double> parameters) {
+  if (surface.patchCount() != 1) return false;
   const auto equation = equationOf(surface, 0, parameters);
   return equation && equation->form() == Equation::Form::Quadric && boundsSolid(surface, parameters);
 }
