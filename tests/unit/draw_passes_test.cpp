@@ -47,13 +47,6 @@ TEST(Passes, APictureClearsItsTargetsOnce) {
   EXPECT_EQ(told(passesOf(listOf(1, 0, 0), {.emptyPasses = true})), (Names{"found 1", "transparent+ 0"}));
 }
 
-TEST(Passes, WhatIsLitAtOnceIsDrawnWhereNothingIsLitLater) {
-  DrawList list = listOf(0, 2, 0);
-  list.deferred = true;
-  list.groups.resize(1);
-  EXPECT_EQ(told(passesOf(list, {})), (Names{"found 0", "shade 0", "meshes+ 2"}));
-}
-
 TEST(Passes, WhatIsCompletedIsKept) {
   EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {.completes = true})), (Names{"found+ 2"}));
 }
@@ -82,6 +75,30 @@ DrawList deferredList() {
   list.deferred = true;
   list.groups.resize(1);
   return list;
+}
+
+TEST(Passes, WhatIsLitAtOnceIsDrawnWhereNothingIsLitLater) {
+  DrawList list = listOf(0, 2, 0);
+  list.deferred = true;
+  list.groups.resize(1);
+  const std::vector<Pass> passes = passesOf(list, {});
+  ASSERT_EQ(passes.size(), 3U);
+  EXPECT_EQ(passes[2].name, std::string("meshes"));
+  EXPECT_EQ(passes[2].batches.size(), 2U);
+  EXPECT_EQ(passes[2].colors.front().begin, Begin::Keep);
+}
+
+/// Once the shadows of its lights are known, after what was cleared for each group.
+TEST(Passes, MeshesAreDrawnAgainForEachGroupOfLights) {
+  DrawList list = deferredList();
+  list.groups.resize(2);
+  for (LightGroup& group : list.groups) {
+    group.lights.resize(1);
+    group.again.resize(1);
+  }
+  Names names;
+  for (const Pass& pass : passesOf(list, {})) names.emplace_back(pass.name);
+  EXPECT_EQ(names, (Names{"found", "shadows", "shade", "meshes again", "shadows", "shade", "meshes again"}));
 }
 
 TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
