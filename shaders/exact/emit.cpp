@@ -137,11 +137,11 @@ void addScene(Wanted& wanted, const Scene& scene) {
     if (!layers && !shadows) continue;
     // Points are lit later.
     if (patterns && !through) addSurface(all, node.surface, node.parameters, {}, true);
-    if (pattern.valid())
-      wanted.lights.insert({through   ? "pattern/shade_layers.frag"
-                            : shadows ? "pattern/shade_in_shadows.frag"
-                                      : "pattern/shade.frag",
-                            text});
+    if (!pattern.valid()) continue;
+    // Groups of lights without shadows light them, too.
+    if (through) wanted.lights.insert({"pattern/shade_layers.frag", text});
+    if (!through) wanted.lights.insert({"pattern/shade.frag", text});
+    if (!through && shadows) wanted.lights.insert({"pattern/shade_in_shadows.frag", text});
   }
 }
 
