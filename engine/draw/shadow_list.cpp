@@ -293,8 +293,8 @@ class ShadowLister {
       } while (i < closed_.size() && draw.state.closed < shared::kMostClosedCasters &&
                closed_[i].kind == draw.state.closedKind &&
                around(draw.area, closed_[i].area).count() <= draw.area.count() + closed_[i].area.count());
-      if (!group_->shades.empty()) group_->shadows.push_back(draw);
-      if (!group_->layerShades.empty()) {
+      if (group_->lightsPoints()) group_->shadows.push_back(draw);
+      if (group_->lightsLayers()) {
         draw.state.form = Form::LayerShadow;
         group_->layerShadows.push_back(draw);
       }
