@@ -144,7 +144,7 @@ TEST(SceneReader, PointsAtMistakesOfForm) {
       {scene("\"surfaces\": { \"s\": { \"type\": \"formula\" } }"), "2:20",
        "a formula surface needs \"position\""},
       {scene("\"surfaces\": { \"s\": { \"type\": \"mesh\" } }"), "2:20", "a mesh needs \"file\""},
-      {scene(R"("surfaces": { "s": { "type": "mesh", "file": "a.obj", "normals": "round" } })"), "2:67",
+      {scene(R"("surfaces": { "s": { "type": "mesh", "file": "a.obj", "normals": "round" } })"), "2:66",
        "unknown word 'round'", "smooth"},
       {scene("\"surfaces\": { \"s\": { \"type\": \"bezier\", \"control_points\": [[]] } }"), "2:59",
        "a patch has 16 control points, this one 0"},

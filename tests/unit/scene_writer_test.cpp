@@ -232,7 +232,7 @@ class RandomScene {
         desc.shape = shape;
       }
     }
-    if (coin()) desc.segments = quantities<2>();
+    if (coin() && !std::holds_alternative<MeshShape>(desc.shape)) desc.segments = quantities<2>();
     return desc;
   }
   NodeDesc node(int i, const SceneFile& file) {
