@@ -430,9 +430,10 @@ class Judge {
       if (one.certified && size(off - change) < size(off)) lights.push_back({one.light, one.visible, change});
     }
     findBorders(caster, i, lights);
-    const auto others = std::ranges::partition(lights, &Turned::atBorder);
+    const auto others =
+        std::partition(lights.begin(), lights.end(), [](const Turned& one) { return one.atBorder; });
     std::vector<Vec3> bordering;
-    for (auto one = lights.begin(); one != others.begin(); ++one) bordering.push_back(one->change);
+    for (auto one = lights.begin(); one != others; ++one) bordering.push_back(one->change);
     while (!bordering.empty()) {
       const auto best =
           std::ranges::min_element(bordering, {}, [&](const Vec3& change) { return size(off - change); });
@@ -440,8 +441,9 @@ class Judge {
       off -= *best;
       bordering.erase(best);
     }
-    return size(off) > kOtherLight &&
-           std::ranges::any_of(others, [&](const Turned& one) { return size(off - one.change) < size(off); });
+    return size(off) > kOtherLight && std::any_of(others, lights.end(), [&](const Turned& one) {
+             return size(off - one.change) < size(off);
+           });
   }
 
   /// From a pixel's centre to where the truth is what the pixel shows.
