@@ -306,11 +306,13 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
       explained = now.g <= 0.0 || cellsBeyond(p) > -kNearCells;
       passedBorder = now.g > 0.0 && seesPastBorder();
       // Where the trace begins beside the edge it sees nothing between, s cells wide: there f is at least |f| - |J| s - K s^2,
-      // and if that may be 0 a miss is lost.
+      // and f + J x is 0 within |1/J| K s^2 of a root. If there may be one on this side of the edge, a miss is lost.
       if (any(notEqual(p, startAtEntry().xy))) {
         real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
-        real strip = 1.5 * kBesideEdge, bend = changeOfOffset(ray) * strip * strip;
-        blind = !(length(at.f) > sqrt(dot(ju, ju) + dot(jv, jv)) * strip + bend);
+        real strip = 1.5 * kBesideEdge, bend = changeOfOffset(ray) * strip * strip, size = sqrt(dot(ju, ju) + dot(jv, jv));
+        real perArea = 1.0 / (ju.x * jv.y - ju.y * jv.x);
+        real2 root = p + varyingCellHalf.xy * real2(jv.x * at.f.y - jv.y * at.f.x, ju.y * at.f.x - ju.x * at.f.y) * perArea;
+        blind = !(length(at.f) > size * strip + bend) && !(cellsBeyond(root) > size * abs(perArea) * bend);
       }
       // Where the ray begins outside and nears the surface, nothing is behind.
       if (now.g < 0.0 && now.slope > 0.0) steps = kBackward;
