@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/assert.h"
 #include "base/error.h"
@@ -175,6 +176,20 @@ std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::ui
   return result;
 }
 
+/// Makes front faces of those that most normals point out of.
+void turnFronts(const MeshVertices& vertices, std::vector<std::uint32_t>& indices) {
+  double facing = 0;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const Vec3 a(vertices.positions[indices[i]]), b(vertices.positions[indices[i + 1]]),
+        c(vertices.positions[indices[i + 2]]);
+    const Vec3 across = unit(glm::cross(b - a, c - a));
+    for (std::size_t k = i; k < i + 3; ++k)
+      facing += glm::dot(across, unit(Vec3(vertices.normals[indices[k]])));
+  }
+  if (facing >= 0) return;
+  for (std::size_t i = 0; i < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+}
+
 }  // namespace
 
 TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOptions& options) {
@@ -192,6 +207,7 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   vertices.uvs = std::move(arrays.uvs);
   for (Vec2f& uv : vertices.uvs) uv += 0.0f;
 
+  if (!vertices.normals.empty()) turnFronts(vertices, arrays.indices);
   // Slivers that fill the gap beside a vertex on an edge belong to the whole, so edges are counted with them.
   data->edges = edgesOf(vertices.positions, arrays.indices);
   data->dropped = dropTriangles(vertices.positions, arrays);

@@ -34,7 +34,8 @@ inline constexpr double kMaxCoordinate = 1e18;
 /// The most corners, and vertices, of a mesh: two of their numbers, and a bit, fit 64 bits.
 inline constexpr std::uint64_t kMaxCorners = 1ull << 31;
 
-/// What a mesh is made of. Front faces are counter-clockwise. Vertices that nothing uses do no harm.
+/// What a mesh is made of. Front faces are counter-clockwise; where most given normals point out of the other
+/// side, all triangles are turned. Vertices that nothing uses do no harm.
 struct MeshArrays {
   std::vector<Vec3> positions = {};         ///< metres, finite, up to kMaxCoordinate
   std::vector<Vec3f> normals = {};          ///< none, or one a position, of any length; (0, 0, 0): not given

@@ -27,6 +27,16 @@ std::string refusalOf(const MeshArrays& arrays, const MeshOptions& options = {})
 
 MeshArrays oneTriangle() { return {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .indices = {0, 1, 2}}; }
 
+/// By the divergence theorem: positive where fronts are outside.
+double volumeOf(const TriangleMesh& mesh) {
+  double volume = 0;
+  for (std::size_t i = 0; i < mesh.indices().size(); i += 3)
+    volume += glm::dot(mesh.point(mesh.indices()[i]),
+                       glm::cross(mesh.point(mesh.indices()[i + 1]), mesh.point(mesh.indices()[i + 2]))) /
+              6;
+  return volume;
+}
+
 TEST(TriangleMesh, OfACubeHasItsPointsFacesAndEdges) {
   const TriangleMesh cube = triangleMesh(cubeArrays(), "cube");
   expectPromises(cube);
@@ -84,6 +94,17 @@ TEST(TriangleMesh, GivenNormalsStayAndMissingOnesAreMade) {
     if (cube.positions()[i] == Vec3f(1)) {
       EXPECT_LT(glm::distance(cube.normals()[i], Vec3f(0.6f, 0, 0.8f)), 2e-7f);
     }
+}
+
+TEST(TriangleMesh, FrontsAreWhereGivenNormalsPointTo) {
+  const MeshArrays ball = ballArrays(8, 6);
+  MeshArrays turned = ball;
+  for (std::size_t i = 0; i < turned.indices.size(); i += 3)
+    std::swap(turned.indices[i + 1], turned.indices[i + 2]);
+  EXPECT_LT(volumeOf(triangleMesh(turned, "turned")), 0) << "no normals tell";
+  turned.normals.assign(turned.positions.begin(), turned.positions.end());
+  turned.normals[3] = -turned.normals[3];  // most of them do
+  EXPECT_NEAR(volumeOf(triangleMesh(turned, "turned")), volumeOf(triangleMesh(ball, "ball")), 1e-6);
 }
 
 TEST(TriangleMesh, SmoothingNumbersDecideWhatIsSharp) {
