@@ -61,8 +61,8 @@ std::string summaryOf(std::string_view text) {
 Scene openModel(const std::string& file, std::vector<std::string>* warnings) {
   const auto model = std::make_shared<const Model>(readModel(file));
   if (warnings)
-    for (const std::string& warning : model->warnings)
-      warnings->push_back(fmt::format("{}: {}", file, warning));
+    for (const auto& some : {model->warnings, notDrawn(*model)})
+      for (const std::string& warning : some) warnings->push_back(fmt::format("{}: {}", file, warning));
   return modelScene(model);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -177,5 +178,23 @@ Surface surfaceOf(const Model& model) {
 }
 
 Scene modelScene(const ModelPtr& model) { return ModelBuilder(model).build(); }
+
+std::vector<std::string> notDrawn(const Model& model) {
+  std::vector<std::string> messages;
+  const auto tell = [&](auto has, std::string_view what) {
+    const auto count = std::ranges::count_if(model.materials, has);
+    if (count == 0) return;
+    const std::string& first = std::ranges::find_if(model.materials, has)->name;
+    const std::string others = count == 1 ? "" : fmt::format(" and {} more", count - 1);
+    messages.push_back(fmt::format("material '{}'{}: {} not drawn yet", first, others, what));
+  };
+  tell(
+      [](const ModelMaterial& m) {
+        return m.map.given() || m.normalMap.given() || m.specularMap.given() || m.glowMap.given();
+      },
+      "maps are");
+  tell([](const ModelMaterial& m) { return m.glow != Vec3(0); }, "light of its own is");
+  return messages;
+}
 
 }  // namespace luxo

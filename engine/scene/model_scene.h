@@ -5,6 +5,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "mesh/model.h"
 #include "scene/scene.h"
@@ -20,5 +22,8 @@ namespace luxo {
 /// where a camera that is fitted looks from. Candela and lux are divided by pi: reflection here is not.
 /// Error(Scene): a node is sheared.
 [[nodiscard]] Scene modelScene(const std::shared_ptr<const Model>& model);
+
+/// What of a model's materials no picture shows yet, a message a kind: maps, light of their own.
+[[nodiscard]] std::vector<std::string> notDrawn(const Model& model);
 
 }  // namespace luxo

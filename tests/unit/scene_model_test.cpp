@@ -141,5 +141,18 @@ TEST(SurfaceOfTriangles, IsFittedIntoThePicture) {
   EXPECT_NEAR(reach, 0.85, 0.02);
 }
 
+TEST(ModelScene, TellsWhatIsNotDrawn) {
+  Model model;
+  model.materials = {{.name = "plain"}};
+  EXPECT_TRUE(notDrawn(model).empty());
+  model.materials.push_back({.name = "wood"});
+  model.materials.back().map.image = 0;
+  model.materials.push_back({.name = "bark", .glow = Vec3(1)});
+  model.materials.back().normalMap.image = 0;
+  EXPECT_EQ(notDrawn(model),
+            (std::vector<std::string>{"material 'wood' and 1 more: maps are not drawn yet",
+                                      "material 'bark': light of its own is not drawn yet"}));
+}
+
 }  // namespace
 }  // namespace luxo
