@@ -8,11 +8,14 @@
 const int kPlainSteps = 9, kNearSteps = 9;
 const float kSettled = 0.05;    // cells: where the ray is nearest is known once steps are shorter
 const float kBoldCells = 4.0;   // how many cells a step may lead
-const float kTraceStep = 0.35;   // cells: the shortest step of a trace,
+const float kTraceStep = 0.35;   // cells: a step of a trace,
 const float kTraceGrowth = 1.6;  // how many times as long the next one is where the surface bends steadily,
-const float kTraceMax = 4.0;    // and the longest
+const float kTraceMax = 4.0;    // the longest,
+const float kTraceMin = 0.02;   // and the shortest
+const float kBothEnds = 1.7;    // of what is clear ahead of a step: some is clear before its end, too
 const float kSteady = 0.1;      // of the offset: what the slopes at both ends of a step say of it may be wrong by that
-const int kBackward = 2, kForward = 40;  // steps against the ray, if any, and, at most, along it
+const int kTraceSteps = 42;     // of a trace, both ways
+const float kBehind = 0.7;      // cells: so far it looks against the ray, if at all
 const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
 const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
 const float kBesideEdge = 2e-4;  // cells: a trace begins no nearer to an edge; some 0.005 pixels
@@ -217,28 +220,20 @@ Sample sampleAt(Ray ray, real2 p, Probe at, real sense) {
   return s;
 }
 
-bool isLong(real way) { return way > 2.0 * kTraceStep; }
+// How many cells along the curve, ahead of a sample (`sense` 1) or before it (-1), the ray certainly does not meet the
+// surface: until a parabola with the height and the slope there and the theorem's second derivative (at `certified`) is 0.
+real clearance(Sample s, real sense, real k) {
+  real height = abs(s.g), rise = s.g > 0.0 ? sense * s.slope : -sense * s.slope, bend = 1.5 * k * (1.0 + s.tilt);
+  real root = sqrt(rise * rise + 2.0 * bend * height);
+  real way = rise > 0.0 ? (rise + root) / max(bend, kSmallest) : 2.0 * height / max(root - rise, kSmallest);
+  return min(way, 0.25 * s.across / max(k, kSmallest));
+}
 
 // Where between two samples g changes its sign, 0 to 1: by the parabola through both with the slope of the first.
 real crossing(Sample low, Sample high, real way) {
   real b = low.slope * way, c = high.g - low.g - b;
   real root = sqrt(max(b * b - 4.0 * c * low.g, 0.0));
   return clamp(2.0 * abs(low.g) / max(low.g > 0.0 ? root - b : root + b, kSmallest), 0.0, 1.0);
-}
-
-// Where between two samples, `low` before `high`, g rises through 0: 0 to 1, or -1. A dip below 0 or a bump above it
-// between them counts, too.
-real rise(Sample low, Sample high, real way) {
-  if (low.g <= 0.0 && high.g > 0.0) return crossing(low, high, way);
-  real turn = low.slope / (low.slope - high.slope);  // where the slope vanishes
-  real extreme = low.g + 0.5 * way * turn * low.slope;
-  real extreme2 = high.g - 0.5 * way * (1.0 - turn) * high.slope;
-  // They are known as well as they agree: what may be a root is looked at, or, of a long step, walked again.
-  real margin = abs(extreme - extreme2);
-  bool dips = low.g > 0.0 && high.g > 0.0 && low.slope < 0.0 && high.slope > 0.0;
-  bool rises = low.g <= 0.0 && high.g <= 0.0 && low.slope > 0.0 && high.slope < 0.0;
-  bool dip = dips && min(extreme, extreme2) <= margin, bump = rises && max(extreme, extreme2) >= -margin;
-  return dip ? 1.0 : bump ? 0.0 : -1.0;
 }
 
 // Where ahead of a sample g is 0 by what is known there: 0 to 1, or -1.
@@ -283,23 +278,25 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
 // at the nearest place, farther away than `after`, where the ray meets the surface: `best`, at depth `after`, on
 // `wantedSide`. That is the side that the shell is seen from, or, where the ray has run past a border before, the other.
 // Found, or missed, or lost. A miss has to be explained: the ray was outside of the surface from the first place to the last,
-// or it came in beyond a border, or through a root that is known to be none. What ends inside without that has passed a root
-// unseen: lost. So is what has not left the shell, or the patch, when the trace is over.
+// or it came in beyond a border, or through a root that is known to be none. And it has to be proven: of every step, what is
+// clear ahead of its start and what is clear before its end are all of it. Else it is lost, as is what has not left the shell,
+// or the patch, when the trace is over.
 //
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
-// offset well, and what a long one has passed is walked again with shorter ones.
+// offset well and are proven to pass nothing.
 int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
   real2 p = besideEdges(startAtEntry().xy);
-  real nearest = 1e30, length_ = kTraceStep, most = kTraceMax;
-  real sense = senseOf(ray);
+  real nearest = 1e30, length_ = kTraceStep, behind = 0.0;
+  real sense = senseOf(ray), k = changeOfOffset(ray);
   Sample first, last;
-  bool hasLeft = false, passedBorder = false, explained = true, blind = false;
+  bool hasLeft = false, passedBorder = false, back = true, explained = true, blind = false;
   best = p;
   crossed = false;
-  for (int steps = 0; steps <= kBackward + kForward; ++steps) {
+  for (int steps = 0; steps <= kTraceSteps; ++steps) {
     Probe at = probeAt(ray, p);
     Sample now = sampleAt(ray, p, at, sense);
-    bool back = steps <= kBackward, again = false, turned = false;
+    bool again = false, turned = false;
+    real shorter = 0.0;
     if (steps == 0) {
       first = now;
       // Behind the surface it begins where it has come in past a border, or where the root is behind the start.
@@ -315,41 +312,51 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
         blind = !(length(at.f) > size * strip + bend) && !(cellsBeyond(root) > size * abs(perArea) * bend);
       }
       // Where the ray begins outside and nears the surface, nothing is behind.
-      if (now.g < 0.0 && now.slope > 0.0) steps = kBackward;
+      back = !(now.g < 0.0 && now.slope > 0.0);
     } else {
       // Where the curve turns back it ends: the surface begins to face away from the ray.
       turned = !back && dot(now.way, last.way) < 0.0;
-      real where = back ? rise(now, last, length_) : turned ? ahead(last, length_) : rise(last, now, length_);
-      bool falls = !turned && passedBorder && where < 0.0 && last.g > 0.0 && now.g <= 0.0;
-      real part = back ? 1.0 - where : falls ? crossing(last, now, length_) : where;
-      real2 candidate = mix(last.p, turned ? p : now.p, part);
-      real depth = mix(last.depth, now.depth, part);
-      bool isRoot = where >= 0.0 || falls;
-      again = (isRoot || turned) && isLong(length_);
+      Sample from = back ? now : last, to = back ? last : now;
+      bool rises = !turned && from.g <= 0.0 && to.g > 0.0, falls = !turned && !back && passedBorder && from.g > 0.0 && to.g <= 0.0;
+      // Where both ends leave some of the step open it may touch 0 there.
+      real clear = clearance(from, 1.0, k), clearBefore = clearance(to, -1.0, k);
+      bool unsure = !rises && !falls && !(clear + clearBefore >= length_);
+      bool touches = unsure && from.g * from.slope < 0.0 && to.g * to.slope > 0.0;
+      real nears = turned ? ahead(from, length_) : -1.0;
+      bool isRoot = rises || falls || touches || nears >= 0.0;
+      real part = rises || falls ? crossing(from, to, length_) : touches ? (from.g > 0.0 ? 1.0 : 0.0) : max(nears, 0.0);
+      // What a long step has passed, or may have, is walked again.
+      again = unsure ? length_ > kTraceMin : (rises || falls) && length_ > kTraceStep;
+      shorter = unsure ? max(back ? clearBefore : clear, kTraceMin) : 0.5 * length_;
+      real2 candidate = mix(from.p, turned ? p : to.p, part);
+      real depth = mix(from.depth, to.depth, part);
       // Where the candidate is, is an estimate: whether it is the patch's is for the steps to decide that begin there.
       if (isRoot && !again && cellsBeyond(candidate) < kNearCells && depth < nearest && depth > after) {
         nearest = depth;
         best = candidate;
-        crossed = falls || (back ? now.g <= 0.0 && last.g > 0.0 : now.g > 0.0 && last.g <= 0.0);
+        crossed = rises || falls;
         wantedSide = falls ? -shellSide() : shellSide();
       } else if (isRoot && !again) {
         passedBorder = seesPastBorder();
         explained = true;
       }
-      if (!isRoot && !back && !again && last.g <= 0.0 && now.g > 0.0) explained = false;
+      blind = blind || (unsure && !again && !back);
     }
     // Beyond the shell and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
     bool leavesSlab = abs(now.g) > max(abs(last.g), varyingClip.z);
-    bool leaves = !back && !again && (leavesSlab || turned || cellsBeyond(now.p) > kBeyond);
+    bool leaves = !back && !again && steps > 0 && (leavesSlab || turned || cellsBeyond(now.p) > kBeyond);
     hasLeft = leaves;
-    if (steps >= kBackward && (nearest < 1e30 || leaves)) break;
-    if (again) most = max(0.25 * length_, kTraceStep);
-    bool steady = !back && abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope)) < kSteady * abs(now.g);
-    length_ = again ? most : steady ? min(kTraceGrowth * length_, most) : kTraceStep;
-    if (!again) last = steps == kBackward ? first : now;
+    bool steady = !back && steps > 0 && abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope)) < kSteady * abs(now.g);
+    if (back && !again && steps > 0) behind += length_;
+    bool atStart = back && behind >= kBehind;
+    back = back && !atStart;
+    if (!back && (nearest < 1e30 || leaves)) break;
+    if (!again) last = atStart ? first : now;
+    real longest = min(steady ? kTraceGrowth * length_ : kTraceStep, kTraceMax);
+    length_ = again ? shorter : max(min(longest, kBothEnds * clearance(last, back ? -1.0 : 1.0, k)), kTraceMin);
     // A formula need not exist far beyond the domain.
     if (cellsBeyond(last.p + length_ * last.way * varyingCellHalf.xy) > kBeyond) length_ = min(length_, 2.0 * kTraceStep);
-    p = last.p + (steps < kBackward ? -length_ : length_) * last.way * varyingCellHalf.xy;
+    p = last.p + (back ? -length_ : length_) * last.way * varyingCellHalf.xy;
   }
   after = nearest;
   return nearest < 1e30 ? kFound : hasLeft && explained && !blind ? kMissed : kLost;
