@@ -46,13 +46,20 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
              .searches = list.exact() && !replaces,
              .batches = replaces ? std::span<const DrawBatch>() : searched,
              .rays = frame.rays,
-             .probes = frame.probes};
+             .probes = frame.probes && (!replaces || meshes.empty())};  // else meshes have been drawn over it
   std::vector<Pass> passes{std::move(finds)};
   // After rays, which know nothing of meshes.
   if (!replaces && !meshes.empty()) {
     for (Attachment& target : targets) target.begin = Begin::Keep;
+    if (list.findsPlaces && !list.findsParameters) targets.push_back({Target::FoundParameters, begin});
     passes.push_back({.name = "found meshes", .colors = targets, .batches = meshes});
   }
+  if (!replaces && !list.places.empty())
+    passes.push_back({.name = "places",
+                      .colors = {{Target::Places, Begin::Clear}},
+                      .reads = {Target::Found, Target::FoundParameters},
+                      .searches = true,
+                      .casters = list.places});
   // The shadows of many groups share one target, which holds those of the last; and points of rays are
   // compared with a map, too.
   const bool shadowsStay = replaces && list.groups.size() == 1 && !list.hasLightMaps();
@@ -70,7 +77,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
     if (!group.lights.empty() || group.transmits) {
       passes.push_back({.name = "shadows",
                         .colors = {{Target::Shadows, shadowsStay ? Begin::Keep : Begin::Clear}},
-                        .reads = {Target::Found},
+                        .reads = {Target::Found, Target::Places},
                         .searches = !shadowsStay,
                         .group = i,
                         .casters = shadowsStay ? std::span<const CasterDraw>() : group.shadows,
@@ -84,7 +91,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
       passes.push_back(
           {.name = "transmittance",
            .colors = {{Target::Transmittance, shadowsStay ? Begin::Keep : Begin::Clear}},
-           .reads = {Target::Found},
+           .reads = {Target::Found, Target::Places},
            .searches = !shadowsStay,
            .group = i,
            .casters = shadowsStay ? std::span<const CasterDraw>() : group.transmittances,
