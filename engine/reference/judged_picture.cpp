@@ -28,6 +28,9 @@ constexpr double kMaxTurn = 0.1;      // the same for the sine between their lin
 constexpr double kTouchingUlps = 2;   // of two depths, each of which is rounded up or down
 constexpr double kFloatRounding = 0x1p-24;  // of a number: the nearest float is no farther
 constexpr double kOtherLight = 1e-4;  // linear: smaller differences are not looked into for a light's shadow
+/// Of a mesh light falls on its own place, not on the surface's: what that changes is less than what a light
+/// has to add to be looked for.
+constexpr double kLeastOnMesh = 5e-3;
 
 /// Pixels whose light may be wrong, times lights: where there are more, thousands of pixels are wrong, and
 /// borders of shadows are looked for in four directions alone, so that judging takes no longer than four
@@ -350,7 +353,8 @@ class Judge {
     hit->normal = valueAt(measured_.normal, i);
     bool certified = true;
     const Vec3 color = caster.color(ray, {.hits = {*hit}}, certified);
-    pixel.offLight = certified && inAnotherLight(caster, i, *hit, -ray.direction, color, shown->pixel);
+    pixel.offLight =
+        certified && inAnotherLight(caster, i, *hit, -ray.direction, color, shown->pixel, kLeastOnMesh);
   }
 
   /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.
@@ -445,15 +449,17 @@ class Judge {
   /// Whether the colour shown of a point, which is at `center` on the screen, is nearer to that with one
   /// light's visibility turned round than to the truth, and no border of that shadow, and no outline, is
   /// near. Of many lights that are as bright, the points of a soft shadow, several may explain a colour:
-  /// those with a border nearby do so first.
+  /// those with a border nearby do so first. A light that adds no more than `least` explains nothing.
   [[nodiscard]] bool inAnotherLight(const Caster& caster, std::uint32_t i, const Hit& hit,
-                                    const Vec3& toViewer, const Vec3& trueColor, const Vec2& center) const {
+                                    const Vec3& toViewer, const Vec3& trueColor, const Vec2& center,
+                                    double least = 0) const {
     Vec3 off = valueAt(measured_.color, i) - trueColor;
     const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
     std::vector<Turned> lights;
     for (const Caster::Shadowed& one : caster.shadowedLights(hit, toViewer)) {
       const Vec3 change = one.visible ? -one.share : one.share;
-      if (one.certified && size(off - change) < size(off)) lights.push_back({one.light, one.visible, change});
+      if (one.certified && size(change) > least && size(off - change) < size(off))
+        lights.push_back({one.light, one.visible, change});
     }
     findBorders(caster, i, center, lights);
     const auto others =
