@@ -74,7 +74,9 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                 .group = i,
                 .shades = group.shades};
     if (shadesStay) shades.pixels = frame.rays->shadows[i];
-    if (!group.lights.empty() || group.transmits) {
+    // Meshes that are drawn again ask for the shadows of every group: one without has to say so.
+    const bool asks = !group.again.empty() && list.findsShadows();
+    if (!group.lights.empty() || group.transmits || asks) {
       passes.push_back({.name = "shadows",
                         .colors = {{Target::Shadows, shadowsStay ? Begin::Keep : Begin::Clear}},
                         .reads = {Target::Found, Target::Places},
@@ -107,6 +109,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                .reads = shades.reads,
                .batches = group.again,
                .group = i};
+    if (asks && list.findsTransmittances() && !group.transmits) again.reads.push_back(Target::Transmittance);
     passes.push_back(std::move(shades));
     if (!group.again.empty()) passes.push_back(std::move(again));
   }

@@ -124,6 +124,17 @@ TEST(Passes, PlacesOfMeshesAreFoundBeforeShadows) {
   EXPECT_FALSE(passesOf(list, {.rays = &points, .probes = true})[0].probes) << "there are meshes over it";
 }
 
+/// Else their shader would see those of another group.
+TEST(Passes, MeshesThatAreDrawnAgainSeeNoOtherGroupsShadows) {
+  DrawList list = deferredList();
+  list.groups.resize(2);
+  list.groups[1].lights.resize(1);
+  for (LightGroup& group : list.groups) group.again.resize(1);
+  Names names;
+  for (const Pass& pass : passesOf(list, {})) names.emplace_back(pass.name);
+  EXPECT_EQ(names, (Names{"found", "shadows", "shade", "meshes again", "shadows", "shade", "meshes again"}));
+}
+
 TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   DrawList list = deferredList();
   const auto namesOf = [&](const FrameDesc& frame) {
