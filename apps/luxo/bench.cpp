@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -84,15 +85,25 @@ struct Subject {
   Snapshot snapshot;
 };
 
+/// The built-in scenes' own shadows are another subject (bench_shadows.h); the lamp's light is that of its
+/// shade.
+void leaveOutShadows(Snapshot& snapshot) {
+  for (SnapshotLight& light : snapshot.lights)
+    if (!light.shade) light.casters.clear();
+}
+
 std::vector<Subject> subjectsOf(RenderRequest request) {
   std::vector<std::string> names = {request.scene};
   if (request.scene == kStandard) names = {kStandardScenes.begin(), kStandardScenes.end()};
   if (!request.size) request.size = kStandardSize;
+  const std::vector<BuiltinScene> builtin = builtinScenes();
   std::vector<Subject> subjects;
   for (const std::string& name : names) {
     const Scene scene = openScene(name, request.parameters);
     const RenderSettings settings = settingsOf(scene, request);
     subjects.push_back({name, takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, request))});
+    if (std::ranges::find(builtin, name, &BuiltinScene::name) != builtin.end())
+      leaveOutShadows(subjects.back().snapshot);
   }
   return subjects;
 }

@@ -142,7 +142,8 @@ int verifyScene(const VerifyOptions& options) {
   }
   if (!truth.complete) return exit_code::kSignal + interruptingSignal();
   report.truthMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  report.verification = verify(exact, truth, measured.picture, {.pixels = std::move(pixels)});
+  report.verification =
+      verify(exact, truth, measured.picture, {.shading = settings.shading, .pixels = std::move(pixels)});
 
   if (!options.heat.empty()) saveImage(errorHeat(report.verification.positionMap), options.heat);
   const std::string json = verificationJson(report, scene, snapshot);

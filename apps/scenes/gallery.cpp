@@ -40,14 +40,16 @@ Scene gallery() {
           {.width = 2.2, .height = 1.5, .depth = 0.15, .waves = 7, .phase = [](double t) { return -3 * t; }}),
       red);
 
+  scene.add(Node{.name = "key light",
+                 .translation = Vec3(-7, 10, 5),
+                 .light = Light{.color = Vec3(1, 0.96, 0.9),
+                                .intensity = 110,
+                                .attenuation = Light::Attenuation::InverseSquare,
+                                .shadow = Light::Shadow::Exact}});
   scene.add(
-      Node{.name = "key light",
-           .translation = Vec3(-7, 10, 5),
-           .light = Light{
-               .color = Vec3(1, 0.96, 0.9), .intensity = 110, .attenuation = Light::Attenuation::InverseSquare}});
-  scene.add(Node{.name = "fill light",
-                 .rotation = Rotation{{1, 0.7, 0}, radians(-50)},
-                 .light = Light{.type = Light::Type::Directional, .color = Vec3(0.8, 0.9, 1), .intensity = 0.3}});
+      Node{.name = "fill light",
+           .rotation = Rotation{{1, 0.7, 0}, radians(-50)},
+           .light = Light{.type = Light::Type::Directional, .color = Vec3(0.8, 0.9, 1), .intensity = 0.3}});
   scene.add(Camera{.eye = Vec3(0, 4.8, 10.4), .lookAt = Vec3(0, 0.7, -0.3), .fovY = radians(38)});
   return scene;
 }

@@ -15,6 +15,7 @@
 #include "draw/instance_data.h"
 #include "draw/light_sets.h"
 #include "draw/material_list.h"
+#include "draw/place_list.h"
 #include "draw/shadow_list.h"
 #include "draw/shell_list.h"
 #include "draw/triangle_precision.h"
@@ -79,6 +80,7 @@ class DrawLister {
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
     materials_.listShades();
+    listPlaces(snapshot_, visible_, options_, geometry_, materials_, list_);
     listShadows(snapshot_, visible_, options_, geometry_, materials_, list_);
     shells_.listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
@@ -268,6 +270,7 @@ class DrawLister {
         origin = shell->origin;
       } else if (options_.standIns && shading == Shading::Exact) {
         batch.state.shading = Shading::Phong;
+        if (list_.findsPlaces) batch.state.form = Form::FoundWithParameters;
         MeshDesc desc = meshDescOf(node, v, Shading::Phong, snapshot_.view);
         desc.tolerance *= kStandInTolerance;
         origin = addMesh(item, batch, node, v, desc);

@@ -25,7 +25,8 @@
 namespace luxo {
 
 /// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
-/// later, with their parameters or without. Or they light what was written down; or find whether a surface
+/// later, with their parameters or without. Or they light what was written down; or find which points of its
+/// surface a mesh has put down; or find whether a surface
 /// keeps a light from it, or how much of a light gets through it; or write what rays have found of that; or
 /// are a caster's mesh that is flattened onto a plane; or draw a light's depth map, or compare with it. Of
 /// what is seen through they put points in the list of their pixel; or find what light reaches those; or put
@@ -36,6 +37,7 @@ enum class Form {
   Found,
   FoundWithParameters,
   Shade,
+  MeshPlace,
   Shadow,
   Transmittance,
   ShadowsByRays,
@@ -81,6 +83,7 @@ struct DrawState {
   std::uint32_t closedKind = 0;     ///< with it: shared::kClosedPlane and on
   std::uint32_t firstLight = 0;     ///< of Form::Again, in Gouraud shading: of kVertexLights
   std::uint32_t exactShadows = 0;   ///< and the lights, a bit each, that have exact ones
+  bool places = false;              ///< of Form::Shadow and Transmittance: DrawList::findsPlaces
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -130,6 +133,7 @@ struct FoundNode {
 /// Surfaces as rays from a light or from the eye meet them (draw/caster_list.h).
 struct Casters {
   std::vector<shared::ClosedCaster> closed;
+  std::vector<shared::MeshPlace> meshes;
   std::vector<shared::ShadowCaster> casters;
   std::vector<std::uint32_t> gridStarts;
   std::vector<shared::GridEntry> gridEntries;
@@ -140,7 +144,7 @@ struct Casters {
 /// Looks for a caster, or for some (DrawState::closed), in all pixels of an area.
 struct CasterDraw {
   DrawState state;
-  std::uint32_t caster = 0;  ///< index into Casters::casters, or of the first in Casters::closed
+  std::uint32_t caster = 0;  ///< index into Casters::casters, or of the first in Casters::closed; or ::meshes
   PixelRect area;
 };
 
@@ -190,6 +194,12 @@ struct FoundLayer {
   std::uint32_t material = 0;  ///< its number
 };
 
+/// A mesh of which each pixel finds the point of its surface.
+struct PlacedNode {
+  std::uint32_t node = 0;      ///< index into Snapshot::nodes
+  std::uint32_t material = 0;  ///< its number
+};
+
 /// What is seen through, in the order of its depth in every pixel.
 struct Layers {
   std::vector<CasterDraw> searches;
@@ -223,7 +233,11 @@ struct DrawList {
   std::uint64_t tooLarge = 0;          ///< nodes found by rays: their formulas are too large for shaders
   /// Points are found first, and lit once each, by all lights that reach anything.
   bool deferred = false;
-  bool findsParameters = false;    ///< of a deferred list: with (u, v), as some pattern asks for them
+  bool findsParameters = false;  ///< of a deferred list: with (u, v), as some pattern asks for them
+  /// Of a deferred list: meshes tell theirs, from which the points of their surfaces are found.
+  bool findsPlaces = false;
+  std::vector<CasterDraw> places;  ///< what finds these
+  std::vector<PlacedNode> placed;  ///< whose points these are
   std::vector<LightGroup> groups;  ///< of a deferred list, and of one with layers
   Casters casters;
   Layers layers;

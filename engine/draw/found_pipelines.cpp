@@ -18,6 +18,7 @@
 #include "luxo/shaders/light_map_frag.h"
 #include "luxo/shaders/light_map_layer_frag.h"
 #include "luxo/shaders/light_map_vert.h"
+#include "luxo/shaders/mesh_place_vert.h"
 #include "luxo/shaders/ray_layers_frag.h"
 #include "luxo/shaders/ray_layers_vert.h"
 #include "luxo/shaders/ray_shadows_frag.h"
@@ -54,6 +55,20 @@ void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipeline
                               {shared::kConstantTransmits, state.transmits}});
   if (state.addsLight) desc.blend = gpu::Blend::Add;
   desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
+}
+
+/// Over all that was found, of a mesh the points of its surface.
+void ScenePipelines::describePlaces(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  desc.name = "places";
+  desc.vertexShader = luxo_mesh_place_vert;
+  desc.fragmentShader = casterShader(state);
+  desc.colorFormats = {kPlacesFormat};
+  desc.depthWrite = false;
+  desc.depthCompare = VK_COMPARE_OP_LESS;
+  desc.bindings.clear();
+  desc.attributes.clear();
+  desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
+  desc.setLayouts = {sceneLayout_, shadowLayout(), foundLayout()};
 }
 
 /// Over all that was found, of a light that does not reach it a bit, or how much of it does; or what rays
@@ -112,7 +127,8 @@ void ScenePipelines::describeCaster(const DrawState& state, gpu::GraphicsPipelin
   if (state.closed == 0) {
     desc.vertexShader = luxo_shadow_vert;
     desc.fragmentShader = casterShader(state);
-    desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
+    desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters},
+                           {shared::kConstantPlaces, state.places}};
     return;
   }
   desc.vertexShader = luxo_closed_shadow_vert;
@@ -120,7 +136,8 @@ void ScenePipelines::describeCaster(const DrawState& state, gpu::GraphicsPipelin
                             ? std::span<const std::uint32_t>(luxo_closed_shadow_frag)
                             : std::span<const std::uint32_t>(luxo_closed_layer_shadow_frag);
   desc.specialization = {{shared::kConstantClosedCasters, state.closed},
-                         {shared::kConstantClosedKind, state.closedKind}};
+                         {shared::kConstantClosedKind, state.closedKind},
+                         {shared::kConstantPlaces, state.places}};
 }
 
 /// A mesh as a light sees it.

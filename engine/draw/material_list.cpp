@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "draw/place_list.h"
 #include "draw/shadow_list.h"
 
 namespace luxo {
@@ -61,7 +62,7 @@ std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
 
 MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                            DrawList& list)
-    : snapshot_(snapshot), shading_(options.shading), list_(list) {
+    : snapshot_(snapshot), options_(options), list_(list) {
   const std::set<std::uint32_t> distinct(visible.lights.begin(), visible.lights.end());
   const std::vector<std::uint32_t> lights(distinct.begin(), distinct.end());
   const std::vector<Material>& materials = snapshot.materials;
@@ -82,6 +83,10 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   list_.findsParameters = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
                             return material.diffusePattern.valid();
                           });
+  list_.findsPlaces =
+      list_.deferred && shadows_ && std::ranges::any_of(visible.opaque, [&](const VisibleNode& node) {
+        return isOnlyNear(snapshot, snapshot.nodes[node.node], options);
+      });
 }
 
 std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf, std::uint32_t node) {
@@ -96,7 +101,7 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
     data.pattern = patternNumber(material.diffusePattern);
     data.firstPatternParameter = firstPatternParameter(material);
   }
-  if (isDrawnAgain(material.shadingIn(shading_))) data.pattern = shared::kDrawnAgain;
+  if (isDrawnAgain(material.shadingIn(options_.shading))) data.pattern = shared::kDrawnAgain;
   list_.materials.push_back(data);
   return entry->second;
 }
@@ -132,7 +137,8 @@ LightSets::Choice MaterialList::lightLater(DrawBatch& batch, LightSets& lightSet
     batch.again = DrawState{.shading = state.shading, .form = Form::Again, .pattern = state.pattern};
   const std::uint32_t shadeOf = shadeLater(
       {.shading = state.shading, .form = Form::Shade, .pattern = state.pattern}, lightSets, node, shades_);
-  state.form = list_.findsParameters ? Form::FoundWithParameters : Form::Found;
+  const bool isMesh = list_.findsPlaces && !findsSurface(snapshot_, node, options_);
+  state.form = list_.findsParameters || isMesh ? Form::FoundWithParameters : Form::Found;
   state.pattern = {};
   if (batch.again) state.shading = Shading::Phong;
   return {.shadeOf = shadeOf};

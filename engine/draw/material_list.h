@@ -17,7 +17,8 @@
 
 namespace luxo {
 
-/// Fills DrawList::materials, patternParameters, deferred, findsParameters, and groups but for their shadows.
+/// Fills DrawList::materials, patternParameters, deferred, findsParameters, findsPlaces, and groups but for
+/// their shadows.
 class MaterialList {
  public:
   /// All must outlive this. The list is deferred where that is asked for, or shadows have to be found, and
@@ -61,7 +62,7 @@ class MaterialList {
   void listAgain(const DrawBatch& batch, bool layer);
 
   const Snapshot& snapshot_;
-  Shading shading_;
+  const DrawOptions& options_;
   DrawList& list_;
   /// By material, shadeOf and, where there are shadows, node.
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> numberOf_;

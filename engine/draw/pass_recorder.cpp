@@ -119,6 +119,7 @@ void PassRecorder::useTargets(const Pass& pass) {
   if (pass.searches) {
     if (pass.depth) usages.push_back({view_.feedback().lost(), StorageWrite});
     usages.push_back({view_.feedback().doubtful(), StorageWrite});
+    if (view_.list().findsPlaces) usages.push_back({view_.feedback().shown(), StorageWrite});
   }
   gpu::use(commands_, usages);
 }
@@ -234,7 +235,8 @@ void PassRecorder::search(const CasterDraw& draw) {
   const PixelRect area{{draw.area.low.x, std::max(draw.area.low.y, rows_.low.y)},
                        {draw.area.high.x, std::min(draw.area.high.y, rows_.high.y)}};
   if (area.low.y >= area.high.y) return;
-  const bool ofLayers = draw.state.form != Form::Shadow && draw.state.form != Form::Transmittance;
+  const Form form = draw.state.form;
+  const bool ofLayers = form != Form::MeshPlace && form != Form::Shadow && form != Form::Transmittance;
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, view_.targets().format());
   const std::uint32_t noLights = 0;
   pipeline.bind(commands_);
@@ -246,7 +248,8 @@ void PassRecorder::search(const CasterDraw& draw) {
     pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   setScissor(area);
   drawWhole(draw.caster);
-  if (draw.state.form != Form::Layer) statistics_.count.shadowPasses += std::max(draw.state.closed, 1U);
+  if (form != Form::Layer && form != Form::MeshPlace)
+    statistics_.count.shadowPasses += std::max(draw.state.closed, 1U);
   setScissor(rows_);
 }
 

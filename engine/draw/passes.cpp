@@ -46,13 +46,20 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
              .searches = list.exact() && !replaces,
              .batches = replaces ? std::span<const DrawBatch>() : searched,
              .rays = frame.rays,
-             .probes = frame.probes};
+             .probes = frame.probes && (!replaces || meshes.empty())};  // else meshes have been drawn over it
   std::vector<Pass> passes{std::move(finds)};
   // After rays, which know nothing of meshes.
   if (!replaces && !meshes.empty()) {
     for (Attachment& target : targets) target.begin = Begin::Keep;
+    if (list.findsPlaces && !list.findsParameters) targets.push_back({Target::FoundParameters, begin});
     passes.push_back({.name = "found meshes", .colors = targets, .batches = meshes});
   }
+  if (!replaces && !list.places.empty())
+    passes.push_back({.name = "places",
+                      .colors = {{Target::Places, Begin::Clear}},
+                      .reads = {Target::Found, Target::FoundParameters},
+                      .searches = true,
+                      .casters = list.places});
   // The shadows of many groups share one target, which holds those of the last; and points of rays are
   // compared with a map, too.
   const bool shadowsStay = replaces && list.groups.size() == 1 && !list.hasLightMaps();
@@ -67,10 +74,12 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                 .group = i,
                 .shades = group.shades};
     if (shadesStay) shades.pixels = frame.rays->shadows[i];
-    if (!group.lights.empty() || group.transmits) {
+    // Meshes that are drawn again ask for the shadows of every group: one without has to say so.
+    const bool asks = !group.again.empty() && list.findsShadows();
+    if (!group.lights.empty() || group.transmits || asks) {
       passes.push_back({.name = "shadows",
                         .colors = {{Target::Shadows, shadowsStay ? Begin::Keep : Begin::Clear}},
-                        .reads = {Target::Found},
+                        .reads = {Target::Found, Target::Places},
                         .searches = !shadowsStay,
                         .group = i,
                         .casters = shadowsStay ? std::span<const CasterDraw>() : group.shadows,
@@ -84,7 +93,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
       passes.push_back(
           {.name = "transmittance",
            .colors = {{Target::Transmittance, shadowsStay ? Begin::Keep : Begin::Clear}},
-           .reads = {Target::Found},
+           .reads = {Target::Found, Target::Places},
            .searches = !shadowsStay,
            .group = i,
            .casters = shadowsStay ? std::span<const CasterDraw>() : group.transmittances,
@@ -100,6 +109,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                .reads = shades.reads,
                .batches = group.again,
                .group = i};
+    if (asks && list.findsTransmittances() && !group.transmits) again.reads.push_back(Target::Transmittance);
     passes.push_back(std::move(shades));
     if (!group.again.empty()) passes.push_back(std::move(again));
   }

@@ -62,6 +62,22 @@ double reachOf(const View& view, const SnapshotNode& node) {
   return glm::length(world) + glm::length(object) * largestStretch(node.worldFromObject.linear);
 }
 
+/// A point of a mesh's surface.
+struct MeshPoint {
+  std::uint32_t node;
+  Vec2 parameters;
+};
+
+/// That which a pixel shows, if it shows one.
+std::optional<MeshPoint> pointOf(const ShownMeshes& shown, PixelPlace pixel) {
+  if (shown.nodes.empty()) return std::nullopt;
+  const shared::ShownPoint& point =
+      shown.points[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(shown.width) +
+                   static_cast<std::size_t>(pixel.x)];
+  const auto node = std::ranges::find(shown.nodes, point.numberOfMaterial - 1, &PlacedNode::material);
+  return node == shown.nodes.end() ? std::nullopt : std::optional(MeshPoint{node->node, point.parameters});
+}
+
 }  // namespace
 
 std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
@@ -181,11 +197,11 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
 }
 
 shared::ReachingLight CertifiedRays::reaching(const reference::Hit& hit, const LightGroup& group,
-                                              bool& certified) const {
+                                              bool& certified, bool ofMesh) const {
   shared::ReachingLight reaches = kAllReaches;
   for (std::size_t bit = 0; bit < group.lights.size(); ++bit) {
     const auto light = group.lights[bit];
-    if (!light || !caster_->shinesOn(*light, hit)) continue;
+    if (!light || (!ofMesh && !caster_->shinesOn(*light, hit))) continue;
     const Vec3 part = caster_->reaching(*light, hit, certified);
     if (part == Vec3(0)) reaches.shadows |= 1U << bit;
     if (group.transmits) reaches.transmittance = Vec3f(part);
@@ -193,13 +209,23 @@ shared::ReachingLight CertifiedRays::reaching(const reference::Hit& hit, const L
   return reaches;
 }
 
-void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<const LightGroup> groups,
-                               RayPoints& points) {
+std::vector<std::uint32_t> CertifiedRays::receiversBut(const ShownMeshes& shown) const {
+  std::vector<std::uint32_t> others = receivers_;
+  std::erase_if(others, [&](std::uint32_t node) {
+    return std::ranges::binary_search(shown.nodes, node, {}, &PlacedNode::node);
+  });
+  return others;
+}
+
+void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, const ShownMeshes& shown,
+                               std::span<const LightGroup> groups, RayPoints& points) {
   const bool any = std::ranges::any_of(groups, [](const LightGroup& group) { return !group.lights.empty(); });
   if (!any || pixels.empty()) return;
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
+  const std::vector<std::uint32_t> others = receiversBut(shown);
   struct Found {
     reference::Caster::First seen;
+    bool ofMesh = false;
     std::vector<shared::ReachingLight> light;  // by group
     bool certified = true;
   };
@@ -207,10 +233,18 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, std::span<con
   const auto find = [&](std::span<const std::size_t> chosen) {
     forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
       if (!goesOn_()) return;
-      Found found{.seen = caster_->firstOf(receivers_, rays[chosen[k]])};
+      const reference::Ray& ray = rays[chosen[k]];
+      Found found;
+      if (const auto point = pointOf(shown, pixels[chosen[k]])) {
+        found.ofMesh = true;
+        found.seen.hit = caster_->pointAt(point->node, point->parameters, ray);
+        found.seen.certified = found.seen.hit.has_value();
+      } else {
+        found.seen = caster_->firstOf(others, ray);
+      }
       found.certified = found.seen.certified;
       for (const LightGroup& group : groups)
-        found.light.push_back(found.seen.hit ? reaching(*found.seen.hit, group, found.certified)
+        found.light.push_back(found.seen.hit ? reaching(*found.seen.hit, group, found.certified, found.ofMesh)
                                              : kAllReaches);
       all[chosen[k]] = std::move(found);
     });
@@ -300,18 +334,25 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
   }
 }
 
-AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups,
-                                 const std::optional<Vec3>& layersFrom) {
+AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const ShownMeshes& shown,
+                                 std::span<const LightGroup> groups, const std::optional<Vec3>& layersFrom) {
   static_cast<void>(prepare(probes.size(), [&](std::size_t i) { return probes[i].pixel; }));
   const View& view = caster_->snapshot().view;
   const double ofBuffer = view.perspective() ? 0 : kDepthRounding * (view.far - view.near);
+  const std::vector<std::uint32_t> others = receiversBut(shown);
+  const auto isFirst = [&](const Vec2& at) {
+    if (others == nodes_) return true;
+    const reference::Caster::First first = caster_->firstOf(others, caster_->rayThrough(at.x, at.y));
+    return first.hit && std::ranges::binary_search(nodes_, first.hit->node);
+  };
   using enum reference::Judgement;
   std::vector<reference::Judgement> judged(probes.size());
   forEachIndex(probes.size(), probes.size() >= kRaysForAllCores, [&](std::size_t i) {
     if (!goesOn_()) return;
     const Vec2 at = sampled(probes[i].pixel);
     judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding_ + ofBuffer);
-    for (std::size_t g = 0; probes[i].depth > 0 && g < groups.size(); ++g)
+    const bool showsFound = probes[i].depth > 0 && !pointOf(shown, probes[i].pixel) && isFirst(at);
+    for (std::size_t g = 0; showsFound && g < groups.size(); ++g)
       for (std::size_t bit = 0; judged[i] == Right && bit < groups[g].lights.size(); ++bit)
         if (const auto light = groups[g].lights[bit]; light && !caster_->snapshot().lights[*light].plane)
           judged[i] = reference::judgeShadow(

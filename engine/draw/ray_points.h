@@ -75,6 +75,13 @@ struct RayPoints {
   }
 };
 
+/// The points that the pixels of a picture show of meshes, whose light rays start there.
+struct ShownMeshes {
+  std::vector<PlacedNode> nodes;           ///< of which no pixel shows anything else
+  std::vector<shared::ShownPoint> points;  ///< by rows; none without nodes
+  std::int32_t width = 0;                  ///< of a row
+};
+
 /// A pixel of a picture, and what its depth buffer holds there.
 struct DepthProbe {
   PixelPlace pixel;
@@ -107,14 +114,16 @@ class CertifiedRays {
   /// `origin`: what positions in shaders are relative to (DrawList::origin).
   [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
                                   const Vec3& origin);
-  /// Adds the shadows in pixels, once for all of them, each of which shows what a ray through it sees first.
-  void addShadows(std::span<const PixelPlace> pixels, std::span<const LightGroup> groups, RayPoints& points);
+  /// Adds the shadows in pixels, once for all of them, each of which shows a point of a mesh, or else what a
+  /// ray through it sees first.
+  void addShadows(std::span<const PixelPlace> pixels, const ShownMeshes& shown,
+                  std::span<const LightGroup> groups, RayPoints& points);
   /// Adds all points that are seen through in pixels, with their shadows. `found`, `origin`: as of the list.
   void addLayers(std::span<const PixelPlace> pixels, std::span<const FoundLayer> found, const Vec3& origin,
                  std::span<const LightGroup> groups, RayPoints& points);
-  /// `layersFrom`: DrawList::layersFrom().
-  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, std::span<const LightGroup> groups,
-                                  const std::optional<Vec3>& layersFrom);
+  /// Shadows are looked at where no mesh stands before what is found. `layersFrom`: DrawList::layersFrom().
+  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, const ShownMeshes& shown,
+                                  std::span<const LightGroup> groups, const std::optional<Vec3>& layersFrom);
 
   /// Milliseconds spent on cells since begin().
   [[nodiscard]] double treesMs() const { return treesMs_; }
@@ -122,10 +131,13 @@ class CertifiedRays {
  private:
   /// Builds what rays through the pixels are cast against, each worth so many.
   std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
-  /// What of the lights of a group reaches a hit.
+  /// What of the lights of a group reaches a hit, or, of a mesh, whose normal is another one, a point that
+  /// may face away from them.
   [[nodiscard]] shared::ReachingLight reaching(const reference::Hit& hit, const LightGroup& group,
-                                               bool& certified) const;
+                                               bool& certified, bool ofMesh = false) const;
   [[nodiscard]] Vec2 sampled(PixelPlace pixel) const;
+  /// What is not seen through, but for the nodes whose points are shown.
+  [[nodiscard]] std::vector<std::uint32_t> receiversBut(const ShownMeshes& shown) const;
 
   reference::ShapeCache shapes_;
   std::optional<reference::Caster> caster_;

@@ -88,6 +88,13 @@ std::vector<DepthProbe> RenderView::probes() {
   return probes;
 }
 
+ShownMeshes RenderView::shown() {
+  if (list_.placed.empty()) return {};
+  return {.nodes = list_.placed,
+          .points = feedback_.shownPoints(),
+          .width = static_cast<std::int32_t>(targets_.extent().width)};
+}
+
 bool RenderView::makeRoomFor(const RayPoints& points) {
   return list_.layers.any() && layerLists_.makeRoom(points.layerPoints.size());
 }
@@ -102,6 +109,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
                    {.deferred = list_.deferred,
                     .shadows = list_.findsShadows(),
                     .transmittance = list_.findsTransmittances(),
+                    .places = list_.findsPlaces,
                     .lightDepth = extentOfLightMaps(list_)});
   if (list_.layers.any()) layerLists_.prepare(extent);
   feedback_.begin(list_, extent, chooseProbes());
@@ -171,6 +179,7 @@ void RenderView::uploadCasters(Uploads& uploads, bool always) {
     writeElements(*context_, buffer, elements, name, always);
   };
   store(uploads.casters, casters.casters, "casters");
+  store(uploads.meshPlaces, casters.meshes, "places of meshes");
   store(uploads.closedCasters, casters.closed, "casters with equations");
   store(uploads.gridStarts, casters.gridStarts, "texels of grids");
   store(uploads.gridEntries, casters.gridEntries, "entries of grids");
@@ -206,16 +215,19 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   if (list_.deferred) {
     gpu::Texture& found = targets_.texture(Target::Found);
     gpu::Texture& shadows = list_.findsShadows() ? targets_.texture(Target::Shadows) : found;
+    gpu::Texture& places = list_.findsShadows() ? targets_.texture(Target::Places) : found;
     gpu::Texture& transmittance =
         list_.findsTransmittances() ? targets_.texture(Target::Transmittance) : found;
-    gpu::Texture& parameters = list_.findsParameters ? targets_.texture(Target::FoundParameters) : found;
+    gpu::Texture& parameters =
+        list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
     bindings.found = frames.descriptors().write(pipelines.foundLayout(),
                                                 {{found, pipelines.texelSampler()},
                                                  {parameters, pipelines.texelSampler()},
                                                  {uploads.materials.use(*context_), 0, kUniformBytes},
                                                  {shadows, pipelines.texelSampler()},
-                                                 {transmittance, pipelines.texelSampler()}});
+                                                 {transmittance, pipelines.texelSampler()},
+                                                 {places, pipelines.texelSampler()}});
   }
   if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, uploads);
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);
@@ -231,6 +243,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
 VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {
   const gpu::Buffer& patterns = list_.patternParameters.empty() ? uploads.casterParameters.use(*context_)
                                                                 : uploads.patternParameters.use(*context_);
+  const gpu::Buffer& shown = list_.findsPlaces ? feedback_.shown() : feedback_.doubtful();
   gpu::Texture& depths = targets_.texture(list_.hasLightMaps() ? Target::LightDepth : Target::Depth);
   return frames.descriptors().write(pipelines.shadowLayout(), {uploads.casters.use(*context_),
                                                                uploads.gridStarts.use(*context_),
@@ -241,7 +254,9 @@ VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& 
                                                                patterns,
                                                                uploads.lightMaps.use(*context_),
                                                                {depths, pipelines.texelSampler()},
-                                                               uploads.closedCasters.use(*context_)});
+                                                               uploads.closedCasters.use(*context_),
+                                                               uploads.meshPlaces.use(*context_),
+                                                               shown});
 }
 
 VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {

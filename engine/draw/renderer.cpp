@@ -251,7 +251,8 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
     const Stopwatch watch;
     const double trees = rays_.treesMs();
     const std::vector<DepthProbe> probes = view_.probes();
-    const AuditResult audit = rays_.audit(probes, view_.list().groups, view_.list().layersFrom());
+    const AuditResult audit =
+        rays_.audit(probes, view_.shown(), view_.list().groups, view_.list().layersFrom());
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
     statistics.ms.rayTrees += rays_.treesMs();
     failed += audit.failed;
@@ -311,7 +312,7 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
   const double trees = rays_.treesMs();
   RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
   pixels.insert(pixels.end(), shadowed.begin(), shadowed.end());
-  rays_.addShadows(pixels, view_.list().groups, points);
+  rays_.addShadows(pixels, view_.shown(), view_.list().groups, points);
   pixels.insert(pixels.end(), layered.begin(), layered.end());
   rays_.addLayers(pixels, view_.list().layers.found, view_.list().origin, view_.list().groups, points);
   statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);

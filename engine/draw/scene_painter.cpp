@@ -132,6 +132,7 @@ void ScenePainter::preparePipelines(RenderView& view) {
     }
     if (!group.flatTransmittances.empty()) states.push_back({.form = Form::FlatTransmittance});
   }
+  for (const CasterDraw& draw : view.list().places) states.push_back(draw.state);
   for (const CasterDraw& draw : layers.searches) states.push_back(draw.state);
   for (const DrawBatch& batch : layers.meshes) states.push_back(batch.state);
   if (layers.any()) states.push_back({.form = Form::BlendLayers});
@@ -154,6 +155,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) recorder.record(pass);
   if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});
+  if (view.list().findsPlaces) gpu::use(commands, {{view.feedback().shown(), gpu::Use::HostRead}});
   if (view.list().searches())
     gpu::use(commands, {{view.feedback().lost(), gpu::Use::HostRead},
                         {view.feedback().doubtful(), gpu::Use::HostRead}});

@@ -152,6 +152,8 @@ std::optional<ExactSource::Caster> casterOf(Form form) {
       return LayerTransmittance;
     case Form::Layer:
       return Layer;
+    case Form::MeshPlace:
+      return MeshPlace;
     default:
       return std::nullopt;
   }
@@ -274,6 +276,7 @@ const gpu::DescriptorLayout& ScenePipelines::foundLayout() {
         *context_, {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}});
   return foundLayout_;
@@ -488,6 +491,8 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
     describeLightDepth(desc);
   } else if (state.form == Form::Shade) {
     describeShade(state, desc);
+  } else if (state.form == Form::MeshPlace) {
+    describePlaces(state, desc);
   } else if (state.form == Form::Shadow || state.form == Form::Transmittance ||
              state.form == Form::ShadowsByRays || state.form == Form::TransmittanceByRays ||
              state.form == Form::FlatShadow || state.form == Form::FlatTransmittance ||

@@ -51,8 +51,8 @@ class ScenePipelines {
   /// Set 2 of pipelines that find the surface: exact instances, patches, parameters, feedback. Made when
   /// first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& exactLayout();
-  /// Set 2 of pipelines that light what was found: its texels, parameters, materials. Made when first asked
-  /// for.
+  /// Set 2 of pipelines that light what was found: its texels, parameters, materials, places. Made when first
+  /// asked for.
   [[nodiscard]] const gpu::DescriptorLayout& foundLayout();
   /// Set 1 of pipelines that find shadows: casters, grids, cells, parameters, doubts. Made when first asked
   /// for.
@@ -82,6 +82,7 @@ class ScenePipelines {
   [[nodiscard]] std::span<const std::uint32_t> casterShader(const DrawState& state) const;
   void describeCaster(const DrawState& state, gpu::GraphicsPipelineDesc& desc) const;
   void describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
+  void describePlaces(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describeShadow(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describeLightDepth(gpu::GraphicsPipelineDesc& desc);
   void describeLayers(const DrawState& state, gpu::GraphicsPipelineDesc& desc);

@@ -44,6 +44,7 @@ void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<
     prepareLost(slot, list);
     prepareDoubts(slot);
   }
+  if (list.findsPlaces) prepareShown(slot);
   prepareProbes(slot, std::move(probed));
 }
 
@@ -60,6 +61,12 @@ void SearchFeedback::prepareDoubts(Slot& slot) {
   // No larger than it is: all of it is cleared.
   if (slot.doubtful && slot.doubtful.size() != bytes) slot.doubtful = {};
   clear(*context_, slot.doubtful, bytes, bytes, "doubts");
+}
+
+void SearchFeedback::prepareShown(Slot& slot) {
+  const VkDeviceSize bytes = VkDeviceSize{extent_.width} * extent_.height * sizeof(shared::ShownPoint);
+  if (slot.shown && slot.shown.size() != bytes) slot.shown = {};
+  clear(*context_, slot.shown, bytes, bytes, "shown points");
 }
 
 void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
@@ -178,6 +185,12 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays,
                         (bits & shared::kLayersOpenHere) != 0});
     }
   return doubts;
+}
+
+std::vector<shared::ShownPoint> SearchFeedback::shownPoints() {
+  std::vector<shared::ShownPoint> points(std::size_t{extent_.width} * extent_.height);
+  std::memcpy(points.data(), slots_[current_].shown.read().data(), points.size() * sizeof points[0]);
+  return points;
 }
 
 std::vector<DepthProbe> SearchFeedback::depths() {

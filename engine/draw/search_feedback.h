@@ -41,6 +41,8 @@ class SearchFeedback {
   /// The buffers that searches write; only where the list has shells or shadows.
   [[nodiscard]] gpu::Buffer& lost() { return slots_[current_].lost; }
   [[nodiscard]] gpu::Buffer& doubtful() { return slots_[current_].doubtful; }
+  /// Which points pixels show of meshes; only where the list finds these.
+  [[nodiscard]] gpu::Buffer& shown() { return slots_[current_].shown; }
   [[nodiscard]] bool probes() const { return !slots_[current_].probed.empty(); }
   /// Copies the depths of the probed pixels.
   void recordProbes(VkCommandBuffer commands, gpu::Texture& depth);
@@ -63,12 +65,15 @@ class SearchFeedback {
   [[nodiscard]] std::vector<Doubt> doubts(std::span<const PixelRect> byRays,
                                           std::span<const PixelRect> shadowsByRays);
   [[nodiscard]] std::vector<DepthProbe> depths();
+  /// By rows, all.
+  [[nodiscard]] std::vector<shared::ShownPoint> shownPoints();
 
  private:
   struct Slot {
     gpu::Buffer lost;  ///< by slot of the feedback, then by instance
     std::vector<std::uint32_t> nodes;
     gpu::Buffer doubtful;                 ///< some bits a pixel
+    gpu::Buffer shown;                    ///< shared::ShownPoint of each pixel
     gpu::Buffer depths;                   ///< of the probed pixels, or of all
     gpu::Buffer shadows, transmittances;  ///< and by group of lights
     std::vector<PixelPlace> probed;
@@ -83,6 +88,7 @@ class SearchFeedback {
   [[nodiscard]] static LostPixels lostIn(Slot& slot);
   void prepareLost(Slot& slot, const DrawList& list);
   void prepareDoubts(Slot& slot);
+  void prepareShown(Slot& slot);
   void prepareProbes(Slot& slot, std::vector<PixelPlace> probed);
   void recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
                     gpu::Buffer& values, VkDeviceSize texelBytes, VkDeviceSize offset);

@@ -13,6 +13,7 @@
 #include "draw/caster_list.h"
 #include "draw/closed_caster.h"
 #include "draw/exact_data.h"
+#include "draw/place_list.h"
 #include "math/transform.h"
 #include "scene/light_view.h"
 #include "shadow/shadow_reach.h"
@@ -63,9 +64,7 @@ class ShadowLister {
     });
     gated_ = std::ranges::none_of(snapshot.materials, &Material::lectureSpecular);
     for (const auto* batches : {&list.opaque, &list.layers.meshes})
-      for (const DrawBatch& batch : *batches)
-        if (batch.mesh && !batch.state.isSurface && batch.state.form != Form::Fused)
-          offPx_ = std::max(offPx_, options.tolerancePx * (options.standIns ? kStandInTolerance : 1));
+      for (const DrawBatch& batch : *batches) offPx_ = std::max(offPx_, offPxOf(batch));
   }
 
   void list(LightGroup& group, std::uint32_t bit, std::uint32_t light) {
@@ -95,6 +94,19 @@ class ShadowLister {
   }
 
  private:
+  /// How far what a draw shows may be off its surfaces, where their own points are not found.
+  [[nodiscard]] double offPxOf(const DrawBatch& batch) const {
+    if (!batch.mesh || batch.flat || batch.state.isSurface || batch.state.form == Form::Fused) return 0;
+    for (std::uint32_t i = 0; i < batch.instanceCount; ++i) {
+      const std::uint32_t node = list_.instanceNodes[batch.firstInstance + i];
+      if (snapshot_.nodes[node].surface.triangles()) continue;
+      const bool placed = batch.state.form != Form::Layer &&
+                          std::ranges::binary_search(list_.placed, node, {}, &PlacedNode::node);
+      if (!placed) return options_.tolerancePx * (options_.standIns ? kStandInTolerance : 1);
+    }
+    return 0;
+  }
+
   [[nodiscard]] const Material& materialOf(const SnapshotNode& node) const {
     return snapshot_.materials[node.material.index];
   }
@@ -282,7 +294,10 @@ class ShadowLister {
   void drawClosed() {
     std::ranges::stable_sort(closed_, {}, &Closed::kind);
     for (std::size_t i = 0; i < closed_.size();) {
-      CasterDraw draw{.state = {.form = Form::Shadow, .closed = 0, .closedKind = closed_[i].kind},
+      CasterDraw draw{.state = {.form = Form::Shadow,
+                                .closed = 0,
+                                .closedKind = closed_[i].kind,
+                                .places = list_.findsPlaces},
                       .caster = static_cast<std::uint32_t>(list_.casters.closed.size()),
                       .area = closed_[i].area};
       do {
@@ -296,6 +311,7 @@ class ShadowLister {
       if (group_->lightsPoints()) group_->shadows.push_back(draw);
       if (group_->lightsLayers()) {
         draw.state.form = Form::LayerShadow;
+        draw.state.places = false;
         group_->layerShadows.push_back(draw);
       }
     }
@@ -344,10 +360,12 @@ class ShadowLister {
     draw.caster = casters_.add(caster);
     if (group_->lightsPoints()) {
       draw.state.form = transmits ? Form::Transmittance : Form::Shadow;
+      draw.state.places = list_.findsPlaces;
       (transmits ? group_->transmittances : group_->shadows).push_back(draw);
     }
     if (group_->lightsLayers()) {
       draw.state.form = transmits ? Form::LayerTransmittance : Form::LayerShadow;
+      draw.state.places = false;
       (transmits ? group_->layerTransmittances : group_->layerShadows).push_back(draw);
     }
     return true;

@@ -40,6 +40,7 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
                   samples, "depth");
     found_ = gpu::Texture();
     foundParameters_ = gpu::Texture();
+    places_ = gpu::Texture();
     shadows_ = gpu::Texture();
     transmittance_ = gpu::Texture();
   }
@@ -54,6 +55,11 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
   if (needs.transmittance && !fits(transmittance_, extent, VK_SAMPLE_COUNT_1_BIT))
     transmittance_ =
         make(kTransmittanceFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "transmittance");
+  if (needs.shadows && (!places_ || (needs.places && !fits(places_, extent, VK_SAMPLE_COUNT_1_BIT))))
+    places_ = gpu::Texture(*context_, {.extent = needs.places ? extent : VkExtent2D{1, 1},
+                                       .format = kPlacesFormat,
+                                       .usage = kReadAgain,
+                                       .name = "places of meshes"});
   if (needs.shadows && !fits(shadows_, extent, VK_SAMPLE_COUNT_1_BIT))
     shadows_ = make(kShadowsFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "shadows");
   if (!needs.deferred || fits(found_, extent, VK_SAMPLE_COUNT_1_BIT)) return;
@@ -70,6 +76,8 @@ gpu::Texture& ViewTargets::texture(Target target) {
       return found_;
     case Target::FoundParameters:
       return foundParameters_;
+    case Target::Places:
+      return places_;
     case Target::Shadows:
       return shadows_;
     case Target::Transmittance:

@@ -68,6 +68,7 @@ std::uint32_t bytesPerTexel(VkFormat format) {
     case VK_FORMAT_R32G32_SFLOAT:
       return 8;
     case VK_FORMAT_R32G32B32A32_SFLOAT:
+    case VK_FORMAT_R32G32B32A32_UINT:
       return 16;
     default:
       LUXO_REQUIRE(!"a format whose size luxo knows");

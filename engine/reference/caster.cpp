@@ -89,6 +89,28 @@ Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
   return hit;
 }
 
+std::optional<Hit> Caster::pointAt(std::uint32_t node, const Vec2& parameters, const Ray& ray) const {
+  constexpr double kSlack = 1e-3;  // of a domain: what interpolation may overshoot an edge by
+  const SnapshotNode& of = snapshot_.nodes[node];
+  std::optional<Hit> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t patch = 0; patch < of.surface.patchCount(); ++patch) {
+    const Domain& domain = of.surface.patches()[patch].domain;
+    const Vec2 inside(std::clamp(parameters.x, domain.u.lo, domain.u.hi),
+                      std::clamp(parameters.y, domain.v.lo, domain.v.hi));
+    const Vec2 beyond = glm::abs(inside - parameters);
+    if (!(beyond.x <= kSlack * domain.u.width() && beyond.y <= kSlack * domain.v.width())) continue;
+    const Vec3 position = transformPoint(
+        of.worldFromObject, BoundedPatch(of.surface, patch, of.parameters).at(inside.x, inside.y).position);
+    const double off = glm::length(glm::cross(position - ray.origin, ray.direction));
+    if (!(off < least)) continue;
+    least = off;
+    nearest = hitAt(ray, node, {.patch = patch, .u = inside.x, .v = inside.y});
+    nearest->position = position;
+  }
+  return nearest;
+}
+
 /// Interpolated by weights as the renderer does it: (u, v), and unit normals in the world. Which of its sides
 /// is seen the normal tells, or, where that is nearly across the ray, the triangle (shaders/lib/scene.glsl).
 void Caster::placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const {

@@ -58,6 +58,11 @@ class Caster {
   /// `nodes`: ascending.
   [[nodiscard]] First firstOf(std::span<const std::uint32_t> nodes, const Ray& ray) const;
 
+  /// The point of a formula's surface at (u, v), as a picture shows it on a ray; a thousandth of a patch
+  /// beyond its edge is still of the patch, and where several patches meet it is the one nearest to the ray.
+  /// Nothing where the formula has no value there. `t` is nobody's.
+  [[nodiscard]] std::optional<Hit> pointAt(std::uint32_t node, const Vec2& parameters, const Ray& ray) const;
+
   /// Builds the cells of those of the nodes whose bounds some of the rays meet, as for `worth` times as many;
   /// no other call at the same time.
   void prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes,

@@ -28,6 +28,9 @@ constexpr double kMaxTurn = 0.1;      // the same for the sine between their lin
 constexpr double kTouchingUlps = 2;   // of two depths, each of which is rounded up or down
 constexpr double kFloatRounding = 0x1p-24;  // of a number: the nearest float is no farther
 constexpr double kOtherLight = 1e-4;  // linear: smaller differences are not looked into for a light's shadow
+/// Of a mesh light falls on its own place, not on the surface's: what that changes is less than what a light
+/// has to add to be looked for.
+constexpr double kLeastOnMesh = 5e-3;
 
 /// Pixels whose light may be wrong, times lights: where there are more, thousands of pixels are wrong, and
 /// borders of shadows are looked for in four directions alone, so that judging takes no longer than four
@@ -327,10 +330,31 @@ class Judge {
       if (pixel.mismatch != Mismatch::None)
         pixel.silhouettePx = static_cast<float>(silhouetteDistance(caster, i, pixel.mismatch));
       else if (pixel.offPoint)
-        pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
+        judgeOff(caster, i, shadows && !layers, pixel);
       else
         pixel.offLight = layers ? hasAnotherColor(caster, i) : inAnotherLight(caster, i);
     });
+  }
+
+  /// Of a pixel whose point is off: whether it is beside an outline, and the light on it.
+  void judgeOff(const Caster& caster, std::uint32_t i, bool shadows, JudgedPixel& pixel) const {
+    pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
+    const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
+    const SnapshotNode& of = snapshot_.nodes[node];
+    if (!shadows || measured_.color.empty() || measured_.normal.empty() || of.surface.flatNormal() ||
+        onTriangles(node) ||
+        snapshot_.materials[of.material.index].shadingIn(options_.shading) != Shading::Phong)
+      return;
+    const Vec2 center = centerOf(i);
+    const Ray ray = caster.rayThrough(center.x, center.y);
+    const auto shown = shownAt(i, node);
+    std::optional<Hit> hit = caster.pointAt(node, parametersAt(i), ray);
+    if (!hit || !shown) return;
+    hit->normal = valueAt(measured_.normal, i);
+    bool certified = true;
+    const Vec3 color = caster.color(ray, {.hits = {*hit}}, certified);
+    pixel.offLight =
+        certified && inAnotherLight(caster, i, *hit, -ray.direction, color, shown->pixel, kLeastOnMesh);
   }
 
   /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.
@@ -380,20 +404,20 @@ class Judge {
     bool atBorder = false;
   };
 
-  /// Finds of which lights a border, or of all of them an outline, is within kSilhouettePx of a pixel's
-  /// centre. All are looked for at the same places, so that the points of a soft light cost what their rays
-  /// do.
-  void findBorders(const Caster& caster, std::uint32_t i, std::vector<Turned>& lights) const {
-    if (coarse_) return findBorders(caster, i, lights, {1.0}, 4);
+  /// Finds of which lights a border, or of all of them an outline, is within kSilhouettePx of a place that
+  /// shows the layer of a pixel. All are looked for at the same places, so that the points of a soft light
+  /// cost what their rays do.
+  void findBorders(const Caster& caster, std::uint32_t i, const Vec2& center,
+                   std::vector<Turned>& lights) const {
+    if (coarse_) return findBorders(caster, i, center, lights, {1.0}, 4);
     // 16 places around: the last ring is as much wider as a straight border that touches the circle passes
     // beside them.
-    findBorders(caster, i, lights, {0.1, 0.2, 0.4, 0.8, 1.02}, 16);
+    findBorders(caster, i, center, lights, {0.1, 0.2, 0.4, 0.8, 1.02}, 16);
   }
 
   /// At so many places of rings, whose radii are in kSilhouettePx.
-  void findBorders(const Caster& caster, std::uint32_t i, std::vector<Turned>& lights,
+  void findBorders(const Caster& caster, std::uint32_t i, const Vec2& center, std::vector<Turned>& lights,
                    std::initializer_list<double> radii, int directions) const {
-    const Vec2 center = centerOf(i);
     std::size_t left = lights.size();
     double turn = 0;  // of every other ring by half a step
     for (const double radius : radii) {
@@ -413,23 +437,31 @@ class Judge {
     }
   }
 
-  /// Whether the colour shown is nearer to that with one light's visibility turned round than to the truth,
-  /// and no border of that shadow, and no outline, is near. Of many lights that are as bright, the points of
-  /// a soft shadow, several may explain a colour: those with a border nearby do so first.
   [[nodiscard]] bool inAnotherLight(const Caster& caster, std::uint32_t i) const {
     const Vec2 center = centerOf(i);
     const Ray ray = caster.rayThrough(center.x, center.y);
     const auto sight = caster.look(ray);
     if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
       return false;  // seen through: no closed form
-    Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
+    return inAnotherLight(caster, i, sight.hits.front(), -ray.direction, valueAt(truth_.color, i), center);
+  }
+
+  /// Whether the colour shown of a point, which is at `center` on the screen, is nearer to that with one
+  /// light's visibility turned round than to the truth, and no border of that shadow, and no outline, is
+  /// near. Of many lights that are as bright, the points of a soft shadow, several may explain a colour:
+  /// those with a border nearby do so first. A light that adds no more than `least` explains nothing.
+  [[nodiscard]] bool inAnotherLight(const Caster& caster, std::uint32_t i, const Hit& hit,
+                                    const Vec3& toViewer, const Vec3& trueColor, const Vec2& center,
+                                    double least = 0) const {
+    Vec3 off = valueAt(measured_.color, i) - trueColor;
     const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
     std::vector<Turned> lights;
-    for (const Caster::Shadowed& one : caster.shadowedLights(sight.hits.front(), -ray.direction)) {
+    for (const Caster::Shadowed& one : caster.shadowedLights(hit, toViewer)) {
       const Vec3 change = one.visible ? -one.share : one.share;
-      if (one.certified && size(off - change) < size(off)) lights.push_back({one.light, one.visible, change});
+      if (one.certified && size(change) > least && size(off - change) < size(off))
+        lights.push_back({one.light, one.visible, change});
     }
-    findBorders(caster, i, lights);
+    findBorders(caster, i, center, lights);
     const auto others =
         std::partition(lights.begin(), lights.end(), [](const Turned& one) { return one.atBorder; });
     std::vector<Vec3> bordering;

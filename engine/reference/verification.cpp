@@ -54,10 +54,10 @@ class Sums {
         count = &wrong.hitMiss;
       else if (away)
         count = &wrong.layer;
-      else if (pixel.nan || pixel.offPoint)
-        count = &wrong.point;
       else if (pixel.offLight)
         count = &wrong.light;
+      else if (pixel.nan || pixel.offPoint)
+        count = &wrong.point;
       if (count == nullptr) continue;
       ++*count;
       wrong.pixels.push_back(judged_.chosen[k]);

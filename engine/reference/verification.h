@@ -12,7 +12,9 @@
 // A pixel is wrong (WrongPixels) when it shows a surface where there is none, or none where there is one, or
 // another layer, or a point that is more than kPointPx and what float32 leaves of (u, v) off, or a light that
 // the truth has in shadow (or the other way round): each only away from outlines and borders of shadows by
-// more than kSilhouettePx. Layers touch, and either may be shown, whose points on the ray are as near to each
+// more than kSilhouettePx. Of a mesh in Phong shading, whose points are off, the light is judged at the point
+// that is shown, and by the normal that is; between vertices, on facets and in steps light is no number that
+// tells. Layers touch, and either may be shown, whose points on the ray are as near to each
 // other as the depth buffer's rounding, or the one to the other's surface as kPointPx in space.
 #pragma once
 
@@ -35,6 +37,7 @@ struct MeasuredPicture {
 };
 
 struct VerificationOptions {
+  Shading shading = Shading::Exact;  ///< of materials that do not say otherwise
   /// Row * width + column of the pixels to judge; empty: all. The truth must hold them and the eight
   /// neighbours of each (withNeighbours).
   std::vector<std::uint32_t> pixels = {};
@@ -100,8 +103,8 @@ inline constexpr double kPointPx = 1e-3;
 struct WrongPixels {
   std::uint64_t hitMiss = 0;  ///< a surface where there is none, or none where there is one
   std::uint64_t layer = 0;    ///< another node, or another part of the node
-  std::uint64_t point = 0;    ///< off by more than kPointPx and rounding, or a value that is not a number
   std::uint64_t light = 0;    ///< a light is seen that is in shadow, or the other way round
+  std::uint64_t point = 0;    ///< off by more than kPointPx and rounding, or a value that is not a number
   std::vector<std::uint32_t> pixels;  ///< row * width + column, ascending
 
   [[nodiscard]] std::uint64_t total() const { return hitMiss + layer + point + light; }

@@ -77,7 +77,7 @@ void addCaster(std::set<Formulas>& all, const Surface& surface, Caster caster,
 
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
                 const std::string& pattern, bool tellsParameters = false) {
-  addCaster(all, surface, Caster::Shadow);
+  for (const Caster caster : {Caster::Shadow, Caster::MeshPlace}) addCaster(all, surface, caster);
   const auto add = [&](const std::string& glsl, GlslNumber number) {
     all.insert({glsl, pattern, number, true, std::nullopt, tellsParameters});
   };
@@ -94,7 +94,7 @@ void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const
 
 /// What finds a named surface whatever its arguments.
 void addGeneralForms(std::set<Formulas>& all, const Surface& surface) {
-  addCaster(all, surface, Caster::Shadow);
+  for (const Caster caster : {Caster::Shadow, Caster::MeshPlace}) addCaster(all, surface, caster);
   const auto equations = equationsOf(surface, {});
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     if (const auto& general = surface.patches()[i].general; general && !equations[i])

@@ -1,35 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A caster's cells, its formula, and its grid, which lists the cells that a ray from the grid's light may meet.
-#include "lib/formula.glsl"
 #include "lib/shadow_interface.glsl"
+#include "lib/caster_formula.glsl"
 
 layout(scalar, set = kSetShadow, binding = kBindingGridStarts) readonly buffer GridStarts { uint gridStarts[]; };
 layout(scalar, set = kSetShadow, binding = kBindingGridEntries) readonly buffer GridEntries { GridEntry gridEntries[]; };
-layout(scalar, set = kSetShadow, binding = kBindingCasterCells) readonly buffer CasterCells { CasterCell casterCells[]; };
-layout(scalar, set = kSetShadow, binding = kBindingCasterParameters) readonly buffer CasterParameters { float casterParameters[]; };
-
-// A CPU device reads a buffer slowly: parameters are read once for a patch, not whenever the formula is.
-layout(constant_id = kConstantParameterCount) const uint kParameterCount = 0;
-const uint kHeldParameters = 64;
-const uint kHeld = kParameterCount < kHeldParameters ? kParameterCount : kHeldParameters;
-float heldParameters[kHeld > 0 ? kHeld : 1];
-uint heldPatch = 0xffffffffu;
-
-float casterParameterFromBuffer(uint k) { return casterParameters[varyingFirst.z + heldPatch * varyingFirst.w + k]; }
-
-void holdPatch(uint patch_) {
-  if (patch_ == heldPatch) return;
-  heldPatch = patch_;
-  for (uint k = 0; k < kHeld; ++k) heldParameters[k] = casterParameterFromBuffer(k);
-}
-
-float casterParameterAt(uint k) { return k < kHeld ? heldParameters[k] : casterParameterFromBuffer(k); }
-
-// The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).
-#define parameterAt casterParameterAt
-#include "surface"
-#undef parameterAt
-
 #include "lib/cell_ray.glsl"
 
 bool has(uint flags) { return (varyingCaster.z & flags) != 0; }

@@ -9,7 +9,8 @@ layout(location = 0) out uint outShadows;
 void findShadows() {
   FoundPlace found = foundPlace();
   bool isOpen;
-  uint shadows = closedShadowsAt(found.position, found.normal, found.depth, found.material, isOpen);
+  uint shadows = closedShadowsAt(found.position, found.normal, litAt(found.drawn, found.drawnNormal), found.depth,
+                                 found.material, isOpen);
   if (isOpen) doubtPixel();
   if (shadows == 0) discard;
   outShadows = shadows;

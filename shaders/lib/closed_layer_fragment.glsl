@@ -11,8 +11,9 @@ void findLayerShadows() {
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerByRay) != 0) continue;
     bool isOpen;
-    uint shadows = closedShadowsAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
-                                   point.material & kLayerMaterial, isOpen);
+    vec3 position = place + point.depth * ray, normal = fromOctahedral(point.normal);
+    uint shadows = closedShadowsAt(position, normal, litAt(position, normal), point.depth, point.material & kLayerMaterial,
+                                   isOpen);
     if (isOpen) doubtLayers();
     if (shadows != 0) layerPoints[index].shadows |= shadows;
   }

@@ -28,10 +28,10 @@ int meets(ClosedCaster caster, ClosedRay ray) {
 }
 
 // Of a point that the picture shows at a depth (metres beyond that of what positions are relative to), whose pixels are
-// `width` times as wide as one metre away.
-int closedShadowAt(ClosedCaster caster, vec3 position, float cosine, float width, uint material) {
+// `width` times as wide as one metre away; `cosine`: of its surface with the light; `lit`: below.
+int closedShadowAt(ClosedCaster caster, vec3 position, float cosine, float lit, float width, uint material) {
   bool isOwn = material == caster.material;
-  if ((caster.flags & kGatedLight) != 0 && cosine <= 0.0) return kPassed;
+  if ((caster.flags & kGatedLight) != 0 && lit <= 0.0) return kPassed;
   if (isOwn && (kClosedKind == kClosedPlane || ((caster.flags & kConvexCaster) != 0 && cosine > 0.0))) return kPassed;
   ClosedRay ray;
   for (int i = 0; i < 3; ++i)
@@ -44,8 +44,13 @@ int closedShadowAt(ClosedCaster caster, vec3 position, float cosine, float width
   return meets(caster, ray);
 }
 
-// The lights that do not reach a point; `isOpen`: floats leave some of it open.
-uint closedShadowsAt(vec3 position, vec3 normal, float depth, uint material, out bool isOpen) {
+// How much a light shines on a point of that normal: above 0 it does.
+float litAt(vec3 position, vec3 normal) {
+  return dot(normal, varyingLightRelative.xyz - varyingLightRelative.w * position);
+}
+
+// The lights that do not reach a point; `lit`: litAt() where and on what they fall; `isOpen`: floats leave some of it open.
+uint closedShadowsAt(vec3 position, vec3 normal, float lit, float depth, uint material, out bool isOpen) {
   vec3 toLight = varyingLightRelative.xyz - varyingLightRelative.w * position;
   float cosine = dot(normal, toLight) * inversesqrt(max(dot(toLight, toLight), kTiny));
   float width = varyingMiddle.z != 0.0 ? depth + varyingMiddle.w : 1.0;
@@ -53,7 +58,7 @@ uint closedShadowsAt(vec3 position, vec3 normal, float depth, uint material, out
   isOpen = false;
   for (int i = 0; i < int(kClosedCasters); ++i) {
     ClosedCaster caster = toldCaster(i);
-    int result = closedShadowAt(caster, position, cosine, width, material);
+    int result = closedShadowAt(caster, position, cosine, lit, width, material);
     isOpen = isOpen || result == kOpen;
     if (result == kMet) shadows |= 1u << caster.light_;
   }

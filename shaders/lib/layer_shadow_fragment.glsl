@@ -10,8 +10,9 @@ void findLayerShadows() {
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerByRay) != 0) continue;
-    int result = shadowAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
-                          (point.material & kLayerMaterial) == varyingMaterial.x);
+    vec3 position = place + point.depth * ray, normal = fromOctahedral(point.normal);
+    if (facesAway(position, normal)) continue;
+    int result = shadowAt(position, normal, point.depth, (point.material & kLayerMaterial) == varyingMaterial.x);
     if (result == kOpen) doubtLayers();
     if (result == kMet) layerPoints[index].shadows |= 1u << varyingCaster.y;
   }

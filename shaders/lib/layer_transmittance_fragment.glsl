@@ -10,7 +10,9 @@ void findLayerTransmittances() {
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerByRay) != 0) continue;
-    vec3 transmittance = transmittanceAt(place + point.depth * ray, fromOctahedral(point.normal), point.depth,
+    vec3 position = place + point.depth * ray, normal = fromOctahedral(point.normal);
+    if (facesAway(position, normal)) continue;
+    vec3 transmittance = transmittanceAt(position, normal, point.depth,
                                          (point.material & kLayerMaterial) == varyingMaterial.x);
     if (isOpen) doubtLayers();
     layerPoints[index].transmittance = point.transmittance * transmittance;

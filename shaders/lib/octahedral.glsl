@@ -16,4 +16,8 @@ vec3 fromOctahedral(vec2 p) {
   return n * inversesqrt(dot(n, n));
 }
 
+// In 32 bits, not all of which are 0.
+uint packedOctahedral(vec2 p) { return max(packUnorm2x16(0.5 * p + 0.5), 1u); }
+vec2 unpackedOctahedral(uint packed_) { return 2.0 * unpackUnorm2x16(packed_) - 1.0; }
+
 #endif

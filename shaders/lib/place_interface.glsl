@@ -13,4 +13,14 @@
 layout(location = 0) flat LUXO_VARYING vec3 varyingPlace[3];  // middle, right, down, as in ViewData
 layout(location = 3) flat LUXO_VARYING vec3 varyingRay[3];
 layout(location = 6) flat LUXO_VARYING vec4 varyingMiddle;    // x, y; whether perspective; the depth of what positions are relative to
+
+#ifndef LUXO_VERTEX
+// Where the pixel's ray is at a depth beyond that of what positions are relative to.
+vec3 placeAtDepth(float depth) {
+  vec2 pixel = gl_FragCoord.xy - varyingMiddle.xy;
+  vec3 place = varyingPlace[0] + pixel.x * varyingPlace[1] + pixel.y * varyingPlace[2],
+       sight = varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
+  return place + depth * sight;
+}
+#endif
 #endif

@@ -8,6 +8,7 @@ layout(location = 0) out uint outShadows;
 
 void findShadow() {
   FoundPlace found = foundPlace();
+  if (facesAway(found.drawn, found.drawnNormal)) discard;
   int result = shadowAt(found.position, found.normal, found.depth, found.material == varyingMaterial.x);
   if (result == kOpen) doubtPixel();
   if (result != kMet) discard;

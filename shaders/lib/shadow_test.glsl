@@ -6,12 +6,16 @@
 const float kGrazing = 0.02;       // the sine of a ray's height over its own surface
 const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
 
+// Whether a point of that normal gets nothing of the light, shadow or not.
+bool facesAway(vec3 position, vec3 normal) {
+  return has(kGatedLight) && dot(normal, varyingLightRelative.xyz - varyingLightRelative.w * position) <= 0.0;
+}
+
 // Of a point that the picture shows at a depth (metres beyond that of what positions are relative to); `isOwn`: of the
 // caster itself. kMet: it does.
 int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   vec3 toLight = varyingLightRelative.xyz - varyingLightRelative.w * position;
   float cosine = dot(normal, toLight) * inversesqrt(max(dot(toLight, toLight), 1e-37));
-  if (has(kGatedLight) && cosine <= 0.0) return kPassed;
   if (isOwn && (has(kFlatCaster) || (has(kConvexCaster) && cosine > 0.0))) return kPassed;
   if (has(kFlatCaster) && dot(varyingPlane, vec4(position, 1)) > kBesidePlane * (length(position) + abs(varyingPlane.w)))
     return kPassed;

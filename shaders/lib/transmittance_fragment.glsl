@@ -8,6 +8,7 @@ layout(location = 0) out vec4 outTransmittance;
 
 void findTransmittance() {
   FoundPlace found = foundPlace();
+  if (facesAway(found.drawn, found.drawnNormal)) discard;
   vec3 transmittance = transmittanceAt(found.position, found.normal, found.depth, found.material == varyingMaterial.x);
   if (isOpen) doubtPixel();
   if (transmittance == vec3(1)) discard;

@@ -53,6 +53,7 @@ LUXO_CONSTANT kBindingFoundParameters = 1;
 LUXO_CONSTANT kBindingUniformMaterials = 2;  // the first kUniformMaterials of them all
 LUXO_CONSTANT kBindingShadows = 3;
 LUXO_CONSTANT kBindingTransmittance = 4;
+LUXO_CONSTANT kBindingPlaces = 5;
 
 // Bindings of kSetShadow.
 LUXO_CONSTANT kBindingCasters = 0;
@@ -65,7 +66,9 @@ LUXO_CONSTANT kBindingCasterPatterns = 6;  // their parameters
 LUXO_CONSTANT kBindingLightMaps = 7;
 LUXO_CONSTANT kBindingLightDepths = 8;
 LUXO_CONSTANT kBindingClosedCasters = 9;
-LUXO_CONSTANT kShadowBindings = 10;
+LUXO_CONSTANT kBindingMeshPlaces = 10;
+LUXO_CONSTANT kBindingShownPoints = 11;
+LUXO_CONSTANT kShadowBindings = 12;
 
 // Bindings of kSetLayers.
 LUXO_CONSTANT kBindingLayerHeads = 0;
@@ -100,6 +103,7 @@ LUXO_CONSTANT kConstantClosedCasters = 15;  // of a draw
 LUXO_CONSTANT kConstantClosedKind = 16;     // of them all
 LUXO_CONSTANT kConstantFirstLight = 17;     // of kVertexLights of a group
 LUXO_CONSTANT kConstantExactShadows = 18;   // the lights, a bit each, that have exact ones
+LUXO_CONSTANT kConstantPlaces = 19;         // some points are of meshes, whose surfaces' own points are known
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -379,6 +383,21 @@ struct ClosedCaster {
   uint material;             // of found texels that show the caster, and nothing else
 };
 
+// A mesh, or those of its patches that share their code, whose surface's own points are found: those it shows.
+struct MeshPlace {
+  mat3 relativeFromObject;
+  vec3 translation;
+  uint firstPatch, patches;         // whose domains are cells
+  uint firstParameter, parameters;  // parameters: of each patch
+  uint material;                    // of found texels that show it, and nothing else
+};
+
+// The point that a pixel of such a mesh shows.
+struct ShownPoint {
+  vec2 parameters;
+  uint numberOfMaterial;  // 1 + that; 0: it shows none
+};
+
 // Kinds of equations.
 LUXO_CONSTANT kClosedPlane = 0;
 LUXO_CONSTANT kClosedBall = 1;      // all of an ellipsoid
@@ -433,6 +452,7 @@ static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBit
 static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 72 && sizeof(ReachingLight) == 16);
+static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif

@@ -45,7 +45,6 @@ TEST_F(ExactStart, BuiltInScenesCompileNothing) {
   EXPECT_EQ(compiledBy(gallery()), 0u) << "the gallery";
   for (const EmbeddedScene& scene : embeddedScenes()) {
     if (scene.name == "lecture") continue;  // shows patterns on triangles, too: its own choice of shadings
-    if (scene.name == "glass") continue;    // one of its shaders does not come along
     EXPECT_EQ(compiledBy(buildScene(parseScene(std::string(scene.text), std::string(scene.name)))), 0u)
         << scene.name;
   }

@@ -101,6 +101,40 @@ TEST(Passes, MeshesAreDrawnAgainForEachGroupOfLights) {
   EXPECT_EQ(names, (Names{"found", "shadows", "shade", "meshes again", "shadows", "shade", "meshes again"}));
 }
 
+/// Once for all lights, and where nothing replaces what was found.
+TEST(Passes, PlacesOfMeshesAreFoundBeforeShadows) {
+  DrawList list = deferredList();
+  list.opaque.push_back({.state = {.form = Form::FoundWithParameters}, .mesh = std::make_shared<Mesh>()});
+  list.findsPlaces = true;
+  list.places.resize(2);
+  list.groups.resize(2);
+  for (LightGroup& group : list.groups) group.lights.resize(1);
+  const auto namesOf = [&](const FrameDesc& frame) {
+    Names names;
+    for (const Pass& pass : passesOf(list, frame)) names.emplace_back(pass.name);
+    return names;
+  };
+  EXPECT_EQ(namesOf({}), (Names{"found", "found meshes", "places", "shadows", "shade", "shadows", "shade"}));
+  const std::vector<Pass> passes = passesOf(list, {});
+  EXPECT_EQ(passes[0].colors.size(), 1U) << "of exact surfaces no light asks for parameters";
+  EXPECT_EQ(passes[1].colors.size(), 2U);
+  EXPECT_EQ(passes[2].casters.size(), 2U);
+  const RayPoints points;
+  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays", "shadows", "shade", "shadows", "shade"}));
+  EXPECT_FALSE(passesOf(list, {.rays = &points, .probes = true})[0].probes) << "there are meshes over it";
+}
+
+/// Else their shader would see those of another group.
+TEST(Passes, MeshesThatAreDrawnAgainSeeNoOtherGroupsShadows) {
+  DrawList list = deferredList();
+  list.groups.resize(2);
+  list.groups[1].lights.resize(1);
+  for (LightGroup& group : list.groups) group.again.resize(1);
+  Names names;
+  for (const Pass& pass : passesOf(list, {})) names.emplace_back(pass.name);
+  EXPECT_EQ(names, (Names{"found", "shadows", "shade", "meshes again", "shadows", "shade", "meshes again"}));
+}
+
 TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   DrawList list = deferredList();
   const auto namesOf = [&](const FrameDesc& frame) {
@@ -139,7 +173,7 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
 
   const std::vector<Pass> passes = passesOf(list, {});
   EXPECT_EQ(passes[1].colors.front().target, Target::Shadows);
-  EXPECT_EQ(passes[1].reads, std::vector{Target::Found});
+  EXPECT_EQ(passes[1].reads, (std::vector{Target::Found, Target::Places}));
   EXPECT_TRUE(passes[1].searches) << "what it leaves open is told";
   EXPECT_EQ(passes[2].reads, (std::vector{Target::Found, Target::Shadows}));
 }

@@ -21,12 +21,12 @@ void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, Rend
   std::vector<PixelPlace> doubtful;
   for (const Doubt& doubt : view.doubts()) doubtful.push_back(doubt.pixel);
   working_ = inBackground([this, doubtful = std::move(doubtful), probes = view.probes(),
-                           found = view.list().found, origin = view.list().origin,
+                           found = view.list().found, origin = view.list().origin, shown = view.shown(),
                            groups = view.list().groups, layers = view.list().layers.found,
                            layersFrom = view.list().layersFrom(), size = snapshot.view.size] {
     const auto resolved = [&](const std::vector<PixelPlace>& pixels) {
       RayPoints points = rays_.resolve(pixels, found, origin);
-      rays_.addShadows(pixels, groups, points);
+      rays_.addShadows(pixels, shown, groups, points);
       rays_.addLayers(pixels, layers, origin, groups, points);
       return points;
     };
@@ -35,7 +35,7 @@ void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, Rend
     std::vector<DepthProbe> others;
     for (const DepthProbe& probe : probes)
       if (!std::ranges::binary_search(doubtful, placeOf(probe.pixel), {}, placeOf)) others.push_back(probe);
-    const AuditResult audit = rays_.audit(others, groups, layersFrom);
+    const AuditResult audit = rays_.audit(others, shown, groups, layersFrom);
     outcome.failed = audit.failed;
     outcome.undecided = audit.undecided;
     if (audit.failed > 0) outcome.points = resolved(auditedPixels(size, {.extent = AuditExtent::All}, {}));

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The formula of a surface, with the parameters of one of its patches after the other, and rectangles of these patches:
+// varyingFirst, of whoever includes this, says where they are.
+#include "lib/formula.glsl"
+
+layout(scalar, set = kSetShadow, binding = kBindingCasterCells) readonly buffer CasterCells { CasterCell casterCells[]; };
+layout(scalar, set = kSetShadow, binding = kBindingCasterParameters) readonly buffer CasterParameters { float casterParameters[]; };
+
+// A CPU device reads a buffer slowly: parameters are read once for a patch, not whenever the formula is.
+layout(constant_id = kConstantParameterCount) const uint kParameterCount = 0;
+const uint kHeldParameters = 64;
+const uint kHeld = kParameterCount < kHeldParameters ? kParameterCount : kHeldParameters;
+float heldParameters[kHeld > 0 ? kHeld : 1];
+uint heldPatch = 0xffffffffu;
+
+float casterParameterFromBuffer(uint k) { return casterParameters[varyingFirst.z + heldPatch * varyingFirst.w + k]; }
+
+void holdPatch(uint patch_) {
+  if (patch_ == heldPatch) return;
+  heldPatch = patch_;
+  for (uint k = 0; k < kHeld; ++k) heldParameters[k] = casterParameterFromBuffer(k);
+}
+
+float casterParameterAt(uint k) { return k < kHeld ? heldParameters[k] : casterParameterFromBuffer(k); }
+
+// The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).
+#define parameterAt casterParameterAt
+#include "surface"
+#undef parameterAt

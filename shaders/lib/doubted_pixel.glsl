@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bit of a pixel where what light reaches it is open.
+#include "lib/place_interface.glsl"
+
+layout(scalar, set = kSetShadow, binding = kBindingShadowDoubts) buffer Doubts { uint ofPixels[]; } doubts;
+
+uint pixelNumber() { return uint(gl_FragCoord.y) * uint(2.0 * varyingMiddle.x) + uint(gl_FragCoord.x); }
+
+void doubtPixel() {
+  uint pixel = pixelNumber();
+  atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], kShadowOpenHere << kDoubtBits * (pixel % kDoubtsPerWord));
+}

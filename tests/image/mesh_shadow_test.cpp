@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadows on meshes: of every pixel the light ray starts at the surface's own point S(u, v), not at the mesh,
+// however coarse that is.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "reference/caster.h"
+#include "reference/reference.h"
+#include "reference/verification.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "support/picture.h"
+
+namespace luxo::test {
+namespace {
+
+constexpr PixelSize kSize{160, 120};
+constexpr double kCoarsePx = 4;
+
+const std::string kTorus = R"({ "type": "torus", "major": 1, "minor": 0.4 })";
+const std::string kTeapot = R"({ "type": "teapot" })";
+/// Not known as an equation, bent in all ways.
+const std::string kWaves = R"_({ "type": "formula", "u": [0, "tau"], "v": [0, "tau"],
+  "let": { "r": "0.4*(1 + 0.3*cos(5u - 2v))", "ring": "1 + r*cos(v)" },
+  "position": ["ring*cos(u)", "r*sin(v)", "-ring*sin(u)"] })_";
+
+class MeshShadowTest : public PictureTest {
+ protected:
+  /// A body on a floor, which it touches, and a sun: with shadows, without, or dark.
+  enum class Sun { Shadows, Shines, Dark };
+  [[nodiscard]] static Scene sceneOf(const std::string& body, Sun sun = Sun::Shadows,
+                                     const std::string& more = "") {
+    const std::string intensity = sun == Sun::Dark ? "0" : "0.9",
+                      shadow = sun == Sun::Shadows ? R"(, "shadow": "exact")" : "";
+    return buildScene(parseScene(R"_({ "luxo": 1,
+      "render": { "ambient": [0.1, 0.1, 0.1], "background": [0, 0, 0] },
+      "materials": { "body": { "diffuse": [0.7, 0.6, 0.5], "specular": 0.3 },
+                     "exact": { "diffuse": [0.5, 0.6, 0.7], "specular": 0, "shading": "exact" },
+                     "floor": { "diffuse": [0.6, 0.6, 0.6], "specular": 0 } },
+      "surfaces": { "floor": { "type": "rectangle", "size": [20, 20] }, "body": )_" +
+                                     body + R"_(, "ball": { "type": "sphere", "radius": 0.5 } },
+      "camera": { "eye": [3.5, 4, 5], "look_at": [0, 0.4, 0], "fov_y": "42deg" },
+      "nodes": [ { "surface": "floor", "material": "floor" },
+                 { "surface": "body", "material": "body", "translate": [0, )_" +
+                                     (body == kTeapot ? "0" : "0.4") + R"_(, 0] },
+                 { "translate": [4, 2.4, 0.5], "light": { "intensity": )_" +
+                                     intensity + shadow + " } }" + more + "] }",
+                                 "mesh_shadow"));
+  }
+
+  [[nodiscard]] Image colors(const Scene& scene, Shading shading) {
+    return draw(scene, kSize, {.shading = shading, .tolerancePx = kCoarsePx}).image;
+  }
+
+  /// Whether the light is seen from a point of a node, and from those a little beside it in the same way.
+  [[nodiscard]] static std::optional<bool> sees(const reference::Caster& caster, std::uint32_t node,
+                                                const Vec2& parameters, const Vec2& pixel) {
+    const reference::Ray ray = caster.rayThrough(pixel.x, pixel.y);
+    std::optional<bool> all;
+    for (const double du : {0.0, -2e-6, 2e-6})
+      for (const double dv : {0.0, -2e-6, 2e-6}) {
+        const auto hit = caster.pointAt(node, parameters + Vec2(du, dv), ray);
+        bool certified = true;
+        if (!hit) return std::nullopt;
+        const bool seen = caster.reaching(0, *hit, certified) != Vec3(0);
+        if (!certified || (all && *all != seen)) return std::nullopt;
+        all = seen;
+      }
+    return all;
+  }
+
+  struct Counts {
+    int lit = 0, onFloor = 0, onBody = 0, unsure = 0;
+  };
+  /// All pixels of floor and body are as without shadows, or as in the dark, as their own points see the
+  /// light.
+  Counts expectTheirOwn(const std::string& body, Shading shading) {
+    const Scene scene = sceneOf(body);
+    const Picture picture = draw(scene, kSize, {.shading = shading, .tolerancePx = kCoarsePx});
+    const Image bright = colors(sceneOf(body, Sun::Shines), shading),
+                dark = colors(sceneOf(body, Sun::Dark), shading);
+    DrawOptions geometry{.shading = shading, .output = Output::Id, .tolerancePx = kCoarsePx};
+    const Image id = draw(scene, kSize, geometry).image;
+    geometry.output = Output::Uv;
+    const Image uv = draw(scene, kSize, geometry).image;
+    const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+    const reference::Caster caster(snapshot);
+    Counts counts;
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) {
+        const float number = id.pixel(x, y)[0];
+        if (number == 0) continue;
+        const auto node = static_cast<std::uint32_t>(number) - 1;
+        const Vec3 all = colorAt(bright, x, y), none = colorAt(dark, x, y);
+        if (near(all, none, 1e-3)) continue;
+        const auto seen = sees(caster, node, Vec2(uv.pixel(x, y)[0], uv.pixel(x, y)[1]), centerOf(x, y));
+        counts.unsure += !seen;
+        if (!seen) continue;
+        EXPECT_TRUE(near(colorAt(picture.image, x, y), *seen ? all : none, 1e-4))
+            << x << ", " << y << " of node " << node << (*seen ? " lit" : " in shadow") << " in "
+            << nameOf(shading);
+        ++(*seen ? counts.lit : node == 0 ? counts.onFloor : counts.onBody);
+      }
+    EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+    EXPECT_EQ(picture.statistics.error.uncertifiedPx, 0U);
+    return counts;
+  }
+};
+
+TEST_F(MeshShadowTest, StartAtTheSurfacesOwnPoints) {
+  for (const std::string& body : {kTorus, kWaves})
+    for (const Shading shading : {Shading::Flat, Shading::Phong}) {
+      const Counts counts = expectTheirOwn(body, shading);
+      EXPECT_GT(counts.lit, 5'000);
+      EXPECT_GT(counts.onFloor, 300);
+      EXPECT_GT(counts.onBody, 30);
+      EXPECT_LT(counts.unsure, 20);
+    }
+}
+
+TEST_F(MeshShadowTest, OfATeapotOnATableTouchIt) {
+  const Counts counts = expectTheirOwn(kTeapot, Shading::Phong);
+  EXPECT_GT(counts.onFloor, 300);
+  EXPECT_GT(counts.onBody, 30);
+  EXPECT_LT(counts.unsure, 20);
+}
+
+TEST_F(MeshShadowTest, VerifyHoldsThemAgainstThePointsShown) {
+  constexpr PixelSize kSmall{80, 60};
+  for (const std::string& body : {kTorus, kWaves}) {
+    const Snapshot snapshot = takeSnapshot(sceneOf(body), 0, kSmall);
+    const auto show = [&](Output output) {
+      return renderer()
+          .render(snapshot, {.shading = Shading::Phong, .output = output, .tolerancePx = kCoarsePx})
+          .image;
+    };
+    MeasuredPicture measured{.color = show(Output::Color),
+                             .position = show(Output::Position),
+                             .normal = show(Output::Normal),
+                             .uv = show(Output::Uv),
+                             .id = show(Output::Id)};
+    const ReferencePicture truth = castPicture(snapshot);
+    const VerificationOptions options{.shading = Shading::Phong, .worst = 0, .flip = false};
+    EXPECT_EQ(verify(snapshot, truth, measured, options).wrong.light, 0U);
+    // As if nothing had a shadow.
+    const Snapshot bright = takeSnapshot(sceneOf(body, Sun::Shines), 0, kSmall);
+    measured.color = renderer().render(bright, {.shading = Shading::Phong, .tolerancePx = kCoarsePx}).image;
+    EXPECT_GT(verify(snapshot, truth, measured, options).wrong.light, 60U);
+  }
+}
+
+/// The eye sees the mesh before the ball, and the ball's own points beside it.
+TEST_F(MeshShadowTest, StandBesideExactSurfaces) {
+  const std::string ball = R"(, { "surface": "ball", "material": "exact", "translate": [-1.2, 0.5, -0.6] })";
+  const Scene scene = sceneOf(kTorus, Sun::Shadows, ball);
+  const Picture picture = draw(scene, kSize, {.shading = Shading::Phong, .audit = {AuditExtent::All}});
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+  EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+}
+
+}  // namespace
+}  // namespace luxo::test
