@@ -17,7 +17,7 @@ namespace {
 /// all would make many formulas quadratic.
 constexpr std::size_t kLargeGraph = 4096;
 
-constexpr std::string_view kOnlySurfaces = "only surfaces and diffuse colours have u and v";
+constexpr std::string_view kOnlySurfaces = "only surfaces, diffuse colours and opacities have u and v";
 
 /// The rate of a formula that says rate * t: so written, it turns exactly for ever.
 std::optional<double> rateOf(Graph& graph, Expr angle) {
@@ -97,6 +97,19 @@ Animated<double> MomentFormulas::guarded(const Quantity& quantity, const Allowed
           dependsOn};
 }
 
+Animated<Vec3> MomentFormulas::guarded(const Quantity3& quantities, const Allowed& allowed,
+                                       Animated<Vec3> value) const {
+  const DependsOn dependsOn = value.movesWithTime() ? DependsOn::Both : DependsOn::Parameters;
+  std::array<std::function<void(double, double)>, 3> checks;
+  for (std::size_t i = 0; i < 3; ++i) checks[i] = guard(quantities[i], allowed);
+  return {[value = std::move(value), checks = std::move(checks)](const Moment& moment) {
+            const Vec3 now = value.at(moment);
+            for (int i = 0; i < 3; ++i) checks[static_cast<std::size_t>(i)](now[i], moment.time);
+            return now;
+          },
+          dependsOn};
+}
+
 std::optional<Expr> MomentFormulas::expression(const Quantity& quantity, const Allowed& allowed) {
   Expr value = quantity.number();
   if (quantity.isFormula()) {
@@ -123,17 +136,25 @@ Animated<Vec3> MomentFormulas::vector(const Quantity3& quantities, const Allowed
   if (std::ranges::all_of(values, &Expr::isConstant))
     return Vec3(values[0].constant(), values[1].constant(), values[2].constant());
   const auto tape = std::make_shared<const MomentTape>(names_->graph, values, variables_.initial());
-  std::array<std::function<void(double, double)>, 3> checks;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!values[i].isConstant()) checks[i] = guard(quantities[i], allowed);
-  return {[tape, checks = std::move(checks)](const Moment& moment) {
-            std::array<double, 3> v{};
-            tape->evaluate(moment, v);
-            for (std::size_t i = 0; i < 3; ++i)
-              if (checks[i]) checks[i](v[i], moment.time);
-            return Vec3(v[0], v[1], v[2]);
-          },
-          tape->dependsOn()};
+  return guarded(quantities, allowed,
+                 {[tape](const Moment& moment) {
+                    std::array<double, 3> v{};
+                    tape->evaluate(moment, v);
+                    return Vec3(v[0], v[1], v[2]);
+                  },
+                  tape->dependsOn()});
+}
+
+Animated<double> MomentFormulas::numberAtStart(const Quantity& quantity, const Allowed& allowed) {
+  const Animated<double> value = number(quantity, kAny);
+  const double now = value.at({0, *variables_.initial()});
+  if (!value.isConstant() && !allowed.takes(now)) {
+    problems_.add(quantity,
+                  {{0, quantity.formula().size()}, "at time 0 this is " + objection(now, allowed), {}});
+    return 0.0;
+  }
+  if (value.isConstant()) return accept(quantity, now, allowed) ? now : 0.0;
+  return guarded(quantity, allowed, value);
 }
 
 Animated<double> MomentFormulas::angle(const Quantity& quantity) {

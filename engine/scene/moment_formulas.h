@@ -50,12 +50,17 @@ class MomentFormulas {
   /// when it is asked for: then it throws Error(Scene) that shows the formula.
   [[nodiscard]] Animated<double> number(const Quantity& quantity, const Allowed& allowed = kFinite);
   [[nodiscard]] Animated<Vec3> vector(const Quantity3& quantities, const Allowed& allowed = kFinite);
+  /// As number(); what moves is held against `allowed` here, too, as it is with the parameters' initial
+  /// values at time 0.
+  [[nodiscard]] Animated<double> numberAtStart(const Quantity& quantity, const Allowed& allowed = kFinite);
   /// [A, B] is A * B. An angle that is a number times `t` turns for ever, as spin() does.
   [[nodiscard]] Animated<Rotation> rotation(std::span<const RotationDesc> rotations);
 
   /// Throws, when it is asked for, where the value that a quantity stands for is not allowed.
   [[nodiscard]] Animated<double> guarded(const Quantity& quantity, const Allowed& allowed,
                                          Animated<double> value) const;
+  [[nodiscard]] Animated<Vec3> guarded(const Quantity3& quantities, const Allowed& allowed,
+                                       Animated<Vec3> value) const;
 
   /// A number that is read once: its parameters have their initial values, and it cannot depend on time.
   [[nodiscard]] std::optional<double> once(const Quantity& quantity, const Allowed& allowed = kFinite);

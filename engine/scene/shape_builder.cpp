@@ -125,7 +125,7 @@ Surface ShapeBuilder::buildShape(const std::string&, const NamedShape& shape) {
   FilePlace suspect = shape.type.place;
   for (const NamedShape::Argument& argument : shape.arguments) {
     SurfaceArgument& made = arguments.emplace_back(SurfaceArgument{argument.name.text, {}});
-    for (const Quantity& value : argument.values) made.components.push_back(formulas_.number(value));
+    for (const Quantity& value : argument.values) made.components.push_back(formulas_.numberAtStart(value));
     const auto known = std::ranges::find(entry->arguments, argument.name.text, &CatalogueArgument::name);
     if (known == entry->arguments.end()) continue;
     for (std::size_t i = 0; i < argument.values.size(); ++i)
@@ -274,7 +274,8 @@ ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const
       return {};
   // What u and v are in is not always what depends on them: 0.5 + 0 * v.
   if (!formulas.varies()) {
-    paint.uniform = uniformOf(formulas);
+    const Animated<Vec3> uniform = uniformOf(formulas);
+    paint.uniform = uniform.isConstant() ? uniform : formulas_.guarded(color, kLight, uniform);
     return paint;
   }
   const std::size_t parameters = formulas.parameters().size();

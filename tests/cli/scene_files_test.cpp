@@ -82,6 +82,23 @@ TEST_F(SceneFiles, NumbersBeyondFloatAreRefusedWithTheirPlace) {
   // What a formula gives at a moment is shown with it.
   expectBad(waveWith("\"directional\"", "\"directional\", \"intensity\": \"sqrt(t-1)\""),
             "at time 0 this is not a number; it must be from 0 to 1e30");
+  for (const char* color : {"1/t", "log(t-1)", "v*0 - 1 + 0*t", "1/t + 0*u"})
+    expectBad(waveWith("\"surfaces\"",
+                       fmt::format(R"("materials": {{ "red": {{ "diffuse": ["{}", 0, 0] }} }}, "surfaces")",
+                                   color)),
+              "bad.luxo.json:5:40: ");
+}
+
+TEST_F(SceneFiles, ArgumentsOfSurfacesAreShownOnce) {
+  for (const auto& [radius, is] : {std::pair("1/t", "inf"), std::pair("sqrt(t-1)", "not a number")}) {
+    writeText(folder / "bad.luxo.json",
+              fmt::format(R"({{ "luxo": 1, "surfaces": {{ "s": {{ "type": "sphere", "radius": "{}" }} }}, )"
+                          R"("nodes": [ {{ "surface": "s" }} ] }})",
+                          radius));
+    const std::string said = run(folder, {"render", "bad.luxo.json", "-o", "a.png"}).err;
+    EXPECT_TRUE(contains(said, fmt::format("at time 0 this is {}; it must be finite", is))) << said;
+    EXPECT_EQ(said.find("bad.luxo.json"), said.rfind("bad.luxo.json")) << said;
+  }
 }
 
 TEST_F(SceneFiles, DepthAndSizeCrashNothing) {
