@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry of triangles instead of light. Alpha is 1 where a surface is.
+// Geometry of triangles instead of light. Alpha is 1 where a surface is; of colours it is a residual, as that of light is,
+// and triangles have none.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/inspection.glsl"
@@ -23,5 +24,5 @@ void main() {
   // Triangles are drawn where their fragments are: they have no residual.
   Inspected inspected = Inspected(inPosition, n, inParameters, inDepth, inFlagsId.y, 0.0, kCertificateOfAll);
   vec4 domain = vec4(inDomain.xy, inDomain.xy + inDomain.zw);
-  outValue = vec4(inspectedValue(inspected, kQuantity, kAsColor, domain), 1);
+  outValue = vec4(inspectedValue(inspected, kQuantity, kAsColor, domain), kAsColor ? 0 : 1);
 }

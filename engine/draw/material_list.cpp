@@ -69,7 +69,8 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(lights, [&](std::uint32_t light) {
                return !snapshot.lights[light].casters.empty();
              });
-  const bool possible = options.output == Output::Color && options.samples == 1 &&
+  const bool possible = options.output == Output::Color && !showsData(options.shading) &&
+                        options.samples == 1 &&
                         (shadows_ || hasLayers(snapshot, options) || lights.size() <= shared::kMaxLights) &&
                         (shadows_ || hasLayers(snapshot, options)
                              ? snapshot.nodes.size()

@@ -385,8 +385,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
   const int width = snapshot.view.size.width, height = snapshot.view.size.height,
             channels = channelsOf(output);
   // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
-  // A view of the residuals has them as its colour.
-  const bool certifies = output == Output::Color && options.shading != Shading::Residual && view_.searches();
+  const bool certifies = output == Output::Color && view_.searches();
   Image image(width, height, channels);
   const auto readRow = [&](int y, Measured& measured) {
     const std::byte* texels = readback_.row(static_cast<std::uint32_t>(y)).data();

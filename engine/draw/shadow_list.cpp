@@ -507,8 +507,9 @@ bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
 
 bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
   return options.shadows == ShadowKinds::All && options.output == Output::Color &&
-         std::ranges::any_of(snapshot.lights,
-                             [](const SnapshotLight& light) { return !light.casters.empty(); });
+         !showsData(options.shading) && std::ranges::any_of(snapshot.lights, [](const SnapshotLight& light) {
+           return !light.casters.empty();
+         });
 }
 
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,

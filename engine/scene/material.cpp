@@ -37,6 +37,9 @@ void validate(const Material& material) {
            fmt::format("from 0 to {}", kMaxSceneNumber));
   if (!(material.opacity >= 0 && material.opacity <= 1))
     reject(material, "opacity", fmt::format("{}", material.opacity), "from 0 to 1");
+  // It is told by the search for the points of a picture, before what is lit in shadows is found.
+  if (material.shading == Shading::Residual)
+    reject(material, "shading", "residual", "a way to draw one material: residuals are a view of a picture");
   if (material.patternParameters.size() != material.diffusePattern.parameterCount())
     reject(material, "the number of pattern parameters", fmt::format("{}", material.patternParameters.size()),
            fmt::format("{}", material.diffusePattern.parameterCount()));

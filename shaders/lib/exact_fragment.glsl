@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fragments of a shell: find the surface's point, then show it: lit, to be lit, or as numbers or colours of its geometry.
 //
-// Alpha tells how good the point is: of what is lit its residual in pixels, negative where the root is not certified; of
-// numbers and colours 1, or -1 where it is not.
+// Alpha tells how good the point is: of colours its residual in pixels, negative where the root is not certified; of
+// numbers 1, or -1 where it is not.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/exact_ray.glsl"
 #if defined(LUXO_PLANE)
@@ -78,6 +78,7 @@ void showPoint() {
   } else {
     Inspected inspected = Inspected(found.position, found.normal, found.parameters, found.depth, instances[varyingFlags.w].id,
                                     found.residual, found.residual < 0.0 ? kUncertified : kBySearch);
-    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), found.residual < 0.0 ? -1 : 1);
+    float alpha = kAsColor ? found.residual : found.residual < 0.0 ? -1 : 1;
+    outColor = vec4(inspectedValue(inspected, kQuantity, kAsColor, domainOfNames()), alpha);
   }
 }
