@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/address_space.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <limits>
+
+#include "base/error.h"
 
 namespace luxo::gpu {
 
@@ -17,6 +20,15 @@ std::uint64_t addressSpaceLeft() {
   if (!(std::ifstream("/proc/self/statm") >> pages)) return kAll;
   const std::uint64_t used = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   return limit.rlim_cur > used ? limit.rlim_cur - used : 0;
+}
+
+void requireRoomForShaders(std::string_view what) {
+  const std::uint64_t left = addressSpaceLeft();
+  if (left >= kShaderBytes) return;
+  throw Error(ErrorKind::Retry,
+              fmt::format("cannot {}: a memory limit leaves {} MiB, and the driver's compiler needs {}", what,
+                          left >> 20, kShaderBytes >> 20),
+              "allow more memory (ulimit -v)");
 }
 
 }  // namespace luxo::gpu

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace luxo::gpu {
 
@@ -16,5 +17,11 @@ namespace luxo::gpu {
 /// its pixels.
 inline constexpr std::uint64_t kDriverBytes = std::uint64_t{160} << 20;
 inline constexpr std::uint64_t kCompilerBytes = std::uint64_t{112} << 20;
+
+/// What the compiler takes for the shaders of one more pipeline, or of one more drawing, on all cores.
+inline constexpr std::uint64_t kShaderBytes = std::uint64_t{48} << 20;
+
+/// Error(Retry), naming what could not be done, where less than kShaderBytes is left. Cost: addressSpaceLeft().
+void requireRoomForShaders(std::string_view what);
 
 }  // namespace luxo::gpu

@@ -2,6 +2,7 @@
 #include "gpu/frame.h"
 
 #include "base/assert.h"
+#include "gpu/address_space.h"
 #include "gpu/result.h"
 #include "gpu/transfer.h"
 
@@ -35,6 +36,7 @@ void FrameRing::drop() {
 }
 
 VkCommandBuffer FrameRing::begin() {
+  requireRoomForShaders("draw");  // which compiles what the first drawing with a pipeline needs
   if (!recording_) slot_ = (slot_ + 1) % kFrames;
   drop();
   Frame& frame = frames_[slot_];

@@ -2,6 +2,7 @@
 #include "gpu/pipeline.h"
 
 #include "base/assert.h"
+#include "gpu/address_space.h"
 #include "gpu/debug.h"
 #include "gpu/result.h"
 
@@ -196,9 +197,11 @@ VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& de
                                           .pColorBlendState = &blend,
                                           .pDynamicState = &dynamic,
                                           .layout = layout};
+  const std::string what = fmt::format("create the pipeline \"{}\"", desc.name);
+  requireRoomForShaders(what);
   VkPipeline pipeline = VK_NULL_HANDLE;
   check(vkCreateGraphicsPipelines(context.device(), context.pipelineCache(), 1, &info, nullptr, &pipeline),
-        fmt::format("create the pipeline \"{}\"", desc.name));
+        what);
   return pipeline;
 }
 
