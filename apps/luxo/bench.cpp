@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "base/error.h"
 #include "bench_page.h"
@@ -23,6 +24,7 @@
 #include "interruption.h"
 #include "open_scene.h"
 #include "options.h"
+#include "output_files.h"
 #include "progress_bar.h"
 #include "scene_request.h"
 #include "validation.h"
@@ -52,15 +54,17 @@ int parseRuns(const std::string& text) {
   return static_cast<int>(runs);
 }
 
-/// Before minutes of work: the folder is there, and can be written to.
-void makeFolder(const std::filesystem::path& folder) {
+/// Before minutes of work: the folder is there, and can be written to; of what is written there results.json
+/// alone may be a scene.
+void makeFolder(const std::filesystem::path& folder, std::span<const NamedFile> inputs = {}) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (!std::filesystem::is_directory(folder))
     throw Error(ErrorKind::Write,
                 fmt::format("cannot make the folder '{}': {}", folder.string(), failure.message()),
                 "name a folder that can be made, as in -o results");
-  requireWritable(folder / "results.json");
+  const NamedFile results{"-o", folder / "results.json"};
+  requireOutputs({&results, 1}, inputs);
 }
 
 /// Where the work stands, over all scenes.
@@ -92,14 +96,14 @@ void leaveOutShadows(Snapshot& snapshot) {
     if (!light.shade) light.casters.clear();
 }
 
-std::vector<Subject> subjectsOf(RenderRequest request) {
+std::vector<Subject> subjectsOf(RenderRequest request, std::vector<NamedFile>& inputs) {
   std::vector<std::string> names = {request.scene};
   if (request.scene == kStandard) names = {kStandardScenes.begin(), kStandardScenes.end()};
   if (!request.size) request.size = kStandardSize;
   const std::vector<BuiltinScene> builtin = builtinScenes();
   std::vector<Subject> subjects;
   for (const std::string& name : names) {
-    const Scene scene = openScene(name, request.parameters);
+    const Scene scene = openScene(name, request.parameters, nullptr, &inputs);
     const RenderSettings settings = settingsOf(scene, request);
     subjects.push_back({name, takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, request))});
     if (std::ranges::find(builtin, name, &BuiltinScene::name) != builtin.end())
@@ -213,8 +217,9 @@ int runBench(const BenchOptions& options) {
     plan.runs = plan.leastRuns = parseRuns(*options.runs);
     plan.muchMs = std::numeric_limits<double>::infinity();
   }
-  const std::vector<Subject> subjects = subjectsOf(request);
-  if (!options.folder.empty()) makeFolder(options.folder);
+  std::vector<NamedFile> inputs;
+  const std::vector<Subject> subjects = subjectsOf(request, inputs);
+  if (!options.folder.empty()) makeFolder(options.folder, inputs);
 
   const auto log = std::make_shared<gpu::ValidationLog>();
   std::optional<BenchResult> result;

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "mesh/model.h"
+#include "scene/model_files.h"
 #include "scene/model_scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
@@ -58,8 +59,15 @@ std::string summaryOf(std::string_view text) {
   return summary;
 }
 
-Scene openModel(const std::string& file, std::vector<std::string>* warnings) {
+void addInputs(std::span<const std::filesystem::path> files, std::vector<NamedFile>* inputs) {
+  std::error_code ignored;
+  for (const std::filesystem::path& file : files)
+    if (inputs && std::filesystem::exists(file, ignored)) inputs->push_back({"a file of the scene", file});
+}
+
+Scene openModel(const std::string& file, std::vector<std::string>* warnings, std::vector<NamedFile>* inputs) {
   const auto model = std::make_shared<const Model>(readModel(file));
+  addInputs(model->files, inputs);
   if (warnings)
     for (const auto& some : {model->warnings, notDrawn(*model)})
       for (const std::string& warning : some) warnings->push_back(fmt::format("{}: {}", file, warning));
@@ -104,20 +112,24 @@ std::filesystem::path fileOfScene(const std::string& scene) {
 }
 
 Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,
-                std::vector<std::string>* warnings) {
+                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs) {
   if (const EmbeddedScene* embedded = embeddedScene(scene))
     return buildScene(parseScene(std::string(embedded->text), scene), parameters, warnings);
   if (scene == kGallery) {
     refuseParameters(scene, parameters);
     return gallery();
   }
-  if (scene == kStandardInput) return buildScene(readScene(std::cin, "standard input"), parameters, warnings);
+  if (inputs && scene != kStandardInput) inputs->push_back({"the scene", scene});
   if (namesModel(scene)) {
     refuseParameters(scene, parameters);
-    return openModel(scene, warnings);
+    return openModel(scene, warnings, inputs);
   }
-  requireKnown(scene);
-  return buildScene(readSceneFile(scene), parameters, warnings);
+  if (scene != kStandardInput) requireKnown(scene);
+  const SceneFile file =
+      scene == kStandardInput ? readScene(std::cin, "standard input") : readSceneFile(scene);
+  Scene built = buildScene(file, parameters, warnings);
+  if (file.source.models) addInputs(file.source.models->files(), inputs);
+  return built;
 }
 
 Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,

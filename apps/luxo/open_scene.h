@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "option_values.h"
+#include "output_files.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 
@@ -26,9 +27,10 @@ struct BuiltinScene {
 /// that value.
 ///
 /// `warnings`, where given, takes what is allowed but probably not meant (scene/scene_builder.h), as people
-/// read it.
+/// read it. `inputs`, where given, takes the files that it is made of, so that none is overwritten.
 [[nodiscard]] Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters = {},
-                              std::vector<std::string>* warnings = nullptr);
+                              std::vector<std::string>* warnings = nullptr,
+                              std::vector<NamedFile>* inputs = nullptr);
 
 /// The file behind a scene: empty for built-in ones and standard input.
 [[nodiscard]] std::filesystem::path fileOfScene(const std::string& scene);

@@ -20,6 +20,7 @@
 #include "image/file.h"
 #include "image/format.h"
 #include "interruption.h"
+#include "mesh/model.h"
 #include "open_scene.h"
 #include "output_files.h"
 #include "picture_engine.h"
@@ -63,11 +64,12 @@ std::vector<Job> jobsOf(const RenderRequest& request, const RenderSettings& sett
 
 /// Before anything is drawn: no file is lost, and each can be written. Of a sequence, whose names differ in
 /// their numbers, the first stands for all when it is about the folder.
-void requireOutputsOf(const std::vector<Job>& jobs, const RenderRequest& request) {
-  const NamedFile scene{"the scene", fileOfScene(request.scene)};
+void requireOutputsOf(const std::vector<Job>& jobs, const RenderRequest& request,
+                      std::span<const NamedFile> inputs) {
   const NamedFile report{"--report", request.report && *request.report != "-" ? *request.report : ""};
-  requireOutputs(std::vector{NamedFile{"-o", jobs.front().file}, report}, {&scene, 1});
-  const std::vector others{scene, NamedFile{"the report", report.path}};
+  requireOutputs(std::vector{NamedFile{"-o", jobs.front().file}, report}, inputs);
+  std::vector<NamedFile> others(inputs.begin(), inputs.end());
+  others.push_back({"the report", report.path});
   for (std::size_t i = 1; i < jobs.size(); ++i)
     for (const NamedFile& other : others)
       if (!other.path.empty() && sameFile(jobs[i].file, other.path))
@@ -106,8 +108,8 @@ Vec2 offsetOf(int sample, int samples) {
 
 class Run {
  public:
-  Run(Scene scene, const RenderRequest& request)
-      : scene_(std::move(scene)), request_(request), settings_(settingsOf(scene_, request)) {
+  Run(Scene scene, const RenderRequest& request, std::span<const NamedFile> inputs)
+      : scene_(std::move(scene)), request_(request), inputs_(inputs), settings_(settingsOf(scene_, request)) {
     if (!request.sample) return;
     sampleOffset_ = offsetOf(*request.sample, settings_.samples);
     settings_.samples = 1;
@@ -117,7 +119,7 @@ class Run {
     if (request_.sweep) swept_ = sweptParameter(scene_, *request_.sweep);
     const CameraId camera = cameraOf(scene_, request_);
     const std::vector<Job> jobs = jobsOf(request_, settings_);
-    requireOutputsOf(jobs, request_);
+    requireOutputsOf(jobs, request_, inputs_);
     warnAboutClampedValues();
 
     const auto validation = std::make_shared<gpu::ValidationLog>();
@@ -326,6 +328,7 @@ class Run {
 
   Scene scene_;
   const RenderRequest& request_;
+  std::span<const NamedFile> inputs_;
   RenderSettings settings_;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();  ///< of progress
   std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
@@ -339,19 +342,22 @@ class Run {
 };
 
 int renderScene(const RenderRequest& request) {
-  const bool warn = request.verbosity == Verbosity::Verbose;  // looking for holes takes time
+  // Looking for holes takes time; what a model lacks is known.
+  const bool warn = request.verbosity == Verbosity::Verbose ||
+                    (request.verbosity == Verbosity::Normal && namesModel(request.scene));
   std::vector<std::string> warnings;
-  Scene scene = openScene(request.scene, request.parameters, warn ? &warnings : nullptr);
+  std::vector<NamedFile> inputs;
+  Scene scene = openScene(request.scene, request.parameters, warn ? &warnings : nullptr, &inputs);
   for (const std::string& warning : warnings) printWarning(warning);
-  return renderToFiles(std::move(scene), request);
+  return renderToFiles(std::move(scene), request, inputs);
 }
 
 }  // namespace
 
-int renderToFiles(Scene scene, const RenderRequest& request) {
+int renderToFiles(Scene scene, const RenderRequest& request, std::span<const NamedFile> inputs) {
   showLog(request.verbosity);
   rememberInterruptions();
-  return Run(std::move(scene), request).toExitCode();
+  return Run(std::move(scene), request, inputs).toExitCode();
 }
 
 void addRender(CLI::App& app, Command& chosen) {

@@ -95,10 +95,12 @@ int verifyScene(const VerifyOptions& options) {
   if (render.scene.empty())
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo verify teapot; or luxo verify --stability");
-  const NamedFile outputs[] = {{"-o", options.heat}, {"--report", options.report.value_or("")}};
-  const NamedFile input{"the scene", fileOfScene(render.scene)};
-  requireOutputs(outputs, {&input, 1});
-  const Scene scene = openScene(render.scene, render.parameters);
+  const bool printsReport = options.report == "-";
+  const NamedFile outputs[] = {{"-o", options.heat},
+                               {"--report", printsReport ? "" : options.report.value_or("")}};
+  std::vector<NamedFile> inputs;
+  const Scene scene = openScene(render.scene, render.parameters, nullptr, &inputs);
+  requireOutputs(outputs, inputs);
   const RenderSettings settings = settingsOf(scene, render);
   requireGroundTruth(settings.shading);
   const Snapshot snapshot = takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, render));
@@ -147,8 +149,8 @@ int verifyScene(const VerifyOptions& options) {
 
   if (!options.heat.empty()) saveImage(errorHeat(report.verification.positionMap), options.heat);
   const std::string json = verificationJson(report, scene, snapshot);
-  if (options.report) writeFileAtomically(*options.report, std::as_bytes(std::span(json)));
-  printData(options.json ? json : verificationText(report, scene, snapshot));
+  if (options.report && !printsReport) writeFileAtomically(*options.report, std::as_bytes(std::span(json)));
+  printData(options.json || printsReport ? json : verificationText(report, scene, snapshot));
   if (request.mostErrorPx)
     requireWithin(report.verification, *request.mostErrorPx, report.approximateShadows > 0);
   return exit_code::kDone;
@@ -175,6 +177,9 @@ int verifyStability(const VerifyOptions& options) {
 
 int runVerify(const VerifyOptions& options) {
   rememberInterruptions();
+  if (options.report && (options.random->asked() || options.stability->count() > 0))
+    throw Error(ErrorKind::Usage, "--report is about one scene",
+                "what is found of many is printed, with --stability as JSON with --json");
   if (options.random->asked()) return options.random->run(requestOf(options).scene, options.heat);
   options.random->requireUnused();
   return options.stability->count() > 0 ? verifyStability(options) : verifyScene(options);
@@ -199,7 +204,8 @@ void addVerify(CLI::App& app, Command& chosen) {
           "silhouette")
       ->type_name("PX");
   verb->add_flag("--json", options->json, "print the numbers as JSON");
-  verb->add_option("--report", options->report, "write the JSON to a file as well")->type_name("FILE");
+  verb->add_option("--report", options->report, "write the JSON to a file as well; -: as --json")
+      ->type_name("FILE");
   verb->add_option("-o,--output", options->heat,
                    "write a map of the position errors; with --random a folder for scenes that fail, shrunk")
       ->type_name("HEAT.png|DIR");

@@ -45,9 +45,9 @@ class VulkanEngine : public PictureEngine {
       return interruptingSignal() == 0;
     });
     if (!picture) return std::nullopt;
-    // Only the colours of light bring the residuals along.
-    const bool residuals = options_.output == Output::Color && options_.shading != Shading::Residual;
-    if (judged_ && !residuals) picture->statistics.error.residualMaxPx = residualOf(snapshot);
+    // Only colours bring the residuals along.
+    if (judged_ && options_.output != Output::Color)
+      picture->statistics.error.residualMaxPx = residualOf(snapshot);
     return MadePicture{std::move(picture->image), picture->statistics};
   }
 
@@ -59,8 +59,10 @@ class VulkanEngine : public PictureEngine {
     if (!fits) return;
     const bool typed = request.size || request.samples;
     throw Error(typed ? ErrorKind::Usage : ErrorKind::Scene,
-                fmt::format("a picture of {}x{} pixels with {} samples is more than {} holds",
-                            settings.size.width, settings.size.height, samples, context_.deviceInfo().name),
+                fmt::format("a picture of {}x{} pixels{} is more than {} holds", settings.size.width,
+                            settings.size.height,
+                            samples > 1 ? fmt::format(" with {} samples", samples) : std::string(),
+                            context_.deviceInfo().name),
                 fmt::format("{}x{} pixels fit{}; or draw it with --engine reference, which needs no device",
                             fits->width, fits->height, samples > 1 ? ", or fewer samples" : ""));
   }
@@ -69,7 +71,6 @@ class VulkanEngine : public PictureEngine {
   [[nodiscard]] std::optional<double> residualOf(const Snapshot& snapshot) {
     DrawOptions color = options_;
     color.output = Output::Color;
-    if (color.shading == Shading::Residual) color.shading = Shading::Exact;
     color.samples = 1;
     return renderer_.render(snapshot, color).statistics.error.residualMaxPx;
   }

@@ -120,6 +120,7 @@ struct Model {
   std::vector<ModelLight> lights;
   double duration = 0;                ///< seconds, of the longest keyframes
   std::vector<std::string> warnings;  ///< what the picture goes without: missing images, dropped triangles
+  std::vector<std::filesystem::path> files;  ///< what it is made of, and what it names, there or not
 
   [[nodiscard]] std::uint64_t triangleCount() const;
 };

@@ -35,10 +35,12 @@ Model readModel(const std::filesystem::path& path, const ModelOptions& options) 
   const std::vector<std::byte> bytes = readFile(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const ModelSource source(path, options);
-  if (suffix == ".obj") return readObj(source, text);
-  if (suffix == ".ply") return readPly(source, text);
-  if (suffix == ".stl") return readStl(source, text);
-  return readGltf(source, text);
+  Model model = suffix == ".obj"   ? readObj(source, text)
+                : suffix == ".ply" ? readPly(source, text)
+                : suffix == ".stl" ? readStl(source, text)
+                                   : readGltf(source, text);
+  model.files = source.files();
+  return model;
 }
 
 }  // namespace luxo

@@ -26,7 +26,9 @@ std::filesystem::path ModelSource::besides(std::string_view name, std::string_vi
   if (!options_.allowOutside && (inside.is_absolute() || drive || *inside.begin() == ".."))
     refuseModel(inFile, fmt::format("'{}' is outside of the model's folder", printable(name.substr(0, 200))),
                 line, "copy the file beside the model, or allow files outside");
-  return path_.parent_path() / inside;
+  const std::filesystem::path file = path_.parent_path() / inside;
+  if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
+  return file;
 }
 
 std::uint32_t ModelSource::image(Model& model, std::string_view name, std::string_view inFile,

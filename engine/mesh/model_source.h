@@ -28,7 +28,7 @@ namespace luxo {
 class ModelSource {
  public:
   ModelSource(const std::filesystem::path& path, const ModelOptions& options)
-      : path_(path), name_(printable(path.string())), options_(options) {}
+      : path_(path), name_(printable(path.string())), options_(options), files_{path} {}
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -43,6 +43,9 @@ class ModelSource {
   [[nodiscard]] std::uint32_t image(Model& model, std::string_view name, std::string_view inFile,
                                     std::size_t line) const;
 
+  /// The model's, and all that besides() was asked for.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+
   void tellProgress(double part) const {
     if (options_.progress) options_.progress(part);
   }
@@ -55,6 +58,7 @@ class ModelSource {
   std::filesystem::path path_;
   std::string name_;
   const ModelOptions& options_;
+  mutable std::vector<std::filesystem::path> files_;
 };
 
 /// Readers of one format each; the bytes are those of the source's file. One mesh at one node, but for glTF.

@@ -42,4 +42,12 @@ std::shared_ptr<const Model> ModelFiles::get(const std::string& name, const Mesh
   return model;
 }
 
+std::vector<std::filesystem::path> ModelFiles::files() {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::filesystem::path> files;
+  for (const auto& [key, model] : models_)
+    if (model) files.insert(files.end(), model->files.begin(), model->files.end());
+  return files;
+}
+
 }  // namespace luxo

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "mesh/model.h"
 
@@ -22,6 +23,8 @@ class ModelFiles {
   /// The model in a file that is named relative to the folder, and is in it. Error(Scene): it leads out of
   /// the folder, or what readModel() says.
   [[nodiscard]] std::shared_ptr<const Model> get(const std::string& name, const MeshOptions& options);
+  /// Of all models so far (mesh/model.h).
+  [[nodiscard]] std::vector<std::filesystem::path> files();
 
  private:
   std::filesystem::path folder_;

@@ -143,6 +143,26 @@ TEST_F(RenderRefusals, NoFileIsOverwrittenThatIsStillNeeded) {
   }
 }
 
+TEST_F(RenderRefusals, FilesThatAModelNamesAreNotOverwritten) {
+  const ScopedVariable hidden("VK_DRIVER_FILES", "/nonexistent");
+  writeText(folder / "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  writeText(folder / "m.mtl", "newmtl a\nmap_Kd wood.png\n");
+  writeText(folder / "wood.png", "no picture, but there");
+  writeText(
+      folder / "s.luxo.json",
+      R"({ "luxo": 1, "surfaces": { "m": { "type": "mesh", "file": "m.obj" } }, "nodes": [ { "surface": "m" } ] })");
+  for (const char* scene : {"m.obj", "s.luxo.json"})
+    for (const Arguments& outputs :
+         {Arguments{"-o", "wood.png"}, Arguments{"-o", "a.png", "--report", "m.mtl"},
+          Arguments{"-o", "a.png", "--report", "m.obj"}}) {
+      Arguments arguments = {"render", scene, "-q"};
+      arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+      expectFailure(run(folder, arguments), 2, "would overwrite", "choose another name");
+    }
+  expectFailure(run(folder, {"verify", "s.luxo.json", "--report", "m.mtl"}), 2, "would overwrite",
+                "another name");
+}
+
 TEST_F(RenderRefusals, ScenesAreFilesOrStandardInput) {
   ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
   for (const char* scene : {"/dev/zero", "/dev/full", "/dev/urandom", "./fifo"})
@@ -172,7 +192,25 @@ TEST_F(DeviceRefusals, LittleMemoryIsAnErrorNotACrashAndNoWait) {
   EXPECT_GE(drawn, 1);
   Launch large = rendering({"--size", "8192x8192", "-o", "b.png"});
   large.addressSpaceLimitBytes = 800 * kMiB;
-  expectFailure(run(large), 2, "a picture of 8192x8192 pixels with 1 samples is more than", "pixels fit");
+  expectFailure(run(large), 2, "a picture of 8192x8192 pixels is more than", "pixels fit");
+}
+
+// Shaders that are compiled while much is drawn took what was left, and the driver's compiler ended the
+// program.
+TEST_F(DeviceRefusals, LittleMemoryForManyShadersIsAnErrorNotACrash) {
+#ifdef LUXO_SANITIZED
+  GTEST_SKIP() << "sanitizers map terabytes";
+#endif
+  for (const char* scene : {"catalogue", "glass"})
+    for (const std::uint64_t limit : {480, 520, 560}) {
+      Launch launch{.arguments = {"render", scene, "--size", "320x200", "-o", "a.png"},
+                    .folder = folder.path()};
+      launch.addressSpaceLimitBytes = limit << 20;
+      const Outcome outcome = run(launch);
+      SCOPED_TRACE(fmt::format("{} in {} MiB: {}", scene, limit, outcome.err));
+      EXPECT_TRUE(outcome.code == 0 || outcome.code == 75) << outcome.code;
+      EXPECT_TRUE(outcome.code == 0 || contains(outcome.err, "error: "));
+    }
 }
 
 // A thread that cannot start means fewer threads, down to where the driver has none: that is noticed in 10 s.

@@ -93,6 +93,13 @@ TEST_F(VerifyPictureTest, WritesTheHeatMapAndTheReport) {
   EXPECT_EQ(json["size"], Json({120, 80}));
 }
 
+TEST_F(VerifyPictureTest, AReportToDashIsPrinted) {
+  const Outcome outcome = verify({"sphere", "--size", "30x20", "--report", "-", "-q"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(Json::parse(outcome.out)["size"], Json({30, 20}));
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
 TEST_F(VerifyPictureTest, TheStabilitySuiteRunsByName) {
   EXPECT_EQ(verify({"--stability", "ST-99"}).code, 2);
 }
@@ -119,6 +126,8 @@ TEST_F(VerifyTest, Refusals) {
   refused({"sphere", "-o", "a.png", "--report", "a.png"}, 2, "--report 'a.png' would overwrite -o");
   refused({"sphere", "-o", "missing/a.png"}, 5, "cannot write 'missing/a.png'");
   refused({"sphere", "--stability"}, 2, "--stability brings its own scenes");
+  refused({"--stability", "ST-01", "--report", "r.json"}, 2, "--report is about one scene");
+  refused({"--random", "1", "--report", "r.json"}, 2, "--report is about one scene");
 }
 
 }  // namespace
