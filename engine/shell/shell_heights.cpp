@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 #include "shell/shell_frame.h"
 #include "tessellate/parallel.h"
@@ -19,7 +19,8 @@ namespace {
 /// Edges of triangles are cut into so many parts: what is left of the deviation falls with the square of it.
 constexpr int kParts = 4;
 /// Triangles that are looked at together.
-constexpr std::size_t kBatch = 256, kBatchesForAllCores = 4;
+constexpr std::size_t kBatch = 256, kBatchesForAllCores = 4,
+                      kTrianglesForAllCores = kBatch * kBatchesForAllCores;
 /// Triangles that a point is followed over: a bound of work. (Of the catalogue 0.3 % of the strays are over
 /// more than 32.)
 constexpr std::size_t kFarthestWalk = 256;
@@ -150,7 +151,6 @@ class Strays {
 
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  enum class Along : char { Forward, Backward };
 
   /// The edge opposite to a corner, from a triangle to the one beside it.
   struct Border {
@@ -158,31 +158,40 @@ class Strays {
     Vec3 across{0}, place{0};  // between the directions out of the two; a point of the edge
   };
 
+  /// An edge, in the direction in which its triangle is at the left.
+  struct Edge {
+    std::uint32_t to = 0;
+    std::size_t triangle = 0, opposite = 0;
+  };
+
   void joinTriangles() {
     const std::size_t count = frame_.mesh().triangleCount();
-    std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>>
-        beside;                 // the triangle at the left
-    beside.reserve(3 * count);  // of an edge, the corner
-    for (std::size_t t = 0; t < count; ++t)
-      for (std::size_t k = 0; k < 3; ++k) beside[edgeOf(t, k, Along::Forward)] = {t, k};
+    // Filed by the point that they lead away from, some six at each: ten times as fast as a hash table.
+    std::vector<std::size_t> firstFrom(frame_.pointCount() + 1);
+    for (std::size_t i = 0; i < 3 * count; ++i) ++firstFrom[endOf(i / 3, i % 3, 1) + 1];
+    std::partial_sum(firstFrom.begin(), firstFrom.end(), firstFrom.begin());
+    std::vector<Edge> edges(3 * count);
+    std::vector<std::size_t> next(firstFrom.begin(), firstFrom.end() - 1);
+    for (std::size_t i = 0; i < 3 * count; ++i)
+      edges[next[endOf(i / 3, i % 3, 1)]++] = {endOf(i / 3, i % 3, 2), i / 3, i % 3};
     borders_.resize(3 * count);
     walkOf_.resize(count);
-    for (std::size_t t = 0; t < count; ++t)
+    forEachIndex(count, count >= kTrianglesForAllCores, [&](std::size_t t) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto found = beside.find(edgeOf(t, k, Along::Backward));
-        if (found == beside.end()) continue;
-        const auto [other, opposite] = found->second;
-        borders_[3 * t + k] = {other, unit(outward(frame_, t, k) - outward(frame_, other, opposite)),
-                               positionOf(frame_, other, opposite + 1)};
+        const std::uint32_t from = endOf(t, k, 1), to = endOf(t, k, 2);
+        for (std::size_t i = firstFrom[to]; i < firstFrom[to + 1]; ++i) {
+          const auto& [backTo, other, opposite] = edges[i];
+          if (backTo == from)
+            borders_[3 * t + k] = {other, unit(outward(frame_, t, k) - outward(frame_, other, opposite)),
+                                   positionOf(frame_, other, opposite + 1)};
+        }
       }
+    });
   }
 
-  /// The points at the ends of an edge.
-  [[nodiscard]] std::uint64_t edgeOf(std::size_t t, std::size_t opposite, Along along) const {
-    std::uint64_t from = frame_.pointOf(cornerOf(frame_, t, opposite + 1)),
-                  to = frame_.pointOf(cornerOf(frame_, t, opposite + 2));
-    if (along == Along::Backward) std::swap(from, to);
-    return from << 32 | to;
+  /// The point at which an edge begins (1) or ends (2).
+  [[nodiscard]] std::uint32_t endOf(std::size_t t, std::size_t opposite, std::size_t end) const {
+    return frame_.pointOf(cornerOf(frame_, t, opposite + end));
   }
 
   const ShellFrame& frame_;
@@ -213,14 +222,22 @@ ShellLook::Triangle ShellLook::triangleOf(const ShellFrame& frame, std::size_t t
 
 ShellHeights ShellLook::heightsOf(const ShellFrame& frame) {
   const std::size_t count = frame.mesh().triangleCount();
-  std::vector<TriangleLook*> looks;
+  const bool onAllCores = count >= kTrianglesForAllCores;
+  std::vector<std::size_t> hashes(count);
+  forEachIndex(count, onAllCores, [&](std::size_t t) { hashes[t] = HashOf{}(triangleOf(frame, t)); });
+  std::vector<TriangleLook*> looks(count);
+  std::vector<char> isNew(count);
+  forEachIndex(looks_.size(), onAllCores, [&](std::size_t part) {
+    for (std::size_t t = 0; t < count; ++t) {
+      if (hashes[t] % looks_.size() != part) continue;
+      const auto [entry, inserted] = looks_[part].try_emplace(triangleOf(frame, t));
+      isNew[t] = inserted;
+      looks[t] = &entry->second;
+    }
+  });
   std::vector<std::size_t> unknown;
-  looks.reserve(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    const auto [entry, isNew] = looks_.try_emplace(triangleOf(frame, t));
-    if (isNew) unknown.push_back(t);
-    looks.push_back(&entry->second);
-  }
+  for (std::size_t t = 0; t < count; ++t)
+    if (isNew[t]) unknown.push_back(t);
   const std::size_t batches = (unknown.size() + kBatch - 1) / kBatch;
   forEachIndex(batches, batches >= kBatchesForAllCores, [&](std::size_t batch) {
     const std::size_t first = batch * kBatch;

@@ -93,7 +93,8 @@ class ShellLook {
   const Surface& surface_;
   std::span<const double> parameters_;
   const std::vector<ShellPatch>& patches_;
-  std::unordered_map<Triangle, TriangleLook, HashOf> looks_;
+  /// By their hashes, in parts, so that all cores may look for triangles in them at once.
+  std::array<std::unordered_map<Triangle, TriangleLook, HashOf>, 16> looks_;
 };
 
 }  // namespace luxo
