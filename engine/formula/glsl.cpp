@@ -102,15 +102,15 @@ class Body {
     return exact && std::abs(turns) * kParts < kMaxParts ? std::optional(turns) : std::nullopt;
   }
 
-  /// The terms of a sum of a few; whether each of them is a constant number of turns, or something times such
-  /// a number.
+  /// The terms of a sum of a few; whether each of them is a constant, or something times a constant number of
+  /// turns.
   bool collectTerms(std::uint32_t node, std::vector<std::uint32_t>& terms) const {
     constexpr std::size_t kMaxTerms = 8;
     const ExprNode& n = nodes_[node];
     if (n.op == Op::Add || n.op == Op::Subtract) return collectTerms(n.a, terms) && collectTerms(n.b, terms);
-    const bool isProduct = n.op == Op::Multiply && nodes_[n.a].op == Op::Constant;
-    const ExprNode& constant = isProduct ? nodes_[n.a] : n;
-    if (constant.op != Op::Constant || !turnsOf(constant.value) || terms.size() == kMaxTerms) return false;
+    const bool ofTurns = n.op == Op::Multiply && nodes_[n.a].op == Op::Constant && turnsOf(nodes_[n.a].value);
+    if (!(ofTurns || (n.op == Op::Constant && std::isfinite(n.value))) || terms.size() == kMaxTerms)
+      return false;
     terms.push_back(node);
     return true;
   }
@@ -120,7 +120,7 @@ class Body {
   [[nodiscard]] bool isTurning(const ExprNode& node) const {
     std::vector<std::uint32_t> terms;
     return number_ == GlslNumber::Float && (node.op == Op::Sin || node.op == Op::Cos) &&
-           collectTerms(node.a, terms);
+           nodes_[node.a].op != Op::Constant && collectTerms(node.a, terms);
   }
 
   /// An angle for which isTurning() holds, in turns; in a sum without whole ones, which would be rounded.
@@ -132,7 +132,7 @@ class Body {
 
   std::string turnsAnew(const ExprNode& n, bool inSum) {
     if (n.op == Op::Constant) {
-      const double all = *turnsOf(n.value);
+      const double all = turnsOf(n.value).value_or(n.value / (2 * std::numbers::pi));
       return literal(number_, all - std::round(all));
     }
     if (n.op != Op::Multiply) {

@@ -37,9 +37,14 @@ Surface makeEnneper(const SurfaceInputs& in) {
 }
 
 Surface makeScherk(const SurfaceInputs& in) {
-  const Expr part = kPi * in("extent");
-  const Expr x = part * (in.u() - 0.5), y = part * (in.v() - 0.5), scale = in("size") / kPi;
-  return in.surface(upright(scale * x, scale * y, scale * (log(cos(y)) - log(cos(x)))));
+  const Expr extent = in("extent"), size = in("size"), beyond = 0.5 * (1 - extent);
+  // Over 2: cos y = 2 sin sin of half the angles from the two poles, each told by its distance, so that next
+  // to a pole nothing of it is rounded away.
+  const auto logOfCosine = [&](Expr t) {
+    return log(sin(0.5 * kPi * (beyond + extent * t))) + log(sin(0.5 * kPi * (beyond + extent * (1 - t))));
+  };
+  return in.surface(upright(size * (extent * (in.u() - 0.5)), size * (extent * (in.v() - 0.5)),
+                            size / kPi * (logOfCosine(in.v()) - logOfCosine(in.u()))));
 }
 
 }  // namespace

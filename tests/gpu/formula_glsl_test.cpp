@@ -378,6 +378,9 @@ TEST_F(FormulaGlslTest, TurnsAreNotRoundedAway) {
       turn * u + turn / 4, [](long double x, long double) { return x + 0.25L; }, 6e-7);
   check(
       3 * turn * u + turn / 4, [](long double x, long double) { return 3 * x + 0.25L; }, 6e-7);
+  check(
+      3 * turn * u - 0.4,
+      [](long double x, long double) { return 3 * x - 0.4L / (2 * std::numbers::pi_v<long double>); }, 6e-7);
 }
 
 // ---------------------------------------------------------------------------------------------------------

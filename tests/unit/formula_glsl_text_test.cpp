@@ -65,6 +65,8 @@ TEST(GlslText, AnglesInTurnsAreNeverRadians) {
             "}\n");
   for (const Expr& other : {sin(6.28 * u), sin(turn * u + v), sin(turn / 3 * u)})
     EXPECT_EQ(countOf("Turns(", textOf(graph, {other})), 0u);
+  // Beside turns any constant is a number of them.
+  EXPECT_EQ(countOf("formulaSinCosTurns(", textOf(graph, {sin(3 * turn * u - 0.4)})), 1u);
   EXPECT_EQ(countOf("Turns(", textOf(graph, {sin(turn * u)}, GlslNumber::Double)), 0u);
   // A sum that shares its parts has as many terms as a tree of them.
   Expr sum = turn * u;
