@@ -43,6 +43,14 @@ void validate(const Material& material) {
   if (material.patternParameters.size() != material.diffusePattern.parameterCount())
     reject(material, "the number of pattern parameters", fmt::format("{}", material.patternParameters.size()),
            fmt::format("{}", material.diffusePattern.parameterCount()));
+  if (material.map.valid() && material.diffusePattern.valid())
+    reject(material, "map", "given beside a pattern", "alone");
+  if (material.map.anisotropy < 1 || material.map.anisotropy > kMaxAnisotropy)
+    reject(material, "the anisotropy of its map", fmt::format("{}", material.map.anisotropy),
+           fmt::format("from 1 to {}", kMaxAnisotropy));
+  for (const double number : {material.map.offset.x, material.map.offset.y, material.map.scale.x,
+                              material.map.scale.y, material.map.angle})
+    if (!std::isfinite(number)) reject(material, "a number of its map", fmt::format("{}", number), "finite");
   for (const double parameter : material.patternParameters)
     if (!std::isfinite(parameter))
       reject(material, "a pattern parameter", fmt::format("{}", parameter), "finite");

@@ -11,6 +11,7 @@
 #include "math/vec.h"
 #include "scene/pattern.h"
 #include "scene/shading.h"
+#include "scene/texture_map.h"
 
 namespace luxo {
 
@@ -45,6 +46,9 @@ struct Material {
   /// Stands for `diffuse`, and for the ambient colour unless that is given; times `opacity`, if it has one.
   Pattern diffusePattern = {};
   std::vector<double> patternParameters = {};  ///< as many as the pattern has
+  /// Times `diffuse`, and stands for the ambient colour unless that is given. Of what is seen through it is
+  /// not drawn yet, and there is none where there is a pattern.
+  TextureMap map = {};
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] Shading shadingIn(Shading picture) const {
@@ -55,6 +59,7 @@ struct Material {
   }
   /// Whether nothing is seen of it, anywhere.
   [[nodiscard]] bool invisible() const { return opacity == 0 && blend != Blend::Multiply; }
+  [[nodiscard]] bool drawsMap() const { return map.valid() && !transparent(); }
   [[nodiscard]] double opacityAt(double u, double v) const {
     return diffusePattern.hasOpacity() ? opacity * diffusePattern.opacityAt(u, v, patternParameters)
                                        : opacity;

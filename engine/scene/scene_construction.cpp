@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
@@ -15,6 +16,7 @@
 #include "scene/scene_variables.h"
 #include "scene/scene_warnings.h"
 #include "scene/shape_builder.h"
+#include "scene/texture_builder.h"
 
 namespace luxo {
 namespace {
@@ -66,6 +68,8 @@ struct BuiltSurface {
   std::optional<Segments> segments;
 };
 
+struct MovingMaterial;
+
 class SceneConstruction {
  public:
   SceneConstruction(const SceneFile& file, std::span<const ParameterOverride> overrides,
@@ -74,9 +78,12 @@ class SceneConstruction {
         problems_(problems),
         variables_(file, overrides, problems, scene_),
         formulas_(variables_, problems),
-        shapes_(variables_, formulas_, problems, warnings) {}
+        shapes_(variables_, formulas_, problems, warnings),
+        images_(formulas_, problems, warnings) {}
 
   Scene build() {
+    for (const TextureDesc& texture : file_.textures)
+      textures_.add(texture.name, images_.build(texture), problems_);
     for (const MaterialDesc& material : file_.materials) addMaterial(material);
     for (const SurfaceDesc& surface : file_.surfaces) addSurface(surface);
     for (const NodeDesc& node : file_.nodes) addNode(node);
@@ -89,6 +96,7 @@ class SceneConstruction {
 
  private:
   void addMaterial(const MaterialDesc& desc);
+  void addMap(const MapDesc& desc, MovingMaterial& material);
   void addSurface(const SurfaceDesc& desc);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
@@ -110,6 +118,8 @@ class SceneConstruction {
   SceneVariables variables_;
   MomentFormulas formulas_;
   ShapeBuilder shapes_;
+  TextureBuilder images_;
+  Named<TextureMap> textures_{"texture"};
   Named<MaterialId> materials_{"material"};
   Named<std::size_t> surfaceIndices_{"surface"};
   std::vector<BuiltSurface> surfaces_;
@@ -132,6 +142,9 @@ struct MovingMaterial {
   std::optional<Animated<Vec3>> ambient = {};
   Animated<double> shininess = 0.0, opacity = 0.0;
   std::vector<Animated<double>> patternParameters = {};
+  /// Of the map.
+  std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
+  Animated<double> angle = 0.0;
 
   [[nodiscard]] Material at(const Moment& moment) const {
     Material material = fixed;
@@ -142,6 +155,9 @@ struct MovingMaterial {
     material.opacity = opacity.at(moment);
     for (const Animated<double>& parameter : patternParameters)
       material.patternParameters.push_back(parameter.at(moment));
+    material.map.offset = {offset[0].at(moment), offset[1].at(moment)};
+    material.map.scale = {scale[0].at(moment), scale[1].at(moment)};
+    material.map.angle = angle.at(moment);
     return material;
   }
 
@@ -150,15 +166,29 @@ struct MovingMaterial {
                     opacity.isConstant() && (!ambient || ambient->isConstant());
     bool moves = diffuse.movesWithTime() || specular.movesWithTime() || shininess.movesWithTime() ||
                  opacity.movesWithTime() || (ambient && ambient->movesWithTime());
-    for (const Animated<double>& parameter : patternParameters) {
-      constant = constant && parameter.isConstant();
-      moves = moves || parameter.movesWithTime();
-    }
+    const auto consider = [&](const Animated<double>& number) {
+      constant = constant && number.isConstant();
+      moves = moves || number.movesWithTime();
+    };
+    std::ranges::for_each(patternParameters, consider);
+    for (const Animated<double>& number : {offset[0], offset[1], scale[0], scale[1], angle}) consider(number);
     if (constant) return at(0);
     return {[material = std::move(*this)](const Moment& moment) { return material.at(moment); },
             moves ? DependsOn::Both : DependsOn::Parameters};
   }
 };
+
+void SceneConstruction::addMap(const MapDesc& desc, MovingMaterial& material) {
+  if (const TextureMap* map = textures_.find(desc.texture, problems_)) material.fixed.map = *map;
+  for (std::size_t i = 0; i < 2; ++i) {
+    material.offset[i] = formulas_.number(desc.offset[i], kPlace);
+    material.scale[i] = formulas_.number(desc.scale[i], kPlace);
+  }
+  material.angle = formulas_.number(desc.rotate);
+  if (material.fixed.diffusePattern.valid())
+    problems_.add(desc.texture.place, "the diffuse colour or opacity uses u or v, and there is a map, too",
+                  "leave out one of them");
+}
 
 void SceneConstruction::addMaterial(const MaterialDesc& desc) {
   MovingMaterial material{.fixed = {.name = desc.name.text,
@@ -175,6 +205,7 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
     material.specular = formulas_.vector(desc.specular, kLight);
     material.shininess = formulas_.number(desc.shininess, kLight);
+    if (desc.map) addMap(*desc.map, material);
     materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
   });
 }

@@ -32,6 +32,7 @@
 namespace luxo {
 
 class ModelFiles;
+class TextureFiles;
 enum class NormalRule;
 
 /// Bytes [begin, end) of the file; empty for what was made in C++.
@@ -95,6 +96,30 @@ struct ParameterDesc {
   friend bool operator==(const ParameterDesc&, const ParameterDesc&) = default;
 };
 
+/// An image file, or what is made without one: squares of two colours, or one colour.
+struct TextureDesc {
+  FileName name = {};
+  FileName file = {};  ///< relative to the folder of the scene, and in it
+  std::optional<std::array<Quantity3, 2>> checker = {};
+  Quantity squares = 8;  ///< of a checker, along u and along v
+  std::optional<Quantity3> color = {};
+  TextureWrap wrap = TextureWrap::Repeat;
+  TextureFilter filter = TextureFilter::Trilinear;
+  Quantity anisotropy = 8;
+  bool data = false;  ///< its numbers are no colours
+
+  friend bool operator==(const TextureDesc&, const TextureDesc&) = default;
+};
+
+/// A texture by its name, and where it is (TextureMap).
+struct MapDesc {
+  FileName texture = {};
+  QuantityPair offset{0, 0}, scale{1, 1};
+  Quantity rotate = 0;
+
+  friend bool operator==(const MapDesc&, const MapDesc&) = default;
+};
+
 /// As Material. A diffuse or ambient colour, or an opacity, that uses u or v is a pattern on the surface.
 struct MaterialDesc {
   FileName name = {};
@@ -106,6 +131,7 @@ struct MaterialDesc {
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = {};
   bool lectureSpecular = false;
+  std::optional<MapDesc> map = {};
 
   friend bool operator==(const MaterialDesc&, const MaterialDesc&) = default;
 };
@@ -257,11 +283,12 @@ struct RenderDesc {
   friend bool operator==(const RenderDesc&, const RenderDesc&) = default;
 };
 
-/// The text that a description was read from, for messages, and the models that it names.
+/// The text that a description was read from, for messages, and the files that it names.
 struct SceneSource {
   std::string name;
-  std::shared_ptr<const std::string> text;  ///< null for what was made in C++
-  std::shared_ptr<ModelFiles> models = {};  ///< null: of the current folder
+  std::shared_ptr<const std::string> text;      ///< null for what was made in C++
+  std::shared_ptr<ModelFiles> models = {};      ///< null: of the current folder
+  std::shared_ptr<TextureFiles> textures = {};  ///< the same
 
   friend bool operator==(const SceneSource&, const SceneSource&) { return true; }
 };
@@ -269,6 +296,7 @@ struct SceneSource {
 struct SceneFile {
   RenderDesc render;
   std::vector<ParameterDesc> parameters;
+  std::vector<TextureDesc> textures;
   std::vector<MaterialDesc> materials;
   std::vector<SurfaceDesc> surfaces;
   std::vector<NodeDesc> nodes;       ///< depth first: a node comes after its parent and before its uncles

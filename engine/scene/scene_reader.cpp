@@ -26,6 +26,7 @@
 #include "scene/scene_construction.h"
 #include "scene/scene_members.h"
 #include "scene/shape_reader.h"
+#include "scene/texture_files.h"
 
 namespace luxo {
 namespace {
@@ -44,7 +45,9 @@ class SceneReader {
   void readVersion(const JsonValue& version);
   void readRender(const JsonValue& render);
   void readParameter(const JsonValue& value, const FileName& name);
+  void readTexture(const JsonValue& value, const FileName& name);
   void readMaterial(const JsonValue& value, const FileName& name);
+  void readTextureMap(const JsonValue& value, MapDesc& map);
   void readNodes(const JsonValue& nodes, std::uint32_t parent);
   void readNode(const JsonValue& value, std::uint32_t parent);
   bool takesNode(const JsonValue& value);
@@ -95,6 +98,7 @@ void SceneReader::readRoot(const JsonValue& root) {
   values_.read(members["$schema"], schema);
   readNamed(members["params"], [&](const JsonValue& v, const FileName& name) { readParameter(v, name); });
   readRender(members["render"]);  // its colours and those of materials may name parameters
+  readNamed(members["textures"], [&](const JsonValue& v, const FileName& name) { readTexture(v, name); });
   readNamed(members["materials"], [&](const JsonValue& v, const FileName& name) { readMaterial(v, name); });
   readNamed(members["surfaces"], [&](const JsonValue& v, const FileName& name) {
     file_.surfaces.push_back(readSurface(v, name, problems_));
@@ -152,9 +156,53 @@ void SceneReader::readParameter(const JsonValue& value, const FileName& name) {
   file_.parameters.push_back(std::move(parameter));
 }
 
+void SceneReader::readTexture(const JsonValue& value, const FileName& name) {
+  const SceneMembers members(value, keys::kTexture, problems_);
+  TextureDesc texture{.name = name};
+  values_.read(members["file"], texture.file);
+  if (const JsonValue checker = members["checker"]; checker.exists()) {
+    if (checker.kind() == JsonKind::Array && checker.size() == 2) {
+      auto& colors = texture.checker.emplace();
+      readColor(checker.first(), colors[0]);
+      readColor(checker.first().next(), colors[1]);
+    } else {
+      values_.reject(checker, "an array of 2 colours");
+    }
+  }
+  values_.read(members["squares"], texture.squares);
+  if (members["color"].exists()) readColor(members["color"], texture.color.emplace());
+  values_.readWord(members["wrap"], keys::kWraps, texture.wrap);
+  values_.readWord(members["filter"], keys::kFilters, texture.filter);
+  values_.read(members["anisotropy"], texture.anisotropy);
+  values_.read(members["data"], texture.data);
+  const int kinds = members["file"].exists() + members["checker"].exists() + members["color"].exists();
+  if (value.kind() == JsonKind::Object && kinds != 1)
+    problems_.add(kinds == 0 ? placeOf(value.where()) : name.place,
+                  kinds == 0 ? "a texture needs an image" : "a texture has one image",
+                  "write \"file\", \"checker\" or \"color\"");
+  file_.textures.push_back(std::move(texture));
+}
+
+/// A name, or an object with a name.
+void SceneReader::readTextureMap(const JsonValue& value, MapDesc& map) {
+  if (value.kind() == JsonKind::String) {
+    values_.read(value, map.texture);
+    return;
+  }
+  const SceneMembers members(value, keys::kTextureMap, problems_);
+  values_.read(members["texture"], map.texture);
+  values_.read(members["offset"], map.offset);
+  values_.read(members["scale"], map.scale);
+  values_.read(members["rotate"], map.rotate);
+}
+
 void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
   const SceneMembers members(value, keys::kMaterial, problems_);
   MaterialDesc material{.name = name};
+  if (members["map"].exists()) {
+    readTextureMap(members["map"], material.map.emplace());
+    material.diffuse = repeated(1);  // times what the texture says
+  }
   readColor(members["diffuse"], material.diffuse);
   if (members["ambient"].exists()) readColor(members["ambient"], material.ambient.emplace());
   readColor(members["specular"], material.specular);
@@ -396,7 +444,7 @@ std::string readText(const std::filesystem::path& path) {
 SceneFile parseScene(std::string text, std::string name, const std::filesystem::path& folder) {
   SceneFile file;
   file.source = {name, std::make_shared<const std::string>(std::move(text)),
-                 std::make_shared<ModelFiles>(folder)};
+                 std::make_shared<ModelFiles>(folder), std::make_shared<TextureFiles>(folder)};
   SceneProblems problems(file.source);
   {
     const JsonDocument document(file.source.text);

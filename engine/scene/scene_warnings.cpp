@@ -120,6 +120,14 @@ void warnOfBrightness(const MaterialDesc& material, std::vector<Diagnostic>& war
              : std::string()});
 }
 
+/// What is seen through has no footprint yet.
+void warnOfTransparentMap(const MaterialDesc& material, std::vector<Diagnostic>& warnings) {
+  const bool opaque = material.opacity == Quantity(1) && material.blend == Blend::Over;
+  if (material.map && !opaque)
+    warnings.push_back(
+        {rangeOf(material.map->texture.place), "maps of what is seen through are not drawn yet", {}});
+}
+
 /// A radius makes shadows soft, and nothing else.
 void warnOfRadius(const LightDesc& light, std::vector<Diagnostic>& warnings) {
   const bool hasRadius = light.radius.isFormula() || light.radius.number() != 0;
@@ -148,8 +156,19 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
     if (parameter.range) visitAll(*parameter.range, visit);
     if (parameter.step) visit(*parameter.step);
   }
+  for (const TextureDesc& texture : file.textures) {
+    if (texture.checker)
+      for (const Quantity3& color : *texture.checker) visitAll(color, visit);
+    if (texture.color) visitAll(*texture.color, visit);
+    visitAll({{texture.squares, texture.anisotropy}}, visit);
+  }
   for (const MaterialDesc& material : file.materials) {
     visitAll(material.diffuse, visit);
+    if (material.map) {
+      visitAll(material.map->offset, visit);
+      visitAll(material.map->scale, visit);
+      visit(material.map->rotate);
+    }
     if (material.ambient) visitAll(*material.ambient, visit);
     visitAll(material.specular, visit);
     visitAll({{material.shininess, material.opacity}}, visit);
@@ -164,11 +183,13 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
 }
 
 void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
-  std::unordered_set<std::string_view> surfaces, materials;
+  std::unordered_set<std::string_view> surfaces, materials, textures;
   for (const NodeDesc& node : file.nodes) {
     surfaces.insert(node.surface.text);
     materials.insert(node.material.text);
   }
+  for (const MaterialDesc& material : file.materials)
+    if (material.map) textures.insert(material.map->texture.text);
   const auto unused = [&](const auto& things, const auto& used, std::string_view kind) {
     for (const auto& thing : things)
       if (!used.contains(thing.name.text))
@@ -177,6 +198,12 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
   };
   unused(file.surfaces, surfaces, "surface");
   unused(file.materials, materials, "material");
+  for (const TextureDesc& texture : file.textures)
+    if (!textures.contains(texture.name.text))
+      warnings.push_back({rangeOf(texture.name.place),
+                          fmt::format("no material uses the texture '{}'", texture.name.text),
+                          {}});
+  for (const MaterialDesc& material : file.materials) warnOfTransparentMap(material, warnings);
   for (const MaterialDesc& material : file.materials) warnOfBrightness(material, warnings);
   for (const NodeDesc& node : file.nodes)
     if (node.light) warnOfRadius(*node.light, warnings);

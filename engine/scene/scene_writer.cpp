@@ -111,11 +111,40 @@ JsonText written(const ParameterDesc& parameter) {
   return members.take();
 }
 
+JsonText written(const TextureDesc& texture) {
+  const TextureDesc usual;
+  Members members;
+  if (!texture.file.empty()) members.put("file", JsonText::string(texture.file.text));
+  if (texture.checker) {
+    JsonText colors = JsonText::array();
+    for (const Quantity3& color : *texture.checker) colors.add(writtenColor(color));
+    members.put("checker", std::move(colors));
+  }
+  members.add("squares", texture.squares, usual.squares);
+  if (texture.color) members.put("color", writtenColor(*texture.color));
+  members.addWord("wrap", texture.wrap, usual.wrap, keys::kWraps);
+  members.addWord("filter", texture.filter, usual.filter, keys::kFilters);
+  members.add("anisotropy", texture.anisotropy, usual.anisotropy);
+  if (texture.data) members.put("data", JsonText::boolean(true));
+  return members.take();
+}
+
+JsonText written(const MapDesc& map) {
+  const MapDesc usual{.texture = map.texture};
+  if (map == usual) return JsonText::string(map.texture.text);
+  Members members;
+  members.put("texture", JsonText::string(map.texture.text));
+  members.add("offset", map.offset, usual.offset);
+  members.add("scale", map.scale, usual.scale);
+  members.add("rotate", map.rotate, usual.rotate);
+  return members.take();
+}
+
 JsonText written(const MaterialDesc& material) {
   const MaterialDesc usual;
   Members members;
   if (material.ambient) members.put("ambient", writtenColor(*material.ambient));
-  members.addColor("diffuse", material.diffuse, usual.diffuse);
+  members.addColor("diffuse", material.diffuse, material.map ? repeated(1) : usual.diffuse);
   members.addColor("specular", material.specular, usual.specular);
   members.add("shininess", material.shininess, usual.shininess);
   members.add("opacity", material.opacity, usual.opacity);
@@ -124,6 +153,7 @@ JsonText written(const MaterialDesc& material) {
     members.put("two_sided", JsonText::boolean(material.twoSided == TwoSided::Yes));
   if (material.shading) members.put("shading", JsonText::string(nameOf(*material.shading)));
   if (material.lectureSpecular) members.put("lecture_specular", JsonText::boolean(true));
+  if (material.map) members.put("map", written(*material.map));
   return members.take();
 }
 
@@ -313,6 +343,7 @@ std::string writeScene(const SceneFile& file) {
   root.put("luxo", JsonText::number(1));
   if (!(file.render == RenderDesc{})) root.put("render", written(file.render));
   putNamed(root, "params", file.parameters);
+  putNamed(root, "textures", file.textures);
   putNamed(root, "materials", file.materials);
   putNamed(root, "surfaces", file.surfaces);
   if (!file.nodes.empty()) root.put("nodes", written(file.nodes));

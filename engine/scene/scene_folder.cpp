@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace luxo {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isInside(const fs::path& file, const fs::path& folder) {
+  const auto [inFolder, inFile] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return inFolder == folder.end();
+}
+
+}  // namespace
+
+fs::path fileInFolder(const fs::path& folder, const std::string& name, std::string_view kind) {
+  const auto refuse = [&](const char* why, const char* hint) {
+    throw Error(ErrorKind::Scene, fmt::format("the {} '{}' {}", kind, name, why), hint);
+  };
+  if (name.empty()) refuse("has no name", "name a file beside the scene");
+  if (fs::path(name).is_absolute())
+    refuse("is named from the root", "name it relative to the folder of the scene");
+  std::error_code failure;
+  const fs::path inside = fs::weakly_canonical(folder.empty() ? "." : folder, failure);
+  const fs::path file = fs::weakly_canonical(inside / name, failure);
+  if (failure || !isInside(file, inside))
+    refuse("is outside of the scene's folder", "put it into the folder of the scene, or into one below");
+  return folder / name;
+}
+
+}  // namespace luxo
