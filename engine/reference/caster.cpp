@@ -40,6 +40,7 @@ Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snaps
                                    (material.twoSided == TwoSided::Auto && !node.surface.closed()),
                        .facing = material.twoSided == TwoSided::No ? Facing::Front : Facing::Both,
                        .transparent = material.transparent()});
+    if (material.drawsMap()) bodies_.back().map = material.map.on(node.surface);
   }
 }
 
@@ -86,6 +87,11 @@ Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
   hit.normal = unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
   if (body.twoSided && glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
   hit.facet = hit.normal;
+  if (materialOf(node).drawsMap()) {
+    const SurfacePoints at = n.surface.evaluate(root.patch, {&root.u, 1}, {&root.v, 1}, n.parameters);
+    const Mat3& world = n.worldFromObject.linear;
+    hit.footprint = footprintOf(ray, hit, world * at.du[0], world * at.dv[0]);
+  }
   return hit;
 }
 
@@ -105,10 +111,33 @@ std::optional<Hit> Caster::pointAt(std::uint32_t node, const Vec2& parameters, c
     const double off = glm::length(glm::cross(position - ray.origin, ray.direction));
     if (!(off < least)) continue;
     least = off;
-    nearest = hitAt(ray, node, {.patch = patch, .u = inside.x, .v = inside.y});
+    nearest = hitAt(
+        ray, node,
+        {.t = glm::dot(position - ray.origin, ray.direction), .patch = patch, .u = inside.x, .v = inside.y});
     nearest->position = position;
   }
   return nearest;
+}
+
+/// The neighbours' rays meet the plane where the neighbours are, moved along the ray.
+Footprint Caster::footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, const Vec3& sv) const {
+  const View& view = snapshot_.view;
+  const Vec3 n = glm::cross(su, sv);
+  const double depth = view.perspective() ? glm::dot(ray.direction, view.forward()) * hit.t : 1;
+  const double perCosine = 1 / glm::dot(n, ray.direction), perArea = 1 / glm::dot(n, n);
+  Footprint footprint;
+  for (int i = 0; i < 2; ++i) {
+    Vec3 step = (i == 0 ? view.right() : -view.up()) * (depth / view.pixelsPerUnit);
+    step -= ray.direction * (glm::dot(n, step) * perCosine);
+    footprint[i] = Vec2(glm::dot(glm::cross(step, sv), n), glm::dot(glm::cross(su, step), n)) * perArea;
+  }
+  return footprint;
+}
+
+Vec3 Caster::diffuseOf(const Hit& hit) const {
+  const Material& material = materialOf(hit.node);
+  if (!material.drawsMap()) return material.diffuseAt(hit.u, hit.v);
+  return material.diffuse * Vec3(material.map.at(bodies_[hit.node].map, {hit.u, hit.v}, hit.footprint));
 }
 
 /// Interpolated by weights as the renderer does it: (u, v), and unit normals in the world. Which of its sides
@@ -129,6 +158,12 @@ void Caster::placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const {
   hit.v = parameters.y;
   hit.normal = unit(hit.normal);
   hit.facet = unit(body.normalFromObject * glm::cross(points[1] - points[0], points[2] - points[0]));
+  if (materialOf(hit.node).drawsMap() && !triangles.mesh.uvs().empty()) {
+    const Mat3& world = snapshot_.nodes[hit.node].worldFromObject.linear;
+    const auto uv = [&](std::size_t i) { return Vec2(triangles.mesh.uvs()[corners[i]]); };
+    hit.footprint = Mat2(uv(1) - uv(0), uv(2) - uv(0)) *
+                    footprintOf(ray, hit, world * (points[1] - points[0]), world * (points[2] - points[0]));
+  }
   const double cosine = -glm::dot(hit.normal, ray.direction);
   const bool front = std::abs(cosine) > kTurningAway ? cosine > 0 : glm::dot(hit.facet, ray.direction) < 0;
   if (body.twoSided && !front) hit.normal = -hit.normal;
@@ -272,15 +307,15 @@ Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toV
   if (cosine <= 0 && !material.lectureSpecular) return Vec3(0);
   const Vec3 h = unit(l + toViewer);
   const double nh = std::clamp(glm::dot(hit.normal, h), 0.0, 1.0);
-  const Vec3 reflectance = material.diffuseAt(hit.u, hit.v) * std::max(cosine, 0.0) +
-                           material.specular * highlight(nh, material.shininess);
+  const Vec3 reflectance =
+      diffuseOf(hit) * std::max(cosine, 0.0) + material.specular * highlight(nh, material.shininess);
   const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
   return reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
 }
 
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
   const Material& material = materialOf(hit.node);
-  Vec3 sum = material.ambient.value_or(material.diffuseAt(hit.u, hit.v)) * snapshot_.ambient;
+  Vec3 sum = material.ambient.value_or(diffuseOf(hit)) * snapshot_.ambient;
   for (const SnapshotLight& light : snapshot_.lights) {
     const Vec3 share = shareOf(light, hit, toViewer, tilt);
     if (share != Vec3(0)) sum += share * reaching(light, hit, certified);

@@ -20,8 +20,9 @@ struct Hit {
   std::uint32_t node = 0;  ///< index into Snapshot::nodes
   double u = 0, v = 0;
   Vec3 position{0};
-  Vec3 normal{0};  ///< unit; outward, or toward the viewer where two-sided; of triangles interpolated
-  Vec3 facet{0};   ///< unit: of the triangle itself; of a formula the normal
+  Vec3 normal{0};          ///< unit; outward, or toward the viewer where two-sided; of triangles interpolated
+  Vec3 facet{0};           ///< unit: of the triangle itself; of a formula the normal
+  Footprint footprint{0};  ///< of the view's pixel, where the material has a map
   bool certified = true;
 };
 
@@ -113,6 +114,7 @@ class Caster {
     bool mirrored = false, twoSided = false;
     Facing facing = Facing::Both;
     bool transparent = false;
+    TexturePlacement map;  ///< where the material has one
   };
 
   /// Where the near and the far plane are on a ray; they are planes, not spheres.
@@ -125,6 +127,10 @@ class Caster {
   [[nodiscard]] double beyond(const Ray& ray, const Hit& hit) const;
   [[nodiscard]] Hit hitAt(const Ray& ray, std::uint32_t node, const Root& root) const;
   void placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const;
+  /// From how (u, v) moves with the point of the plane that a hit is in: as S does, where su and sv are in
+  /// it.
+  [[nodiscard]] Footprint footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, const Vec3& sv) const;
+  [[nodiscard]] Vec3 diffuseOf(const Hit& hit) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
             Sight& sight) const;
   /// What a light adds to a hit that sees it.

@@ -26,7 +26,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMaxSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
 constexpr double kMaxTurn = 0.1;      // the same for the sine between their line and the surface
 constexpr double kTouchingUlps = 2;   // of two depths, each of which is rounded up or down
-constexpr double kFloatRounding = 0x1p-24;  // of a number: the nearest float is no farther
+constexpr double kFloatRounding = 0x1p-24;   // of a number: the nearest float is no farther
+constexpr double kOtherTexture = 1.0 / 255;  // linear: devices filter with few bits
 constexpr double kOtherLight = 1e-4;  // linear: smaller differences are not looked into for a light's shadow
 /// Of a mesh light falls on its own place, not on the surface's: what that changes is less than what a light
 /// has to add to be looked for.
@@ -315,9 +316,15 @@ class Judge {
       return pixel.mismatch == Mismatch::None && pixel.color > kOtherLight &&
              (layers || (shadows && pixel.position != kUnset));
     };
+    const auto mayShowAnotherTexture = [&](std::size_t k) {
+      const JudgedPixel& pixel = pixels_[k];
+      return pixel.mismatch == Mismatch::None && pixel.position != kUnset && pixel.color > kOtherTexture &&
+             showsTexture(chosen_[k]);
+    };
     std::vector<std::size_t> wrong;
     for (std::size_t k = 0; k < pixels_.size(); ++k)
-      if (pixels_[k].mismatch != Mismatch::None || pixels_[k].offPoint || mayBeInShadow(pixels_[k]))
+      if (pixels_[k].mismatch != Mismatch::None || pixels_[k].offPoint || mayBeInShadow(pixels_[k]) ||
+          mayShowAnotherTexture(k))
         wrong.push_back(k);
     if (wrong.empty() || !options_.silhouettes) return;
     const auto lights =
@@ -332,7 +339,8 @@ class Judge {
       else if (pixel.offPoint)
         judgeOff(caster, i, shadows && !layers, pixel);
       else
-        pixel.offLight = layers ? hasAnotherColor(caster, i) : inAnotherLight(caster, i);
+        pixel.offLight = layers || mayShowAnotherTexture(wrong[w]) ? hasAnotherColor(caster, i)
+                                                                   : inAnotherLight(caster, i);
     });
   }
 
@@ -357,6 +365,11 @@ class Judge {
         certified && inAnotherLight(caster, i, *hit, -ray.direction, color, shown->pixel, kLeastOnMesh);
   }
 
+  [[nodiscard]] bool showsTexture(std::uint32_t i) const {
+    const auto node = layers_.nodeOf(truth_.number[i]);
+    return node && snapshot_.materials[snapshot_.nodes[*node].material.index].drawsMap();
+  }
+
   /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.
   [[nodiscard]] bool seesLayerOf(std::uint32_t i, const Caster::Sight& sight, const Vec2& at) const {
     if (sight.hits.empty()) return false;
@@ -372,8 +385,8 @@ class Judge {
         centerOf(i), 2 * kSilhouettePx);
   }
 
-  /// Whether no colour is, within the width of an outline, as the one that is shown. Of what is seen through
-  /// any layer may be the wrong one.
+  /// Whether no colour is, within the width of an outline, as the one that is shown: of what is seen through
+  /// any layer may be the wrong one, and of a texture any texel.
   [[nodiscard]] bool hasAnotherColor(const Caster& caster, std::uint32_t i) const {
     const Vec2 center = centerOf(i);
     const Vec3 shown = valueAt(measured_.color, i);

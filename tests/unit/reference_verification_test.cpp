@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 #include "base/error.h"
@@ -171,6 +172,28 @@ TEST_F(VerifySphere, OnePixelsParametersAreFoundAndNamed) {
   EXPECT_EQ(worst.error, v.positionPx.max);
   EXPECT_NEAR(worst.measuredParameters.x - worst.trueParameters.x, step, 1e-6);
   EXPECT_EQ(v.pointPx.max, v.pointPx.floor) << "the other outputs are as they were";
+}
+
+TEST(Verify, ATexturesColourIsWrongBeyondACode) {
+  Scene scene = sceneOf(sphere(1));
+  Image squares(8, 8, 1);
+  for (int i = 0; i < 64; ++i)
+    squares.samples()[static_cast<std::size_t>(i)] = (i + i / 8) % 2 != 0 ? 0.9f : 0.2f;
+  scene.add(Node{.surface = sphere(1.1),
+                 .material = scene.add(Material{
+                     .diffuse = Vec3(1),
+                     .map = {.texture = std::make_shared<const Texture>(makeTexture(squares, "squares"))}})});
+  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const ReferencePicture truth = castPicture(snapshot);
+  MeasuredPicture measured = roundedTo32Bits(truth);
+  const auto wrongWith = [&](float more) {
+    measured.color = truth.color;
+    for (const int x : {35, 40, 45}) measured.color.pixel(x, 30)[1] += more;
+    return verify(snapshot, truth, measured).wrong;
+  };
+  EXPECT_EQ(wrongWith(0).total(), 0U);
+  EXPECT_EQ(wrongWith(0.5f / 255).total(), 0U);
+  EXPECT_EQ(wrongWith(1.5f / 255).light, 3U);
 }
 
 TEST_F(VerifySphere, ADroppedPixelIsMissingAsFarAsTheSilhouetteIs) {
