@@ -159,7 +159,7 @@ class DrawLister {
 
   /// Of all that a ray meets the eye's grid says where it may be.
   void findLayers(const VisibleNode& v, const SnapshotNode& node, const Material& material) {
-    DrawBatch batch{.state = {.shading = Shading::Exact, .pattern = material.diffusePattern}};
+    DrawBatch batch{.state = {.shading = Shading::Exact, .pattern = Paint::of(material)}};
     const LightSets::Choice lights = materials_.lightLayer(batch, lightSets_, node);
     const std::uint32_t number = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
     requireNumber(number);
@@ -187,7 +187,7 @@ class DrawLister {
   void listLayerMesh(const VisibleNode& v, const SnapshotNode& node, const Material& material,
                      Shading shading) {
     DrawBatch batch;
-    batch.state = {.shading = shading, .pattern = material.diffusePattern};
+    batch.state = {.shading = shading, .pattern = Paint::of(material)};
     batch.culling = v.hideBackFaces ? FaceCulling::Back : FaceCulling::None;
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
@@ -246,7 +246,7 @@ class DrawLister {
     batch.mirrored = v.mirrored;
     LightSets::Choice lights;
     if (needsLights(batch.state)) {
-      batch.state.pattern = material.diffusePattern;
+      batch.state.pattern = Paint::of(material);
       if (materials_.shadows() && !materials_.litLater(batch.state)) refuseShadows(node);
       const auto reaching = std::span(visible_.lights).subspan(v.firstLight, v.lightCount);
       lights = materials_.litLater(batch.state) ? materials_.lightLater(batch, lightSets_, node)

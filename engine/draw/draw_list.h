@@ -12,9 +12,11 @@
 #include "cull/cull.h"
 #include "draw/occlusion_culling.h"
 #include "draw/options.h"
+#include "draw/paint.h"
 #include "draw/pixel_rows.h"
 #include "draw/search_refinement.h"
 #include "draw/statistics.h"
+#include "draw/texture_list.h"
 #include "scene/snapshot.h"
 #include "shadow/caster_cache.h"
 #include "shared/scene_data.h"
@@ -65,7 +67,8 @@ struct DrawState {
   Form form = Form::Fused;
   std::uint32_t plainLights = 0, shadedLights = 0;
   bool blended = false;
-  Pattern pattern = {};             ///< where light falls on it; none for views of geometry
+  Paint pattern = {};               ///< where light falls on it; none for views of geometry
+  bool footprint = false;           ///< of Form::FoundWithParameters: and with the footprint of the pixel
   SurfaceCodePtr surface;           ///< what finds a surface in every pixel; null: triangles are drawn
   bool equation = false;            ///< with it: it is an equation, no formula
   bool grazing = false;             ///< with it: a ray may graze the surface, and meet it more than once
@@ -222,6 +225,7 @@ struct DrawList {
   std::vector<shared::MaterialData> materials;   ///< of instances; never empty
   std::vector<shared::LightSet> lightSets;       ///< never empty
   std::vector<float> patternParameters;          ///< not empty when a draw has a pattern
+  TextureList textures;                          ///< not empty when a draw has a texture
   std::vector<DrawBatch> opaque;  ///< grouped, those that find surfaces first, roughly front to back
   std::vector<FoundNode> found;   ///< ascending
   std::vector<PixelRect> byRays;  ///< where no shell tells what is seen
@@ -234,6 +238,7 @@ struct DrawList {
   /// Points are found first, and lit once each, by all lights that reach anything.
   bool deferred = false;
   bool findsParameters = false;  ///< of a deferred list: with (u, v), as some pattern asks for them
+  bool findsFootprints = false;  ///< with them, as some texture asks for them
   /// Of a deferred list: meshes tell theirs, from which the points of their surfaces are found.
   bool findsPlaces = false;
   std::vector<CasterDraw> places;  ///< what finds these

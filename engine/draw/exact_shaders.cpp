@@ -18,10 +18,6 @@ Formulas formulasOf(const ExactShader& shader) {
   return {shader.surface, shader.pattern, shader.inDouble, shader.grazing, shader.caster, shader.parameters};
 }
 
-std::string_view textOf(const Pattern& pattern) {
-  return pattern.valid() ? std::string_view(pattern.glsl()) : std::string_view();
-}
-
 std::span<const std::uint32_t> builtIn(const Formulas& wanted) {
   const auto found = std::ranges::lower_bound(kExactShaders, wanted, {}, formulasOf);
   const bool known = found != std::end(kExactShaders) && formulasOf(*found) == wanted;
@@ -30,20 +26,19 @@ std::span<const std::uint32_t> builtIn(const Formulas& wanted) {
 
 }  // namespace
 
-std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, const Pattern& pattern,
+std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface, std::string_view pattern,
                                                   bool grazing, bool parameters) {
-  return builtIn(
-      {surface.glsl, textOf(pattern), surface.number == GlslNumber::Double, grazing, -1, parameters});
+  return builtIn({surface.glsl, pattern, surface.number == GlslNumber::Double, grazing, -1, parameters});
 }
 
 std::span<const std::uint32_t> builtInCasterShader(ExactSource::Caster caster, const SurfaceCode& surface,
-                                                   const Pattern& pattern) {
-  return builtIn({surface.glsl, textOf(pattern), false, true, static_cast<int>(caster), false});
+                                                   std::string_view pattern) {
+  return builtIn({surface.glsl, pattern, false, true, static_cast<int>(caster), false});
 }
 
-std::span<const std::uint32_t> builtInPatternShader(std::string_view name, const Pattern& pattern) {
+std::span<const std::uint32_t> builtInPatternShader(std::string_view name, std::string_view pattern) {
   const auto found = std::ranges::find_if(kPatternShaders, [&](const PatternShader& shader) {
-    return shader.name == name && shader.pattern == textOf(pattern);
+    return shader.name == name && shader.pattern == pattern;
   });
   return found == kPatternShaders.end() ? std::span<const std::uint32_t>() : found->spirv;
 }

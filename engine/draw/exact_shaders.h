@@ -8,26 +8,25 @@
 #include <string_view>
 
 #include "draw/exact_source.h"
-#include "scene/pattern.h"
 #include "surface/surface_code.h"
 
 namespace luxo {
 
-/// The fragment shader that finds this surface and shows the pattern, if there is one; empty for what is not
-/// built in. `parameters`: where points are lit later, their parameters are told, too. A formula has one for
-/// where no ray may graze it, too, which is not `grazing`. Looked up by the formulas themselves: one that has
-/// changed never meets an older shader. Cost: microseconds.
+/// The fragment shader that finds this surface and shows the pattern, of this GLSL, if there is one; empty
+/// for what is not built in. `parameters`: where points are lit later, their parameters are told, too. A
+/// formula has one for where no ray may graze it, too, which is not `grazing`. Looked up by the formulas
+/// themselves: one that has changed never meets an older shader. Cost: microseconds.
 [[nodiscard]] std::span<const std::uint32_t> builtInExactShader(const SurfaceCode& surface,
-                                                                const Pattern& pattern = {},
+                                                                std::string_view pattern = {},
                                                                 bool grazing = true, bool parameters = false);
 
 /// The one that finds this of the surface, of formulas in float; empty for what is not built in.
 [[nodiscard]] std::span<const std::uint32_t> builtInCasterShader(ExactSource::Caster caster,
                                                                  const SurfaceCode& surface,
-                                                                 const Pattern& pattern = {});
+                                                                 std::string_view pattern = {});
 
 /// The one of this name (shaders/pattern) that lights this pattern; empty for what is not built in.
 [[nodiscard]] std::span<const std::uint32_t> builtInPatternShader(std::string_view name,
-                                                                  const Pattern& pattern);
+                                                                  std::string_view pattern);
 
 }  // namespace luxo

@@ -47,6 +47,9 @@ class ExactSource {
     return source;
   }
 
+  /// Lines that are read before all.
+  void add(std::string_view lines) { preamble_ += lines; }
+
   /// Valid as long as this object.
   [[nodiscard]] gpu::ShaderDesc desc() const {
     return {.source = *std::ranges::find(kShaderSources, name_, &gpu::ShaderSource::name),

@@ -54,7 +54,7 @@ void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipeline
                               {shared::kConstantAddsLight, state.addsLight},
                               {shared::kConstantTransmits, state.transmits}});
   if (state.addsLight) desc.blend = gpu::Blend::Add;
-  desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
+  desc.setLayouts = {sceneLayout_, paintLayout(state), foundLayout()};
 }
 
 /// Over all that was found, of a mesh the points of its surface.

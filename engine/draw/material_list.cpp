@@ -5,12 +5,13 @@
 
 #include "draw/place_list.h"
 #include "draw/shadow_list.h"
+#include "draw/texture_list.h"
 
 namespace luxo {
 namespace {
 
 bool ambientFollowsPattern(const Material& material) {
-  return material.diffusePattern.valid() && !material.ambient;
+  return Paint::of(material).valid() && !material.ambient;
 }
 
 /// `shadeOf`: 1 + which of the shaded lights it is the shade of.
@@ -69,10 +70,11 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(lights, [&](std::uint32_t light) {
                return !snapshot.lights[light].casters.empty();
              });
+  const bool textures = std::ranges::any_of(materials, &Material::drawsMap);
   const bool possible = options.output == Output::Color && !showsData(options.shading) &&
                         options.samples == 1 &&
                         (shadows_ || hasLayers(snapshot, options) || lights.size() <= shared::kMaxLights) &&
-                        (shadows_ || hasLayers(snapshot, options)
+                        (shadows_ || hasLayers(snapshot, options) || textures
                              ? snapshot.nodes.size()
                              : materials.size() * (lights.size() + 1)) < shared::kMaxFoundMaterials;
   list_.deferred =
@@ -82,24 +84,29 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   shades_.resize(groups_.size());
   layerShades_.resize(groups_.size());
   list_.findsParameters = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
-                            return material.diffusePattern.valid();
+                            return Paint::of(material).valid();
                           });
   list_.findsPlaces =
       list_.deferred && shadows_ && std::ranges::any_of(visible.opaque, [&](const VisibleNode& node) {
         return isOnlyNear(snapshot, snapshot.nodes[node.node], options);
       });
+  list_.findsFootprints = list_.deferred && textures;
 }
 
 std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf, std::uint32_t node) {
   const Material& material = snapshot_.materials[index];
-  const bool ofNode = shadows_ || material.transparent();
+  const bool ofNode = shadows_ || material.transparent() || material.drawsMap();
   const auto [entry, isNew] = numberOf_.try_emplace({index, shadeOf, ofNode ? node : 0},
                                                     static_cast<std::uint32_t>(list_.materials.size()));
   if (shadows_) numberOfNode_[node] = entry->second;
   if (!isNew) return entry->second;
   shared::MaterialData data = materialData(material, snapshot_.ambient, shadeOf);
-  if (material.diffusePattern.valid()) {
-    data.pattern = patternNumber(material.diffusePattern);
+  if (const Paint paint = Paint::of(material); paint.isTexture()) {
+    data.pattern = patternNumber(paint);
+    data.firstPatternParameter = static_cast<std::uint32_t>(list_.patternParameters.size());
+    appendTexture(material, snapshot_.nodes[node].surface, list_.textures, list_.patternParameters);
+  } else if (paint.valid()) {
+    data.pattern = patternNumber(paint);
     data.firstPatternParameter = firstPatternParameter(material);
   }
   if (isDrawnAgain(material.shadingIn(options_.shading))) data.pattern = shared::kDrawnAgain;
@@ -120,7 +127,7 @@ std::uint32_t MaterialList::firstPatternParameter(const Material& material) {
   return first;
 }
 
-std::uint32_t MaterialList::patternNumber(const Pattern& pattern) {
+std::uint32_t MaterialList::patternNumber(const Paint& pattern) {
   if (!pattern.valid()) return 0;
   return patternNumbers_.try_emplace(pattern, static_cast<std::uint32_t>(patternNumbers_.size() + 1))
       .first->second;
@@ -140,6 +147,7 @@ LightSets::Choice MaterialList::lightLater(DrawBatch& batch, LightSets& lightSet
       {.shading = state.shading, .form = Form::Shade, .pattern = state.pattern}, lightSets, node, shades_);
   const bool isMesh = list_.findsPlaces && !findsSurface(snapshot_, node, options_);
   state.form = list_.findsParameters || isMesh ? Form::FoundWithParameters : Form::Found;
+  state.footprint = list_.findsFootprints;
   state.pattern = {};
   if (batch.again) state.shading = Shading::Phong;
   return {.shadeOf = shadeOf};

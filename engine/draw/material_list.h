@@ -17,8 +17,8 @@
 
 namespace luxo {
 
-/// Fills DrawList::materials, patternParameters, deferred, findsParameters, findsPlaces, and groups but for
-/// their shadows.
+/// Fills DrawList::materials, patternParameters, textures, deferred, findsParameters, findsFootprints,
+/// findsPlaces, and groups but for their shadows.
 class MaterialList {
  public:
   /// All must outlive this. The list is deferred where that is asked for, or shadows have to be found, and
@@ -57,7 +57,7 @@ class MaterialList {
   /// of.
   std::uint32_t shadeLater(const DrawState& shade, LightSets& lightSets, const SnapshotNode& node,
                            std::vector<std::set<DrawState>>& shades);
-  [[nodiscard]] std::uint32_t patternNumber(const Pattern& pattern);
+  [[nodiscard]] std::uint32_t patternNumber(const Paint& pattern);
 
   void listAgain(const DrawBatch& batch, bool layer);
 
@@ -67,7 +67,7 @@ class MaterialList {
   /// By material, shadeOf and, where there are shadows, node.
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> numberOf_;
   std::map<std::uint32_t, std::uint32_t> numberOfNode_;  ///< where there are shadows
-  std::map<Pattern, std::uint32_t> patternNumbers_;
+  std::map<Paint, std::uint32_t> patternNumbers_;
   std::vector<std::vector<std::uint32_t>> groups_;         ///< the lights of each
   std::vector<std::set<DrawState>> shades_, layerShades_;  ///< of each
   bool shadows_ = false;

@@ -171,6 +171,14 @@ void PassRecorder::setScissor(const PixelRect& rect) {
   vkCmdSetScissor(commands_, 0, 1, &scissor);
 }
 
+void PassRecorder::bindPaint(const gpu::GraphicsPipeline& pipeline, const DrawState& state) {
+  if (!state.pattern.valid()) return;
+  pipeline.bindSet(commands_, shared::kSetPattern,
+                   !state.pattern.isTexture()  ? bindings_.pattern
+                   : state.form == Form::Shade ? bindings_.foundTexture
+                                               : bindings_.texture);
+}
+
 void PassRecorder::draw(const DrawBatch& batch) {
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, view_.targets().format());
   const bool withParameters = readsParameters(batch.state);
@@ -179,7 +187,7 @@ void PassRecorder::draw(const DrawBatch& batch) {
 
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
-  if (batch.state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
+  bindPaint(pipeline, batch.state);
   if (batch.state.form == Form::Layer || batch.state.form == Form::LayerAgain)
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
   if (batch.state.form == Form::Again) pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
@@ -218,7 +226,7 @@ void PassRecorder::shade(const DrawState& state, std::size_t group, std::span<co
   const std::uint32_t lightOffset = groups.empty() ? 0 : view_.lightOffset(groups[group].lightSet);
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
-  if (state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
+  bindPaint(pipeline, state);
   if (state.form == Form::Shade)
     pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   else
@@ -374,7 +382,7 @@ void PassRecorder::drawRays(const RayPoints& points) {
     const std::uint32_t lightOffset = view_.lightOffset(node.lightSet);
     pipeline.bind(commands_);
     pipeline.bindSet(commands_, shared::kSetScene, bindings_.sceneOfRays, {&lightOffset, 1});
-    if (node.state.pattern.valid()) pipeline.bindSet(commands_, shared::kSetPattern, bindings_.pattern);
+    bindPaint(pipeline, node.state);
     pipeline.push(commands_, std::as_bytes(std::span(&target, 1)));
     gpu::setDepthBias(commands_, {});
     vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);

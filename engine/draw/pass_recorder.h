@@ -33,6 +33,7 @@ class PassRecorder {
   void useTargets(const Pass& pass);
   void begin(const Pass& pass);
   void setScissor(const PixelRect& rect);
+  void bindPaint(const gpu::GraphicsPipeline& pipeline, const DrawState& state);
   void draw(const DrawBatch& batch);
   void drawRays(const RayPoints& points);
   void shade(const DrawState& state, std::size_t group, std::span<const PixelRect> areas);

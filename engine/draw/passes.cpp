@@ -40,6 +40,10 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
     targets.push_back({Target::FoundParameters, begin});
     reads.push_back(Target::FoundParameters);
   }
+  if (list.findsFootprints) {
+    targets.push_back({Target::FoundFootprint, begin});
+    reads.push_back(Target::FoundFootprint);
+  }
   Pass finds{.name = replaces ? "rays" : "found",
              .colors = targets,
              .depth = begin,

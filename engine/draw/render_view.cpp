@@ -107,6 +107,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   hasRays_ = false;
   targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples),
                    {.deferred = list_.deferred,
+                    .footprints = list_.findsFootprints,
                     .shadows = list_.findsShadows(),
                     .transmittance = list_.findsTransmittances(),
                     .places = list_.findsPlaces,
@@ -192,7 +193,7 @@ void RenderView::uploadCasters(Uploads& uploads, bool always) {
   store(uploads.lightMaps, maps, "light maps");
 }
 
-RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines) {
+RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines, TexelStore& texels) {
   Uploads& uploads = refinement.completes ? completion_ : uploads_;
   const auto sceneOf = [&](MirroredBuffer& instances) {
     return frames.descriptors().write(pipelines.sceneLayout(),
@@ -205,6 +206,15 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   if (!list_.patternParameters.empty())
     bindings.pattern =
         frames.descriptors().write(pipelines.patternLayout(), {uploads.patternParameters.use(*context_)});
+  if (!list_.textures.empty()) {
+    const VkBufferView all = texels.get(list_.textures);
+    const gpu::Buffer& parameters = uploads.patternParameters.use(*context_);
+    bindings.texture = frames.descriptors().write(pipelines.textureLayout(), {parameters, all});
+    if (list_.findsFootprints)
+      bindings.foundTexture = frames.descriptors().write(
+          pipelines.foundTextureLayout(),
+          {parameters, all, {targets_.texture(Target::FoundFootprint), pipelines.texelSampler()}});
+  }
   if (list_.exact()) {
     bindings.exact = frames.descriptors().write(
         pipelines.exactLayout(),

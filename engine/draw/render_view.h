@@ -13,6 +13,7 @@
 #include "draw/scene_pipelines.h"
 #include "draw/search_feedback.h"
 #include "draw/search_refinement.h"
+#include "draw/texel_store.h"
 #include "draw/view_targets.h"
 #include "gpu/frame.h"
 
@@ -67,18 +68,20 @@ class RenderView {
   /// What draws read, in an open recording.
   struct Bindings {
     VkDescriptorSet scene = VK_NULL_HANDLE;
-    VkDescriptorSet pattern = VK_NULL_HANDLE;      ///< where a draw has a pattern
-    VkDescriptorSet exact = VK_NULL_HANDLE;        ///< where a draw has a shell
-    VkBuffer shellIndices = VK_NULL_HANDLE;        ///< where a draw has a shell
-    VkDescriptorSet sceneOfRays = VK_NULL_HANDLE;  ///< of the points that rays have found
-    VkBuffer rayVertices = VK_NULL_HANDLE;         ///< these
-    VkBuffer rayShadows = VK_NULL_HANDLE;          ///< and the shadows there
-    VkBuffer rayLayers = VK_NULL_HANDLE;           ///< and what is seen through there
-    VkDescriptorSet layers = VK_NULL_HANDLE;       ///< where something is seen through
-    VkDescriptorSet shadow = VK_NULL_HANDLE;       ///< where casters are looked for
-    VkDescriptorSet found = VK_NULL_HANDLE;        ///< what the passes of a deferred picture have found
+    VkDescriptorSet pattern = VK_NULL_HANDLE;       ///< where a draw has a pattern
+    VkDescriptorSet texture = VK_NULL_HANDLE;       ///< where a draw has a texture
+    VkDescriptorSet foundTexture = VK_NULL_HANDLE;  ///< and lights what was found
+    VkDescriptorSet exact = VK_NULL_HANDLE;         ///< where a draw has a shell
+    VkBuffer shellIndices = VK_NULL_HANDLE;         ///< where a draw has a shell
+    VkDescriptorSet sceneOfRays = VK_NULL_HANDLE;   ///< of the points that rays have found
+    VkBuffer rayVertices = VK_NULL_HANDLE;          ///< these
+    VkBuffer rayShadows = VK_NULL_HANDLE;           ///< and the shadows there
+    VkBuffer rayLayers = VK_NULL_HANDLE;            ///< and what is seen through there
+    VkDescriptorSet layers = VK_NULL_HANDLE;        ///< where something is seen through
+    VkDescriptorSet shadow = VK_NULL_HANDLE;        ///< where casters are looked for
+    VkDescriptorSet found = VK_NULL_HANDLE;         ///< what the passes of a deferred picture have found
   };
-  [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines);
+  [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines, TexelStore& texels);
 
   [[nodiscard]] ViewTargets& targets() { return targets_; }
   [[nodiscard]] SearchFeedback& feedback() { return feedback_; }

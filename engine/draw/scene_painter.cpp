@@ -57,7 +57,7 @@ VkClearColorValue backgroundOf(const Snapshot& snapshot, Output output) {
 }  // namespace
 
 ScenePainter::ScenePainter(gpu::Context& context)
-    : context_(&context), pipelines_(context), store_(context) {}
+    : context_(&context), pipelines_(context), store_(context), texels_(context) {}
 
 DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& options) const {
   DrawOptions able = options;
@@ -151,7 +151,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   frame.emptyPasses = !view.options().skips.passes;
   frame.probes = view.feedback().probes();
   frame.layerBands = view.layerLists().bands();
-  const RenderView::Bindings bindings = view.bind(frames, pipelines_);
+  const RenderView::Bindings bindings = view.bind(frames, pipelines_, texels_);
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) recorder.record(pass);
   if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});

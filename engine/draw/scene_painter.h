@@ -15,6 +15,7 @@
 #include "draw/scale_normalization.h"
 #include "draw/scene_pipelines.h"
 #include "draw/statistics.h"
+#include "draw/texel_store.h"
 #include "gpu/frame.h"
 
 namespace luxo {
@@ -54,6 +55,7 @@ class ScenePainter {
   ScenePipelines pipelines_;
   Geometry geometry_;
   MeshStore store_;
+  TexelStore texels_;
 };
 
 }  // namespace luxo

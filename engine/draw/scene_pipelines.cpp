@@ -17,6 +17,7 @@
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
+#include "luxo/shaders/found_footprint_frag.h"
 #include "luxo/shaders/found_parameters_frag.h"
 #include "luxo/shaders/gouraud_again_frag.h"
 #include "luxo/shaders/gouraud_again_vert.h"
@@ -26,8 +27,10 @@
 #include "luxo/shaders/gouraud_vert.h"
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
+#include "luxo/shaders/ray_found_footprint_frag.h"
 #include "luxo/shaders/ray_inspect_vert.h"
 #include "luxo/shaders/ray_surface_pattern_vert.h"
+#include "luxo/shaders/ray_surface_texture_vert.h"
 #include "luxo/shaders/ray_surface_vert.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/surface_frag.h"
@@ -117,7 +120,9 @@ void describeWireframe(const DrawState& state, const gpu::Features& features,
 
 /// Points that rays have found replace what is there.
 void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipelineDesc& desc) {
+  const bool footprint = state.pattern.isTexture() || state.footprint;
   desc.vertexShader = inspects                 ? std::span<const std::uint32_t>(luxo_ray_inspect_vert)
+                      : footprint              ? std::span<const std::uint32_t>(luxo_ray_surface_texture_vert)
                       : readsParameters(state) ? std::span<const std::uint32_t>(luxo_ray_surface_pattern_vert)
                                                : std::span<const std::uint32_t>(luxo_ray_surface_vert);
   desc.bindings = {{0, sizeof(RayPoint), VK_VERTEX_INPUT_RATE_VERTEX}};
@@ -126,6 +131,8 @@ void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipel
                      {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayPoint, parameters)},
                      {3, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(RayPoint, place)}};
   if (!readsParameters(state)) desc.attributes.erase(desc.attributes.begin() + 2);
+  if (footprint && !inspects)
+    desc.attributes.push_back({4, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(RayPoint, footprint)});
   desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   desc.pushConstantBytes = sizeof(RayTarget);
 }
@@ -160,8 +167,9 @@ std::optional<ExactSource::Caster> casterOf(Form form) {
 }
 
 /// Fused, or found without parameters: one shader does both.
-std::tuple<SurfaceCodePtr, Pattern, bool, Form> exactShaderKey(const DrawState& state) {
-  return {state.surface, state.pattern, state.grazing, state.form == Form::Found ? Form::Fused : state.form};
+std::tuple<SurfaceCodePtr, Paint, bool, Form, bool> exactShaderKey(const DrawState& state) {
+  return {state.surface, state.pattern, state.grazing, state.form == Form::Found ? Form::Fused : state.form,
+          state.footprint};
 }
 
 bool isFoundOnly(const DrawState& state) {
@@ -262,6 +270,28 @@ const gpu::DescriptorLayout& ScenePipelines::patternLayout() {
   return patternLayout_;
 }
 
+const gpu::DescriptorLayout& ScenePipelines::textureLayout() {
+  if (textureLayout_.bindings().empty())
+    textureLayout_ = gpu::DescriptorLayout(
+        *context_, {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+                    {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}});
+  return textureLayout_;
+}
+
+const gpu::DescriptorLayout& ScenePipelines::foundTextureLayout() {
+  if (foundTextureLayout_.bindings().empty())
+    foundTextureLayout_ = gpu::DescriptorLayout(
+        *context_, {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+                    {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}});
+  return foundTextureLayout_;
+}
+
+const gpu::DescriptorLayout& ScenePipelines::paintLayout(const DrawState& state) {
+  if (!state.pattern.isTexture()) return patternLayout();
+  return state.form == Form::Shade ? foundTextureLayout() : textureLayout();
+}
+
 const gpu::DescriptorLayout& ScenePipelines::exactLayout() {
   if (exactLayout_.bindings().empty())
     exactLayout_ = gpu::DescriptorLayout(
@@ -324,18 +354,21 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
       missing.push_back({key, {}});
   }
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-    const auto& [surface, pattern, grazing, form] = missing[i].key;
-    const std::string_view patternText = pattern.valid() ? std::string_view(pattern.glsl()) : "";
+    const auto& [surface, pattern, grazing, form, footprint] = missing[i].key;
+    const std::string_view patternText = pattern.valid() ? pattern.glsl() : "";
     const std::optional<ExactSource::Caster> caster = casterOf(form);
     const bool parameters = form == Form::FoundWithParameters;
-    const auto builtIn = caster ? builtInCasterShader(*caster, *surface, pattern)
-                                : builtInExactShader(*surface, pattern, grazing, parameters);
+    const auto builtIn = footprint ? std::span<const std::uint32_t>()
+                         : caster  ? builtInCasterShader(*caster, *surface, patternText)
+                                   : builtInExactShader(*surface, patternText, grazing, parameters);
     if (!builtIn.empty()) {
       missing[i].shader.spirv.assign(builtIn.begin(), builtIn.end());
       return;
     }
-    const ExactSource source = caster ? ExactSource::of(*caster, *surface, patternText)
-                                      : ExactSource(*surface, patternText, grazing, parameters);
+    ExactSource source = caster ? ExactSource::of(*caster, *surface, patternText)
+                                : ExactSource(*surface, patternText, grazing, parameters);
+    source.add(pattern.preamble());
+    if (footprint) source.add("#define LUXO_TEXTURED\n#define LUXO_FINDS_FOOTPRINT\n");
     missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
   });
   for (Missing& m : missing) {
@@ -371,21 +404,21 @@ void ScenePipelines::describeExact(const DrawState& state, const TargetFormat& f
   desc.depthClamp = true;
   desc.pushConstantBytes = sizeof(ShellDraw);
   static_assert(shared::kSetScene == 0 && shared::kSetPattern == 1 && shared::kSetExact == 2);
-  desc.setLayouts = {sceneLayout_, patternLayout(), exactLayout()};
+  desc.setLayouts = {sceneLayout_, paintLayout(state), exactLayout()};
 }
 
-const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Pattern& pattern,
-                                                                std::string_view name) {
+const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Paint& pattern, std::string_view name) {
   const auto found = patternShaders_.find({pattern, name});
   if (found != patternShaders_.end()) return found->second;
-  if (const auto builtIn = builtInPatternShader(name, pattern); !builtIn.empty())
+  if (const auto builtIn = builtInPatternShader(name, pattern.glsl()); !builtIn.empty())
     return patternShaders_
         .emplace(std::pair{pattern, name}, std::vector<std::uint32_t>(builtIn.begin(), builtIn.end()))
         .first->second;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"pattern", pattern.glsl()});
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
-  auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources});
+  auto shader =
+      gpu::ShaderCompiler().compile({.source = *source, .includes = sources, .preamble = pattern.preamble()});
   context_->counted().shadersCompiled += shader.compiled;
   return patternShaders_.emplace(std::pair{pattern, name}, std::move(shader.spirv)).first->second;
 }
@@ -405,7 +438,9 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
                                 {shared::kConstantQuantity, quantityOf(state)}});
   if (state.form == Form::FoundWithParameters) {
     desc.vertexShader = luxo_surface_pattern_vert;
-    desc.fragmentShader = luxo_found_parameters_frag;
+    desc.fragmentShader = !state.footprint ? std::span<const std::uint32_t>(luxo_found_parameters_frag)
+                          : state.byRays   ? std::span<const std::uint32_t>(luxo_ray_found_footprint_frag)
+                                           : std::span<const std::uint32_t>(luxo_found_footprint_frag);
   }
   if (state.form == Form::Layer) {
     desc.vertexShader = luxo_surface_pattern_vert;
@@ -414,9 +449,11 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
   if (!state.pattern.valid()) return;
   desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert)
                               : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
-  desc.fragmentShader = patternShader(state.pattern, gouraud ? "pattern/gouraud.frag"
-                                                     : toon  ? "pattern/toon.frag"
-                                                             : "pattern/surface.frag");
+  desc.fragmentShader = patternShader(state.pattern, gouraud                      ? "pattern/gouraud.frag"
+                                                     : toon                       ? "pattern/toon.frag"
+                                                     : !state.pattern.isTexture() ? "pattern/surface.frag"
+                                                     : state.byRays               ? "pattern/ray_texture.frag"
+                                                                                  : "pattern/texture.frag");
 }
 
 /// The light on points that the same triangles have put down: as near as these are, where they are one a
@@ -444,7 +481,7 @@ void ScenePipelines::describeAgain(const DrawState& state, gpu::GraphicsPipeline
   if (layer) return;
   desc.depthCompare = VK_COMPARE_OP_EQUAL;
   if (state.addsLight) desc.blend = gouraud ? gpu::Blend::Add : gpu::Blend::Lighten;
-  desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
+  desc.setLayouts = {sceneLayout_, paintLayout(state), foundLayout()};
 }
 
 gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
@@ -468,7 +505,8 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   }
   if (isFoundOnly(state)) desc.colorFormats = {kFoundFormat};
   if (state.form == Form::FoundWithParameters) desc.colorFormats.push_back(kFoundParametersFormat);
-  if (state.pattern.valid()) desc.setLayouts.push_back(patternLayout());
+  if (state.footprint) desc.colorFormats.push_back(kFoundFootprintFormat);
+  if (state.pattern.valid()) desc.setLayouts.push_back(paintLayout(state));
   const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerShadow ||
                         state.form == Form::LayerTransmittance || state.form == Form::LayersByRays ||
                         state.form == Form::ShadeLayers || state.form == Form::BlendLayers ||

@@ -48,6 +48,9 @@ class ScenePipelines {
   [[nodiscard]] const gpu::DescriptorLayout& sceneLayout() const { return sceneLayout_; }
   /// Set 1 of pipelines with a pattern: the parameters. Made when first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& patternLayout();
+  /// The same with a texture: and the texels; where it lights what was found, and the footprints there.
+  [[nodiscard]] const gpu::DescriptorLayout& textureLayout();
+  [[nodiscard]] const gpu::DescriptorLayout& foundTextureLayout();
   /// Set 2 of pipelines that find the surface: exact instances, patches, parameters, feedback. Made when
   /// first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& exactLayout();
@@ -68,10 +71,11 @@ class ScenePipelines {
   };
 
   void forgetShaders();
+  /// Set 1 of a state: of any paint; of none that of patterns.
+  [[nodiscard]] const gpu::DescriptorLayout& paintLayout(const DrawState& state);
   [[nodiscard]] gpu::GraphicsPipelineDesc describe(const DrawState& state, const TargetFormat& format);
   /// The fragment shader of that name below shaders/pattern, made for a pattern.
-  [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Pattern& pattern,
-                                                                std::string_view name);
+  [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Paint& pattern, std::string_view name);
 
   /// Has the fragment shaders that find these states' surfaces, with their patterns or without.
   void compileExactShaders(std::span<const DrawState> states);
@@ -88,13 +92,13 @@ class ScenePipelines {
   void describeLayers(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
 
   gpu::Context* context_;
-  gpu::DescriptorLayout sceneLayout_, patternLayout_, exactLayout_, foundLayout_, shadowLayout_,
-      layersLayout_;
+  gpu::DescriptorLayout sceneLayout_, patternLayout_, textureLayout_, foundTextureLayout_, exactLayout_,
+      foundLayout_, shadowLayout_, layersLayout_;
   gpu::Handle<VkSampler> texelSampler_;
-  /// Grazing; what it does with what it finds.
-  using ExactShaderKey = std::tuple<SurfaceCodePtr, Pattern, bool, Form>;
+  /// Grazing; what it does with what it finds; whether it tells footprints.
+  using ExactShaderKey = std::tuple<SurfaceCodePtr, Paint, bool, Form, bool>;
   std::map<ExactShaderKey, std::vector<std::uint32_t>> exactShaders_;
-  std::map<std::pair<Pattern, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
+  std::map<std::pair<Paint, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, TargetFormat>, Made> pipelines_;
   std::uint64_t picture_ = 0;
 };

@@ -40,6 +40,7 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
                   samples, "depth");
     found_ = gpu::Texture();
     foundParameters_ = gpu::Texture();
+    foundFootprint_ = gpu::Texture();
     places_ = gpu::Texture();
     shadows_ = gpu::Texture();
     transmittance_ = gpu::Texture();
@@ -62,6 +63,8 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
                                        .name = "places of meshes"});
   if (needs.shadows && !fits(shadows_, extent, VK_SAMPLE_COUNT_1_BIT))
     shadows_ = make(kShadowsFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "shadows");
+  if (needs.footprints && !fits(foundFootprint_, extent, VK_SAMPLE_COUNT_1_BIT))
+    foundFootprint_ = make(kFoundFootprintFormat, kReadAgain, samples, "footprints of what is found");
   if (!needs.deferred || fits(found_, extent, VK_SAMPLE_COUNT_1_BIT)) return;
   LUXO_REQUIRE_COMPARE(samples, ==, VK_SAMPLE_COUNT_1_BIT);
   found_ = make(kFoundFormat, kReadAgain, samples, "found");
@@ -76,6 +79,8 @@ gpu::Texture& ViewTargets::texture(Target target) {
       return found_;
     case Target::FoundParameters:
       return foundParameters_;
+    case Target::FoundFootprint:
+      return foundFootprint_;
     case Target::Places:
       return places_;
     case Target::Shadows:

@@ -86,4 +86,14 @@ std::span<const std::byte> Buffer::read() {
   return mapped();
 }
 
+Handle<VkBufferView> createTexelView(Context& context, const Buffer& buffer, VkFormat format) {
+  const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                                    .buffer = buffer,
+                                    .format = format,
+                                    .range = VK_WHOLE_SIZE};
+  VkBufferView view = VK_NULL_HANDLE;
+  check(vkCreateBufferView(context.device(), &info, nullptr, &view), "create a view of texels");
+  return {context, view};
+}
+
 }  // namespace luxo::gpu

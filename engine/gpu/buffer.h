@@ -56,4 +56,7 @@ class Buffer {
   ResourceState state_{ResourceKind::Buffer};
 };
 
+/// All of a buffer, whose usage has to allow it, as texels.
+[[nodiscard]] Handle<VkBufferView> createTexelView(Context& context, const Buffer& buffer, VkFormat format);
+
 }  // namespace luxo::gpu

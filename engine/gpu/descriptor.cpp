@@ -41,14 +41,18 @@ VkDescriptorSet DescriptorArena::write(const DescriptorLayout& layout,
     const std::size_t binding = writes.size();
     const DescriptorBinding& described = layout.bindings()[binding];
     const bool sampled = described.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    LUXO_REQUIRE(sampled ? value.image.imageView != VK_NULL_HANDLE : value.buffer.buffer != VK_NULL_HANDLE);
+    const bool texels = described.type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    LUXO_REQUIRE(texels    ? value.texels != VK_NULL_HANDLE
+                 : sampled ? value.image.imageView != VK_NULL_HANDLE
+                           : value.buffer.buffer != VK_NULL_HANDLE);
     writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                       .dstSet = set,
                       .dstBinding = static_cast<std::uint32_t>(binding),
                       .descriptorCount = 1,
                       .descriptorType = described.type,
                       .pImageInfo = &value.image,
-                      .pBufferInfo = &value.buffer});
+                      .pBufferInfo = &value.buffer,
+                      .pTexelBufferView = &value.texels});
   }
   vkUpdateDescriptorSets(context_->device(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
                          nullptr);
@@ -78,7 +82,8 @@ void DescriptorArena::addPool() {
       VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 8 * kSetsPerPool},
       VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2 * kSetsPerPool},
       VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, 2 * kSetsPerPool},
-      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * kSetsPerPool}};
+      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * kSetsPerPool},
+      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, kSetsPerPool}};
   const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                         .maxSets = kSetsPerPool,
                                         .poolSizeCount = kSizes.size(),

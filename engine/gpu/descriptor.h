@@ -33,7 +33,7 @@ class DescriptorLayout {
 };
 
 /// What one binding refers to: a whole buffer, a part of one (`range` bytes at `offset`; for a dynamic
-/// offset, the bytes seen from that offset), or a texture with its sampler.
+/// offset, the bytes seen from that offset), a buffer's texels, or a texture with its sampler.
 struct DescriptorValue {
   DescriptorValue(const Buffer& whole) : buffer{whole, 0, VK_WHOLE_SIZE} {}
   DescriptorValue(const Buffer& part, VkDeviceSize offset, VkDeviceSize range)
@@ -41,7 +41,10 @@ struct DescriptorValue {
   DescriptorValue(const Texture& texture, VkSampler sampler)
       : image{sampler, texture.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL} {}
 
+  DescriptorValue(VkBufferView view) : texels(view) {}
+
   VkDescriptorBufferInfo buffer{};
+  VkBufferView texels = VK_NULL_HANDLE;
   VkDescriptorImageInfo image{};
 };
 

@@ -12,6 +12,7 @@ namespace luxo::gpu {
   constexpr VkObjectType objectType(Vk##Type) { return VK_OBJECT_TYPE_##NAME; }
 
 LUXO_GPU_OBJECT(Buffer, BUFFER)
+LUXO_GPU_OBJECT(BufferView, BUFFER_VIEW)
 LUXO_GPU_OBJECT(Image, IMAGE)
 LUXO_GPU_OBJECT(ImageView, IMAGE_VIEW)
 LUXO_GPU_OBJECT(Sampler, SAMPLER)

@@ -35,5 +35,31 @@ float parameterOf(real3 p, uint k) {
   return float(number(k + 1) + number(k + 2) * of);
 }
 
+#ifdef LUXO_TEXTURED
+// How that moves with the point: from its gradient.
+vec3 gradientOf(real3 p, uint k) {
+  vec3 scale = vec3(number3(kScale)), q = vec3(p) / scale;
+  float radius = sqrt(q.x * q.x + q.z * q.z), perRadius = 1.0 / max(radius, kSmallest);
+  vec3 outward = vec3(q.x * perRadius, 0, q.z * perRadius);
+  int along = int(number(k));
+  float height = radius - (along == 5 ? 0.0 : 1.0), square = max(height * height + q.y * q.y, kSmallest);
+  vec3 upward = (vec3(0, height, 0) - q.y * outward) / square;  // of the angle above the plane, or around a ring
+  vec3 of = along == 0   ? vec3(1, 0, 0)
+            : along == 1 ? vec3(0, 1, 0)
+            : along == 2 ? vec3(0, 0, 1)
+            : along == 3 ? outward
+            : along == 4 ? vec3(q.z, 0, -q.x) * (0.15915494309189535 * perRadius * perRadius)
+            : along == 5 ? upward * 0.31830988618379067
+                         : upward * 0.15915494309189535;
+  return float(number(k + 2)) * of / scale;
+}
+
+// From how the point moves from a pixel to the next.
+void setFootprint(real3 p, vec3 right, vec3 below) {
+  vec3 u = gradientOf(p, kUOf), v = gradientOf(p, kVOf);
+  rootFootprint = vec4(dot(u, right), dot(v, right), dot(u, below), dot(v, below));
+}
+#endif
+
 // Whether the object's transform turns right hands into left ones.
 bool isMirrored() { return (has(kNegative) != has(kBackSide)) == has(kInward); }

@@ -191,6 +191,12 @@ int rootOfPixel(out Root root) {
   f = offsetOf(ray, root.S - e.half_ * (0.5 * e.c / max(dot(e.half_, e.half_), kSmallest)));
   real off = max(abs(f.x), abs(f.y));
   root.residual = float(off / widthAt(root.depth));
+#ifdef LUXO_TEXTURED
+  // Along the tangent plane.
+  vec3 n = vec3(e.half_), a = vec3(ray.across1), b = vec3(ray.across2), right = cross(b, n), below = cross(n, a);
+  float perDeterminant = float(widthAt(root.depth)) / dot(a, right);
+  setFootprint(root.S, right * perDeterminant, below * perDeterminant);
+#endif
   // Newton-Kantorovich, of one variable. A quadric's one step need not come within the tolerance.
   root.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isFirst(start, p, way, e) && off <= toleranceAt(root.depth);
   return result;

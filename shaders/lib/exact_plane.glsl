@@ -26,6 +26,10 @@ int rootOfPixel(out Root root) {
   // No more than this is rounded.
   root.residual = float(toleranceAt(root.depth)) / float(widthAt(root.depth));
   root.certified = true;
+#ifdef LUXO_TEXTURED
+  real3 x = real3(rowX.xyz - root.S.x * rowDepth.xyz) * perW, z = real3(rowY.xyz - root.S.z * rowDepth.xyz) * perW;
+  setFootprint(root.S, vec3(x.x, 0, z.x), vec3(x.y, 0, z.y));
+#endif
   real metres = toleranceAt(root.depth) * varyingClip.z;
   return isInside(root.S, metres) && (root.front || has(kShowsBack)) ? kFound : kMissed;
 }

@@ -76,6 +76,18 @@ struct Root {
   bool certified;   // certainly the point that the search was for
 };
 
+#ifdef LUXO_TEXTURED
+// How u and v move from a pixel to the next: to the right, below. Along the surface f moves by what a pixel is wide.
+vec4 rootFootprint;
+vec4 pixelFootprint() { return rootFootprint; }
+
+// Of a formula, by its derivatives of f.
+void setFootprint(real2 fu, real2 fv, real width) {
+  real perDeterminant = width / (fu.x * fv.y - fv.x * fu.y);
+  rootFootprint = vec4(real4(fv.y, -fu.y, -fv.x, fu.x) * perDeterminant);
+}
+#endif
+
 vec3 relative(vec3 object) {
   return varyingRelative[0].xyz * object.x + varyingRelative[1].xyz * object.y + varyingRelative[2].xyz * object.z;
 }

@@ -465,6 +465,9 @@ int rootOfPixel(out Root root) {
   root.front = (area(at) < 0.0) == flipped;
   root.depth = at.depth;
   root.residual = float(offset(at) / widthAt(at.depth));
+#ifdef LUXO_TEXTURED
+  setFootprint(at.fu, at.fv, widthAt(at.depth));
+#endif
   root.certified = certified(ray, p, at);
   return result;
 }

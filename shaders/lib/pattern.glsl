@@ -6,7 +6,7 @@
 #include "shared/scene_data.h"
 
 #ifndef LUXO_PATTERN_BINDING
-#define LUXO_PATTERN_BINDING 0
+#define LUXO_PATTERN_BINDING kBindingPatternParameters
 #endif
 layout(scalar, set = kSetPattern, binding = LUXO_PATTERN_BINDING) readonly buffer PatternParameters { float patternParameters[]; };
 

@@ -15,6 +15,11 @@ layout(scalar, set = kSetFound, binding = kBindingUniformMaterials) uniform Unif
   MaterialData uniformMaterials[kUniformMaterials];
 };
 
+#ifdef LUXO_TEXTURED
+layout(set = kSetPattern, binding = kBindingFoundFootprint) uniform sampler2D foundFootprints;
+vec4 pixelFootprint() { return texelFetch(foundFootprints, ivec2(gl_FragCoord.xy), 0); }
+#endif
+
 layout(location = 0) flat in vec4 inViewer;
 layout(location = 1) flat in vec3 inPlace[3];
 layout(location = 4) flat in vec3 inRay[3];

@@ -7,6 +7,10 @@ layout(location = 0) out vec4 outColor;
 #ifdef LUXO_FINDS_PARAMETERS
 layout(location = 1) out vec2 outParameters;
 #endif
+#ifdef LUXO_FINDS_FOOTPRINT
+layout(location = 2) out vec4 outFootprint;
+vec4 pixelFootprint();
+#endif
 
 // Lowest and highest u and v inside the surface: rounding must not lead across the end of the domain, where a pattern may
 // jump.
@@ -18,6 +22,9 @@ void show(Found found, float alpha) {
 #ifdef LUXO_FINDS_PARAMETERS
     vec4 bounds = patternBounds();
     outParameters = clamp(found.parameters, bounds.xy, bounds.zw);
+#endif
+#ifdef LUXO_FINDS_FOOTPRINT
+    outFootprint = pixelFootprint();
 #endif
   } else {
     outColor = vec4(lit(found), alpha);

@@ -6,10 +6,17 @@ layout(location = 2) in vec2 inParameters;
 
 layout(location = 14) sample out vec3 outDetail;  // u, v, silhouette()
 layout(location = 15) flat out vec4 outParameterBounds;
+#ifdef LUXO_RAY_FOOTPRINT
+layout(location = 4) in vec4 inFootprint;
+layout(location = 16) flat out vec4 outFootprint;
+#endif
 
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
   writeSurfaceVertex(instance);
   outDetail = vec3(inParameters, silhouette(instance));
   outParameterBounds = parameterBounds(instance);
+#ifdef LUXO_RAY_FOOTPRINT
+  outFootprint = inFootprint;
+#endif
 }

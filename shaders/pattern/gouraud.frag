@@ -11,6 +11,9 @@ layout(location = 6) flat in uvec3 inNumbers;
 layout(location = 14) sample in vec2 inParameters;
 
 #include "lib/pattern_of_mesh.glsl"
+#ifdef LUXO_TEXTURED
+vec4 pixelFootprint() { return vec4(dFdx(inParameters), dFdy(inParameters)); }
+#endif
 
 layout(location = 0) out vec4 outColor;
 

@@ -6,6 +6,9 @@ layout(location = 0) out vec4 outColor;
 
 #include "lib/gouraud_again.glsl"
 #include "lib/pattern_of_mesh.glsl"
+#ifdef LUXO_TEXTURED
+vec4 pixelFootprint() { return vec4(dFdx(inParameters), dFdy(inParameters)); }
+#endif
 #include "lib/again_found.glsl"
 
 void main() {

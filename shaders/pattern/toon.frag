@@ -4,5 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/toon.glsl"
 #include "lib/pattern_of_mesh.glsl"
+#ifdef LUXO_TEXTURED
+#include "lib/mesh_footprint.glsl"
+vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy, towardViewer(inViewer, inPosition)); }
+#endif
 
 void main() { outColor = vec4(drawn(patternAt(inDetail.xy)), inShininessOpacity.y); }

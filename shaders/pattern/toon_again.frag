@@ -5,6 +5,10 @@
 #include "lib/again.glsl"
 #include "lib/toon.glsl"
 #include "lib/pattern_of_mesh.glsl"
+#ifdef LUXO_TEXTURED
+#include "lib/mesh_footprint.glsl"
+vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy, towardViewer(inViewer, inPosition)); }
+#endif
 #include "lib/again_found.glsl"
 
 void main() {

@@ -33,6 +33,11 @@ LUXO_CONSTANT kSetShadow = 1;  // of draws that find what is in shadow there; th
 
 LUXO_CONSTANT kSetLayers = 3;  // of draws of what is seen through
 
+// Bindings of kSetPattern.
+LUXO_CONSTANT kBindingPatternParameters = 0;
+LUXO_CONSTANT kBindingTexels = 1;          // of textures
+LUXO_CONSTANT kBindingFoundFootprint = 2;  // of textures that light what an earlier pass has found
+
 // Bindings of kSetScene.
 LUXO_CONSTANT kBindingView = 0;
 LUXO_CONSTANT kBindingInstances = 1;
@@ -229,6 +234,18 @@ LUXO_CONSTANT kDrawnAgain = 0xffffffffu;
 LUXO_CONSTANT kBlendOver = 0;
 LUXO_CONSTANT kBlendAdd = 1;
 LUXO_CONSTANT kBlendMultiply = 2;
+
+// The parameters of a texture (shaders/lib/texture.glsl), as draw/texture_list.cpp lists them.
+LUXO_CONSTANT kTextureLinear = 0;    // columns of the matrix that takes u and v to the image
+LUXO_CONSTANT kTextureConstant = 4;  // what is added
+LUXO_CONSTANT kTextureTint = 6;
+LUXO_CONSTANT kTextureSize = 9;
+LUXO_CONSTANT kTextureLevels = 11;
+LUXO_CONSTANT kTextureFirst = 12;    // the first texel's index: 65536 times the first number, and the second
+LUXO_CONSTANT kTextureWraps = 14;    // of u, of v
+LUXO_CONSTANT kTextureNearest = 16;  // instead of a filter
+LUXO_CONSTANT kTextureAnisotropy = 17;
+LUXO_CONSTANT kTextureNumbers = 18;
 
 struct LightData {
   vec4 position;  // w = 1: a point; w = 0: the unit direction toward a light at infinity

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "draw/exact_source.h"
+#include "scene/pattern.h"
 #include "support/spirv.h"
 #include "surface/catalogue.h"
 
@@ -63,7 +64,7 @@ TEST(ExactShaders, OtherFormulasHaveNone) {
   EXPECT_TRUE(carriedFor(surface).empty());
   const Surface sphere = makeSurface("sphere");
   const Pattern stripes = pattern([](auto u, auto v) { return point(u, v, mod(floor(7.316 * u), 2)); });
-  EXPECT_TRUE(builtInExactShader(surfaceCode(*sphere.patches()[0].function, 0), stripes).empty());
+  EXPECT_TRUE(builtInExactShader(surfaceCode(*sphere.patches()[0].function, 0), stripes.glsl()).empty());
   // What comes before all and what comes after all in the table.
   EXPECT_TRUE(builtInExactShader({.glsl = ""}).empty());
   EXPECT_TRUE(builtInExactShader({.glsl = "~"}).empty());

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// The texture of a material, as a pattern: filtered by luxo itself, as engine/scene/texture_map.h says, whose numbers the
+// ground truth has in double. All texels of a picture's textures are in one buffer, level after level, row after row.
+
+layout(set = kSetPattern, binding = kBindingTexels) uniform samplerBuffer texels;
+
+// How u and v move from a pixel to the next: u, v to the right, u, v below. Whoever includes this knows.
+vec4 pixelFootprint();
+
+const float kMostStep = 1e6;  // of a footprint, images: whatever is more is all the same
+const uint kWrapClamp = 1, kWrapMirror = 2;
+
+struct TextureNumbers {
+  vec2 size;
+  float levels, anisotropy;
+  int first;
+  uint wrapU, wrapV;
+};
+
+struct TexelLevel {
+  int first;
+  ivec2 size;
+};
+
+TextureNumbers textureNumbers() {
+  return TextureNumbers(vec2(parameterAt(kTextureSize), parameterAt(kTextureSize + 1)), parameterAt(kTextureLevels),
+                        parameterAt(kTextureAnisotropy), 65536 * int(parameterAt(kTextureFirst)) + int(parameterAt(kTextureFirst + 1)),
+                        uint(parameterAt(kTextureWraps)), uint(parameterAt(kTextureWraps + 1)));
+}
+
+// Reduced to the part that wraps know: 0 to 1, or to 2.
+float reduced(float x, uint wrap) {
+  float period = wrap == kWrapMirror ? 2.0 : 1.0;
+  return wrap == kWrapClamp ? clamp(x, -1.0, 2.0) : x - period * floor(x / period);
+}
+
+// Of an index that is at most one period off.
+int wrapped(int i, int size, uint wrap) {
+  int period = wrap == kWrapMirror ? 2 * size : size, inside = i < 0 ? i + period : i >= period ? i - period : i;
+  return wrap == kWrapClamp ? clamp(i, 0, size - 1) : inside < size ? inside : period - 1 - inside;
+}
+
+TexelLevel firstLevel(TextureNumbers numbers) { return TexelLevel(numbers.first, ivec2(numbers.size)); }
+TexelLevel nextLevel(TexelLevel level) {
+  return TexelLevel(level.first + level.size.x * level.size.y, max(level.size / 2, ivec2(1)));
+}
+
+// Colours times alpha.
+vec4 weighedTexel(TextureNumbers numbers, TexelLevel level, int x, int y) {
+  vec4 texel = texelFetch(texels, level.first + wrapped(y, level.size.y, numbers.wrapV) * level.size.x +
+                                      wrapped(x, level.size.x, numbers.wrapU));
+  return vec4(texel.rgb * texel.a, texel.a);
+}
+
+vec2 inTexels(TextureNumbers numbers, TexelLevel level, vec2 place) {
+  return vec2(reduced(place.x, numbers.wrapU), reduced(place.y, numbers.wrapV)) * vec2(level.size);
+}
+
+vec4 bilinear(TextureNumbers numbers, TexelLevel level, vec2 place) {
+  vec2 at = inTexels(numbers, level, place) - 0.5, low = floor(at), part = at - low;
+  int x = int(low.x), y = int(low.y);
+  return mix(mix(weighedTexel(numbers, level, x, y), weighedTexel(numbers, level, x + 1, y), part.x),
+             mix(weighedTexel(numbers, level, x, y + 1), weighedTexel(numbers, level, x + 1, y + 1), part.x), part.y);
+}
+
+vec4 nearestTexel(TextureNumbers numbers, vec2 place) {
+  ivec2 at = ivec2(floor(inTexels(numbers, firstLevel(numbers), place)));
+  return weighedTexel(numbers, firstLevel(numbers), at.x, at.y);
+}
+
+float stepOf(float x) { return abs(x) <= kMostStep ? x : kMostStep; }
+
+vec4 filteredTexels(TextureNumbers numbers, vec2 place, mat2 steps) {
+  for (int i = 0; i < 2; ++i) steps[i] = numbers.size * vec2(stepOf(steps[i].x), stepOf(steps[i].y));
+  // The ellipse's axes, texels: the matrix's singular values, and where it takes the first's vector.
+  float a = steps[0].x * steps[0].x + steps[1].x * steps[1].x, b = steps[0].x * steps[0].y + steps[1].x * steps[1].y,
+        c = steps[0].y * steps[0].y + steps[1].y * steps[1].y;
+  float half_ = 0.5 * (a - c), radius = sqrt(half_ * half_ + b * b), longer = sqrt(0.5 * (a + c) + radius);
+  float shorter = abs(steps[0].x * steps[1].y - steps[0].y * steps[1].x) / max(longer, 1e-30);
+  vec2 direction = half_ > 0.0 ? vec2(half_ + radius, b) : vec2(b, radius - half_);
+  float size = length(direction);
+  direction = size > 0.0 ? direction / size : vec2(1, 0);
+
+  float width = max(max(shorter, longer / numbers.anisotropy), 1.0), len = max(longer / width, 1.0);
+  float level = clamp(log2(width), 0.0, numbers.levels - 1.0);
+  TexelLevel finer = firstLevel(numbers);
+  for (int k = 0; k < int(level); ++k) finer = nextLevel(finer);
+  TexelLevel coarser = nextLevel(finer);
+  if (level >= numbers.levels - 1.0) coarser = finer;
+  float part = level - floor(level);
+  int side = int(ceil(0.5 * (len - 1.0)));
+  vec4 sum = vec4(0);
+  for (int k = -side; k <= side; ++k) {
+    vec2 at = place + float(k) * width * direction / numbers.size;
+    sum += clamp(0.5 * (len + 1.0) - abs(float(k)), 0.0, 1.0) *
+           mix(bilinear(numbers, finer, at), bilinear(numbers, coarser, at), part);
+  }
+  return sum / len;
+}
+
+void patternPaint(float u, float v, out vec4 paint) {
+  mat2 linear = mat2(parameterAt(kTextureLinear), parameterAt(kTextureLinear + 1), parameterAt(kTextureLinear + 2),
+                     parameterAt(kTextureLinear + 3));
+  vec2 place = linear * vec2(u, v) + vec2(parameterAt(kTextureConstant), parameterAt(kTextureConstant + 1));
+  TextureNumbers numbers = textureNumbers();
+  vec4 footprint = pixelFootprint();
+  vec4 color = parameterAt(kTextureNearest) != 0.0 ? nearestTexel(numbers, place)
+                                                   : filteredTexels(numbers, place, linear * mat2(footprint.xy, footprint.zw));
+  vec3 tint = vec3(parameterAt(kTextureTint), parameterAt(kTextureTint + 1), parameterAt(kTextureTint + 2));
+  paint = vec4(tint * (color.a > 0.0 ? color.rgb / color.a : vec3(0)), 1.0);
+}

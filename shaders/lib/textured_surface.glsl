@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The footprint of a fragment of triangles, or, with LUXO_BY_RAYS, of a point that a ray has found: from there.
+#include "lib/surface_fragment.glsl"
+
+layout(location = 14) sample in vec3 inDetail;
+
+vec2 foundParameters() { return inDetail.xy; }
+
+#ifdef LUXO_BY_RAYS
+layout(location = 16) flat in vec4 inFootprint;
+vec4 pixelFootprint() { return inFootprint; }
+#else
+#include "lib/mesh_footprint.glsl"
+vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy, towardViewer(inViewer, inPosition)); }
+#endif

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light on a texture where rays have found it.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define LUXO_BY_RAYS
+#include "lib/textured_surface.glsl"
+#include "lib/pattern_of_mesh.glsl"
+#include "lib/lit_pattern.glsl"
+
+void main() { show(foundPoint(), inShininessOpacity.y); }
