@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/texture.h"
 #include "math/transform.h"
 
 namespace luxo {
@@ -63,13 +64,18 @@ Material materialOf(const ModelMaterial& from) {
           .twoSided = from.twoSided ? TwoSided::Yes : TwoSided::Auto};
 }
 
+Texture colorTexture(const ModelImage& image) {
+  return image.bytes ? decodeTexture(*image.bytes, image.name, Codes::Srgb)
+                     : loadTexture(image.file, Codes::Srgb);
+}
+
 class ModelBuilder {
  public:
-  explicit ModelBuilder(const ModelPtr& model) : model_(model) {}
+  explicit ModelBuilder(const ModelPtr& model) : model_(model), images_(model->images.size()) {}
 
   Scene build() {
     for (const ModelMaterial& material : model_->materials)
-      materials_.push_back(scene_.add(materialOf(material)));
+      materials_.push_back(scene_.add(mapped(material)));
     for (std::uint32_t i = 0; i < model_->nodes.size(); ++i) addNode(i);
     if (model_->lights.empty()) addLights();
     return std::move(scene_);
@@ -108,6 +114,26 @@ class ModelBuilder {
                         .surface = Surface(*mesh, group),
                         .material = materials_[group.material]});
     if (from.camera != kNone) addCamera(index, model_->cameras[from.camera]);
+  }
+
+  /// Each image that a colour is read from is decoded once.
+  [[nodiscard]] Material mapped(const ModelMaterial& from) {
+    using enum ModelMap::Wrap;
+    Material material = materialOf(from);
+    if (!from.map.given()) return material;
+    std::shared_ptr<const Texture>& texture = images_.at(from.map.image);
+    if (!texture) texture = std::make_shared<const Texture>(colorTexture(model_->images[from.map.image]));
+    const auto wrap = [](ModelMap::Wrap w) {
+      return w == Repeat ? TextureWrap::Repeat : w == Clamp ? TextureWrap::Clamp : TextureWrap::Mirror;
+    };
+    material.map = {.texture = texture,
+                    .wrapU = wrap(from.map.wrapU),
+                    .wrapV = wrap(from.map.wrapV),
+                    .filter = from.map.nearest ? TextureFilter::Nearest : TextureFilter::Trilinear,
+                    .offset = from.map.offset,
+                    .scale = from.map.scale,
+                    .angle = from.map.angle};
+    return material;
   }
 
   [[nodiscard]] static Light lightOf(const ModelLight& from) {
@@ -159,6 +185,7 @@ class ModelBuilder {
 
   ModelPtr model_;
   Scene scene_;
+  std::vector<std::shared_ptr<const Texture>> images_;
   std::vector<MaterialId> materials_;
   std::vector<NodeId> nodes_;
 };
@@ -190,9 +217,12 @@ std::vector<std::string> notDrawn(const Model& model) {
   };
   tell(
       [](const ModelMaterial& m) {
-        return m.map.given() || m.normalMap.given() || m.specularMap.given() || m.glowMap.given();
+        return m.normalMap.given() || m.specularMap.given() || m.glowMap.given();
       },
-      "maps are");
+      "maps of normals, highlights and glow are");
+  tell([](const ModelMaterial& m) { return m.map.given() && m.opacity < 1; },
+       "maps of what is seen through are");
+  tell([](const ModelMaterial& m) { return m.map.given() && m.opacityFromMap; }, "opacities from maps are");
   tell([](const ModelMaterial& m) { return m.glow != Vec3(0); }, "light of its own is");
   return messages;
 }

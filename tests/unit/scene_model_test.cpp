@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
+#include "image/image.h"
+#include "image/png.h"
 #include "scene/model_files.h"
 #include "scene/scene_builder.h"
 #include "scene_test_support.h"
@@ -147,11 +150,43 @@ TEST(ModelScene, TellsWhatIsNotDrawn) {
   EXPECT_TRUE(notDrawn(model).empty());
   model.materials.push_back({.name = "wood"});
   model.materials.back().map.image = 0;
+  EXPECT_TRUE(notDrawn(model).empty());
+  model.materials.back().opacityFromMap = true;
   model.materials.push_back({.name = "bark", .glow = Vec3(1)});
   model.materials.back().normalMap.image = 0;
+  model.materials.push_back({.name = "leaf", .opacity = 0.5});
+  model.materials.back().map.image = model.materials.back().specularMap.image = 0;
   EXPECT_EQ(notDrawn(model),
-            (std::vector<std::string>{"material 'wood' and 1 more: maps are not drawn yet",
-                                      "material 'bark': light of its own is not drawn yet"}));
+            (std::vector<std::string>{
+                "material 'bark' and 1 more: maps of normals, highlights and glow are not drawn yet",
+                "material 'leaf': maps of what is seen through are not drawn yet",
+                "material 'wood': opacities from maps are not drawn yet",
+                "material 'bark': light of its own is not drawn yet"}));
+}
+
+TEST(ModelScene, HasTheColoursMaps) {
+  Model model = lampModel();
+  Image image(2, 1, 3, {1, 0, 0, 0, 1, 0});
+  model.images = {
+      {.name = "two.png", .bytes = std::make_shared<const std::vector<std::byte>>(encodePng(image))}};
+  ModelMap& map = model.materials[0].map;
+  map = {.image = 0,
+         .wrapU = ModelMap::Wrap::Mirror,
+         .nearest = true,
+         .offset = {0.5, 0},
+         .scale = {2, 3},
+         .angle = 1};
+  const Snapshot snapshot =
+      takeSnapshot(modelScene(std::make_shared<const Model>(std::move(model))), 0, {64, 64});
+  const TextureMap& drawn = snapshot.materials.at(snapshot.nodes.at(0).material.index).map;
+  ASSERT_TRUE(drawn.valid());
+  EXPECT_EQ(drawn.texture->levels[0].texel(1, 0), (std::array<float, 4>{0, 1, 0, 1}));
+  EXPECT_EQ(drawn.wrapU, TextureWrap::Mirror);
+  EXPECT_EQ(drawn.wrapV, TextureWrap::Repeat);
+  EXPECT_EQ(drawn.filter, TextureFilter::Nearest);
+  EXPECT_EQ(drawn.offset, Vec2(0.5, 0));
+  EXPECT_EQ(drawn.scale, Vec2(2, 3));
+  EXPECT_EQ(drawn.angle, 1);
 }
 
 }  // namespace
