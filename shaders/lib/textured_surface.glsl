@@ -11,5 +11,5 @@ layout(location = 16) flat in vec4 inFootprint;
 vec4 pixelFootprint() { return inFootprint; }
 #else
 #include "lib/mesh_footprint.glsl"
-vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy, towardViewer(inViewer, inPosition)); }
+vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
 #endif

@@ -6,7 +6,7 @@
 #include "lib/pattern_of_mesh.glsl"
 #ifdef LUXO_TEXTURED
 #include "lib/mesh_footprint.glsl"
-vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy, towardViewer(inViewer, inPosition)); }
+vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
 #endif
 
 void main() { outColor = vec4(drawn(patternAt(inDetail.xy)), inShininessOpacity.y); }

@@ -7,7 +7,7 @@
 #include "lib/pattern_of_mesh.glsl"
 #ifdef LUXO_TEXTURED
 #include "lib/mesh_footprint.glsl"
-vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy, towardViewer(inViewer, inPosition)); }
+vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
 #endif
 #include "lib/again_found.glsl"
 

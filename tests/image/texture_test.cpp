@@ -42,7 +42,8 @@ TextureMap tiles(int side, int texels) {
 
 class TexturePicture : public VerifiedPictureTest {
  protected:
-  /// Nothing lost, every pixel's point right, and its colour within a code of the truth.
+  /// Nothing lost, every pixel's point right, and its colour within a code of the truth, but for pixels at
+  /// edges of triangles: beyond, (u, v) run otherwise.
   Verified expectTruth(const Snapshot& snapshot, std::uint64_t pixels) {
     Verified found = verified(snapshot);
     const Verification& v = found.verification;
@@ -51,7 +52,7 @@ class TexturePicture : public VerifiedPictureTest {
     EXPECT_EQ(v.wrong.total(), 0U) << v.wrong.hitMiss << " hit or miss, " << v.wrong.layer << " layer, "
                                    << v.wrong.point << " point, " << v.wrong.light << " light";
     EXPECT_EQ(v.nanPixels, 0U);
-    EXPECT_LE(v.color.difference.max, kCode);
+    EXPECT_LE(v.color.difference.p999, kCode / 10);
     return found;
   }
 };

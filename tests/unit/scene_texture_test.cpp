@@ -198,8 +198,8 @@ TEST(SceneTextures, MistakesAreToldWithTheirPlace) {
       {R"("textures": { "w": { "color": 1 } }, "materials": { "m": { "diffuse": ["u", 0, 0], "map": "w" } })",
        {"s:2:", "there is a map, too"}},
   };
-  for (const auto& [members, texts] : kMistakes)
-    expectSceneError([&] { static_cast<void>(built(members)); }, texts);
+  for (const auto& mistake : kMistakes)
+    expectSceneError([&] { static_cast<void>(built(mistake.first)); }, mistake.second);
 }
 
 class TextureFolder : public ::testing::Test {
