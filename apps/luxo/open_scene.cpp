@@ -17,6 +17,7 @@
 #include "scene/model_scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
+#include "scene/texture_files.h"
 #include "scenes/embedded_scenes.h"
 #include "scenes/gallery.h"
 
@@ -112,9 +113,9 @@ std::filesystem::path fileOfScene(const std::string& scene) {
 }
 
 Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,
-                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs) {
+                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs, WarningsAbout about) {
   if (const EmbeddedScene* embedded = embeddedScene(scene))
-    return buildScene(parseScene(std::string(embedded->text), scene), parameters, warnings);
+    return buildScene(parseScene(std::string(embedded->text), scene), parameters, warnings, about);
   if (scene == kGallery) {
     refuseParameters(scene, parameters);
     return gallery();
@@ -127,17 +128,18 @@ Scene openScene(const std::string& scene, std::span<const ParameterValue> parame
   if (scene != kStandardInput) requireKnown(scene);
   const SceneFile file =
       scene == kStandardInput ? readScene(std::cin, "standard input") : readSceneFile(scene);
-  Scene built = buildScene(file, parameters, warnings);
+  Scene built = buildScene(file, parameters, warnings, about);
   if (file.source.models) addInputs(file.source.models->files(), inputs);
+  if (file.source.textures) addInputs(file.source.textures->files(), inputs);
   return built;
 }
 
 Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,
-                 std::vector<std::string>* warnings) {
+                 std::vector<std::string>* warnings, WarningsAbout about) {
   std::vector<ParameterOverride> overrides;
   for (const auto& [name, value] : parameters) overrides.push_back({name, quantityOf(value)});
   std::vector<Diagnostic> found;
-  Scene scene = buildScene(file, overrides, warnings != nullptr ? &found : nullptr);
+  Scene scene = buildScene(file, overrides, warnings != nullptr ? &found : nullptr, about);
   for (const Diagnostic& diagnostic : found)
     warnings->push_back(
         describe(file.source.name, file.source.text ? *file.source.text : std::string(), diagnostic));

@@ -10,6 +10,7 @@
 #include "option_values.h"
 #include "output_files.h"
 #include "scene/scene.h"
+#include "scene/scene_builder.h"
 #include "scene/scene_file.h"
 
 namespace luxo {
@@ -30,13 +31,14 @@ struct BuiltinScene {
 /// read it. `inputs`, where given, takes the files that it is made of, so that none is overwritten.
 [[nodiscard]] Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters = {},
                               std::vector<std::string>* warnings = nullptr,
-                              std::vector<NamedFile>* inputs = nullptr);
+                              std::vector<NamedFile>* inputs = nullptr,
+                              WarningsAbout about = WarningsAbout::All);
 
 /// The file behind a scene: empty for built-in ones and standard input.
 [[nodiscard]] std::filesystem::path fileOfScene(const std::string& scene);
 
 /// As openScene(), for a description that is in memory.
 [[nodiscard]] Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,
-                               std::vector<std::string>* warnings);
+                               std::vector<std::string>* warnings, WarningsAbout about = WarningsAbout::All);
 
 }  // namespace luxo

@@ -20,7 +20,6 @@
 #include "image/file.h"
 #include "image/format.h"
 #include "interruption.h"
-#include "mesh/model.h"
 #include "open_scene.h"
 #include "output_files.h"
 #include "picture_engine.h"
@@ -342,12 +341,13 @@ class Run {
 };
 
 int renderScene(const RenderRequest& request) {
-  // Looking for holes takes time; what a model lacks is known.
-  const bool warn = request.verbosity == Verbosity::Verbose ||
-                    (request.verbosity == Verbosity::Normal && namesModel(request.scene));
+  // Looking for holes takes time; what a model or a texture lacks is known.
+  const bool warn = request.verbosity == Verbosity::Verbose || request.verbosity == Verbosity::Normal;
+  const auto about =
+      request.verbosity == Verbosity::Verbose ? WarningsAbout::All : WarningsAbout::WhatIsLacking;
   std::vector<std::string> warnings;
   std::vector<NamedFile> inputs;
-  Scene scene = openScene(request.scene, request.parameters, warn ? &warnings : nullptr, &inputs);
+  Scene scene = openScene(request.scene, request.parameters, warn ? &warnings : nullptr, &inputs, about);
   for (const std::string& warning : warnings) printWarning(warning);
   return renderToFiles(std::move(scene), request, inputs);
 }

@@ -365,9 +365,12 @@ class Judge {
         certified && inAnotherLight(caster, i, *hit, -ray.direction, color, shown->pixel, kLeastOnMesh);
   }
 
+  /// In exact shading: other ones have colours of their own.
   [[nodiscard]] bool showsTexture(std::uint32_t i) const {
     const auto node = layers_.nodeOf(truth_.number[i]);
-    return node && snapshot_.materials[snapshot_.nodes[*node].material.index].drawsMap();
+    if (!node) return false;
+    const Material& material = snapshot_.materials[snapshot_.nodes[*node].material.index];
+    return material.drawsMap() && material.shadingIn(options_.shading) == Shading::Exact;
   }
 
   /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.

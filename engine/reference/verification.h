@@ -103,7 +103,8 @@ inline constexpr double kPointPx = 1e-3;
 struct WrongPixels {
   std::uint64_t hitMiss = 0;  ///< a surface where there is none, or none where there is one
   std::uint64_t layer = 0;    ///< another node, or another part of the node
-  /// A light is seen that is in shadow, or the other way round; or a texture's colour is off by 1/255.
+  /// A light is seen that is in shadow, or the other way round; or, in exact shading, a texture's
+  /// colour is off by 1/255.
   std::uint64_t light = 0;
   std::uint64_t point = 0;  ///< off by more than kPointPx and rounding, or a value that is not a number
   std::vector<std::uint32_t> pixels;  ///< row * width + column, ascending

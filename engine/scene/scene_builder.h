@@ -18,6 +18,10 @@ struct ParameterOverride {
   Quantity value;
 };
 
+/// What warnings tell: all that is probably not meant; or only what the picture goes without, files and maps,
+/// which is known at no cost.
+enum class WarningsAbout { All, WhatIsLacking };
+
 /// The scene of a description. Its parameters are those of the file, each after those that it needs; all of
 /// them stay free: setParameter() changes the next snapshot and recompiles nothing.
 ///
@@ -28,6 +32,7 @@ struct ParameterOverride {
 /// `warnings`, where given, takes what is allowed but probably not meant: holes in a surface with their
 /// (u, v) region, kinks, things that nobody uses. Finding holes costs a few thousand evaluations per surface.
 [[nodiscard]] Scene buildScene(const SceneFile& file, std::span<const ParameterOverride> overrides = {},
-                               std::vector<Diagnostic>* warnings = nullptr);
+                               std::vector<Diagnostic>* warnings = nullptr,
+                               WarningsAbout about = WarningsAbout::All);
 
 }  // namespace luxo

@@ -73,13 +73,14 @@ struct MovingMaterial;
 class SceneConstruction {
  public:
   SceneConstruction(const SceneFile& file, std::span<const ParameterOverride> overrides,
-                    SceneProblems& problems, std::vector<Diagnostic>* warnings)
+                    SceneProblems& problems, std::vector<Diagnostic>* warnings, WarningsAbout about)
       : file_(file),
         problems_(problems),
         variables_(file, overrides, problems, scene_),
         formulas_(variables_, problems),
-        shapes_(variables_, formulas_, problems, warnings),
-        images_(formulas_, problems, warnings) {}
+        shapes_(variables_, formulas_, problems, warnings, about),
+        images_(formulas_, problems, warnings),
+        warnings_(warnings) {}
 
   Scene build() {
     for (const TextureDesc& texture : file_.textures)
@@ -119,6 +120,7 @@ class SceneConstruction {
   MomentFormulas formulas_;
   ShapeBuilder shapes_;
   TextureBuilder images_;
+  std::vector<Diagnostic>* warnings_;
   Named<TextureMap> textures_{"texture"};
   Named<MaterialId> materials_{"material"};
   Named<std::size_t> surfaceIndices_{"surface"};
@@ -206,6 +208,10 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     material.specular = formulas_.vector(desc.specular, kLight);
     material.shininess = formulas_.number(desc.shininess, kLight);
     if (desc.map) addMap(*desc.map, material);
+    const bool opaque = desc.opacity == Quantity(1) && desc.blend == Blend::Over;
+    if (desc.map && !opaque && warnings_)
+      warnings_->push_back(
+          {rangeOf(desc.map->texture.place), "maps of what is seen through are not drawn yet", {}});
     materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
   });
 }
@@ -349,19 +355,19 @@ void SceneConstruction::setRender(const RenderDesc& desc) {
 }  // namespace
 
 Scene constructScene(const SceneFile& file, std::span<const ParameterOverride> overrides,
-                     SceneProblems& problems, std::vector<Diagnostic>* warnings) {
-  Scene scene = SceneConstruction(file, overrides, problems, warnings).build();
+                     SceneProblems& problems, std::vector<Diagnostic>* warnings, WarningsAbout about) {
+  Scene scene = SceneConstruction(file, overrides, problems, warnings, about).build();
   if (warnings) {
-    addFileWarnings(file, *warnings);
+    if (about == WarningsAbout::All) addFileWarnings(file, *warnings);
     std::ranges::stable_sort(*warnings, {}, [](const Diagnostic& warning) { return warning.where.begin; });
   }
   return scene;
 }
 
 Scene buildScene(const SceneFile& file, std::span<const ParameterOverride> overrides,
-                 std::vector<Diagnostic>* warnings) {
+                 std::vector<Diagnostic>* warnings, WarningsAbout about) {
   SceneProblems problems(file.source);
-  Scene scene = constructScene(file, overrides, problems, warnings);
+  Scene scene = constructScene(file, overrides, problems, warnings, about);
   problems.raise();
   return scene;
 }

@@ -13,6 +13,7 @@ namespace luxo {
 /// As buildScene(), but what is wrong with the description goes to `problems`; the scene then lacks it.
 /// Throws Error(Usage) for what is wrong with an override.
 [[nodiscard]] Scene constructScene(const SceneFile& file, std::span<const ParameterOverride> overrides,
-                                   SceneProblems& problems, std::vector<Diagnostic>* warnings);
+                                   SceneProblems& problems, std::vector<Diagnostic>* warnings,
+                                   WarningsAbout about = WarningsAbout::All);
 
 }  // namespace luxo

@@ -120,14 +120,6 @@ void warnOfBrightness(const MaterialDesc& material, std::vector<Diagnostic>& war
              : std::string()});
 }
 
-/// What is seen through has no footprint yet.
-void warnOfTransparentMap(const MaterialDesc& material, std::vector<Diagnostic>& warnings) {
-  const bool opaque = material.opacity == Quantity(1) && material.blend == Blend::Over;
-  if (material.map && !opaque)
-    warnings.push_back(
-        {rangeOf(material.map->texture.place), "maps of what is seen through are not drawn yet", {}});
-}
-
 /// A radius makes shadows soft, and nothing else.
 void warnOfRadius(const LightDesc& light, std::vector<Diagnostic>& warnings) {
   const bool hasRadius = light.radius.isFormula() || light.radius.number() != 0;
@@ -203,7 +195,6 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
       warnings.push_back({rangeOf(texture.name.place),
                           fmt::format("no material uses the texture '{}'", texture.name.text),
                           {}});
-  for (const MaterialDesc& material : file.materials) warnOfTransparentMap(material, warnings);
   for (const MaterialDesc& material : file.materials) warnOfBrightness(material, warnings);
   for (const NodeDesc& node : file.nodes)
     if (node.light) warnOfRadius(*node.light, warnings);

@@ -106,7 +106,7 @@ Surface ShapeBuilder::build(const SurfaceDesc& desc) {
   try {
     Surface surface =
         std::visit([&](const auto& shape) { return buildShape(desc.name.text, shape); }, desc.shape);
-    if (surface.valid() && warnings_) warn(desc, surface);
+    if (surface.valid() && warnings_ && about_ == WarningsAbout::All) warn(desc, surface);
     return surface;
   } catch (const Error& error) {
     problems_.add(desc.name.place, error.what(), error.hint());
@@ -180,7 +180,7 @@ void ShapeBuilder::checkClosed(const FormulaShape& shape, const Surface& surface
           fmt::format("the surface is not closed in {}: its edges at {} = {:.9g} and {} = {:.9g} differ",
                       name, name, range.lo, name, range.hi),
           "leave \"closed\" out: luxo finds what closes");
-    if (!(*shape.closed)[i] && found[i] && warnings_)
+    if (!(*shape.closed)[i] && found[i] && warnings_ && about_ == WarningsAbout::All)
       warnings_->push_back({rangeOf(shape.closedPlace), fmt::format("the surface is closed in {}", name),
                             "leave \"closed\" out: luxo finds what closes"});
   }

@@ -9,6 +9,7 @@
 #include "base/diagnostic.h"
 #include "scene/moment_formulas.h"
 #include "scene/pattern.h"
+#include "scene/scene_builder.h"
 #include "scene/scene_variables.h"
 #include "surface/surface.h"
 
@@ -18,8 +19,8 @@ class ShapeBuilder {
  public:
   /// `warnings` may be null.
   ShapeBuilder(const SceneVariables& variables, MomentFormulas& formulas, SceneProblems& problems,
-               std::vector<Diagnostic>* warnings)
-      : variables_(variables), formulas_(formulas), problems_(problems), warnings_(warnings) {}
+               std::vector<Diagnostic>* warnings, WarningsAbout about)
+      : variables_(variables), formulas_(formulas), problems_(problems), warnings_(warnings), about_(about) {}
 
   /// No surface where something is wrong, which is then among the problems. Topology is that at time 0 with
   /// the parameters' initial values.
@@ -54,6 +55,7 @@ class ShapeBuilder {
   MomentFormulas& formulas_;
   SceneProblems& problems_;
   std::vector<Diagnostic>* warnings_;
+  WarningsAbout about_;
 };
 
 }  // namespace luxo

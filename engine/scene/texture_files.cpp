@@ -15,4 +15,11 @@ std::shared_ptr<const Texture> TextureFiles::get(const std::string& name, Codes 
   return texture;
 }
 
+std::vector<std::filesystem::path> TextureFiles::files() {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::filesystem::path> files;
+  for (const auto& [key, texture] : textures_) files.push_back(folder_ / key.first);
+  return files;
+}
+
 }  // namespace luxo

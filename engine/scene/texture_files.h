@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "image/codes.h"
 #include "image/texture.h"
@@ -23,6 +24,8 @@ class TextureFiles {
   /// The image in a file that is named relative to the folder, and is in it; null where there is no such
   /// file. Error(Scene): it leads out of the folder, or what loadTexture() says.
   [[nodiscard]] std::shared_ptr<const Texture> get(const std::string& name, Codes codes);
+  /// Of all textures so far.
+  [[nodiscard]] std::vector<std::filesystem::path> files();
 
  private:
   std::filesystem::path folder_;

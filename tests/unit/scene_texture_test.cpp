@@ -237,6 +237,12 @@ TEST_F(TextureFolder, WithoutItsFileItIsDrawnWithoutAndSaidOnce) {
   std::size_t about = 0;
   for (const Diagnostic& warning : warnings) about += warning.message.find("'wood.png'") != std::string::npos;
   EXPECT_EQ(about, 1U);
+  // Also where nobody asks for what takes time, or for advice.
+  warnings.clear();
+  static_cast<void>(buildScene(parseScene("{ \"luxo\": 1,\n" + members + " }", "s", folder_), {}, &warnings,
+                               WarningsAbout::WhatIsLacking));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].message.find("drawn without"), std::string::npos);
 }
 
 TEST_F(TextureFolder, ADamagedFileIsAnError) {
