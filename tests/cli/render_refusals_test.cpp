@@ -147,7 +147,9 @@ TEST_F(RenderRefusals, FilesThatAModelNamesAreNotOverwritten) {
   const ScopedVariable hidden("VK_DRIVER_FILES", "/nonexistent");
   writeText(folder / "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
   writeText(folder / "m.mtl", "newmtl a\nmap_Kd wood.png\n");
-  writeText(folder / "wood.png", "no picture, but there");
+  const Outcome wood =
+      run(folder, {"render", "sphere", "--engine", "reference", "--size", "2x2", "-q", "-o", "wood.png"});
+  ASSERT_EQ(wood.code, 0) << wood.err;
   writeText(
       folder / "s.luxo.json",
       R"({ "luxo": 1, "surfaces": { "m": { "type": "mesh", "file": "m.obj" } }, "nodes": [ { "surface": "m" } ] })");
@@ -161,6 +163,11 @@ TEST_F(RenderRefusals, FilesThatAModelNamesAreNotOverwritten) {
     }
   expectFailure(run(folder, {"verify", "s.luxo.json", "--report", "m.mtl"}), 2, "would overwrite",
                 "another name");
+  writeText(
+      folder / "t.luxo.json",
+      R"({ "luxo": 1, "textures": { "w": { "file": "wood.png" } }, "materials": { "w": { "map": "w" } }, "surfaces": { "s": { "type": "sphere" } }, "nodes": [ { "surface": "s", "material": "w" } ] })");
+  expectFailure(run(folder, {"render", "t.luxo.json", "-q", "-o", "wood.png"}), 2, "would overwrite",
+                "choose another name");
 }
 
 TEST_F(RenderRefusals, ScenesAreFilesOrStandardInput) {
