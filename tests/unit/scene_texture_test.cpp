@@ -221,7 +221,7 @@ TEST_F(TextureFolder, FilesAreReadRelativeToTheScene) {
   const Scene scene = built(R"("textures": { "four": { "file": "four.png" } },
     "materials": { "m": { "map": "four" } }, "nodes": [ { "material": "m" } ])",
                             nullptr, folder_);
-  const TextureMap& map = materialOf(takeSnapshot(scene, 0, {8, 8})).map;
+  const TextureMap map = materialOf(takeSnapshot(scene, 0, {8, 8})).map;
   ASSERT_TRUE(map.valid());
   EXPECT_EQ(map.texture->levels[0].texel(1, 0), (std::array<float, 4>{0, 1, 0, 1}));
 }
