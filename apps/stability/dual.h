@@ -43,6 +43,23 @@ struct Dual {
   const long double root = std::sqrt(x.value);
   return chain(x, root, 1 / (2 * root));
 }
+/// engine/math/cardinal.h, here by its definition: the quotient and, near 0, the series.
+[[nodiscard]] inline long double cardinal(long double w, int order) {
+  if (order > 0 && std::abs(w) > 9)  // x f' = (cos x - f) / 2 with w = x^2, and so on upwards
+    return ((2 * order - 1) * cardinal(w, order - 1) -
+            (order == 1 ? (w > 0 ? std::cos(std::sqrt(w)) : std::cosh(std::sqrt(-w)))
+                        : cardinal(w, order - 2))) /
+           w;
+  if (order == 0 && w > 9) return std::sin(std::sqrt(w)) / std::sqrt(w);
+  if (order == 0 && w < -9) return std::sinh(std::sqrt(-w)) / std::sqrt(-w);
+  long double term = 1, sum = 0;
+  for (int n = 1; n <= order; ++n) term /= 2 * n + 1;
+  for (int k = 1; k <= 40; term *= -w / (2 * k * (2 * order + 2 * k + 1)), ++k) sum += term;
+  return sum;
+}
+[[nodiscard]] inline Dual cardinal(const Dual& x, int order) {
+  return chain(x, cardinal(x.value, order), -cardinal(x.value, order + 1) / 2);
+}
 [[nodiscard]] inline Dual exp(const Dual& x) { return chain(x, std::exp(x.value), std::exp(x.value)); }
 [[nodiscard]] inline Dual log(const Dual& x) { return chain(x, std::log(x.value), 1 / x.value); }
 [[nodiscard]] inline Dual sin(const Dual& x) { return chain(x, std::sin(x.value), std::cos(x.value)); }

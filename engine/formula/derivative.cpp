@@ -37,6 +37,8 @@ Expr differentiate(const ExprNode& node, const Differential& d) {
       return differentiateRaise(d);
     case Op::Sqrt:
       return dx / (2 * self);
+    case Op::Cardinal:
+      return -0.5 * cardinal(x, static_cast<int>(node.value) + 1) * dx;
     case Op::Exp:
       return self * dx;
     case Op::Log:

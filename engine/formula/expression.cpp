@@ -24,6 +24,7 @@ Expr pow(Expr x, Expr y) { return Graph::apply(Op::Raise, x, y); }
 Expr sqrt(Expr x) { return Graph::apply(Op::Sqrt, x); }
 Expr exp(Expr x) { return Graph::apply(Op::Exp, x); }
 Expr log(Expr x) { return Graph::apply(Op::Log, x); }
+Expr cardinal(Expr w, int order) { return Graph::apply(Op::Cardinal, w, {}, {}, order); }
 Expr sin(Expr x) { return Graph::apply(Op::Sin, x); }
 Expr cos(Expr x) { return Graph::apply(Op::Cos, x); }
 Expr tan(Expr x) { return Graph::apply(Op::Tan, x); }

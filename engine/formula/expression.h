@@ -48,7 +48,8 @@ enum class Op : std::uint8_t {
   Less,   ///< the comparisons are 1 or 0
   LessEqual,
   Equal,
-  Select,  ///< a != 0 ? b : c
+  Select,    ///< a != 0 ? b : c
+  Cardinal,  ///< of an order: math/cardinal.h
 };
 
 /// How many operands an operation reads from the graph: 0 to 3.
@@ -109,6 +110,8 @@ class Expr {
 [[nodiscard]] Expr sqrt(Expr x);
 [[nodiscard]] Expr exp(Expr x);
 [[nodiscard]] Expr log(Expr x);
+/// math/cardinal.h: cardinal(x^2, 0) is sin(x) / x, 1 at 0.
+[[nodiscard]] Expr cardinal(Expr w, int order);
 [[nodiscard]] Expr sin(Expr x);
 [[nodiscard]] Expr cos(Expr x);
 [[nodiscard]] Expr tan(Expr x);
@@ -146,7 +149,7 @@ using ExprPoint = std::array<Expr, 3>;
 struct ExprNode {
   Op op = Op::Constant;
   std::uint32_t a = 0, b = 0, c = 0;  ///< operands; for Variable, a = which
-  double value = 0;                   ///< Constant: its value; Power: its exponent
+  double value = 0;                   ///< Constant: its value; Power: its exponent; Cardinal: its order
 };
 
 /// Where a formula is not smooth: where `guard` passes through 0 or, for the floor, through any integer.
@@ -187,7 +190,8 @@ class Graph {
 
   /// Any operation, simplified: constants are folded and pulled together, neutral elements dropped, equal
   /// forms brought to one. No rule turns an undefined value into a defined one, except 0 * x = 0 and
-  /// x - x = 0. `exponent` is for Power.
+  /// x - x = 0. `exponent` is for Power, and the
+  /// order for Cardinal.
   [[nodiscard]] static Expr apply(Op op, Expr x, Expr y = {}, Expr z = {}, int exponent = 0);
 
  private:

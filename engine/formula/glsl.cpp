@@ -208,6 +208,8 @@ class Body {
         return call("floor");
       case Op::Sign:
         return call("formulaSign");
+      case Op::Cardinal:
+        return define(fmt::format("formulaCardinal({}, {})", x(), static_cast<int>(node.value)));
       case Op::Raise:
         return call("formulaPow");
       case Op::Less:
@@ -290,6 +292,7 @@ std::size_t instructionsOf(Op op, GlslNumber number) {
       return single ? 40 : 70;
     case Op::Atan2:
       return single ? 60 : 90;
+    case Op::Cardinal:
     case Op::Raise:
       return single ? 150 : 250;
     default:

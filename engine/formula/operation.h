@@ -7,6 +7,7 @@
 
 #include "base/assert.h"
 #include "formula/expression.h"
+#include "math/cardinal.h"
 #include "math/interval.h"
 #include "math/partial_interval.h"
 
@@ -115,6 +116,8 @@ template <class Number>
       return equal(x, y);
     case Op::Select:
       return select(x, y, z);
+    case Op::Cardinal:
+      return cardinal(x, exponent);
     case Op::Constant:
     case Op::Variable:
       break;

@@ -283,7 +283,7 @@ Expr Graph::apply(Op op, Expr x, Expr y, Expr z, int exponent) {
   ExprNode node{.op = op, .a = graph->nodeOf(x)};
   if (operands > 1) node.b = graph->nodeOf(y);
   if (operands > 2) node.c = graph->nodeOf(z);
-  if (op == Op::Power) node.value = exponent;
+  if (op == Op::Power || op == Op::Cardinal) node.value = exponent;
   // One order of operands finds more equal nodes: constants first.
   if (commutes(op) && !x.isConstant() && (y.isConstant() || graph->precedes(node.b, node.a)))
     std::swap(node.a, node.b);

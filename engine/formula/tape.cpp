@@ -37,13 +37,6 @@ Number numberOf(double x) {
     return x;
 }
 
-/// sin(x) / x, which is not defined at 0: at most 1, and at least -0.2173 (at 4.4934).
-PartialInterval cardinalSine(const PartialInterval& x) {
-  const double most = x.range.magnitude();
-  const double least = most < 3 ? (sin(Interval(most)) / Interval(most)).lo : -0.2173;
-  return {Interval(least, 1), std::min(x.defined, PartialInterval::Defined::Somewhere)};
-}
-
 }  // namespace
 
 Tape::Tape(Graph& graph, std::span<const Expr> outputs) {
@@ -84,11 +77,10 @@ Tape::Tape(Graph& graph, std::span<const Expr> outputs) {
       const ExprNode& node = nodes[n];
       const int operands = operandCount(node.op);
       if (operands == 0 || rateOf[n] != static_cast<Rate>(rate) || valueOf[n] != kNone) continue;
-      Step step{.op = node.op, .exponent = node.op == Op::Power ? static_cast<int>(node.value) : 0};
+      Step step{.op = node.op, .exponent = static_cast<int>(node.value)};  // of those that have one
       step.a = valueOf[node.a];
       step.b = operands > 1 ? valueOf[node.b] : step.a;
       step.c = operands > 2 ? valueOf[node.c] : step.a;
-      step.cardinal = node.op == Op::Divide && nodes[node.a].op == Op::Sin && nodes[node.a].a == node.b;
       if (partners[n] == kNone) {
         addValue(n);
       } else {
@@ -158,11 +150,6 @@ const Number* Tape::run(const Number& u, const Number& v, std::span<const double
   for (const std::uint32_t variable : variables_)
     *next++ = variable == 0 ? u : variable == 1 ? v : numberOf<Number>(parameters[variable - 2]);
   for (const Step& step : steps_) {
-    if constexpr (std::is_same_v<Number, PartialInterval>)
-      if (step.cardinal && values[step.b].range.contains(0)) {
-        values[step.result] = cardinalSine(values[step.b]);
-        continue;
-      }
     if (step.paired)
       sinCos(values[step.a], values[step.result], values[step.result + 1]);
     else

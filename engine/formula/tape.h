@@ -60,7 +60,7 @@ class Tape {
   void bound(const Interval& u, const Interval& v, std::span<const double> parameters,
              std::span<Interval> bounds) const;
   /// The same of formulas that are not defined all over the rectangle: intervals that hold what they give
-  /// where they are, and whether they are anywhere. sin(x) / x is bounded around 0, too.
+  /// where they are, and whether they are anywhere.
   void boundWhereDefined(const Interval& u, const Interval& v, std::span<const double> parameters,
                          std::span<PartialInterval> bounds) const;
 
@@ -77,8 +77,7 @@ class Tape {
   /// Values are numbered: constants, then variables, then results in order of evaluation.
   struct Step {
     Op op = Op::Constant;
-    bool paired = false;    ///< a sine that gives the cosine of its operand as the next value
-    bool cardinal = false;  ///< a quotient sin(b) / b
+    bool paired = false;  ///< a sine that gives the cosine of its operand as the next value
     int exponent = 0;
     std::uint32_t result = 0;
     std::uint32_t a = 0, b = 0, c = 0;

@@ -10,6 +10,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "formula/removable.h"
 #include "formula/tape.h"
 #include "scene/formula_set.h"
 #include "scene/model_files.h"
@@ -268,7 +269,7 @@ ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const
   const FormulaSet formulas({.formulas = written}, variables_);
   formulas.reportTo(problems_);
   if (!formulas.ok()) return {};
-  const std::vector<Expr>& c = formulas.values();
+  const std::vector<Expr> c = continued(formulas.graph(), formulas.values());
   for (std::size_t i = 0; i < c.size(); ++i)
     if (c[i].isConstant() && !formulas_.accept(written[i], c[i].constant(), i < 3 ? kLight : kFraction))
       return {};

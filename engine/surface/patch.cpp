@@ -2,6 +2,7 @@
 #include "surface/patch.h"
 
 #include "formula/pieces.h"
+#include "formula/removable.h"
 
 namespace luxo {
 namespace {
@@ -29,13 +30,15 @@ std::vector<double> GeneralForm::inputs(std::span<const double> constants,
 }
 
 std::vector<Patch> cutAtKinks(Graph& graph, const ExprPoint& position, const Domain& domain) {
-  const std::vector<Interval> columns = parts(domain.u, kinkLines(graph, position, 0, domain.u));
-  const std::vector<Interval> rows = parts(domain.v, kinkLines(graph, position, 1, domain.v));
-  if (columns.size() * rows.size() == 1) return {{compileSurface(graph, position), domain}};
+  const std::vector<Expr> whole = continued(graph, position);
+  const std::vector<Interval> columns = parts(domain.u, kinkLines(graph, whole, 0, domain.u));
+  const std::vector<Interval> rows = parts(domain.v, kinkLines(graph, whole, 1, domain.v));
+  if (columns.size() * rows.size() == 1)
+    return {{compileSurface(graph, {whole[0], whole[1], whole[2]}), domain}};
   std::vector<Patch> patches;
   for (const Interval& v : rows)
     for (const Interval& u : columns) {
-      const std::vector<Expr> p = pieceOf(graph, position, u, v);
+      const std::vector<Expr> p = pieceOf(graph, whole, u, v);
       patches.push_back({compileSurface(graph, {p[0], p[1], p[2]}), {u, v}});
     }
   return patches;

@@ -217,6 +217,22 @@ double formulaTanh(double x) {
   return z < 0.36lf ? x + x * z * (-0.33333333333333126lf + z * p) : x < 0.0lf ? -y : y;
 }
 
+// As in lib/formula.glsl.
+double formulaCardinal(double w, const int order) {
+  double sum = 1.0lf, first = 1.0lf;
+  for (int k = 32; k >= 1; --k) sum = 1.0lf - sum * w * (1.0lf / double(2 * k * (2 * order + 2 * k + 1)));
+  for (int n = 1; n <= order; ++n) first *= 1.0lf / double(2 * n + 1);
+  double x = sqrt(abs(w));
+  dvec2 turning = formulaSinCos(x);
+  double below = w > 0.0lf ? turning.y : formulaCosh(x), here = (w > 0.0lf ? turning.x : formulaSinh(x)) / x;
+  for (int n = 0; n < order; ++n) {
+    double above = (double(2 * n + 1) * here - below) / w;
+    below = here;
+    here = above;
+  }
+  return w > -100.0lf && w < double(9 + 4 * order) ? first * sum : here;
+}
+
 // The rounding error of the product `ab` of a and b (Dekker), for factors below 1e290.
 double formulaProductError(double a, double b, double ab) {
   precise double ca = 134217729.0lf * a, cb = 134217729.0lf * b;

@@ -191,6 +191,22 @@ float formulaTanh(float x) {
   return x < 0.0 ? -y : y;
 }
 
+// engine/math/cardinal.h: its series where |w| is small, upwards from sine and cosine elsewhere; the order is a constant.
+float formulaCardinal(float w, const int order) {
+  float sum = 1.0, first = 1.0;
+  for (int k = 12; k >= 1; --k) sum = 1.0 - sum * w * (1.0 / float(2 * k * (2 * order + 2 * k + 1)));
+  for (int n = 1; n <= order; ++n) first *= 1.0 / float(2 * n + 1);
+  float x = sqrt(abs(w));
+  vec2 turning = formulaSinCos(x);
+  float below = w > 0.0 ? turning.y : formulaCosh(x), here = (w > 0.0 ? turning.x : formulaSinh(x)) / x;
+  for (int n = 0; n < order; ++n) {
+    float above = (float(2 * n + 1) * here - below) / w;
+    below = here;
+    here = above;
+  }
+  return w > -40.0 && w < float(9 + 4 * order) ? first * sum : here;
+}
+
 // The rounding error of the product `ab` of a and b (Dekker), for factors below 1e34.
 float formulaProductError(float a, float b, float ab) {
   precise float ca = 4097.0 * a, cb = 4097.0 * b;

@@ -66,8 +66,7 @@ class FormulaDoubleTest : public test::GpuTest {
   void SetUp() override {
     GpuTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    if (!context().features().float64)
-      GTEST_SKIP() << "no doubles in shaders";
+    if (!context().features().float64) GTEST_SKIP() << "no doubles in shaders";
   }
 
   Results evaluate(Graph& graph, std::vector<Expr> outputs, const std::vector<Vec2>& points,
@@ -201,6 +200,14 @@ std::vector<FunctionCase> functionCases() {
       one("acos near 1", acos, std::acos, {0.999999, 1}, 3),
       one("atan", atan, std::atan, {-10, 10}, 3),
       one("atan far", atan, std::atan, {1e-300, 1e300, true}, 3),
+      // As in float: in units of a result that falls from 1 to 0.1.
+      one(
+          "cardinal sine", [](Expr w) { return cardinal(w, 0); },
+          [](long double w) {
+            const long double x = std::sqrt(std::abs(w));
+            return w < 0 ? std::sinh(x) / x : std::sin(x) / x;
+          },
+          {-120, 8}, 24),
       one("abs", abs, std::abs, {-10, 10}, 0),
       one("floor", floor, std::floor, {-10, 10}, 0),
       one("floor far", floor, std::floor, {-1e12, 1e12}, 0),

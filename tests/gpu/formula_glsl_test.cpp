@@ -219,6 +219,14 @@ std::vector<FunctionCase> functionCases() {
       one("acos near 1", acos, std::acos, {0.999, 1}, 3),
       one("atan", atan, std::atan, {-10, 10}, 3),
       one("atan far", atan, std::atan, {1e-30, 1e30, true}, 3),
+      // In units of a result that falls from 1 to 0.1 while its terms stay near 1.
+      one(
+          "cardinal sine", [](Expr w) { return cardinal(w, 0); },
+          [](double w) {
+            const double x = std::sqrt(std::abs(w));
+            return w < 0 ? std::sinh(x) / x : std::sin(x) / x;
+          },
+          {-60, 8}, 24),
       one("abs", abs, std::abs, {-10, 10}, 0),
       one("floor", floor, std::floor, {-10, 10}, 0),
       one(

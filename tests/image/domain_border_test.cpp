@@ -90,5 +90,19 @@ TEST_F(DomainBorderTest, ARemovablePointIsFilled) {
   for (const float number : above.samples()) ASSERT_GT(number, 0);
 }
 
+/// Whole lines of them, and products: with the limits there the surface is as any other. What has a shell
+/// needs no rays but beside outlines.
+TEST_F(DomainBorderTest, RemovableLinesAreFilled) {
+  for (const char* height : {"sin(u)/u", "(u^2 - v^2)/(u - v)", "sin(3*u)*sin(v)/(u*v)", "(1 - cos(2*u))/u^2",
+                             "(exp(u) - 1)/(2*u)", "(1 - exp(-3*(u^2 + v^2)))/(u^2 + v^2)",
+                             "sin(9*sqrt(u^2 + v^2))/(9*sqrt(u^2 + v^2))"}) {
+    const Scene scene = plotted(height, 1);
+    const Verified found = expectTheTruth(takeSnapshot(scene, 0, kSize), 1000);
+    EXPECT_EQ(found.verification.wrong.total(), 0U) << height;
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U) << height;
+    EXPECT_LE(found.statistics.error.resolvedByRaysPx, 100U) << height;
+  }
+}
+
 }  // namespace
 }  // namespace luxo::test

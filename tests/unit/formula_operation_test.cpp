@@ -94,6 +94,8 @@ const std::vector<Case>& cases() {
       LUXO_TEST_CASE(0.5, 2, sqrt(x * x + pow(log(x + 2), 3)) * atan(tanh(x))),
       LUXO_TEST_CASE(0.5, 1.5, asin(x / 4) * acos(x / 4) + cosh(sqrt(x)) * sinh(1 / x)),
       LUXO_TEST_CASE(0.5, 2, pow(abs(sin(x)), 0.3) * sign(sin(x))),
+      LUXO_TEST_CASE(-2, 2, cardinal(x, 0)),
+      LUXO_TEST_CASE(-2, 2, cardinal(x * x - 3, 2) + cardinal(20 + x, 1) * cardinal(x + 40, 0)),
   };
   return all;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "formula/expression.h"
@@ -47,6 +48,21 @@ inline long double lessEqual(long double x, long double y) { return x <= y ? 1 :
 inline long double equal(long double x, long double y) { return x == y ? 1 : 0; }
 inline long double select(long double c, long double x, long double y) { return c != 0 ? x : y; }
 
+/// sin(sqrt w) / sqrt w, and -2 times the derivative of one order is the next: by that recurrence, and near 0
+/// by the series.
+inline long double cardinal(long double w, int order) {
+  if (std::abs(w) < 9) {
+    long double term = 1, all = 0;
+    for (int n = 1; n <= order; ++n) term /= 2 * n + 1;
+    for (int k = 1; k <= 40; term *= -w / (2 * k * (2 * order + 2 * k + 1)), ++k) all += term;
+    return all;
+  }
+  const long double x = std::sqrt(std::abs(w));
+  long double below = w > 0 ? std::cos(x) : std::cosh(x), here = (w > 0 ? std::sin(x) : std::sinh(x)) / x;
+  for (int n = 0; n < order; ++n) below = std::exchange(here, ((2 * n + 1) * here - below) / w);
+  return here;
+}
+
 inline long double valueOf(long double x) { return x; }
 template <class T>
 long double valueOf(const Dual<T>& x) {
@@ -84,6 +100,10 @@ LUXO_TEST_DUAL(sign, 0)
 template <class T>
 Dual<T> power(Dual<T> x, int n) {
   return {power(x.value, n), n == 0 ? T(0) : T(n) * power(x.value, n - 1) * x.slope};
+}
+template <class T>
+Dual<T> cardinal(Dual<T> x, int order) {
+  return {cardinal(x.value, order), T(-0.5) * cardinal(x.value, order + 1) * x.slope};
 }
 template <class T>
 Dual<T> pow(Dual<T> x, Dual<T> y) {
@@ -230,6 +250,9 @@ class RandomFormula {
           break;
         case Op::Select:
           r.push_back(select(r[s.a], r[s.b], r[s.c]));
+          break;
+        case Op::Cardinal:
+          r.push_back(cardinal(r[s.a], s.exponent));
           break;
         case Op::Variable:
           break;
