@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/assert.h"
@@ -20,6 +21,8 @@ struct Pattern::Content {
 };
 
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string emit(Graph& graph, const std::array<Expr, 4>& paint) {
   const GlslOutput output{"paint", paint};
@@ -52,6 +55,33 @@ double Pattern::opacityAt(double u, double v, std::span<const double> parameters
   if (!hasOpacity()) return 1;
   const double opacity = content_->paint.evaluate({&u, 1}, {&v, 1}, parameters)[3][0];
   return opacity > 0 ? std::min(opacity, 1.0) : 0;
+}
+
+std::optional<Domain> Pattern::whereCut(const Domain& domain, std::span<const double> parameters) const {
+  LUXO_REQUIRE(valid() && parameters.size() == content_->parameterCount);
+  std::array<Interval, 4> bounds;
+  const std::size_t outputs = hasOpacity() ? 4 : 3;
+  content_->paint.bound(domain.u, domain.v, parameters, std::span(bounds).first(outputs));
+  if (std::ranges::all_of(bounds,
+                          [](const Interval& b) { return b.lo > -kInfinity && b.hi <= kMaxSceneNumber; }))
+    return {};
+  constexpr int kCells = 64;
+  std::vector<double> us, vs;
+  for (int k = 0; k <= kCells; ++k) {
+    us.push_back(domain.u.lo + domain.u.width() * k / kCells);
+    vs.push_back(domain.v.lo + domain.v.width() * k / kCells);
+  }
+  const auto values = content_->paint.evaluateGrid(us, vs, parameters);
+  std::optional<Domain> cut;
+  for (std::size_t i = 0; i < values[0].size(); ++i) {
+    const auto isCut = [i](const std::vector<double>& value) {
+      return !(value[i] <= kMaxSceneNumber && value[i] > -kInfinity);
+    };
+    if (std::ranges::none_of(values, isCut)) continue;
+    const double u = us[i % us.size()], v = vs[i / us.size()];
+    cut = cut ? Domain{hull(cut->u, u), hull(cut->v, v)} : Domain{u, v};
+  }
+  return cut;
 }
 
 const std::string& Pattern::glsl() const {

@@ -101,6 +101,7 @@ class SceneConstruction {
   void addSurface(const SurfaceDesc& desc);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
+  void warnOfCutColor(const NodeDesc& desc, const Domain& domain, const Animated<Material>& moving);
   Light light(const LightDesc& desc);
   ShadowMap shadowMap(const ShadowMapDesc& desc);
   void setCasters();
@@ -253,12 +254,31 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
     node.surface = surfaces_[*surface].surface;
     node.segments = surfaces_[*surface].segments;
   }
-  if (const MaterialId* material = materials_.find(desc.material, problems_)) node.material = *material;
+  if (const MaterialId* material = materials_.find(desc.material, problems_)) {
+    node.material = *material;
+    if (node.surface.valid()) warnOfCutColor(desc, node.surface.domain(), scene_[*material]);
+  }
   if (desc.light) node.light = light(*desc.light);
   const Node placeholder{.parent = node.parent};
   const std::size_t before = problems_.count();
   attempt(desc.place, [&] { scene_.add(std::move(node)); });
   if (problems_.count() > before) scene_.add(placeholder);  // so that the ids of the others are right
+}
+
+// A pixel cannot be infinitely bright, nor say that its colour is none: it is cut, and that is said.
+void SceneConstruction::warnOfCutColor(const NodeDesc& desc, const Domain& domain,
+                                       const Animated<Material>& moving) {
+  if (!warnings_ || problems_.any()) return;
+  const Material material = moving.at({0, *variables_.initial()});
+  if (!material.diffusePattern.valid()) return;
+  const auto cut = material.diffusePattern.whereCut(domain, material.patternParameters);
+  if (!cut) return;
+  warnings_->push_back(
+      {rangeOf(desc.material.place),
+       fmt::format("the colour or opacity of material '{}' has no value, or one above 1e18, in u "
+                   "{:.4g}..{:.4g}, v {:.4g}..{:.4g} of this surface",
+                   desc.material.text, cut->u.lo, cut->u.hi, cut->v.lo, cut->v.hi),
+       "it is 0 and 1e18 there; give it a value with if, clamp or max"});
 }
 
 Light SceneConstruction::light(const LightDesc& desc) {

@@ -460,6 +460,18 @@ TEST(SceneBuilder, WarnsOfWhatIsProbablyNotMeant) {
   EXPECT_EQ(found.size(), 6u) << testing::PrintToString(found);
 }
 
+TEST(SceneBuilder, WarnsOfColorsThatAreCut) {
+  const std::vector<std::string> found = warningsOf(R"_({ "luxo": 1, "materials": {
+"m": { "diffuse": ["1e30*u", "log(v)", "k"] }, "fine": { "diffuse": ["u", "sin(v)/v", 0] } }, "params": { "k": 1 },
+"surfaces": { "s": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "v", 0] } },
+"nodes": [ { "surface": "s", "material": "fine" },
+{ "surface": "s", "material": "m" } ] })_");
+  ASSERT_EQ(found.size(), 1u) << testing::PrintToString(found);
+  EXPECT_TRUE(found[0].starts_with(
+      "5:31 the colour or opacity of material 'm' has no value, or one above 1e18, in u -1..1, v -1..1"))
+      << found[0];
+}
+
 TEST(SceneBuilder, WarnsOfSurfacesThatCannotBeSeen) {
   const std::string area = "(let its position depend on u and on v, in two directions)";
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {

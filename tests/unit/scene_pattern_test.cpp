@@ -32,6 +32,24 @@ TEST(Pattern, IsBlackWhereItHasNoValue) {
   EXPECT_EQ(p.colorAt(4, 2), Vec3(2, 0.5, 0));
 }
 
+TEST(Pattern, SaysWhereItIsCut) {
+  const Domain square{{-1, 1}, {-1, 1}};
+  const auto cut = [&](const auto& formula) { return pattern(formula).whereCut(square, {}); };
+  EXPECT_FALSE(cut([](auto u, auto v) { return point(u, v, 1e18); })) << "negative is black, as everywhere";
+  EXPECT_FALSE(cut([](auto u, auto v) { return point(sqrt(1 - u * u), v, 0); }))
+      << "bounds cannot tell, points can";
+  const auto left = cut([](auto u, auto v) { return point(sqrt(u), v, 0); });
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->u, Interval(-1, -1 / 32.0));
+  EXPECT_EQ(left->v, square.v);
+  const auto pole = cut([](auto u, auto v) { return point(0, 1 / v, u); });
+  ASSERT_TRUE(pole);
+  EXPECT_EQ(pole->v, Interval(0));
+  const auto large = cut([](auto u, auto v) { return point(0, 2e18 * u, v); });
+  ASSERT_TRUE(large);
+  EXPECT_EQ(large->u, Interval(17 / 32.0, 1));
+}
+
 TEST(Pattern, ComparesByContent) {
   EXPECT_FALSE(Pattern().valid());
   EXPECT_EQ(Pattern(), Pattern());
