@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
+#include "lib/one_point.glsl"
 #include "lib/octahedral.glsl"
 
 // For the audit: of each pixel how many points were blended, and the sum of their depths.
@@ -53,8 +54,6 @@ uint sorted(uint head) {
   }
 }
 
-const float kSameNormal = 1e-3;
-
 void main() {
   uint head = layerHeads[layerPixel()];
   layerSums[layerPixel()] = vec2(0);
@@ -75,7 +74,8 @@ void main() {
          isTwice = isBeside && other == 0 && (either & kLayerAtBorder) != 0;
     // Of two nodes in one place whose points are whose is left to rays; and how often a surface covers itself.
     if (isBeside && !isTwice && (point.material & (kLayerOfMesh | kLayerByRay)) == 0) doubtLayers();
-    if (isTwice && length(fromOctahedral(point.normal) - fromOctahedral(last.normal)) > kSameNormal) doubtLayers();
+    if (isTwice && !isOnePoint(point.parameters, fromOctahedral(point.normal), last.parameters, fromOctahedral(last.normal)))
+      doubtLayers();
     last = point;
     if (isTwice) continue;
     sums += vec2(1, point.depth);

@@ -6,6 +6,7 @@
 #define LUXO_USUAL_ROUNDING 1.0
 #include "lib/shadow_test.glsl"
 #include "lib/meeting.glsl"
+#include "lib/one_point.glsl"
 #ifdef LUXO_PATTERN
 #define LUXO_PATTERN_BINDING kBindingCasterPatterns
 #include "lib/pattern.glsl"
@@ -24,6 +25,7 @@ vec4 paintOf(vec2 parameters) { return varyingPaint; }
 struct Passage {
   float t, off;   // metres along the ray, and by how much that may be off
   bool atBorder;  // a neighbouring cell may have it, too
+  vec2 parameters;
   vec3 normal;
   vec3 part;      // how much of the light gets through
 };
@@ -40,15 +42,14 @@ bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
   if (isOpen) return true;
   vec3 normal = cross(met.Su, met.Sv);
   normal *= cell.outward * inversesqrt(max(dot(normal, normal), 1e-37));
-  vec4 paint = paintOf(parametersInside(cell, met.parameters));
+  vec2 inside = parametersInside(cell, met.parameters);
+  vec4 paint = paintOf(inside);
   vec3 part = (1.0 - paint.a) * (has(kTintsLight) ? paint.rgb : vec3(1));
   int place = passageCount++;
   for (; place > 0 && passages[place - 1].t > met.t; --place) passages[place] = passages[place - 1];
-  passages[place] = Passage(met.t, met.off, atBorder, normal, part);
+  passages[place] = Passage(met.t, met.off, atBorder, inside, normal, part);
   return false;
 }
-
-const float kSameNormal = 1e-3;
 
 vec3 productOfPassages() {
   vec3 product = vec3(1);
@@ -57,7 +58,7 @@ vec3 productOfPassages() {
     Passage passage = passages[i];
     bool isBeside = last >= 0 && passage.t - passages[last].t <= 4.0 * (passage.off + passages[last].off);
     bool isTwice = isBeside && (passage.atBorder || passages[last].atBorder) &&
-                   length(passage.normal - passages[last].normal) <= kSameNormal;
+                   isOnePoint(passage.parameters, passage.normal, passages[last].parameters, passages[last].normal);
     // A crease, two sheets that cross, or a surface that covers itself.
     if (isBeside && !isTwice) isOpen = true;
     last = i;
