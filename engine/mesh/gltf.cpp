@@ -7,46 +7,19 @@
 
 #include "mesh/gltf_file.h"
 #include "mesh/gltf_material.h"
+#include "mesh/turn.h"
 
 namespace luxo {
 namespace {
 
 // What files may require that changes nothing of what is read here, or is read.
-constexpr std::array<std::string_view, 5> kExtensions = {"KHR_lights_punctual", "KHR_texture_transform",
-                                                         "KHR_mesh_quantization", "KHR_materials_unlit",
+constexpr std::array<std::string_view, 7> kExtensions = {"KHR_lights_punctual",
+                                                         "KHR_texture_transform",
+                                                         "KHR_materials_specular",
+                                                         "LUXO_parametric_surface",
+                                                         "KHR_mesh_quantization",
+                                                         "KHR_materials_unlit",
                                                          "KHR_materials_emissive_strength"};
-
-struct Turn {
-  Vec4 rotation;
-  Vec3 scale;
-};
-
-// rotation * scale, where the matrix is that but for the roundings of floats.
-std::optional<Turn> decomposed(Mat3 linear) {
-  Turn turn{.rotation = Vec4(0),
-            .scale = Vec3(glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2]))};
-  if (glm::determinant(linear) < 0) turn.scale.x = -turn.scale.x;
-  for (int i = 0; i < 3; ++i) {
-    if (turn.scale[i] == 0) return std::nullopt;
-    linear[i] /= turn.scale[i];
-  }
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(glm::dot(linear[i], linear[(i + 1) % 3])) > 1e-6) return std::nullopt;
-  // Shepperd, Quaternion from rotation matrix, 1978: from the largest component.
-  const auto [x, y, z] = std::array{linear[0][0], linear[1][1], linear[2][2]};
-  const Vec4 squares(1 + x - y - z, 1 - x + y - z, 1 - x - y + z, 1 + x + y + z);
-  int largest = 0;
-  for (int i = 1; i < 4; ++i)
-    if (squares[i] > squares[largest]) largest = i;
-  const double yz = linear[1][2] + linear[2][1], xz = linear[0][2] + linear[2][0],
-               xy = linear[0][1] + linear[1][0];
-  const double xw = linear[1][2] - linear[2][1], yw = linear[2][0] - linear[0][2],
-               zw = linear[0][1] - linear[1][0];
-  const Vec4 rows[4] = {
-      {squares.x, xy, xz, xw}, {xy, squares.y, yz, yw}, {xz, yz, squares.z, zw}, {xw, yw, zw, squares.w}};
-  turn.rotation = rows[largest] / glm::length(rows[largest]);
-  return turn;
-}
 
 class GltfReader {
  public:
@@ -66,6 +39,7 @@ class GltfReader {
     readNodes();
     readAnimation();
     if (model_.materials.empty()) model_.materials.push_back({.name = "default"});
+    model_.scene = file_.root()["extensions"]["LUXO_parametric_surface"]["scene"].textOr("");
     if (model_.meshes.empty()) refuseModel(source_.name(), "it has no triangles");
     source_.tellProgress(1);
     return std::move(model_);

@@ -25,13 +25,17 @@ class MaterialReader {
       roughness = std::max(roughness, 0.5);
     }
     if (value.has("occlusionTexture")) warn(value, "its occlusion map is not read");
-    setBlinn(material, Vec3(base), metallic, roughness);
+    const GltfValue extensions = value["extensions"], specular = extensions["KHR_materials_specular"];
+    if (specular.has("specularTexture") || specular.has("specularColorTexture"))
+      warn(value, "its maps of highlights are not read");
+    setBlinn(material, Vec3(base), metallic, roughness,
+             specular["specularColorFactor"].colourOr(Vec3(1)) *
+                 std::clamp(specular["specularFactor"].numberOr(1), 0.0, 1.0));
 
     material.map = map(pbr["baseColorTexture"]);
     material.normalMap = map(value["normalTexture"]);
     material.normalScale = value["normalTexture"]["scale"].numberOr(1);
     material.glowMap = map(value["emissiveTexture"]);
-    const GltfValue extensions = value["extensions"];
     material.glow =
         value["emissiveFactor"].colourOr(Vec3(0)) *
         std::max(0.0, extensions["KHR_materials_emissive_strength"]["emissiveStrength"].numberOr(1));
@@ -59,10 +63,12 @@ class MaterialReader {
     model_.warnings.push_back(fmt::format("{}: {}: {}", source_.name(), value.place(), what));
   }
 
-  static void setBlinn(ModelMaterial& material, const Vec3& base, double metallic, double roughness) {
+  static void setBlinn(ModelMaterial& material, const Vec3& base, double metallic, double roughness,
+                       const Vec3& specular) {
     const double alpha = roughness * roughness;
     const double shininess = std::min(2 / std::max(alpha * alpha, 1e-12) - 2, kMaxGltfShininess);
-    const Vec3 f0 = Vec3(0.04) + metallic * (base - Vec3(0.04));
+    const Vec3 dielectric = glm::min(kGltfReflectance * specular, Vec3(1));
+    const Vec3 f0 = dielectric + metallic * (base - dielectric);
     material.diffuse = (1 - metallic) * base;
     material.ambient = base;
     material.shininess = shininess;

@@ -8,12 +8,14 @@ namespace luxo {
 
 /// The sharpest highlight: two degrees wide; rougher is what roughness is from 0.21 on.
 inline constexpr double kMaxGltfShininess = 1000;
+/// What is reflected of light that falls straight on what is no metal.
+inline constexpr double kGltfReflectance = 0.04;
 
 /// Reads materials, their maps and images. Of metallic-roughness, m and r, with base colour c: diffuse = (1 -
 /// m) c; ambient = c, since surroundings are seen in metal, too; shininess n = 2 / r^4 - 2, at most
 /// kMaxGltfShininess, whose lobe (N.H)^n is Beckmann's of alpha = r^2 (Walter et al., Microfacet models for
 /// refraction, 2007, 5.1); specular = (0.04 + m (c - 0.04)) (n + 2) / 8, which is that lobe's height with pi
-/// times the light, as diffuse is counted here. Unlit: the colour glows. Maps of metal and roughness are not
+/// times the light, as diffuse is counted here. KHR_materials_specular scales the 0.04. Unlit: the colour glows. Maps of metal and roughness are not
 /// read.
 void readGltfMaterials(const ModelSource& source, GltfFile& file, Model& model);
 

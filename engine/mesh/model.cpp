@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "mesh/turn.h"
 
 namespace luxo {
 namespace {
@@ -24,13 +25,6 @@ Vec4 slerp(const Vec4& a, Vec4 b, double part) {
   if (cosine > 1 - 1e-9) return unitQuaternion(a + part * (b - a));
   const double angle = std::acos(cosine);
   return unitQuaternion((std::sin((1 - part) * angle) * a + std::sin(part * angle) * b) / std::sin(angle));
-}
-
-Mat3 rotationOf(const Vec4& q) {
-  const auto [x, y, z, w] = std::array{q.x, q.y, q.z, q.w};
-  return Mat3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),  //
-              2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),  //
-              2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y));
 }
 
 }  // namespace
@@ -68,6 +62,12 @@ Vec3 ModelNode::scaleAt(double seconds) const {
 Transform ModelNode::parentFromNodeAt(double seconds) const {
   if (shear) return {*shear, translationAt(seconds)};
   return compose(translationAt(seconds), rotationOf(rotationAt(seconds)), scaleAt(seconds));
+}
+
+Transform worldFromNodeAt(const Model& model, std::uint32_t node, double seconds) {
+  const ModelNode& n = model.nodes[node];
+  const Transform local = n.parentFromNodeAt(seconds);
+  return n.parent == kNone ? local : worldFromNodeAt(model, n.parent, seconds) * local;
 }
 
 std::uint64_t Model::triangleCount() const {

@@ -98,6 +98,7 @@ struct ModelCamera {
   double fovY = radians(45);  ///< full vertical angle
   double height = 2;          ///< of what an orthographic one shows
   double near = 0.1;
+  double far = 1000;  ///< of an orthographic one, where it is written; scenes fit it to what they show
 };
 
 /// At its node; directional ones shine along -Z. KHR_lights_punctual, whose unit of light is kept: candela of
@@ -118,12 +119,18 @@ struct Model {
   std::vector<ModelNode> nodes;  ///< parents first; each mesh is at one node at least
   std::vector<ModelCamera> cameras;
   std::vector<ModelLight> lights;
+  /// The scene (scene/scene_reader.h) whose surfaces the meshes stand for, as a text: what a GLB carries as
+  /// LUXO_parametric_surface (mesh/gltf_writer.cpp). Empty: none.
+  std::string scene;
   double duration = 0;                ///< seconds, of the longest keyframes
   std::vector<std::string> warnings;  ///< what the picture goes without: missing images, dropped triangles
   std::vector<std::filesystem::path> files;  ///< what it is made of, and what it names, there or not
 
   [[nodiscard]] std::uint64_t triangleCount() const;
 };
+
+/// Where a node is at a time. Cost: that of its ancestors.
+[[nodiscard]] Transform worldFromNodeAt(const Model& model, std::uint32_t node, double seconds = 0);
 
 struct ModelOptions {
   MeshOptions mesh = {};      ///< tangents are made wherever a material has a normal map

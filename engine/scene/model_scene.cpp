@@ -18,12 +18,6 @@ namespace {
 
 using ModelPtr = std::shared_ptr<const Model>;
 
-Transform worldFromNode(const Model& model, std::uint32_t node, double seconds) {
-  const ModelNode& n = model.nodes[node];
-  const Transform local = n.parentFromNodeAt(seconds);
-  return n.parent == kNone ? local : worldFromNode(model, n.parent, seconds) * local;
-}
-
 /// Whether the node, or one that it hangs on, does.
 bool moves(const Model& model, std::uint32_t node) {
   const ModelNode& n = model.nodes[node];
@@ -146,13 +140,13 @@ class ModelBuilder {
   void addCamera(std::uint32_t node, const ModelCamera& from) {
     const auto placed = [&](const Vec3& point) -> Animated<Vec3> {
       const auto at = [model = model_, node, point](double t) {
-        return transformPoint(worldFromNode(*model, node, t), point);
+        return transformPoint(worldFromNodeAt(*model, node, t), point);
       };
       return moves(*model_, node) ? Animated<Vec3>(at) : Animated<Vec3>(at(0));
     };
     const auto directed = [&](const Vec3& direction) -> Animated<Vec3> {
       const auto at = [model = model_, node, direction](double t) {
-        return transformDirection(worldFromNode(*model, node, t), direction);
+        return transformDirection(worldFromNodeAt(*model, node, t), direction);
       };
       return moves(*model_, node) ? Animated<Vec3>(at) : Animated<Vec3>(at(0));
     };
@@ -195,7 +189,7 @@ class ModelBuilder {
 Surface surfaceOf(const Model& model) {
   std::vector<std::pair<std::uint32_t, Transform>> shown;  // meshes, and where they are
   for (std::uint32_t i = 0; i < model.nodes.size(); ++i)
-    if (model.nodes[i].mesh != kNone) shown.emplace_back(model.nodes[i].mesh, worldFromNode(model, i, 0));
+    if (model.nodes[i].mesh != kNone) shown.emplace_back(model.nodes[i].mesh, worldFromNodeAt(model, i, 0));
   if (shown.empty())
     throw Error(ErrorKind::Scene, fmt::format("the model '{}' has no triangles", model.name));
   if (shown.size() == 1 && isIdentity(shown[0].second)) return model.meshes[shown[0].first];

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// GLB: a model as glTF 2.0 in one file. What glTF has no word for is left out, or said by what it has:
+//
+// A material is the one that gltf_material.h reads back as this: no metal, base colour = diffuse, roughness =
+// (2 / (n + 2))^(1/4), and KHR_materials_specular scales what is reflected so that the highlight is as high.
+// Colours above 1 are cut off there.
+//
+// LUXO_parametric_surface, optional, at the root: { "version": 1, "scene": "..." }, the text of a scene file
+// (engine/scene/luxo-scene-1.schema.json) whose surfaces the meshes stand for. Who knows it draws the scene;
+// who does not sees the meshes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "mesh/gltf_material.h"
+#include "mesh/model_target.h"
+
+namespace luxo {
+namespace {
+
+using Object = nlohmann::ordered_json;
+
+constexpr std::uint32_t kFloat = 5126, kUint16 = 5123, kUint32 = 5125;
+constexpr std::uint32_t kVertices = 34962, kIndices = 34963;  // what a view is for
+
+Object json(const Vec3& v) { return {v.x, v.y, v.z}; }
+Object json(const Vec4& v) { return {v.x, v.y, v.z, v.w}; }
+
+Object materialOf(const ModelMaterial& from) {
+  const double n = std::min(from.shininess, kMaxGltfShininess);
+  const Vec4 base(glm::clamp(from.diffuse, 0.0, 1.0), from.opacity);
+  Object material = {{"name", from.name},
+                     {"pbrMetallicRoughness",
+                      {{"baseColorFactor", json(base)},
+                       {"metallicFactor", 0},
+                       {"roughnessFactor", std::pow(2 / (n + 2), 0.25)}}}};
+  if (from.glow != Vec3(0)) material["emissiveFactor"] = json(glm::clamp(from.glow, 0.0, 1.0));
+  if (from.opacity < 1) material["alphaMode"] = "BLEND";
+  if (from.twoSided) material["doubleSided"] = true;
+  material["extensions"]["KHR_materials_specular"]["specularColorFactor"] =
+      json(8 / (n + 2) / kGltfReflectance * from.specular);
+  return material;
+}
+
+class GlbWriter {
+ public:
+  GlbWriter(const Model& model, const ModelClaim& claim) : model_(model), claim_(claim) {}
+
+  std::vector<std::byte> write() {
+    root_["asset"] = {{"version", "2.0"}, {"generator", "luxo"}, {"extras", {{"luxo", claimOf()}}}};
+    addScene();
+    for (const ModelMaterial& material : model_.materials) root_["materials"].push_back(materialOf(material));
+    for (const TriangleMesh& mesh : model_.meshes) addMesh(mesh);
+    for (const ModelCamera& camera : model_.cameras) addCamera(camera);
+    root_["buffers"] = {{{"byteLength", binary_.size()}}};
+    addExtensions();
+    return file();
+  }
+
+ private:
+  Object claimOf() const {
+    Object claim = {{"deviation", std::isfinite(claim_.deviation) ? Object(claim_.deviation) : Object()},
+                    {"closed", claim_.closed}};
+    if (claim_.thickness > 0) claim["thickness"] = claim_.thickness;
+    return claim;
+  }
+
+  void addScene() {
+    Object roots = Object::array();
+    for (std::uint32_t i = 0; i < model_.nodes.size(); ++i) {
+      const ModelNode& node = model_.nodes[i];
+      root_["nodes"].push_back(nodeOf(node));
+      if (node.parent == kNone)
+        roots.push_back(i);
+      else
+        root_["nodes"][node.parent]["children"].push_back(i);
+    }
+    // The points of a mesh are relative to its origin, to which a node of its own takes them.
+    for (std::uint32_t i = 0; i < model_.nodes.size(); ++i) {
+      const ModelNode& node = model_.nodes[i];
+      if (node.mesh == kNone || originOf(node) == Vec3(0)) continue;
+      root_["nodes"][i]["children"].push_back(root_["nodes"].size());
+      root_["nodes"].push_back(
+          {{"name", node.name}, {"translation", json(originOf(node))}, {"mesh", node.mesh}});
+    }
+    root_["scenes"] = {{{"nodes", roots}}};
+    root_["scene"] = 0;
+  }
+
+  const Vec3& originOf(const ModelNode& node) const { return model_.meshes[node.mesh].origin(); }
+
+  Object nodeOf(const ModelNode& from) const {
+    if (from.shear)
+      throw Error(ErrorKind::Scene, fmt::format("node '{}' is sheared, which glTF cannot say", from.name),
+                  "write another format, or scale it alike in all directions");
+    Object node = {{"name", from.name}};
+    if (from.translation != Vec3(0)) node["translation"] = json(from.translation);
+    if (from.rotation != Vec4(0, 0, 0, 1)) node["rotation"] = json(from.rotation);
+    if (from.scale != Vec3(1)) node["scale"] = json(from.scale);
+    if (from.mesh != kNone && originOf(from) == Vec3(0)) node["mesh"] = from.mesh;
+    if (from.camera != kNone) node["camera"] = from.camera;
+    if (from.light != kNone) node["extensions"]["KHR_lights_punctual"]["light"] = from.light;
+    return node;
+  }
+
+  /// Aligned to what floats and 32-bit indices need.
+  std::size_t addView(std::size_t begin, std::uint32_t target) {
+    root_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary_.size() - begin}, {"target", target}});
+    while (binary_.size() % 4 != 0) binary_.push_back(std::byte(0));
+    return root_["bufferViews"].size() - 1;
+  }
+
+  std::size_t addAccessor(std::size_t view, std::uint32_t kind, std::size_t count, const char* type) {
+    root_["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", kind}, {"count", count}, {"type", type}});
+    return root_["accessors"].size() - 1;
+  }
+
+  std::size_t addVectors(std::span<const Vec3f> vectors) {
+    const std::size_t begin = binary_.size();
+    for (const Vec3f& v : vectors) append(binary_, v);
+    return addAccessor(addView(begin, kVertices), kFloat, vectors.size(), "VEC3");
+  }
+
+  std::size_t addIndices(std::span<const std::uint32_t> indices, bool small) {
+    const std::size_t begin = binary_.size();
+    for (const std::uint32_t index : indices)
+      small ? append(binary_, std::uint16_t(index)) : append(binary_, index);
+    return addAccessor(addView(begin, kIndices), small ? kUint16 : kUint32, indices.size(), "SCALAR");
+  }
+
+  void addMesh(const TriangleMesh& mesh) {
+    const std::size_t positions = addVectors(mesh.positions()), normals = addVectors(mesh.normals());
+    Vec3f low(std::numeric_limits<float>::infinity()), high = -low;
+    for (const Vec3f& p : mesh.positions()) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    root_["accessors"][positions]["min"] = json(Vec3(low));
+    root_["accessors"][positions]["max"] = json(Vec3(high));
+    const bool small = mesh.positions().size() < 65535;  // the last number restarts strips
+    Object primitives = Object::array();
+    for (const MeshGroup& group : mesh.groups())
+      primitives.push_back(
+          {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
+           {"indices", addIndices(mesh.indices().subspan(std::size_t{3} * group.firstTriangle,
+                                                         std::size_t{3} * group.triangles),
+                                  small)},
+           {"material", group.material}});
+    root_["meshes"].push_back({{"name", mesh.name()}, {"primitives", primitives}});
+  }
+
+  void addCamera(const ModelCamera& from) {
+    Object camera = {{"name", from.name}, {"type", from.perspective ? "perspective" : "orthographic"}};
+    if (from.perspective)
+      camera["perspective"] = {{"yfov", from.fovY}, {"znear", from.near}};
+    else
+      camera["orthographic"] = {
+          {"xmag", from.height / 2}, {"ymag", from.height / 2}, {"znear", from.near}, {"zfar", from.far}};
+    root_["cameras"].push_back(std::move(camera));
+  }
+
+  void addExtensions() {
+    Object used = Object::array();
+    if (!model_.materials.empty()) used.push_back("KHR_materials_specular");
+    if (!model_.lights.empty()) {
+      used.push_back("KHR_lights_punctual");
+      Object& lights = root_["extensions"]["KHR_lights_punctual"]["lights"];
+      for (const ModelLight& light : model_.lights)
+        lights.push_back({{"name", light.name},
+                          {"type", light.directional ? "directional" : "point"},
+                          {"color", json(glm::clamp(light.color, 0.0, 1.0))},
+                          {"intensity", light.intensity}});
+    }
+    if (!model_.scene.empty()) {
+      used.push_back("LUXO_parametric_surface");
+      root_["extensions"]["LUXO_parametric_surface"] = {{"version", 1}, {"scene", model_.scene}};
+    }
+    if (!used.empty()) root_["extensionsUsed"] = used;
+  }
+
+  std::vector<std::byte> file() const {
+    std::string text = root_.dump(-1, ' ', false, Object::error_handler_t::replace);
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::uint64_t size = 12 + 8 + text.size() + 8 + binary_.size();
+    if (size > std::numeric_limits<std::uint32_t>::max())
+      throw Error(ErrorKind::Scene, fmt::format("{} bytes are more than a GLB has room for", size),
+                  "allow a larger deviation, or write another format");
+    std::vector<std::byte> bytes;
+    bytes.reserve(size);
+    appendText(bytes, "glTF");
+    append(bytes, std::uint32_t(2));
+    append(bytes, std::uint32_t(size));
+    append(bytes, std::uint32_t(text.size()));
+    appendText(bytes, "JSON");
+    appendText(bytes, text);
+    append(bytes, std::uint32_t(binary_.size()));
+    appendText(bytes, std::string_view("BIN\0", 4));
+    bytes.insert(bytes.end(), binary_.begin(), binary_.end());
+    return bytes;
+  }
+
+  const Model& model_;
+  const ModelClaim& claim_;
+  Object root_ = Object::object();
+  std::vector<std::byte> binary_;
+};
+
+}  // namespace
+
+std::vector<std::byte> writeGlb(const Model& model, const ModelClaim& claim) {
+  return GlbWriter(model, claim).write();
+}
+
+}  // namespace luxo

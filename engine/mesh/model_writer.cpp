@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/model_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+#include "mesh/model_target.h"
+
+namespace luxo {
+namespace {
+
+constexpr std::array<std::string_view, 4> kSuffixes = {".obj", ".glb", ".ply", ".stl"};
+
+std::string suffixOf(const std::filesystem::path& path) {
+  std::string suffix = path.extension().string();
+  for (char& c : suffix)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return suffix;
+}
+
+}  // namespace
+
+PlacedMesh::PlacedMesh(const Model& model, std::uint32_t node, const LengthUnit& unit)
+    : node_(&model.nodes[node]),
+      mesh_(&model.meshes[node_->mesh]),
+      place_(worldFromNodeAt(model, node)),
+      normals_(normalMatrix(place_.linear)),
+      turned_(mirrors(place_)),
+      metres_(unit.metres) {}
+
+std::array<std::uint32_t, 3> PlacedMesh::corners(std::uint32_t triangle) const {
+  const std::uint32_t* at = mesh_->indices().data() + std::size_t{3} * triangle;
+  return {at[0], at[turned_ ? 2 : 1], at[turned_ ? 1 : 2]};
+}
+
+std::vector<PlacedMesh> placedMeshes(const Model& model, const LengthUnit& unit) {
+  std::vector<PlacedMesh> placed;
+  for (std::uint32_t i = 0; i < model.nodes.size(); ++i)
+    if (model.nodes[i].mesh != kNone) placed.emplace_back(model, i, unit);
+  return placed;
+}
+
+std::vector<std::string> comments(const ModelClaim& claim, const LengthUnit& unit) {
+  // Rounded up, so that what is said holds.
+  const double deviation = claim.deviation / unit.metres * (1 + 1e-3);
+  std::vector<std::string> lines;
+  lines.push_back(std::isfinite(deviation)
+                      ? fmt::format("luxo: proven deviation {:.4g} {}, {}", deviation, unit.name,
+                                    claim.closed ? "closed" : "open")
+                      : fmt::format("luxo: deviation unknown, {}", claim.closed ? "closed" : "open"));
+  if (claim.thickness > 0)
+    lines.push_back(fmt::format("open surfaces are {:.6g} {} thick; the deviation is of their middles",
+                                claim.thickness / unit.metres, unit.name));
+  lines.push_back(fmt::format("coordinates in {}, y up", unit.name));
+  return lines;
+}
+
+bool namesWrittenModel(const std::filesystem::path& path) {
+  return std::find(kSuffixes.begin(), kSuffixes.end(), suffixOf(path)) != kSuffixes.end();
+}
+
+std::vector<std::filesystem::path> namesOf(const std::filesystem::path& path) {
+  if (suffixOf(path) != ".obj") return {path};
+  std::filesystem::path materials = path;
+  return {materials.replace_extension(".mtl"), path};
+}
+
+std::vector<ModelFile> filesOf(const Model& model, const std::filesystem::path& path, const ModelClaim& claim,
+                               const LengthUnit& unit) {
+  const std::string suffix = suffixOf(path);
+  if (!namesWrittenModel(path))
+    throw Error(ErrorKind::Usage, fmt::format("'{}' names no model that can be written", path.string()),
+                "models are written as .glb, .obj, .ply, .stl");
+  if (suffix == ".glb" && unit.metres != 1)
+    throw Error(ErrorKind::Usage,
+                fmt::format("'{}': a GLB is in metres, not in {}", path.string(), unit.name),
+                "leave the unit out, or write another format");
+  if (placedMeshes(model, unit).empty())
+    throw Error(ErrorKind::Scene, fmt::format("'{}': there are no triangles to write", path.string()));
+  if (suffix == ".obj") return writeObj(model, path, claim, unit);
+  if (suffix == ".ply") return {{path, writePly(model, claim, unit)}};
+  if (suffix == ".stl") return {{path, writeStl(model, claim, unit)}};
+  return {{path, writeGlb(model, claim)}};
+}
+
+}  // namespace luxo

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Linear maps as the rotations and scales that model files say them by.
+#pragma once
+
+#include <optional>
+
+#include "math/vec.h"
+
+namespace luxo {
+
+struct Turn {
+  Vec4 rotation;  ///< unit quaternion x, y, z, w
+  Vec3 scale;     ///< first: the map is rotation * scale
+};
+
+[[nodiscard]] Mat3 rotationOf(const Vec4& unitQuaternion);
+
+/// rotation * scale, where the map is that but for the roundings of floats (1e-6); nothing where it is
+/// sheared or flat.
+[[nodiscard]] std::optional<Turn> decomposed(Mat3 linear);
+
+}  // namespace luxo
