@@ -2,7 +2,7 @@
 # The architecture as data: every folder of engine/, in flow order, with the folders it may include and link.
 # engine/CMakeLists.txt builds one library per row; the test `lint.layers` fails on any include a row does not name.
 
-set(LUXO_LAYERS base math formula mesh surface scene cull tessellate shell shadow gpu image reference draw window)
+set(LUXO_LAYERS base math formula mesh surface scene cull tessellate export shell shadow gpu image reference draw window)
 
 set(LUXO_LAYER_base)
 set(LUXO_LAYER_math base)
@@ -12,6 +12,7 @@ set(LUXO_LAYER_surface base math formula mesh)
 set(LUXO_LAYER_scene base math formula image mesh surface)
 set(LUXO_LAYER_cull base math surface scene)
 set(LUXO_LAYER_tessellate base math surface)
+set(LUXO_LAYER_export base math mesh surface scene tessellate)
 set(LUXO_LAYER_shell base math surface tessellate)
 set(LUXO_LAYER_shadow base math surface tessellate)
 set(LUXO_LAYER_gpu base)

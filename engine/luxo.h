@@ -3,10 +3,12 @@
 #pragma once
 
 #include "draw/renderer.h"
+#include "export/exported_model.h"
 #include "image/compare.h"
 #include "image/format.h"
 #include "image/image.h"
 #include "mesh/model.h"
+#include "mesh/model_writer.h"
 #include "scene/model_scene.h"
 #include "scene/scene.h"
 #include "scene/scene_builder.h"

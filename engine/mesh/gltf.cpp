@@ -39,7 +39,7 @@ class GltfReader {
     readNodes();
     readAnimation();
     if (model_.materials.empty()) model_.materials.push_back({.name = "default"});
-    model_.scene = file_.root()["extensions"]["LUXO_parametric_surface"]["scene"].textOr("");
+    readFormulas();
     if (model_.meshes.empty()) refuseModel(source_.name(), "it has no triangles");
     source_.tellProgress(1);
     return std::move(model_);
@@ -52,6 +52,13 @@ class GltfReader {
   static double positive(const GltfValue& value) {
     if (const double number = value.number(); number > 0) return number;
     value.refuse("it is not above 0");
+  }
+
+  void readFormulas() {
+    const GltfValue formulas = file_.root()["extensions"]["LUXO_parametric_surface"];
+    if (const std::uint64_t version = formulas["version"].integerOr(1); version != 1)
+      return warn(formulas, fmt::format("version {} is not known; its triangles are used instead", version));
+    model_.scene = formulas["scene"].textOr("");
   }
 
   void readCameras() {

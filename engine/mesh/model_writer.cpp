@@ -63,6 +63,8 @@ bool namesWrittenModel(const std::filesystem::path& path) {
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffixOf(path)) != kSuffixes.end();
 }
 
+bool namesGlb(const std::filesystem::path& path) { return suffixOf(path) == ".glb"; }
+
 std::vector<std::filesystem::path> namesOf(const std::filesystem::path& path) {
   if (suffixOf(path) != ".obj") return {path};
   std::filesystem::path materials = path;
@@ -75,7 +77,7 @@ std::vector<ModelFile> filesOf(const Model& model, const std::filesystem::path& 
   if (!namesWrittenModel(path))
     throw Error(ErrorKind::Usage, fmt::format("'{}' names no model that can be written", path.string()),
                 "models are written as .glb, .obj, .ply, .stl");
-  if (suffix == ".glb" && unit.metres != 1)
+  if (namesGlb(path) && unit.metres != 1)
     throw Error(ErrorKind::Usage,
                 fmt::format("'{}': a GLB is in metres, not in {}", path.string(), unit.name),
                 "leave the unit out, or write another format");

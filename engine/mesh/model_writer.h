@@ -42,6 +42,9 @@ struct ModelFile {
 /// Whether the suffix is one of .obj, .glb, .ply, .stl, in either case.
 [[nodiscard]] bool namesWrittenModel(const std::filesystem::path& path);
 
+/// Whether it is .glb, in either case.
+[[nodiscard]] bool namesGlb(const std::filesystem::path& path);
+
 /// The names of the files that a model becomes; the one that names the others is the last: scene.mtl,
 /// scene.obj. Required: namesWrittenModel().
 [[nodiscard]] std::vector<std::filesystem::path> namesOf(const std::filesystem::path& path);
