@@ -12,6 +12,7 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "export/carried_scene.h"
 #include "mesh/model.h"
 #include "scene/model_files.h"
 #include "scene/model_scene.h"
@@ -66,15 +67,6 @@ void addInputs(std::span<const std::filesystem::path> files, std::vector<NamedFi
     if (inputs && std::filesystem::exists(file, ignored)) inputs->push_back({"a file of the scene", file});
 }
 
-Scene openModel(const std::string& file, std::vector<std::string>* warnings, std::vector<NamedFile>* inputs) {
-  const auto model = std::make_shared<const Model>(readModel(file));
-  addInputs(model->files, inputs);
-  if (warnings)
-    for (const auto& some : {model->warnings, notDrawn(*model)})
-      for (const std::string& warning : some) warnings->push_back(fmt::format("{}: {}", file, warning));
-  return modelScene(model);
-}
-
 void requireKnown(const std::string& scene) {
   std::error_code ignored;
   const bool looksLikeFile = scene.find_first_of("./") != std::string::npos;
@@ -95,6 +87,43 @@ void refuseParameters(const std::string& scene, std::span<const ParameterValue> 
                 fmt::format("{} has no parameters", scene));
 }
 
+OpenedScene openDescription(SceneFile file, std::span<const ParameterValue> parameters,
+                            std::vector<std::string>* warnings, WarningsAbout about) {
+  Scene scene = buildScene(file, parameters, warnings, about);
+  return {std::move(scene), std::move(file)};
+}
+
+/// The formulas that a model carries. Nothing, with a warning: this luxo cannot read them.
+std::optional<SceneFile> carriedDescription(const Model& model, const std::string& file,
+                                            std::vector<std::string>* warnings) {
+  if (model.scene.empty()) return std::nullopt;
+  try {
+    SceneFile carried = parseScene(model.scene, file);
+    if (!namesFiles(carried)) return carried;
+    if (warnings)
+      warnings->push_back(fmt::format("{}: its formulas name files; its triangles are used instead", file));
+  } catch (const Error& error) {
+    if (warnings)
+      warnings->push_back(fmt::format("{}: its formulas cannot be read; its triangles are used instead\n{}",
+                                      file, error.what()));
+  }
+  return std::nullopt;
+}
+
+OpenedScene openModel(const std::string& file, std::span<const ParameterValue> parameters,
+                      std::vector<std::string>* warnings, std::vector<NamedFile>* inputs,
+                      WarningsAbout about) {
+  const auto model = std::make_shared<const Model>(readModel(file));
+  addInputs(model->files, inputs);
+  if (auto carried = carriedDescription(*model, file, warnings))
+    return openDescription(std::move(*carried), parameters, warnings, about);
+  refuseParameters(file, parameters);
+  if (warnings)
+    for (const auto& some : {model->warnings, notDrawn(*model)})
+      for (const std::string& warning : some) warnings->push_back(fmt::format("{}: {}", file, warning));
+  return {modelScene(model), std::nullopt};
+}
+
 }  // namespace
 
 std::vector<BuiltinScene> builtinScenes() {
@@ -112,34 +141,42 @@ std::filesystem::path fileOfScene(const std::string& scene) {
   return builtin || scene == kStandardInput ? std::filesystem::path() : std::filesystem::path(scene);
 }
 
-Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,
-                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs, WarningsAbout about) {
+OpenedScene openDescribedScene(const std::string& scene, std::span<const ParameterValue> parameters,
+                               std::vector<std::string>* warnings, std::vector<NamedFile>* inputs,
+                               WarningsAbout about) {
   if (const EmbeddedScene* embedded = embeddedScene(scene))
-    return buildScene(parseScene(std::string(embedded->text), scene), parameters, warnings, about);
+    return openDescription(parseScene(std::string(embedded->text), scene), parameters, warnings, about);
   if (scene == kGallery) {
     refuseParameters(scene, parameters);
-    return gallery();
+    return {gallery(), std::nullopt};
   }
   if (inputs && scene != kStandardInput) inputs->push_back({"the scene", scene});
-  if (namesModel(scene)) {
-    refuseParameters(scene, parameters);
-    return openModel(scene, warnings, inputs);
-  }
+  if (namesModel(scene)) return openModel(scene, parameters, warnings, inputs, about);
   if (scene != kStandardInput) requireKnown(scene);
-  const SceneFile file =
-      scene == kStandardInput ? readScene(std::cin, "standard input") : readSceneFile(scene);
-  Scene built = buildScene(file, parameters, warnings, about);
-  if (file.source.models) addInputs(file.source.models->files(), inputs);
-  if (file.source.textures) addInputs(file.source.textures->files(), inputs);
-  return built;
+  OpenedScene opened =
+      openDescription(scene == kStandardInput ? readScene(std::cin, "standard input") : readSceneFile(scene),
+                      parameters, warnings, about);
+  const SceneSource& source = opened.description->source;
+  if (source.models) addInputs(source.models->files(), inputs);
+  if (source.textures) addInputs(source.textures->files(), inputs);
+  return opened;
+}
+
+Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,
+                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs, WarningsAbout about) {
+  return openDescribedScene(scene, parameters, warnings, inputs, about).scene;
+}
+
+std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters) {
+  std::vector<ParameterOverride> overrides;
+  for (const auto& [name, value] : parameters) overrides.push_back({name, quantityOf(value)});
+  return overrides;
 }
 
 Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,
                  std::vector<std::string>* warnings, WarningsAbout about) {
-  std::vector<ParameterOverride> overrides;
-  for (const auto& [name, value] : parameters) overrides.push_back({name, quantityOf(value)});
   std::vector<Diagnostic> found;
-  Scene scene = buildScene(file, overrides, warnings != nullptr ? &found : nullptr, about);
+  Scene scene = buildScene(file, overridesOf(parameters), warnings != nullptr ? &found : nullptr, about);
   for (const Diagnostic& diagnostic : found)
     warnings->push_back(
         describe(file.source.name, file.source.text ? *file.source.text : std::string(), diagnostic));

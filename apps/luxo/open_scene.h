@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,17 +23,31 @@ struct BuiltinScene {
 /// By name. They are carried as text, so they work from any folder.
 [[nodiscard]] std::vector<BuiltinScene> builtinScenes();
 
+struct OpenedScene {
+  Scene scene;
+  std::optional<SceneFile> description;  ///< what it was built from; none: a program, a model's triangles
+};
+
 /// The scene of that name: built-in ones first, then files (so ./teapot is the file), a model (mesh/model.h)
-/// or a description; - is standard input. `parameters` replace values of the scene's. Error(Scene): there is
-/// none of that name; it cannot be read or has errors. Error(Usage): it has no such parameter, or not with
-/// that value.
+/// or a description; - is standard input. A GLB that carries its formulas (export/carried_scene.h) is these.
+/// `parameters` replace values of the scene's. Error(Scene): there is none of that name; it cannot be read or
+/// has errors. Error(Usage): it has no such parameter, or not with that value.
 ///
 /// `warnings`, where given, takes what is allowed but probably not meant (scene/scene_builder.h), as people
 /// read it. `inputs`, where given, takes the files that it is made of, so that none is overwritten.
+[[nodiscard]] OpenedScene openDescribedScene(const std::string& scene,
+                                             std::span<const ParameterValue> parameters = {},
+                                             std::vector<std::string>* warnings = nullptr,
+                                             std::vector<NamedFile>* inputs = nullptr,
+                                             WarningsAbout about = WarningsAbout::All);
+/// As above, where nobody asks what it was built from.
 [[nodiscard]] Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters = {},
                               std::vector<std::string>* warnings = nullptr,
                               std::vector<NamedFile>* inputs = nullptr,
                               WarningsAbout about = WarningsAbout::All);
+
+/// What -P says, as descriptions take it.
+[[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);
 
 /// The file behind a scene: empty for built-in ones and standard input.
 [[nodiscard]] std::filesystem::path fileOfScene(const std::string& scene);

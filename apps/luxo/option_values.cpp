@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -73,6 +74,10 @@ double numberIn(std::string_view option, const std::string& whole, std::string_v
            "give a number such as 0.5 or 1/255");
   return *above / *below;
 }
+
+// A name that is the end of another comes after it.
+constexpr std::array<std::pair<std::string_view, double>, 5> kLengthUnits = {
+    {{"um", 1e-6}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"m", 1}}};
 
 constexpr const char* kFramesHint =
     "frames are numbers and ranges first-last or first-last:step, as in 1-250:2,300";
@@ -161,6 +166,30 @@ double parsePixels(std::string_view option, const std::string& text, const Inter
     refuse(option, text, fmt::format("must be from {} to {} pixels", range.lo, range.hi),
            fmt::format("as in {} 0.25", option));
   return pixels;
+}
+
+double parseLength(std::string_view option, const std::string& text) {
+  std::string_view number = text;
+  double metres = 1;
+  for (const auto& [name, size] : kLengthUnits)
+    if (number.ends_with(name)) {
+      number.remove_suffix(name.size());
+      metres = size;
+      break;
+    }
+  const double length = numberIn(option, text, number) * metres;
+  if (!(length > 0 && length <= 1e9))
+    refuse(option, text, "must be above 0, and at most 1e9 metres", fmt::format("as in {} 0.01mm", option));
+  return length;
+}
+
+double parseLengthUnit(std::string_view option, const std::string& text) {
+  Names known;
+  for (const auto& [name, size] : kLengthUnits) {
+    if (text == name) return size;
+    known.emplace_back(name);
+  }
+  refuseName(option, text, known, "unit");
 }
 
 Shading parseShading(const std::string& text) {

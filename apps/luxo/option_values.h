@@ -45,6 +45,11 @@ inline constexpr Interval kErrorRange{1e-12, 1e6};
 [[nodiscard]] double parsePixels(std::string_view option, const std::string& text,
                                  const Interval& range = kToleranceRange);
 
+/// Metres: `0.01mm`, `1.2cm`, `5um`, `0.1in`, `2m`, without a unit metres; above 0, up to 1e9 m.
+[[nodiscard]] double parseLength(std::string_view option, const std::string& text);
+/// How many metres a unit has: um, mm, cm, m, in.
+[[nodiscard]] double parseLengthUnit(std::string_view option, const std::string& text);
+
 [[nodiscard]] Shading parseShading(const std::string& text);
 [[nodiscard]] Output parseAov(const std::string& text);
 

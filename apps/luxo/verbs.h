@@ -21,6 +21,7 @@ void addInspect(CLI::App& app, Command& chosen);
 void addDiff(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
 void addBench(CLI::App& app, Command& chosen);
+void addExport(CLI::App& app, Command& chosen);
 void addDoctor(CLI::App& app, Command& chosen);
 
 }  // namespace luxo

@@ -108,6 +108,22 @@ TEST(OptionValues, Pixels) {
   expectRefused(ErrorKind::Usage, pixels, {"0", "-1", "px", "0.25 px", "1pxpx", "0.25mm", "nan"});
 }
 
+TEST(OptionValues, Lengths) {
+  const auto length = [](const std::string& text) { return parseLength("--tolerance", text); };
+  EXPECT_DOUBLE_EQ(length("0.01mm"), 1e-5);
+  EXPECT_DOUBLE_EQ(length("5um"), 5e-6);
+  EXPECT_DOUBLE_EQ(length("1/2cm"), 5e-3);
+  EXPECT_DOUBLE_EQ(length("1in"), 0.0254);
+  EXPECT_EQ(length("2m"), 2);
+  EXPECT_EQ(length("0.25"), 0.25);
+  expectRefused(ErrorKind::Usage, length,
+                {"", "mm", "0mm", "-1mm", "1 mm", "1px", "1mmm", "nan", "inf", "2e9"});
+  const auto unit = [](const std::string& text) { return parseLengthUnit("--unit", text); };
+  EXPECT_EQ(unit("mm"), 1e-3);
+  EXPECT_EQ(unit("m"), 1);
+  expectRefused(ErrorKind::Usage, unit, {"", "km", "MM", "1"});
+}
+
 TEST(OptionValues, Names) {
   EXPECT_EQ(parseShading("gouraud"), Shading::Gouraud);
   EXPECT_EQ(parseShading("id"), Shading::Id);
