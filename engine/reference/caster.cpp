@@ -313,9 +313,18 @@ Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toV
   return reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
 }
 
+Caster::Lit Caster::lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const {
+  Lit lit{.unshadowed = shareOf(snapshot_.lights[light], hit, toViewer)};
+  if (shinesOn(light, hit)) lit.reaching = reaching(light, hit, lit.certified);
+  return lit;
+}
+
+Vec3 Caster::ambientAt(const Hit& hit) const {
+  return materialOf(hit.node).ambient.value_or(diffuseOf(hit)) * snapshot_.ambient;
+}
+
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
-  const Material& material = materialOf(hit.node);
-  Vec3 sum = material.ambient.value_or(diffuseOf(hit)) * snapshot_.ambient;
+  Vec3 sum = ambientAt(hit);
   for (const SnapshotLight& light : snapshot_.lights) {
     const Vec3 share = shareOf(light, hit, toViewer, tilt);
     if (share != Vec3(0)) sum += share * reaching(light, hit, certified);

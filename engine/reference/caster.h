@@ -96,6 +96,18 @@ class Caster {
     return reaching(snapshot_.lights[light], hit, certified);
   }
 
+  /// A light at a hit: what it adds where nothing stands before it (to an opaque surface), and how much of
+  /// it reaches the hit, which is only looked for where it shines on it.
+  struct Lit {
+    Vec3 unshadowed{0}, reaching{0};
+    bool certified = true;
+  };
+  [[nodiscard]] Lit lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const;
+  /// What the ambient light adds.
+  [[nodiscard]] Vec3 ambientAt(const Hit& hit) const;
+  /// The diffuse colour, of a pattern or a map where the material has one.
+  [[nodiscard]] Vec3 diffuseOf(const Hit& hit) const;
+
   /// Whether a light would add something to a hit that sees it.
   [[nodiscard]] bool shinesOn(std::uint32_t light, const Hit& hit) const;
   /// Unit.
@@ -130,7 +142,6 @@ class Caster {
   /// From how (u, v) moves with the point of the plane that a hit is in: as S does, where su and sv are in
   /// it.
   [[nodiscard]] Footprint footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, const Vec3& sv) const;
-  [[nodiscard]] Vec3 diffuseOf(const Hit& hit) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
             Sight& sight) const;
   /// What a light adds to a hit that sees it.
