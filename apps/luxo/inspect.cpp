@@ -21,6 +21,7 @@
 #include "image/format.h"
 #include "open_scene.h"
 #include "options.h"
+#include "pixel_inspection.h"
 #include "scene_inspection.h"
 #include "scene_request.h"
 #include "verbs.h"
@@ -32,7 +33,7 @@ using Json = nlohmann::ordered_json;
 
 struct InspectOptions {
   std::unique_ptr<RenderOptions> scene;
-  std::optional<std::string> pixel;
+  std::optional<std::string> pixel, vertex;
   bool json = false;
 };
 
@@ -45,7 +46,7 @@ struct Pixel {
   int x, y;
 };
 
-Pixel parsePixel(const std::string& text, const Image& image) {
+Pixel parsePixel(const std::string& text, PixelSize size) {
   const std::string hint = "give X,Y, counted from the top left, as in --pixel 312,88";
   Pixel pixel{};
   const char* const end = text.data() + text.size();
@@ -55,11 +56,10 @@ Pixel parsePixel(const std::string& text, const Image& image) {
   const auto [rest, badY] = std::from_chars(comma + 1, end, pixel.y);
   if (badY != std::errc{} || rest != end)
     throw Error(ErrorKind::Usage, fmt::format("--pixel '{}': not a pixel", text), hint);
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= image.width() || pixel.y >= image.height())
-    throw Error(
-        ErrorKind::Usage,
-        fmt::format("--pixel '{}': the picture has {} x {} pixels", text, image.width(), image.height()),
-        hint);
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
+    throw Error(ErrorKind::Usage,
+                fmt::format("--pixel '{}': the picture has {} x {} pixels", text, size.width, size.height),
+                hint);
   return pixel;
 }
 
@@ -116,7 +116,7 @@ Json inspectImage(const std::string& path, const std::optional<std::string>& pix
   for (int channel = 0; channel < image.channels(); ++channel)
     json["channels"].push_back(channelJson(image, channel));
   if (pixel) {
-    const auto [x, y] = parsePixel(*pixel, image);
+    const auto [x, y] = parsePixel(*pixel, {image.width(), image.height()});
     json["pixel"] = {{"x", x}, {"y", y}, {"value", Json::array()}};
     for (const float sample : image.pixel(x, y)) json["pixel"]["value"].push_back(sampleJson(sample));
   }
@@ -136,13 +136,22 @@ int runInspect(const InspectOptions& options) {
   if (isShader(name))
     throw Error(ErrorKind::Scene, fmt::format("'{}': shaders are not supported yet", name),
                 "scenes (.luxo.json) and pictures can be inspected");
-  if (imageFormatOf(name)) return print(inspectImage(name, options.pixel), imageText);
-  if (options.pixel)
-    throw Error(ErrorKind::Scene, "--pixel of a scene is not supported yet",
-                "render it, with --aov for other than colours, and inspect the picture");
+  if (options.pixel && options.vertex)
+    throw Error(ErrorKind::Usage, "--pixel and --vertex exclude each other",
+                "--pixel tells the way of the point that is seen there, too");
+  if (imageFormatOf(name)) {
+    if (options.vertex)
+      throw Error(ErrorKind::Usage, "--vertex: a picture has no vertices", "give a scene or a model");
+    return print(inspectImage(name, options.pixel), imageText);
+  }
   std::vector<std::string> warnings;
   Scene scene = openScene(name, request.parameters, &warnings);
   const ViewedScene viewed = viewedScene(std::move(scene), request);
+  if (options.pixel) {
+    const auto [x, y] = parsePixel(*options.pixel, viewed.settings.size);
+    return print(inspectPixel(name, viewed, x, y), pixelText);
+  }
+  if (options.vertex) return print(inspectVertex(name, viewed, *options.vertex), vertexText);
   return print(inspectScene(name, viewed, std::move(warnings)), inspectionText);
 }
 
@@ -153,7 +162,12 @@ void addInspect(CLI::App& app, Command& chosen) {
   verb->group("Verbs");
   const auto options = std::make_shared<InspectOptions>();
   options->scene = std::make_unique<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
-  verb->add_option("--pixel", options->pixel, "the value of one pixel of a picture")->type_name("X,Y");
+  verb->add_option("--pixel", options->pixel,
+                   "one pixel, from the top left: of a picture its value, of a scene why it looks so")
+      ->type_name("X,Y");
+  verb->add_option("--vertex", options->vertex,
+                   "a point of a node's surface, or a vertex of its triangles, on the way to the screen")
+      ->type_name("NODE:U,V|NODE:I");
   verb->add_flag("--json", options->json, "as JSON");
   verb->callback([options, &chosen] { chosen = [options] { return runInspect(*options); }; });
 }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // luxo inspect: what it says of scenes and of pictures. No device is needed.
+#include <fmt/format.h>
+
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "cli/program.h"
 #include "image/format.h"
@@ -74,6 +79,141 @@ TEST_F(Inspect, Pictures) {
   EXPECT_EQ(image["channels"][2]["mean"], 57 / 6.0);  // 2 + 5 + 8 + 11 + 14 + 17
   expectFailure(run(folder, {"inspect", "a.pfm", "--pixel", "3,0"}), 2, "3 x 2 pixels", "312,88");
   expectFailure(run(folder, {"inspect", "a.pfm", "--pixel", "1;0"}), 2, "not a pixel", "312,88");
+}
+
+/// A ball of radius 2 under a lamp, and a mirrored ring out of the picture.
+const char* const kBallAndRing = R"scene({ "luxo": 1,
+  "render": { "size": [64, 48], "ambient": 0.25, "background": [0.1, 0.2, 0.3], "samples": 4 },
+  "materials": { "red": { "diffuse": [0.5, 0.1, 0], "specular": 0 } },
+  "surfaces": { "ball": { "type": "sphere", "radius": 2 }, "ring": { "type": "torus", "major": 2, "minor": 0.5 } },
+  "nodes": [ { "name": "ball", "translate": [0, 0, 1], "surface": "ball", "material": "red" },
+             { "name": "ring", "translate": [30, 0, 0], "scale": [-1, 1, 1], "surface": "ring" },
+             { "name": "lamp", "translate": [0, 0, 7], "light": { "intensity": 8, "attenuation": "inverse-square" } } ],
+  "camera": { "eye": [0, 0, 11], "fov_y": "40deg" }
+})scene";
+
+void expectVector(const Json& json, const std::vector<double>& expected, double tolerance) {
+  ASSERT_EQ(json.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(json[i].get<double>(), expected[i], tolerance) << json << ", " << i;
+}
+
+TEST_F(Inspect, APixelOfABall) {
+  writeText(folder / "s.luxo.json", kBallAndRing);
+  const Json told = inspected("s.luxo.json", {"--pixel", "31,23", "--size", "63x47"});  // the middle one
+  expectVector(told["ray"]["direction"], {0, 0, -1}, 1e-14);
+  ASSERT_EQ(told["points"].size(), 2u);
+  const Json& point = told["points"][0];
+  EXPECT_EQ(point["node"], "ball");
+  EXPECT_EQ(point["number"], 1);
+  EXPECT_EQ(point["material"], "red");
+  EXPECT_EQ(point["seen"], true);
+  EXPECT_EQ(point["certified"], true);
+  expectVector(point["position"], {0, 0, 3}, 1e-12);
+  expectVector(point["normal"], {0, 0, 1}, 1e-12);
+  expectVector(point["normal_lit"], {0, 0, 1}, 1e-12);
+  EXPECT_NEAR(point["depth"].get<double>(), 8, 1e-12);
+  EXPECT_NEAR(point["curvature"]["gaussian"].get<double>(), 0.25, 1e-12);
+  EXPECT_NEAR(point["curvature"]["mean"].get<double>(), 0.5, 1e-12);
+  EXPECT_LT(point["residual_px"].get<double>(), 1e-9);
+  ASSERT_EQ(point["lights"].size(), 1u);
+  EXPECT_EQ(point["lights"][0]["node"], "lamp");
+  EXPECT_EQ(point["lights"][0]["state"], "seen");
+  expectVector(point["lights"][0]["share"], {0.25, 0.05, 0}, 1e-12);  // 8 / 4^2 of the colour
+  expectVector(point["ambient"], {0.125, 0.025, 0}, 1e-12);
+  expectVector(told["color"]["linear"], {0.375, 0.075, 0}, 1e-12);
+  EXPECT_EQ(told["color"]["srgb8"], (Json{165, 77, 0}));
+  EXPECT_EQ(told["points"][1]["seen"], false);
+  EXPECT_FALSE(told["points"][1].contains("lights"));
+  expectVector(told["vertex"]["model"], {0, 0, 2}, 1e-12);
+  expectVector(told["vertex"]["screen"], {31.5, 23.5}, 1e-9);
+  EXPECT_TRUE(contains(told["pipeline"]["faces"], "counter-clockwise"));
+  EXPECT_TRUE(contains(told["pipeline"]["output"], "the mean of 4 samples"));
+
+  const Outcome text = run(folder, {"inspect", "s.luxo.json", "--pixel", "31,23", "--size", "63x47"});
+  for (const char* said : {"ball (sphere, red), outer side, 8 m deep", "K 0.25, H 0.5", "lamp, seen, 4 m away",
+                           "sRGB [165,77,0]", "pipeline", "inner side, 12 m deep, behind"})
+    EXPECT_TRUE(contains(text.out, said)) << text.out << "\nlacks: " << said;
+}
+
+TEST_F(Inspect, APixelOfTheBackground) {
+  writeText(folder / "s.luxo.json", kBallAndRing);
+  const Json told = inspected("s.luxo.json", {"--pixel", "0,0"});
+  EXPECT_EQ(told["points"], Json::array());
+  expectVector(told["color"]["linear"], {0.1, 0.2, 0.3}, 0);
+  EXPECT_FALSE(told.contains("vertex"));
+  EXPECT_TRUE(contains(run(folder, {"inspect", "s.luxo.json", "--pixel", "0,0"}).out, "the background"));
+}
+
+// What is told is what is drawn.
+TEST_F(Inspect, PixelsOfTheLampAreThoseOfItsPicture) {
+  EXPECT_EQ(
+      run(folder, {"render", "luxo-grandpa", "--engine", "reference", "--size", "67x45", "-o", "a.pfm"}).code,
+      0);
+  const Image picture = loadImage(folder / "a.pfm");
+  for (const auto& [x, y] : {std::pair{33, 22}, {40, 18}, {10, 30}, {36, 33}}) {
+    const Json told = inspected("luxo-grandpa", {"--size", "67x45", "--pixel", fmt::format("{},{}", x, y)});
+    for (int c = 0; c < 3; ++c)
+      EXPECT_EQ(float(told["color"]["linear"][std::size_t(c)].get<double>()),
+                picture.pixel(x, y)[std::size_t(c)]);
+  }
+}
+
+// By hand: translated, then looked at from 11 m, with the seeds' formulas in columns.
+TEST_F(Inspect, AVertexOnItsWayToTheScreen) {
+  writeText(folder / "s.luxo.json", kBallAndRing);
+  const Json vertex = inspected("s.luxo.json", {"--vertex", "ball:0,0.5"})["vertex"];
+  expectVector(vertex["model"], {2, 0, 0}, 1e-12);
+  expectVector(vertex["world"], {2, 0, 1}, 1e-12);
+  expectVector(vertex["world_from_model"][2], {0, 0, 1, 1}, 0);
+  expectVector(vertex["camera"], {2, 0, -10}, 1e-12);
+  expectVector(vertex["camera_from_world"][2], {0, 0, 1, -11}, 1e-12);
+  const double y = 1 / std::tan(20 * 3.14159265358979323846 / 180), x = y * 48 / 64;
+  expectVector(vertex["clip"], {2 * x, 0, 0.1, 10}, 1e-12);
+  expectVector(vertex["clip_from_camera"][0], {x, 0, 0, 0}, 1e-12);
+  expectVector(vertex["clip_from_camera"][2], {0, 0, 0, 0.1}, 1e-12);
+  expectVector(vertex["clip_from_camera"][3], {0, 0, -1, 0}, 1e-12);
+  expectVector(vertex["ndc"], {0.2 * x, 0, 0.01}, 1e-12);
+  expectVector(vertex["screen"], {32 + 32 * 0.2 * x, 24}, 1e-9);
+  expectVector(vertex["normal_world"], {1, 0, 0}, 1e-12);
+  EXPECT_EQ(vertex["in_view"], true);
+
+  // Mirrored: the normal keeps pointing out of the ring. By its number, too.
+  const Json ring = inspected("s.luxo.json", {"--vertex", "ring:0,0"});
+  expectVector(ring["vertex"]["world"], {27.5, 0, 0}, 1e-12);
+  expectVector(ring["vertex"]["normal_world"], {-1, 0, 0}, 1e-12);
+  EXPECT_EQ(ring["vertex"]["in_view"], false);
+  EXPECT_EQ(inspected("s.luxo.json", {"--vertex", "2:0,0"})["vertex"], ring["vertex"]);
+  EXPECT_TRUE(contains(ring["pipeline"]["drawn"], "no: "));
+  EXPECT_TRUE(contains(run(folder, {"inspect", "s.luxo.json", "--vertex", "ball:0,0.5"}).out, "screen"));
+
+  writeText(folder / "m.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+  const Json model = inspected("m.obj", {"--vertex", "1:2"});
+  EXPECT_EQ(model["index"], 2);
+  EXPECT_TRUE(contains(model["pipeline"]["geometry"], "triangles, as they are"));
+}
+
+TEST_F(Inspect, RefusalsOfPixelsAndVertices) {
+  writeText(folder / "s.luxo.json", kBallAndRing);
+  const auto refused = [&](const Arguments& extra, const std::string& said, const std::string& help = "") {
+    Arguments arguments = {"inspect", "s.luxo.json"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    expectFailure(run(folder, arguments), 2, said, help);
+  };
+  refused({"--pixel", "64,0"}, "64 x 48 pixels", "312,88");
+  refused({"--pixel", "-1,0"}, "64 x 48 pixels");
+  refused({"--pixel", "1.5,0"}, "not a pixel");
+  refused({"--vertex", "ball"}, "not NODE:U,V", "ball:0.5,0.25");
+  refused({"--vertex", "ball:0.5"}, "not NODE:U,V");
+  refused({"--vertex", "ball:a,b"}, "not NODE:U,V");
+  refused({"--vertex", "bal:0,0"}, "no surface of a node 'bal'", "did you mean 'ball'?");
+  refused({"--vertex", "lamp:0,0"}, "no surface of a node 'lamp'");
+  refused({"--vertex", "ball:0,1.5"}, "no point of", "v from 0 to 1");
+  refused({"--pixel", "0,0", "--vertex", "ball:0,0"}, "exclude each other");
+  writeText(folder / "m.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+  expectFailure(run(folder, {"inspect", "m.obj", "--vertex", "1:3"}), 2, "no vertex of", "3, from 0");
+  saveImage(Image(2, 2, 3), folder / "a.png");
+  expectFailure(run(folder, {"inspect", "a.png", "--vertex", "1:0,0"}), 2, "a picture has no vertices");
 }
 
 TEST_F(Inspect, Refusals) {
