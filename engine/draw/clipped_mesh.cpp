@@ -23,6 +23,7 @@ constexpr double kNearer = 0.5;
 struct Vertex {
   Vec3 position, normal;
   Vec2 parameters;
+  Vec4 tangent;
 };
 
 double at(const Vec4& plane, const Vertex& vertex) { return glm::dot(plane, Vec4(vertex.position, 1)); }
@@ -33,7 +34,7 @@ Vertex crossing(const Vec4& plane, const Vertex* a, const Vertex* b) {
   if (place(*b) < place(*a)) std::swap(a, b);
   const double ofA = at(plane, *a), part = ofA / (ofA - at(plane, *b));
   return {glm::mix(a->position, b->position, part), glm::mix(a->normal, b->normal, part),
-          glm::mix(a->parameters, b->parameters, part)};
+          glm::mix(a->parameters, b->parameters, part), glm::mix(a->tangent, b->tangent, part)};
 }
 
 /// The part of a convex polygon on a plane's positive side.
@@ -87,7 +88,8 @@ std::shared_ptr<const Mesh> clippedMesh(const View& view, const SnapshotNode& no
     polygon.clear();
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = mesh->indices[i + k];
-      polygon.push_back({mesh->positions[v], mesh->normals[v], mesh->parameters[v]});
+      polygon.push_back({mesh->positions[v], mesh->normals[v], mesh->parameters[v],
+                         mesh->tangents.empty() ? Vec4(0) : mesh->tangents[v]});
     }
     for (const Vec4& plane : planes) clip(polygon, plane);
     const auto first = static_cast<std::uint32_t>(part.positions.size());
@@ -95,6 +97,7 @@ std::shared_ptr<const Mesh> clippedMesh(const View& view, const SnapshotNode& no
       part.positions.push_back(vertex.position);
       part.normals.push_back(vertex.normal);
       part.parameters.push_back(vertex.parameters);
+      if (!mesh->tangents.empty()) part.tangents.push_back(vertex.tangent);
       sum += vertex.position;
     }
     for (std::uint32_t k = 2; k < polygon.size(); ++k)

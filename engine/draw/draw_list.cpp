@@ -233,6 +233,11 @@ class DrawLister {
     }
   }
 
+  /// Light between vertices knows nothing of maps of normals.
+  static bool readsTangents(const DrawState& state) {
+    return state.pattern.readsFrame() && state.shading != Shading::Gouraud;
+  }
+
   Item itemOf(const VisibleNode& v, bool blended) {
     const SnapshotNode& node = snapshot_.nodes[v.node];
     const Material& material = snapshot_.materials[node.material.index];
@@ -255,12 +260,17 @@ class DrawLister {
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
+    if (node.surface.triangles()) {
+      batch.state.tangents = batch.state.frame || readsTangents(batch.state);
+      if (batch.again) batch.again->tangents = readsTangents(*batch.again);
+    }
     Item item{.lightSet = lights.index};
     item.instance.node = v.node;
     Vec3 origin(0);
     if (findsSurface(snapshot_, node, options_)) {
       item.found = batch.state;
       item.found->byRays = true;
+      item.found->tangents = false;
       if (shading == Shading::Exact) item.found->shading = Shading::Phong;
       if (node.surface.triangles()) {
         origin = addTriangles(item, batch, node, v);

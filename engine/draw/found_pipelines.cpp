@@ -40,7 +40,7 @@ void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipeline
   desc.vertexShader = luxo_shade_vert;
   if (state.pattern.valid())
     desc.fragmentShader =
-        patternShader(state.pattern, state.shadows ? "pattern/shade_in_shadows.frag" : "pattern/shade.frag");
+        patternShader(state, state.shadows ? "pattern/shade_in_shadows.frag" : "pattern/shade.frag");
   else
     desc.fragmentShader = state.shadows ? std::span<const std::uint32_t>(luxo_shade_in_shadows_frag)
                                         : std::span<const std::uint32_t>(luxo_shade_frag);
@@ -169,7 +169,7 @@ void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelin
     desc.vertexShader = luxo_shade_vert;
     desc.fragmentShader =
         state.pattern.valid()
-            ? std::span<const std::uint32_t>(patternShader(state.pattern, "pattern/shade_layers.frag"))
+            ? std::span<const std::uint32_t>(patternShader(state, "pattern/shade_layers.frag"))
             : std::span<const std::uint32_t>(luxo_shade_layers_frag);
     desc.specialization.insert(desc.specialization.end(),
                                {{shared::kConstantPattern, state.patternNumber},

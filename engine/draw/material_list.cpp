@@ -70,7 +70,7 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(lights, [&](std::uint32_t light) {
                return !snapshot.lights[light].casters.empty();
              });
-  const bool textures = std::ranges::any_of(materials, &Material::drawsMap);
+  const bool textures = std::ranges::any_of(materials, &Material::drawsMaps);
   const bool possible = options.output == Output::Color && !showsData(options.shading) &&
                         options.samples == 1 &&
                         (shadows_ || hasLayers(snapshot, options) || lights.size() <= shared::kMaxLights) &&
@@ -91,11 +91,14 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
         return isOnlyNear(snapshot, snapshot.nodes[node.node], options);
       });
   list_.findsFootprints = list_.deferred && textures;
+  list_.findsFrames = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
+                        return Paint::of(material).readsFrame();
+                      });
 }
 
 std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf, std::uint32_t node) {
   const Material& material = snapshot_.materials[index];
-  const bool ofNode = shadows_ || material.transparent() || material.drawsMap();
+  const bool ofNode = shadows_ || material.transparent() || material.drawsMaps();
   const auto [entry, isNew] = numberOf_.try_emplace({index, shadeOf, ofNode ? node : 0},
                                                     static_cast<std::uint32_t>(list_.materials.size()));
   if (shadows_) numberOfNode_[node] = entry->second;
@@ -104,7 +107,7 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
   if (const Paint paint = Paint::of(material); paint.isTexture()) {
     data.pattern = patternNumber(paint);
     data.firstPatternParameter = static_cast<std::uint32_t>(list_.patternParameters.size());
-    appendTexture(material, snapshot_.nodes[node].surface, list_.textures, list_.patternParameters);
+    appendMaps(material, snapshot_.nodes[node], list_.textures, list_.patternParameters);
   } else if (paint.valid()) {
     data.pattern = patternNumber(paint);
     data.firstPatternParameter = firstPatternParameter(material);
@@ -148,6 +151,7 @@ LightSets::Choice MaterialList::lightLater(DrawBatch& batch, LightSets& lightSet
   const bool isMesh = list_.findsPlaces && !findsSurface(snapshot_, node, options_);
   state.form = list_.findsParameters || isMesh ? Form::FoundWithParameters : Form::Found;
   state.footprint = list_.findsFootprints;
+  state.frame = list_.findsFrames;
   state.pattern = {};
   if (batch.again) state.shading = Shading::Phong;
   return {.shadeOf = shadeOf};

@@ -18,7 +18,7 @@
 namespace luxo {
 
 /// Fills DrawList::materials, patternParameters, textures, deferred, findsParameters, findsFootprints,
-/// findsPlaces, and groups but for their shadows.
+/// findsFrames, findsPlaces, and groups but for their shadows.
 class MaterialList {
  public:
   /// All must outlive this. The list is deferred where that is asked for, or shadows have to be found, and

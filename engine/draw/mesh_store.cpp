@@ -54,7 +54,8 @@ void uploadIndices(gpu::Context& context, DeviceMesh& mesh, const std::vector<st
 
 }  // namespace
 
-const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool withParameters) {
+const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool withParameters,
+                                 bool withTangents) {
   Entry& entry = entries_[mesh.get()];
   DeviceMesh& device = entry.device;
   // An expired entry of the same address belongs to a mesh that is gone.
@@ -67,6 +68,11 @@ const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool w
   if (withParameters && !device.parameters) {
     const std::vector<Vec2f> parameters(mesh->parameters.begin(), mesh->parameters.end());
     device.parameters = upload(*context_, parameters, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "mesh parameters");
+  }
+  if (withTangents && !device.tangents) {
+    std::vector<Vec4f> tangents(mesh->tangents.begin(), mesh->tangents.end());
+    tangents.resize(mesh->positions.size(), Vec4f(0));
+    device.tangents = upload(*context_, tangents, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "mesh tangents");
   }
   return device;
 }

@@ -17,6 +17,7 @@ namespace luxo {
 struct DeviceMesh {
   gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex; or ShellVertex
   gpu::Buffer parameters;  ///< (u, v): 8 bytes a vertex; empty until a view of geometry needs it
+  gpu::Buffer tangents;    ///< 16 bytes a vertex, 0 of meshes without; empty until a map of normals needs it
   gpu::Buffer indices;
   VkIndexType indexType = VK_INDEX_TYPE_UINT16;
   std::uint32_t indexCount = 0;
@@ -34,7 +35,8 @@ class MeshStore {
  public:
   explicit MeshStore(gpu::Context& context) : context_(&context) {}
 
-  [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Mesh>& mesh, bool withParameters);
+  [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Mesh>& mesh, bool withParameters,
+                                      bool withTangents = false);
   [[nodiscard]] const DeviceMesh& get(const std::shared_ptr<const Shell>& shell);
 
   /// Drops the meshes that are gone. The device may still be drawing them: destruction is deferred.

@@ -182,7 +182,8 @@ void PassRecorder::bindPaint(const gpu::GraphicsPipeline& pipeline, const DrawSt
 void PassRecorder::draw(const DrawBatch& batch) {
   const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, view_.targets().format());
   const bool withParameters = readsParameters(batch.state);
-  const DeviceMesh& mesh = batch.shell ? store_.get(batch.shell) : store_.get(batch.mesh, withParameters);
+  const DeviceMesh& mesh =
+      batch.shell ? store_.get(batch.shell) : store_.get(batch.mesh, withParameters, batch.state.tangents);
   const std::uint32_t lightOffset = view_.lightOffset(batch.lightSet);
 
   pipeline.bind(commands_);
@@ -199,9 +200,10 @@ void PassRecorder::draw(const DrawBatch& batch) {
   gpu::setDepthBias(commands_, biasOf(batch));
   vkCmdSetCullMode(commands_, cullMode(batch.culling));
   vkCmdSetFrontFace(commands_, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};
-  constexpr VkDeviceSize kOffsets[] = {0, 0};
-  vkCmdBindVertexBuffers(commands_, 0, withParameters ? 2 : 1, streams, kOffsets);
+  const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices,
+                              batch.state.tangents ? mesh.tangents : mesh.vertices};
+  constexpr VkDeviceSize kOffsets[] = {0, 0, 0};
+  vkCmdBindVertexBuffers(commands_, 0, batch.state.tangents ? 3 : withParameters ? 2 : 1, streams, kOffsets);
   if (batch.shell)
     vkCmdBindIndexBuffer(commands_, bindings_.shellIndices, 0, VK_INDEX_TYPE_UINT32);
   else

@@ -44,6 +44,10 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
     targets.push_back({Target::FoundFootprint, begin});
     reads.push_back(Target::FoundFootprint);
   }
+  if (list.findsFrames) {
+    targets.push_back({Target::FoundFrame, begin});
+    reads.push_back(Target::FoundFrame);
+  }
   Pass finds{.name = replaces ? "rays" : "found",
              .colors = targets,
              .depth = begin,

@@ -192,7 +192,8 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
          .normal = Vec3f(hit.normal),
          .parameters = Vec2f(hit.u, hit.v),
          .place = Vec4f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth), depth),
-         .footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1]))});
+         .footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])),
+         .frame = Vec4f(hit.frame)});
   }
   return points;
 }

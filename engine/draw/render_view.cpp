@@ -108,6 +108,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples),
                    {.deferred = list_.deferred,
                     .footprints = list_.findsFootprints,
+                    .frames = list_.findsFrames,
                     .shadows = list_.findsShadows(),
                     .transmittance = list_.findsTransmittances(),
                     .places = list_.findsPlaces,
@@ -210,10 +211,13 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     const VkBufferView all = texels.get(list_.textures);
     const gpu::Buffer& parameters = uploads.patternParameters.use(*context_);
     bindings.texture = frames.descriptors().write(pipelines.textureLayout(), {parameters, all});
-    if (list_.findsFootprints)
+    if (list_.findsFootprints) {
+      gpu::Texture& footprints = targets_.texture(Target::FoundFootprint);
+      gpu::Texture& frame = list_.findsFrames ? targets_.texture(Target::FoundFrame) : footprints;
       bindings.foundTexture = frames.descriptors().write(
           pipelines.foundTextureLayout(),
-          {parameters, all, {targets_.texture(Target::FoundFootprint), pipelines.texelSampler()}});
+          {parameters, all, {footprints, pipelines.texelSampler()}, {frame, pipelines.texelSampler()}});
+    }
   }
   if (list_.exact()) {
     bindings.exact = frames.descriptors().write(

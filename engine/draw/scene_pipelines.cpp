@@ -18,7 +18,9 @@
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
 #include "luxo/shaders/found_footprint_frag.h"
+#include "luxo/shaders/found_frame_frag.h"
 #include "luxo/shaders/found_parameters_frag.h"
+#include "luxo/shaders/found_tangent_frag.h"
 #include "luxo/shaders/gouraud_again_frag.h"
 #include "luxo/shaders/gouraud_again_vert.h"
 #include "luxo/shaders/gouraud_frag.h"
@@ -28,7 +30,9 @@
 #include "luxo/shaders/inspect_frag.h"
 #include "luxo/shaders/inspect_vert.h"
 #include "luxo/shaders/ray_found_footprint_frag.h"
+#include "luxo/shaders/ray_found_frame_frag.h"
 #include "luxo/shaders/ray_inspect_vert.h"
+#include "luxo/shaders/ray_surface_frame_vert.h"
 #include "luxo/shaders/ray_surface_pattern_vert.h"
 #include "luxo/shaders/ray_surface_texture_vert.h"
 #include "luxo/shaders/ray_surface_vert.h"
@@ -36,6 +40,7 @@
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_layer_frag.h"
 #include "luxo/shaders/surface_pattern_vert.h"
+#include "luxo/shaders/surface_tangent_vert.h"
 #include "luxo/shaders/surface_vert.h"
 #include "luxo/shaders/toon_again_frag.h"
 #include "luxo/shaders/toon_frag.h"
@@ -121,7 +126,9 @@ void describeWireframe(const DrawState& state, const gpu::Features& features,
 /// Points that rays have found replace what is there.
 void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipelineDesc& desc) {
   const bool footprint = state.pattern.isTexture() || state.footprint;
+  const bool frame = state.pattern.readsFrame() || state.frame;
   desc.vertexShader = inspects                 ? std::span<const std::uint32_t>(luxo_ray_inspect_vert)
+                      : frame                  ? std::span<const std::uint32_t>(luxo_ray_surface_frame_vert)
                       : footprint              ? std::span<const std::uint32_t>(luxo_ray_surface_texture_vert)
                       : readsParameters(state) ? std::span<const std::uint32_t>(luxo_ray_surface_pattern_vert)
                                                : std::span<const std::uint32_t>(luxo_ray_surface_vert);
@@ -133,8 +140,27 @@ void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipel
   if (!readsParameters(state)) desc.attributes.erase(desc.attributes.begin() + 2);
   if (footprint && !inspects)
     desc.attributes.push_back({4, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(RayPoint, footprint)});
+  if (frame && !inspects)
+    desc.attributes.push_back({5, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(RayPoint, frame)});
   desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   desc.pushConstantBytes = sizeof(RayTarget);
+}
+
+/// Of a mesh with its parameters.
+std::span<const std::uint32_t> vertexShaderOf(const DrawState& state) {
+  return state.tangents ? std::span<const std::uint32_t>(luxo_surface_tangent_vert)
+                        : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
+}
+
+/// Of triangles, or points of rays, that are lit later, with their parameters.
+std::span<const std::uint32_t> foundShaderOf(const DrawState& state) {
+  if (!state.footprint) return luxo_found_parameters_frag;
+  if (state.byRays)
+    return state.frame ? std::span<const std::uint32_t>(luxo_ray_found_frame_frag)
+                       : std::span<const std::uint32_t>(luxo_ray_found_footprint_frag);
+  return !state.frame     ? std::span<const std::uint32_t>(luxo_found_footprint_frag)
+         : state.tangents ? std::span<const std::uint32_t>(luxo_found_tangent_frag)
+                          : std::span<const std::uint32_t>(luxo_found_frame_frag);
 }
 
 /// What a driver keeps of a pipeline whose shaders have that many bytes: measured on Mesa 22.3's lavapipe,
@@ -167,9 +193,9 @@ std::optional<ExactSource::Caster> casterOf(Form form) {
 }
 
 /// Fused, or found without parameters: one shader does both.
-std::tuple<SurfaceCodePtr, Paint, bool, Form, bool> exactShaderKey(const DrawState& state) {
-  return {state.surface, state.pattern, state.grazing, state.form == Form::Found ? Form::Fused : state.form,
-          state.footprint};
+std::tuple<SurfaceCodePtr, Paint, bool, Form, bool, bool> exactShaderKey(const DrawState& state) {
+  return {state.surface,   state.pattern, state.grazing, state.form == Form::Found ? Form::Fused : state.form,
+          state.footprint, state.frame};
 }
 
 bool isFoundOnly(const DrawState& state) {
@@ -260,7 +286,7 @@ void ScenePipelines::forgetShaders() {
         [&](const DrawState& state) { return state.surface && exactShaderKey(state) == shader.first; });
   });
   std::erase_if(patternShaders_, [&](const auto& shader) {
-    return !isUsed([&](const DrawState& state) { return state.pattern == shader.first.first; });
+    return !isUsed([&](const DrawState& state) { return state.pattern == std::get<Paint>(shader.first); });
   });
 }
 
@@ -283,6 +309,7 @@ const gpu::DescriptorLayout& ScenePipelines::foundTextureLayout() {
     foundTextureLayout_ = gpu::DescriptorLayout(
         *context_, {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
                     {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}});
   return foundTextureLayout_;
 }
@@ -354,7 +381,7 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
       missing.push_back({key, {}});
   }
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-    const auto& [surface, pattern, grazing, form, footprint] = missing[i].key;
+    const auto& [surface, pattern, grazing, form, footprint, frame] = missing[i].key;
     const std::string_view patternText = pattern.valid() ? pattern.glsl() : "";
     const std::optional<ExactSource::Caster> caster = casterOf(form);
     const bool parameters = form == Form::FoundWithParameters;
@@ -369,6 +396,7 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
                                 : ExactSource(*surface, patternText, grazing, parameters);
     source.add(pattern.preamble());
     if (footprint) source.add("#define LUXO_TEXTURED\n#define LUXO_FINDS_FOOTPRINT\n");
+    if (frame) source.add("#define LUXO_FINDS_FRAME\n");
     missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
   });
   for (Missing& m : missing) {
@@ -407,20 +435,22 @@ void ScenePipelines::describeExact(const DrawState& state, const TargetFormat& f
   desc.setLayouts = {sceneLayout_, paintLayout(state), exactLayout()};
 }
 
-const std::vector<std::uint32_t>& ScenePipelines::patternShader(const Paint& pattern, std::string_view name) {
-  const auto found = patternShaders_.find({pattern, name});
+const std::vector<std::uint32_t>& ScenePipelines::patternShader(const DrawState& state,
+                                                                std::string_view name) {
+  const Paint& pattern = state.pattern;
+  const std::tuple key(pattern, name, state.tangents);
+  const auto found = patternShaders_.find(key);
   if (found != patternShaders_.end()) return found->second;
   if (const auto builtIn = builtInPatternShader(name, pattern.glsl()); !builtIn.empty())
-    return patternShaders_
-        .emplace(std::pair{pattern, name}, std::vector<std::uint32_t>(builtIn.begin(), builtIn.end()))
+    return patternShaders_.emplace(key, std::vector<std::uint32_t>(builtIn.begin(), builtIn.end()))
         .first->second;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"pattern", pattern.glsl()});
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
-  auto shader =
-      gpu::ShaderCompiler().compile({.source = *source, .includes = sources, .preamble = pattern.preamble()});
+  const std::string preamble = pattern.preamble() + (state.tangents ? "#define LUXO_VERTEX_TANGENTS\n" : "");
+  auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources, .preamble = preamble});
   context_->counted().shadersCompiled += shader.compiled;
-  return patternShaders_.emplace(std::pair{pattern, name}, std::move(shader.spirv)).first->second;
+  return patternShaders_.emplace(key, std::move(shader.spirv)).first->second;
 }
 
 /// Flat, Gouraud, Phong and toon.
@@ -437,35 +467,33 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
                                {{shared::kConstantFacetNormal, state.shading == Shading::Flat},
                                 {shared::kConstantQuantity, quantityOf(state)}});
   if (state.form == Form::FoundWithParameters) {
-    desc.vertexShader = luxo_surface_pattern_vert;
-    desc.fragmentShader = !state.footprint ? std::span<const std::uint32_t>(luxo_found_parameters_frag)
-                          : state.byRays   ? std::span<const std::uint32_t>(luxo_ray_found_footprint_frag)
-                                           : std::span<const std::uint32_t>(luxo_found_footprint_frag);
+    desc.vertexShader = vertexShaderOf(state);
+    desc.fragmentShader = foundShaderOf(state);
   }
   if (state.form == Form::Layer) {
     desc.vertexShader = luxo_surface_pattern_vert;
     desc.fragmentShader = luxo_surface_layer_frag;
   }
   if (!state.pattern.valid()) return;
-  desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert)
-                              : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
-  desc.fragmentShader = patternShader(state.pattern, gouraud                      ? "pattern/gouraud.frag"
-                                                     : toon                       ? "pattern/toon.frag"
-                                                     : !state.pattern.isTexture() ? "pattern/surface.frag"
-                                                     : state.byRays               ? "pattern/ray_texture.frag"
-                                                                                  : "pattern/texture.frag");
+  desc.vertexShader =
+      gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert) : vertexShaderOf(state);
+  desc.fragmentShader = patternShader(state, gouraud                      ? "pattern/gouraud.frag"
+                                             : toon                       ? "pattern/toon.frag"
+                                             : !state.pattern.isTexture() ? "pattern/surface.frag"
+                                             : state.byRays               ? "pattern/ray_texture.frag"
+                                                                          : "pattern/texture.frag");
 }
 
 /// The light on points that the same triangles have put down: as near as these are, where they are one a
 /// pixel.
 void ScenePipelines::describeAgain(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   const bool gouraud = state.shading == Shading::Gouraud, layer = state.form == Form::LayerAgain;
-  desc.vertexShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_again_vert)
-                              : std::span<const std::uint32_t>(luxo_surface_pattern_vert);
+  desc.vertexShader =
+      gouraud ? std::span<const std::uint32_t>(luxo_gouraud_again_vert) : vertexShaderOf(state);
   if (state.pattern.valid())
-    desc.fragmentShader = patternShader(
-        state.pattern, gouraud ? (layer ? "pattern/gouraud_layer.frag" : "pattern/gouraud_again.frag")
-                               : (layer ? "pattern/toon_layer.frag" : "pattern/toon_again.frag"));
+    desc.fragmentShader =
+        patternShader(state, gouraud ? (layer ? "pattern/gouraud_layer.frag" : "pattern/gouraud_again.frag")
+                                     : (layer ? "pattern/toon_layer.frag" : "pattern/toon_again.frag"));
   else if (layer)
     desc.fragmentShader = gouraud ? std::span<const std::uint32_t>(luxo_gouraud_layer_frag)
                                   : std::span<const std::uint32_t>(luxo_toon_layer_frag);
@@ -503,9 +531,14 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
     desc.bindings.push_back({1, sizeof(Vec2f), VK_VERTEX_INPUT_RATE_VERTEX});
     desc.attributes.push_back({2, 1, VK_FORMAT_R32G32_SFLOAT, 0});
   }
+  if (state.tangents) {
+    desc.bindings.push_back({2, sizeof(Vec4f), VK_VERTEX_INPUT_RATE_VERTEX});
+    desc.attributes.push_back({5, 2, VK_FORMAT_R32G32B32A32_SFLOAT, 0});
+  }
   if (isFoundOnly(state)) desc.colorFormats = {kFoundFormat};
   if (state.form == Form::FoundWithParameters) desc.colorFormats.push_back(kFoundParametersFormat);
   if (state.footprint) desc.colorFormats.push_back(kFoundFootprintFormat);
+  if (state.frame) desc.colorFormats.push_back(kFoundFrameFormat);
   if (state.pattern.valid()) desc.setLayouts.push_back(paintLayout(state));
   const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerShadow ||
                         state.form == Form::LayerTransmittance || state.form == Form::LayersByRays ||

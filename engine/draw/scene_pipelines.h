@@ -74,8 +74,9 @@ class ScenePipelines {
   /// Set 1 of a state: of any paint; of none that of patterns.
   [[nodiscard]] const gpu::DescriptorLayout& paintLayout(const DrawState& state);
   [[nodiscard]] gpu::GraphicsPipelineDesc describe(const DrawState& state, const TargetFormat& format);
-  /// The fragment shader of that name below shaders/pattern, made for a pattern.
-  [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const Paint& pattern, std::string_view name);
+  /// The fragment shader of that name below shaders/pattern, made for the state's pattern.
+  [[nodiscard]] const std::vector<std::uint32_t>& patternShader(const DrawState& state,
+                                                                std::string_view name);
 
   /// Has the fragment shaders that find these states' surfaces, with their patterns or without.
   void compileExactShaders(std::span<const DrawState> states);
@@ -95,10 +96,11 @@ class ScenePipelines {
   gpu::DescriptorLayout sceneLayout_, patternLayout_, textureLayout_, foundTextureLayout_, exactLayout_,
       foundLayout_, shadowLayout_, layersLayout_;
   gpu::Handle<VkSampler> texelSampler_;
-  /// Grazing; what it does with what it finds; whether it tells footprints.
-  using ExactShaderKey = std::tuple<SurfaceCodePtr, Paint, bool, Form, bool>;
+  /// Grazing; what it does with what it finds; whether it tells footprints, and frames.
+  using ExactShaderKey = std::tuple<SurfaceCodePtr, Paint, bool, Form, bool, bool>;
   std::map<ExactShaderKey, std::vector<std::uint32_t>> exactShaders_;
-  std::map<std::pair<Paint, std::string_view>, std::vector<std::uint32_t>> patternShaders_;
+  /// Whether vertices have tangents.
+  std::map<std::tuple<Paint, std::string_view, bool>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, TargetFormat>, Made> pipelines_;
   std::uint64_t picture_ = 0;
 };

@@ -4,9 +4,55 @@
 #include <algorithm>
 #include <array>
 
+#include "math/transform.h"
+#include "scene/normal_map.h"
 #include "shared/scene_data.h"
 
 namespace luxo {
+namespace {
+
+/// Its first texel's index.
+std::size_t listed(const std::shared_ptr<const Texture>& texture, TextureList& textures) {
+  std::size_t first = 0;
+  auto at = textures.begin();
+  for (; at != textures.end() && *at != texture; ++at) first += texelsOf(**at);
+  if (at == textures.end()) textures.push_back(texture);
+  return first;
+}
+
+/// Of no map the tint alone counts.
+void append(const TextureMap& map, const Vec3& tint, const Surface& surface, TextureList& textures,
+            std::vector<float>& numbers) {
+  const auto number = [](auto value) { return static_cast<float>(value); };
+  std::array<float, shared::kTextureNumbers> all{};
+  for (int c = 0; c < 3; ++c) all[shared::kTextureTint + static_cast<std::size_t>(c)] = number(tint[c]);
+  if (map.valid()) {
+    const std::size_t first = listed(map.texture, textures);
+    const TexturePlacement placement = map.on(surface);
+    const TextureLevel& level = map.texture->levels[0];
+    all = {number(placement.linear[0].x),
+           number(placement.linear[0].y),
+           number(placement.linear[1].x),
+           number(placement.linear[1].y),
+           number(placement.constant.x),
+           number(placement.constant.y),
+           number(tint.x),
+           number(tint.y),
+           number(tint.z),
+           number(level.width),
+           number(level.height),
+           number(map.texture->levels.size()),
+           number(first / 65536),
+           number(first % 65536),
+           number(map.wrapU),
+           number(map.wrapV),
+           number(map.filter == TextureFilter::Nearest),
+           number(map.anisotropy)};
+  }
+  numbers.insert(numbers.end(), all.begin(), all.end());
+}
+
+}  // namespace
 
 std::size_t texelsOf(const Texture& texture) {
   std::size_t texels = 0;
@@ -14,35 +60,18 @@ std::size_t texelsOf(const Texture& texture) {
   return texels;
 }
 
-void appendTexture(const Material& material, const Surface& surface, TextureList& textures,
-                   std::vector<float>& numbers) {
-  const TextureMap& map = material.map;
-  std::size_t first = 0;
-  auto listed = textures.begin();
-  for (; listed != textures.end() && *listed != map.texture; ++listed) first += texelsOf(**listed);
-  if (listed == textures.end()) textures.push_back(map.texture);
-  const TexturePlacement placement = map.on(surface);
-  const auto number = [](auto value) { return static_cast<float>(value); };
-  const TextureLevel& level = map.texture->levels[0];
-  const std::array<float, shared::kTextureNumbers> all{number(placement.linear[0].x),
-                                                       number(placement.linear[0].y),
-                                                       number(placement.linear[1].x),
-                                                       number(placement.linear[1].y),
-                                                       number(placement.constant.x),
-                                                       number(placement.constant.y),
-                                                       number(material.diffuse.x),
-                                                       number(material.diffuse.y),
-                                                       number(material.diffuse.z),
-                                                       number(level.width),
-                                                       number(level.height),
-                                                       number(map.texture->levels.size()),
-                                                       number(first / 65536),
-                                                       number(first % 65536),
-                                                       number(map.wrapU),
-                                                       number(map.wrapV),
-                                                       number(map.filter == TextureFilter::Nearest),
-                                                       number(map.anisotropy)};
-  numbers.insert(numbers.end(), all.begin(), all.end());
+void appendMaps(const Material& material, const SnapshotNode& node, TextureList& textures,
+                std::vector<float>& numbers) {
+  append(material.map, material.diffuse, node.surface, textures, numbers);
+  if (material.normalMap.valid()) {
+    append(material.normalMap, Vec3(1), node.surface, textures, numbers);
+    const Mat3 turn = normalFromTexel(material, normalMatrix(node.worldFromObject.linear));
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 3; ++row) numbers.push_back(static_cast<float>(turn[column][row]));
+  }
+  if (material.specularMap.valid())
+    append(material.specularMap, material.specular, node.surface, textures, numbers);
+  if (material.glowMap.valid()) append(material.glowMap, material.glow, node.surface, textures, numbers);
 }
 
 }  // namespace luxo

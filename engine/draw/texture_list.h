@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "image/texture.h"
-#include "scene/material.h"
-#include "surface/surface.h"
+#include "scene/snapshot.h"
 
 namespace luxo {
 
@@ -17,9 +16,10 @@ using TextureList = std::vector<std::shared_ptr<const Texture>>;
 /// Texels of all levels.
 [[nodiscard]] std::size_t texelsOf(const Texture& texture);
 
-/// Appends the numbers by which shaders draw the material's map on a surface (shared::kTextureLinear and on),
-/// and its texture to the list where it is not there: texels are in its order.
-void appendTexture(const Material& material, const Surface& surface, TextureList& textures,
-                   std::vector<float>& numbers);
+/// Appends the numbers by which shaders draw the material's maps on a node: for each that there is, the
+/// colour's always, those of a texture (shared::kTextureLinear and on), of that of normals with what turns
+/// its vectors; and its textures to the list where they are not there: texels are in its order.
+void appendMaps(const Material& material, const SnapshotNode& node, TextureList& textures,
+                std::vector<float>& numbers);
 
 }  // namespace luxo

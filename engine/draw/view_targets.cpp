@@ -41,6 +41,7 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
     found_ = gpu::Texture();
     foundParameters_ = gpu::Texture();
     foundFootprint_ = gpu::Texture();
+    foundFrame_ = gpu::Texture();
     places_ = gpu::Texture();
     shadows_ = gpu::Texture();
     transmittance_ = gpu::Texture();
@@ -65,6 +66,8 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
     shadows_ = make(kShadowsFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "shadows");
   if (needs.footprints && !fits(foundFootprint_, extent, VK_SAMPLE_COUNT_1_BIT))
     foundFootprint_ = make(kFoundFootprintFormat, kReadAgain, samples, "footprints of what is found");
+  if (needs.frames && !fits(foundFrame_, extent, VK_SAMPLE_COUNT_1_BIT))
+    foundFrame_ = make(kFoundFrameFormat, kReadAgain, samples, "frames of what is found");
   if (!needs.deferred || fits(found_, extent, VK_SAMPLE_COUNT_1_BIT)) return;
   LUXO_REQUIRE_COMPARE(samples, ==, VK_SAMPLE_COUNT_1_BIT);
   found_ = make(kFoundFormat, kReadAgain, samples, "found");
@@ -81,6 +84,8 @@ gpu::Texture& ViewTargets::texture(Target target) {
       return foundParameters_;
     case Target::FoundFootprint:
       return foundFootprint_;
+    case Target::FoundFrame:
+      return foundFrame_;
     case Target::Places:
       return places_;
     case Target::Shadows:

@@ -15,16 +15,17 @@ namespace luxo {
 enum class Precision { Full, Half };
 
 /// Found: of deferred shading, the points that rays see (shaders/lib/found_texel.glsl), and, where a pattern
-/// asks for them, their parameters, and, where a texture does, the footprint of their pixel; Shadows: the
-/// lights, a bit each, that do not reach them; Places: of meshes the points of their surfaces
-/// (shaders/lib/mesh_place_fragment.glsl); Transmittance: how much of one light its casters let through;
-/// LightDepth: a light's depth map.
+/// asks for them, their parameters, and, where a texture does, the footprint of their pixel, and, where a map
+/// of normals does, their frame; Shadows: the lights, a bit each, that do not reach them; Places: of meshes
+/// the points of their surfaces (shaders/lib/mesh_place_fragment.glsl); Transmittance: how much of one light
+/// its casters let through; LightDepth: a light's depth map.
 enum class Target {
   Color,
   Depth,
   Found,
   FoundParameters,
   FoundFootprint,
+  FoundFrame,
   Places,
   Shadows,
   Transmittance,
@@ -43,6 +44,7 @@ struct TargetFormat {
 inline constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kFoundParametersFormat = VK_FORMAT_R32G32_SFLOAT;
 inline constexpr VkFormat kFoundFootprintFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+inline constexpr VkFormat kFoundFrameFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kPlacesFormat = VK_FORMAT_R32G32B32A32_UINT;
 inline constexpr VkFormat kShadowsFormat = VK_FORMAT_R32_UINT;
 inline constexpr VkFormat kTransmittanceFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -54,7 +56,7 @@ class ViewTargets {
   /// Makes those that a picture of this size needs, and has none of yet.
   struct Needs {
     bool deferred = false;  ///< Found, FoundParameters
-    bool footprints = false;
+    bool footprints = false, frames = false;
     bool shadows = false, transmittance = false;
     bool places = false;         ///< with shadows; else there is one of a texel, to have something to bind
     VkExtent2D lightDepth = {};  ///< none: there is no map
@@ -77,8 +79,8 @@ class ViewTargets {
  private:
   gpu::Context* context_;
   TargetFormat format_;
-  gpu::Texture color_, resolved_, depth_, found_, foundParameters_, foundFootprint_, places_, shadows_,
-      transmittance_, lightDepth_;
+  gpu::Texture color_, resolved_, depth_, found_, foundParameters_, foundFootprint_, foundFrame_, places_,
+      shadows_, transmittance_, lightDepth_;
 };
 
 }  // namespace luxo

@@ -59,6 +59,8 @@ void ModelSource::addMesh(Model& model, MeshArrays arrays, std::string_view name
   options.tangents = (options.tangents || mapped) && !arrays.uvs.empty();
   model.meshes.push_back(triangleMesh(std::move(arrays), name, options));
   const TriangleMesh& mesh = model.meshes.back();
+  if (mapped && mesh.uvs().empty())
+    model.warnings.push_back(fmt::format("{}: '{}' has no uvs: its maps are not drawn", name_, name));
   if (mesh.dropped() > 0)
     model.warnings.push_back(
         fmt::format("{}: {} triangles of '{}' have no area and are left out", name_, mesh.dropped(), name));

@@ -40,7 +40,11 @@ Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snaps
                                    (material.twoSided == TwoSided::Auto && !node.surface.closed()),
                        .facing = material.twoSided == TwoSided::No ? Facing::Front : Facing::Both,
                        .transparent = material.transparent()});
-    if (material.drawsMap()) bodies_.back().map = material.map.on(node.surface);
+    Body& body = bodies_.back();
+    body.normalFromTexel = normalFromTexel(material, body.normalFromObject);
+    if (material.drawsMaps())
+      std::ranges::transform(material.maps(), body.maps.begin(),
+                             [&](const TextureMap* map) { return map->on(node.surface); });
   }
 }
 
@@ -84,13 +88,16 @@ Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
     placeOnTriangle(ray, root, hit);
     return hit;
   }
-  hit.normal = unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
-  if (body.twoSided && glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
-  hit.facet = hit.normal;
-  if (materialOf(node).drawsMap()) {
+  const Vec3 outward =
+      unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
+  const bool turned = body.twoSided && glm::dot(outward, ray.direction) > 0;
+  hit.normal = hit.facet = turned ? -outward : outward;
+  if (materialOf(node).drawsMaps()) {
     const SurfacePoints at = n.surface.evaluate(root.patch, {&root.u, 1}, {&root.v, 1}, n.parameters);
     const Mat3& world = n.worldFromObject.linear;
-    hit.footprint = footprintOf(ray, hit, world * at.du[0], world * at.dv[0]);
+    const Vec3 su = world * at.du[0], sv = world * at.dv[0];
+    hit.footprint = footprintOf(ray, hit, su, sv);
+    hit.frame = normalFrame(su, sv, outward, turned);
   }
   return hit;
 }
@@ -134,10 +141,21 @@ Footprint Caster::footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, co
   return footprint;
 }
 
-Vec3 Caster::diffuseOf(const Hit& hit) const {
+Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
   const Material& material = materialOf(hit.node);
-  if (!material.drawsMap()) return material.diffuseAt(hit.u, hit.v);
-  return material.diffuse * Vec3(material.map.at(bodies_[hit.node].map, {hit.u, hit.v}, hit.footprint));
+  Reflection reflection{hit.normal, material.diffuseAt(hit.u, hit.v), material.specular, Vec3(0)};
+  if (!material.drawsMaps()) return reflection;
+  const Body& body = bodies_[hit.node];
+  const auto texel = [&](const TextureMap& map, const TexturePlacement& placement) {
+    return map.valid() ? Vec3(map.at(placement, {hit.u, hit.v}, hit.footprint)) : Vec3(1);
+  };
+  reflection.diffuse *= texel(material.map, body.maps[0]);
+  if (material.normalMap.valid())
+    reflection.normal = bentNormal(material, body.normalFromTexel, texel(material.normalMap, body.maps[1]),
+                                   hit.normal, hit.frame);
+  reflection.specular *= texel(material.specularMap, body.maps[2]);
+  if (material.glowMap.valid()) reflection.glow = material.glow * texel(material.glowMap, body.maps[3]);
+  return reflection;
 }
 
 /// Interpolated by weights as the renderer does it: (u, v), and unit normals in the world. Which of its sides
@@ -156,17 +174,25 @@ void Caster::placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const {
   }
   hit.u = parameters.x;
   hit.v = parameters.y;
+  const double length = glm::length(hit.normal);
   hit.normal = unit(hit.normal);
   hit.facet = unit(body.normalFromObject * glm::cross(points[1] - points[0], points[2] - points[0]));
-  if (materialOf(hit.node).drawsMap() && !triangles.mesh.uvs().empty()) {
-    const Mat3& world = snapshot_.nodes[hit.node].worldFromObject.linear;
+  const Mat3& world = snapshot_.nodes[hit.node].worldFromObject.linear;
+  if (materialOf(hit.node).drawsMaps() && !triangles.mesh.uvs().empty()) {
     const auto uv = [&](std::size_t i) { return Vec2(triangles.mesh.uvs()[corners[i]]); };
     hit.footprint = Mat2(uv(1) - uv(0), uv(2) - uv(0)) *
                     footprintOf(ray, hit, world * (points[1] - points[0]), world * (points[2] - points[0]));
   }
   const double cosine = -glm::dot(hit.normal, ray.direction);
   const bool front = std::abs(cosine) > kTurningAway ? cosine > 0 : glm::dot(hit.facet, ray.direction) < 0;
-  if (body.twoSided && !front) hit.normal = -hit.normal;
+  const bool turned = body.twoSided && !front;
+  if (turned) hit.normal = -hit.normal;
+  if (!materialOf(hit.node).drawsMaps() || triangles.mesh.tangents().empty()) return;
+  Vec3 tangent(0);
+  for (std::size_t i = 0; i < 3; ++i)
+    tangent += weights[i] * unit(world * Vec3(triangles.mesh.tangents()[corners[i]]));
+  const double handed = triangles.mesh.tangents()[corners[0]].w * (body.mirrored ? -length : length);
+  hit.frame = NormalFrame(tangent, handed) * (turned ? -1.0 : 1.0);
 }
 
 double Caster::beyond(const Ray& ray, const Hit& hit) const {
@@ -297,36 +323,45 @@ std::optional<std::uint32_t> Caster::nodeOf(NodeId id) const {
   return static_cast<std::uint32_t>(node - snapshot_.nodes.begin());
 }
 
-Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer, double tilt) const {
+Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
+                     const Vec3& toViewer, double tilt) const {
   const Material& material = materialOf(hit.node);
   const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
   const double distance = glm::length(toLight);
   if (!(distance > 0)) return Vec3(0);
   const Vec3 l = toLight / distance;
-  const double cosine = glm::dot(hit.normal, l) + tilt;
-  if (cosine <= 0 && !material.lectureSpecular) return Vec3(0);
+  const double cosine = glm::dot(reflection.normal, l) + tilt;
+  if ((cosine <= 0 || glm::dot(hit.normal, l) + tilt <= 0) && !material.lectureSpecular) return Vec3(0);
   const Vec3 h = unit(l + toViewer);
-  const double nh = std::clamp(glm::dot(hit.normal, h), 0.0, 1.0);
+  const double nh = std::clamp(glm::dot(reflection.normal, h), 0.0, 1.0);
   const Vec3 reflectance =
-      diffuseOf(hit) * std::max(cosine, 0.0) + material.specular * highlight(nh, material.shininess);
+      reflection.diffuse * std::max(cosine, 0.0) + reflection.specular * highlight(nh, material.shininess);
   const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
   return reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
 }
 
 Caster::Lit Caster::lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const {
-  Lit lit{.unshadowed = shareOf(snapshot_.lights[light], hit, toViewer)};
+  const Reflection reflection = reflectionAt(hit);
+  const SnapshotLight& one = snapshot_.lights[light];
+  Lit lit{.unshadowed = shareOf(one, hit, reflection, toViewer)};
   if (shinesOn(light, hit)) lit.reaching = reaching(light, hit, lit.certified);
+  lit.share = lit.unshadowed * lit.reaching;
   return lit;
 }
 
-Vec3 Caster::ambientAt(const Hit& hit) const {
-  return materialOf(hit.node).ambient.value_or(diffuseOf(hit)) * snapshot_.ambient;
+Vec3 Caster::withoutLights(std::uint32_t node, const Reflection& reflection) const {
+  return materialOf(node).ambient.value_or(reflection.diffuse) * snapshot_.ambient + reflection.glow;
 }
 
+Vec3 Caster::withoutLights(const Hit& hit) const { return withoutLights(hit.node, reflectionAt(hit)); }
+
+Vec3 Caster::diffuseOf(const Hit& hit) const { return reflectionAt(hit).diffuse; }
+
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
-  Vec3 sum = ambientAt(hit);
+  const Reflection reflection = reflectionAt(hit);
+  Vec3 sum = withoutLights(hit.node, reflection);
   for (const SnapshotLight& light : snapshot_.lights) {
-    const Vec3 share = shareOf(light, hit, toViewer, tilt);
+    const Vec3 share = shareOf(light, hit, reflection, toViewer, tilt);
     if (share != Vec3(0)) sum += share * reaching(light, hit, certified);
   }
   return sum;
@@ -334,10 +369,11 @@ Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, 
 
 std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3& toViewer) const {
   std::vector<Shadowed> lights;
+  const Reflection reflection = reflectionAt(hit);
   for (std::uint32_t i = 0; i < snapshot_.lights.size(); ++i) {
     const SnapshotLight& light = snapshot_.lights[i];
     if (!light.hasShadow()) continue;
-    Shadowed one{.light = i, .share = shareOf(light, hit, toViewer)};
+    Shadowed one{.light = i, .share = shareOf(light, hit, reflection, toViewer)};
     if (one.share == Vec3(0)) continue;
     const Vec3 left = reaching(light, hit, one.certified);
     one.visible = left != Vec3(0);

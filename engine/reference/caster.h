@@ -3,6 +3,7 @@
 // precision.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include "reference/roots.h"
 #include "reference/shape.h"
+#include "scene/normal_map.h"
 #include "scene/snapshot.h"
 
 namespace luxo::reference {
@@ -23,6 +25,7 @@ struct Hit {
   Vec3 normal{0};          ///< unit; outward, or toward the viewer where two-sided; of triangles interpolated
   Vec3 facet{0};           ///< unit: of the triangle itself; of a formula the normal
   Footprint footprint{0};  ///< of the view's pixel, where the material has a map
+  NormalFrame frame{0};    ///< of the side that is shown, with it
   bool certified = true;
 };
 
@@ -96,15 +99,15 @@ class Caster {
     return reaching(snapshot_.lights[light], hit, certified);
   }
 
-  /// A light at a hit: what it adds where nothing stands before it (to an opaque surface), and how much of
-  /// it reaches the hit, which is only looked for where it shines on it.
+  /// A light at a hit: what it adds where nothing stands before it (to an opaque surface), how much of it
+  /// reaches the hit, which is only looked for where it shines on it, and what it adds so.
   struct Lit {
-    Vec3 unshadowed{0}, reaching{0};
+    Vec3 unshadowed{0}, reaching{0}, share{0};
     bool certified = true;
   };
   [[nodiscard]] Lit lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const;
-  /// What the ambient light adds.
-  [[nodiscard]] Vec3 ambientAt(const Hit& hit) const;
+  /// What there is where no light reaches: of the ambient light, and glow.
+  [[nodiscard]] Vec3 withoutLights(const Hit& hit) const;
   /// The diffuse colour, of a pattern or a map where the material has one.
   [[nodiscard]] Vec3 diffuseOf(const Hit& hit) const;
 
@@ -126,8 +129,16 @@ class Caster {
     bool mirrored = false, twoSided = false;
     Facing facing = Facing::Both;
     bool transparent = false;
-    TexturePlacement map;  ///< where the material has one
+    std::array<TexturePlacement, 4> maps = {};  ///< as Material::maps(), where it has them
+    Mat3 normalFromTexel{0};
   };
+
+  /// What a hit does to light: the normal that this falls on, and colours.
+  struct Reflection {
+    Vec3 normal, diffuse, specular, glow;
+  };
+  [[nodiscard]] Reflection reflectionAt(const Hit& hit) const;
+  [[nodiscard]] Vec3 withoutLights(std::uint32_t node, const Reflection& reflection) const;
 
   /// Where the near and the far plane are on a ray; they are planes, not spheres.
   struct Range {
@@ -145,8 +156,8 @@ class Caster {
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
             Sight& sight) const;
   /// What a light adds to a hit that sees it.
-  [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer,
-                             double tilt = 0) const;
+  [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
+                             const Vec3& toViewer, double tilt = 0) const;
   [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
     return snapshot_.materials[snapshot_.nodes[node].material.index];
   }

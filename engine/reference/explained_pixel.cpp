@@ -37,7 +37,7 @@ std::vector<LightOnPoint> lightsOn(const Caster& caster, const Hit& hit, const V
     sum.light.light = lights[i].id;
     sum.position += lights[i].positionWorld;
     sum.light.unshadowed += lit.unshadowed;
-    sum.light.share += lit.unshadowed * lit.reaching;
+    sum.light.share += lit.share;
     sum.light.visibility += lit.reaching;
     sum.light.faces |= caster.shinesOn(i, hit);
     sum.light.shadows |= lights[i].hasShadow();
@@ -131,7 +131,7 @@ class Explanation {
     PointOnRay point = placed(hit);
     point.diffuse = caster_.diffuseOf(hit);
     point.opacity = material.opacityAt(hit.u, hit.v);
-    point.ambient = point.reflected = caster_.ambientAt(hit);
+    point.ambient = point.reflected = caster_.withoutLights(hit);
     point.lights = lightsOn(caster_, hit, -ray_.direction);
     for (const LightOnPoint& light : point.lights) point.reflected += light.share;
     return point;

@@ -32,6 +32,7 @@ void validate(const Material& material) {
   requireColor(material, "diffuse", material.diffuse);
   if (material.ambient) requireColor(material, "ambient", *material.ambient);
   requireColor(material, "specular", material.specular);
+  requireColor(material, "glow", material.glow);
   if (!isColor(Vec3(material.shininess)))
     reject(material, "shininess", fmt::format("{}", material.shininess),
            fmt::format("from 0 to {}", kMaxSceneNumber));
@@ -45,12 +46,16 @@ void validate(const Material& material) {
            fmt::format("{}", material.diffusePattern.parameterCount()));
   if (material.map.valid() && material.diffusePattern.valid())
     reject(material, "map", "given beside a pattern", "alone");
-  if (material.map.anisotropy < 1 || material.map.anisotropy > kMaxAnisotropy)
-    reject(material, "the anisotropy of its map", fmt::format("{}", material.map.anisotropy),
-           fmt::format("from 1 to {}", kMaxAnisotropy));
-  for (const double number : {material.map.offset.x, material.map.offset.y, material.map.scale.x,
-                              material.map.scale.y, material.map.angle})
-    if (!std::isfinite(number)) reject(material, "a number of its map", fmt::format("{}", number), "finite");
+  if (!std::isfinite(material.normalScale))
+    reject(material, "the scale of its normals", fmt::format("{}", material.normalScale), "finite");
+  for (const TextureMap* map : material.maps()) {
+    if (map->anisotropy < 1 || map->anisotropy > kMaxAnisotropy)
+      reject(material, "the anisotropy of its map", fmt::format("{}", map->anisotropy),
+             fmt::format("from 1 to {}", kMaxAnisotropy));
+    for (const double number : {map->offset.x, map->offset.y, map->scale.x, map->scale.y, map->angle})
+      if (!std::isfinite(number))
+        reject(material, "a number of its map", fmt::format("{}", number), "finite");
+  }
   for (const double parameter : material.patternParameters)
     if (!std::isfinite(parameter))
       reject(material, "a pattern parameter", fmt::format("{}", parameter), "finite");
@@ -66,7 +71,8 @@ Vec3 Material::lightThroughAt(double u, double v) const {
 }
 
 std::uint32_t cutToRange(Material& material) {
-  std::uint32_t cut = cutToRange(material.diffuse) + cutToRange(material.specular);
+  std::uint32_t cut =
+      cutToRange(material.diffuse) + cutToRange(material.specular) + cutToRange(material.glow);
   if (material.ambient) cut += cutToRange(*material.ambient);
   return cut + cutToRange(material.shininess);
 }

@@ -3,6 +3,7 @@
 // (N.H)^shininess) * Le.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,15 @@ enum class Blend { Over, Add, Multiply };
 /// are given, each over all before it, as in a lecture that shows why order matters.
 enum class BlendOrder { Exact, Given };
 
+/// What the vectors of a map of normals are relative to. A texel (r, g, b) is the vector 2 (r, g, b) - 1.
+enum class NormalSpace {
+  /// x along the surface to where the image's right is, y to where its upper edge is, z along the normal. On
+  /// formulas x is unit, along Su, and y is perpendicular to both; on triangles they are MikkTSpace's
+  /// (mesh/vertex_tangents.h), interpolated.
+  Tangent,
+  Object,  ///< the surface's own axes; turned to the side that is shown
+};
+
 /// Colours are linear RGB factors.
 struct Material {
   std::string name = "material";
@@ -46,9 +56,17 @@ struct Material {
   /// Stands for `diffuse`, and for the ambient colour unless that is given; times `opacity`, if it has one.
   Pattern diffusePattern = {};
   std::vector<double> patternParameters = {};  ///< as many as the pattern has
-  /// Times `diffuse`, and stands for the ambient colour unless that is given. Of what is seen through it is
-  /// not drawn yet, and there is none where there is a pattern.
+  /// Times `diffuse`, and stands for the ambient colour unless that is given; there is none where there is a
+  /// pattern. No map of what is seen through is drawn yet.
   TextureMap map = {};
+  /// Bends the normal that light falls on. A light below the horizon of the surface itself adds nothing,
+  /// wherever the map leads. Light between vertices (Gouraud shading) knows nothing of it.
+  TextureMap normalMap = {};
+  NormalSpace normalSpace = NormalSpace::Tangent;
+  double normalScale = 1;       ///< of its x and y, in tangent space
+  TextureMap specularMap = {};  ///< times `specular`; drawings (toon) have no highlights
+  TextureMap glowMap = {};      ///< times `glow`: light of its own, which shines on nothing else
+  Vec3 glow{1};
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] Shading shadingIn(Shading picture) const {
@@ -59,7 +77,15 @@ struct Material {
   }
   /// Whether nothing is seen of it, anywhere.
   [[nodiscard]] bool invisible() const { return opacity == 0 && blend != Blend::Multiply; }
-  [[nodiscard]] bool drawsMap() const { return map.valid() && !transparent(); }
+  /// In the order of its members; some may be no map.
+  [[nodiscard]] std::array<const TextureMap*, 4> maps() const {
+    return {&map, &normalMap, &specularMap, &glowMap};
+  }
+  [[nodiscard]] std::array<TextureMap*, 4> maps() { return {&map, &normalMap, &specularMap, &glowMap}; }
+  [[nodiscard]] bool hasMaps() const {
+    return map.valid() || normalMap.valid() || specularMap.valid() || glowMap.valid();
+  }
+  [[nodiscard]] bool drawsMaps() const { return hasMaps() && !transparent(); }
   [[nodiscard]] double opacityAt(double u, double v) const {
     return diffusePattern.hasOpacity() ? opacity * diffusePattern.opacityAt(u, v, patternParameters)
                                        : opacity;

@@ -7,7 +7,7 @@ namespace luxo {
 
 std::shared_ptr<const Model> ModelFiles::get(const std::string& name, const MeshOptions& options) {
   const std::lock_guard lock(mutex_);
-  std::shared_ptr<const Model>& model = models_[{name, options.normals, options.crease}];
+  std::shared_ptr<const Model>& model = models_[{name, options.normals, options.crease, options.tangents}];
   if (!model)
     model = std::make_shared<const Model>(readModel(fileInFolder(folder_, name, "model"), {.mesh = options}));
   return model;

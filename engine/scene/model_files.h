@@ -29,7 +29,7 @@ class ModelFiles {
  private:
   std::filesystem::path folder_;
   std::mutex mutex_;
-  std::map<std::tuple<std::string, NormalRule, double>, std::shared_ptr<const Model>> models_;
+  std::map<std::tuple<std::string, NormalRule, double, bool>, std::shared_ptr<const Model>> models_;
 };
 
 }  // namespace luxo

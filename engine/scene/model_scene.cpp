@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "image/image.h"
 #include "image/texture.h"
 #include "math/transform.h"
 
@@ -55,17 +57,24 @@ Material materialOf(const ModelMaterial& from) {
           .specular = from.specular,
           .shininess = from.shininess,
           .opacity = from.opacity,
-          .twoSided = from.twoSided ? TwoSided::Yes : TwoSided::Auto};
+          .twoSided = from.twoSided ? TwoSided::Yes : TwoSided::Auto,
+          .normalSpace = from.objectNormals ? NormalSpace::Object : NormalSpace::Tangent,
+          .normalScale = from.normalScale,
+          .glow = from.glow};
 }
 
-Texture colorTexture(const ModelImage& image) {
-  return image.bytes ? decodeTexture(*image.bytes, image.name, Codes::Srgb)
-                     : loadTexture(image.file, Codes::Srgb);
+Texture textureOf(const ModelImage& image, Codes codes) {
+  return image.bytes ? decodeTexture(*image.bytes, image.name, codes) : loadTexture(image.file, codes);
+}
+
+/// Of light of its own without a map.
+std::shared_ptr<const Texture> white() {
+  return std::make_shared<const Texture>(makeTexture(Image(1, 1, 3, {1, 1, 1}), "white"));
 }
 
 class ModelBuilder {
  public:
-  explicit ModelBuilder(const ModelPtr& model) : model_(model), images_(model->images.size()) {}
+  explicit ModelBuilder(const ModelPtr& model) : model_(model) {}
 
   Scene build() {
     for (const ModelMaterial& material : model_->materials)
@@ -110,24 +119,32 @@ class ModelBuilder {
     if (from.camera != kNone) addCamera(index, model_->cameras[from.camera]);
   }
 
-  /// Each image that a colour is read from is decoded once.
   [[nodiscard]] Material mapped(const ModelMaterial& from) {
-    using enum ModelMap::Wrap;
     Material material = materialOf(from);
-    if (!from.map.given()) return material;
-    std::shared_ptr<const Texture>& texture = images_.at(from.map.image);
-    if (!texture) texture = std::make_shared<const Texture>(colorTexture(model_->images[from.map.image]));
+    material.map = mapOf(from.map, Codes::Srgb);
+    material.normalMap = mapOf(from.normalMap, Codes::Data);
+    material.specularMap = mapOf(from.specularMap, Codes::Data);
+    material.glowMap = mapOf(from.glowMap, Codes::Srgb);
+    if (!from.glowMap.given() && from.glow != Vec3(0)) material.glowMap.texture = white();
+    return material;
+  }
+
+  /// Each image is decoded once for each way to read it.
+  [[nodiscard]] TextureMap mapOf(const ModelMap& from, Codes codes) {
+    if (!from.given()) return {};
+    using enum ModelMap::Wrap;
+    std::shared_ptr<const Texture>& texture = images_[{from.image, codes}];
+    if (!texture) texture = std::make_shared<const Texture>(textureOf(model_->images[from.image], codes));
     const auto wrap = [](ModelMap::Wrap w) {
       return w == Repeat ? TextureWrap::Repeat : w == Clamp ? TextureWrap::Clamp : TextureWrap::Mirror;
     };
-    material.map = {.texture = texture,
-                    .wrapU = wrap(from.map.wrapU),
-                    .wrapV = wrap(from.map.wrapV),
-                    .filter = from.map.nearest ? TextureFilter::Nearest : TextureFilter::Trilinear,
-                    .offset = from.map.offset,
-                    .scale = from.map.scale,
-                    .angle = from.map.angle};
-    return material;
+    return {.texture = texture,
+            .wrapU = wrap(from.wrapU),
+            .wrapV = wrap(from.wrapV),
+            .filter = from.nearest ? TextureFilter::Nearest : TextureFilter::Trilinear,
+            .offset = from.offset,
+            .scale = from.scale,
+            .angle = from.angle};
   }
 
   [[nodiscard]] static Light lightOf(const ModelLight& from) {
@@ -179,7 +196,7 @@ class ModelBuilder {
 
   ModelPtr model_;
   Scene scene_;
-  std::vector<std::shared_ptr<const Texture>> images_;
+  std::map<std::pair<std::uint32_t, Codes>, std::shared_ptr<const Texture>> images_;
   std::vector<MaterialId> materials_;
   std::vector<NodeId> nodes_;
 };
@@ -195,7 +212,9 @@ Surface surfaceOf(const Model& model) {
   if (shown.size() == 1 && isIdentity(shown[0].second)) return model.meshes[shown[0].first];
   MeshArrays arrays;
   for (const auto& [mesh, place] : shown) append(model.meshes[mesh], place, arrays);
-  return triangleMesh(std::move(arrays), model.name);
+  const bool tangents =
+      std::ranges::any_of(model.meshes, [](const TriangleMesh& mesh) { return !mesh.tangents().empty(); });
+  return triangleMesh(std::move(arrays), model.name, {.tangents = tangents});
 }
 
 Scene modelScene(const ModelPtr& model) { return ModelBuilder(model).build(); }
@@ -211,13 +230,11 @@ std::vector<std::string> notDrawn(const Model& model) {
   };
   tell(
       [](const ModelMaterial& m) {
-        return m.normalMap.given() || m.specularMap.given() || m.glowMap.given();
+        return m.opacity < 1 && (m.map.given() || m.normalMap.given() || m.specularMap.given() ||
+                                 m.glowMap.given() || m.glow != Vec3(0));
       },
-      "maps of normals, highlights and glow are");
-  tell([](const ModelMaterial& m) { return m.map.given() && m.opacity < 1; },
-       "maps of what is seen through are");
+      "maps and light of its own of what is seen through are");
   tell([](const ModelMaterial& m) { return m.map.given() && m.opacityFromMap; }, "opacities from maps are");
-  tell([](const ModelMaterial& m) { return m.glow != Vec3(0); }, "light of its own is");
   return messages;
 }
 

@@ -18,12 +18,12 @@ namespace luxo {
 [[nodiscard]] Surface surfaceOf(const Model& model);
 
 /// The scene of a model: its nodes with their movements, a node below for each material of a mesh that has
-/// several; materials with their colour's maps, cameras and lights. One without lights gets two, of a picture
+/// several; materials with their maps, cameras and lights. One without lights gets two, of a picture
 /// from (1, 0.8, 1.5), where a camera that is fitted looks from. Candela and lux are divided by pi:
 /// reflection here is not. Error(Scene): a node is sheared, or an image cannot be read.
 [[nodiscard]] Scene modelScene(const std::shared_ptr<const Model>& model);
 
-/// What of a model's materials no picture shows yet, a message a kind: other maps, light of their own.
+/// What of a model's materials no picture shows yet, a message a kind: maps of what is seen through.
 [[nodiscard]] std::vector<std::string> notDrawn(const Model& model);
 
 }  // namespace luxo

@@ -17,6 +17,7 @@
 #include "scene/scene_warnings.h"
 #include "scene/shape_builder.h"
 #include "scene/texture_builder.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 namespace {
@@ -70,6 +71,10 @@ struct BuiltSurface {
 
 struct MovingMaterial;
 
+bool bendsAlongTangents(const MaterialDesc& material) {
+  return material.normalMap && material.normalMap->space == NormalSpace::Tangent;
+}
+
 class SceneConstruction {
  public:
   SceneConstruction(const SceneFile& file, std::span<const ParameterOverride> overrides,
@@ -78,7 +83,8 @@ class SceneConstruction {
         problems_(problems),
         variables_(file, overrides, problems, scene_),
         formulas_(variables_, problems),
-        shapes_(variables_, formulas_, problems, warnings, about),
+        shapes_(variables_, formulas_, problems, warnings, about,
+                std::ranges::any_of(file.materials, bendsAlongTangents)),
         images_(formulas_, problems, warnings),
         warnings_(warnings) {}
 
@@ -97,11 +103,13 @@ class SceneConstruction {
 
  private:
   void addMaterial(const MaterialDesc& desc);
-  void addMap(const MapDesc& desc, MovingMaterial& material);
+  void addMaps(const MaterialDesc& desc, MovingMaterial& material);
+  void requireNumbers(const FileName& texture);
   void addSurface(const SurfaceDesc& desc);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
   void warnOfCutColor(const NodeDesc& desc, const Domain& domain, const Animated<Material>& moving);
+  void warnOfTangents(const NodeDesc& desc, const Surface& surface);
   Light light(const LightDesc& desc);
   ShadowMap shadowMap(const ShadowMapDesc& desc);
   void setCasters();
@@ -145,9 +153,11 @@ struct MovingMaterial {
   std::optional<Animated<Vec3>> ambient = {};
   Animated<double> shininess = 0.0, opacity = 0.0;
   std::vector<Animated<double>> patternParameters = {};
-  /// Of the map.
-  std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
-  Animated<double> angle = 0.0;
+  struct Place {
+    std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
+    Animated<double> angle = 0.0;
+  };
+  std::array<Place, 4> places = {};  ///< of Material::maps()
 
   [[nodiscard]] Material at(const Moment& moment) const {
     Material material = fixed;
@@ -158,9 +168,13 @@ struct MovingMaterial {
     material.opacity = opacity.at(moment);
     for (const Animated<double>& parameter : patternParameters)
       material.patternParameters.push_back(parameter.at(moment));
-    material.map.offset = {offset[0].at(moment), offset[1].at(moment)};
-    material.map.scale = {scale[0].at(moment), scale[1].at(moment)};
-    material.map.angle = angle.at(moment);
+    const std::array<TextureMap*, 4> maps = material.maps();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Place& place = places[i];
+      maps[i]->offset = {place.offset[0].at(moment), place.offset[1].at(moment)};
+      maps[i]->scale = {place.scale[0].at(moment), place.scale[1].at(moment)};
+      maps[i]->angle = place.angle.at(moment);
+    }
     return material;
   }
 
@@ -174,23 +188,50 @@ struct MovingMaterial {
       moves = moves || number.movesWithTime();
     };
     std::ranges::for_each(patternParameters, consider);
-    for (const Animated<double>& number : {offset[0], offset[1], scale[0], scale[1], angle}) consider(number);
+    for (const Place& place : places)
+      for (const Animated<double>& number :
+           {place.offset[0], place.offset[1], place.scale[0], place.scale[1], place.angle})
+        consider(number);
     if (constant) return at(0);
     return {[material = std::move(*this)](const Moment& moment) { return material.at(moment); },
             moves ? DependsOn::Both : DependsOn::Parameters};
   }
 };
 
-void SceneConstruction::addMap(const MapDesc& desc, MovingMaterial& material) {
-  if (const TextureMap* map = textures_.find(desc.texture, problems_)) material.fixed.map = *map;
-  for (std::size_t i = 0; i < 2; ++i) {
-    material.offset[i] = formulas_.number(desc.offset[i], kPlace);
-    material.scale[i] = formulas_.number(desc.scale[i], kPlace);
+void SceneConstruction::addMaps(const MaterialDesc& desc, MovingMaterial& material) {
+  const auto maps = desc.maps();
+  const bool opaque = desc.opacity == Quantity(1) && desc.blend == Blend::Over;
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (!maps[i]) continue;
+    const MapDesc& map = *maps[i];
+    if (const TextureMap* texture = textures_.find(map.texture, problems_))
+      *material.fixed.maps()[i] = *texture;
+    MovingMaterial::Place& place = material.places[i];
+    for (std::size_t k = 0; k < 2; ++k) {
+      place.offset[k] = formulas_.number(map.offset[k], kPlace);
+      place.scale[k] = formulas_.number(map.scale[k], kPlace);
+    }
+    place.angle = formulas_.number(map.rotate);
+    if (material.fixed.diffusePattern.valid())
+      problems_.add(map.texture.place, "the diffuse colour or opacity uses u or v, and there is a map, too",
+                    "leave out one of them");
+    if (!opaque && warnings_)
+      warnings_->push_back(
+          {rangeOf(map.texture.place), "maps of what is seen through are not drawn yet", {}});
   }
-  material.angle = formulas_.number(desc.rotate);
-  if (material.fixed.diffusePattern.valid())
-    problems_.add(desc.texture.place, "the diffuse colour or opacity uses u or v, and there is a map, too",
-                  "leave out one of them");
+  if (!desc.normalMap) return;
+  material.fixed.normalSpace = desc.normalMap->space;
+  requireNumbers(desc.normalMap->map.texture);
+}
+
+/// Vectors are not colours: decoded as these they would lead elsewhere.
+void SceneConstruction::requireNumbers(const FileName& texture) {
+  const auto desc = std::ranges::find(file_.textures, texture.text,
+                                      [](const TextureDesc& t) -> const std::string& { return t.name.text; });
+  if (desc != file_.textures.end() && !desc->file.empty() && !desc->data)
+    problems_.add(texture.place,
+                  fmt::format("the texture '{}' is read as colours, and normals are none", texture.text),
+                  "write \"data\": true in the texture");
 }
 
 void SceneConstruction::addMaterial(const MaterialDesc& desc) {
@@ -208,11 +249,7 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
     material.specular = formulas_.vector(desc.specular, kLight);
     material.shininess = formulas_.number(desc.shininess, kLight);
-    if (desc.map) addMap(*desc.map, material);
-    const bool opaque = desc.opacity == Quantity(1) && desc.blend == Blend::Over;
-    if (desc.map && !opaque && warnings_)
-      warnings_->push_back(
-          {rangeOf(desc.map->texture.place), "maps of what is seen through are not drawn yet", {}});
+    addMaps(desc, material);
     materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
   });
 }
@@ -258,6 +295,7 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
     node.material = *material;
     if (node.surface.valid()) warnOfCutColor(desc, node.surface.domain(), scene_[*material]);
   }
+  warnOfTangents(desc, node.surface);
   if (desc.light) node.light = light(*desc.light);
   const Node placeholder{.parent = node.parent};
   const std::size_t before = problems_.count();
@@ -279,6 +317,19 @@ void SceneConstruction::warnOfCutColor(const NodeDesc& desc, const Domain& domai
                    "{:.4g}..{:.4g}, v {:.4g}..{:.4g} of this surface",
                    desc.material.text, cut->u.lo, cut->u.hi, cut->v.lo, cut->v.hi),
        "it is 0 and 1e18 there; give it a value with if, clamp or max"});
+}
+
+void SceneConstruction::warnOfTangents(const NodeDesc& desc, const Surface& surface) {
+  const SurfaceTriangles* triangles = surface.valid() ? surface.triangles() : nullptr;
+  if (!warnings_ || !triangles || !triangles->mesh.tangents().empty()) return;
+  const auto material =
+      std::ranges::find(file_.materials, desc.material.text,
+                        [](const MaterialDesc& one) -> const std::string& { return one.name.text; });
+  if (material != file_.materials.end() && bendsAlongTangents(*material))
+    warnings_->push_back(
+        {rangeOf(desc.material.place),
+         fmt::format("the mesh '{}' has no uvs: its map of normals is not drawn", desc.surface.text),
+         {}});
 }
 
 Light SceneConstruction::light(const LightDesc& desc) {

@@ -120,6 +120,14 @@ struct MapDesc {
   friend bool operator==(const MapDesc&, const MapDesc&) = default;
 };
 
+/// A map of normals says what they are relative to.
+struct NormalMapDesc {
+  MapDesc map = {};
+  NormalSpace space = NormalSpace::Tangent;
+
+  friend bool operator==(const NormalMapDesc&, const NormalMapDesc&) = default;
+};
+
 /// As Material. A diffuse or ambient colour, or an opacity, that uses u or v is a pattern on the surface.
 struct MaterialDesc {
   FileName name = {};
@@ -131,7 +139,14 @@ struct MaterialDesc {
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = {};
   bool lectureSpecular = false;
-  std::optional<MapDesc> map = {};
+  std::optional<MapDesc> map = {}, specularMap = {}, glowMap = {};
+  std::optional<NormalMapDesc> normalMap = {};
+
+  /// Those that there are, in the order of Material::maps(); null: none.
+  [[nodiscard]] std::array<const MapDesc*, 4> maps() const {
+    return {map ? &*map : nullptr, normalMap ? &normalMap->map : nullptr,
+            specularMap ? &*specularMap : nullptr, glowMap ? &*glowMap : nullptr};
+  }
 
   friend bool operator==(const MaterialDesc&, const MaterialDesc&) = default;
 };

@@ -32,10 +32,11 @@ inline constexpr std::array<Names, 10> kRenderNames = {"size",       "time",    
 inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
 inline constexpr std::array<Names, 8> kTextureNames = {"file", "checker", "squares",    "color",
                                                        "wrap", "filter",  "anisotropy", "data"};
-inline constexpr std::array<Names, 10> kMaterialNames = {
-    "diffuse", "ambient",   "specular", "shininess",        "opacity",
-    "blend",   "two_sided", "shading",  "lecture_specular", "map"};
+inline constexpr std::array<Names, 13> kMaterialNames = {
+    "diffuse", "ambient",          "specular", "shininess",  "opacity",      "blend",   "two_sided",
+    "shading", "lecture_specular", "map",      "normal_map", "specular_map", "glow_map"};
 inline constexpr std::array<Names, 4> kTextureMapNames = {"texture", "offset", "scale", "rotate"};
+inline constexpr std::array<Names, 5> kNormalMapNames = {"texture", "offset", "scale", "rotate", "space"};
 inline constexpr std::array<Names, 7> kFormulaNames = {"type",   "position", "u",       "v",
                                                        "closed", "let",      "segments"};
 inline constexpr std::array<Names, 7> kRevolveNames = {"type", "radius", "height",  "u",
@@ -60,6 +61,7 @@ inline constexpr SceneKeys kRender{"the render settings", "render", kRenderNames
 inline constexpr SceneKeys kParameter{"a parameter", "parameter", kParameterNames, 1};
 inline constexpr SceneKeys kTexture{"a texture", "texture", kTextureNames};
 inline constexpr SceneKeys kTextureMap{"a map", "texture_map", kTextureMapNames, 1};
+inline constexpr SceneKeys kNormalMap{"a map of normals", "normal_map", kNormalMapNames, 1};
 inline constexpr SceneKeys kMaterial{"a material", "material", kMaterialNames};
 inline constexpr SceneKeys kFormula{"a formula surface", "surface_formula", kFormulaNames, 2};
 inline constexpr SceneKeys kRevolve{"a surface of revolution", "surface_revolve", kRevolveNames, 3};
@@ -73,9 +75,9 @@ inline constexpr SceneKeys kMap{"a shadow map", "map", kMapNames};
 inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
 /// All of them, but for named surfaces.
-inline constexpr std::array kAll = {kRoot,     kRender,  kParameter, kTexture, kMaterial, kTextureMap,
-                                    kFormula,  kRevolve, kTube,      kBezier,  kMesh,     kNode,
-                                    kRotation, kLight,   kMap,       kCamera};
+inline constexpr std::array kAll = {kRoot,      kRender,   kParameter, kTexture, kMaterial, kTextureMap,
+                                    kNormalMap, kFormula,  kRevolve,   kTube,    kBezier,   kMesh,
+                                    kNode,      kRotation, kLight,     kMap,     kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};
@@ -83,6 +85,7 @@ inline constexpr std::array<Names, 2> kAttenuations = {"none", "inverse-square"}
 inline constexpr std::array<Names, 4> kShadows = {"none", "exact", "map", "planar"};
 inline constexpr std::array<Names, 3> kWraps = {"repeat", "clamp", "mirror"};
 inline constexpr std::array<Names, 2> kFilters = {"trilinear", "nearest"};
+inline constexpr std::array<Names, 2> kNormalSpaces = {"tangent", "object"};
 inline constexpr std::array<Names, 3> kBlends = {"over", "add", "multiply"};
 inline constexpr std::array<Names, 2> kBlendOrders = {"exact", "given"};
 inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};

@@ -48,6 +48,8 @@ class SceneReader {
   void readTexture(const JsonValue& value, const FileName& name);
   void readMaterial(const JsonValue& value, const FileName& name);
   void readTextureMap(const JsonValue& value, MapDesc& map);
+  void readNormalMap(const JsonValue& value, NormalMapDesc& map);
+  void readPlacedTexture(const SceneMembers& members, MapDesc& map);
   void readNodes(const JsonValue& nodes, std::uint32_t parent);
   void readNode(const JsonValue& value, std::uint32_t parent);
   bool takesNode(const JsonValue& value);
@@ -189,7 +191,20 @@ void SceneReader::readTextureMap(const JsonValue& value, MapDesc& map) {
     values_.read(value, map.texture);
     return;
   }
-  const SceneMembers members(value, keys::kTextureMap, problems_);
+  readPlacedTexture(SceneMembers(value, keys::kTextureMap, problems_), map);
+}
+
+void SceneReader::readNormalMap(const JsonValue& value, NormalMapDesc& map) {
+  if (value.kind() == JsonKind::String) {
+    values_.read(value, map.map.texture);
+    return;
+  }
+  const SceneMembers members(value, keys::kNormalMap, problems_);
+  readPlacedTexture(members, map.map);
+  values_.readWord(members["space"], keys::kNormalSpaces, map.space);
+}
+
+void SceneReader::readPlacedTexture(const SceneMembers& members, MapDesc& map) {
   values_.read(members["texture"], map.texture);
   values_.read(members["offset"], map.offset);
   values_.read(members["scale"], map.scale);
@@ -203,6 +218,12 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
     readTextureMap(members["map"], material.map.emplace());
     material.diffuse = repeated(1);  // times what the texture says
   }
+  if (members["normal_map"].exists()) readNormalMap(members["normal_map"], material.normalMap.emplace());
+  if (members["specular_map"].exists()) {
+    readTextureMap(members["specular_map"], material.specularMap.emplace());
+    material.specular = repeated(1);
+  }
+  if (members["glow_map"].exists()) readTextureMap(members["glow_map"], material.glowMap.emplace());
   readColor(members["diffuse"], material.diffuse);
   if (members["ambient"].exists()) readColor(members["ambient"], material.ambient.emplace());
   readColor(members["specular"], material.specular);

@@ -156,10 +156,11 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
   }
   for (const MaterialDesc& material : file.materials) {
     visitAll(material.diffuse, visit);
-    if (material.map) {
-      visitAll(material.map->offset, visit);
-      visitAll(material.map->scale, visit);
-      visit(material.map->rotate);
+    for (const MapDesc* map : material.maps()) {
+      if (!map) continue;
+      visitAll(map->offset, visit);
+      visitAll(map->scale, visit);
+      visit(map->rotate);
     }
     if (material.ambient) visitAll(*material.ambient, visit);
     visitAll(material.specular, visit);
@@ -181,7 +182,8 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
     materials.insert(node.material.text);
   }
   for (const MaterialDesc& material : file.materials)
-    if (material.map) textures.insert(material.map->texture.text);
+    for (const MapDesc* map : material.maps())
+      if (map) textures.insert(map->texture.text);
   const auto unused = [&](const auto& things, const auto& used, std::string_view kind) {
     for (const auto& thing : things)
       if (!used.contains(thing.name.text))

@@ -129,14 +129,16 @@ JsonText written(const TextureDesc& texture) {
   return members.take();
 }
 
-JsonText written(const MapDesc& map) {
+/// A name, or, where there is more to say, an object; `space`: what a map of normals says beside.
+JsonText written(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
   const MapDesc usual{.texture = map.texture};
-  if (map == usual) return JsonText::string(map.texture.text);
+  if (map == usual && space == NormalSpace::Tangent) return JsonText::string(map.texture.text);
   Members members;
   members.put("texture", JsonText::string(map.texture.text));
   members.add("offset", map.offset, usual.offset);
   members.add("scale", map.scale, usual.scale);
   members.add("rotate", map.rotate, usual.rotate);
+  members.addWord("space", space, NormalSpace::Tangent, keys::kNormalSpaces);
   return members.take();
 }
 
@@ -145,7 +147,7 @@ JsonText written(const MaterialDesc& material) {
   Members members;
   if (material.ambient) members.put("ambient", writtenColor(*material.ambient));
   members.addColor("diffuse", material.diffuse, material.map ? repeated(1) : usual.diffuse);
-  members.addColor("specular", material.specular, usual.specular);
+  members.addColor("specular", material.specular, material.specularMap ? repeated(1) : usual.specular);
   members.add("shininess", material.shininess, usual.shininess);
   members.add("opacity", material.opacity, usual.opacity);
   members.addWord("blend", material.blend, usual.blend, keys::kBlends);
@@ -154,6 +156,10 @@ JsonText written(const MaterialDesc& material) {
   if (material.shading) members.put("shading", JsonText::string(nameOf(*material.shading)));
   if (material.lectureSpecular) members.put("lecture_specular", JsonText::boolean(true));
   if (material.map) members.put("map", written(*material.map));
+  if (material.normalMap)
+    members.put("normal_map", written(material.normalMap->map, material.normalMap->space));
+  if (material.specularMap) members.put("specular_map", written(*material.specularMap));
+  if (material.glowMap) members.put("glow_map", written(*material.glowMap));
   return members.take();
 }
 

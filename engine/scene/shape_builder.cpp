@@ -245,7 +245,7 @@ Surface ShapeBuilder::buildShape(const std::string&, const MeshShape& shape) {
     const std::shared_ptr<ModelFiles>& ofScene = problems_.source().models;
     const auto files = ofScene ? ofScene : std::make_shared<ModelFiles>();
     const std::shared_ptr<const Model> model =
-        files->get(shape.file.text, {.normals = shape.normals, .crease = *crease});
+        files->get(shape.file.text, {.normals = shape.normals, .crease = *crease, .tangents = tangents_});
     if (warnings_)
       for (const std::string& warning : model->warnings)
         warnings_->push_back({rangeOf(shape.file.place), warning, ""});

@@ -17,10 +17,15 @@ namespace luxo {
 
 class ShapeBuilder {
  public:
-  /// `warnings` may be null.
+  /// `warnings` may be null. `tangents`: meshes have them, where they have uvs.
   ShapeBuilder(const SceneVariables& variables, MomentFormulas& formulas, SceneProblems& problems,
-               std::vector<Diagnostic>* warnings, WarningsAbout about)
-      : variables_(variables), formulas_(formulas), problems_(problems), warnings_(warnings), about_(about) {}
+               std::vector<Diagnostic>* warnings, WarningsAbout about, bool tangents)
+      : variables_(variables),
+        formulas_(formulas),
+        problems_(problems),
+        warnings_(warnings),
+        about_(about),
+        tangents_(tangents) {}
 
   /// No surface where something is wrong, which is then among the problems. Topology is that at time 0 with
   /// the parameters' initial values.
@@ -56,6 +61,7 @@ class ShapeBuilder {
   SceneProblems& problems_;
   std::vector<Diagnostic>* warnings_;
   WarningsAbout about_;
+  bool tangents_;
 };
 
 }  // namespace luxo

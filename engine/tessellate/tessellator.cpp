@@ -31,6 +31,7 @@ Mesh meshOf(const SurfaceTriangles& triangles) {
         mesh.positions.push_back(all.point(vertex));
         mesh.normals.emplace_back(all.normals()[vertex]);
         mesh.parameters.emplace_back(all.uvs().empty() ? Vec2f(0) : all.uvs()[vertex]);
+        if (!all.tangents().empty()) mesh.tangents.emplace_back(all.tangents()[vertex]);
       }
       mesh.indices.push_back(number);
     }

@@ -61,5 +61,15 @@ void setFootprint(real3 p, vec3 right, vec3 below) {
 }
 #endif
 
+#if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
+// Of a point with the normal n (object space, any length): along the tangent plane v does not change where u grows.
+void setFrame(real3 p, vec3 n, vec3 outward) {
+  vec3 u = unitOrZero(gradientOf(p, kUOf)), v = unitOrZero(gradientOf(p, kVOf));
+  vec3 alongU = cross(n, v), alongV = cross(n, u);
+  vec3 right = relative(dot(u, alongU) < 0.0 ? -alongU : alongU), up = relative(dot(v, alongV) < 0.0 ? -alongV : alongV);
+  rootFrame = vec4(unitOrZero(right), dot(cross(right, up), outward) < 0.0 ? -1.0 : 1.0);
+}
+#endif
+
 // Whether the object's transform turns right hands into left ones.
 bool isMirrored() { return (has(kNegative) != has(kBackSide)) == has(kInward); }

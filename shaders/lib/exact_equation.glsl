@@ -197,6 +197,9 @@ int rootOfPixel(out Root root) {
   float perDeterminant = float(widthAt(root.depth)) / dot(a, right);
   setFootprint(root.S, right * perDeterminant, below * perDeterminant);
 #endif
+#if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
+  setFrame(root.S, vec3(e.half_), root.outward);
+#endif
   // Newton-Kantorovich, of one variable. A quadric's one step need not come within the tolerance.
   root.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isFirst(start, p, way, e) && off <= toleranceAt(root.depth);
   return result;

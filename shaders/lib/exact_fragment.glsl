@@ -53,6 +53,9 @@ Found foundPoint() {
   found.viewer = toViewer * inversesqrt(max(dot(toViewer, toViewer), kSmallest));
   vec3 outward = unitOrZero(root.outward);
   found.normal = root.front || !has(kTwoSided) ? outward : -outward;
+#if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
+  if (!root.front && has(kTwoSided)) rootFrame = -rootFrame;
+#endif
   found.depth = depth;
   found.residual = root.certified ? root.residual : -max(root.residual, 1e-9);
   return found;

@@ -30,6 +30,9 @@ int rootOfPixel(out Root root) {
   real3 x = real3(rowX.xyz - root.S.x * rowDepth.xyz) * perW, z = real3(rowY.xyz - root.S.z * rowDepth.xyz) * perW;
   setFootprint(root.S, vec3(x.x, 0, z.x), vec3(x.y, 0, z.y));
 #endif
+#if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
+  setFrame(root.S, vec3(0, 1, 0), root.outward);
+#endif
   real metres = toleranceAt(root.depth) * varyingClip.z;
   return isInside(root.S, metres) && (root.front || has(kShowsBack)) ? kFound : kMissed;
 }

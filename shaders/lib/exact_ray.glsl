@@ -88,6 +88,12 @@ void setFootprint(real2 fu, real2 fv, real width) {
 }
 #endif
 
+#if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
+// Of the outer side; turned over with the normal.
+vec4 rootFrame;
+vec4 normalFrame() { return rootFrame; }
+#endif
+
 vec3 relative(vec3 object) {
   return varyingRelative[0].xyz * object.x + varyingRelative[1].xyz * object.y + varyingRelative[2].xyz * object.z;
 }

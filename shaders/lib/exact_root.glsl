@@ -468,6 +468,9 @@ int rootOfPixel(out Root root) {
 #ifdef LUXO_TEXTURED
   setFootprint(at.fu, at.fv, widthAt(at.depth));
 #endif
+#if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
+  rootFrame = vec4(unitOrZero(relative(vec3(at.Su))), flipped ? 1.0 : -1.0);
+#endif
   root.certified = certified(ray, p, at);
   return result;
 }

@@ -24,6 +24,13 @@ ShadeData shadeAt(uint i) { return lightSet.shades[i]; }
 bool isLastOfGroup() { return kFirstLight + kVertexLights >= kPlainLights + kShadedLights; }
 vec3 together(vec3 light, vec3 more) { return light + more; }
 
+#ifdef LUXO_SPECULAR_MAP
+vec3 mappedSpecular(vec3 specular, vec2 parameters);
+#endif
+#ifdef LUXO_GLOW_MAP
+vec3 glowAt(vec2 parameters);
+#endif
+
 bool isLit(uint i, vec3 toLight) {
   uint light = 1u << i;
   if ((kExactShadows & light) != 0 && (inNumbers.x & kLectureSpecular) == 0 && dot(point.normal, toLight) <= 0.0) return false;
@@ -34,12 +41,19 @@ bool isLit(uint i, vec3 toLight) {
 
 vec3 interpolatedLight(vec3 diffuse) {
   vec3 sum = kAddsLight ? vec3(0) : inAmbient * ((inNumbers.x & kPatternAmbient) != 0 ? diffuse : vec3(1));
+#ifdef LUXO_GLOW_MAP
+  sum += glowAt(inParameters);
+#endif
+  vec3 specular = inSpecular;
+#ifdef LUXO_SPECULAR_MAP
+  specular = mappedSpecular(specular, inParameters);
+#endif
   for (uint k = 0; k < kVertexLights; ++k) {
     uint i = kFirstLight + k;
     if (i >= kPlainLights + kShadedLights) break;
     LightData light = lightAt(i);
     vec2 received = gl_FrontFacing ? inReceived[k].xy : inReceived[k].zw;
-    vec3 reflection = (diffuse * received.x + inSpecular * received.y) * light.radiance * throughToPoint();
+    vec3 reflection = (diffuse * received.x + specular * received.y) * light.radiance * throughToPoint();
     sum += isLit(i, light.position.xyz - point.position * light.position.w) ? reflection : vec3(0);
   }
   return sum;

@@ -53,6 +53,10 @@ float highlight(vec3 n, vec3 h, float power) {
   return cosineSquared > 0.0 || power == 0.0 ? exp2(0.5 * power * logarithm) : 0.0;
 }
 
+#ifdef LUXO_NORMAL_MAP
+vec3 horizonNormal;  // of the surface itself: a light below its horizon adds nothing, however a map bends what n is
+#endif
+
 // n, v: unit. A point that coincides with the light gets nothing from it.
 vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v) {
   float squared = dot(toLight, toLight);
@@ -61,6 +65,9 @@ vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v)
   float cosine = dot(n, l);
   vec3 h = l + v;
   bool shines = cosine > 0.0 || ((material.flags & kLectureSpecular) != 0 && squared > 0.0);
+#ifdef LUXO_NORMAL_MAP
+  if (dot(horizonNormal, l) <= 0.0 && (material.flags & kLectureSpecular) == 0) return vec3(0);
+#endif
   vec3 reflectance = material.diffuse * max(cosine, 0.0) +
                      (shines ? material.specular * highlight(n, h, material.shininess) : vec3(0));
   return reflectance * light.radiance * (light.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMaxAttenuation) : 1.0);

@@ -3,10 +3,24 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/found.glsl"
 #include "lib/pattern.glsl"
+#ifdef LUXO_MAPS
+#include "lib/maps.glsl"
+#endif
 
 vec3 lit(Found found) {
   Material material = foundMaterial();
   material.diffuse = patternAt(found.parameters);
   if ((material.flags & kPatternAmbient) != 0) material.ambient *= material.diffuse;
-  return illuminated(material, found.position, found.normal, found.viewer);
+#ifdef LUXO_SPECULAR_MAP
+  material.specular = mappedSpecular(material.specular, found.parameters);
+#endif
+#ifdef LUXO_NORMAL_MAP
+  horizonNormal = found.normal;
+  found.normal = bentNormal(found.normal, found.parameters);
+#endif
+  vec3 light = illuminated(material, found.position, found.normal, found.viewer);
+#ifdef LUXO_GLOW_MAP
+  light += glowAt(found.parameters);
+#endif
+  return light;
 }

@@ -19,6 +19,11 @@ layout(scalar, set = kSetFound, binding = kBindingUniformMaterials) uniform Unif
 layout(set = kSetPattern, binding = kBindingFoundFootprint) uniform sampler2D foundFootprints;
 vec4 pixelFootprint() { return texelFetch(foundFootprints, ivec2(gl_FragCoord.xy), 0); }
 #endif
+#ifdef LUXO_FRAMED
+layout(set = kSetPattern, binding = kBindingFoundFrame) uniform sampler2D foundFrames;
+vec4 normalFrame() { return texelFetch(foundFrames, ivec2(gl_FragCoord.xy), 0); }
+#endif
+#define LUXO_ADDS_LIGHT kAddsLight
 
 layout(location = 0) flat in vec4 inViewer;
 layout(location = 1) flat in vec3 inPlace[3];

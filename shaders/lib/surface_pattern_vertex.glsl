@@ -10,6 +10,14 @@ layout(location = 15) flat out vec4 outParameterBounds;
 layout(location = 4) in vec4 inFootprint;
 layout(location = 16) flat out vec4 outFootprint;
 #endif
+#ifdef LUXO_RAY_FRAME
+layout(location = 5) in vec4 inFrame;
+layout(location = 17) flat out vec4 outFrame;
+#endif
+#ifdef LUXO_TANGENTS
+layout(location = 5) in vec4 inTangent;
+layout(location = 17) sample out vec4 outTangent;
+#endif
 
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
@@ -18,5 +26,12 @@ void main() {
   outParameterBounds = parameterBounds(instance);
 #ifdef LUXO_RAY_FOOTPRINT
   outFootprint = inFootprint;
+#endif
+#ifdef LUXO_RAY_FRAME
+  outFrame = inFrame;
+#endif
+#ifdef LUXO_TANGENTS
+  float handed = determinant(instance.relativeFromObject) < 0.0 ? -inTangent.w : inTangent.w;
+  outTangent = vec4(unitOrZero(instance.relativeFromObject * inTangent.xyz), handed);
 #endif
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texture of a material, as a pattern: filtered by luxo itself, as engine/scene/texture_map.h says, whose numbers the
-// ground truth has in double. All texels of a picture's textures are in one buffer, level after level, row after row.
+// The textures of a material, that of its colour as a pattern: filtered by luxo itself, as engine/scene/texture_map.h says,
+// whose numbers the ground truth has in double. Where a texture's numbers start is `first`: draw/texture_list.h lists them.
+// All texels of a picture's textures are in one buffer, level after level, row after row.
 
 layout(set = kSetPattern, binding = kBindingTexels) uniform samplerBuffer texels;
 
@@ -22,10 +23,14 @@ struct TexelLevel {
   ivec2 size;
 };
 
-TextureNumbers textureNumbers() {
-  return TextureNumbers(vec2(parameterAt(kTextureSize), parameterAt(kTextureSize + 1)), parameterAt(kTextureLevels),
-                        parameterAt(kTextureAnisotropy), 65536 * int(parameterAt(kTextureFirst)) + int(parameterAt(kTextureFirst + 1)),
-                        uint(parameterAt(kTextureWraps)), uint(parameterAt(kTextureWraps + 1)));
+vec2 numbers2At(uint k) { return vec2(parameterAt(k), parameterAt(k + 1)); }
+vec3 numbers3At(uint k) { return vec3(numbers2At(k), parameterAt(k + 2)); }
+
+TextureNumbers textureNumbers(uint first) {
+  return TextureNumbers(numbers2At(first + kTextureSize), parameterAt(first + kTextureLevels),
+                        parameterAt(first + kTextureAnisotropy),
+                        65536 * int(parameterAt(first + kTextureFirst)) + int(parameterAt(first + kTextureFirst + 1)),
+                        uint(parameterAt(first + kTextureWraps)), uint(parameterAt(first + kTextureWraps + 1)));
 }
 
 // Reduced to the part that wraps know: 0 to 1, or to 2.
@@ -98,14 +103,30 @@ vec4 filteredTexels(TextureNumbers numbers, vec2 place, mat2 steps) {
   return sum / len;
 }
 
-void patternPaint(float u, float v, out vec4 paint) {
-  mat2 linear = mat2(parameterAt(kTextureLinear), parameterAt(kTextureLinear + 1), parameterAt(kTextureLinear + 2),
-                     parameterAt(kTextureLinear + 3));
-  vec2 place = linear * vec2(u, v) + vec2(parameterAt(kTextureConstant), parameterAt(kTextureConstant + 1));
-  TextureNumbers numbers = textureNumbers();
+vec3 texelOfMap(uint first, vec2 parameters) {
+  mat2 linear = mat2(numbers2At(first + kTextureLinear), numbers2At(first + kTextureLinear + 2));
+  vec2 place = linear * parameters + numbers2At(first + kTextureConstant);
+  TextureNumbers numbers = textureNumbers(first);
   vec4 footprint = pixelFootprint();
-  vec4 color = parameterAt(kTextureNearest) != 0.0 ? nearestTexel(numbers, place)
-                                                   : filteredTexels(numbers, place, linear * mat2(footprint.xy, footprint.zw));
-  vec3 tint = vec3(parameterAt(kTextureTint), parameterAt(kTextureTint + 1), parameterAt(kTextureTint + 2));
-  paint = vec4(tint * (color.a > 0.0 ? color.rgb / color.a : vec3(0)), 1.0);
+  vec4 color = parameterAt(first + kTextureNearest) != 0.0
+                   ? nearestTexel(numbers, place)
+                   : filteredTexels(numbers, place, linear * mat2(footprint.xy, footprint.zw));
+  return color.a > 0.0 ? color.rgb / color.a : vec3(0);
 }
+
+vec3 tintOfMap(uint first) { return numbers3At(first + kTextureTint); }
+
+void patternPaint(float u, float v, out vec4 paint) {
+  vec3 color = tintOfMap(0);
+#ifdef LUXO_COLOR_MAP
+  color *= texelOfMap(0, vec2(u, v));
+#endif
+  paint = vec4(color, 1.0);
+}
+
+#ifdef LUXO_NORMAL_MAP
+mat3 normalFromTexel() {
+  const uint k = LUXO_NORMAL_MAP + kTextureNumbers;
+  return mat3(numbers3At(k), numbers3At(k + 3), numbers3At(k + 6));
+}
+#endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The footprint of a fragment of triangles, or, with LUXO_BY_RAYS, of a point that a ray has found: from there.
+// The footprint, and where it is asked for the frame, of a fragment of triangles, or, with LUXO_BY_RAYS, of a point that a
+// ray has found: from there.
 #include "lib/surface_fragment.glsl"
 
 layout(location = 14) sample in vec3 inDetail;
@@ -12,4 +13,7 @@ vec4 pixelFootprint() { return inFootprint; }
 #else
 #include "lib/mesh_footprint.glsl"
 vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
+#endif
+#if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
+#include "lib/mesh_frame.glsl"
 #endif

@@ -10,6 +10,13 @@ const float kOutlineWidth = 2.0;  // pixels
 
 layout(location = 14) sample in vec3 inDetail;  // u, v where there is a pattern; (N.V) |N.V|
 
+#ifdef LUXO_NORMAL_MAP
+vec3 bentNormal(vec3 normal, vec2 parameters);
+#endif
+#ifdef LUXO_GLOW_MAP
+vec3 glowAt(vec2 parameters);
+#endif
+
 float gradientLength(float x) { return max(length(vec2(dFdx(x), dFdy(x))), 1e-30); }
 
 #ifndef LUXO_LIB_AGAIN_GLSL
@@ -17,9 +24,10 @@ bool reachesPoint(uint light) { return true; }
 vec3 throughToPoint() { return vec3(1); }
 #endif
 
-// How much of a pixel is where the cosine of light's angle, times what gets through of it, is above kBright: of each colour.
-vec3 covered(float cosine, vec3 through) {
-  return clamp((cosine * through - kBright) / max(gradientLength(cosine) * through, vec3(1e-30)) + 0.5, 0.0, 1.0);
+// How much of a pixel is where the cosine of light's angle, times what gets through of it, is above kBright: of each colour;
+// `gradient`: how the cosine changes from pixel to pixel.
+vec3 covered(float cosine, float gradient, vec3 through) {
+  return clamp((cosine * through - kBright) / max(gradient * through, vec3(1e-30)) + 0.5, 0.0, 1.0);
 }
 
 vec3 brightness(vec3 n) {
@@ -28,8 +36,18 @@ vec3 brightness(vec3 n) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - inPosition * light.position.w;
     float squared = dot(toLight, toLight);
-    vec3 covers = covered(dot(n, toLight) * inversesqrt(max(squared, kTiny)), throughToPoint());
+    float perDistance = inversesqrt(max(squared, kTiny)), cosine = dot(n, toLight) * perDistance;
+#ifdef LUXO_NORMAL_MAP
+    // Of the surface without its map: pixels beside a triangle may read nothing of this (Mesa 22.3's lavapipe).
+    float gradient = gradientLength(dot(horizonNormal, toLight) * perDistance);
+#else
+    float gradient = gradientLength(cosine);
+#endif
+    vec3 covers = covered(cosine, gradient, throughToPoint());
     bool shines = any(greaterThan(light.radiance, vec3(0))) && reachesPoint(i);
+#ifdef LUXO_NORMAL_MAP
+    shines = shines && dot(horizonNormal, toLight) > 0.0;
+#endif
     if (i >= kPlainLights) {
       uint shade = i - kPlainLights;
       shines = shines && (shadeOf(inNumbers.x) == shade + 1 || litThroughShade(shadeAt(shade), -toLight));
@@ -49,7 +67,15 @@ vec2 foundParameters() { return vec2(0); }
 
 vec3 drawn(vec3 color) {
   vec3 n = fragmentNormal(towardViewer(inViewer, inPosition));
-  return color * mix(vec3(kShaded), vec3(1), brightness(n)) * (1.0 - outline());
+#ifdef LUXO_NORMAL_MAP
+  horizonNormal = n;
+  n = bentNormal(n, inDetail.xy);
+#endif
+  vec3 light = color * mix(vec3(kShaded), vec3(1), brightness(n));
+#ifdef LUXO_GLOW_MAP
+  light += glowAt(inDetail.xy);
+#endif
+  return light * (1.0 - outline());
 }
 
 #ifdef LUXO_LIB_AGAIN_GLSL

@@ -8,6 +8,8 @@ layout(location = 0) out vec4 outColor;
 #include "lib/pattern_of_mesh.glsl"
 #ifdef LUXO_TEXTURED
 vec4 pixelFootprint() { return vec4(dFdx(inParameters), dFdy(inParameters)); }
+#define LUXO_ADDS_LIGHT kAddsLight
+#include "lib/maps.glsl"
 #endif
 #include "lib/again_found.glsl"
 

@@ -8,6 +8,10 @@
 #ifdef LUXO_TEXTURED
 #include "lib/mesh_footprint.glsl"
 vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
+#include "lib/maps.glsl"
+#ifdef LUXO_FRAMED
+#include "lib/mesh_frame.glsl"
+#endif
 #endif
 #include "lib/again_found.glsl"
 

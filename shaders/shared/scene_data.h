@@ -37,6 +37,7 @@ LUXO_CONSTANT kSetLayers = 3;  // of draws of what is seen through
 LUXO_CONSTANT kBindingPatternParameters = 0;
 LUXO_CONSTANT kBindingTexels = 1;          // of textures
 LUXO_CONSTANT kBindingFoundFootprint = 2;  // of textures that light what an earlier pass has found
+LUXO_CONSTANT kBindingFoundFrame = 3;      // the same
 
 // Bindings of kSetScene.
 LUXO_CONSTANT kBindingView = 0;
@@ -235,7 +236,7 @@ LUXO_CONSTANT kBlendOver = 0;
 LUXO_CONSTANT kBlendAdd = 1;
 LUXO_CONSTANT kBlendMultiply = 2;
 
-// The parameters of a texture (shaders/lib/texture.glsl), as draw/texture_list.cpp lists them.
+// The numbers of a texture (shaders/lib/texture.glsl), as draw/texture_list.cpp lists them.
 LUXO_CONSTANT kTextureLinear = 0;    // columns of the matrix that takes u and v to the image
 LUXO_CONSTANT kTextureConstant = 4;  // what is added
 LUXO_CONSTANT kTextureTint = 6;
@@ -246,6 +247,7 @@ LUXO_CONSTANT kTextureWraps = 14;    // of u, of v
 LUXO_CONSTANT kTextureNearest = 16;  // instead of a filter
 LUXO_CONSTANT kTextureAnisotropy = 17;
 LUXO_CONSTANT kTextureNumbers = 18;
+LUXO_CONSTANT kNormalNumbers = 9;  // after those of a map of normals: columns of the matrix that turns its vectors
 
 struct LightData {
   vec4 position;  // w = 1: a point; w = 0: the unit direction toward a light at infinity

@@ -34,4 +34,17 @@ VerifiedPictureTest::Verified VerifiedPictureTest::expectTheTruth(const Snapshot
   return found;
 }
 
+VerifiedPictureTest::Verified VerifiedPictureTest::expectTrueColors(const Snapshot& snapshot,
+                                                                    std::uint64_t pixels) {
+  Verified found = verified(snapshot);
+  const Verification& v = found.verification;
+  EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+  EXPECT_GE(v.coverage.both, pixels);
+  EXPECT_EQ(v.wrong.total(), 0U) << v.wrong.hitMiss << " hit or miss, " << v.wrong.layer << " layer, "
+                                 << v.wrong.point << " point, " << v.wrong.light << " light";
+  EXPECT_EQ(v.nanPixels, 0U);
+  EXPECT_LE(v.color.difference.p999, 0.1 / 255);
+  return found;
+}
+
 }  // namespace luxo::test

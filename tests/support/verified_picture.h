@@ -20,6 +20,11 @@ class VerifiedPictureTest : public PictureTest {
   /// What an exact picture promises: nothing lost, every pixel within a thousandth, 110 dB, and coverage
   /// wrong nowhere but within 0.01 px of the silhouette. At least `pixels` of it are on a surface.
   Verified expectTheTruth(const Snapshot& snapshot, std::uint64_t pixels);
+
+  /// What a picture of textures promises: nothing lost, every pixel's point right, and its colour within a
+  /// code (1 / 255) of the truth, but for pixels at edges of triangles: beyond, (u, v) run otherwise;
+  /// and 99.9 % within a tenth of one.
+  Verified expectTrueColors(const Snapshot& snapshot, std::uint64_t pixels);
 };
 
 }  // namespace luxo::test

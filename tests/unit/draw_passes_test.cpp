@@ -124,6 +124,23 @@ TEST(Passes, PlacesOfMeshesAreFoundBeforeShadows) {
   EXPECT_FALSE(passesOf(list, {.rays = &points, .probes = true})[0].probes) << "there are meshes over it";
 }
 
+/// No pass has a target that no light asks for.
+TEST(Passes, WhatIsFoundIsWhatIsAskedFor) {
+  DrawList list = deferredList();
+  const auto targets = [&] {
+    const std::vector<Pass> passes = passesOf(list, {});
+    EXPECT_EQ(passes[0].colors.size(), passes[1].reads.size());
+    return passes[0].colors.size();
+  };
+  EXPECT_EQ(targets(), 1U);
+  list.findsParameters = true;
+  EXPECT_EQ(targets(), 2U);
+  list.findsFootprints = true;
+  EXPECT_EQ(targets(), 3U);
+  list.findsFrames = true;
+  EXPECT_EQ(targets(), 4U);
+}
+
 /// Else their shader would see those of another group.
 TEST(Passes, MeshesThatAreDrawnAgainSeeNoOtherGroupsShadows) {
   DrawList list = deferredList();

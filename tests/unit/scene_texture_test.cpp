@@ -257,7 +257,7 @@ TEST(SceneTextures, OfWhatIsSeenThroughAreNotDrawnAndThatIsSaid) {
   const Scene scene = built(R"("textures": { "w": { "color": 1 } },
     "materials": { "m": { "map": "w", "opacity": 0.5 } }, "nodes": [ { "material": "m" } ])",
                             &warnings);
-  EXPECT_FALSE(materialOf(takeSnapshot(scene, 0, {8, 8})).drawsMap());
+  EXPECT_FALSE(materialOf(takeSnapshot(scene, 0, {8, 8})).drawsMaps());
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].message.find("not drawn yet"), std::string::npos);
 }

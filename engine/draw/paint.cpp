@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/paint.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "shared/scene_data.h"
+
+namespace luxo {
+
+std::string Paint::preamble() const {
+  if (!maps_.any) return {};
+  std::string lines = "#define LUXO_TEXTURED\n";
+  std::uint32_t first = shared::kTextureNumbers;  // the colour's are always there
+  const auto define = [&](bool has, std::string_view name, std::uint32_t numbers) {
+    if (!has) return;
+    lines += fmt::format("#define {} {}u\n", name, first);
+    first += numbers;
+  };
+  if (maps_.color) lines += "#define LUXO_COLOR_MAP\n";
+  define(maps_.normal, "LUXO_NORMAL_MAP", shared::kTextureNumbers + shared::kNormalNumbers);
+  define(maps_.specular, "LUXO_SPECULAR_MAP", shared::kTextureNumbers);
+  define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
+  if (maps_.tangent) lines += "#define LUXO_FRAMED\n";
+  if (first > shared::kTextureNumbers) lines += "#define LUXO_MAPS\n";
+  return lines;
+}
+
+}  // namespace luxo

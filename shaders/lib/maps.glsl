@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a material's maps beside that of its colour make of a point: engine/scene/normal_map.h has the same in double.
+// Whoever includes this includes lib/pattern.glsl, too, and knows the point's frame.
+#ifndef LUXO_LIB_MAPS_GLSL
+#define LUXO_LIB_MAPS_GLSL
+#include "lib/scene.glsl"
+
+// Whether the light of the first group is there already, and with it what glows.
+#ifndef LUXO_ADDS_LIGHT
+#define LUXO_ADDS_LIGHT false
+#endif
+
+// As paintAt() of lib/pattern.glsl takes them.
+vec2 mapParameters(vec2 parameters) {
+  vec4 bounds = patternBounds();
+  return clamp(parameters, bounds.xy, bounds.zw);
+}
+
+#ifdef LUXO_SPECULAR_MAP
+vec3 mappedSpecular(vec3 specular, vec2 parameters) {
+  return specular * texelOfMap(LUXO_SPECULAR_MAP, mapParameters(parameters));
+}
+#endif
+
+#ifdef LUXO_GLOW_MAP
+vec3 glowAt(vec2 parameters) {
+  return LUXO_ADDS_LIGHT ? vec3(0) : tintOfMap(LUXO_GLOW_MAP) * texelOfMap(LUXO_GLOW_MAP, mapParameters(parameters));
+}
+#endif
+
+#ifdef LUXO_NORMAL_MAP
+#ifdef LUXO_FRAMED
+// The tangent, and the sign of the bitangent w * cross(normal, tangent), of the side that is shown.
+vec4 normalFrame();
+#endif
+
+vec3 bentNormal(vec3 normal, vec2 parameters) {
+  vec3 v = normalFromTexel() * (2.0 * texelOfMap(LUXO_NORMAL_MAP, mapParameters(parameters)) - 1.0);
+#ifdef LUXO_FRAMED
+  vec4 frame = normalFrame();
+  vec3 bent = unitOrZero(v.x * frame.xyz + v.y * frame.w * cross(normal, frame.xyz) + v.z * abs(frame.w) * normal);
+#else
+  vec3 bent = unitOrZero(dot(v, normal) < 0.0 ? -v : v);
+#endif
+  return dot(bent, bent) > 0.5 ? bent : normal;
+}
+#endif
+#endif

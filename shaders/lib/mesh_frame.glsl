@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame of maps of normals (engine/scene/normal_map.h) at a point of triangles: with LUXO_BY_RAYS from the ray that has
+// found it; with LUXO_VERTEX_TANGENTS between those of the vertices; of formulas from how (u, v) lie on the triangle.
+#if defined(LUXO_BY_RAYS)
+layout(location = 17) flat in vec4 inFrame;
+vec4 normalFrame() { return inFrame; }
+
+#else
+
+// Whether the inner side is shown, so that normals are turned over.
+bool isTurned(vec3 v) {
+  bool turns = (inNumbers.x & kTwoSided) != 0;
+  return turns && (kFacetNormal ? !gl_FrontFacing : !seenFromFront(unitOrZero(inNormal), v, gl_FrontFacing));
+}
+
+#ifdef LUXO_VERTEX_TANGENTS
+layout(location = 17) sample in vec4 inTangent;
+
+vec4 normalFrame() {
+  vec4 frame = vec4(inTangent.xyz, inTangent.w * length(inNormal));
+  return isTurned(towardViewer(inViewer, inPosition)) ? -frame : frame;
+}
+
+#else
+
+vec4 normalFrame() {
+  vec3 v = towardViewer(inViewer, inPosition), n = fragmentNormal(v);
+  vec3 right = dFdxFine(inPosition), below = dFdyFine(inPosition);
+  vec2 uvRight = dFdxFine(inDetail.xy), uvBelow = dFdyFine(inDetail.xy);
+  float area = uvRight.x * uvBelow.y - uvBelow.x * uvRight.y, side = area < 0.0 ? -1.0 : 1.0;
+  vec3 alongU = side * (right * uvBelow.y - below * uvRight.y);
+  vec3 tangent = unitOrZero(alongU - n * dot(n, alongU));
+  return vec4(isTurned(v) ? -tangent : tangent, side * dot(cross(right, below), n) < 0.0 ? -1.0 : 1.0);
+}
+#endif
+#endif
