@@ -23,7 +23,8 @@ std::string Paint::preamble() const {
   define(maps_.specular, "LUXO_SPECULAR_MAP", shared::kTextureNumbers);
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
   if (maps_.tangent) lines += "#define LUXO_FRAMED\n";
-  if (first > shared::kTextureNumbers) lines += "#define LUXO_MAPS\n";
+  if (maps_.lesson) lines += "#define LUXO_LESSON\n";
+  if (first > shared::kTextureNumbers || maps_.lesson) lines += "#define LUXO_MAPS\n";
   return lines;
 }
 

@@ -26,7 +26,8 @@ class Paint {
                    .normal = material.normalMap.valid(),
                    .tangent = material.normalMap.valid() && material.normalSpace == NormalSpace::Tangent,
                    .specular = material.specularMap.valid(),
-                   .glow = material.glowMap.valid()};
+                   .glow = material.glowMap.valid(),
+                   .lesson = material.lesson};
     return paint;
   }
 
@@ -46,7 +47,8 @@ class Paint {
 
  private:
   struct Maps {
-    bool any = false, color = false, normal = false, tangent = false, specular = false, glow = false;
+    bool any = false, color = false, normal = false, tangent = false, specular = false, glow = false,
+         lesson = false;
 
     friend auto operator<=>(const Maps&, const Maps&) = default;
   };

@@ -62,7 +62,7 @@ class ShadowLister {
       const Vec3 extent = node->boundsWorld.extent();
       return std::max({extent.x, extent.y, extent.z});
     });
-    gated_ = std::ranges::none_of(snapshot.materials, &Material::lectureSpecular);
+    gated_ = std::ranges::none_of(snapshot.materials, &Material::lightsBelowHorizon);
     for (const auto* batches : {&list.opaque, &list.layers.meshes})
       for (const DrawBatch& batch : *batches) offPx_ = std::max(offPx_, offPxOf(batch));
   }

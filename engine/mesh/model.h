@@ -54,6 +54,7 @@ struct ModelMaterial {
   /// Of opacities from a map: what is below is not there, the rest is opaque. 0: as it is, seen through.
   double cutoff = 0;
   bool opacityFromMap = false;  ///< the alpha of `map` is the opacity
+  bool lesson = false;          ///< for the lesson's formula (scene/lesson.h), which its maps are made for
   bool objectNormals = false;   ///< the normal map is in object space, not in that of the tangents
   double normalScale = 1;       ///< of the x and y of normal maps
   ModelMap map, normalMap, specularMap, glowMap;  ///< colour (sRGB), data (tangent space), data, colour

@@ -247,10 +247,12 @@ class ObjReader {
       ModelMap found;
       if (std::filesystem::is_regular_file(source_.path().parent_path() / file, ignored))
         found.image = source_.image(model_, file.string(), source_.name(), 1);
+      found.nearest = true;
       return found;
     };
     ModelMaterial& material = model_.materials.front();
     if (material.map = map("_diffuse"); material.map.given()) material.diffuse = Vec3(1);
+    material.lesson = material.map.given();
     material.normalMap = map("_nm_tangent");
     if (!material.normalMap.given()) {
       material.normalMap = map("_nm");

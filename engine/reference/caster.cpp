@@ -143,7 +143,8 @@ Footprint Caster::footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, co
 
 Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
   const Material& material = materialOf(hit.node);
-  Reflection reflection{hit.normal, material.diffuseAt(hit.u, hit.v), material.specular, Vec3(0)};
+  Reflection reflection{hit.normal, material.diffuseAt(hit.u, hit.v), material.specular, Vec3(0),
+                        material.shininess};
   if (!material.drawsMaps()) return reflection;
   const Body& body = bodies_[hit.node];
   const auto texel = [&](const TextureMap& map, const TexturePlacement& placement) {
@@ -153,7 +154,9 @@ Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
   if (material.normalMap.valid())
     reflection.normal = bentNormal(material, body.normalFromTexel, texel(material.normalMap, body.maps[1]),
                                    hit.normal, hit.frame);
-  reflection.specular *= texel(material.specularMap, body.maps[2]);
+  const Vec3 ofSpecular = texel(material.specularMap, body.maps[2]);
+  reflection.specular *= ofSpecular;
+  if (material.drawsLesson() && material.specularMap.valid()) reflection.exponent = 255 * ofSpecular.x;
   if (material.glowMap.valid()) reflection.glow = material.glow * texel(material.glowMap, body.maps[3]);
   return reflection;
 }
@@ -308,7 +311,7 @@ Vec3 Caster::reaching(const SnapshotLight& light, const Hit& hit, bool& certifie
 
 bool Caster::shinesOn(std::uint32_t light, const Hit& hit) const {
   const Material& material = materialOf(hit.node);
-  return material.lectureSpecular || glm::dot(hit.normal, towardLight(light, hit)) > 0;
+  return material.lightsBelowHorizon() || glm::dot(hit.normal, towardLight(light, hit)) > 0;
 }
 
 Vec3 Caster::towardLight(std::uint32_t light, const Hit& hit) const {
@@ -324,33 +327,42 @@ std::optional<std::uint32_t> Caster::nodeOf(NodeId id) const {
 }
 
 Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
-                     const Vec3& toViewer, double tilt) const {
+                     const Vec3& toViewer, const Vec3& visible, double tilt) const {
   const Material& material = materialOf(hit.node);
   const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
   const double distance = glm::length(toLight);
   if (!(distance > 0)) return Vec3(0);
   const Vec3 l = toLight / distance;
+  const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
+  const Vec3 arriving = light.radiance * (fades ? 1 / (distance * distance) : 1.0);
+  if (material.drawsLesson()) return lessonOf(reflection).added(l, arriving, visible);
   const double cosine = glm::dot(reflection.normal, l) + tilt;
   if ((cosine <= 0 || glm::dot(hit.normal, l) + tilt <= 0) && !material.lectureSpecular) return Vec3(0);
   const Vec3 h = unit(l + toViewer);
   const double nh = std::clamp(glm::dot(reflection.normal, h), 0.0, 1.0);
   const Vec3 reflectance =
-      reflection.diffuse * std::max(cosine, 0.0) + reflection.specular * highlight(nh, material.shininess);
-  const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
-  return reflectance * light.radiance * (fades ? 1 / (distance * distance) : 1.0);
+      reflection.diffuse * std::max(cosine, 0.0) + reflection.specular * highlight(nh, reflection.exponent);
+  return reflectance * arriving * visible;
+}
+
+LessonPoint Caster::lessonOf(const Reflection& reflection) const {
+  return {reflection.diffuse, reflection.glow, reflection.normal, reflection.exponent,
+          -snapshot_.view.forward()};
 }
 
 Caster::Lit Caster::lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const {
   const Reflection reflection = reflectionAt(hit);
   const SnapshotLight& one = snapshot_.lights[light];
-  Lit lit{.unshadowed = shareOf(one, hit, reflection, toViewer)};
+  Lit lit{.unshadowed = shareOf(one, hit, reflection, toViewer, Vec3(1))};
   if (shinesOn(light, hit)) lit.reaching = reaching(light, hit, lit.certified);
-  lit.share = lit.unshadowed * lit.reaching;
+  lit.share = shareOf(one, hit, reflection, toViewer, lit.reaching);
   return lit;
 }
 
 Vec3 Caster::withoutLights(std::uint32_t node, const Reflection& reflection) const {
-  return materialOf(node).ambient.value_or(reflection.diffuse) * snapshot_.ambient + reflection.glow;
+  const Material& material = materialOf(node);
+  if (material.drawsLesson()) return lessonOf(reflection).dark();
+  return material.ambient.value_or(reflection.diffuse) * snapshot_.ambient + reflection.glow;
 }
 
 Vec3 Caster::withoutLights(const Hit& hit) const { return withoutLights(hit.node, reflectionAt(hit)); }
@@ -360,10 +372,9 @@ Vec3 Caster::diffuseOf(const Hit& hit) const { return reflectionAt(hit).diffuse;
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
   const Reflection reflection = reflectionAt(hit);
   Vec3 sum = withoutLights(hit.node, reflection);
-  for (const SnapshotLight& light : snapshot_.lights) {
-    const Vec3 share = shareOf(light, hit, reflection, toViewer, tilt);
-    if (share != Vec3(0)) sum += share * reaching(light, hit, certified);
-  }
+  for (const SnapshotLight& light : snapshot_.lights)
+    if (shareOf(light, hit, reflection, toViewer, Vec3(1), tilt) != Vec3(0))
+      sum += shareOf(light, hit, reflection, toViewer, reaching(light, hit, certified), tilt);
   return sum;
 }
 
@@ -373,11 +384,15 @@ std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3&
   for (std::uint32_t i = 0; i < snapshot_.lights.size(); ++i) {
     const SnapshotLight& light = snapshot_.lights[i];
     if (!light.hasShadow()) continue;
-    Shadowed one{.light = i, .share = shareOf(light, hit, reflection, toViewer)};
+    const auto share = [&](const Vec3& visible) {
+      return shareOf(light, hit, reflection, toViewer, visible);
+    };
+    Shadowed one{.light = i, .share = share(Vec3(1))};
     if (one.share == Vec3(0)) continue;
     const Vec3 left = reaching(light, hit, one.certified);
     one.visible = left != Vec3(0);
-    if (one.visible) one.share *= left;
+    if (one.visible) one.share = share(left);
+    one.share -= share(Vec3(0));
     lights.push_back(one);
   }
   return lights;

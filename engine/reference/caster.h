@@ -11,6 +11,7 @@
 
 #include "reference/roots.h"
 #include "reference/shape.h"
+#include "scene/lesson.h"
 #include "scene/normal_map.h"
 #include "scene/snapshot.h"
 
@@ -136,6 +137,7 @@ class Caster {
   /// What a hit does to light: the normal that this falls on, and colours.
   struct Reflection {
     Vec3 normal, diffuse, specular, glow;
+    double exponent;
   };
   [[nodiscard]] Reflection reflectionAt(const Hit& hit) const;
   [[nodiscard]] Vec3 withoutLights(std::uint32_t node, const Reflection& reflection) const;
@@ -155,9 +157,10 @@ class Caster {
   [[nodiscard]] Footprint footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, const Vec3& sv) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
             Sight& sight) const;
-  /// What a light adds to a hit that sees it.
+  /// What a light adds to a hit; `visible`: how much of it arrives, 0 to 1.
   [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
-                             const Vec3& toViewer, double tilt = 0) const;
+                             const Vec3& toViewer, const Vec3& visible, double tilt = 0) const;
+  [[nodiscard]] LessonPoint lessonOf(const Reflection& reflection) const;
   [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
     return snapshot_.materials[snapshot_.nodes[node].material.index];
   }

@@ -46,6 +46,8 @@ void validate(const Material& material) {
            fmt::format("{}", material.diffusePattern.parameterCount()));
   if (material.map.valid() && material.diffusePattern.valid())
     reject(material, "map", "given beside a pattern", "alone");
+  if (material.lesson && material.diffusePattern.valid())
+    reject(material, "the lesson's formula", "given beside a pattern", "alone, or with a map");
   if (!std::isfinite(material.normalScale))
     reject(material, "the scale of its normals", fmt::format("{}", material.normalScale), "finite");
   for (const TextureMap* map : material.maps()) {

@@ -67,6 +67,10 @@ struct Material {
   TextureMap specularMap = {};  ///< times `specular`; drawings (toon) have no highlights
   TextureMap glowMap = {};      ///< times `glow`: light of its own, which shines on nothing else
   Vec3 glow{1};
+  /// Lit by the lesson's formula (scene/lesson.h) in exact, Phong and flat shading, where nothing is seen
+  /// through; between vertices and in drawings as any other. `shininess` is its exponent, or the byte, red,
+  /// of `specularMap`; its ambient light is its own. There is no pattern.
+  bool lesson = false;
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] Shading shadingIn(Shading picture) const {
@@ -85,7 +89,11 @@ struct Material {
   [[nodiscard]] bool hasMaps() const {
     return map.valid() || normalMap.valid() || specularMap.valid() || glowMap.valid();
   }
-  [[nodiscard]] bool drawsMaps() const { return hasMaps() && !transparent(); }
+  /// Or as if there were some: the lesson's formula.
+  [[nodiscard]] bool drawsMaps() const { return (hasMaps() || lesson) && !transparent(); }
+  [[nodiscard]] bool drawsLesson() const { return lesson && !transparent(); }
+  /// Whether a light adds something to a surface that is turned away from it.
+  [[nodiscard]] bool lightsBelowHorizon() const { return lectureSpecular || lesson; }
   [[nodiscard]] double opacityAt(double u, double v) const {
     return diffusePattern.hasOpacity() ? opacity * diffusePattern.opacityAt(u, v, patternParameters)
                                        : opacity;

@@ -60,7 +60,8 @@ Material materialOf(const ModelMaterial& from) {
           .twoSided = from.twoSided ? TwoSided::Yes : TwoSided::Auto,
           .normalSpace = from.objectNormals ? NormalSpace::Object : NormalSpace::Tangent,
           .normalScale = from.normalScale,
-          .glow = from.glow};
+          .glow = from.glow,
+          .lesson = from.lesson};
 }
 
 Texture textureOf(const ModelImage& image, Codes codes) {

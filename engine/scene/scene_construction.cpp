@@ -71,6 +71,10 @@ struct BuiltSurface {
 
 struct MovingMaterial;
 
+bool isOpaque(const MaterialDesc& material) {
+  return material.opacity == Quantity(1) && material.blend == Blend::Over;
+}
+
 bool bendsAlongTangents(const MaterialDesc& material) {
   return material.normalMap && material.normalMap->space == NormalSpace::Tangent;
 }
@@ -105,6 +109,7 @@ class SceneConstruction {
   void addMaterial(const MaterialDesc& desc);
   void addMaps(const MaterialDesc& desc, MovingMaterial& material);
   void requireNumbers(const FileName& texture);
+  void addLesson(const MaterialDesc& desc, MovingMaterial& material);
   void addSurface(const SurfaceDesc& desc);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
@@ -200,7 +205,7 @@ struct MovingMaterial {
 
 void SceneConstruction::addMaps(const MaterialDesc& desc, MovingMaterial& material) {
   const auto maps = desc.maps();
-  const bool opaque = desc.opacity == Quantity(1) && desc.blend == Blend::Over;
+  const bool opaque = isOpaque(desc);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (!maps[i]) continue;
     const MapDesc& map = *maps[i];
@@ -224,6 +229,18 @@ void SceneConstruction::addMaps(const MaterialDesc& desc, MovingMaterial& materi
   requireNumbers(desc.normalMap->map.texture);
 }
 
+void SceneConstruction::addLesson(const MaterialDesc& desc, MovingMaterial& material) {
+  if (!desc.lesson) return;
+  material.fixed.lesson = true;
+  if (material.fixed.diffusePattern.valid())
+    problems_.add(desc.name.place,
+                  "the diffuse colour or opacity uses u or v, which the lesson's formula does not know",
+                  "draw it with a \"map\"");
+  else if (!isOpaque(desc) && warnings_)
+    warnings_->push_back(
+        {rangeOf(desc.name.place), "what is seen through is not lit by the lesson's formula", {}});
+}
+
 /// Vectors are not colours: decoded as these they would lead elsewhere.
 void SceneConstruction::requireNumbers(const FileName& texture) {
   const auto desc = std::ranges::find(file_.textures, texture.text,
@@ -238,7 +255,7 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
   MovingMaterial material{.fixed = {.name = desc.name.text,
                                     .blend = desc.blend,
                                     .twoSided = desc.twoSided,
-                                    .shading = desc.shading,
+                                    .shading = desc.lesson ? Shading::Exact : desc.shading,
                                     .lectureSpecular = desc.lectureSpecular}};
   attempt(desc.name.place, [&] {
     ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc.diffuse, desc.opacity);
@@ -250,6 +267,7 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     material.specular = formulas_.vector(desc.specular, kLight);
     material.shininess = formulas_.number(desc.shininess, kLight);
     addMaps(desc, material);
+    addLesson(desc, material);
     materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
   });
 }

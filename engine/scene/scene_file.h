@@ -139,6 +139,7 @@ struct MaterialDesc {
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = {};
   bool lectureSpecular = false;
+  bool lesson = false;  ///< "shading": "lesson", which is exact shading otherwise
   std::optional<MapDesc> map = {}, specularMap = {}, glowMap = {};
   std::optional<NormalMapDesc> normalMap = {};
 

@@ -4,10 +4,13 @@
 // The arguments of named surfaces are in the catalogue (surface/catalogue.h).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
+
+#include "scene/shading.h"
 
 namespace luxo {
 
@@ -86,6 +89,13 @@ inline constexpr std::array<Names, 4> kShadows = {"none", "exact", "map", "plana
 inline constexpr std::array<Names, 3> kWraps = {"repeat", "clamp", "mirror"};
 inline constexpr std::array<Names, 2> kFilters = {"trilinear", "nearest"};
 inline constexpr std::array<Names, 2> kNormalSpaces = {"tangent", "object"};
+/// kShadingNames, and the lesson's formula.
+inline constexpr auto kMaterialShadings = [] {
+  std::array<Names, kShadingNames.size() + 1> names{};
+  std::ranges::copy(kShadingNames, names.begin());
+  names.back() = "lesson";
+  return names;
+}();
 inline constexpr std::array<Names, 3> kBlends = {"over", "add", "multiply"};
 inline constexpr std::array<Names, 2> kBlendOrders = {"exact", "given"};
 inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};

@@ -239,8 +239,11 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
       problems_.add(sides.where(), "expected true, false or \"auto\"");
     }
   }
-  if (members["shading"].exists())
-    values_.readWord(members["shading"], kShadingNames, material.shading.emplace());
+  if (std::size_t word = 0; members["shading"].exists()) {
+    values_.readWord(members["shading"], keys::kMaterialShadings, word);
+    material.lesson = word == kShadingNames.size();
+    if (!material.lesson) material.shading = static_cast<Shading>(word);
+  }
   values_.read(members["lecture_specular"], material.lectureSpecular);
   file_.materials.push_back(std::move(material));
 }

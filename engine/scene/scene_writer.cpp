@@ -154,6 +154,7 @@ JsonText written(const MaterialDesc& material) {
   if (material.twoSided != TwoSided::Auto)
     members.put("two_sided", JsonText::boolean(material.twoSided == TwoSided::Yes));
   if (material.shading) members.put("shading", JsonText::string(nameOf(*material.shading)));
+  if (material.lesson) members.put("shading", JsonText::string(std::string(keys::kMaterialShadings.back())));
   if (material.lectureSpecular) members.put("lecture_specular", JsonText::boolean(true));
   if (material.map) members.put("map", written(*material.map));
   if (material.normalMap)

@@ -20,12 +20,19 @@ vec2 mapParameters(vec2 parameters) {
 vec3 mappedSpecular(vec3 specular, vec2 parameters) {
   return specular * texelOfMap(LUXO_SPECULAR_MAP, mapParameters(parameters));
 }
+
+// The byte that it is.
+float mappedExponent(vec2 parameters) {
+  return 255.0 * texelOfMap(LUXO_SPECULAR_MAP, mapParameters(parameters)).r;
+}
 #endif
 
 #ifdef LUXO_GLOW_MAP
-vec3 glowAt(vec2 parameters) {
-  return LUXO_ADDS_LIGHT ? vec3(0) : tintOfMap(LUXO_GLOW_MAP) * texelOfMap(LUXO_GLOW_MAP, mapParameters(parameters));
+vec3 wholeGlowAt(vec2 parameters) {
+  return tintOfMap(LUXO_GLOW_MAP) * texelOfMap(LUXO_GLOW_MAP, mapParameters(parameters));
 }
+
+vec3 glowAt(vec2 parameters) { return LUXO_ADDS_LIGHT ? vec3(0) : wholeGlowAt(parameters); }
 #endif
 
 #ifdef LUXO_NORMAL_MAP

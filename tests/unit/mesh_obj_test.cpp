@@ -135,6 +135,8 @@ TEST(ReadObj, ALessonsMapsAreFoundByTheirNames) {
   EXPECT_TRUE(model.materials[0].normalMap.given() && model.materials[0].objectNormals);
   EXPECT_TRUE(model.materials[0].specularMap.given());
   EXPECT_FALSE(model.materials[0].glowMap.given());
+  EXPECT_TRUE(model.materials[0].lesson && model.materials[0].map.nearest);
+  EXPECT_FALSE(folder.read("other.obj", std::string(kQuad) + "f 1 2 3\n").materials[0].lesson);
 }
 
 TEST(ReadObj, BadFilesAreRefusedWithTheirLine) {

@@ -117,6 +117,33 @@ TEST(SceneMaps, AreReadAndMove) {
   EXPECT_EQ(n.specular, Vec3(0.2));
 }
 
+TEST(SceneMaps, TheLessonsFormulaIsAShadingOfMaterials) {
+  const std::string text = R"("materials": { "m": { "shading": "lesson", "shininess": 7 } },
+    "surfaces": { "s": { "type": "sphere" } }, "nodes": [ { "surface": "s", "material": "m" } ])";
+  const Snapshot snapshot = takeSnapshot(built(text), 0, {8, 8});
+  const Material& material = snapshot.materials.at(snapshot.nodes[0].material.index);
+  EXPECT_TRUE(material.drawsLesson());
+  EXPECT_EQ(material.shadingIn(Shading::Toon), Shading::Exact);
+  const SceneFile file = parseScene("{ \"luxo\": 1, " + text + " }", "s");
+  EXPECT_EQ(file, parseScene(writeScene(file), "again"));
+  EXPECT_TRUE(parseScene(writeScene(file), "again").materials[0].lesson);
+  expectSceneError([&] { static_cast<void>(built(R"("render": { "shading": "lesson" })")); },
+                   {"s:2:24", "exact"});
+  expectSceneError([&] { static_cast<void>(built(R"("materials": { "m": { "shading": "leson" } })")); },
+                   {"s:2:34", "lesson"});
+  expectSceneError(
+      [&] {
+        static_cast<void>(built(R"("materials": { "m": { "shading": "lesson", "diffuse": ["u", 0, 0] } })"));
+      },
+      {"s:2:", "lesson's formula"});
+  std::vector<Diagnostic> warnings;
+  static_cast<void>(built(
+      R"("materials": { "m": { "shading": "lesson", "opacity": 0.5 } }, "nodes": [ { "material": "m" } ])",
+      &warnings));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].message.find("lesson's formula"), std::string::npos);
+}
+
 TEST(SceneMaps, AreWrittenAsTheyAreRead) {
   const SceneFile file = parseScene("{ \"luxo\": 1, " + kAll + " }", "s"),
                   again = parseScene(writeScene(file), "again");

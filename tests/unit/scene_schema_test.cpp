@@ -215,6 +215,10 @@ TEST_F(SceneSchema, HasTheWordsOfTheReader) {
   EXPECT_EQ(words("light", "shadow"), strings(keys::kShadows));
   EXPECT_EQ(words("camera", "type"), strings(keys::kProjections));
   EXPECT_EQ(textsOf(member(definition("shading"), "enum")), strings(kShadingNames));
+  EXPECT_EQ(words("normal_map", "space"), strings(keys::kNormalSpaces));
+  std::vector<std::string> ofMaterials = strings(keys::kMaterialShadings);
+  std::erase(ofMaterials, "residual");
+  EXPECT_EQ(words("material", "shading"), ofMaterials);
 }
 
 /// What the schema says about a surface of the catalogue.
@@ -260,7 +264,8 @@ TEST_F(SceneSchema, HasTheSurfacesOfTheCatalogue) {
     found.push_back(member(e, "$ref").string());
   EXPECT_EQ(found, references);
   for (const std::string& name : keysOf(member(root(), "$defs")))
-    EXPECT_EQ(std::ranges::count(references, "#/$defs/" + name), name.starts_with("surface_") ? 1 : 0) << name;
+    EXPECT_EQ(std::ranges::count(references, "#/$defs/" + name), name.starts_with("surface_") ? 1 : 0)
+        << name;
 }
 
 TEST_F(SceneSchema, TakesTheExamplesAndWhatIsWritten) {
