@@ -24,6 +24,35 @@ void clear(gpu::Context& context, gpu::Buffer& buffer, VkDeviceSize bytes, VkDev
   buffer.flush();
 }
 
+/// Which pixels are in any of the rectangles, row by row. Of thousands of large ones only the corners are
+/// visited: what a corner adds holds for all that is right of it and below, which sums along both axes say
+/// (F. Crow's summed-area tables, 1984).
+std::vector<bool> unionOf(std::span<const PixelRect> rects, std::int32_t width, std::int32_t height) {
+  const std::size_t stride = static_cast<std::size_t>(width) + 1;
+  std::vector<std::int32_t> count(stride * (static_cast<std::size_t>(height) + 1));
+  const auto at = [&](std::int32_t x, std::int32_t y) -> std::int32_t& {
+    return count[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)];
+  };
+  for (const PixelRect& rect : rects) {
+    if (rect.low.x >= rect.high.x || rect.low.y >= rect.high.y) continue;
+    ++at(rect.low.x, rect.low.y);
+    --at(rect.high.x, rect.low.y);
+    --at(rect.low.x, rect.high.y);
+    ++at(rect.high.x, rect.high.y);
+  }
+  std::vector<bool> covered;
+  covered.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<std::int32_t> above(static_cast<std::size_t>(width));
+  for (std::int32_t y = 0; y < height; ++y) {
+    std::int32_t inRow = 0;
+    for (std::int32_t x = 0; x < width; ++x) {
+      inRow += at(x, y);
+      covered.push_back((above[static_cast<std::size_t>(x)] += inRow) > 0);
+    }
+  }
+  return covered;
+}
+
 }  // namespace
 
 void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<PixelPlace> probed) {
@@ -161,17 +190,16 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays,
   std::vector<std::uint32_t> words((pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord);
   if (slot.searches)
     std::memcpy(words.data(), slot.doubtful.read().data(), words.size() * sizeof(std::uint32_t));
-  const auto mark = [&](const PixelRect& rect, std::uint32_t doubt) {
-    for (std::int32_t y = rect.low.y; y < rect.high.y; ++y)
-      for (std::int32_t x = rect.low.x; x < rect.high.x; ++x) {
-        const std::size_t pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  const auto mark = [&](std::span<const PixelRect> rects, std::uint32_t doubt) {
+    if (rects.empty()) return;
+    const std::vector<bool> covered = unionOf(rects, width, height);
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+      if (covered[pixel])
         words[pixel / shared::kDoubtsPerWord] |= doubt
                                                  << shared::kDoubtBits * (pixel % shared::kDoubtsPerWord);
-      }
   };
-  for (const PixelRect& rect : byRays) mark(rect, shared::kLostHere);
-  for (const PixelRect& rect : shadowsByRays) mark(rect, shared::kShadowOpenHere);
+  mark(byRays, shared::kLostHere);
+  mark(shadowsByRays, shared::kShadowOpenHere);
   std::vector<Doubt> doubts;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
