@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_suffix.h"
 #include "image/exr.h"
 #include "image/file.h"
 #include "image/pfm.h"
@@ -25,9 +26,7 @@ constexpr std::array<std::pair<const char*, ImageFormat>, 4> kSuffixes = {{{".pn
 }  // namespace
 
 std::optional<ImageFormat> imageFormatOf(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
-  for (char& c : suffix)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  const std::string suffix = fileSuffix(path);
   const auto* found = std::find_if(kSuffixes.begin(), kSuffixes.end(),
                                    [&](const auto& known) { return suffix == known.first; });
   return found == kSuffixes.end() ? std::nullopt : std::optional(found->second);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/file_suffix.h"
 #include "image/file.h"
 #include "mesh/model_source.h"
 
@@ -14,24 +15,17 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kSuffixes = {".obj", ".gltf", ".glb", ".ply", ".stl"};
 
-std::string suffixOf(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
-  for (char& c : suffix)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return suffix;
-}
-
 }  // namespace
 
 bool namesModel(const std::filesystem::path& path) {
-  return std::find(kSuffixes.begin(), kSuffixes.end(), suffixOf(path)) != kSuffixes.end();
+  return std::find(kSuffixes.begin(), kSuffixes.end(), fileSuffix(path)) != kSuffixes.end();
 }
 
 Model readModel(const std::filesystem::path& path, const ModelOptions& options) {
   if (!namesModel(path))
     throw Error(ErrorKind::Usage, fmt::format("'{}' does not name a model", path.string()),
                 "models are .obj, .gltf, .glb, .ply, .stl");
-  const std::string suffix = suffixOf(path);
+  const std::string suffix = fileSuffix(path);
   const std::vector<std::byte> bytes = readFile(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const ModelSource source(path, options);

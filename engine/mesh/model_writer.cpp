@@ -8,19 +8,13 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/file_suffix.h"
 #include "mesh/model_target.h"
 
 namespace luxo {
 namespace {
 
 constexpr std::array<std::string_view, 4> kSuffixes = {".obj", ".glb", ".ply", ".stl"};
-
-std::string suffixOf(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
-  for (char& c : suffix)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return suffix;
-}
 
 }  // namespace
 
@@ -60,20 +54,20 @@ std::vector<std::string> comments(const ModelClaim& claim, const LengthUnit& uni
 }
 
 bool namesWrittenModel(const std::filesystem::path& path) {
-  return std::find(kSuffixes.begin(), kSuffixes.end(), suffixOf(path)) != kSuffixes.end();
+  return std::find(kSuffixes.begin(), kSuffixes.end(), fileSuffix(path)) != kSuffixes.end();
 }
 
-bool namesGlb(const std::filesystem::path& path) { return suffixOf(path) == ".glb"; }
+bool namesGlb(const std::filesystem::path& path) { return fileSuffix(path) == ".glb"; }
 
 std::vector<std::filesystem::path> namesOf(const std::filesystem::path& path) {
-  if (suffixOf(path) != ".obj") return {path};
+  if (fileSuffix(path) != ".obj") return {path};
   std::filesystem::path materials = path;
   return {materials.replace_extension(".mtl"), path};
 }
 
 std::vector<ModelFile> filesOf(const Model& model, const std::filesystem::path& path, const ModelClaim& claim,
                                const LengthUnit& unit) {
-  const std::string suffix = suffixOf(path);
+  const std::string suffix = fileSuffix(path);
   if (!namesWrittenModel(path))
     throw Error(ErrorKind::Usage, fmt::format("'{}' names no model that can be written", path.string()),
                 "models are written as .glb, .obj, .ply, .stl");
