@@ -81,6 +81,14 @@ bool litThroughShade(ShadeData shade, vec3 fromFocus) {
   return len <= along + shade.reach || along >= shade.cosRim * len;
 }
 
+// Whether nothing keeps light i from a point of the material: no caster of the lights in `inShadow`, nor the shade that the
+// lamp's bulb is in.
+bool isReached(uint i, uint inShadow, Material material, vec3 toLight) {
+  if (i < kPlainLights) return (inShadow & (1u << i)) == 0;
+  uint shade = i - kPlainLights;
+  return shadeOf(material.flags) == shade + 1 || litThroughShade(shadeAt(shade), -toLight);
+}
+
 vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
   vec3 sum = material.ambient;
 #ifdef LUXO_SHADOWS
@@ -92,16 +100,10 @@ vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - position * light.position.w;
     vec3 reflection = reflected(material, light, toLight, n, v);
-    bool lit = (inShadow & (1u << i)) == 0;
-    if (i >= kPlainLights) {
-      uint shade = i - kPlainLights;
-      bool isTheShade = shadeOf(material.flags) == shade + 1;
-      lit = isTheShade || litThroughShade(shadeAt(shade), -toLight);
-    }
 #ifdef LUXO_SHADOWS
     if (kTransmits) reflection *= lightTransmittance();
 #endif
-    sum += lit ? reflection : vec3(0);
+    sum += isReached(i, inShadow, material, toLight) ? reflection : vec3(0);
   }
   return sum;
 }
