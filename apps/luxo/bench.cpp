@@ -57,6 +57,8 @@ int parseRuns(const std::string& text) {
 /// Before minutes of work: the folder is there, and can be written to; of what is written there results.json
 /// alone may be a scene.
 void makeFolder(const std::filesystem::path& folder, std::span<const NamedFile> inputs = {}) {
+  if (folder == "-")
+    throw Error(ErrorKind::Usage, "-o - : these are several files", "name a folder, as in -o results");
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (!std::filesystem::is_directory(folder))

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "image/file.h"
 #include "random/crowd_scene.h"
 #include "random/shrink.h"
 #include "scene/scene_builder.h"
@@ -91,9 +93,8 @@ void keep(Renderer& renderer, const RunRequest& request, std::uint64_t index, co
   std::error_code failed;
   std::filesystem::create_directories(request.findings, failed);
   const auto file = request.findings / fmt::format("random-{}-{}.luxo.json", request.seed, index);
-  std::ofstream out(file);
-  out << small.dump(1) << "\n";
-  if (!out.flush()) throw Error(ErrorKind::Write, fmt::format("cannot write '{}'", file.string()));
+  const std::string text = small.dump(1) + "\n";
+  writeFileAtomically(file, std::as_bytes(std::span(text)));
 }
 
 }  // namespace

@@ -198,6 +198,7 @@ TEST_F(BenchTest, Refusals) {
   refused({"sphere", "--runs", "1.5"}, 2, "--runs '1.5'");
   refused({"sphere", "--tolerance", "1"}, 2, "unknown option '--tolerance'");
   refused({"nosuch", "-o", "results"}, 3, "nosuch");
+  refused({"sphere", "-o", "-"}, 2, "these are several files");
   writeText(folder / "file", "in the way");
   refused({"sphere", "-o", "file/results"}, 5, "cannot make the folder");
 }
