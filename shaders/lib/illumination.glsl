@@ -81,6 +81,15 @@ bool litThroughShade(ShadeData shade, vec3 fromFocus) {
   return len <= along + shade.reach || along >= shade.cosRim * len;
 }
 
+// A bit for each light that a caster keeps from here.
+uint lightsInShadow() {
+#ifdef LUXO_SHADOWS
+  return shadows();
+#else
+  return 0;
+#endif
+}
+
 // Whether nothing keeps light i from a point of the material: no caster of the lights in `inShadow`, nor the shade that the
 // lamp's bulb is in.
 bool isReached(uint i, uint inShadow, Material material, vec3 toLight) {
@@ -91,11 +100,7 @@ bool isReached(uint i, uint inShadow, Material material, vec3 toLight) {
 
 vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
   vec3 sum = material.ambient;
-#ifdef LUXO_SHADOWS
-  uint inShadow = shadows();
-#else
-  const uint inShadow = 0;
-#endif
+  uint inShadow = lightsInShadow();
   for (uint i = 0; i < kPlainLights + kShadedLights; ++i) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - position * light.position.w;

@@ -20,11 +20,7 @@ vec3 lessonShown(vec3 code) {
 vec3 lessonLight(Material material, vec3 glow, Found found) {
   vec3 ground = kLessonFloor + lessonCode(glow), color = lessonCode(material.diffuse), dark = lessonShown(ground);
   vec3 sum = LUXO_ADDS_LIGHT ? vec3(0) : dark;
-#ifdef LUXO_SHADOWS
-  uint inShadow = shadows();
-#else
-  const uint inShadow = 0;
-#endif
+  uint inShadow = lightsInShadow();
   for (uint i = 0; i < kPlainLights + kShadedLights; ++i) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - found.position * light.position.w;

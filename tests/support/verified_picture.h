@@ -25,6 +25,10 @@ class VerifiedPictureTest : public PictureTest {
   /// code (1 / 255) of the truth, but for pixels at edges of triangles: beyond, (u, v) run otherwise;
   /// and 99.9 % within a tenth of one.
   Verified expectTrueColors(const Snapshot& snapshot, std::uint64_t pixels);
+
+ private:
+  /// Nothing lost, no pixel without a number, and so many on a surface.
+  Verified expectWhole(const Snapshot& snapshot, std::uint64_t pixels);
 };
 
 }  // namespace luxo::test
