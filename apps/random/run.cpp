@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <span>
 #include <string>
 #include <utility>
@@ -18,6 +19,8 @@
 
 namespace luxo::random {
 namespace {
+
+constexpr int kPlacesTold = 8;  // of wrong pixels, in a line: enough to look at
 
 void requireKind(const std::string& kind) {
   const auto kinds = surfaceKinds();
@@ -53,6 +56,8 @@ void describe(Json& line, const Trial& trial) {
                    {"point", trial.wrong.point},
                    {"light", trial.wrong.light},
                    {"color", trial.wrongColors}};
+  for (const std::uint32_t pixel : trial.wrong.pixels | std::views::take(kPlacesTold))
+    line["wrong_at"].push_back({pixel % trial.size.width, pixel / trial.size.width});
   line["worst_px"] = rounded(trial.worstPx, 3);
   line["undecided"] = trial.undecided;
   line["silently_wrong"] = trial.silentlyWrong;

@@ -32,8 +32,9 @@ struct RunTotals {
 };
 
 /// The line of a scene. Names: seed, index, kind, camera, size, samples, pixels, hits, wrong {hit_miss,
-/// layer, point, light, color}, worst_px, undecided, silently_wrong, unconverged, uncertified, cpu_s
-/// {picture, reference}; `error` instead of all after camera where the renderer refused it.
+/// layer, point, light, color}, wrong_at (columns and rows of the first), worst_px,
+/// undecided, silently_wrong, unconverged, uncertified, cpu_s {picture, reference}; `error` instead of all
+/// after camera where the renderer refused it.
 ///
 /// Throws Error(Device) when the device is lost, Error(Write) when a finding cannot be written, Error(Usage)
 /// for a kind that there is not.
