@@ -64,16 +64,18 @@ void main() {
   vec3 light = vec3(0), through = vec3(1);
   vec2 sums = vec2(0);
   LayerPoint last;
-  last.material = kLayerOfNothing;
+  last.depth = -3e38;  // there is none
+  last.off = 0.0;
+  last.material = 0;
   for (uint index = head; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerOfMesh) != 0 && point.depth >= opaque) continue;
     // On a border between two cells both may have it, or one that is certain of it and the other, too.
     uint either = point.material | last.material, other = (point.material ^ last.material) & ~kLayerAtBorder;
-    bool isBeside = point.depth - last.depth <= point.off + last.off && (other == 0 || (either & kLayerAtBorder) != 0),
+    bool isBeside = point.depth - last.depth <= point.off + last.off,
          isTwice = isBeside && other == 0 && (either & kLayerAtBorder) != 0;
-    // Of two nodes in one place whose points are whose is left to rays; and how often a surface covers itself.
-    if (isBeside && !isTwice && (point.material & (kLayerOfMesh | kLayerByRay)) == 0) doubtLayers();
+    // Which of two points is nearer than floats tell is left to rays, and how often a surface covers itself.
+    if (isBeside && !isTwice && (either & (kLayerOfMesh | kLayerByRay)) == 0) doubtLayers();
     if (isTwice && !isOnePoint(point.parameters, fromOctahedral(point.normal), last.parameters, fromOctahedral(last.normal)))
       doubtLayers();
     last = point;

@@ -315,6 +315,7 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
     RayLayers layers{.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5),
                      .first = static_cast<std::uint32_t>(points.layerPoints.size()),
                      .groups = static_cast<std::uint32_t>(groups.size())};
+    float last = -std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < seen[i].sight.hits.size(); ++k) {
       const reference::Hit& hit = seen[i].sight.hits[k];
       const auto node = std::ranges::lower_bound(found, hit.node, {}, &FoundLayer::node);
@@ -323,7 +324,10 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
       const auto light = seen[i].light.begin() + static_cast<std::ptrdiff_t>(k * groups.size());
       points.layerLights.insert(points.layerLights.end(), light,
                                 light + static_cast<std::ptrdiff_t>(groups.size()));
-      points.layerPoints.push_back({.depth = static_cast<float>(glm::dot(hit.position - origin, forward)),
+      // Their order, which the ray knows, has to outlive the rounding of their depths.
+      last = std::max(static_cast<float>(glm::dot(hit.position - origin, forward)),
+                      std::nextafter(last, std::numeric_limits<float>::infinity()));
+      points.layerPoints.push_back({.depth = last,
                                     .material = node->material | shared::kLayerByRay,
                                     .shadows = light->shadows,
                                     .normal = octahedral(hit.normal),

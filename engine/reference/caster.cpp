@@ -263,10 +263,27 @@ Caster::Sight Caster::look(const Ray& ray, Invisible invisible) const {
       if (!bodies_[hit.node].transparent) opaque = std::min(opaque, hit.t);
   }
   std::erase_if(sight.hits, [opaque = opaque](const Hit& hit) { return hit.t > opaque; });
-  // Of two points at one distance that of the earlier node is in front.
   std::stable_sort(sight.hits.begin(), sight.hits.end(),
-                   [](const Hit& a, const Hit& b) { return a.t < b.t; });
+                   [this](const Hit& a, const Hit& b) { return isInFront(a, b); });
   return sight;
+}
+
+bool Caster::isInFront(const Hit& a, const Hit& b) const {
+  if (a.t != b.t) return a.t < b.t;
+  if (bodies_[a.node].transparent != bodies_[b.node].transparent) return bodies_[a.node].transparent;
+  if (!bodies_[a.node].transparent) return false;
+  const auto looks = [this](const Hit& hit) {
+    const Reflection reflection = reflectionAt(hit);
+    const Material& material = materialOf(hit.node);
+    const Vec3 transmission = material.transmissionAt(hit.u, hit.v);
+    std::array<double, 17> numbers{material.opacityAt(hit.u, hit.v), reflection.exponent};
+    auto next = numbers.begin() + 2;
+    for (const Vec3& v : {reflection.diffuse, reflection.specular, material.ambientOrDiffuse(),
+                          reflection.normal, transmission})
+      for (int axis = 0; axis < 3; ++axis) *next++ = v[axis];
+    return numbers;
+  };
+  return looks(a) < looks(b);
 }
 
 Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& hit, bool& certified) const {

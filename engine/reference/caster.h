@@ -157,6 +157,9 @@ class Caster {
   [[nodiscard]] Footprint footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, const Vec3& sv) const;
   void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
             Sight& sight) const;
+  /// The nearer one; at one distance what is seen through, by how it looks, so that the order of nodes does
+  /// not matter; of two opaque points that of the earlier node.
+  [[nodiscard]] bool isInFront(const Hit& a, const Hit& b) const;
   /// What a light adds to a hit; `visible`: how much of it arrives, 0 to 1.
   [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
                              const Vec3& toViewer, const Vec3& visible, double tilt = 0) const;

@@ -428,9 +428,8 @@ LUXO_CONSTANT kClosedTorus = 4;
 LUXO_CONSTANT kMostClosedCasters = 2;
 
 LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
-LUXO_CONSTANT kLayerOfNothing = 1 << 17;
-LUXO_CONSTANT kLayerAtBorder = 1 << 18;  // or on a border between two cells, which may both have found it
-LUXO_CONSTANT kLayerByRay = 1 << 19;     // or found by a ray
+LUXO_CONSTANT kLayerAtBorder = 1 << 17;  // or on a border between two cells, which may both have found it
+LUXO_CONSTANT kLayerByRay = 1 << 18;     // or found by a ray
 LUXO_CONSTANT kLayerMaterial = 0xffff;
 
 // A point of what is seen through, in the list of its pixel.
