@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
+#include "math/basis.h"
 #include "reference/krawczyk.h"
 
 namespace luxo::reference {
@@ -212,8 +214,17 @@ class Search {
                          glm::dot(ray_.across1, p.dv) * glm::dot(ray_.across2, p.du);
       if (side() * det > 0) return;
     }
-    found_ = Root{t, patch_, u, v};
-    farthest_ = t;
+    take({t, patch_, u, v});
+  }
+
+  /// Of points in one place, where a surface covers itself or closes, that of the least parameters, whatever
+  /// the order of cells.
+  void take(const Root& root) {
+    const double same = kSamePoint * std::abs(root.t);
+    const auto parameters = [](const Root& r) { return std::tuple(r.patch, r.u, r.v); };
+    if (found_ && std::abs(root.t - found_->t) <= same && parameters(*found_) < parameters(root)) return;
+    found_ = root;
+    farthest_ = std::min(farthest_, root.t + same);
   }
 
   const CellTree& tree_;
@@ -227,13 +238,6 @@ class Search {
   std::vector<Domain> parts_;
   int cells_ = 0, mostCells_ = kMaxCells;
 };
-
-/// Two unit vectors that complete `w`, unit, to a right-handed system (T. Duff et al. 2017).
-std::array<Vec3, 2> completed(const Vec3& w) {
-  const double sign = std::copysign(1.0, w.z);
-  const double a = -1 / (sign + w.z), b = w.x * w.y * a;
-  return {Vec3(1 + sign * w.x * w.x * a, sign * b, -sign * w.x), Vec3(b, sign + w.y * w.y * a, -w.y)};
-}
 
 }  // namespace
 
