@@ -184,6 +184,7 @@ class Run {
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();
       if (index == 0) tellOfNoLight(snapshot);
+      if (index == 0) tellOfNoOcclusion(snapshot);
       picture->statistics.ms.animate = animate;
       picture->statistics.ms.total += animate;
       report_.frames[index].statistics = picture->statistics;
@@ -204,6 +205,16 @@ class Run {
       fitted_ =
           fitCamera(takeSnapshot(scene_, scene_.settings().time, settings_.size, Camera{}), settings_.size);
     return *fitted_;
+  }
+
+  void tellOfNoOcclusion(const Snapshot& snapshot) const {
+    const Shading shading = settings_.shading;
+    if (snapshot.ambientOcclusion.any() && request_.aov == Output::Color &&
+        request_.verbosity != Verbosity::Quiet &&
+        (shading == Shading::Gouraud || shading == Shading::Toon || shading == Shading::Wireframe))
+      printWarning(
+          "the scene's ambient occlusion is drawn in exact, Phong and flat shading; here all ambient light "
+          "arrives");
   }
 
   void tellOfNoLight(const Snapshot& snapshot) const {

@@ -12,7 +12,6 @@ namespace luxo::random {
 namespace {
 
 constexpr double kSameColor = 2e-3;  // linear: half an 8-bit step of dark colours, 20 times what float leaves
-constexpr double kCosineRounding = 0x1p-20;  // what a dozen operations of single precision leave of a cosine
 double processorSeconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

@@ -389,6 +389,11 @@ bool hasLayers(const Snapshot& snapshot, const DrawOptions& options) {
          });
 }
 
+bool occludesAmbient(const Snapshot& snapshot, const DrawOptions& options) {
+  return options.output == Output::Color && !showsData(options.shading) && snapshot.ambientOcclusion.any() &&
+         snapshot.ambient != Vec3(0);
+}
+
 bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
   return (shading == Shading::Exact || shading == Shading::Residual) && !seenThrough(snapshot, node, options);

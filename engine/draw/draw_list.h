@@ -38,6 +38,7 @@ enum class Form {
   Fused,
   Found,
   FoundWithParameters,
+  Openness,
   Shade,
   MeshPlace,
   Shadow,
@@ -84,6 +85,7 @@ struct DrawState {
   bool manyGroups = false;          ///< of Form::ShadeLayers: there are others, which light the same points
   bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
   bool transmits = false;           ///< with it: LightGroup::transmits
+  bool occludes = false;            ///< with it: DrawList::occludes
   std::uint32_t closed = 0;         ///< of Form::Shadow and LayerShadow: so many casters, by their equations
   std::uint32_t closedKind = 0;     ///< with it: shared::kClosedPlane and on
   std::uint32_t firstLight = 0;     ///< of Form::Again, in Gouraud shading: of kVertexLights
@@ -242,6 +244,7 @@ struct DrawList {
   bool findsParameters = false;  ///< of a deferred list: with (u, v), as some pattern asks for them
   bool findsFootprints = false;  ///< with them, as some texture asks for them
   bool findsFrames = false;      ///< with these, as some map of normals asks for them
+  bool occludes = false;         ///< of a deferred list: it is seen how much of the ambient light gets where
   /// Of a deferred list: meshes tell theirs, from which the points of their surfaces are found.
   bool findsPlaces = false;
   std::vector<CasterDraw> places;  ///< what finds these
@@ -298,6 +301,9 @@ inline constexpr double kStandInTolerance = 8;
                                const DrawOptions& options);
 /// Whether something is, and comes together by its depth in every pixel.
 [[nodiscard]] bool hasLayers(const Snapshot& snapshot, const DrawOptions& options);
+
+/// Whether the ambient light is occluded.
+[[nodiscard]] bool occludesAmbient(const Snapshot& snapshot, const DrawOptions& options);
 
 /// Whether every pixel of a node finds its point of the surface, by a search, a triangle that is the surface,
 /// or a ray; and of what is seen through in the order of its depth all of them.

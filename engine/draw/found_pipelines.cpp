@@ -19,6 +19,8 @@
 #include "luxo/shaders/light_map_layer_frag.h"
 #include "luxo/shaders/light_map_vert.h"
 #include "luxo/shaders/mesh_place_vert.h"
+#include "luxo/shaders/openness_frag.h"
+#include "luxo/shaders/openness_vert.h"
 #include "luxo/shaders/ray_layers_frag.h"
 #include "luxo/shaders/ray_layers_vert.h"
 #include "luxo/shaders/ray_shadows_frag.h"
@@ -52,9 +54,23 @@ void ScenePipelines::describeShade(const DrawState& state, gpu::GraphicsPipeline
                              {{shared::kConstantPattern, state.patternNumber},
                               {shared::kConstantManyMaterials, state.manyMaterials},
                               {shared::kConstantAddsLight, state.addsLight},
-                              {shared::kConstantTransmits, state.transmits}});
+                              {shared::kConstantTransmits, state.transmits},
+                              {shared::kConstantOcclusion, state.occludes}});
   if (state.addsLight) desc.blend = gpu::Blend::Add;
   desc.setLayouts = {sceneLayout_, paintLayout(state), foundLayout()};
+}
+
+/// The same, of the ambient light.
+void ScenePipelines::describeOpenness(gpu::GraphicsPipelineDesc& desc) {
+  desc.name = "openness";
+  desc.vertexShader = luxo_openness_vert;
+  desc.fragmentShader = luxo_openness_frag;
+  desc.colorFormats = {kOpennessFormat};
+  desc.bindings.clear();
+  desc.attributes.clear();
+  desc.depthWrite = false;
+  desc.depthCompare = VK_COMPARE_OP_LESS;
+  desc.setLayouts = {sceneLayout_, patternLayout(), foundLayout()};
 }
 
 /// Over all that was found, of a mesh the points of its surface.

@@ -80,7 +80,8 @@ shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) 
           .rayMiddle = toFloat(spread * aside + view.forward()),
           .rayRight = toFloat(spread * right),
           .rayDown = toFloat(spread * down),
-          .middle = Vec2f(0.5 * view.size.width, 0.5 * view.size.height)};
+          .middle = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
+          .occlusionRadius = static_cast<float>(snapshot.ambientOcclusion.radius)};
 }
 
 }  // namespace luxo

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/material_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/error.h"
 #include "draw/place_list.h"
 #include "draw/shadow_list.h"
 #include "draw/texture_list.h"
@@ -59,6 +62,17 @@ std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
   return groups;
 }
 
+void requireScreen(const AmbientOcclusion& occlusion, bool possible) {
+  if (occlusion.method == OcclusionMethod::Rays)
+    throw Error(ErrorKind::Scene, "ambient occlusion by rays is what the reference casts",
+                "render with --engine reference, or set render.ambient_occlusion's method to \"screen\"");
+  if (!possible)
+    throw Error(ErrorKind::Scene,
+                fmt::format("ambient occlusion of more than {} nodes and materials is not supported yet",
+                            shared::kMaxFoundMaterials - 1),
+                "leave render.ambient_occlusion out");
+}
+
 }  // namespace
 
 MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
@@ -77,8 +91,11 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
                         (shadows_ || hasLayers(snapshot, options) || textures
                              ? snapshot.nodes.size()
                              : materials.size() * (lights.size() + 1)) < shared::kMaxFoundMaterials;
-  list_.deferred =
-      possible && (options.composition == Composition::Deferred || shadows_ || hasLayers(snapshot, options));
+  const bool occludes = occludesAmbient(snapshot, options);
+  if (occludes) requireScreen(snapshot.ambientOcclusion, possible);
+  list_.deferred = possible && (options.composition == Composition::Deferred || shadows_ ||
+                                hasLayers(snapshot, options) || occludes);
+  list_.occludes = occludes;
   if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
   list_.groups.resize(groups_.size());
   shades_.resize(groups_.size());
@@ -182,7 +199,8 @@ std::uint32_t MaterialList::shadeLater(const DrawState& shade, LightSets& lightS
                         .pattern = shade.pattern,
                         .patternNumber = patternNumber(shade.pattern),
                         .manyGroups = groups_.size() > 1,
-                        .addsLight = i > 0});
+                        .addsLight = i > 0,
+                        .occludes = list_.occludes && i == 0 && shade.form == Form::Shade});
     list_.groups[i].lightSet = choice.index;
     list_.groups[i].plainLights = choice.plain;
     list_.groups[i].shadedLights = choice.shaded;

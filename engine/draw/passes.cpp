@@ -11,6 +11,7 @@ namespace {
 std::vector<Attachment> color(Begin begin) { return {{Target::Color, begin}}; }
 
 const std::array<DrawState, 1> kBlendLayers{DrawState{.form = Form::BlendLayers}};
+const std::array<DrawState, 1> kOpenness{DrawState{.form = Form::Openness}};
 
 /// What the first pass draws, and what is drawn over that.
 struct Opaque {
@@ -73,7 +74,15 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
   const bool shadowsStay = replaces && list.groups.size() == 1 && !list.hasLightMaps();
   // Rays tell the shadows of all their pixels: the light of the others is there. A miss is cleared with all.
   const bool shadesStay = shadowsStay && frame.rays->misses.empty() && !list.layers.any() &&
-                          frame.rays->shadows.size() == 1 && !frame.rays->shadows[0].empty();
+                          frame.rays->shadows.size() == 1 && !frame.rays->shadows[0].empty() &&
+                          !list.occludes;
+  if (list.occludes) {
+    passes.push_back({.name = "openness",
+                      .colors = {{Target::Openness, Begin::Clear}},
+                      .reads = {Target::Found},
+                      .shades = kOpenness});
+    reads.push_back(Target::Openness);
+  }
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
     const LightGroup& group = list.groups[i];
     Pass shades{.name = "shade",

@@ -111,6 +111,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
                     .frames = list_.findsFrames,
                     .shadows = list_.findsShadows(),
                     .transmittance = list_.findsTransmittances(),
+                    .openness = list_.occludes,
                     .places = list_.findsPlaces,
                     .lightDepth = extentOfLightMaps(list_)});
   if (list_.layers.any()) layerLists_.prepare(extent);
@@ -232,6 +233,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     gpu::Texture& places = list_.findsShadows() ? targets_.texture(Target::Places) : found;
     gpu::Texture& transmittance =
         list_.findsTransmittances() ? targets_.texture(Target::Transmittance) : found;
+    gpu::Texture& openness = list_.occludes ? targets_.texture(Target::Openness) : found;
     gpu::Texture& parameters =
         list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
@@ -241,7 +243,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  {uploads.materials.use(*context_), 0, kUniformBytes},
                                                  {shadows, pipelines.texelSampler()},
                                                  {transmittance, pipelines.texelSampler()},
-                                                 {places, pipelines.texelSampler()}});
+                                                 {places, pipelines.texelSampler()},
+                                                 {openness, pipelines.texelSampler()}});
   }
   if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, uploads);
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);

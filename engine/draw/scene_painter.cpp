@@ -65,8 +65,8 @@ DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& 
   able.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
   const auto wanted = static_cast<std::uint32_t>(options.samples);
   // Shadows and layers are found for one point of each pixel.
-  const bool one =
-      options.output != Output::Color || findsShadows(snapshot, options) || hasLayers(snapshot, options);
+  const bool one = options.output != Output::Color || findsShadows(snapshot, options) ||
+                   hasLayers(snapshot, options) || occludesAmbient(snapshot, options);
   able.samples = one ? 1 : static_cast<int>(context_->supportedSamples(wanted));
   return able;
 }

@@ -335,6 +335,7 @@ const gpu::DescriptorLayout& ScenePipelines::foundLayout() {
                     {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
                     {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}});
   return foundLayout_;
 }
@@ -562,6 +563,8 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
     describeLightDepth(desc);
   } else if (state.form == Form::Shade) {
     describeShade(state, desc);
+  } else if (state.form == Form::Openness) {
+    describeOpenness(desc);
   } else if (state.form == Form::MeshPlace) {
     describePlaces(state, desc);
   } else if (state.form == Form::Shadow || state.form == Form::Transmittance ||

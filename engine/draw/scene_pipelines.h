@@ -86,6 +86,7 @@ class ScenePipelines {
   /// The fragment shader that finds what it does where rays meet the cells of the state's surface.
   [[nodiscard]] std::span<const std::uint32_t> casterShader(const DrawState& state) const;
   void describeCaster(const DrawState& state, gpu::GraphicsPipelineDesc& desc) const;
+  void describeOpenness(gpu::GraphicsPipelineDesc& desc);
   void describeShade(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describePlaces(const DrawState& state, gpu::GraphicsPipelineDesc& desc);
   void describeShadow(const DrawState& state, gpu::GraphicsPipelineDesc& desc);

@@ -45,6 +45,7 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
     places_ = gpu::Texture();
     shadows_ = gpu::Texture();
     transmittance_ = gpu::Texture();
+    openness_ = gpu::Texture();
   }
   if (const VkExtent2D wanted = needs.lightDepth;
       wanted.width > 0 && !(lightDepth_ && lightDepth_.extent().width >= wanted.width &&
@@ -57,6 +58,8 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
   if (needs.transmittance && !fits(transmittance_, extent, VK_SAMPLE_COUNT_1_BIT))
     transmittance_ =
         make(kTransmittanceFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "transmittance");
+  if (needs.openness && !fits(openness_, extent, VK_SAMPLE_COUNT_1_BIT))
+    openness_ = make(kOpennessFormat, kReadAgain, samples, "openness");
   if (needs.shadows && (!places_ || (needs.places && !fits(places_, extent, VK_SAMPLE_COUNT_1_BIT))))
     places_ = gpu::Texture(*context_, {.extent = needs.places ? extent : VkExtent2D{1, 1},
                                        .format = kPlacesFormat,
@@ -92,6 +95,8 @@ gpu::Texture& ViewTargets::texture(Target target) {
       return shadows_;
     case Target::Transmittance:
       return transmittance_;
+    case Target::Openness:
+      return openness_;
     case Target::LightDepth:
       return lightDepth_;
     case Target::Color:

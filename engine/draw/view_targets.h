@@ -18,7 +18,8 @@ enum class Precision { Full, Half };
 /// asks for them, their parameters, and, where a texture does, the footprint of their pixel, and, where a map
 /// of normals does, their frame; Shadows: the lights, a bit each, that do not reach them; Places: of meshes
 /// the points of their surfaces (shaders/lib/mesh_place_fragment.glsl); Transmittance: how much of one light
-/// its casters let through; LightDepth: a light's depth map.
+/// its casters let through; Openness: how much of the ambient light gets there; LightDepth: a light's depth
+/// map.
 enum class Target {
   Color,
   Depth,
@@ -29,6 +30,7 @@ enum class Target {
   Places,
   Shadows,
   Transmittance,
+  Openness,
   LightDepth
 };
 
@@ -47,6 +49,7 @@ inline constexpr VkFormat kFoundFootprintFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kFoundFrameFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kPlacesFormat = VK_FORMAT_R32G32B32A32_UINT;
 inline constexpr VkFormat kShadowsFormat = VK_FORMAT_R32_UINT;
+inline constexpr VkFormat kOpennessFormat = VK_FORMAT_R32_SFLOAT;
 inline constexpr VkFormat kTransmittanceFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 class ViewTargets {
@@ -57,7 +60,7 @@ class ViewTargets {
   struct Needs {
     bool deferred = false;  ///< Found, FoundParameters
     bool footprints = false, frames = false;
-    bool shadows = false, transmittance = false;
+    bool shadows = false, transmittance = false, openness = false;
     bool places = false;         ///< with shadows; else there is one of a texel, to have something to bind
     VkExtent2D lightDepth = {};  ///< none: there is no map
   };
@@ -80,7 +83,7 @@ class ViewTargets {
   gpu::Context* context_;
   TargetFormat format_;
   gpu::Texture color_, resolved_, depth_, found_, foundParameters_, foundFootprint_, foundFrame_, places_,
-      shadows_, transmittance_, lightDepth_;
+      shadows_, transmittance_, openness_, lightDepth_;
 };
 
 }  // namespace luxo

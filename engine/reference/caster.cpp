@@ -286,15 +286,18 @@ bool Caster::isInFront(const Hit& a, const Hit& b) const {
   return looks(a) < looks(b);
 }
 
+double Caster::ownReach(const Hit& hit, const Vec3& direction) const {
+  const double reach = glm::distance(hit.position, snapshot_.view.eye) + glm::length(hit.position);
+  return kHitRounding * reach / std::max(std::abs(glm::dot(hit.facet, direction)), kGrazing);
+}
+
 Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& hit, bool& certified) const {
   const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
   const double distance =
       light.directional() ? std::numeric_limits<double>::infinity() : glm::length(toLight);
   const Ray ray{hit.position, unit(toLight)};
   if (!mayMeet(ray, node)) return Vec3(1);
-  // A hit is as far off its surface as rounding leaves it: along the ray that is more where this grazes it.
-  const double reach = glm::distance(hit.position, snapshot_.view.eye) + glm::length(hit.position);
-  const double own = kHitRounding * reach / std::max(std::abs(glm::dot(hit.facet, ray.direction)), kGrazing);
+  const double own = ownReach(hit, ray.direction);
   const Body& body = bodies_[node];
   RootQuery query{own, distance, Facing::Both, false};
   Vec3 left(1);
@@ -376,19 +379,20 @@ Caster::Lit Caster::lightAt(std::uint32_t light, const Hit& hit, const Vec3& toV
   return lit;
 }
 
-Vec3 Caster::withoutLights(std::uint32_t node, const Reflection& reflection) const {
-  const Material& material = materialOf(node);
+Vec3 Caster::withoutLights(const Hit& hit, const Reflection& reflection) const {
+  const Material& material = materialOf(hit.node);
   if (material.drawsLesson()) return lessonOf(reflection).dark();
-  return material.ambient.value_or(reflection.diffuse) * snapshot_.ambient + reflection.glow;
+  const Vec3 ambient = material.ambient.value_or(reflection.diffuse) * snapshot_.ambient;
+  return (ambient == Vec3(0) ? ambient : ambient * openness(hit)) + reflection.glow;
 }
 
-Vec3 Caster::withoutLights(const Hit& hit) const { return withoutLights(hit.node, reflectionAt(hit)); }
+Vec3 Caster::withoutLights(const Hit& hit) const { return withoutLights(hit, reflectionAt(hit)); }
 
 Vec3 Caster::diffuseOf(const Hit& hit) const { return reflectionAt(hit).diffuse; }
 
 Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
   const Reflection reflection = reflectionAt(hit);
-  Vec3 sum = withoutLights(hit.node, reflection);
+  Vec3 sum = withoutLights(hit, reflection);
   for (const SnapshotLight& light : snapshot_.lights)
     if (shareOf(light, hit, reflection, toViewer, Vec3(1), tilt) != Vec3(0))
       sum += shareOf(light, hit, reflection, toViewer, reaching(light, hit, certified), tilt);

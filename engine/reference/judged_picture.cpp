@@ -312,6 +312,8 @@ class Judge {
     const bool layers = std::ranges::any_of(snapshot_.nodes, [&](const SnapshotNode& node) {
       return snapshot_.materials[node.material.index].transparent();
     });
+    // Of the ambient light the picture knows less than the truth: no colour is the same.
+    const bool occluded = snapshot_.ambientOcclusion.any();
     const auto mayBeInShadow = [&](const JudgedPixel& pixel) {
       return pixel.mismatch == Mismatch::None && pixel.color > kOtherLight &&
              (layers || (shadows && pixel.position != kUnset));
@@ -339,8 +341,8 @@ class Judge {
       else if (pixel.offPoint)
         judgeOff(caster, i, shadows && !layers, pixel);
       else
-        pixel.offLight = layers || mayShowAnotherTexture(wrong[w]) ? hasAnotherColor(caster, i)
-                                                                   : inAnotherLight(caster, i);
+        pixel.offLight = !occluded && (layers || mayShowAnotherTexture(wrong[w])) ? hasAnotherColor(caster, i)
+                                                                                  : inAnotherLight(caster, i);
     });
   }
 
@@ -388,8 +390,9 @@ class Judge {
         centerOf(i), 2 * kSilhouettePx);
   }
 
-  /// Whether no colour is, within the width of an outline, as the one that is shown: of what is seen through
-  /// any layer may be the wrong one, and of a texture any texel.
+  /// Whether no colour is, within the width of an outline, as the one that is shown, with lights in the plane
+  /// of what is seen on either side of it: of what is seen through any layer may be the wrong one, and of a
+  /// texture any texel.
   [[nodiscard]] bool hasAnotherColor(const Caster& caster, std::uint32_t i) const {
     const Vec2 center = centerOf(i);
     const Vec3 shown = valueAt(measured_.color, i);
@@ -401,15 +404,23 @@ class Judge {
       const Vec2 at = center + radius * Vec2(std::cos(angle), std::sin(angle));
       const Ray ray = caster.rayThrough(at.x, at.y);
       bool certified = true;
-      const Vec3 color = caster.color(ray, caster.look(ray), certified);
-      if (!certified) return false;
-      least = glm::min(least, color);
-      most = glm::max(most, color);
+      const Caster::Sight sight = caster.look(ray);
+      for (const double tilt : {-kCosineRounding, kCosineRounding}) {
+        const Vec3 color = caster.color(ray, sight, certified, tilt);
+        if (!certified) return false;
+        least = glm::min(least, color);
+        most = glm::max(most, color);
+      }
     }
     const auto slack = [](double value) { return kOtherLight * (1 + value); };
     for (int c = 0; c < 3; ++c)
       if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c])) return true;
     return false;
+  }
+
+  /// Where single precision cannot tell on which side of the horizon a light is.
+  static bool isOnHorizon(const Vec3& towardLight, const Vec3& normal) {
+    return std::abs(glm::dot(towardLight, normal)) <= kCosineRounding;
   }
 
   /// A light of which the colour shown may have it that it is seen where it is not, or the other way round.
@@ -434,7 +445,7 @@ class Judge {
   /// At so many places of rings, whose radii are in kSilhouettePx.
   void findBorders(const Caster& caster, std::uint32_t i, const Vec2& center, std::vector<Turned>& lights,
                    std::initializer_list<double> radii, int directions) const {
-    std::size_t left = lights.size();
+    auto left = std::ranges::count(lights, false, &Turned::atBorder);
     double turn = 0;  // of every other ring by half a step
     for (const double radius : radii) {
       for (int k = 0; k < directions && left > 0; ++k) {
@@ -475,7 +486,10 @@ class Judge {
     for (const Caster::Shadowed& one : caster.shadowedLights(hit, toViewer)) {
       const Vec3 change = one.visible ? -one.share : one.share;
       if (one.certified && size(change) > least && size(off - change) < size(off))
-        lights.push_back({one.light, one.visible, change});
+        lights.push_back({.light = one.light,
+                          .visible = one.visible,
+                          .change = change,
+                          .atBorder = isOnHorizon(caster.towardLight(one.light, hit), hit.normal)});
     }
     findBorders(caster, i, center, lights);
     const auto others =

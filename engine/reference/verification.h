@@ -99,6 +99,10 @@ inline constexpr double kSilhouettePx = 0.01;
 /// may move it.
 inline constexpr double kPointPx = 1e-3;
 
+/// What a dozen operations of single precision leave of a cosine: a light that is as near to the horizon may
+/// be above or below.
+inline constexpr double kCosineRounding = 0x1p-20;
+
 /// Each pixel counts once, under the first that holds.
 struct WrongPixels {
   std::uint64_t hitMiss = 0;  ///< a surface where there is none, or none where there is one

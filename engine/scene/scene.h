@@ -19,6 +19,7 @@
 #include "math/animated.h"
 #include "math/bounds.h"
 #include "math/transform.h"
+#include "scene/ambient_occlusion.h"
 #include "scene/camera.h"
 #include "scene/ids.h"
 #include "scene/light.h"
@@ -67,6 +68,7 @@ struct RenderSettings {
   BlendOrder blendOrder = BlendOrder::Exact;
   Vec3 background{0.02, 0.025, 0.03};
   Vec3 ambient{0.1};
+  AmbientOcclusion ambientOcclusion = {};
 
   friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };

@@ -438,6 +438,9 @@ void SceneConstruction::setRender(const RenderDesc& desc) {
   settings.tolerance = formulas_.once(desc.tolerance, {kToleranceRange, "from 1e-6 to 1e6"}).value_or(1);
   settings.background = colorOnce(desc.background);
   settings.ambient = colorOnce(desc.ambient);
+  settings.ambientOcclusion = {
+      desc.ambientOcclusion.method,
+      formulas_.once(desc.ambientOcclusion.radius, {{0, kMaxSceneNumber}, "from 0 to 1e18"}).value_or(0)};
   scene_.set(settings);
 }
 

@@ -287,6 +287,13 @@ struct CameraDesc {
   friend bool operator==(const CameraDesc&, const CameraDesc&) = default;
 };
 
+struct OcclusionDesc {
+  OcclusionMethod method = OcclusionMethod::Screen;
+  Quantity radius = {};
+
+  friend bool operator==(const OcclusionDesc&, const OcclusionDesc&) = default;
+};
+
 /// As RenderSettings. Read once, when the scene is built: parameters count, time does not.
 struct RenderDesc {
   QuantityPair size{1280, 720};
@@ -295,6 +302,7 @@ struct RenderDesc {
   bool hiddenLines = false;
   BlendOrder blendOrder = BlendOrder::Exact;
   Quantity3 background{0.02, 0.025, 0.03}, ambient = repeated(0.1);
+  OcclusionDesc ambientOcclusion = {};
 
   friend bool operator==(const RenderDesc&, const RenderDesc&) = default;
 };

@@ -29,9 +29,10 @@ using Names = std::string_view;
 
 inline constexpr std::array<Names, 10> kRootNames = {"luxo",      "$schema",  "render", "params", "textures",
                                                      "materials", "surfaces", "nodes",  "camera", "cameras"};
-inline constexpr std::array<Names, 10> kRenderNames = {"size",       "time",    "fps",          "samples",
-                                                       "tolerance",  "shading", "hidden_lines", "blend_order",
-                                                       "background", "ambient"};
+inline constexpr std::array<Names, 11> kRenderNames = {
+    "size",         "time",        "fps",        "samples", "tolerance",        "shading",
+    "hidden_lines", "blend_order", "background", "ambient", "ambient_occlusion"};
+inline constexpr std::array<Names, 2> kOcclusionNames = {"method", "radius"};
 inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
 inline constexpr std::array<Names, 8> kTextureNames = {"file", "checker", "squares",    "color",
                                                        "wrap", "filter",  "anisotropy", "data"};
@@ -61,6 +62,7 @@ inline constexpr std::array<Names, 7> kCameraNames = {"eye",  "look_at", "up",  
 
 inline constexpr SceneKeys kRoot{"a scene", "", kRootNames, 1, "write \"luxo\": 1 as the first key"};
 inline constexpr SceneKeys kRender{"the render settings", "render", kRenderNames};
+inline constexpr SceneKeys kOcclusion{"ambient occlusion", "ambient_occlusion", kOcclusionNames};
 inline constexpr SceneKeys kParameter{"a parameter", "parameter", kParameterNames, 1};
 inline constexpr SceneKeys kTexture{"a texture", "texture", kTextureNames};
 inline constexpr SceneKeys kTextureMap{"a map", "texture_map", kTextureMapNames, 1};
@@ -78,9 +80,9 @@ inline constexpr SceneKeys kMap{"a shadow map", "map", kMapNames};
 inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
 /// All of them, but for named surfaces.
-inline constexpr std::array kAll = {kRoot,      kRender,   kParameter, kTexture, kMaterial, kTextureMap,
-                                    kNormalMap, kFormula,  kRevolve,   kTube,    kBezier,   kMesh,
-                                    kNode,      kRotation, kLight,     kMap,     kCamera};
+inline constexpr std::array kAll = {kRoot,       kRender,    kOcclusion, kParameter, kTexture, kMaterial,
+                                    kTextureMap, kNormalMap, kFormula,   kRevolve,   kTube,    kBezier,
+                                    kMesh,       kNode,      kRotation,  kLight,     kMap,     kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};
@@ -98,6 +100,7 @@ inline constexpr auto kMaterialShadings = [] {
 }();
 inline constexpr std::array<Names, 3> kBlends = {"over", "add", "multiply"};
 inline constexpr std::array<Names, 2> kBlendOrders = {"exact", "given"};
+inline constexpr std::array<Names, 2> kOcclusionMethods = {"screen", "rays"};
 inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};
 /// Surfaces with a structure of their own; all other types are the catalogue's.
 inline constexpr std::array<Names, 5> kShapeTypes = {"formula", "revolve", "tube", "bezier", "mesh"};

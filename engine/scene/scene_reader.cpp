@@ -64,6 +64,7 @@ class SceneReader {
   void readVisible(const JsonValue& visible, Quantity& target);
   void readLight(const JsonValue& value, LightDesc& light);
   void readMap(const JsonValue& value, ShadowMapDesc& map);
+  void readOcclusion(const JsonValue& value, OcclusionDesc& occlusion);
   void readCasters(const JsonValue& value, std::vector<FileName>& casters);
   CameraDesc readCamera(const JsonValue& value, const FileName& name);
   /// Calls read(member, name) for every member of an object of named things.
@@ -135,6 +136,15 @@ void SceneReader::readRender(const JsonValue& render) {
   values_.readWord(members["blend_order"], keys::kBlendOrders, target.blendOrder);
   readColor(members["background"], target.background);
   readColor(members["ambient"], target.ambient);
+  readOcclusion(members["ambient_occlusion"], target.ambientOcclusion);
+}
+
+void SceneReader::readOcclusion(const JsonValue& value, OcclusionDesc& occlusion) {
+  if (!value.exists()) return;
+  occlusion.radius = 1;
+  const SceneMembers members(value, keys::kOcclusion, problems_);
+  values_.readWord(members["method"], keys::kOcclusionMethods, occlusion.method);
+  values_.read(members["radius"], occlusion.radius);
 }
 
 void SceneReader::readParameter(const JsonValue& value, const FileName& name) {

@@ -85,6 +85,14 @@ class Members {
   JsonText object_ = JsonText::object();
 };
 
+JsonText written(const OcclusionDesc& occlusion) {
+  const OcclusionDesc usual;
+  Members members;
+  members.addWord("method", occlusion.method, usual.method, keys::kOcclusionMethods);
+  members.put("radius", written(occlusion.radius));
+  return members.take();
+}
+
 JsonText written(const RenderDesc& render) {
   const RenderDesc usual;
   Members members;
@@ -98,6 +106,8 @@ JsonText written(const RenderDesc& render) {
   members.addWord("blend_order", render.blendOrder, usual.blendOrder, keys::kBlendOrders);
   members.addColor("background", render.background, usual.background);
   members.addColor("ambient", render.ambient, usual.ambient);
+  if (render.ambientOcclusion != usual.ambientOcclusion)
+    members.put("ambient_occlusion", written(render.ambientOcclusion));
   return members.take();
 }
 

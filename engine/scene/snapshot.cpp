@@ -346,7 +346,8 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t most
   Snapshot snapshot{.nodes = takeNodes(scene, placed, moment),
                     .background = scene.settings().background,
                     .ambient = scene.settings().ambient,
-                    .blendOrder = scene.settings().blendOrder};
+                    .blendOrder = scene.settings().blendOrder,
+                    .ambientOcclusion = scene.settings().ambientOcclusion};
   snapshot.lights = takeLights(scene, placed, moment, mostShadowSamples, snapshot.cutNumbers);
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
   cutLights(snapshot);
@@ -445,7 +446,8 @@ Changes changesSince(const Snapshot& previous, const Snapshot& next) {
                   .lights = previous.lights != next.lights,
                   .materials = previous.materials != next.materials,
                   .environment = previous.background != next.background || previous.ambient != next.ambient ||
-                                 previous.blendOrder != next.blendOrder};
+                                 previous.blendOrder != next.blendOrder ||
+                                 previous.ambientOcclusion != next.ambientOcclusion};
   changes.structure = !std::ranges::equal(previous.nodes, next.nodes, sameThing);
   for (std::uint32_t i = 0; i < next.nodes.size(); ++i) {
     if (changes.structure || previous.nodes[i].worldFromObject != next.nodes[i].worldFromObject)

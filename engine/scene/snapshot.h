@@ -60,6 +60,7 @@ struct Snapshot {
   std::vector<Material> materials;  ///< index = MaterialId
   Vec3 background{0}, ambient{0};
   BlendOrder blendOrder = BlendOrder::Exact;
+  AmbientOcclusion ambientOcclusion = {};
   /// Colours, lights and shininesses that formulas made larger than the ranges (scene/ranges.h), and that
   /// were cut off there, so that no pixel leaves float's range.
   std::uint32_t cutNumbers = 0;
@@ -98,7 +99,7 @@ struct Changes {
   std::vector<std::uint32_t> moved;     ///< indices into next.nodes whose transform differs
   std::vector<std::uint32_t> deformed;  ///< indices into next.nodes whose surface parameters differ
   bool view = false, lights = false, materials = false,
-       environment = false;  ///< environment: background, ambient, blendOrder
+       environment = false;  ///< environment: background, ambient, blendOrder, ambientOcclusion
 
   [[nodiscard]] bool any() const {
     return structure || !moved.empty() || !deformed.empty() || view || lights || materials || environment;

@@ -60,6 +60,7 @@ LUXO_CONSTANT kBindingUniformMaterials = 2;  // the first kUniformMaterials of t
 LUXO_CONSTANT kBindingShadows = 3;
 LUXO_CONSTANT kBindingTransmittance = 4;
 LUXO_CONSTANT kBindingPlaces = 5;
+LUXO_CONSTANT kBindingOpenness = 6;
 
 // Bindings of kSetShadow.
 LUXO_CONSTANT kBindingCasters = 0;
@@ -110,6 +111,7 @@ LUXO_CONSTANT kConstantClosedKind = 16;     // of them all
 LUXO_CONSTANT kConstantFirstLight = 17;     // of kVertexLights of a group
 LUXO_CONSTANT kConstantExactShadows = 18;   // the lights, a bit each, that have exact ones
 LUXO_CONSTANT kConstantPlaces = 19;         // some points are of meshes, whose surfaces' own points are known
+LUXO_CONSTANT kConstantOcclusion = 20;      // of the ambient light
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -204,6 +206,7 @@ struct ViewData {
   // positions are relative to, and how it moves with the depth.
   vec3 placeMiddle, placeRight, placeDown, rayMiddle, rayRight, rayDown;
   vec2 middle;        // of the picture, pixels
+  float occlusionRadius;  // metres
 };
 
 struct InstanceData {
@@ -467,7 +470,7 @@ static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPa
               (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
-static_assert(sizeof(ViewData) == 184 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 72 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);

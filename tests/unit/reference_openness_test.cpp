@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of the ambient light the reference lets to a point, against form factors that are known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reference/caster.h"
+#include "surface/library.h"
+#include "unit/scene_test_support.h"
+
+namespace luxo {
+namespace {
+
+constexpr PixelSize kSize{32, 32};
+// 256 evenly spread points tell the area of a half disc, or of a disc in the disc, to a few parts in 256.
+constexpr double kOfRays = 4.0 / reference::kOpennessRays;
+
+/// Of the point in the middle of the picture, at which the eye looks from above.
+double opennessOf(Scene scene, double radius, const Vec3& point = Vec3(0)) {
+  scene.set(RenderSettings{.size = kSize, .ambient = Vec3(1), .ambientOcclusion = {.radius = radius}});
+  const Camera camera{.eye = point + Vec3(0, 0.25, 0), .lookAt = point, .up = Vec3(0, 0, -1), .near = 1e-3};
+  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, camera);
+  const reference::Caster caster(snapshot);
+  const auto sight = caster.look(caster.rayThrough(16, 16));
+  return sight.hits.empty() ? -1 : caster.openness(sight.hits.front());
+}
+
+/// A floor of that size around the origin.
+Scene floored(double size) {
+  Scene scene;
+  scene.add(Node{.name = "floor", .surface = rectangle(size, size)});
+  return scene;
+}
+
+TEST(Openness, OfAFloorIsOne) { EXPECT_EQ(opennessOf(floored(20), 5), 1); }
+
+// A direction w, of length 1, meets a wall x = d within the radius if its x is at least d / radius: over the
+// unit disc, which is what the cosine makes of the half sphere, that is a segment.
+TEST(Openness, BesideAWallIsASegmentOfADisc) {
+  Scene scene = floored(20);
+  scene.add(Node{.name = "wall",
+                 .translation = Vec3(1, 0, 0),
+                 .rotation = Rotation{{0, 0, 1}, radians(90)},
+                 .surface = rectangle(100, 100)});
+  for (const double radius : {0.5, 1.25, 2.0, 5.0, 40.0}) {
+    const double c = std::min(1 / radius, 1.0);
+    const double segment = (std::acos(c) - c * std::sqrt(1 - c * c)) / kPi;
+    EXPECT_NEAR(opennessOf(scene, radius), 1 - segment, kOfRays) << radius;
+  }
+}
+
+// The form factor of a ball of radius r above a small piece of a plane, at height h: (r / h)^2.
+TEST(Openness, UnderABallIsItsFormFactor) {
+  Scene scene = floored(20);
+  scene.add(Node{.name = "ball", .translation = Vec3(0, 2, 0), .surface = sphere(1)});
+  EXPECT_NEAR(opennessOf(scene, 50), 1 - 0.25, kOfRays);
+  EXPECT_EQ(opennessOf(scene, 0.99), 1);
+}
+
+TEST(Openness, InsideIsDarkAndGlassOccludesNothing) {
+  Scene scene = floored(2);
+  scene.add(Node{.name = "around", .surface = sphere(3)});
+  EXPECT_EQ(opennessOf(scene, 7), 0);
+
+  Scene glass = floored(2);
+  const MaterialId clear = glass.add(Material{.name = "glass", .opacity = 0.5});
+  glass.add(Node{.name = "around", .surface = sphere(3), .material = clear});
+  EXPECT_EQ(opennessOf(glass, 7), 1);
+}
+
+}  // namespace
+}  // namespace luxo
