@@ -179,11 +179,11 @@ void Tape::boundWhereDefined(const Interval& u, const Interval& v, std::span<con
   for (std::size_t k = 0; k < outputs_.size(); ++k) bounds[k] = all[outputs_[k]];
 }
 
-std::vector<Expr> Tape::expressions(Graph& graph, const std::map<std::uint32_t, double>& known) const {
+std::vector<Expr> Tape::expressions(Graph& graph, const std::map<std::uint32_t, Expr>& known) const {
   std::vector<Expr> values(constants_.begin(), constants_.end());
   for (const std::uint32_t variable : variables_) {
     const auto value = known.find(variable);
-    values.push_back(value == known.end() ? graph.variable(variable) : Expr(value->second));
+    values.push_back(value == known.end() ? graph.variable(variable) : value->second);
   }
   for (const Step& step : steps_) {
     values.push_back(Graph::apply(step.op, values[step.a], values[step.b], values[step.c], step.exponent));

@@ -65,9 +65,9 @@ class Tape {
                          std::span<PartialInterval> bounds) const;
 
   /// The outputs as expressions again, in any graph: to make something else of a formula that was compiled.
-  /// Variables that are known take those values. Cost: linear.
+  /// Variables that are known are those values, or expressions of that graph. Cost: linear.
   [[nodiscard]] std::vector<Expr> expressions(Graph& graph,
-                                              const std::map<std::uint32_t, double>& known = {}) const;
+                                              const std::map<std::uint32_t, Expr>& known = {}) const;
 
  private:
   /// What a value depends on decides how often it is computed. A formula runs in this order.

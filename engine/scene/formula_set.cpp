@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/surface_names.h"
+
 namespace luxo {
 namespace {
 
@@ -25,16 +27,37 @@ FormulaSet::FormulaSet(const FormulaSetDesc& desc, const SceneVariables& variabl
   for (const std::uint32_t variable : variablesOf(*graph_, all)) {
     if (variable < kFirst) continue;
     const std::uint32_t which = variable - kFirst;
+    if (which >= numbers.size()) {
+      readsSurface_ = true;
+      continue;
+    }
     numbers[which] = static_cast<std::uint32_t>(kFirst + parameters_.size());
     parameters_.push_back(which == 0 ? SceneVariables::time() : variables.parameter(which - 1));
   }
   read(desc, variables, numbers);
+  if (readsSurface_ && desc.surface.valid())
+    parameters_.insert(parameters_.end(), desc.surface.parameters().begin(), desc.surface.parameters().end());
+}
+
+// What is known of the surface are variables first, to see whether they are read.
+void FormulaSet::bindSurface(const FormulaSetDesc& desc, Scope& scope, std::uint32_t firstVariable) {
+  std::vector<Expr> values;
+  if (readsSurface_ && desc.surface.valid())
+    values = surfaceValues(*graph_, desc.surface, firstVariable);
+  else
+    for (std::uint32_t i = 0; i < kSurfaceNames.size(); ++i)
+      values.push_back(graph_->variable(firstVariable + i));
+  for (std::size_t i = 0; i < values.size(); ++i) scope.bind(std::string(kSurfaceNames[i]), values[i]);
 }
 
 void FormulaSet::read(const FormulaSetDesc& desc, const SceneVariables& variables,
                       std::span<const std::uint32_t> numbers) {
   graph_ = std::make_unique<Graph>();
   Scope scope;
+  if (desc.onSurface) {
+    const std::size_t sceneVariables = readsSurface_ ? parameters_.size() : numbers.size();
+    bindSurface(desc, scope, static_cast<std::uint32_t>(kFirst + sceneVariables));
+  }
   variables.bind(scope, [&](std::size_t which) { return graph_->variable(numbers[which]); });
   scope.explainAbsence("u", desc.whyNoU.empty() ? "a range cannot depend on it" : desc.whyNoU);
   scope.explainAbsence("v", desc.whyNoV.empty() ? "a range cannot depend on it" : desc.whyNoV);

@@ -13,6 +13,7 @@
 #include "scene/scene_problems.h"
 #include "scene/scene_variables.h"
 #include "surface/patch.h"
+#include "surface/surface.h"
 
 namespace luxo {
 
@@ -22,6 +23,10 @@ struct FormulaSetDesc {
   std::span<const LetDesc> let = {};
   QuantityPair u{0, 1}, v{0, 1};
   std::string whyNoU = {}, whyNoV = {};  ///< not empty: the formulas cannot use it, and why
+  /// Whether they may use the names of scene/surface_names.h that no parameter has, and of which surface. Of
+  /// none they are read, and have no values.
+  bool onSurface = false;
+  Surface surface = {};
 };
 
 class FormulaSet {
@@ -45,6 +50,8 @@ class FormulaSet {
   [[nodiscard]] const std::vector<Animated<double>>& parameters() const { return parameters_; }
   /// Whether a formula reads u or v.
   [[nodiscard]] bool varies() const;
+  /// Whether one uses a name of scene/surface_names.h.
+  [[nodiscard]] bool readsSurface() const { return readsSurface_; }
 
  private:
   struct Problem {
@@ -56,6 +63,7 @@ class FormulaSet {
   /// Reads everything into a new graph in which the scene's variables have these numbers.
   void read(const FormulaSetDesc& desc, const SceneVariables& variables,
             std::span<const std::uint32_t> numbers);
+  void bindSurface(const FormulaSetDesc& desc, Scope& scope, std::uint32_t firstVariable);
   Expr readRange(const QuantityPair& range, Scope& scope, std::uint32_t variable, Interval& domain);
   void readLet(std::span<const LetDesc> let, Scope& scope);
   Expr readOne(const Quantity& quantity, Scope& scope);
@@ -66,6 +74,7 @@ class FormulaSet {
   Domain domain_;
   std::vector<Animated<double>> parameters_;
   std::vector<Problem> problems_;
+  bool readsSurface_ = false;
 };
 
 }  // namespace luxo

@@ -16,6 +16,7 @@
 #include "scene/scene_variables.h"
 #include "scene/scene_warnings.h"
 #include "scene/shape_builder.h"
+#include "scene/surface_names.h"
 #include "scene/texture_builder.h"
 #include "surface/surface_triangles.h"
 
@@ -69,6 +70,14 @@ struct BuiltSurface {
   std::optional<Segments> segments;
 };
 
+/// A material of the file. Where its formulas read the surface it is another one on each, made when a node first
+/// has it there.
+struct BuiltMaterial {
+  const MaterialDesc* desc = nullptr;
+  std::optional<MaterialId> everywhere = {};
+  std::unordered_map<std::size_t, std::optional<MaterialId>> onSurface = {};  ///< nothing where that failed
+};
+
 struct MovingMaterial;
 
 bool isOpaque(const MaterialDesc& material) {
@@ -107,6 +116,9 @@ class SceneConstruction {
 
  private:
   void addMaterial(const MaterialDesc& desc);
+  std::optional<MaterialId> makeMaterial(const MaterialDesc& desc, ShapeBuilder::MovingPaint paint);
+  std::optional<MaterialId> materialOn(BuiltMaterial& material, const NodeDesc& node);
+  bool acceptNames(const NodeDesc& node, const Surface& surface);
   void addMaps(const MaterialDesc& desc, MovingMaterial& material);
   void requireNumbers(const FileName& texture);
   void addLesson(const MaterialDesc& desc, MovingMaterial& material);
@@ -136,7 +148,8 @@ class SceneConstruction {
   TextureBuilder images_;
   std::vector<Diagnostic>* warnings_;
   Named<TextureMap> textures_{"texture"};
-  Named<MaterialId> materials_{"material"};
+  Named<std::size_t> materialIndices_{"material"};
+  std::vector<BuiltMaterial> materials_;
   Named<std::size_t> surfaceIndices_{"surface"};
   std::vector<BuiltSurface> surfaces_;
   Named<bool> cameras_{"camera"};
@@ -252,13 +265,26 @@ void SceneConstruction::requireNumbers(const FileName& texture) {
 }
 
 void SceneConstruction::addMaterial(const MaterialDesc& desc) {
+  attempt(desc.name.place, [&] {
+    BuiltMaterial material{&desc};
+    const std::size_t problemsBefore = problems_.count();
+    ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc.diffuse, desc.opacity);
+    const bool known = problems_.count() > problemsBefore || !paint.readsSurface;
+    if (known) material.everywhere = makeMaterial(desc, std::move(paint));
+    materialIndices_.add(desc.name, materials_.size(), problems_);
+    materials_.push_back(std::move(material));
+  });
+}
+
+std::optional<MaterialId> SceneConstruction::makeMaterial(const MaterialDesc& desc,
+                                                          ShapeBuilder::MovingPaint paint) {
   MovingMaterial material{.fixed = {.name = desc.name.text,
                                     .blend = desc.blend,
                                     .twoSided = desc.twoSided,
                                     .shading = desc.lesson ? Shading::Exact : desc.shading,
                                     .lectureSpecular = desc.lectureSpecular}};
+  std::optional<MaterialId> made;
   attempt(desc.name.place, [&] {
-    ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc.diffuse, desc.opacity);
     material.fixed.diffusePattern = std::move(paint.pattern);
     material.patternParameters = std::move(paint.parameters);
     material.diffuse = std::move(paint.uniform);
@@ -268,8 +294,37 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     material.shininess = formulas_.number(desc.shininess, kLight);
     addMaps(desc, material);
     addLesson(desc, material);
-    materials_.add(desc.name, scene_.add(std::move(material).animated()), problems_);
+    made = scene_.add(std::move(material).animated());
   });
+  return made;
+}
+
+/// The material on the surface of a node; nothing where that is a problem.
+std::optional<MaterialId> SceneConstruction::materialOn(BuiltMaterial& material, const NodeDesc& node) {
+  const std::size_t* surface = surfaceIndices_.find(node.surface, problems_);
+  if (material.everywhere || !surface || !surfaces_[*surface].surface.valid()) return material.everywhere;
+  const auto [made, isNew] = material.onSurface.try_emplace(*surface);
+  if (isNew && acceptNames(node, surfaces_[*surface].surface))
+    attempt(node.material.place, [&] {
+      made->second = makeMaterial(*material.desc,
+                                  shapes_.buildPaint(material.desc->diffuse, material.desc->opacity,
+                                                     surfaces_[*surface].surface));
+    });
+  return made->second;
+}
+
+bool SceneConstruction::acceptNames(const NodeDesc& node, const Surface& surface) {
+  const std::uint32_t pieces = surface.triangles() ? 0 : surface.patchCount();
+  if (pieces > 0 && pieces <= kMostNamedPatches) return true;
+  problems_.add(node.material.place,
+                fmt::format("the colour or opacity of material '{}' uses the place, normal or curvature of its "
+                            "surface, and '{}' {}",
+                            node.material.text, node.surface.text,
+                            pieces == 0 ? std::string("is a mesh, without a formula of these")
+                                        : fmt::format("has {} formulas: at most {} are supported", pieces,
+                                                      kMostNamedPatches)),
+                "give that node a material of u and v, or of one colour");
+  return false;
 }
 
 void SceneConstruction::addSurface(const SurfaceDesc& desc) {
@@ -309,10 +364,11 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
     node.surface = surfaces_[*surface].surface;
     node.segments = surfaces_[*surface].segments;
   }
-  if (const MaterialId* material = materials_.find(desc.material, problems_)) {
-    node.material = *material;
-    if (node.surface.valid()) warnOfCutColor(desc, node.surface.domain(), scene_[*material]);
-  }
+  if (const std::size_t* index = materialIndices_.find(desc.material, problems_))
+    if (const std::optional<MaterialId> material = materialOn(materials_[*index], desc)) {
+      node.material = *material;
+      if (node.surface.valid()) warnOfCutColor(desc, node.surface.domain(), scene_[*material]);
+    }
   warnOfTangents(desc, node.surface);
   if (desc.light) node.light = light(*desc.light);
   const Node placeholder{.parent = node.parent};

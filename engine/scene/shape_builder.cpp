@@ -256,9 +256,10 @@ Surface ShapeBuilder::buildShape(const std::string&, const MeshShape& shape) {
   }
 }
 
-ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const Quantity& opacity) {
+ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const Quantity& opacity,
+                                                   const Surface& surface) {
   MovingPaint paint;
-  const bool opacityVaries = opacity.isFormula() && readOpacity(opacity, paint.opacity);
+  const bool opacityVaries = opacity.isFormula() && readOpacity(opacity, surface, paint.opacity);
   if (!opacity.isFormula()) paint.opacity = formulas_.number(opacity, kFraction);
   if (!opacityVaries && std::ranges::none_of(color, &Quantity::isFormula)) {
     paint.uniform = formulas_.vector(color, kLight);
@@ -266,9 +267,10 @@ ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const
   }
   std::vector<Quantity> written(color.begin(), color.end());
   if (opacityVaries) written.push_back(opacity);
-  const FormulaSet formulas({.formulas = written}, variables_);
+  const FormulaSet formulas({.formulas = written, .onSurface = true, .surface = surface}, variables_);
   formulas.reportTo(problems_);
   if (!formulas.ok()) return {};
+  if (formulas.readsSurface() && !surface.valid()) return {.readsSurface = true};
   const std::vector<Expr> c = continued(formulas.graph(), formulas.values());
   for (std::size_t i = 0; i < c.size(); ++i)
     if (c[i].isConstant() && !formulas_.accept(written[i], c[i].constant(), i < 3 ? kLight : kFraction))
@@ -286,14 +288,15 @@ ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const
   return paint;
 }
 
-/// Whether it depends on u or v; else its value is known.
-bool ShapeBuilder::readOpacity(const Quantity& opacity, Animated<double>& value) {
-  const FormulaSet formula({.formulas = {opacity, opacity, opacity}}, variables_);
+/// Whether it depends on u, v or a surface that is not known yet; else its value is known.
+bool ShapeBuilder::readOpacity(const Quantity& opacity, const Surface& surface, Animated<double>& value) {
+  const FormulaSet formula(
+      {.formulas = {opacity, opacity, opacity}, .onSurface = true, .surface = surface}, variables_);
   if (!formula.ok()) {
     formula.reportTo(problems_);
     return false;
   }
-  if (formula.varies()) return true;
+  if (formula.varies() || (formula.readsSurface() && !surface.valid())) return true;
   const Expr one = formula.values()[0];
   const Animated<Vec3> uniform = uniformOf(formula);
   if (one.isConstant())

@@ -37,9 +37,11 @@ class ShapeBuilder {
     std::vector<Animated<double>> parameters = {};  ///< of the pattern
     Animated<Vec3> uniform = Vec3(0);               ///< of any other colour
     Animated<double> opacity = 1.0;                 ///< of any other opacity
+    bool readsSurface = false;                      ///< and no surface was given: there is nothing else
   };
-  /// Constants are held against kLight and kFraction.
-  [[nodiscard]] MovingPaint buildPaint(const Quantity3& color, const Quantity& opacity);
+  /// Constants are held against kLight and kFraction. `surface`: what names of scene/surface_names.h speak of.
+  [[nodiscard]] MovingPaint buildPaint(const Quantity3& color, const Quantity& opacity,
+                                       const Surface& surface = {});
 
  private:
   class Formulas;
@@ -52,7 +54,7 @@ class ShapeBuilder {
   Surface buildShape(const std::string& name, const MeshShape& shape);
   Surface buildShape(const std::string&, std::monostate) { return {}; }
 
-  [[nodiscard]] bool readOpacity(const Quantity& opacity, Animated<double>& value);
+  [[nodiscard]] bool readOpacity(const Quantity& opacity, const Surface& surface, Animated<double>& value);
   void checkClosed(const FormulaShape& shape, const Surface& surface);
   void warn(const SurfaceDesc& desc, const Surface& surface);
 
