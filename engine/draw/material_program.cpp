@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <regex>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -51,7 +52,7 @@ std::string valueAt(const gpu::ShaderVariable& uniform, const UniformType& type,
   std::string arguments;
   for (std::uint32_t column = 0; column < type.columns; ++column)
     for (std::uint32_t row = 0; row < type.rows; ++row)
-      arguments += (arguments.empty() ? "" : ", ") + numberAt(type, first + row * type.columns + column);
+      arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", numberAt(type, first + row * type.columns + column));
   return fmt::format("{}({})", uniform.type, arguments);
 }
 
@@ -72,9 +73,36 @@ bool isField(const std::string& name) {
   return std::ranges::find(kFields, name) != std::end(kFields) || isOf("xyzw") || isOf("rgba") || isOf("stpq");
 }
 
-/// The message of a compiler that misses the entry point names no place.
-std::string missingEntry(const MaterialShader& shader) {
-  return fmt::format("{}: there is no function 'vec4 material(Point p)'", shader.files.front().name);
+constexpr const char* kEntryHint = "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
+
+/// What is wrong with it, of what a compiler says of it joined with luxo's own.
+[[noreturn]] void explain(const MaterialShader& shader, std::string_view said) {
+  const std::string& file = shader.files.front().name;
+  if (said.find("No function definition") != said.npos && said.find("material(struct-Point") != said.npos)
+    throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file), kEntryHint);
+  if (const std::size_t calls = said.find("Recursion detected"); calls != said.npos) {
+    const std::size_t begin = said.find_first_not_of(" \n", said.find('\n', calls));
+    const std::string name(said.substr(begin, said.find('(', begin) - begin));
+    for (const MaterialShader::File& one : shader.files)
+      if (std::smatch found; std::regex_search(one.text, found, std::regex(fmt::format("\\b{}\\s*\\(", name))))
+        throw Error(ErrorKind::Scene,
+                    describe(one.name, one.text,
+                             {{static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.position()) + name.size()},
+                              fmt::format("the function '{}' calls itself, or one that calls it", name),
+                              "functions of GLSL cannot: repeat with a loop"}));
+  }
+  // Line by line what is about its own files, from where one begins to where the next message does.
+  std::string message;
+  bool isOwn = false;
+  for (std::size_t at = said.find('\n'); at != said.npos;) {
+    const std::size_t end = said.find('\n', ++at);
+    const std::string_view line = said.substr(at, end == said.npos ? said.npos : end - at);
+    if (!line.starts_with(' '))
+      isOwn = std::ranges::any_of(shader.files, [&](const auto& one) { return line.starts_with(one.name + ":"); });
+    if (isOwn) message += fmt::format("{}{}", message.empty() ? "" : "\n", line);
+    at = end;
+  }
+  throw Error(ErrorKind::Scene, message.empty() ? fmt::format("{}: {}", file, said) : message);
 }
 
 /// 0 of what flattens space.
@@ -82,8 +110,6 @@ Mat3 inverseOrZero(const Mat3& linear) {
   const double volume = std::abs(glm::dot(linear[0], glm::cross(linear[1], linear[2])));
   return volume > 0 && std::isfinite(1 / volume) ? glm::transpose(normalMatrix(linear)) / volume : Mat3(0);
 }
-
-constexpr const char* kEntryHint = "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
 
 }  // namespace
 
@@ -100,13 +126,11 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
                                             .includes = sources,
                                             .forReflection = true});
   } catch (const Error& error) {
-    if (std::string_view(error.what()).find("'material(") != std::string_view::npos &&
-        std::string_view(error.what()).find("No function definition") != std::string_view::npos)
-      throw Error(ErrorKind::Scene, missingEntry(*shader_), kEntryHint);
-    throw;
+    explain(*shader_, error.what());
   }
   compiled_ = result.compiled;
   interface_ = gpu::reflect(result.spirv);
+  requirePure();
   for (const gpu::ShaderBlock& block : interface_.blocks) {
     if (!block.loose)
       throw Error(ErrorKind::Scene,
@@ -119,6 +143,20 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
                 fmt::format("{}: '{}' is a {}, which scenes do not set yet", shader_->files.front().name,
                             interface_.samplers.front().name, interface_.samplers.front().type),
                 "give the material a \"map\", and read it with colorMap(p.uv)");
+}
+
+/// Points in, a colour out.
+void MaterialProgram::requirePure() const {
+  const std::string& file = shader_->files.front().name;
+  if (interface_.discards)
+    throw Error(ErrorKind::Scene, fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
+                "return a colour everywhere");
+  for (const auto* variables : {&interface_.inputs, &interface_.outputs})
+    for (const gpu::ShaderVariable& variable : *variables)
+      if (variable.name != "inAny" && variable.name != "outColor" && variable.name != "gl_FragCoord")
+        throw Error(ErrorKind::Scene,
+                    fmt::format("{}: '{}' is an input or output of a program, which a material is not", file, variable.name),
+                    "the point is the argument of material(), and the colour its result");
 }
 
 const gpu::ShaderVariable* MaterialProgram::find(const std::string& name) const {

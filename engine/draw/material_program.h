@@ -38,6 +38,7 @@ class MaterialProgram {
   [[nodiscard]] std::vector<gpu::ShaderSource> sources(const GivenUniforms& given, std::string& material) const;
 
  private:
+  void requirePure() const;
   [[nodiscard]] const gpu::ShaderVariable* find(const std::string& name) const;
 
   MaterialShaderPtr shader_;

@@ -191,7 +191,11 @@ std::string explain(std::string_view line, const ShaderDesc& desc) {
     begin = end + 1;
   }
   const std::string_view text = all.substr(begin, std::min(all.find('\n', begin), all.size()) - begin);
-  const std::string_view message = rest.substr(numberEnd + 2);
+  std::string_view message = rest.substr(numberEnd + 2);
+  constexpr std::string_view kNoToken = "'' : ";
+  if (message.starts_with(kNoToken)) message.remove_prefix(kNoToken.size());
+  message = message.substr(std::min(message.find_first_not_of(' '), message.size()));
+  message = message.substr(0, message.find_last_not_of(' ') + 1);
   // The compiler knows the line and the token, not the column.
   const std::string_view token =
       message.starts_with('\'') ? message.substr(1, message.find('\'', 1) - 1) : "";

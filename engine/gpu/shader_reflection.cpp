@@ -69,6 +69,7 @@ class Reflection {
     active_ = compiler_.get_active_interface_variables();
     all.inputs = variables(resources.stage_inputs);
     all.outputs = variables(resources.stage_outputs);
+    addBuiltIns(all);
     addBlocks(all.blocks, resources.uniform_buffers, ShaderBlock::Kind::Uniform);
     addBlocks(all.blocks, resources.storage_buffers, ShaderBlock::Kind::Storage);
     addBlocks(all.blocks, resources.push_constant_buffers, ShaderBlock::Kind::Push);
@@ -142,6 +143,30 @@ class Reflection {
     return all;
   }
 
+  void addBuiltIns(ShaderInterface& all) {
+    struct BuiltIn {
+      spv::BuiltIn which;
+      std::string_view name, type;
+      bool written;
+    };
+    constexpr BuiltIn kKnown[] = {{spv::BuiltInPosition, "gl_Position", "vec4", true},
+                                  {spv::BuiltInPointSize, "gl_PointSize", "float", true},
+                                  {spv::BuiltInFragDepth, "gl_FragDepth", "float", true},
+                                  {spv::BuiltInVertexIndex, "gl_VertexIndex", "int", false},
+                                  {spv::BuiltInInstanceIndex, "gl_InstanceIndex", "int", false},
+                                  {spv::BuiltInFragCoord, "gl_FragCoord", "vec4", false},
+                                  {spv::BuiltInFrontFacing, "gl_FrontFacing", "bool", false},
+                                  {spv::BuiltInGlobalInvocationId, "gl_GlobalInvocationID", "uvec3", false},
+                                  {spv::BuiltInLocalInvocationId, "gl_LocalInvocationID", "uvec3", false},
+                                  {spv::BuiltInWorkgroupId, "gl_WorkGroupID", "uvec3", false}};
+    compiler_.update_active_builtins();
+    for (const BuiltIn& known : kKnown)
+      if (compiler_.has_active_builtin(known.which,
+                                       known.written ? spv::StorageClassOutput : spv::StorageClassInput))
+        (known.written ? all.outputs : all.inputs)
+            .push_back({.name = std::string(known.name), .type = std::string(known.type)});
+  }
+
   [[nodiscard]] ShaderVariable sampler(const spirv_cross::Resource& resource) const {
     ShaderVariable variable = described(resource.name, compiler_.get_type(resource.type_id));
     variable.set = decoration(resource.id, spv::DecorationDescriptorSet);
@@ -209,6 +234,8 @@ class Reflection {
       if (op == spv::OpName && length > 2) {
         const auto* text = reinterpret_cast<const char*>(&spirv_[at + 2]);
         names[spirv_[at + 1]] = std::string(text, strnlen(text, 4 * (length - 2)));
+      } else if (op == spv::OpKill || op == spv::OpTerminateInvocation || op == spv::OpDemoteToHelperInvocation) {
+        all.discards = true;
       } else if (op == spv::OpTypeStruct) {
         structures.insert(nameOf(1));
       } else if (op == spv::OpVariable && length > 3 && spirv_[at + 3] == spv::StorageClassPrivate) {

@@ -38,10 +38,11 @@ struct ShaderBlock {
 
 struct ShaderInterface {
   ShaderStage stage = ShaderStage::Fragment;
-  std::vector<ShaderVariable> inputs, outputs;  ///< by location
+  std::vector<ShaderVariable> inputs, outputs;  ///< by location; then GLSL's own that it uses, which have none
   std::vector<ShaderBlock> blocks;
   std::vector<ShaderVariable> samplers;          ///< images among them
   std::vector<ShaderVariable> constants;         ///< specialization constants, whose location is their number
+  bool discards = false;                         ///< some of its fragments may end with nothing
   std::vector<std::string> functions, structures, globals;  ///< names that the text gives
 };
 

@@ -68,7 +68,8 @@ void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, co
       files.push_back({name, readText(file)});
     } catch (const Error& error) {
       const MaterialShader::File& by = files[index];
-      throw Error(ErrorKind::Scene, describe(by.name, by.text, {include->where, error.what(), error.hint()}));
+      const TextPosition at = positionAt(by.text, include->where.begin);
+      throw Error(ErrorKind::Scene, fmt::format("{}:{}:{}: {}", by.name, at.line, at.column, error.what()), error.hint());
     }
   }
 }
