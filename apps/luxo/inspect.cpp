@@ -129,7 +129,8 @@ int runInspect(const InspectOptions& options) {
   };
   if (isShader(name)) {
     if (options.pixel || options.vertex)
-      throw Error(ErrorKind::Usage, "a shader has no pixels and no points", "give a scene whose material has it");
+      throw Error(ErrorKind::Usage, "a shader has no pixels and no points",
+                  "give a scene whose material has it");
     return print(inspectShader(name), shaderText);
   }
   if (options.pixel && options.vertex)

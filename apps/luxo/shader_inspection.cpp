@@ -76,7 +76,8 @@ Json jsonOf(const gpu::ShaderVariable& variable, bool laidOut) {
     if (variable.matrixStride > 0) json["matrix_stride"] = variable.matrixStride;
   }
   json["active"] = variable.active;
-  for (const gpu::ShaderVariable& member : variable.members) json["members"].push_back(jsonOf(member, laidOut));
+  for (const gpu::ShaderVariable& member : variable.members)
+    json["members"].push_back(jsonOf(member, laidOut));
   return json;
 }
 
@@ -88,7 +89,8 @@ Json jsonOf(const std::vector<gpu::ShaderVariable>& variables, bool laidOut = fa
 
 Json jsonOf(const gpu::ShaderBlock& block) {
   Json json = {{"name", block.name}, {"kind", kBlockKinds[static_cast<std::size_t>(block.kind)]}};
-  if (block.kind != gpu::ShaderBlock::Kind::Push) json.update({{"set", block.set}, {"binding", block.binding}});
+  if (block.kind != gpu::ShaderBlock::Kind::Push)
+    json.update({{"set", block.set}, {"binding", block.binding}});
   json.update({{"size", block.size}, {"active", block.active}, {"members", jsonOf(block.members, true)}});
   return json;
 }
@@ -103,8 +105,12 @@ std::string arrayOf(const Json& variable) {
 std::string lineOf(const Json& variable, int indent) {
   std::string line = fmt::format("{:{}}{:<10} {:<24}", "", indent, variable["type"].get<std::string>(),
                                  variable["name"].get<std::string>() + arrayOf(variable));
-  for (const auto& [key, label] : {std::pair{"location", "location"}, {"set", "set"}, {"binding", "binding"},
-                                   {"offset", "offset"}, {"size", "bytes"}, {"array_stride", "array stride"},
+  for (const auto& [key, label] : {std::pair{"location", "location"},
+                                   {"set", "set"},
+                                   {"binding", "binding"},
+                                   {"offset", "offset"},
+                                   {"size", "bytes"},
+                                   {"array_stride", "array stride"},
                                    {"matrix_stride", "matrix stride"}})
     if (variable.contains(key)) line += fmt::format(" {} {:<4}", label, variable[key].get<std::uint32_t>());
   if (!variable["active"].get<bool>()) line += " not used";
@@ -154,9 +160,9 @@ Json inspectShader(const std::string& name) {
 
 std::string shaderText(const Json& json) {
   const bool isMaterial = json["material"].get<bool>();
-  std::string text = fmt::format("{}: {}\n", json["shader"].get<std::string>(),
-                                 isMaterial ? "the shader of a material"
-                                            : fmt::format("a {} shader", json["stage"].get<std::string>()));
+  std::string text = fmt::format(
+      "{}: {}\n", json["shader"].get<std::string>(),
+      isMaterial ? "the shader of a material" : fmt::format("a {} shader", json["stage"].get<std::string>()));
   const auto list = [&](const char* key, std::string_view title) {
     if (!json.contains(key) || json[key].empty()) return;
     text += fmt::format("{}\n", title);

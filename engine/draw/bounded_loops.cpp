@@ -43,7 +43,8 @@ class LoopBounder {
     if (isWordPart(text_[at_])) {
       while (at_ < text_.size() && isWordPart(text_[at_])) ++at_;
     } else if (text_.substr(at_).starts_with("//")) {
-      while (at_ < text_.size() && text_[at_] != '\n') at_ += text_[at_] == '\\' && at_ + 1 < text_.size() ? 2 : 1;
+      while (at_ < text_.size() && text_[at_] != '\n')
+        at_ += text_[at_] == '\\' && at_ + 1 < text_.size() ? 2 : 1;
     } else if (text_.substr(at_).starts_with("/*")) {
       const std::size_t end = text_.find("*/", at_ + 2);
       at_ = end == text_.npos ? text_.size() : end + 2;

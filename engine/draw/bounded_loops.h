@@ -7,9 +7,9 @@
 
 namespace luxo {
 
-/// The same lines, where `#version` is blank (there is one in what includes them) and every `for`, `while` and `do`
-/// begins what it repeats with `if (luxoStops()) break; else` (shaders/lib/material.glsl). Loops that only a macro's
-/// expansion spells are left alone.
+/// The same lines, where `#version` is blank (there is one in what includes them) and every `for`, `while`
+/// and `do` begins what it repeats with `if (luxoStops()) break; else` (shaders/lib/material.glsl). Loops
+/// that only a macro's expansion spells are left alone.
 [[nodiscard]] std::string withBoundedLoops(std::string_view glsl);
 
 }  // namespace luxo

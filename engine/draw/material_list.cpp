@@ -82,11 +82,14 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   list_.deferred =
       possible && (options.composition == Composition::Deferred || shadows_ || hasLayers(snapshot, options));
   if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
-  if (groups_.size() > 1 && std::ranges::any_of(materials, [](const Material& m) { return m.shader != nullptr; }))
-    throw Error(ErrorKind::Scene,
-                "the light on a material with a shader comes in several passes, which is not supported yet: there are "
-                "more than 32 lights, or some shine through what is transparent",
-                "leave out some lights, set their shadow to \"none\", or take the shader's material without it");
+  if (groups_.size() > 1 &&
+      std::ranges::any_of(materials, [](const Material& m) { return m.shader != nullptr; }))
+    throw Error(
+        ErrorKind::Scene,
+        "the light on a material with a shader comes in several passes, which is not supported yet: there "
+        "are "
+        "more than 32 lights, or some shine through what is transparent",
+        "leave out some lights, set their shadow to \"none\", or take the shader's material without it");
   list_.groups.resize(groups_.size());
   shades_.resize(groups_.size());
   layerShades_.resize(groups_.size());

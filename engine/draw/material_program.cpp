@@ -35,7 +35,8 @@ std::optional<UniformType> typeNamed(std::string_view type) {
     if (type == scalar) return UniformType{1, 1, std::string(scalar)};
   for (const auto& [prefix, scalar] :
        {std::pair{"vec", "float"}, {"ivec", "int"}, {"uvec", "uint"}, {"bvec", "bool"}})
-    if (type.starts_with(prefix)) return UniformType{1, static_cast<std::uint32_t>(type.back() - '0'), scalar};
+    if (type.starts_with(prefix))
+      return UniformType{1, static_cast<std::uint32_t>(type.back() - '0'), scalar};
   if (!type.starts_with("mat")) return std::nullopt;
   const auto columns = static_cast<std::uint32_t>(type[3] - '0');
   return UniformType{columns, type.size() > 5 ? static_cast<std::uint32_t>(type[5] - '0') : columns, "float"};
@@ -52,7 +53,8 @@ std::string valueAt(const gpu::ShaderVariable& uniform, const UniformType& type,
   std::string arguments;
   for (std::uint32_t column = 0; column < type.columns; ++column)
     for (std::uint32_t row = 0; row < type.rows; ++row)
-      arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", numberAt(type, first + row * type.columns + column));
+      arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ",
+                               numberAt(type, first + row * type.columns + column));
   return fmt::format("{}({})", uniform.type, arguments);
 }
 
@@ -64,30 +66,35 @@ std::string arrayText(const gpu::ShaderVariable& uniform) {
 
 /// Whether a name may follow a dot in a shader: of what it is given, or of a vector.
 bool isField(const std::string& name) {
-  constexpr std::string_view kFields[] = {"position", "object",    "normal",    "viewer",   "tangent",
-                                          "bitangent", "Su",       "Sv",        "uv",       "footprint",
-                                          "direction", "distance", "radiance",  "visible",  "length"};
+  constexpr std::string_view kFields[] = {"position",  "object",   "normal",   "viewer",  "tangent",
+                                          "bitangent", "Su",       "Sv",       "uv",      "footprint",
+                                          "direction", "distance", "radiance", "visible", "length"};
   const auto isOf = [&](std::string_view letters) {
     return name.size() <= 4 && name.find_first_not_of(letters) == name.npos;
   };
-  return std::ranges::find(kFields, name) != std::end(kFields) || isOf("xyzw") || isOf("rgba") || isOf("stpq");
+  return std::ranges::find(kFields, name) != std::end(kFields) || isOf("xyzw") || isOf("rgba") ||
+         isOf("stpq");
 }
 
-constexpr const char* kEntryHint = "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
+constexpr const char* kEntryHint =
+    "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
 
 /// What is wrong with it, of what a compiler says of it joined with luxo's own.
 [[noreturn]] void explain(const MaterialShader& shader, std::string_view said) {
   const std::string& file = shader.files.front().name;
   if (said.find("No function definition") != said.npos && said.find("material(struct-Point") != said.npos)
-    throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file), kEntryHint);
+    throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file),
+                kEntryHint);
   if (const std::size_t calls = said.find("Recursion detected"); calls != said.npos) {
     const std::size_t begin = said.find_first_not_of(" \n", said.find('\n', calls));
     const std::string name(said.substr(begin, said.find('(', begin) - begin));
     for (const MaterialShader::File& one : shader.files)
-      if (std::smatch found; std::regex_search(one.text, found, std::regex(fmt::format("\\b{}\\s*\\(", name))))
+      if (std::smatch found;
+          std::regex_search(one.text, found, std::regex(fmt::format("\\b{}\\s*\\(", name))))
         throw Error(ErrorKind::Scene,
                     describe(one.name, one.text,
-                             {{static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.position()) + name.size()},
+                             {{static_cast<std::size_t>(found.position()),
+                               static_cast<std::size_t>(found.position()) + name.size()},
                               fmt::format("the function '{}' calls itself, or one that calls it", name),
                               "functions of GLSL cannot: repeat with a loop"}));
   }
@@ -98,7 +105,8 @@ constexpr const char* kEntryHint = "write one: it gives the colour and the opaci
     const std::size_t end = said.find('\n', ++at);
     const std::string_view line = said.substr(at, end == said.npos ? said.npos : end - at);
     if (!line.starts_with(' '))
-      isOwn = std::ranges::any_of(shader.files, [&](const auto& one) { return line.starts_with(one.name + ":"); });
+      isOwn = std::ranges::any_of(shader.files,
+                                  [&](const auto& one) { return line.starts_with(one.name + ":"); });
     if (isOwn) message += fmt::format("{}{}", message.empty() ? "" : "\n", line);
     at = end;
   }
@@ -122,9 +130,10 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
     sources.push_back({shader_->files[i].name, texts_[i], shader_->files[i].text});
   gpu::ShaderCompiler::Result result;
   try {
-    result = gpu::ShaderCompiler().compile({.source = *std::ranges::find(kShaderSources, kAlone, &gpu::ShaderSource::name),
-                                            .includes = sources,
-                                            .forReflection = true});
+    result = gpu::ShaderCompiler().compile(
+        {.source = *std::ranges::find(kShaderSources, kAlone, &gpu::ShaderSource::name),
+         .includes = sources,
+         .forReflection = true});
   } catch (const Error& error) {
     explain(*shader_, error.what());
   }
@@ -149,13 +158,19 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
 void MaterialProgram::requirePure() const {
   const std::string& file = shader_->files.front().name;
   if (interface_.discards)
-    throw Error(ErrorKind::Scene, fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
-                "return a colour everywhere");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
+        "return a colour everywhere");
+  if (std::ranges::count(interface_.calls, "luxoStops") < std::int64_t{interface_.loops})
+    throw Error(ErrorKind::Scene, fmt::format("{}: a macro spells a loop, which may have no end", file),
+                "write for, while and do where the loop is");
   for (const auto* variables : {&interface_.inputs, &interface_.outputs})
     for (const gpu::ShaderVariable& variable : *variables)
       if (variable.name != "inAny" && variable.name != "outColor" && variable.name != "gl_FragCoord")
         throw Error(ErrorKind::Scene,
-                    fmt::format("{}: '{}' is an input or output of a program, which a material is not", file, variable.name),
+                    fmt::format("{}: '{}' is an input or output of a program, which a material is not", file,
+                                variable.name),
                     "the point is the argument of material(), and the colour its result");
 }
 
@@ -196,7 +211,9 @@ void MaterialProgram::check(const Material& material) const {
                            arrayText(*uniform), number),
                "give a whole number, up to 16777216");
       if (type->scalar == "bool" && number > 1)
-        refuse(fmt::format("the uniform '{}' of '{}' is true or false, and this is {}", value.name, file, number), {});
+        refuse(fmt::format("the uniform '{}' of '{}' is true or false, and this is {}", value.name, file,
+                           number),
+               {});
     }
   }
 }
@@ -205,20 +222,22 @@ std::vector<std::string> MaterialProgram::unused(const Material& material) const
   std::vector<std::string> messages;
   for (const UniformValue& value : material.uniforms)
     if (const gpu::ShaderVariable* uniform = find(value.name); uniform && !uniform->active)
-      messages.push_back(value.place.describe(
-          fmt::format("nothing in the shader '{}' uses the uniform '{}'", shader_->files.front().name, value.name), {}));
+      messages.push_back(value.place.describe(fmt::format("nothing in the shader '{}' uses the uniform '{}'",
+                                                          shader_->files.front().name, value.name),
+                                              {}));
   return messages;
 }
 
-std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& given, std::string& material) const {
+std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& given,
+                                                        std::string& material) const {
   // What the shader names is its own, whatever luxo's own shaders call theirs.
   std::vector<std::string> names;
   for (const auto* some : {&interface_.functions, &interface_.structures, &interface_.globals})
     names.insert(names.end(), some->begin(), some->end());
   for (const gpu::ShaderVariable& uniform : uniforms_) names.push_back(uniform.name);
-  constexpr std::string_view kGiven[] = {"main",         "material", "lightCount", "light",       "ambientLight",
-                                         "blinnPhong",   "colorMap", "specularMap", "glowMap",     "Point",
-                                         "Light",        "luxoStops", "luxoRounds"};
+  constexpr std::string_view kGiven[] = {"main",       "material",  "lightCount",  "light",   "ambientLight",
+                                         "blinnPhong", "colorMap",  "specularMap", "glowMap", "Point",
+                                         "Light",      "luxoStops", "luxoRounds"};
   std::erase_if(names, [&](const std::string& name) {
     return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
   });
@@ -269,7 +288,8 @@ void MaterialPrograms::check(const Snapshot& snapshot) {
       if (told_.insert(message).second) log(LogLevel::Warning, message);
     used.push_back(material.shader);
   }
-  std::erase_if(programs_, [&](const auto& entry) { return std::ranges::find(used, entry.first) == used.end(); });
+  std::erase_if(programs_,
+                [&](const auto& entry) { return std::ranges::find(used, entry.first) == used.end(); });
 }
 
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A material's shader as luxo compiles it: its text made safe to join with luxo's own, and its uniforms by name.
+// A material's shader as luxo compiles it: its text made safe to join with luxo's own, and its uniforms by
+// name.
 //
-// The values of uniforms are data of a material, so that all materials of a shader share its modules: they lie among the
-// material's numbers (DrawList::patternParameters), after kShaderNumbers others, which appendShader() lists.
+// The values of uniforms are data of a material, so that all materials of a shader share its modules: they
+// lie among the material's numbers (DrawList::patternParameters), after kShaderNumbers others, which
+// appendShader() lists.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +22,8 @@ namespace luxo {
 
 class MaterialProgram {
  public:
-  /// Compiles it by itself, or reads that from disk (gpu::ShaderCompiler). Error(Scene): what is wrong, at its own file,
-  /// line and column.
+  /// Compiles it by itself, or reads that from disk (gpu::ShaderCompiler). Error(Scene): what is wrong, at
+  /// its own file, line and column.
   explicit MaterialProgram(MaterialShaderPtr shader);
 
   [[nodiscard]] const gpu::ShaderInterface& interface() const { return interface_; }
@@ -33,9 +35,11 @@ class MaterialProgram {
   /// A message for each value that the shader does not use.
   [[nodiscard]] std::vector<std::string> unused(const Material& material) const;
 
-  /// All that shaders with LUXO_SHADER include beside luxo's own, the file "material" among it, where these uniforms are
-  /// given: the others keep what the shader says, or 0. Valid as long as this and `material`, which it fills.
-  [[nodiscard]] std::vector<gpu::ShaderSource> sources(const GivenUniforms& given, std::string& material) const;
+  /// All that shaders with LUXO_SHADER include beside luxo's own, the file "material" among it, where these
+  /// uniforms are given: the others keep what the shader says, or 0. Valid as long as this and `material`,
+  /// which it fills.
+  [[nodiscard]] std::vector<gpu::ShaderSource> sources(const GivenUniforms& given,
+                                                       std::string& material) const;
 
  private:
   void requirePure() const;
@@ -63,8 +67,8 @@ class MaterialPrograms {
   std::set<std::string> told_;
 };
 
-/// What is before the uniforms: the origin of positions, what takes them to the node's axes (columns and a constant), the
-/// ambient light.
+/// What is before the uniforms: the origin of positions, what takes them to the node's axes (columns and a
+/// constant), the ambient light.
 inline constexpr std::uint32_t kShaderNumbers = 18;
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
                   std::vector<float>& numbers);

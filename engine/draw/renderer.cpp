@@ -147,15 +147,16 @@ void refuseShaders(const Snapshot& snapshot, const Measured& measured) {
   if (names.empty()) return;
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   if (measured.endless > 0)
-    throw Error(ErrorKind::Scene,
-                fmt::format("{}: in {} pixels the loops of the shader go round more than 65536 times, all of a point "
-                            "together",
-                            all, measured.endless),
-                "end them sooner: a loop that never ends would hang the device");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: in {} pixels the loops of the shader go round more than 65536 times, all of a point "
+                    "together",
+                    all, measured.endless),
+        "end them sooner: a loop that never ends would hang the device");
   if (measured.seenThrough > 0)
     throw Error(ErrorKind::Scene,
-                fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet", all,
-                            measured.seenThrough),
+                fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet",
+                            all, measured.seenThrough),
                 "return 1 as the fourth number");
 }
 

@@ -381,7 +381,8 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
       missing.push_back({key, {}});
   }
   for (const Missing& m : missing)
-    if (const MaterialShaderPtr& shader = std::get<Paint>(m.key).shader()) static_cast<void>(programs_.of(shader));
+    if (const MaterialShaderPtr& shader = std::get<Paint>(m.key).shader())
+      static_cast<void>(programs_.of(shader));
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     const auto& [surface, pattern, grazing, form, footprint, frame] = missing[i].key;
     const std::string_view patternText = pattern.valid() ? pattern.glsl() : "";

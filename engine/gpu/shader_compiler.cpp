@@ -37,7 +37,8 @@ const ShaderSource* find(std::span<const ShaderSource> sources, std::string_view
 }
 
 /// What a file of that name means by a name: what is beside it, or whatever is called so.
-const ShaderSource* find(std::span<const ShaderSource> sources, std::string_view name, std::string_view includer) {
+const ShaderSource* find(std::span<const ShaderSource> sources, std::string_view name,
+                         std::string_view includer) {
   const fs::path beside = (fs::path(includer).parent_path() / name).lexically_normal();
   const ShaderSource* source = find(sources, beside.string());
   return source ? source : find(sources, name);
@@ -142,7 +143,8 @@ class Includer : public glslang::TShader::Includer {
     constexpr std::string_view kTooDeep = "files include each other without end";
     if (depth > kDeepest) return new IncludeResult("", kTooDeep.data(), kTooDeep.size(), nullptr);
     const ShaderSource* source = find(sources_, name, includer);
-    return source ? new IncludeResult(std::string(source->name), source->text.data(), source->text.size(), nullptr)
+    return source ? new IncludeResult(std::string(source->name), source->text.data(), source->text.size(),
+                                      nullptr)
                   : nullptr;
   }
   void releaseInclude(IncludeResult* result) override { delete result; }
@@ -173,7 +175,7 @@ std::string explain(std::string_view line, const ShaderDesc& desc) {
     return rest.starts_with(source.name) && rest.substr(source.name.size()).starts_with(':');
   };
   const auto included = std::ranges::find_if(desc.includes, isNamed);
-  const ShaderSource* source = isNamed(desc.source)             ? &desc.source
+  const ShaderSource* source = isNamed(desc.source)              ? &desc.source
                                : included != desc.includes.end() ? &*included
                                                                  : nullptr;
   if (!source) return std::string(rest);
@@ -253,8 +255,7 @@ std::vector<std::uint32_t> translate(const ShaderDesc& desc) {
     shader.setAutoMapLocations(true);
   }
   Includer includer(desc.includes);
-  if (!shader.parse(GetDefaultResources(), 460, false, messages, includer))
-    reject(desc, shader.getInfoLog());
+  if (!shader.parse(GetDefaultResources(), 460, false, messages, includer)) reject(desc, shader.getInfoLog());
   glslang::TProgram program;
   program.addShader(&shader);
   if (!program.link(messages)) reject(desc, program.getInfoLog());

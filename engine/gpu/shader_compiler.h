@@ -23,12 +23,13 @@ enum class ShaderStage { Vertex, Fragment, Compute };
 struct ShaderDesc {
   ShaderSource source;  ///< with its #version
   ShaderStage stage = ShaderStage::Fragment;
-  /// All that it may include, by name or by its path from the including one's; those it does not use cost nothing.
+  /// All that it may include, by name or by its path from the including one's; those it does not use cost
+  /// nothing.
   std::span<const ShaderSource> includes = {};
   std::string_view preamble = {};        ///< read after the #version: lines of #define
   std::string_view sharedFunction = {};  ///< of optimized()
-  /// To be reflected (gpu/shader_reflection.h), not run: every name stays, functions that nobody calls too, nothing is
-  /// optimised; uniforms may be outside of blocks, and places (set, binding, location) left out.
+  /// To be reflected (gpu/shader_reflection.h), not run: every name stays, functions that nobody calls too,
+  /// nothing is optimised; uniforms may be outside of blocks, and places (set, binding, location) left out.
   bool forReflection = false;
 };
 

@@ -53,8 +53,9 @@ std::string imageOf(const SPIRType& type) {
                      type.basetype == SPIRType::SampledImage ? "sampler"
                      : type.image.sampled == 2               ? "image"
                                                              : "texture",
-                     dimension < std::size(kDimensions) ? kDimensions[dimension] : "", type.image.ms ? "MS" : "",
-                     type.image.arrayed ? "Array" : "", type.image.depth ? "Shadow" : "");
+                     dimension < std::size(kDimensions) ? kDimensions[dimension] : "",
+                     type.image.ms ? "MS" : "", type.image.arrayed ? "Array" : "",
+                     type.image.depth ? "Shadow" : "");
 }
 
 class Reflection {
@@ -106,8 +107,9 @@ class Reflection {
     if (type.basetype == SPIRType::Image || type.basetype == SPIRType::SampledImage) return imageOf(type);
     const std::string scalar = scalarOf(type);
     if (type.columns > 1)
-      return type.columns == type.vecsize ? fmt::format("{}mat{}", prefixOf(scalar), type.columns)
-                                          : fmt::format("{}mat{}x{}", prefixOf(scalar), type.columns, type.vecsize);
+      return type.columns == type.vecsize
+                 ? fmt::format("{}mat{}", prefixOf(scalar), type.columns)
+                 : fmt::format("{}mat{}x{}", prefixOf(scalar), type.columns, type.vecsize);
     return type.vecsize > 1 ? fmt::format("{}vec{}", prefixOf(scalar), type.vecsize) : scalar;
   }
 
@@ -175,7 +177,8 @@ class Reflection {
     return variable;
   }
 
-  void addBlocks(std::vector<ShaderBlock>& blocks, const spirv_cross::SmallVector<spirv_cross::Resource>& resources,
+  void addBlocks(std::vector<ShaderBlock>& blocks,
+                 const spirv_cross::SmallVector<spirv_cross::Resource>& resources,
                  ShaderBlock::Kind kind) const {
     for (const spirv_cross::Resource& resource : resources) {
       const SPIRType& type = compiler_.get_type(resource.base_type_id);
@@ -234,8 +237,14 @@ class Reflection {
       if (op == spv::OpName && length > 2) {
         const auto* text = reinterpret_cast<const char*>(&spirv_[at + 2]);
         names[spirv_[at + 1]] = std::string(text, strnlen(text, 4 * (length - 2)));
-      } else if (op == spv::OpKill || op == spv::OpTerminateInvocation || op == spv::OpDemoteToHelperInvocation) {
+      } else if (op == spv::OpKill || op == spv::OpTerminateInvocation ||
+                 op == spv::OpDemoteToHelperInvocation) {
         all.discards = true;
+      } else if (op == spv::OpLoopMerge) {
+        ++all.loops;
+      } else if (op == spv::OpFunctionCall && length > 3) {
+        const std::string mangled = nameOf(3);
+        all.calls.push_back(mangled.substr(0, mangled.find('(')));
       } else if (op == spv::OpTypeStruct) {
         structures.insert(nameOf(1));
       } else if (op == spv::OpVariable && length > 3 && spirv_[at + 3] == spv::StorageClassPrivate) {
@@ -270,7 +279,8 @@ std::uint32_t ShaderVariable::elements() const {
 
 ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
   constexpr std::uint32_t kMagic = 0x07230203;
-  if (spirv.size() <= 5 || spirv.front() != kMagic) throw Error(ErrorKind::Scene, "these words are no SPIR-V");
+  if (spirv.size() <= 5 || spirv.front() != kMagic)
+    throw Error(ErrorKind::Scene, "these words are no SPIR-V");
   try {
     return Reflection(spirv).interface();
   } catch (const spirv_cross::CompilerError& error) {

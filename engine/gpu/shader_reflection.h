@@ -15,12 +15,12 @@ namespace luxo::gpu {
 /// A variable, or a member of a block or of a structure.
 struct ShaderVariable {
   std::string name;
-  std::string type;                      ///< as GLSL writes it, arrays apart: "vec3"; of a structure its name
-  std::vector<std::uint32_t> array = {}; ///< sizes, the outermost first; 0: as long as the buffer is
+  std::string type;  ///< as GLSL writes it, arrays apart: "vec3"; of a structure its name
+  std::vector<std::uint32_t> array = {};  ///< sizes, the outermost first; 0: as long as the buffer is
   std::optional<std::uint32_t> location = {}, set = {}, binding = {};
-  std::uint32_t offset = 0, size = 0;    ///< bytes, of a member
+  std::uint32_t offset = 0, size = 0;  ///< bytes, of a member
   std::uint32_t arrayStride = 0, matrixStride = 0;
-  bool active = true;                    ///< something that runs reads or writes it
+  bool active = true;                        ///< something that runs reads or writes it
   std::vector<ShaderVariable> members = {};  ///< of a structure
 
   [[nodiscard]] std::uint32_t elements() const;  ///< of the array, 1 of none
@@ -38,11 +38,14 @@ struct ShaderBlock {
 
 struct ShaderInterface {
   ShaderStage stage = ShaderStage::Fragment;
-  std::vector<ShaderVariable> inputs, outputs;  ///< by location; then GLSL's own that it uses, which have none
+  std::vector<ShaderVariable> inputs,
+      outputs;  ///< by location; then GLSL's own that it uses, which have none
   std::vector<ShaderBlock> blocks;
-  std::vector<ShaderVariable> samplers;          ///< images among them
-  std::vector<ShaderVariable> constants;         ///< specialization constants, whose location is their number
-  bool discards = false;                         ///< some of its fragments may end with nothing
+  std::vector<ShaderVariable> samplers;   ///< images among them
+  std::vector<ShaderVariable> constants;  ///< specialization constants, whose location is their number
+  std::uint32_t loops = 0;
+  std::vector<std::string> calls;  ///< of functions, each by the name of what it calls
+  bool discards = false;                  ///< some of its fragments may end with nothing
   std::vector<std::string> functions, structures, globals;  ///< names that the text gives
 };
 

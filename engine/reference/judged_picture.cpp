@@ -82,7 +82,8 @@ class Judge {
       std::iota(chosen_.begin(), chosen_.end(), 0U);
     }
     pixels_.resize(chosen_.size());
-    anyShader_ = std::ranges::any_of(snapshot.materials, [](const Material& m) { return m.shader != nullptr; });
+    anyShader_ =
+        std::ranges::any_of(snapshot.materials, [](const Material& m) { return m.shader != nullptr; });
   }
 
   JudgedPicture judged() {
@@ -360,8 +361,8 @@ class Judge {
     pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
     const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
     const SnapshotNode& of = snapshot_.nodes[node];
-    if (!shadows || pixel.byShader || measured_.color.empty() || measured_.normal.empty() || of.surface.flatNormal() ||
-        onTriangles(node) ||
+    if (!shadows || pixel.byShader || measured_.color.empty() || measured_.normal.empty() ||
+        of.surface.flatNormal() || onTriangles(node) ||
         snapshot_.materials[of.material.index].shadingIn(options_.shading) != Shading::Phong)
       return;
     const Vec2 center = centerOf(i);

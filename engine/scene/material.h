@@ -72,9 +72,9 @@ struct Material {
   /// through; between vertices and in drawings as any other. `shininess` is its exponent, or the byte, red,
   /// of `specularMap`; its ambient light is its own. There is no pattern.
   bool lesson = false;
-  /// Lights it instead of all that is above but the maps of colours, which it may ask for: in every pixel, whatever the
-  /// shading. Nothing is seen through it, and there is no pattern and no map of normals. The ground truth cannot run
-  /// it: it draws the material without.
+  /// Lights it instead of all that is above but the maps of colours, which it may ask for: in every pixel,
+  /// whatever the shading. Nothing is seen through it, and there is no pattern and no map of normals. The
+  /// ground truth cannot run it: it draws the material without.
   MaterialShaderPtr shader = nullptr;
   std::vector<UniformValue> uniforms = {};  ///< of the shader: those that are given
 

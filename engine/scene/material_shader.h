@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A material's own light: GLSL that says what colour a point has (shaders/MATERIALS.md is its page), and the values
-// of its uniforms. Text only: nothing here compiles it.
+// A material's own light: GLSL that says what colour a point has (shaders/MATERIALS.md is its page), and the
+// values of its uniforms. Text only: nothing here compiles it.
 #pragma once
 
 #include <compare>

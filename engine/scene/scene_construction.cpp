@@ -168,7 +168,7 @@ struct MovingMaterial {
     std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
     Animated<double> angle = 0.0;
   };
-  std::array<Place, 4> places = {};  ///< of Material::maps()
+  std::array<Place, 4> places = {};                          ///< of Material::maps()
   std::vector<std::vector<Animated<double>>> uniforms = {};  ///< of each the values
 
   [[nodiscard]] Material at(const Moment& moment) const {
@@ -188,7 +188,8 @@ struct MovingMaterial {
       maps[i]->angle = place.angle.at(moment);
     }
     for (std::size_t i = 0; i < uniforms.size(); ++i)
-      for (const Animated<double>& value : uniforms[i]) material.uniforms[i].values.push_back(value.at(moment));
+      for (const Animated<double>& value : uniforms[i])
+        material.uniforms[i].values.push_back(value.at(moment));
     return material;
   }
 
@@ -265,7 +266,8 @@ void SceneConstruction::addShader(const MaterialDesc& desc, MovingMaterial& mate
   if (desc.normalMap)
     problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");
   if (desc.lesson)
-    problems_.add(desc.shader.place, "the lesson's formula and a shader exclude each other", "leave out one of them");
+    problems_.add(desc.shader.place, "the lesson's formula and a shader exclude each other",
+                  "leave out one of them");
   for (const UniformDesc& uniform : desc.uniforms) {
     std::vector<Animated<double>>& values = material.uniforms.emplace_back();
     for (const Quantity& value : uniform.values) values.push_back(formulas_.number(value, kPlace));

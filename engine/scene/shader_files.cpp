@@ -25,7 +25,8 @@ std::string readText(const fs::path& path) {
   if (!fs::is_regular_file(path, failure)) refuse("it is no regular file");
   const std::uintmax_t size = fs::file_size(path, failure);
   if (failure) refuse(failure.message());
-  if (size > kMaxShaderBytes) refuse(fmt::format("it has {} bytes; at most {} are read", size, kMaxShaderBytes));
+  if (size > kMaxShaderBytes)
+    refuse(fmt::format("it has {} bytes; at most {} are read", size, kMaxShaderBytes));
   std::ifstream stream(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream && !stream.eof()) refuse("it cannot be read");
@@ -38,7 +39,8 @@ struct Include {
   SourceRange where;
 };
 
-/// The next `#include "..."` that begins a line. One in a comment counts, too: its file is read, and not used.
+/// The next `#include "..."` that begins a line. One in a comment counts, too: its file is read, and not
+/// used.
 std::optional<Include> nextInclude(const std::string& text, std::size_t from) {
   for (std::size_t at = text.find('#', from); at != text.npos; at = text.find('#', at + 1)) {
     const std::size_t line = text.rfind('\n', at) + 1;  // 0 where there is none
@@ -60,7 +62,8 @@ void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, co
     const fs::path here = fs::path(files[index].name).parent_path();
     try {
       const fs::path inFolder = (here / include->name).lexically_relative(folder.empty() ? "." : folder);
-      const fs::path file = fileInFolder(folder, inFolder.empty() ? include->name : inFolder.string(), "included file");
+      const fs::path file =
+          fileInFolder(folder, inFolder.empty() ? include->name : inFolder.string(), "included file");
       const std::string name = file.lexically_normal().string();
       if (std::ranges::find(files, name, &MaterialShader::File::name) != files.end()) continue;
       if (files.size() == kMaxShaderFiles)
@@ -69,7 +72,8 @@ void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, co
     } catch (const Error& error) {
       const MaterialShader::File& by = files[index];
       const TextPosition at = positionAt(by.text, include->where.begin);
-      throw Error(ErrorKind::Scene, fmt::format("{}:{}:{}: {}", by.name, at.line, at.column, error.what()), error.hint());
+      throw Error(ErrorKind::Scene, fmt::format("{}:{}:{}: {}", by.name, at.line, at.column, error.what()),
+                  error.hint());
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shaders that a scene file names, with the files that they include: each is read once, however often the scene
-// is built.
+// The shaders that a scene file names, with the files that they include: each is read once, however often the
+// scene is built.
 #pragma once
 
 #include <cstddef>
@@ -24,9 +24,9 @@ class ShaderFiles {
   /// `folder`: of the scene; empty: the current one.
   explicit ShaderFiles(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
 
-  /// The shader in a file that is named relative to the folder, and is in it. What it includes is named relative to
-  /// the including file, and is in the shader's folder or below. Error(Scene): a file leads out of these, is not there
-  /// or too long; of an include with its file, line and column.
+  /// The shader in a file that is named relative to the folder, and is in it. What it includes is named
+  /// relative to the including file, and is in the shader's folder or below. Error(Scene): a file leads out
+  /// of these, is not there or too long; of an include with its file, line and column.
   [[nodiscard]] MaterialShaderPtr get(const std::string& name);
   /// Of all shaders so far, what they include among them.
   [[nodiscard]] std::vector<std::filesystem::path> files();

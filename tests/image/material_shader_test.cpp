@@ -34,10 +34,12 @@ Material litBy(const std::string& text, std::vector<UniformValue> uniforms = {})
 /// A ring that throws its shadow on a plate, both of these materials.
 Scene ringOnPlate(const Material& ring, const Material& plate, Light::Shadow shadow) {
   Scene scene;
-  scene.add(Node{.rotation = Rotation{{1, 0, 0.4}, 0.9}, .surface = torus(1, 0.4), .material = scene.add(ring)});
+  scene.add(
+      Node{.rotation = Rotation{{1, 0, 0.4}, 0.9}, .surface = torus(1, 0.4), .material = scene.add(ring)});
   scene.add(Node{.translation = Vec3(0, -1.2, 0), .surface = rectangle(5, 5), .material = scene.add(plate)});
-  scene.add(Node{.translation = Vec3(2, 4, 3),
-                 .light = Light{.intensity = 30, .attenuation = Light::Attenuation::InverseSquare, .shadow = shadow}});
+  scene.add(Node{
+      .translation = Vec3(2, 4, 3),
+      .light = Light{.intensity = 30, .attenuation = Light::Attenuation::InverseSquare, .shadow = shadow}});
   return scene;
 }
 
@@ -103,11 +105,13 @@ vec4 material(Point p) {
 TEST_F(MaterialShaderPicture, ThePointIsWhatOutputsTell) {
   const auto shown = [&](const std::string& value, Composition composition) {
     const Material own = litBy("vec4 material(Point p) { return vec4(" + value + ", 1.0); }");
-    return draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition}).image;
+    return draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition})
+        .image;
   };
   for (const Composition composition : {Composition::Auto, Composition::Deferred})
-    for (const auto& [value, output] :
-         {std::pair{"p.position", Output::Position}, {"p.normal", Output::Normal}, {"vec3(p.uv, 0.0)", Output::Uv}}) {
+    for (const auto& [value, output] : {std::pair{"p.position", Output::Position},
+                                        {"p.normal", Output::Normal},
+                                        {"vec3(p.uv, 0.0)", Output::Uv}}) {
       const Image image = shown(value, composition);
       const Scene scene = ringOnPlate({}, {}, Light::Shadow::None);
       const Image wanted = draw(scene, kCamera, kSize, {.output = output}).image;
@@ -115,29 +119,33 @@ TEST_F(MaterialShaderPicture, ThePointIsWhatOutputsTell) {
       double largest = 0;
       for (std::size_t i = 0; i < id.samples().size(); ++i)
         for (std::size_t c = 0; c < 3 && id.samples()[i] > 0; ++c)
-          largest = std::max(largest, std::abs(double(image.samples()[3 * i + c]) - double(wanted.samples()[3 * i + c])));
+          largest = std::max(
+              largest, std::abs(double(image.samples()[3 * i + c]) - double(wanted.samples()[3 * i + c])));
       EXPECT_LE(largest, 2e-5) << value;
     }
 }
 
 /// Of S = (3u, 2v, u v): Su = (3, 0, v), Sv = (0, 2, u), turned and moved with the node.
 TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
-  const Surface saddle = surface({{-1, 1}, {-1, 1}}, [](auto u, auto v) { return point(3 * u, 2 * v, u * v); });
+  const Surface saddle =
+      surface({{-1, 1}, {-1, 1}}, [](auto u, auto v) { return point(3 * u, 2 * v, u * v); });
   const auto errorOf = [&](const std::string& value) {
     Scene scene;
     scene.add(Node{.translation = Vec3(0.5, -0.2, 0),
                    .rotation = Rotation{{1, 2, 0.5}, 0.6},
                    .surface = saddle,
-                   .material = scene.add(litBy(
-                       "uniform mat3 turn; vec4 material(Point p) { vec3 u = turn * vec3(3, 0, p.uv.y), v = turn * vec3(0, 2, p.uv.x);"
-                       " return vec4(vec3(" + value + "), 1.0); }",
-                       {{"turn", [] {
-                           std::vector<double> rows;
-                           const Mat3 m = rotation(Vec3(1, 2, 0.5), 0.6);
-                           for (int row = 0; row < 3; ++row)
-                             for (int column = 0; column < 3; ++column) rows.push_back(m[column][row]);
-                           return rows;
-                         }()}}))});
+                   .material = scene.add(litBy("uniform mat3 turn; vec4 material(Point p) { vec3 u = turn * "
+                                               "vec3(3, 0, p.uv.y), v = turn * vec3(0, 2, p.uv.x);"
+                                               " return vec4(vec3(" +
+                                                   value + "), 1.0); }",
+                                               {{"turn", [] {
+                                                   std::vector<double> rows;
+                                                   const Mat3 m = rotation(Vec3(1, 2, 0.5), 0.6);
+                                                   for (int row = 0; row < 3; ++row)
+                                                     for (int column = 0; column < 3; ++column)
+                                                       rows.push_back(m[column][row]);
+                                                   return rows;
+                                                 }()}}))});
     const Image image = draw(scene, Camera{.eye = Vec3(0.5, 1, 9)}, kSize).image;
     double largest = 0;
     for (const float sample : image.samples()) largest = std::max(largest, double(sample));
@@ -147,7 +155,9 @@ TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
   EXPECT_LE(errorOf("length(p.Sv - v)"), 0.03);
   EXPECT_LE(errorOf("length(p.tangent - normalize(u))"), 0.03);
   EXPECT_LE(errorOf("length(p.object - vec3(3.0 * p.uv.x, 2.0 * p.uv.y, p.uv.x * p.uv.y))"), 0.03);
-  EXPECT_LE(errorOf("abs(dot(p.bitangent, p.normal)) + abs(dot(p.bitangent, p.tangent)) + (dot(p.bitangent, v) > 0.0 ? 0.0 : 1.0)"), 0.03);
+  EXPECT_LE(errorOf("abs(dot(p.bitangent, p.normal)) + abs(dot(p.bitangent, p.tangent)) + (dot(p.bitangent, "
+                    "v) > 0.0 ? 0.0 : 1.0)"),
+            0.03);
 }
 
 TEST_F(MaterialShaderPicture, WhatIsNoNumberIsMagentaAndCounted) {
@@ -167,9 +177,11 @@ TEST_F(MaterialShaderPicture, WhatIsNoNumberIsMagentaAndCounted) {
 }
 
 TEST_F(MaterialShaderPicture, LoopsWithoutEndAndOpacitiesAreRefused) {
-  EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
-              HasSubstr("more than 65536 times"));
-  EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")), HasSubstr("opacity below 1"));
+  EXPECT_THAT(
+      refusalOf(litBy("vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
+      HasSubstr("more than 65536 times"));
+  EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")),
+              HasSubstr("opacity below 1"));
   EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { if (p.uv.x < 0.5) discard; return vec4(1); }")),
               HasSubstr("'discard'"));
 }
@@ -177,8 +189,8 @@ TEST_F(MaterialShaderPicture, LoopsWithoutEndAndOpacitiesAreRefused) {
 /// Materials differ in their values alone: one module, one pipeline.
 TEST_F(MaterialShaderPicture, MaterialsOfAShaderShareItsPipeline) {
   const auto made = [&](double paint) {
-    Scene scene = ringOnPlate(litBy(kPlain, {{"paint", {0.5, 0.5, 0.5}}}), litBy(kPlain, {{"paint", {paint, 0, 0}}}),
-                              Light::Shadow::Exact);
+    Scene scene = ringOnPlate(litBy(kPlain, {{"paint", {0.5, 0.5, 0.5}}}),
+                              litBy(kPlain, {{"paint", {paint, 0, 0}}}), Light::Shadow::Exact);
     return draw(scene, kCamera, kSize).statistics.count.pipelinesCreated;
   };
   const std::uint64_t first = made(0.5);
@@ -186,20 +198,22 @@ TEST_F(MaterialShaderPicture, MaterialsOfAShaderShareItsPipeline) {
   EXPECT_EQ(made(0.9), 0u);
 }
 
-/// Ward's highlight on a plate that faces the eye and a lamp above its middle: at a distance r from there the half vector
-/// is by atan(r / h) / 2 off the normal, so that the ratio of what is seen along and across the grooves is
-/// exp(-tan^2 (1 / a^2 - 1 / b^2)).
+/// Ward's highlight on a plate that faces the eye and a lamp above its middle: at a distance r from there the
+/// half vector is by atan(r / h) / 2 off the normal, so that the ratio of what is seen along and across the
+/// grooves is exp(-tan^2 (1 / a^2 - 1 / b^2)).
 TEST_F(MaterialShaderPicture, BrushedSteelIsLongAcrossItsGrooves) {
   constexpr double kAlong = 0.15, kAcross = 0.45, kHeight = 2;
   Material steel{.shader = ShaderFiles(LUXO_SOURCE_DIR "/apps/scenes/gallery").get("steel.frag"),
                  .uniforms = {{"roughness", {kAlong, kAcross}}, {"depth", {0}}, {"metal", {1, 1, 1}}}};
   Scene scene;
-  scene.add(Node{.rotation = Rotation{{1, 0, 0}, kPi / 2}, .surface = rectangle(4, 4), .material = scene.add(steel)});
+  scene.add(Node{
+      .rotation = Rotation{{1, 0, 0}, kPi / 2}, .surface = rectangle(4, 4), .material = scene.add(steel)});
   scene.add(Node{.translation = Vec3(0, 0, kHeight), .light = Light{}});
   scene.setAmbient(Vec3(0));
   constexpr int kPixels = 81;
   const Image image =
-      draw(scene, Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 2}, {kPixels, kPixels})
+      draw(scene, Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 2},
+           {kPixels, kPixels})
           .image;
   const auto highlight = [&](int x, int y) {
     const double r = std::hypot(x - 40, y - 40) * 2 / kPixels;

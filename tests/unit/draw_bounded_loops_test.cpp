@@ -24,7 +24,8 @@ TEST(BoundedLoops, OneInAnother) {
 }
 
 TEST(BoundedLoops, WhatIsNoLoopStays) {
-  for (const char* text : {"// for (;;)\nint forward;", "/* while (true) */", "int do_ = 1;", "#define N 3\n", "for", "while (", ""})
+  for (const char* text : {"// for (;;)\nint forward;", "/* while (true) */", "int do_ = 1;", "#define N 3\n",
+                           "for", "while (", ""})
     EXPECT_EQ(withBoundedLoops(text), text);
 }
 

@@ -18,7 +18,8 @@ namespace {
 using testing::ElementsAre;
 
 ShaderInterface reflected(const std::string& text, ShaderStage stage = ShaderStage::Fragment) {
-  return reflect(ShaderCompiler("").compile({.source = {"a.glsl", text}, .stage = stage, .forReflection = true}).spirv);
+  return reflect(
+      ShaderCompiler("").compile({.source = {"a.glsl", text}, .stage = stage, .forReflection = true}).spirv);
 }
 
 /// "b vec3 @16 +12", with strides where there are some.
@@ -35,7 +36,8 @@ std::vector<std::string> tableOf(const ShaderBlock& block) {
 
 ShaderBlock blockOf(const std::string& layout, const std::string& kind) {
   return reflected(fmt::format("#version 460\n#extension GL_EXT_scalar_block_layout : require\n"
-                               "layout({}, set = 1, binding = 2) {} B {{ float a; vec3 b; float c; mat3 m; float d[3]; vec2 e; }} k;\n"
+                               "layout({}, set = 1, binding = 2) {} B {{ float a; vec3 b; float c; mat3 m; "
+                               "float d[3]; vec2 e; }} k;\n"
                                "layout(location = 0) out vec4 o;\n"
                                "void main() {{ o = vec4(k.b, k.d[1] + k.m[0].x); }}\n",
                                layout, kind))
@@ -48,7 +50,8 @@ TEST(ShaderReflection, Std140) {
               ElementsAre("a float @0 +4", "b vec3 @16 +12", "c float @28 +4", "m mat3 @32 +48 columns 16",
                           "d float @80 +48 [3] stride 16", "e vec2 @128 +8"));
   EXPECT_EQ(block.size, 136u);
-  EXPECT_TRUE(block.set == 1 && block.binding == 2 && block.kind == ShaderBlock::Kind::Uniform && !block.loose);
+  EXPECT_TRUE(block.set == 1 && block.binding == 2 && block.kind == ShaderBlock::Kind::Uniform &&
+              !block.loose);
   EXPECT_TRUE(block.members[1].active && block.members[3].active);
   EXPECT_FALSE(block.members[0].active || block.members[5].active);
 }
@@ -90,8 +93,8 @@ void main() {
   EXPECT_TRUE(all.blocks[0].loose);
   EXPECT_EQ(all.blocks[0].size, 220u);
   EXPECT_THAT(tableOf(all.blocks[0]),
-              ElementsAre("MVP mat4 @0 +64 columns 16", "M mat4 @64 +64 columns 16", "Minv mat4 @128 +64 columns 16",
-                          "wLiPos vec4 @192 +16", "wEye vec3 @208 +12"));
+              ElementsAre("MVP mat4 @0 +64 columns 16", "M mat4 @64 +64 columns 16",
+                          "Minv mat4 @128 +64 columns 16", "wLiPos vec4 @192 +16", "wEye vec3 @208 +12"));
   ASSERT_EQ(all.inputs.size(), 2u);
   EXPECT_TRUE(all.inputs[0].name == "vtxPos" && all.inputs[1].location == 1u);
   EXPECT_EQ(all.outputs.size(), 4u);  // gl_Position, too

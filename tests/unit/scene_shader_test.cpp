@@ -19,7 +19,6 @@
 namespace luxo {
 namespace {
 
-using test::ScratchFolder;
 using testing::HasSubstr;
 
 std::string messageOf(const std::function<void()>& call) {
@@ -41,7 +40,8 @@ class SceneShader : public testing::Test {
   }
   [[nodiscard]] SceneFile sceneWith(const std::string& material) const {
     return parseScene(R"({ "luxo": 1, "params": { "k": 3 }, "surfaces": { "s": { "type": "sphere" } },
-      "materials": { "m": )" + material + R"( }, "nodes": [ { "surface": "s", "material": "m" } ] })",
+      "materials": { "m": )" +
+                          material + R"( }, "nodes": [ { "surface": "s", "material": "m" } ] })",
                       "a.luxo.json", folder.path());
   }
 
@@ -91,7 +91,8 @@ TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   const auto refused = [&](const std::string& material) {
     return messageOf([&] { static_cast<void>(buildScene(sceneWith(material))); });
   };
-  EXPECT_THAT(refused(R"({ "shader": "m.frag", "opacity": 0.5 })"), HasSubstr("seen through is not drawn yet"));
+  EXPECT_THAT(refused(R"({ "shader": "m.frag", "opacity": 0.5 })"),
+              HasSubstr("seen through is not drawn yet"));
   EXPECT_THAT(refused(R"({ "shader": "m.frag", "diffuse": ["u", 0, 0] })"), HasSubstr("uses u or v"));
   EXPECT_THAT(refused(R"({ "shader": "none.frag" })"), HasSubstr("a.luxo.json:2:35: cannot read the shader"));
   EXPECT_THAT(refused(R"({ "shader": "../m.frag" })"), HasSubstr("outside of the scene's folder"));
