@@ -235,6 +235,14 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
   for (const auto* some : {&interface_.functions, &interface_.structures, &interface_.globals})
     names.insert(names.end(), some->begin(), some->end());
   for (const gpu::ShaderVariable& uniform : uniforms_) names.push_back(uniform.name);
+  // Constants leave no name behind: those of functions are renamed, too, which changes nothing.
+  static const std::regex kConstant(R"(\bconst\s+(?:(?:highp|mediump|lowp)\s+)?\w+\s+(\w+))");
+  for (const MaterialShader::File& file : shader_->files)
+    for (std::sregex_iterator found(file.text.begin(), file.text.end(), kConstant), end; found != end;
+         ++found)
+      names.push_back((*found)[1].str());
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   constexpr std::string_view kGiven[] = {"main",       "material",  "lightCount",  "light",   "ambientLight",
                                          "blinnPhong", "colorMap",  "specularMap", "glowMap", "Point",
                                          "Light",      "luxoStops", "luxoRounds"};

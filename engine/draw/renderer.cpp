@@ -149,7 +149,7 @@ void refuseShaders(const Snapshot& snapshot, const Measured& measured) {
   if (measured.endless > 0)
     throw Error(
         ErrorKind::Scene,
-        fmt::format("{}: in {} pixels the loops of the shader go round more than 65536 times, all of a point "
+        fmt::format("{}: in {} pixels the loops of the shader go round more than 32768 times, all of a point "
                     "together",
                     all, measured.endless),
         "end them sooner: a loop that never ends would hang the device");

@@ -36,8 +36,9 @@ vec3 glowMap(vec2 uv);
 // The shader's: linear RGB, and the opacity, which must be 1.
 vec4 material(Point p);
 
-// Loops of shaders end after so many rounds, all loops of a point together: draw/material_program.cpp has them ask.
-const uint kLuxoMostRounds = 65536;
+// Loops of shaders end after so many rounds, all loops of a point together: draw/bounded_loops.h has them ask. Half of
+// where Mesa's llvmpipe ends a loop by itself, and tells nobody (LP_MAX_TGSI_LOOP_ITERATIONS, 65535).
+const uint kLuxoMostRounds = 32768;
 uint luxoRounds = 0;
 bool luxoStops() { return ++luxoRounds > kLuxoMostRounds; }
 #endif

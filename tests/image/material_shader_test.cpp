@@ -128,7 +128,7 @@ TEST_F(MaterialShaderPicture, ThePointIsWhatOutputsTell) {
 /// Of S = (3u, 2v, u v): Su = (3, 0, v), Sv = (0, 2, u), turned and moved with the node.
 TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
   const Surface saddle =
-      surface({{-1, 1}, {-1, 1}}, [](auto u, auto v) { return point(3 * u, 2 * v, u * v); });
+      surface([](auto u, auto v) { return point(3 * u, 2 * v, u * v); }, {{-1, 1}, {-1, 1}});
   const auto errorOf = [&](const std::string& value) {
     Scene scene;
     scene.add(Node{.translation = Vec3(0.5, -0.2, 0),
@@ -179,7 +179,7 @@ TEST_F(MaterialShaderPicture, WhatIsNoNumberIsMagentaAndCounted) {
 TEST_F(MaterialShaderPicture, LoopsWithoutEndAndOpacitiesAreRefused) {
   EXPECT_THAT(
       refusalOf(litBy("vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
-      HasSubstr("more than 65536 times"));
+      HasSubstr("more than 32768 times"));
   EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")),
               HasSubstr("opacity below 1"));
   EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { if (p.uv.x < 0.5) discard; return vec4(1); }")),
@@ -209,7 +209,7 @@ TEST_F(MaterialShaderPicture, BrushedSteelIsLongAcrossItsGrooves) {
   scene.add(Node{
       .rotation = Rotation{{1, 0, 0}, kPi / 2}, .surface = rectangle(4, 4), .material = scene.add(steel)});
   scene.add(Node{.translation = Vec3(0, 0, kHeight), .light = Light{}});
-  scene.setAmbient(Vec3(0));
+  scene.set(RenderSettings{.ambient = Vec3(0)});
   constexpr int kPixels = 81;
   const Image image =
       draw(scene, Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 2},

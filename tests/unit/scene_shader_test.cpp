@@ -94,7 +94,7 @@ TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   EXPECT_THAT(refused(R"({ "shader": "m.frag", "opacity": 0.5 })"),
               HasSubstr("seen through is not drawn yet"));
   EXPECT_THAT(refused(R"({ "shader": "m.frag", "diffuse": ["u", 0, 0] })"), HasSubstr("uses u or v"));
-  EXPECT_THAT(refused(R"({ "shader": "none.frag" })"), HasSubstr("a.luxo.json:2:35: cannot read the shader"));
+  EXPECT_THAT(refused(R"({ "shader": "none.frag" })"), HasSubstr("a.luxo.json:2:39: cannot read the shader"));
   EXPECT_THAT(refused(R"({ "shader": "../m.frag" })"), HasSubstr("outside of the scene's folder"));
   EXPECT_THAT(refused(R"({ "shader": "long.frag" })"), HasSubstr("at most 262144 are read"));
   EXPECT_THAT(refused(R"({ "uniforms": { "a": 1 } })"), HasSubstr("there are uniforms and no shader"));
