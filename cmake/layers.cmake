@@ -22,9 +22,10 @@ set(LUXO_LAYER_draw base math formula surface scene cull tessellate shell shadow
 set(LUXO_LAYER_window base math gpu)
 
 # Third-party headers that only the named folders may include: "<header regex>" -> folders.
-set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "GLFW/" "imgui" "glm/" "png\\.h" "Imf" "tbb/" "spirv-tools/" "meshoptimizer" "nlohmann/" "jpeglib")
+set(LUXO_EXCLUSIVE_INCLUDES "vulkan/" "glslang/" "spirv_cross" "GLFW/" "imgui" "glm/" "png\\.h" "Imf" "tbb/" "spirv-tools/" "meshoptimizer" "nlohmann/" "jpeglib")
 set(LUXO_EXCLUSIVE_vulkan/ gpu)
 set(LUXO_EXCLUSIVE_glslang/ gpu)
+set(LUXO_EXCLUSIVE_spirv_cross gpu)
 set(LUXO_EXCLUSIVE_GLFW/ window)
 set(LUXO_EXCLUSIVE_imgui window)
 set(LUXO_EXCLUSIVE_glm/ math)

@@ -12,4 +12,7 @@ vec3 encodeSrgb(vec3 linear) {
   return mix(curve, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
 }
 
-void main() { outColor = vec4(encodeSrgb(texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb), 1); }
+// What is no number is magenta, as in files.
+vec3 shown(vec3 c) { return any(isnan(c)) || any(isinf(c)) ? vec3(1, 0, 1) : c; }
+
+void main() { outColor = vec4(encodeSrgb(shown(texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb)), 1); }

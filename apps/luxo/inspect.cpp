@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// luxo inspect: what is in a scene or a picture?
+// luxo inspect: what is in a scene, a picture or a shader?
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -24,6 +22,7 @@
 #include "pixel_inspection.h"
 #include "scene_inspection.h"
 #include "scene_request.h"
+#include "shader_inspection.h"
 #include "verbs.h"
 
 namespace luxo {
@@ -36,11 +35,6 @@ struct InspectOptions {
   std::optional<std::string> pixel, vertex;
   bool json = false;
 };
-
-bool isShader(const std::filesystem::path& path) {
-  constexpr std::array kSuffixes = {".vert", ".frag", ".comp", ".glsl", ".spv"};
-  return std::ranges::find(kSuffixes, path.extension().string()) != kSuffixes.end();
-}
 
 struct Pixel {
   int x, y;
@@ -133,9 +127,12 @@ int runInspect(const InspectOptions& options) {
     printData(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : textOf(json));
     return exit_code::kDone;
   };
-  if (isShader(name))
-    throw Error(ErrorKind::Scene, fmt::format("'{}': shaders are not supported yet", name),
-                "scenes (.luxo.json) and pictures can be inspected");
+  if (isShader(name)) {
+    if (options.pixel || options.vertex)
+      throw Error(ErrorKind::Usage, "a shader has no pixels and no points",
+                  "give a scene whose material has it");
+    return print(inspectShader(name), shaderText);
+  }
   if (options.pixel && options.vertex)
     throw Error(ErrorKind::Usage, "--pixel and --vertex exclude each other",
                 "--pixel tells the way of the point that is seen there, too");
@@ -158,7 +155,7 @@ int runInspect(const InspectOptions& options) {
 }  // namespace
 
 void addInspect(CLI::App& app, Command& chosen) {
-  CLI::App* verb = app.add_subcommand("inspect", "tell what is in a scene or a picture");
+  CLI::App* verb = app.add_subcommand("inspect", "tell what is in a scene, a picture or a shader");
   verb->group("Verbs");
   const auto options = std::make_shared<InspectOptions>();
   options->scene = std::make_unique<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);

@@ -18,6 +18,7 @@
 #include "scene/model_scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
+#include "scene/shader_files.h"
 #include "scene/texture_files.h"
 #include "scenes/embedded_scenes.h"
 #include "scenes/gallery.h"
@@ -159,6 +160,7 @@ OpenedScene openDescribedScene(const std::string& scene, std::span<const Paramet
   const SceneSource& source = opened.description->source;
   if (source.models) addInputs(source.models->files(), inputs);
   if (source.textures) addInputs(source.textures->files(), inputs);
+  if (source.shaders) addInputs(source.shaders->files(), inputs);
   return opened;
 }
 

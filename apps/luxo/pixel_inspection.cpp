@@ -256,7 +256,11 @@ class Inspector {
                                           : fmt::format("at {} m", snapshot_.view.far),
                               through ? "compared, not written" : "compared and written")},
         {"blend", blendWords(material, through)},
-        {"light", lightWords(material.shadingIn(options.shading))},
+        {"light", material.shader
+                      ? fmt::format("the shader {}, in every pixel: what is told of light here is that "
+                                    "of the material without it",
+                                    material.shader->files.front().name)
+                      : lightWords(material.shadingIn(options.shading))},
         {"output",
          fmt::format(
              "scene-linear, {} a pixel; encoded as sRGB once, at the end, by luxo",

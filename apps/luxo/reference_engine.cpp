@@ -3,10 +3,12 @@
 
 #include <chrono>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "interruption.h"
 #include "picture_engine.h"
 #include "progress_bar.h"
@@ -65,6 +67,7 @@ class ReferenceEngine : public PictureEngine {
   }
 
   [[nodiscard]] std::optional<MadePicture> make(const Snapshot& snapshot) override {
+    if (output_ == Output::Color) warnOfShaders(snapshot);
     const auto start = Clock::now();
     ProgressBar bar(showsProgress_);
     ReferencePicture picture = castPicture(snapshot, {.samples = samples_, .progress = [&](double done) {
@@ -92,7 +95,18 @@ class ReferenceEngine : public PictureEngine {
                   "give --shading phong; --aov writes depth, position, normal, uv or id");
   }
 
+  void warnOfShaders(const Snapshot& snapshot) {
+    for (const SnapshotNode& node : snapshot.nodes) {
+      const Material& material = snapshot.materials[node.material.index];
+      if (material.shader && warned_.insert(material.name).second)
+        log(LogLevel::Warning,
+            fmt::format("the reference cannot run the shader of '{}': it is drawn as if there were none",
+                        material.name));
+    }
+  }
+
   Output output_;
+  std::set<std::string> warned_;
   int samples_;
   bool showsProgress_;
 };

@@ -104,6 +104,7 @@ Json jsonOf(const ColorErrors& c) {
                {"psnr_srgb", finite(c.psnrSrgb)},
                {"differing_pixels", c.differing8},
                {"differing_part", c.differing8Part},
+               {"by_shader", c.byShader},
                {"flip", nullptr}};
   if (c.flipMean)
     json["flip"] = {{"mean", finite(c.flipMean)}, {"p99.9", finite(c.flipP999)}, {"max", finite(c.flipMax)}};
@@ -162,6 +163,12 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
     text +=
         fmt::format("shadows    {} of the lights has no exact shadow: the light is held against exact ones\n",
                     report.approximateShadows);
+  if (v.color.byShader > 0)
+    text += fmt::format(
+        "shaders    {} pixels are lit by materials' shaders, which the truth cannot run: their colours are "
+        "not "
+        "judged\n",
+        v.color.byShader);
   text += fmt::format("psnr       {:.1f} dB linear, {:.1f} dB sRGB, off silhouettes\n", v.color.psnrLinear,
                       v.color.psnrSrgb);
   text += fmt::format("8 bit      {} pixels differ: {:.3g} of the covered\n", v.color.differing8,

@@ -50,6 +50,11 @@ class ExactSource {
   /// Lines that are read before all.
   void add(std::string_view lines) { preamble_ += lines; }
 
+  /// Texts that it may include, too.
+  void add(const std::vector<gpu::ShaderSource>& sources) {
+    includes_.insert(includes_.end(), sources.begin(), sources.end());
+  }
+
   /// Valid as long as this object.
   [[nodiscard]] gpu::ShaderDesc desc() const {
     return {.source = *std::ranges::find(kShaderSources, name_, &gpu::ShaderSource::name),

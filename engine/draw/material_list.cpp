@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "draw/material_program.h"
 #include "draw/place_list.h"
 #include "draw/shadow_list.h"
 #include "draw/texture_list.h"
@@ -97,6 +98,14 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
                                 hasLayers(snapshot, options) || occludes);
   list_.occludes = occludes;
   if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
+  if (groups_.size() > 1 &&
+      std::ranges::any_of(materials, [](const Material& m) { return m.shader != nullptr; }))
+    throw Error(
+        ErrorKind::Scene,
+        "the light on a material with a shader comes in several passes, which is not supported yet: there "
+        "are "
+        "more than 32 lights, or some shine through what is transparent",
+        "leave out some lights, set their shadow to \"none\", or take the shader's material without it");
   list_.groups.resize(groups_.size());
   shades_.resize(groups_.size());
   layerShades_.resize(groups_.size());
@@ -125,6 +134,8 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
     data.pattern = patternNumber(paint);
     data.firstPatternParameter = static_cast<std::uint32_t>(list_.patternParameters.size());
     appendMaps(material, snapshot_.nodes[node], list_.textures, list_.patternParameters);
+    if (material.shader)
+      appendShader(material, snapshot_.nodes[node], list_.origin, snapshot_.ambient, list_.patternParameters);
   } else if (paint.valid()) {
     data.pattern = patternNumber(paint);
     data.firstPatternParameter = firstPatternParameter(material);

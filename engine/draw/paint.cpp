@@ -22,7 +22,8 @@ std::string Paint::preamble() const {
   define(maps_.normal, "LUXO_NORMAL_MAP", shared::kTextureNumbers + shared::kNormalNumbers);
   define(maps_.specular, "LUXO_SPECULAR_MAP", shared::kTextureNumbers);
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
-  if (maps_.tangent) lines += "#define LUXO_FRAMED\n";
+  if (readsFrame()) lines += "#define LUXO_FRAMED\n";
+  if (shader_.text) lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", first);
   if (maps_.lesson) lines += "#define LUXO_LESSON\n";
   if (first > shared::kTextureNumbers || maps_.lesson) lines += "#define LUXO_MAPS\n";
   return lines;

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // What colours a surface, as far as it decides a shader: a pattern, by its formulas, or the maps that there
-// are: whichever textures these are of, the shader is the same.
+// are: whichever textures these are of, the shader is the same; or a material's own shader.
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "scene/material.h"
 #include "scene/pattern.h"
 
 namespace luxo {
+
+/// Which uniforms of a material's shader are given, and of how many numbers each.
+using GivenUniforms = std::vector<std::pair<std::string, std::uint32_t>>;
 
 class Paint {
  public:
@@ -28,13 +33,19 @@ class Paint {
                    .specular = material.specularMap.valid(),
                    .glow = material.glowMap.valid(),
                    .lesson = material.lesson};
+    paint.shader_.text = material.shader;
+    for (const UniformValue& uniform : material.uniforms)
+      paint.shader_.given.emplace_back(uniform.name, static_cast<std::uint32_t>(uniform.values.size()));
     return paint;
   }
 
   [[nodiscard]] bool valid() const { return maps_.any || pattern_.valid(); }
   [[nodiscard]] bool isTexture() const { return maps_.any; }
   /// Whether a point's tangent decides its light.
-  [[nodiscard]] bool readsFrame() const { return maps_.tangent; }
+  [[nodiscard]] bool readsFrame() const { return maps_.tangent || shader_.text; }
+  /// Null: luxo's own light.
+  [[nodiscard]] const MaterialShaderPtr& shader() const { return shader_.text; }
+  [[nodiscard]] const GivenUniforms& given() const { return shader_.given; }
   /// Included by shaders as "pattern", with preamble() before all; requires valid().
   [[nodiscard]] std::string_view glsl() const {
     return maps_.any ? "#include \"lib/texture.glsl\"\n" : std::string_view(pattern_.glsl());
@@ -52,8 +63,23 @@ class Paint {
 
     friend auto operator<=>(const Maps&, const Maps&) = default;
   };
+  /// By content: whoever has read it, it is the same shader.
+  struct Shader {
+    MaterialShaderPtr text;
+    GivenUniforms given;
+
+    friend bool operator==(const Shader& a, const Shader& b) { return (a <=> b) == 0; }
+    friend std::strong_ordering operator<=>(const Shader& a, const Shader& b) {
+      if (a.text != b.text) {
+        if (!a.text || !b.text) return bool(a.text) <=> bool(b.text);
+        if (const auto order = *a.text <=> *b.text; order != 0) return order;
+      }
+      return a.given <=> b.given;
+    }
+  };
   Pattern pattern_;
   Maps maps_;
+  Shader shader_;
 };
 
 }  // namespace luxo

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/renderer.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <set>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "base/assert.h"
+#include "base/error.h"
 #include "draw/shadow_list.h"
 #include "tessellate/parallel.h"
 
@@ -72,10 +79,13 @@ struct Measured {
   static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U;
   std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
   std::uint32_t nonfinite = 0;
+  std::uint32_t endless = 0, seenThrough = 0;  ///< of these, what shaders of materials mean by infinities
 
   void add(const Measured& other) {
     residual = std::max(residual, other.residual);
     nonfinite += other.nonfinite;
+    endless += other.endless;
+    seenThrough += other.seenThrough;
   }
   void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }
 };
@@ -111,7 +121,43 @@ void addColors(const std::byte* texels, int width, Measured& measured) {
     std::uint32_t largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & Measured::kMagnitude);
     measured.nonfinite += largest >= Measured::kInfinity;
+    const auto all = [&](std::uint32_t bits) {
+      return bitsAt(4 * x) == bits && bitsAt(4 * x + 1) == bits && bitsAt(4 * x + 2) == bits;
+    };
+    measured.endless += all(Measured::kInfinity);
+    measured.seenThrough += all(Measured::kInfinity | ~Measured::kMagnitude);
   }
+}
+
+/// Nobody overlooks what is no number.
+void showInMagenta(std::span<float> row) {
+  for (std::size_t i = 0; i + 2 < row.size(); i += 3)
+    if (!std::isfinite(row[i]) || !std::isfinite(row[i + 1]) || !std::isfinite(row[i + 2])) {
+      row[i] = row[i + 2] = 1;
+      row[i + 1] = 0;
+    }
+}
+
+/// What shaders of materials say by infinities (shaders/lib/lit_shader.glsl).
+void refuseShaders(const Snapshot& snapshot, const Measured& measured) {
+  std::set<std::string> names;
+  for (const SnapshotNode& node : snapshot.nodes)
+    if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader)
+      names.insert(shader->files.front().name);
+  if (names.empty()) return;
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
+  if (measured.endless > 0)
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: in {} pixels the loops of the shader go round more than 32768 times, all of a point "
+                    "together",
+                    all, measured.endless),
+        "end them sooner: a loop that never ends would hang the device");
+  if (measured.seenThrough > 0)
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet",
+                            all, measured.seenThrough),
+                "return 1 as the fourth number");
 }
 
 /// The rows that pixels are in, which are sorted by row.
@@ -393,6 +439,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
       addMeanAlphas(texels, width, measured);
     else if (certifies)
       addAlphas(texels, width, measured);
+    const std::uint32_t before = measured.nonfinite;
     if (output == Output::Color) addColors(texels, width, measured);
     if (output == Output::Position)
       readPositions(texels, width, view_.list().origin, image.row(y).data());
@@ -400,6 +447,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
       readChannels<3>(texels, width, image.row(y).data());
     else
       readChannels<1>(texels, width, image.row(y).data());
+    if (measured.nonfinite > before) showInMagenta(image.row(y));
   };
   std::vector<Measured> bands(static_cast<std::size_t>((height + kBandRows - 1) / kBandRows));
   forEachIndex(bands.size(), static_cast<std::int64_t>(width) * height >= kPixelsForAllCores,
@@ -409,6 +457,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
                });
   Measured measured;
   for (const Measured& band : bands) measured.add(band);
+  refuseShaders(snapshot, measured);
   error.found = view_.searches();
   if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);
   error.nonfinitePx = measured.nonfinite;

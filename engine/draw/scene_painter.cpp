@@ -74,6 +74,7 @@ DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& 
 void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
                           const Snapshot& scene, const DrawOptions& wanted, FrameStatistics& statistics) {
   const gpu::Counters before = context_->counters();
+  pipelines_.programs().check(scene);
   const DrawOptions options = possible(scene, wanted);
   const Snapshot& snapshot = scaleNormalization_.of(scene);
   DrawList list = listed(snapshot, options, view.refinement, statistics);
@@ -86,6 +87,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, Rend
   preparePipelines(view);
   recordPasses(frames, commands, view, {.completes = view.refinement.completes}, statistics);
 
+  context_->counted().shadersCompiled += pipelines_.programs().takeCompiled();
   const gpu::Counters after = context_->counters();
   statistics.count.uploadBytes += after.uploadedBytes - before.uploadedBytes;
   statistics.count.pipelinesCreated += after.pipelinesCreated - before.pipelinesCreated;

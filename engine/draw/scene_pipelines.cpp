@@ -381,6 +381,9 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
         std::ranges::none_of(missing, [&](const Missing& m) { return m.key == key; }))
       missing.push_back({key, {}});
   }
+  for (const Missing& m : missing)
+    if (const MaterialShaderPtr& shader = std::get<Paint>(m.key).shader())
+      static_cast<void>(programs_.of(shader));
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     const auto& [surface, pattern, grazing, form, footprint, frame] = missing[i].key;
     const std::string_view patternText = pattern.valid() ? pattern.glsl() : "";
@@ -398,6 +401,8 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
     source.add(pattern.preamble());
     if (footprint) source.add("#define LUXO_TEXTURED\n#define LUXO_FINDS_FOOTPRINT\n");
     if (frame) source.add("#define LUXO_FINDS_FRAME\n");
+    std::string material;
+    if (pattern.shader()) source.add(programs_.of(pattern.shader()).sources(pattern.given(), material));
     missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
   });
   for (Missing& m : missing) {
@@ -448,6 +453,11 @@ const std::vector<std::uint32_t>& ScenePipelines::patternShader(const DrawState&
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"pattern", pattern.glsl()});
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
+  std::string material;
+  if (pattern.shader()) {
+    const auto own = programs_.of(pattern.shader()).sources(pattern.given(), material);
+    sources.insert(sources.end(), own.begin(), own.end());
+  }
   const std::string preamble = pattern.preamble() + (state.tangents ? "#define LUXO_VERTEX_TANGENTS\n" : "");
   auto shader = gpu::ShaderCompiler().compile({.source = *source, .includes = sources, .preamble = preamble});
   context_->counted().shadersCompiled += shader.compiled;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "draw/draw_list.h"
+#include "draw/material_program.h"
 #include "draw/view_targets.h"
 #include "gpu/descriptor.h"
 #include "gpu/pipeline.h"
@@ -62,6 +63,8 @@ class ScenePipelines {
   [[nodiscard]] const gpu::DescriptorLayout& shadowLayout();
   [[nodiscard]] const gpu::DescriptorLayout& layersLayout();
   [[nodiscard]] VkSampler texelSampler();
+  /// The shaders that materials have.
+  [[nodiscard]] MaterialPrograms& programs() { return programs_; }
 
  private:
   struct Made {
@@ -103,6 +106,7 @@ class ScenePipelines {
   /// Whether vertices have tangents.
   std::map<std::tuple<Paint, std::string_view, bool>, std::vector<std::uint32_t>> patternShaders_;
   std::map<std::pair<DrawState, TargetFormat>, Made> pipelines_;
+  MaterialPrograms programs_;
   std::uint64_t picture_ = 0;
 };
 

@@ -54,7 +54,8 @@ struct FrameError {
   /// Pixels that were audited; those that were found wrong, in any attempt; those of the last attempt that
   /// the reference cannot decide.
   std::uint64_t auditedPx = 0, auditFailedPx = 0, auditUndecidedPx = 0;
-  std::uint64_t nonfinitePx = 0;  ///< pixels with a value that is no finite number
+  std::uint64_t nonfinitePx =
+      0;  ///< pixels with a value that is no finite number: pictures show them in magenta
 };
 
 struct FrameStatistics {

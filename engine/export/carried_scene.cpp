@@ -11,7 +11,10 @@ bool namesFiles(const SceneFile& file) {
   return std::ranges::any_of(
              file.surfaces,
              [](const SurfaceDesc& surface) { return std::holds_alternative<MeshShape>(surface.shape); }) ||
-         std::ranges::any_of(file.textures, [](const TextureDesc& texture) { return !texture.file.empty(); });
+         std::ranges::any_of(file.textures,
+                             [](const TextureDesc& texture) { return !texture.file.empty(); }) ||
+         std::ranges::any_of(file.materials,
+                             [](const MaterialDesc& material) { return !material.shader.empty(); });
 }
 
 std::optional<std::string> carriedScene(SceneFile file, std::span<const ParameterOverride> overrides,

@@ -36,13 +36,25 @@ const ShaderSource* find(std::span<const ShaderSource> sources, std::string_view
   return found == sources.end() ? nullptr : &*found;
 }
 
+/// What a file of that name means by a name: what is beside it, or whatever is called so.
+const ShaderSource* find(std::span<const ShaderSource> sources, std::string_view name,
+                         std::string_view includer) {
+  const fs::path beside = (fs::path(includer).parent_path() / name).lexically_normal();
+  const ShaderSource* source = find(sources, beside.string());
+  return source ? source : find(sources, name);
+}
+
 /// The names in `#include "..."` of a text. Those in comments count, too, which is more than enough.
 std::vector<std::string_view> includedBy(std::string_view text) {
-  constexpr std::string_view kDirective = "#include \"";
+  constexpr std::string_view kBlank = " \t", kDirective = "include";
   std::vector<std::string_view> names;
-  for (std::size_t at = text.find(kDirective); at != text.npos; at = text.find(kDirective, at)) {
-    at += kDirective.size();
-    names.push_back(text.substr(at, std::min(text.find('"', at), text.find('\n', at)) - at));
+  for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1)) {
+    std::size_t name = text.find_first_not_of(kBlank, at + 1);
+    if (name == text.npos || !text.substr(name).starts_with(kDirective)) continue;
+    name = text.find_first_not_of(kBlank, name + kDirective.size());
+    if (name == text.npos || text[name] != '"') continue;
+    ++name;
+    names.push_back(text.substr(name, std::min(text.find('"', name), text.find('\n', name)) - name));
   }
   return names;
 }
@@ -66,7 +78,7 @@ class ContentHash {
 std::string contentName(const ShaderDesc& desc) {
   ContentHash hash;
   hash.add(fmt::format("{}.{}.{} {}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR, GLSLANG_VERSION_PATCH,
-                       static_cast<int>(desc.stage)));
+                       static_cast<int>(desc.stage) + (desc.forReflection ? 100 : 0)));
   hash.add(optimizerVersion());
   hash.add(desc.preamble);
   hash.add(desc.sharedFunction);
@@ -76,7 +88,8 @@ std::string contentName(const ShaderDesc& desc) {
     hash.add(open[i]->name);
     hash.add(open[i]->text);
     for (const std::string_view name : includedBy(open[i]->text))
-      if (const ShaderSource* source = find(desc.includes, name); source && seen.insert(name).second)
+      if (const ShaderSource* source = find(desc.includes, name, open[i]->name);
+          source && seen.insert(source->name).second)
         open.push_back(source);
   }
   return hash.name();
@@ -125,9 +138,14 @@ class Includer : public glslang::TShader::Includer {
  public:
   explicit Includer(std::span<const ShaderSource> sources) : sources_(sources) {}
 
-  IncludeResult* includeLocal(const char* name, const char*, std::size_t) override {
-    const ShaderSource* source = find(sources_, name);
-    return source ? new IncludeResult(name, source->text.data(), source->text.size(), nullptr) : nullptr;
+  IncludeResult* includeLocal(const char* name, const char* includer, std::size_t depth) override {
+    constexpr std::size_t kDeepest = 32;
+    constexpr std::string_view kTooDeep = "files include each other without end";
+    if (depth > kDeepest) return new IncludeResult("", kTooDeep.data(), kTooDeep.size(), nullptr);
+    const ShaderSource* source = find(sources_, name, includer);
+    return source ? new IncludeResult(std::string(source->name), source->text.data(), source->text.size(),
+                                      nullptr)
+                  : nullptr;
   }
   void releaseInclude(IncludeResult* result) override { delete result; }
 
@@ -153,25 +171,39 @@ std::string explain(std::string_view line, const ShaderDesc& desc) {
   constexpr std::string_view kPrefix = "ERROR: ";
   if (!line.starts_with(kPrefix)) return std::string(line);
   const std::string_view rest = line.substr(kPrefix.size());
-  const std::size_t nameEnd = rest.find(':'), numberEnd = rest.find(": ", nameEnd + 1);
-  if (nameEnd == rest.npos || numberEnd == rest.npos) return std::string(rest);
-  const std::string_view name = rest.substr(0, nameEnd);
-  const ShaderSource* source = name == desc.source.name ? &desc.source : find(desc.includes, name);
+  const auto isNamed = [&](const ShaderSource& source) {
+    return rest.starts_with(source.name) && rest.substr(source.name.size()).starts_with(':');
+  };
+  const auto included = std::ranges::find_if(desc.includes, isNamed);
+  const ShaderSource* source = isNamed(desc.source)              ? &desc.source
+                               : included != desc.includes.end() ? &*included
+                                                                 : nullptr;
+  if (!source) return std::string(rest);
+  const std::string_view name = source->name, all = source->shown.empty() ? source->text : source->shown;
+  const std::size_t nameEnd = name.size(), numberEnd = rest.find(": ", nameEnd + 1);
+  if (numberEnd == rest.npos) return std::string(rest);
   std::size_t number = 0;
   std::from_chars(rest.data() + nameEnd + 1, rest.data() + numberEnd, number);
-  if (!source || number == 0) return std::string(rest);
+  if (number == 0) return std::string(rest);
 
   std::size_t begin = 0;
-  for (std::size_t i = 1; i < number && begin != source->text.npos; ++i)
-    begin = source->text.find('\n', begin) + 1;
-  const std::string_view text = source->text.substr(begin, source->text.find('\n', begin) - begin);
-  const std::string_view message = rest.substr(numberEnd + 2);
+  for (std::size_t i = 1; i < number; ++i) {
+    const std::size_t end = all.find('\n', begin);
+    if (end == all.npos) break;
+    begin = end + 1;
+  }
+  const std::string_view text = all.substr(begin, std::min(all.find('\n', begin), all.size()) - begin);
+  std::string_view message = rest.substr(numberEnd + 2);
+  constexpr std::string_view kNoToken = "'' : ";
+  if (message.starts_with(kNoToken)) message.remove_prefix(kNoToken.size());
+  message = message.substr(std::min(message.find_first_not_of(' '), message.size()));
+  message = message.substr(0, message.find_last_not_of(' ') + 1);
   // The compiler knows the line and the token, not the column.
   const std::string_view token =
       message.starts_with('\'') ? message.substr(1, message.find('\'', 1) - 1) : "";
   const std::size_t column = token.empty() ? text.npos : text.find(token);
   const std::size_t from = begin + (column == text.npos ? 0 : column);
-  return describe(name, source->text,
+  return describe(name, all,
                   {.where = {from, column == text.npos ? begin + text.size() : from + token.size()},
                    .message = std::string(message),
                    .hint = {}});
@@ -215,20 +247,26 @@ std::vector<std::uint32_t> translate(const ShaderDesc& desc) {
   shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
-  constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+  const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules |
+                                                 (desc.forReflection ? EShMsgKeepUncalled : EShMsgDefault));
+  if (desc.forReflection) {
+    shader.setEnvInputVulkanRulesRelaxed();
+    shader.setAutoMapBindings(true);
+    shader.setAutoMapLocations(true);
+  }
   Includer includer(desc.includes);
-  if (!shader.parse(GetDefaultResources(), 460, false, kMessages, includer))
-    reject(desc, shader.getInfoLog());
+  if (!shader.parse(GetDefaultResources(), 460, false, messages, includer)) reject(desc, shader.getInfoLog());
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(kMessages)) reject(desc, program.getInfoLog());
+  if (!program.link(messages)) reject(desc, program.getInfoLog());
+  if (desc.forReflection && !program.mapIO()) reject(desc, program.getInfoLog());
   std::vector<std::uint32_t> words;
   glslang::GlslangToSpv(*program.getIntermediate(language), words);
   return words;
 }
 
 std::vector<std::uint32_t> compileNow(const ShaderDesc& desc) {
-  return optimized(translate(desc), desc.sharedFunction);
+  return desc.forReflection ? translate(desc) : optimized(translate(desc), desc.sharedFunction);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace luxo::gpu {
 struct ShaderSource {
   std::string_view name;
   std::string_view text;
+  std::string_view shown = {};  ///< the lines that messages show, where the text is not as it was written
 };
 
 enum class ShaderStage { Vertex, Fragment, Compute };
@@ -22,10 +23,14 @@ enum class ShaderStage { Vertex, Fragment, Compute };
 struct ShaderDesc {
   ShaderSource source;  ///< with its #version
   ShaderStage stage = ShaderStage::Fragment;
-  std::span<const ShaderSource> includes =
-      {};                                ///< all that it may include; those it does not use cost nothing
+  /// All that it may include, by name or by its path from the including one's; those it does not use cost
+  /// nothing.
+  std::span<const ShaderSource> includes = {};
   std::string_view preamble = {};        ///< read after the #version: lines of #define
   std::string_view sharedFunction = {};  ///< of optimized()
+  /// To be reflected (gpu/shader_reflection.h), not run: every name stays, functions that nobody calls too,
+  /// nothing is optimised; uniforms may be outside of blocks, and places (set, binding, location) left out.
+  bool forReflection = false;
 };
 
 /// Keeps on disk what it compiled and optimised, by content: the source, what it includes and the compiler's

@@ -82,6 +82,8 @@ class Judge {
       std::iota(chosen_.begin(), chosen_.end(), 0U);
     }
     pixels_.resize(chosen_.size());
+    anyShader_ =
+        std::ranges::any_of(snapshot.materials, [](const Material& m) { return m.shader != nullptr; });
   }
 
   JudgedPicture judged() {
@@ -268,8 +270,18 @@ class Judge {
     return sum;
   }
 
+  /// Whether it is of a material that has a shader, or may be seen before one.
+  [[nodiscard]] bool isLitByShader(double number) const {
+    const auto node = layers_.nodeOf(number);
+    if (!anyShader_ || !node) return false;
+    const Material& material = snapshot_.materials[snapshot_.nodes[*node].material.index];
+    return material.shader || material.transparent();
+  }
+
   void compareColors(JudgedPixel& pixel, std::uint32_t i) const {
     if (measured_.color.empty()) return;
+    pixel.byShader = isLitByShader(truth_.number[i]) || isLitByShader(measured_.id.samples()[i]);
+    if (pixel.byShader) return;
     const Vec3 shown = valueAt(measured_.color, i), seen = valueAt(truth_.color, i);
     pixel.color = 0;
     for (int c = 0; c < 3; ++c) {
@@ -351,8 +363,8 @@ class Judge {
     pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
     const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
     const SnapshotNode& of = snapshot_.nodes[node];
-    if (!shadows || measured_.color.empty() || measured_.normal.empty() || of.surface.flatNormal() ||
-        onTriangles(node) ||
+    if (!shadows || pixel.byShader || measured_.color.empty() || measured_.normal.empty() ||
+        of.surface.flatNormal() || onTriangles(node) ||
         snapshot_.materials[of.material.index].shadingIn(options_.shading) != Shading::Phong)
       return;
     const Vec2 center = centerOf(i);
@@ -372,7 +384,7 @@ class Judge {
     const auto node = layers_.nodeOf(truth_.number[i]);
     if (!node) return false;
     const Material& material = snapshot_.materials[snapshot_.nodes[*node].material.index];
-    return material.drawsMaps() && material.shadingIn(options_.shading) == Shading::Exact;
+    return material.drawsMaps() && !material.shader && material.shadingIn(options_.shading) == Shading::Exact;
   }
 
   /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.
@@ -540,6 +552,7 @@ class Judge {
   DepthScale depthScale_;
   std::vector<std::uint32_t> chosen_;
   std::vector<JudgedPixel> pixels_;  // as chosen_
+  bool anyShader_ = false;           // of a material
   bool coarse_ = false;              // kMostTurned
 };
 

@@ -15,6 +15,7 @@ inline constexpr double kUnset = -1;  ///< of errors: nothing was compared
 struct JudgedPixel {
   Mismatch mismatch = Mismatch::None;
   bool compared = false, inside = false, differs8 = false, nan = false;
+  bool byShader = false;  ///< its colour is a material's own shader's, of which there is no truth
   bool offPoint = false, offLight = false;  // wrong, unless near an outline or a shadow's border
   float silhouettePx = 0;
   double position = kUnset, parameter = kUnset, point = kUnset, depth = kUnset, normal = kUnset,

@@ -163,6 +163,7 @@ class Sums {
       if (!pixel.compared) continue;
       covered += truth_.number[judged_.chosen[k]] != 0 ? 1 : 0;
       c.differing8 += pixel.differs8 ? 1 : 0;
+      c.byShader += pixel.byShader ? 1 : 0;
       if (!pixel.inside) continue;
       squares += pixel.squares;
       coded += pixel.codedSquares;
@@ -174,7 +175,7 @@ class Sums {
     c.psnrLinear = psnr(squares);
     c.psnrSrgb = psnr(coded);
     c.differing8Part = covered == 0 ? 0 : static_cast<double>(c.differing8) / static_cast<double>(covered);
-    if (options_.flip && options_.pixels.empty()) {
+    if (options_.flip && options_.pixels.empty() && c.byShader == 0) {
       const Flip seen = flip(truth_.color, measured_.color);
       c.flipMean = seen.mean;
       c.flipP999 = seen.p999;

@@ -123,8 +123,9 @@ struct ColorErrors {
   double psnrLinear = 0, psnrSrgb = 0;
   std::uint64_t differing8 = 0;  ///< of all compared pixels, those with another 8-bit code in some channel
   double differing8Part = 0;     ///< over the covered ones
+  std::uint64_t byShader = 0;    ///< pixels whose colour is a material's own shader's: not compared
   ErrorSpread difference;        ///< largest channel's, scene-linear, same pixels as the PSNRs
-  /// Of the whole picture (image/flip.h); nothing when only some pixels were judged.
+  /// Of the whole picture (image/flip.h); nothing when not all pixels' colours were judged.
   std::optional<double> flipMean, flipP999, flipMax;
 };
 

@@ -48,6 +48,19 @@ void validate(const Material& material) {
     reject(material, "map", "given beside a pattern", "alone");
   if (material.lesson && material.diffusePattern.valid())
     reject(material, "the lesson's formula", "given beside a pattern", "alone, or with a map");
+  if (material.shader && (material.transparent() || material.diffusePattern.valid()))
+    reject(material, "its shader", "that of what is seen through, or has a pattern",
+           "of an opaque material without one");
+  if (material.shader && (material.normalMap.valid() || material.lesson))
+    reject(material, "its shader", "given beside a map of normals or the lesson's formula", "alone");
+  for (const UniformValue& uniform : material.uniforms)
+    for (const double value : uniform.values)
+      if (!(std::abs(value) <= kMaxSceneNumber))
+        throw Error(ErrorKind::Scene,
+                    uniform.place.describe(fmt::format("material '{}': the uniform '{}' is {}; it must be "
+                                                       "finite, from -1e18 to 1e18",
+                                                       material.name, uniform.name, value),
+                                           {}));
   if (!std::isfinite(material.normalScale))
     reject(material, "the scale of its normals", fmt::format("{}", material.normalScale), "finite");
   for (const TextureMap* map : material.maps()) {

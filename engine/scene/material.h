@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "scene/material_shader.h"
 #include "scene/pattern.h"
 #include "scene/shading.h"
 #include "scene/texture_map.h"
@@ -71,10 +72,18 @@ struct Material {
   /// through; between vertices and in drawings as any other. `shininess` is its exponent, or the byte, red,
   /// of `specularMap`; its ambient light is its own. There is no pattern.
   bool lesson = false;
+  /// Lights it instead of all that is above but the maps of colours, which it may ask for: in every pixel,
+  /// whatever the shading. Nothing is seen through it, and there is no pattern and no map of normals. The
+  /// ground truth cannot run it: it draws the material without.
+  MaterialShaderPtr shader = nullptr;
+  std::vector<UniformValue> uniforms = {};  ///< of the shader: those that are given
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] Shading shadingIn(Shading picture) const {
-    return showsData(picture) ? picture : shading.value_or(picture);
+    if (showsData(picture)) return picture;
+    const Shading own = shading.value_or(picture);
+    if (!shader) return own;
+    return own == Shading::Gouraud ? Shading::Phong : own == Shading::Toon ? Shading::Exact : own;
   }
   [[nodiscard]] bool transparent() const {
     return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity();
@@ -89,11 +98,11 @@ struct Material {
   [[nodiscard]] bool hasMaps() const {
     return map.valid() || normalMap.valid() || specularMap.valid() || glowMap.valid();
   }
-  /// Or as if there were some: the lesson's formula.
-  [[nodiscard]] bool drawsMaps() const { return (hasMaps() || lesson) && !transparent(); }
+  /// Or as if there were some: the lesson's formula, a shader.
+  [[nodiscard]] bool drawsMaps() const { return (hasMaps() || lesson || shader) && !transparent(); }
   [[nodiscard]] bool drawsLesson() const { return lesson && !transparent(); }
   /// Whether a light adds something to a surface that is turned away from it.
-  [[nodiscard]] bool lightsBelowHorizon() const { return lectureSpecular || lesson; }
+  [[nodiscard]] bool lightsBelowHorizon() const { return lectureSpecular || lesson || shader; }
   [[nodiscard]] double opacityAt(double u, double v) const {
     return diffusePattern.hasOpacity() ? opacity * diffusePattern.opacityAt(u, v, patternParameters)
                                        : opacity;

@@ -15,6 +15,7 @@
 #include "scene/moment_formulas.h"
 #include "scene/scene_variables.h"
 #include "scene/scene_warnings.h"
+#include "scene/shader_files.h"
 #include "scene/shape_builder.h"
 #include "scene/surface_names.h"
 #include "scene/texture_builder.h"
@@ -88,6 +89,10 @@ bool bendsAlongTangents(const MaterialDesc& material) {
   return material.normalMap && material.normalMap->space == NormalSpace::Tangent;
 }
 
+bool knowsTangents(const MaterialDesc& material) {
+  return bendsAlongTangents(material) || !material.shader.empty();
+}
+
 class SceneConstruction {
  public:
   SceneConstruction(const SceneFile& file, std::span<const ParameterOverride> overrides,
@@ -97,7 +102,7 @@ class SceneConstruction {
         variables_(file, overrides, problems, scene_),
         formulas_(variables_, problems),
         shapes_(variables_, formulas_, problems, warnings, about,
-                std::ranges::any_of(file.materials, bendsAlongTangents)),
+                std::ranges::any_of(file.materials, knowsTangents)),
         images_(formulas_, problems, warnings),
         warnings_(warnings) {}
 
@@ -121,6 +126,7 @@ class SceneConstruction {
   bool acceptNames(const NodeDesc& node, const Surface& surface);
   void addMaps(const MaterialDesc& desc, MovingMaterial& material);
   void requireNumbers(const FileName& texture);
+  void addShader(const MaterialDesc& desc, MovingMaterial& material);
   void addLesson(const MaterialDesc& desc, MovingMaterial& material);
   void addSurface(const SurfaceDesc& desc);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
@@ -175,7 +181,8 @@ struct MovingMaterial {
     std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
     Animated<double> angle = 0.0;
   };
-  std::array<Place, 4> places = {};  ///< of Material::maps()
+  std::array<Place, 4> places = {};                          ///< of Material::maps()
+  std::vector<std::vector<Animated<double>>> uniforms = {};  ///< of each the values
 
   [[nodiscard]] Material at(const Moment& moment) const {
     Material material = fixed;
@@ -193,6 +200,9 @@ struct MovingMaterial {
       maps[i]->scale = {place.scale[0].at(moment), place.scale[1].at(moment)};
       maps[i]->angle = place.angle.at(moment);
     }
+    for (std::size_t i = 0; i < uniforms.size(); ++i)
+      for (const Animated<double>& value : uniforms[i])
+        material.uniforms[i].values.push_back(value.at(moment));
     return material;
   }
 
@@ -206,6 +216,7 @@ struct MovingMaterial {
       moves = moves || number.movesWithTime();
     };
     std::ranges::for_each(patternParameters, consider);
+    for (const std::vector<Animated<double>>& values : uniforms) std::ranges::for_each(values, consider);
     for (const Place& place : places)
       for (const Animated<double>& number :
            {place.offset[0], place.offset[1], place.scale[0], place.scale[1], place.angle})
@@ -254,6 +265,30 @@ void SceneConstruction::addLesson(const MaterialDesc& desc, MovingMaterial& mate
         {rangeOf(desc.name.place), "what is seen through is not lit by the lesson's formula", {}});
 }
 
+void SceneConstruction::addShader(const MaterialDesc& desc, MovingMaterial& material) {
+  if (desc.shader.empty()) return;
+  const SceneSource& source = problems_.source();
+  const auto files = source.shaders ? source.shaders : std::make_shared<ShaderFiles>();
+  attempt(desc.shader.place, [&] { material.fixed.shader = files->get(desc.shader.text); });
+  if (!isOpaque(desc) || material.fixed.diffusePattern.hasOpacity())
+    problems_.add(desc.shader.place, "a shader of what is seen through is not drawn yet",
+                  "leave out \"opacity\" and \"blend\", or the shader");
+  else if (material.fixed.diffusePattern.valid())
+    problems_.add(desc.shader.place, "the diffuse colour uses u or v, and there is a shader, too",
+                  "compute the colour in the shader, from uv");
+  if (desc.normalMap)
+    problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");
+  if (desc.lesson)
+    problems_.add(desc.shader.place, "the lesson's formula and a shader exclude each other",
+                  "leave out one of them");
+  for (const UniformDesc& uniform : desc.uniforms) {
+    std::vector<Animated<double>>& values = material.uniforms.emplace_back();
+    for (const Quantity& value : uniform.values) values.push_back(formulas_.number(value, kPlace));
+    material.fixed.uniforms.push_back(
+        {uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
+  }
+}
+
 /// Vectors are not colours: decoded as these they would lead elsewhere.
 void SceneConstruction::requireNumbers(const FileName& texture) {
   const auto desc = std::ranges::find(file_.textures, texture.text,
@@ -294,6 +329,7 @@ std::optional<MaterialId> SceneConstruction::makeMaterial(const MaterialDesc& de
     material.shininess = formulas_.number(desc.shininess, kLight);
     addMaps(desc, material);
     addLesson(desc, material);
+    addShader(desc, material);
     made = scene_.add(std::move(material).animated());
   });
   return made;

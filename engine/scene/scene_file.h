@@ -32,6 +32,7 @@
 namespace luxo {
 
 class ModelFiles;
+class ShaderFiles;
 class TextureFiles;
 enum class NormalRule;
 
@@ -128,6 +129,15 @@ struct NormalMapDesc {
   friend bool operator==(const NormalMapDesc&, const NormalMapDesc&) = default;
 };
 
+/// A value for a uniform of a material's shader: a number, or some, those of matrices row after row.
+struct UniformDesc {
+  FileName name = {};
+  std::vector<Quantity> values = {};
+  FilePlace place = {};
+
+  friend bool operator==(const UniformDesc&, const UniformDesc&) = default;
+};
+
 /// As Material. A diffuse or ambient colour, or an opacity, that uses u or v is a pattern on the surface.
 struct MaterialDesc {
   FileName name = {};
@@ -142,6 +152,8 @@ struct MaterialDesc {
   bool lesson = false;  ///< "shading": "lesson", which is exact shading otherwise
   std::optional<MapDesc> map = {}, specularMap = {}, glowMap = {};
   std::optional<NormalMapDesc> normalMap = {};
+  FileName shader = {};  ///< relative to the folder of the scene, and in it; empty: none
+  std::vector<UniformDesc> uniforms = {};
 
   /// Those that there are, in the order of Material::maps(); null: none.
   [[nodiscard]] std::array<const MapDesc*, 4> maps() const {
@@ -313,6 +325,7 @@ struct SceneSource {
   std::shared_ptr<const std::string> text;      ///< null for what was made in C++
   std::shared_ptr<ModelFiles> models = {};      ///< null: of the current folder
   std::shared_ptr<TextureFiles> textures = {};  ///< the same
+  std::shared_ptr<ShaderFiles> shaders = {};    ///< the same
 
   friend bool operator==(const SceneSource&, const SceneSource&) { return true; }
 };

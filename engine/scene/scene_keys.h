@@ -36,9 +36,9 @@ inline constexpr std::array<Names, 2> kOcclusionNames = {"method", "radius"};
 inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
 inline constexpr std::array<Names, 8> kTextureNames = {"file", "checker", "squares",    "color",
                                                        "wrap", "filter",  "anisotropy", "data"};
-inline constexpr std::array<Names, 13> kMaterialNames = {
-    "diffuse", "ambient",          "specular", "shininess",  "opacity",      "blend",   "two_sided",
-    "shading", "lecture_specular", "map",      "normal_map", "specular_map", "glow_map"};
+inline constexpr std::array<Names, 15> kMaterialNames = {
+    "diffuse",          "ambient", "specular",   "shininess",    "opacity",  "blend",  "two_sided", "shading",
+    "lecture_specular", "map",     "normal_map", "specular_map", "glow_map", "shader", "uniforms"};
 inline constexpr std::array<Names, 4> kTextureMapNames = {"texture", "offset", "scale", "rotate"};
 inline constexpr std::array<Names, 5> kNormalMapNames = {"texture", "offset", "scale", "rotate", "space"};
 inline constexpr std::array<Names, 7> kFormulaNames = {"type",   "position", "u",       "v",

@@ -25,6 +25,7 @@
 #include "scene/model_files.h"
 #include "scene/scene_construction.h"
 #include "scene/scene_members.h"
+#include "scene/shader_files.h"
 #include "scene/shape_reader.h"
 #include "scene/texture_files.h"
 
@@ -61,6 +62,7 @@ class SceneReader {
   /// The name of something that stands in `section`.
   void readReference(const JsonValue& value, std::string_view section, FileName& target);
   void readColor(const JsonValue& value, Quantity3& target);
+  void readUniforms(const JsonValue& value, std::vector<UniformDesc>& uniforms);
   void readVisible(const JsonValue& visible, Quantity& target);
   void readLight(const JsonValue& value, LightDesc& light);
   void readMap(const JsonValue& value, ShadowMapDesc& map);
@@ -255,7 +257,36 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
     if (!material.lesson) material.shading = static_cast<Shading>(word);
   }
   values_.read(members["lecture_specular"], material.lectureSpecular);
+  values_.read(members["shader"], material.shader);
+  if (const JsonValue uniforms = members["uniforms"]; uniforms.exists()) {
+    if (material.shader.empty())
+      problems_.add(uniforms.where(), "there are uniforms and no shader", "name its file as \"shader\"");
+    readUniforms(uniforms, material.uniforms);
+  }
   file_.materials.push_back(std::move(material));
+}
+
+void SceneReader::readUniforms(const JsonValue& value, std::vector<UniformDesc>& uniforms) {
+  readNamed(value, [&](const JsonValue& v, const FileName& name) {
+    UniformDesc uniform{.name = name, .place = placeOf(v.where())};
+    const auto add = [&](const auto& self, const JsonValue& one) -> void {
+      if (one.kind() == JsonKind::Array) {
+        for (JsonValue item = one.first(); item.exists(); item = item.next()) self(self, item);
+      } else if (one.isBoolean()) {
+        bool truth = false;
+        values_.read(one, truth);
+        uniform.values.emplace_back(truth ? 1 : 0, placeOf(one.where()));
+      } else if (one.kind() == JsonKind::String && one.string().starts_with('#')) {
+        Quantity3 color;
+        if (values_.readColor(one, color))
+          uniform.values.insert(uniform.values.end(), color.begin(), color.end());
+      } else {
+        values_.read(one, uniform.values.emplace_back());
+      }
+    };
+    add(add, v);
+    uniforms.push_back(std::move(uniform));
+  });
 }
 
 void SceneReader::readNodes(const JsonValue& nodes, std::uint32_t parent) {
@@ -478,7 +509,8 @@ std::string readText(const std::filesystem::path& path) {
 SceneFile parseScene(std::string text, std::string name, const std::filesystem::path& folder) {
   SceneFile file;
   file.source = {name, std::make_shared<const std::string>(std::move(text)),
-                 std::make_shared<ModelFiles>(folder), std::make_shared<TextureFiles>(folder)};
+                 std::make_shared<ModelFiles>(folder), std::make_shared<TextureFiles>(folder),
+                 std::make_shared<ShaderFiles>(folder)};
   SceneProblems problems(file.source);
   {
     const JsonDocument document(file.source.text);

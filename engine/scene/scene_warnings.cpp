@@ -165,6 +165,7 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
     if (material.ambient) visitAll(*material.ambient, visit);
     visitAll(material.specular, visit);
     visitAll({{material.shininess, material.opacity}}, visit);
+    for (const UniformDesc& uniform : material.uniforms) visitAll(uniform.values, visit);
   }
   for (const SurfaceDesc& surface : file.surfaces) {
     std::visit(ShapeVisitor{visit}, surface.shape);

@@ -152,6 +152,14 @@ JsonText written(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
   return members.take();
 }
 
+JsonText written(const std::vector<UniformDesc>& uniforms) {
+  Members members;
+  for (const UniformDesc& uniform : uniforms)
+    members.put(uniform.name.text,
+                uniform.values.size() == 1 ? written(uniform.values[0]) : written(uniform.values));
+  return members.take();
+}
+
 JsonText written(const MaterialDesc& material) {
   const MaterialDesc usual;
   Members members;
@@ -171,6 +179,8 @@ JsonText written(const MaterialDesc& material) {
     members.put("normal_map", written(material.normalMap->map, material.normalMap->space));
   if (material.specularMap) members.put("specular_map", written(*material.specularMap));
   if (material.glowMap) members.put("glow_map", written(*material.glowMap));
+  if (!material.shader.empty()) members.put("shader", JsonText::string(material.shader.text));
+  if (!material.uniforms.empty()) members.put("uniforms", written(material.uniforms));
   return members.take();
 }
 

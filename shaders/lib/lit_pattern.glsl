@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light on a point of a material with a pattern.
+// The light on a point of a material with a pattern, or with a shader.
 #extension GL_GOOGLE_include_directive : require
+#ifdef LUXO_SHADER
+#include "lib/lit_shader.glsl"
+#else
 #include "lib/found.glsl"
 #include "lib/pattern.glsl"
 #ifdef LUXO_MAPS
@@ -35,3 +38,4 @@ vec3 lit(Found found) {
   return light;
 #endif
 }
+#endif

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shader_inspection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "draw/material_program.h"
+#include "gpu/shader_reflection.h"
+#include "scene/shader_files.h"
+
+namespace luxo {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 3> kStages = {"vertex", "fragment", "compute"};
+constexpr std::array<std::string_view, 3> kBlockKinds = {"uniform", "storage", "push constants"};
+
+gpu::ShaderStage stageOf(const std::string& suffix) {
+  return suffix == ".vert"   ? gpu::ShaderStage::Vertex
+         : suffix == ".comp" ? gpu::ShaderStage::Compute
+                             : gpu::ShaderStage::Fragment;
+}
+
+std::vector<std::uint32_t> wordsOf(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream && bytes.empty())
+    throw Error(ErrorKind::Scene, fmt::format("cannot read the shader '{}'", path.string()));
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  return words;
+}
+
+bool hasMain(const MaterialShader& shader) {
+  static const std::regex kMain(R"(\bvoid\s+main\s*\()");
+  return std::ranges::any_of(shader.files,
+                             [](const auto& file) { return std::regex_search(file.text, kMain); });
+}
+
+gpu::ShaderInterface ofProgram(const MaterialShader& shader, gpu::ShaderStage stage) {
+  std::vector<gpu::ShaderSource> files;
+  for (const MaterialShader::File& file : shader.files) files.push_back({file.name, file.text});
+  return gpu::reflect(gpu::ShaderCompiler()
+                          .compile({.source = files.front(),
+                                    .stage = stage,
+                                    .includes = std::span(files).subspan(1),
+                                    .preamble = "#extension GL_GOOGLE_include_directive : enable\n",
+                                    .forReflection = true})
+                          .spirv);
+}
+
+Json jsonOf(const gpu::ShaderVariable& variable, bool laidOut) {
+  Json json = {{"name", variable.name}, {"type", variable.type}};
+  if (!variable.array.empty()) json["array"] = variable.array;
+  if (variable.location) json["location"] = *variable.location;
+  if (variable.set) json["set"] = *variable.set;
+  if (variable.binding) json["binding"] = *variable.binding;
+  if (laidOut) {
+    json["offset"] = variable.offset;
+    json["size"] = variable.size;
+    if (variable.arrayStride > 0) json["array_stride"] = variable.arrayStride;
+    if (variable.matrixStride > 0) json["matrix_stride"] = variable.matrixStride;
+  }
+  json["active"] = variable.active;
+  for (const gpu::ShaderVariable& member : variable.members)
+    json["members"].push_back(jsonOf(member, laidOut));
+  return json;
+}
+
+Json jsonOf(const std::vector<gpu::ShaderVariable>& variables, bool laidOut = false) {
+  Json list = Json::array();
+  for (const gpu::ShaderVariable& variable : variables) list.push_back(jsonOf(variable, laidOut));
+  return list;
+}
+
+Json jsonOf(const gpu::ShaderBlock& block) {
+  Json json = {{"name", block.name}, {"kind", kBlockKinds[static_cast<std::size_t>(block.kind)]}};
+  if (block.kind != gpu::ShaderBlock::Kind::Push)
+    json.update({{"set", block.set}, {"binding", block.binding}});
+  json.update({{"size", block.size}, {"active", block.active}, {"members", jsonOf(block.members, true)}});
+  return json;
+}
+
+std::string arrayOf(const Json& variable) {
+  std::string text;
+  if (variable.contains("array"))
+    for (const Json& size : variable["array"]) text += fmt::format("[{}]", size.get<std::uint32_t>());
+  return text;
+}
+
+std::string lineOf(const Json& variable, int indent) {
+  std::string line = fmt::format("{:{}}{:<10} {:<24}", "", indent, variable["type"].get<std::string>(),
+                                 variable["name"].get<std::string>() + arrayOf(variable));
+  for (const auto& [key, label] : {std::pair{"location", "location"},
+                                   {"set", "set"},
+                                   {"binding", "binding"},
+                                   {"offset", "offset"},
+                                   {"size", "bytes"},
+                                   {"array_stride", "array stride"},
+                                   {"matrix_stride", "matrix stride"}})
+    if (variable.contains(key)) line += fmt::format(" {} {:<4}", label, variable[key].get<std::uint32_t>());
+  if (!variable["active"].get<bool>()) line += " not used";
+  line.erase(line.find_last_not_of(' ') + 1);
+  line += "\n";
+  if (variable.contains("members"))
+    for (const Json& member : variable["members"]) line += lineOf(member, indent + 2);
+  return line;
+}
+
+}  // namespace
+
+bool isShader(const std::string& path) {
+  constexpr std::array kSuffixes = {".vert", ".frag", ".comp", ".glsl", ".spv"};
+  return std::ranges::find(kSuffixes, fs::path(path).extension().string()) != kSuffixes.end();
+}
+
+Json inspectShader(const std::string& name) {
+  const fs::path path(name);
+  const std::string suffix = path.extension().string();
+  gpu::ShaderInterface all;
+  bool isMaterial = false;
+  if (suffix == ".spv") {
+    all = gpu::reflect(wordsOf(path));
+  } else {
+    const MaterialShaderPtr shader = ShaderFiles(path.parent_path()).get(path.filename().string());
+    isMaterial = !hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment;
+    all = isMaterial ? MaterialProgram(shader).interface() : ofProgram(*shader, stageOf(suffix));
+  }
+  Json json = {{"luxo", LUXO_VERSION},
+               {"inspect", 1},
+               {"shader", name},
+               {"stage", kStages[static_cast<std::size_t>(all.stage)]},
+               {"material", isMaterial}};
+  if (isMaterial) {
+    json["uniforms"] = all.blocks.empty() ? Json::array() : jsonOf(all.blocks.front().members, true);
+    return json;
+  }
+  json["inputs"] = jsonOf(all.inputs);
+  json["outputs"] = jsonOf(all.outputs);
+  json["blocks"] = Json::array();
+  for (const gpu::ShaderBlock& block : all.blocks) json["blocks"].push_back(jsonOf(block));
+  json["samplers"] = jsonOf(all.samplers);
+  json["constants"] = jsonOf(all.constants);
+  return json;
+}
+
+std::string shaderText(const Json& json) {
+  const bool isMaterial = json["material"].get<bool>();
+  std::string text = fmt::format(
+      "{}: {}\n", json["shader"].get<std::string>(),
+      isMaterial ? "the shader of a material" : fmt::format("a {} shader", json["stage"].get<std::string>()));
+  const auto list = [&](const char* key, std::string_view title) {
+    if (!json.contains(key) || json[key].empty()) return;
+    text += fmt::format("{}\n", title);
+    for (const Json& variable : json[key]) text += lineOf(variable, 2);
+  };
+  list("uniforms", "uniforms");
+  list("inputs", json["stage"] == "vertex" ? "attributes" : "inputs");
+  list("outputs", json["stage"] == "vertex" ? "varyings" : "outputs");
+  if (json.contains("blocks"))
+    for (const Json& block : json["blocks"]) {
+      text += fmt::format("block {}: {}, {} bytes", block["name"].get<std::string>(),
+                          block["kind"].get<std::string>(), block["size"].get<std::uint32_t>());
+      if (block.contains("set"))
+        text += fmt::format(", set {}, binding {}", block["set"].get<std::uint32_t>(),
+                            block["binding"].get<std::uint32_t>());
+      text += block["active"].get<bool>() ? "\n" : ", not used\n";
+      for (const Json& member : block["members"]) text += lineOf(member, 2);
+    }
+  list("samplers", "samplers and images");
+  list("constants", "specialization constants");
+  return text;
+}
+
+}  // namespace luxo

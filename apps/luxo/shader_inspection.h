@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// luxo inspect SHADER: what a shader asks of whoever runs it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace luxo {
+
+/// Whether a file is a shader, by its suffix.
+[[nodiscard]] bool isShader(const std::string& path);
+
+/// Of GLSL (.vert, .frag, .comp; .glsl is a fragment shader's) or of SPIR-V (.spv). One without a main
+/// function is a material's (shaders/MATERIALS.md), of which its uniforms are told. Throws Error(Scene) with
+/// what is wrong in it.
+[[nodiscard]] nlohmann::ordered_json inspectShader(const std::string& path);
+[[nodiscard]] std::string shaderText(const nlohmann::ordered_json& json);
+
+}  // namespace luxo

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/material_program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <regex>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/suggestion.h"
+#include "draw/bounded_loops.h"
+#include "luxo/shaders/sources.h"
+#include "math/transform.h"
+
+namespace luxo {
+namespace {
+
+constexpr std::string_view kAlone = "lib/material_alone.glsl", kEntry = "material";
+
+/// How a uniform's value is made of numbers.
+struct UniformType {
+  std::uint32_t columns = 1, rows = 1;
+  std::string scalar;  ///< "float", "int", "uint", "bool"
+
+  [[nodiscard]] std::uint32_t numbers() const { return columns * rows; }
+};
+
+/// Nothing: no value of a scene file is of this type.
+std::optional<UniformType> typeNamed(std::string_view type) {
+  for (const std::string_view scalar : {"float", "int", "uint", "bool"})
+    if (type == scalar) return UniformType{1, 1, std::string(scalar)};
+  for (const auto& [prefix, scalar] :
+       {std::pair{"vec", "float"}, {"ivec", "int"}, {"uvec", "uint"}, {"bvec", "bool"}})
+    if (type.starts_with(prefix))
+      return UniformType{1, static_cast<std::uint32_t>(type.back() - '0'), scalar};
+  if (!type.starts_with("mat")) return std::nullopt;
+  const auto columns = static_cast<std::uint32_t>(type[3] - '0');
+  return UniformType{columns, type.size() > 5 ? static_cast<std::uint32_t>(type[5] - '0') : columns, "float"};
+}
+
+std::string numberAt(const UniformType& type, std::uint32_t index) {
+  const std::string number = fmt::format("shaderNumber({}u)", kShaderNumbers + index);
+  if (type.scalar == "float") return number;
+  return type.scalar == "bool" ? number + " != 0.0" : fmt::format("{}({})", type.scalar, number);
+}
+
+/// Of one element. Numbers of a matrix are row after row, its constructor's are column after column.
+std::string valueAt(const gpu::ShaderVariable& uniform, const UniformType& type, std::uint32_t first) {
+  std::string arguments;
+  for (std::uint32_t column = 0; column < type.columns; ++column)
+    for (std::uint32_t row = 0; row < type.rows; ++row)
+      arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ",
+                               numberAt(type, first + row * type.columns + column));
+  return fmt::format("{}({})", uniform.type, arguments);
+}
+
+std::string arrayText(const gpu::ShaderVariable& uniform) {
+  std::string text = uniform.type;
+  for (const std::uint32_t size : uniform.array) text += fmt::format("[{}]", size);
+  return text;
+}
+
+/// Whether a name may follow a dot in a shader: of what it is given, or of a vector.
+bool isField(const std::string& name) {
+  constexpr std::string_view kFields[] = {"position",  "object",   "normal",   "viewer",  "tangent",
+                                          "bitangent", "Su",       "Sv",       "uv",      "footprint",
+                                          "direction", "distance", "radiance", "visible", "length"};
+  const auto isOf = [&](std::string_view letters) {
+    return name.size() <= 4 && name.find_first_not_of(letters) == name.npos;
+  };
+  return std::ranges::find(kFields, name) != std::end(kFields) || isOf("xyzw") || isOf("rgba") ||
+         isOf("stpq");
+}
+
+constexpr const char* kEntryHint =
+    "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
+
+/// What is wrong with it, of what a compiler says of it joined with luxo's own.
+[[noreturn]] void explain(const MaterialShader& shader, std::string_view said) {
+  const std::string& file = shader.files.front().name;
+  if (said.find("No function definition") != said.npos && said.find("material(struct-Point") != said.npos)
+    throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file),
+                kEntryHint);
+  if (const std::size_t calls = said.find("Recursion detected"); calls != said.npos) {
+    const std::size_t begin = said.find_first_not_of(" \n", said.find('\n', calls));
+    const std::string name(said.substr(begin, said.find('(', begin) - begin));
+    for (const MaterialShader::File& one : shader.files)
+      if (std::smatch found;
+          std::regex_search(one.text, found, std::regex(fmt::format("\\b{}\\s*\\(", name))))
+        throw Error(ErrorKind::Scene,
+                    describe(one.name, one.text,
+                             {{static_cast<std::size_t>(found.position()),
+                               static_cast<std::size_t>(found.position()) + name.size()},
+                              fmt::format("the function '{}' calls itself, or one that calls it", name),
+                              "functions of GLSL cannot: repeat with a loop"}));
+  }
+  // Line by line what is about its own files, from where one begins to where the next message does.
+  std::string message;
+  bool isOwn = false;
+  for (std::size_t at = said.find('\n'); at != said.npos;) {
+    const std::size_t end = said.find('\n', ++at);
+    const std::string_view line = said.substr(at, end == said.npos ? said.npos : end - at);
+    if (!line.starts_with(' '))
+      isOwn = std::ranges::any_of(shader.files,
+                                  [&](const auto& one) { return line.starts_with(one.name + ":"); });
+    if (isOwn) message += fmt::format("{}{}", message.empty() ? "" : "\n", line);
+    at = end;
+  }
+  throw Error(ErrorKind::Scene, message.empty() ? fmt::format("{}: {}", file, said) : message);
+}
+
+/// 0 of what flattens space.
+Mat3 inverseOrZero(const Mat3& linear) {
+  const double volume = std::abs(glm::dot(linear[0], glm::cross(linear[1], linear[2])));
+  return volume > 0 && std::isfinite(1 / volume) ? glm::transpose(normalMatrix(linear)) / volume : Mat3(0);
+}
+
+}  // namespace
+
+MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(shader)) {
+  for (const MaterialShader::File& file : shader_->files) texts_.push_back(withBoundedLoops(file.text));
+  std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
+  const std::string material = fmt::format("#include \"{}\"\n", shader_->files.front().name);
+  sources.push_back({kEntry, material});
+  for (std::size_t i = 0; i < texts_.size(); ++i)
+    sources.push_back({shader_->files[i].name, texts_[i], shader_->files[i].text});
+  gpu::ShaderCompiler::Result result;
+  try {
+    result = gpu::ShaderCompiler().compile(
+        {.source = *std::ranges::find(kShaderSources, kAlone, &gpu::ShaderSource::name),
+         .includes = sources,
+         .forReflection = true});
+  } catch (const Error& error) {
+    explain(*shader_, error.what());
+  }
+  compiled_ = result.compiled;
+  interface_ = gpu::reflect(result.spirv);
+  requirePure();
+  for (const gpu::ShaderBlock& block : interface_.blocks) {
+    if (!block.loose)
+      throw Error(ErrorKind::Scene,
+                  fmt::format("{}: the block '{}' has no values", shader_->files.front().name, block.name),
+                  "declare what a scene may set as uniforms outside of blocks: uniform float roughness;");
+    uniforms_ = block.members;
+  }
+  if (!interface_.samplers.empty())
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: '{}' is a {}, which scenes do not set yet", shader_->files.front().name,
+                            interface_.samplers.front().name, interface_.samplers.front().type),
+                "give the material a \"map\", and read it with colorMap(p.uv)");
+}
+
+/// Points in, a colour out.
+void MaterialProgram::requirePure() const {
+  const std::string& file = shader_->files.front().name;
+  if (interface_.discards)
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
+        "return a colour everywhere");
+  if (std::ranges::count(interface_.calls, "luxoStops") < std::int64_t{interface_.loops})
+    throw Error(ErrorKind::Scene, fmt::format("{}: a macro spells a loop, which may have no end", file),
+                "write for, while and do where the loop is");
+  for (const auto* variables : {&interface_.inputs, &interface_.outputs})
+    for (const gpu::ShaderVariable& variable : *variables)
+      if (variable.name != "inAny" && variable.name != "outColor" && variable.name != "gl_FragCoord")
+        throw Error(ErrorKind::Scene,
+                    fmt::format("{}: '{}' is an input or output of a program, which a material is not", file,
+                                variable.name),
+                    "the point is the argument of material(), and the colour its result");
+}
+
+const gpu::ShaderVariable* MaterialProgram::find(const std::string& name) const {
+  const auto found = std::ranges::find(uniforms_, name, &gpu::ShaderVariable::name);
+  return found == uniforms_.end() ? nullptr : &*found;
+}
+
+void MaterialProgram::check(const Material& material) const {
+  const std::string& file = shader_->files.front().name;
+  for (const UniformValue& value : material.uniforms) {
+    const auto refuse = [&](const std::string& message, const std::string& hint) {
+      throw Error(ErrorKind::Scene, value.place.describe(message, hint));
+    };
+    const gpu::ShaderVariable* uniform = find(value.name);
+    if (!uniform) {
+      std::vector<std::string> names;
+      for (const gpu::ShaderVariable& known : uniforms_) names.push_back(known.name);
+      refuse(fmt::format("the shader '{}' has no uniform '{}'", file, value.name),
+             didYouMean(value.name, names,
+                        names.empty() ? "it has none" : fmt::format("it has {}", listed(names))));
+    }
+    const std::optional<UniformType> type = typeNamed(uniform->type);
+    if (!type)
+      refuse(fmt::format("the uniform '{}' of '{}' is of type {}, which scenes do not set", value.name, file,
+                         arrayText(*uniform)),
+             "numbers, vectors and matrices of float, int, uint and bool, and arrays of them, are set");
+    const std::size_t wanted = std::size_t{type->numbers()} * uniform->elements();
+    if (value.values.size() != wanted)
+      refuse(fmt::format("the uniform '{}' of '{}' is of type {}: {} number{}, not {}", value.name, file,
+                         arrayText(*uniform), wanted, wanted == 1 ? "" : "s", value.values.size()),
+             {});
+    for (const double number : value.values) {
+      constexpr double kMostWhole = 16777216;  // what floats count to
+      if (type->scalar != "float" && !(number == std::floor(number) && std::abs(number) <= kMostWhole &&
+                                       (type->scalar == "int" || number >= 0)))
+        refuse(fmt::format("the uniform '{}' of '{}' is of type {}, and this is {}", value.name, file,
+                           arrayText(*uniform), number),
+               "give a whole number, up to 16777216");
+      if (type->scalar == "bool" && number > 1)
+        refuse(fmt::format("the uniform '{}' of '{}' is true or false, and this is {}", value.name, file,
+                           number),
+               {});
+    }
+  }
+}
+
+std::vector<std::string> MaterialProgram::unused(const Material& material) const {
+  std::vector<std::string> messages;
+  for (const UniformValue& value : material.uniforms)
+    if (const gpu::ShaderVariable* uniform = find(value.name); uniform && !uniform->active)
+      messages.push_back(value.place.describe(fmt::format("nothing in the shader '{}' uses the uniform '{}'",
+                                                          shader_->files.front().name, value.name),
+                                              {}));
+  return messages;
+}
+
+std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& given,
+                                                        std::string& material) const {
+  // What the shader names is its own, whatever luxo's own shaders call theirs.
+  std::vector<std::string> names;
+  for (const auto* some : {&interface_.functions, &interface_.structures, &interface_.globals})
+    names.insert(names.end(), some->begin(), some->end());
+  for (const gpu::ShaderVariable& uniform : uniforms_) names.push_back(uniform.name);
+  // Constants leave no name behind: those of functions are renamed, too, which changes nothing.
+  static const std::regex kConstant(R"(\bconst\s+(?:(?:highp|mediump|lowp)\s+)?\w+\s+(\w+))");
+  for (const MaterialShader::File& file : shader_->files)
+    for (std::sregex_iterator found(file.text.begin(), file.text.end(), kConstant), end; found != end;
+         ++found)
+      names.push_back((*found)[1].str());
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  constexpr std::string_view kGiven[] = {"main",       "material",  "lightCount",  "light",   "ambientLight",
+                                         "blinnPhong", "colorMap",  "specularMap", "glowMap", "Point",
+                                         "Light",      "luxoStops", "luxoRounds"};
+  std::erase_if(names, [&](const std::string& name) {
+    return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
+  });
+  material = "#define uniform\n";
+  for (const std::string& name : names) material += fmt::format("#define {} luxoOwn_{}\n", name, name);
+  material += fmt::format("#include \"{}\"\nvoid loadUniforms() {{\n", shader_->files.front().name);
+  std::uint32_t first = 0;
+  for (const auto& [name, count] : given) {
+    const gpu::ShaderVariable& uniform = *find(name);
+    const UniformType type = *typeNamed(uniform.type);
+    for (std::uint32_t i = 0; i < uniform.elements(); ++i) {
+      std::string element = name;
+      std::uint32_t rest = i, part = uniform.elements();
+      for (const std::uint32_t size : uniform.array) {
+        part /= size;
+        element += fmt::format("[{}]", rest / part);
+        rest %= part;
+      }
+      material += fmt::format("  {} = {};\n", element, valueAt(uniform, type, first + i * type.numbers()));
+    }
+    first += count;
+  }
+  material += "}\n";
+  for (const std::string& name : names) material += fmt::format("#undef {}\n", name);
+  material += "#undef uniform\n";
+  std::vector<gpu::ShaderSource> sources{{kEntry, material}};
+  for (std::size_t i = 0; i < texts_.size(); ++i)
+    sources.push_back({shader_->files[i].name, texts_[i], shader_->files[i].text});
+  return sources;
+}
+
+const MaterialProgram& MaterialPrograms::of(const MaterialShaderPtr& shader) {
+  const auto known = programs_.find(shader);
+  if (known != programs_.end()) return known->second;
+  const MaterialProgram& program = programs_.emplace(shader, MaterialProgram(shader)).first->second;
+  compiled_ += program.compiled();
+  return program;
+}
+
+void MaterialPrograms::check(const Snapshot& snapshot) {
+  std::vector<MaterialShaderPtr> used;
+  for (const SnapshotNode& node : snapshot.nodes) {
+    const Material& material = snapshot.materials[node.material.index];
+    if (!material.shader) continue;
+    const MaterialProgram& program = of(material.shader);
+    program.check(material);
+    for (const std::string& message : program.unused(material))
+      if (told_.insert(message).second) log(LogLevel::Warning, message);
+    used.push_back(material.shader);
+  }
+  std::erase_if(programs_,
+                [&](const auto& entry) { return std::ranges::find(used, entry.first) == used.end(); });
+}
+
+void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
+                  std::vector<float>& numbers) {
+  const auto add = [&](const Vec3& v) {
+    for (int i = 0; i < 3; ++i) numbers.push_back(static_cast<float>(v[i]));
+  };
+  const Mat3 objectFromWorld = inverseOrZero(node.worldFromObject.linear);
+  add(origin);
+  for (int column = 0; column < 3; ++column) add(objectFromWorld[column]);
+  add(objectFromWorld * (origin - node.worldFromObject.translation));
+  add(ambient);
+  for (const UniformValue& uniform : material.uniforms)
+    for (const double value : uniform.values) numbers.push_back(static_cast<float>(value));
+}
+
+}  // namespace luxo

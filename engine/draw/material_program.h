@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// A material's shader as luxo compiles it: its text made safe to join with luxo's own, and its uniforms by
+// name.
+//
+// The values of uniforms are data of a material, so that all materials of a shader share its modules: they
+// lie among the material's numbers (DrawList::patternParameters), after kShaderNumbers others, which
+// appendShader() lists.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "draw/paint.h"
+#include "gpu/shader_reflection.h"
+#include "scene/snapshot.h"
+
+namespace luxo {
+
+class MaterialProgram {
+ public:
+  /// Compiles it by itself, or reads that from disk (gpu::ShaderCompiler). Error(Scene): what is wrong, at
+  /// its own file, line and column.
+  explicit MaterialProgram(MaterialShaderPtr shader);
+
+  [[nodiscard]] const gpu::ShaderInterface& interface() const { return interface_; }
+  [[nodiscard]] const std::vector<gpu::ShaderVariable>& uniforms() const { return uniforms_; }
+  [[nodiscard]] bool compiled() const { return compiled_; }
+
+  /// Error(Scene): a value is for a uniform that there is not, or is none of its type.
+  void check(const Material& material) const;
+  /// A message for each value that the shader does not use.
+  [[nodiscard]] std::vector<std::string> unused(const Material& material) const;
+
+  /// All that shaders with LUXO_SHADER include beside luxo's own, the file "material" among it, where these
+  /// uniforms are given: the others keep what the shader says, or 0. Valid as long as this and `material`,
+  /// which it fills.
+  [[nodiscard]] std::vector<gpu::ShaderSource> sources(const GivenUniforms& given,
+                                                       std::string& material) const;
+
+ private:
+  void requirePure() const;
+  [[nodiscard]] const gpu::ShaderVariable* find(const std::string& name) const;
+
+  MaterialShaderPtr shader_;
+  std::vector<std::string> texts_;  ///< of its files, with bounded loops
+  gpu::ShaderInterface interface_;
+  std::vector<gpu::ShaderVariable> uniforms_;
+  bool compiled_ = false;
+};
+
+/// Keeps those of the last pictures' shaders.
+class MaterialPrograms {
+ public:
+  [[nodiscard]] const MaterialProgram& of(const MaterialShaderPtr& shader);
+  /// Of all materials that are on something: MaterialProgram::check(). What is not used is logged, once.
+  void check(const Snapshot& snapshot);
+  /// Since the last time: shaders that no run before had.
+  [[nodiscard]] std::uint64_t takeCompiled() { return std::exchange(compiled_, 0); }
+
+ private:
+  std::map<MaterialShaderPtr, MaterialProgram> programs_;
+  std::uint64_t compiled_ = 0;
+  std::set<std::string> told_;
+};
+
+/// What is before the uniforms: the origin of positions, what takes them to the node's axes (columns and a
+/// constant), the ambient light.
+inline constexpr std::uint32_t kShaderNumbers = 18;
+void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
+                  std::vector<float>& numbers);
+
+}  // namespace luxo

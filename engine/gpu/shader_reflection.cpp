@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/shader_reflection.h"
+
+#include <fmt/format.h>
+#include <spirv_cross/spirv_cross.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+#include <string_view>
+#include <unordered_set>
+
+#include "base/error.h"
+
+namespace luxo::gpu {
+namespace {
+
+using spirv_cross::SPIRType;
+
+constexpr std::string_view kLooseBlock = "gl_DefaultUniformBlock";
+
+std::string scalarOf(const SPIRType& type) {
+  switch (type.basetype) {
+    case SPIRType::Boolean:
+      return "bool";
+    case SPIRType::Int:
+      return "int";
+    case SPIRType::UInt:
+      return "uint";
+    case SPIRType::Float:
+      return "float";
+    case SPIRType::Double:
+      return "double";
+    case SPIRType::Int64:
+      return "int64_t";
+    case SPIRType::UInt64:
+      return "uint64_t";
+    default:
+      return "unknown";
+  }
+}
+
+/// "vec" of float, "ivec" of int.
+std::string prefixOf(const std::string& scalar) {
+  return scalar == "float" ? "" : scalar == "uint" ? "u" : scalar.substr(0, 1);
+}
+
+std::string imageOf(const SPIRType& type) {
+  constexpr std::string_view kDimensions[] = {"1D", "2D", "3D", "Cube", "2DRect", "Buffer", "SubpassData"};
+  const auto dimension = static_cast<std::size_t>(type.image.dim);
+  return fmt::format("{}{}{}{}{}",
+                     type.basetype == SPIRType::SampledImage ? "sampler"
+                     : type.image.sampled == 2               ? "image"
+                                                             : "texture",
+                     dimension < std::size(kDimensions) ? kDimensions[dimension] : "",
+                     type.image.ms ? "MS" : "", type.image.arrayed ? "Array" : "",
+                     type.image.depth ? "Shadow" : "");
+}
+
+class Reflection {
+ public:
+  explicit Reflection(std::span<const std::uint32_t> spirv)
+      : spirv_(spirv), compiler_(spirv.data(), spirv.size()) {}
+
+  ShaderInterface interface() {
+    ShaderInterface all;
+    all.stage = stage();
+    const spirv_cross::ShaderResources resources = compiler_.get_shader_resources();
+    active_ = compiler_.get_active_interface_variables();
+    all.inputs = variables(resources.stage_inputs);
+    all.outputs = variables(resources.stage_outputs);
+    addBuiltIns(all);
+    addBlocks(all.blocks, resources.uniform_buffers, ShaderBlock::Kind::Uniform);
+    addBlocks(all.blocks, resources.storage_buffers, ShaderBlock::Kind::Storage);
+    addBlocks(all.blocks, resources.push_constant_buffers, ShaderBlock::Kind::Push);
+    for (const auto* some : {&resources.sampled_images, &resources.storage_images, &resources.separate_images,
+                             &resources.separate_samplers})
+      for (const auto& resource : *some) all.samplers.push_back(sampler(resource));
+    for (const spirv_cross::SpecializationConstant& constant : compiler_.get_specialization_constants())
+      all.constants.push_back(
+          {.name = compiler_.get_name(constant.id),
+           .type = typeName(compiler_.get_type(compiler_.get_constant(constant.id).constant_type)),
+           .location = constant.constant_id});
+    addNames(all);
+    return all;
+  }
+
+ private:
+  [[nodiscard]] ShaderStage stage() const {
+    switch (compiler_.get_execution_model()) {
+      case spv::ExecutionModelVertex:
+        return ShaderStage::Vertex;
+      case spv::ExecutionModelGLCompute:
+        return ShaderStage::Compute;
+      case spv::ExecutionModelFragment:
+        return ShaderStage::Fragment;
+      default:
+        throw Error(ErrorKind::Scene, "a shader of a stage that luxo does not know",
+                    "vertex, fragment and compute shaders are read");
+    }
+  }
+
+  [[nodiscard]] std::string typeName(const SPIRType& type) const {
+    if (type.basetype == SPIRType::Struct) return compiler_.get_name(type.self);
+    if (type.basetype == SPIRType::Sampler) return "sampler";
+    if (type.basetype == SPIRType::Image || type.basetype == SPIRType::SampledImage) return imageOf(type);
+    const std::string scalar = scalarOf(type);
+    if (type.columns > 1)
+      return type.columns == type.vecsize
+                 ? fmt::format("{}mat{}", prefixOf(scalar), type.columns)
+                 : fmt::format("{}mat{}x{}", prefixOf(scalar), type.columns, type.vecsize);
+    return type.vecsize > 1 ? fmt::format("{}vec{}", prefixOf(scalar), type.vecsize) : scalar;
+  }
+
+  /// Name, type and array.
+  [[nodiscard]] ShaderVariable described(std::string name, const SPIRType& type) const {
+    ShaderVariable variable{.name = std::move(name), .type = typeName(type)};
+    // The innermost comes first there.
+    for (std::size_t i = type.array.size(); i-- > 0;)
+      variable.array.push_back(type.array_size_literal[i] ? type.array[i]
+                                                          : compiler_.get_constant(type.array[i]).scalar());
+    return variable;
+  }
+
+  [[nodiscard]] std::optional<std::uint32_t> decoration(spirv_cross::ID id, spv::Decoration which) const {
+    if (!compiler_.has_decoration(id, which)) return std::nullopt;
+    return compiler_.get_decoration(id, which);
+  }
+
+  [[nodiscard]] std::vector<ShaderVariable> variables(
+      const spirv_cross::SmallVector<spirv_cross::Resource>& resources) const {
+    std::vector<ShaderVariable> all;
+    for (const spirv_cross::Resource& resource : resources) {
+      const SPIRType& type = compiler_.get_type(resource.type_id);
+      ShaderVariable& variable = all.emplace_back(described(compiler_.get_name(resource.id), type));
+      variable.location = decoration(resource.id, spv::DecorationLocation);
+      variable.active = active_.contains(resource.id);
+      if (type.basetype == SPIRType::Struct) {
+        variable.members = members(compiler_.get_type(resource.base_type_id), false, {});
+        if (variable.name.empty()) variable.name = resource.name;
+      }
+    }
+    std::ranges::stable_sort(all, {}, &ShaderVariable::location);
+    return all;
+  }
+
+  void addBuiltIns(ShaderInterface& all) {
+    struct BuiltIn {
+      spv::BuiltIn which;
+      std::string_view name, type;
+      bool written;
+    };
+    constexpr BuiltIn kKnown[] = {{spv::BuiltInPosition, "gl_Position", "vec4", true},
+                                  {spv::BuiltInPointSize, "gl_PointSize", "float", true},
+                                  {spv::BuiltInFragDepth, "gl_FragDepth", "float", true},
+                                  {spv::BuiltInVertexIndex, "gl_VertexIndex", "int", false},
+                                  {spv::BuiltInInstanceIndex, "gl_InstanceIndex", "int", false},
+                                  {spv::BuiltInFragCoord, "gl_FragCoord", "vec4", false},
+                                  {spv::BuiltInFrontFacing, "gl_FrontFacing", "bool", false},
+                                  {spv::BuiltInGlobalInvocationId, "gl_GlobalInvocationID", "uvec3", false},
+                                  {spv::BuiltInLocalInvocationId, "gl_LocalInvocationID", "uvec3", false},
+                                  {spv::BuiltInWorkgroupId, "gl_WorkGroupID", "uvec3", false}};
+    compiler_.update_active_builtins();
+    for (const BuiltIn& known : kKnown)
+      if (compiler_.has_active_builtin(known.which,
+                                       known.written ? spv::StorageClassOutput : spv::StorageClassInput))
+        (known.written ? all.outputs : all.inputs)
+            .push_back({.name = std::string(known.name), .type = std::string(known.type)});
+  }
+
+  [[nodiscard]] ShaderVariable sampler(const spirv_cross::Resource& resource) const {
+    ShaderVariable variable = described(resource.name, compiler_.get_type(resource.type_id));
+    variable.set = decoration(resource.id, spv::DecorationDescriptorSet);
+    variable.binding = decoration(resource.id, spv::DecorationBinding);
+    variable.active = active_.contains(resource.id);
+    return variable;
+  }
+
+  void addBlocks(std::vector<ShaderBlock>& blocks,
+                 const spirv_cross::SmallVector<spirv_cross::Resource>& resources,
+                 ShaderBlock::Kind kind) const {
+    for (const spirv_cross::Resource& resource : resources) {
+      const SPIRType& type = compiler_.get_type(resource.base_type_id);
+      std::unordered_set<std::uint32_t> used;
+      for (const spirv_cross::BufferRange& range : compiler_.get_active_buffer_ranges(resource.id))
+        used.insert(range.index);
+      ShaderBlock block{.name = resource.name,
+                        .kind = kind,
+                        .loose = resource.name == kLooseBlock,
+                        .set = decoration(resource.id, spv::DecorationDescriptorSet).value_or(0),
+                        .binding = decoration(resource.id, spv::DecorationBinding).value_or(0),
+                        .size = static_cast<std::uint32_t>(compiler_.get_declared_struct_size(type)),
+                        .active = active_.contains(resource.id),
+                        .members = members(type, true, used)};
+      blocks.push_back(std::move(block));
+    }
+  }
+
+  /// `laidOut`: with offsets. `used`: which members are.
+  [[nodiscard]] std::vector<ShaderVariable> members(const SPIRType& type, bool laidOut,
+                                                    const std::unordered_set<std::uint32_t>& used) const {
+    std::vector<ShaderVariable> all;
+    for (std::uint32_t i = 0; i < type.member_types.size(); ++i) {
+      const SPIRType& member = compiler_.get_type(type.member_types[i]);
+      ShaderVariable& variable = all.emplace_back(described(compiler_.get_member_name(type.self, i), member));
+      if (laidOut) {
+        variable.offset = compiler_.type_struct_member_offset(type, i);
+        variable.size = static_cast<std::uint32_t>(compiler_.get_declared_struct_member_size(type, i));
+        if (!member.array.empty()) variable.arrayStride = compiler_.type_struct_member_array_stride(type, i);
+        if (member.columns > 1) variable.matrixStride = compiler_.type_struct_member_matrix_stride(type, i);
+        variable.active = used.contains(i);
+      }
+      if (member.basetype == SPIRType::Struct) {
+        // Which of its members are used nobody tells.
+        std::unordered_set<std::uint32_t> theirs;
+        if (variable.active)
+          for (std::uint32_t k = 0; k < member.member_types.size(); ++k) theirs.insert(k);
+        variable.members = members(member, laidOut, theirs);
+      }
+    }
+    return all;
+  }
+
+  /// What OpName says of functions, structures and private variables.
+  void addNames(ShaderInterface& all) const {
+    std::map<std::uint32_t, std::string> names;
+    std::set<std::string> functions, structures, globals;
+    constexpr std::size_t kHeader = 5;
+    for (std::size_t at = kHeader; at < spirv_.size();) {
+      const std::uint32_t length = spirv_[at] >> 16, op = spirv_[at] & 0xffff;
+      if (length == 0 || at + length > spirv_.size()) break;
+      const auto nameOf = [&](std::size_t word) {
+        const auto known = names.find(spirv_[at + word]);
+        return known == names.end() ? std::string() : known->second;
+      };
+      if (op == spv::OpName && length > 2) {
+        const auto* text = reinterpret_cast<const char*>(&spirv_[at + 2]);
+        names[spirv_[at + 1]] = std::string(text, strnlen(text, 4 * (length - 2)));
+      } else if (op == spv::OpKill || op == spv::OpTerminateInvocation ||
+                 op == spv::OpDemoteToHelperInvocation) {
+        all.discards = true;
+      } else if (op == spv::OpLoopMerge) {
+        ++all.loops;
+      } else if (op == spv::OpFunctionCall && length > 3) {
+        const std::string mangled = nameOf(3);
+        all.calls.push_back(mangled.substr(0, mangled.find('(')));
+      } else if (op == spv::OpTypeStruct) {
+        structures.insert(nameOf(1));
+      } else if (op == spv::OpVariable && length > 3 && spirv_[at + 3] == spv::StorageClassPrivate) {
+        globals.insert(nameOf(2));
+      } else if (op == spv::OpFunction && length > 2) {
+        const std::string mangled = nameOf(2);
+        functions.insert(mangled.substr(0, mangled.find('(')));
+      }
+      at += length;
+    }
+    const auto put = [](std::set<std::string>& from, std::vector<std::string>& to) {
+      from.erase("");
+      to.assign(from.begin(), from.end());
+    };
+    put(functions, all.functions);
+    put(structures, all.structures);
+    put(globals, all.globals);
+  }
+
+  std::span<const std::uint32_t> spirv_;
+  spirv_cross::Compiler compiler_;
+  std::unordered_set<spirv_cross::VariableID> active_;
+};
+
+}  // namespace
+
+std::uint32_t ShaderVariable::elements() const {
+  std::uint32_t product = 1;
+  for (const std::uint32_t count : array) product *= count;
+  return product;
+}
+
+ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
+  constexpr std::uint32_t kMagic = 0x07230203;
+  if (spirv.size() <= 5 || spirv.front() != kMagic)
+    throw Error(ErrorKind::Scene, "these words are no SPIR-V");
+  try {
+    return Reflection(spirv).interface();
+  } catch (const spirv_cross::CompilerError& error) {
+    throw Error(ErrorKind::Scene, fmt::format("this SPIR-V cannot be read: {}", error.what()));
+  }
+}
+
+}  // namespace luxo::gpu

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a shader asks of whoever runs it, read from its SPIR-V: uniforms, attributes, varyings and blocks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/shader_compiler.h"
+
+namespace luxo::gpu {
+
+/// A variable, or a member of a block or of a structure.
+struct ShaderVariable {
+  std::string name;
+  std::string type;  ///< as GLSL writes it, arrays apart: "vec3"; of a structure its name
+  std::vector<std::uint32_t> array = {};  ///< sizes, the outermost first; 0: as long as the buffer is
+  std::optional<std::uint32_t> location = {}, set = {}, binding = {};
+  std::uint32_t offset = 0, size = 0;  ///< bytes, of a member
+  std::uint32_t arrayStride = 0, matrixStride = 0;
+  bool active = true;                        ///< something that runs reads or writes it
+  std::vector<ShaderVariable> members = {};  ///< of a structure
+
+  [[nodiscard]] std::uint32_t elements() const;  ///< of the array, 1 of none
+};
+
+struct ShaderBlock {
+  enum class Kind { Uniform, Storage, Push };
+  std::string name;
+  Kind kind = Kind::Uniform;
+  bool loose = false;  ///< made of the uniforms that are outside of blocks
+  std::uint32_t set = 0, binding = 0, size = 0;
+  bool active = true;
+  std::vector<ShaderVariable> members;
+};
+
+struct ShaderInterface {
+  ShaderStage stage = ShaderStage::Fragment;
+  std::vector<ShaderVariable> inputs,
+      outputs;  ///< by location; then GLSL's own that it uses, which have none
+  std::vector<ShaderBlock> blocks;
+  std::vector<ShaderVariable> samplers;   ///< images among them
+  std::vector<ShaderVariable> constants;  ///< specialization constants, whose location is their number
+  std::uint32_t loops = 0;
+  std::vector<std::string> calls;  ///< of functions, each by the name of what it calls
+  bool discards = false;                  ///< some of its fragments may end with nothing
+  std::vector<std::string> functions, structures, globals;  ///< names that the text gives
+};
+
+/// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V. Cost: linear.
+[[nodiscard]] ShaderInterface reflect(std::span<const std::uint32_t> spirv);
+
+}  // namespace luxo::gpu

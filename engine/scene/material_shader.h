@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A material's own light: GLSL that says what colour a point has (shaders/MATERIALS.md is its page), and the
+// values of its uniforms. Text only: nothing here compiles it.
+#pragma once
+
+#include <compare>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+
+namespace luxo {
+
+/// Immutable.
+struct MaterialShader {
+  struct File {
+    std::string name;  ///< as messages call it: its path
+    std::string text;
+
+    friend auto operator<=>(const File&, const File&) = default;
+  };
+  std::vector<File> files;  ///< the material's own first, then those that it includes, each once
+
+  friend auto operator<=>(const MaterialShader&, const MaterialShader&) = default;
+};
+using MaterialShaderPtr = std::shared_ptr<const MaterialShader>;
+
+/// A part of a text, for messages about it; without a text it is from C++.
+struct TextPlace {
+  std::string name = {};
+  std::shared_ptr<const std::string> text = {};
+  SourceRange where = {};
+
+  /// As base/diagnostic.h has it.
+  [[nodiscard]] std::string describe(const std::string& message, const std::string& hint) const;
+  friend bool operator==(const TextPlace&, const TextPlace&) { return true; }
+};
+
+/// Of a matrix row after row; truth is 0 or 1.
+struct UniformValue {
+  std::string name;
+  std::vector<double> values;
+  TextPlace place = {};
+
+  friend bool operator==(const UniformValue&, const UniformValue&) = default;
+};
+
+}  // namespace luxo

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/shader_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "base/error.h"
+#include "scene/scene_folder.h"
+
+namespace luxo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string readText(const fs::path& path) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorKind::Scene, fmt::format("cannot read the shader '{}': {}", path.string(), why));
+  };
+  std::error_code failure;
+  if (!fs::exists(path, failure)) refuse("there is no such file");
+  if (!fs::is_regular_file(path, failure)) refuse("it is no regular file");
+  const std::uintmax_t size = fs::file_size(path, failure);
+  if (failure) refuse(failure.message());
+  if (size > kMaxShaderBytes)
+    refuse(fmt::format("it has {} bytes; at most {} are read", size, kMaxShaderBytes));
+  std::ifstream stream(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream && !stream.eof()) refuse("it cannot be read");
+  if (text.find('\0') != text.npos) refuse("it is no text");
+  return text;
+}
+
+struct Include {
+  std::string name;
+  SourceRange where;
+};
+
+/// The next `#include "..."` that begins a line. One in a comment counts, too: its file is read, and not
+/// used.
+std::optional<Include> nextInclude(const std::string& text, std::size_t from) {
+  for (std::size_t at = text.find('#', from); at != text.npos; at = text.find('#', at + 1)) {
+    const std::size_t line = text.rfind('\n', at) + 1;  // 0 where there is none
+    if (text.find_first_not_of(" \t", line) != at) continue;
+    const std::size_t word = text.find_first_not_of(" \t", at + 1);
+    if (word == text.npos || text.compare(word, 7, "include") != 0) continue;
+    const std::size_t end = std::min(text.find('\n', at), text.size()), open = text.find('"', word);
+    const std::size_t close = open < end ? text.find('"', open + 1) : text.npos;
+    if (close < end) return Include{text.substr(open + 1, close - open - 1), {open, close + 1}};
+  }
+  return std::nullopt;
+}
+
+/// Adds to the files those that files[index] includes.
+void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, const fs::path& folder) {
+  std::size_t from = 0;
+  while (const std::optional<Include> include = nextInclude(files[index].text, from)) {
+    from = include->where.end;
+    const fs::path here = fs::path(files[index].name).parent_path();
+    try {
+      const fs::path inFolder = (here / include->name).lexically_relative(folder.empty() ? "." : folder);
+      const fs::path file =
+          fileInFolder(folder, inFolder.empty() ? include->name : inFolder.string(), "included file");
+      const std::string name = file.lexically_normal().string();
+      if (std::ranges::find(files, name, &MaterialShader::File::name) != files.end()) continue;
+      if (files.size() == kMaxShaderFiles)
+        throw Error(ErrorKind::Scene, fmt::format("the shader has more than {} files", kMaxShaderFiles));
+      files.push_back({name, readText(file)});
+    } catch (const Error& error) {
+      const MaterialShader::File& by = files[index];
+      const TextPosition at = positionAt(by.text, include->where.begin);
+      throw Error(ErrorKind::Scene, fmt::format("{}:{}:{}: {}", by.name, at.line, at.column, error.what()),
+                  error.hint());
+    }
+  }
+}
+
+}  // namespace
+
+MaterialShaderPtr ShaderFiles::get(const std::string& name) {
+  const fs::path path = fileInFolder(folder_, name, "shader");
+  const std::lock_guard lock(mutex_);
+  MaterialShaderPtr& known = shaders_[name];
+  if (known) return known;
+  const fs::path normal = path.lexically_normal();
+  std::vector<MaterialShader::File> files{{normal.string(), readText(path)}};
+  for (std::size_t i = 0; i < files.size(); ++i) addIncluded(files, i, normal.parent_path());
+  known = std::make_shared<const MaterialShader>(MaterialShader{std::move(files)});
+  return known;
+}
+
+std::vector<fs::path> ShaderFiles::files() {
+  const std::lock_guard lock(mutex_);
+  std::vector<fs::path> paths;
+  for (const auto& [name, shader] : shaders_)
+    if (shader)
+      for (const MaterialShader::File& file : shader->files) paths.emplace_back(file.name);
+  return paths;
+}
+
+}  // namespace luxo

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shaders that a scene file names, with the files that they include: each is read once, however often the
+// scene is built.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/material_shader.h"
+
+namespace luxo {
+
+/// Of one file, and of files of one shader: a hundred times what a long one has.
+inline constexpr std::size_t kMaxShaderBytes = std::size_t{1} << 18, kMaxShaderFiles = 64;
+
+/// Safe from any thread.
+class ShaderFiles {
+ public:
+  /// `folder`: of the scene; empty: the current one.
+  explicit ShaderFiles(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
+
+  /// The shader in a file that is named relative to the folder, and is in it. What it includes is named
+  /// relative to the including file, and is in the shader's folder or below. Error(Scene): a file leads out
+  /// of these, is not there or too long; of an include with its file, line and column.
+  [[nodiscard]] MaterialShaderPtr get(const std::string& name);
+  /// Of all shaders so far, what they include among them.
+  [[nodiscard]] std::vector<std::filesystem::path> files();
+
+ private:
+  std::filesystem::path folder_;
+  std::mutex mutex_;
+  std::map<std::string, MaterialShaderPtr> shaders_;
+};
+
+}  // namespace luxo

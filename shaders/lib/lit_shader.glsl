@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light on a point of a material that has a shader. The file "material" is made from that (draw/material_program.h).
+// Where the material's numbers begin that are no map's is LUXO_SHADER_NUMBERS: draw/material_program.h lists them.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/found.glsl"
+#include "lib/lights.glsl"
+#define material luxoMaterial  // others call their own so
+#include "lib/material.glsl"
+#undef material
+#include "lib/pattern.glsl"
+#include "lib/maps.glsl"
+#include "lib/scene.glsl"
+
+// What the picture tells whoever reads it, instead of a colour: values that are no numbers. NaN is one that the shader
+// gave itself.
+const uint kNotANumber = 0x7fc00000u, kTooManyRounds = 0x7f800000u, kSeenThrough = 0xff800000u;
+
+Found litPoint;
+
+float shaderNumber(uint k) { return patternParameterAt(LUXO_SHADER_NUMBERS + k); }
+vec3 shaderNumbers3(uint k) { return vec3(shaderNumber(k), shaderNumber(k + 1), shaderNumber(k + 2)); }
+
+int lightCount() { return int(kPlainLights + kShadedLights); }
+
+Light light(int index) {
+  uint i = uint(clamp(index, 0, max(lightCount() - 1, 0)));
+  LightData data = lightSet.lights[i];
+  vec3 toLight = data.position.xyz - litPoint.position * data.position.w;
+  float squared = dot(toLight, toLight), inverseDistance = inversesqrt(max(squared, kTiny));
+  float arriving = data.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMaxAttenuation) : 1.0;
+  vec3 visible = vec3(squared > 0.0 && isReached(i, lightsInShadow(), foundMaterial(), toLight) ? 1 : 0);
+#ifdef LUXO_SHADOWS
+  if (kTransmits) visible *= lightTransmittance();
+#endif
+  return Light(toLight * inverseDistance, data.position.w != 0.0 ? squared * inverseDistance : 1e30,
+               data.radiance * arriving, lightCount() > 0 ? visible : vec3(0));
+}
+
+vec3 ambientLight() { return shaderNumbers3(15); }
+
+vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess) {
+  Material plain = Material(ambientLight() * diffuse, diffuse, specular, shininess, foundMaterial().flags);
+  return illuminated(plain, litPoint.position, litPoint.normal, litPoint.viewer);
+}
+
+vec3 colorMap(vec2 uv) {
+#ifdef LUXO_COLOR_MAP
+  return texelOfMap(0, mapParameters(uv));
+#else
+  return vec3(1);
+#endif
+}
+
+vec3 specularMap(vec2 uv) {
+#ifdef LUXO_SPECULAR_MAP
+  return texelOfMap(LUXO_SPECULAR_MAP, mapParameters(uv));
+#else
+  return vec3(1);
+#endif
+}
+
+vec3 glowMap(vec2 uv) {
+#ifdef LUXO_GLOW_MAP
+  return texelOfMap(LUXO_GLOW_MAP, mapParameters(uv));
+#else
+  return vec3(1);
+#endif
+}
+
+vec4 normalFrame();
+
+// How the point moves on its tangent plane to the next pixel: along the ray, which moves by these.
+vec3 stepOnPlane(vec3 moved, vec3 ray, vec3 n) { return moved - ray * (dot(n, moved) / dot(n, ray)); }
+
+Point materialPoint(Found found) {
+  vec4 frame = normalFrame(), footprint = pixelFootprint();
+  Point p;
+  p.position = found.position + shaderNumbers3(0);
+  p.object = mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)) * found.position + shaderNumbers3(12);
+  p.normal = found.normal;
+  p.viewer = found.viewer;
+  p.tangent = frame.xyz;
+  p.bitangent = frame.w < 0.0 ? cross(frame.xyz, found.normal) : cross(found.normal, frame.xyz);
+  p.uv = found.parameters;
+  p.footprint = mat2(footprint.xy, footprint.zw);
+  vec2 pixel = gl_FragCoord.xy - view.middle;
+  vec3 ray = view.rayMiddle + pixel.x * view.rayRight + pixel.y * view.rayDown;
+  float along = dot(found.position, view.forward.xyz), area = determinant(p.footprint);
+  vec3 right = stepOnPlane(view.placeRight + along * view.rayRight, ray, found.normal),
+       below = stepOnPlane(view.placeDown + along * view.rayDown, ray, found.normal);
+  p.Su = p.Sv = vec3(0);
+  if (abs(area) > kTiny) {
+    p.Su = (right * footprint.w - below * footprint.y) / area;
+    p.Sv = (below * footprint.x - right * footprint.z) / area;
+  }
+  return p;
+}
+
+bool isNumber(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7f800000u; }
+
+void loadUniforms();
+
+vec3 lit(Found found) {
+  litPoint = found;
+  loadUniforms();
+  luxoRounds = 0;
+  vec4 color = luxoMaterial(materialPoint(found));
+  if (luxoRounds > kLuxoMostRounds) return vec3(uintBitsToFloat(kTooManyRounds));
+  bool numbers = isNumber(color.r) && isNumber(color.g) && isNumber(color.b) && isNumber(color.a);
+  if (!numbers) return vec3(uintBitsToFloat(kNotANumber));
+  return color.a < 1.0 ? vec3(uintBitsToFloat(kSeenThrough)) : color.rgb;
+}
+
+#define material luxoMaterial
+#include "material"
+#undef material

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a material's shader is given, and what it gives: shaders/MATERIALS.md is the manual. Names here are for good.
+#ifndef LUXO_LIB_MATERIAL_GLSL
+#define LUXO_LIB_MATERIAL_GLSL
+
+// The point to be lit. Directions are unit, with the axes of the world.
+struct Point {
+  vec3 position;   // metres, world
+  vec3 object;     // the same on the axes of its node
+  vec3 normal;     // exact, of the side that is shown
+  vec3 viewer;     // toward the viewer
+  vec3 tangent;    // along u, perpendicular to the normal; 0 where there is none
+  vec3 bitangent;  // perpendicular to both, on the side that v grows to
+  vec3 Su, Sv;     // how the position moves with u and v, metres; 0 where they do not say
+  vec2 uv;
+  mat2 footprint;  // how uv move to the pixel at the right (first column), and to that below
+};
+
+struct Light {
+  vec3 direction;  // unit, toward the light
+  float distance;  // metres; 1e30 of a light at infinity
+  vec3 radiance;   // that arrives where nothing is in the way: color * intensity, with its attenuation
+  vec3 visible;    // how much of that does arrive, 0 to 1
+};
+
+int lightCount();
+Light light(int i);
+vec3 ambientLight();
+// All lights, the ambient one too, by the model that materials without a shader have.
+vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess);
+// The material's maps, filtered over the pixel; 1 where there is none.
+vec3 colorMap(vec2 uv);
+vec3 specularMap(vec2 uv);
+vec3 glowMap(vec2 uv);
+
+// The shader's: linear RGB, and the opacity, which must be 1.
+vec4 material(Point p);
+
+// Loops of shaders end after so many rounds, all loops of a point together: draw/bounded_loops.h has them ask. Half of
+// where Mesa's llvmpipe ends a loop by itself, and tells nobody (LP_MAX_TGSI_LOOP_ITERATIONS, 65535).
+const uint kLuxoMostRounds = 32768;
+uint luxoRounds = 0;
+bool luxoStops() { return ++luxoRounds > kLuxoMostRounds; }
+#endif

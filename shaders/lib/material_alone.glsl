@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// A material's shader by itself: to find its errors, and which uniforms it has. It is never drawn. The file "material" is
+// its own.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/material.glsl"
+
+layout(location = 0) in vec4 inAny;
+layout(location = 0) out vec4 outColor;
+
+int lightCount() { return int(inAny.x); }
+Light light(int i) { return Light(inAny.xyz, inAny.w, inAny.xyz, inAny.xyz); }
+vec3 ambientLight() { return inAny.xyz; }
+vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess) { return inAny.xyz * diffuse + specular * shininess; }
+vec3 colorMap(vec2 uv) { return inAny.xyz * uv.x; }
+vec3 specularMap(vec2 uv) { return inAny.xyz * uv.x; }
+vec3 glowMap(vec2 uv) { return inAny.xyz * uv.x; }
+
+#include "material"
+
+void main() {
+  outColor = material(Point(inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xy, mat2(inAny)));
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials with shaders, as users meet them: errors at their own file, line and column, what luxo inspect
+// and luxo verify say.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace luxo::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class MaterialShaderProgram : public DeviceRenderTest {
+ protected:
+  [[nodiscard]] Outcome drawn(const std::string& shader, const std::string& uniforms = "{}",
+                              const Arguments& more = {}) const {
+    writeText(folder / "m.frag", shader);
+    writeText(folder / "s.luxo.json", R"({ "luxo": 1,
+  "params": { "k": 0.5 },
+  "materials": { "own": { "shader": "m.frag",
+    "uniforms": )" + uniforms + R"( } },
+  "surfaces": { "ball": { "type": "sphere" } },
+  "nodes": [ { "surface": "ball", "material": "own" }, { "translate": [3, 4, 5], "light": { "type": "point" } } ] })");
+    Arguments arguments = {"render", "s.luxo.json", "-o", "a.png", "--size", "32x24"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(folder, arguments);
+  }
+  void expectError(const std::string& shader, const std::string& said,
+                   const std::string& uniforms = "{}") const {
+    const Outcome outcome = drawn(shader, uniforms);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr(said));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+  }
+};
+
+TEST_F(MaterialShaderProgram, ErrorsAreAtTheirOwnLine) {
+  const Outcome outcome =
+      drawn("uniform float a;\nvec4 material(Point p) {\n  for (;;) { float b = p.norml.x; }\n}\n");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, StartsWith("error: m.frag:3:26: no such field in structure 'norml'\n"
+                                      "  3 |   for (;;) { float b = p.norml.x; }\n"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("lib/")));
+  writeText(folder / "inc.glsl", "\nfloat twice(float x) { return x * y; }\n");
+  expectError("#include \"inc.glsl\"\nvec4 material(Point p) { return vec4(twice(1.0)); }\n",
+              "inc.glsl:2:36: undeclared identifier\n");
+}
+
+TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
+  expectError("#include \"m.frag\"\nvec4 material(Point p) { return vec4(1); }\n", "m.frag:1:");
+  expectError(
+      "float f(float x) { return x > 0.0 ? f(x - 1.0) : 0.0; }\nvec4 material(Point p) { return "
+      "vec4(f(1.0)); }\n",
+      "m.frag:1:7: the function 'f' calls itself");
+  expectError("#define AGAIN while\nvec4 material(Point p) { AGAIN (p.uv.x > -9.0) { } return vec4(1); }\n",
+              "a macro spells a loop");
+  expectError("vec4 colour(Point p) { return vec4(1); }\n", "there is no function 'vec4 material(Point p)'");
+  expectError("float x = " + std::string(20000, '(') + "1.0" + std::string(20000, ')') + ";\n", "m.frag:1:");
+  expectError("uniform B { float x; } b;\nvec4 material(Point p) { return vec4(b.x); }\n",
+              "the block 'B' has no values");
+  expectError("vec4 material(Point p) { gl_FragDepth = 0.5; return vec4(1); }\n",
+              "'gl_FragDepth' is an input or output");
+}
+
+TEST_F(MaterialShaderProgram, ValuesHaveNamesAndTypes) {
+  const std::string shader =
+      "uniform vec3 tint;\nuniform float gloss, idle;\nuniform int steps;\n"
+      "vec4 material(Point p) { return vec4(tint * gloss * float(steps), 1); }\n";
+  expectError(shader, "s.luxo.json:4:25: the shader 'm.frag' has no uniform 'tnt'",
+              R"({ "tnt": [1, 0, 0] })");
+  EXPECT_THAT(drawn(shader, R"({ "tnt": [1, 0, 0] })").err, HasSubstr("did you mean 'tint'?"));
+  expectError(shader, "is of type vec3: 3 numbers, not 2", R"({ "tint": [1, 0] })");
+  expectError(shader, "is of type int, and this is 0.5", R"({ "steps": "k" })");
+  const Outcome outcome =
+      drawn(shader, R"({ "tint": "#ff8000", "gloss": "k", "steps": 1, "idle": 2 })", {"-P", "k=0.25"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("nothing in the shader 'm.frag' uses the uniform 'idle'"));
+}
+
+TEST_F(MaterialShaderProgram, VerifyLeavesItsColoursOut) {
+  ASSERT_EQ(drawn("vec4 material(Point p) { return vec4(p.uv, 9, 1); }\n").code, 0);
+  const Outcome outcome = run(folder, {"verify", "s.luxo.json", "--size", "32x24", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["wrong"]["pixels"], 0);
+  EXPECT_EQ(json["color"]["by_shader"], json["coverage"]["covered"]);
+  EXPECT_GT(json["color"]["by_shader"], 50);
+  const Outcome truth =
+      run(folder, {"render", "s.luxo.json", "--engine", "reference", "-o", "b.png", "--size", "8x8"});
+  EXPECT_EQ(truth.code, 0);
+  EXPECT_THAT(truth.err, HasSubstr("cannot run the shader of 'own'"));
+}
+
+TEST_F(MaterialShaderProgram, InspectTellsItsUniforms) {
+  writeText(folder / "m.frag",
+            "uniform vec2 size;\nuniform float idle;\nvec4 material(Point p) { return vec4(size, 0, 1); }\n");
+  const Json json = Json::parse(run(folder, {"inspect", "m.frag", "--json"}).out);
+  EXPECT_EQ(json["material"], true);
+  EXPECT_EQ(json["uniforms"][0]["name"], "size");
+  EXPECT_EQ(json["uniforms"][0]["type"], "vec2");
+  EXPECT_EQ(json["uniforms"][0]["active"], true);
+  EXPECT_EQ(json["uniforms"][1]["active"], false);
+  writeText(folder / "p.vert",
+            "#version 460\nlayout(location = 3) in vec4 place;\nlayout(std140, set = 1, binding = 2) uniform "
+            "B { mat4 m; };\n"
+            "void main() { gl_Position = m * place; }\n");
+  const Outcome vertex = run(folder, {"inspect", "p.vert"});
+  EXPECT_EQ(vertex.code, 0) << vertex.err;
+  EXPECT_THAT(vertex.out, HasSubstr("place"));
+  EXPECT_THAT(vertex.out, HasSubstr("block B: uniform, 64 bytes, set 1, binding 2"));
+}
+
+}  // namespace
+}  // namespace luxo::test

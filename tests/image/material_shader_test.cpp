@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of materials that have a shader: what it is given, what becomes of what it gives.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/shader_files.h"
+#include "support/picture.h"
+#include "surface/library.h"
+
+namespace luxo::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr PixelSize kSize{72, 56};
+const Camera kCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
+
+MaterialShaderPtr shaderOf(const std::string& text) {
+  return std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
+}
+
+Material litBy(const std::string& text, std::vector<UniformValue> uniforms = {}) {
+  return {.shader = shaderOf(text), .uniforms = std::move(uniforms)};
+}
+
+/// A ring that throws its shadow on a plate, both of these materials.
+Scene ringOnPlate(const Material& ring, const Material& plate, Light::Shadow shadow) {
+  Scene scene;
+  scene.add(
+      Node{.rotation = Rotation{{1, 0, 0.4}, 0.9}, .surface = torus(1, 0.4), .material = scene.add(ring)});
+  scene.add(Node{.translation = Vec3(0, -1.2, 0), .surface = rectangle(5, 5), .material = scene.add(plate)});
+  scene.add(Node{
+      .translation = Vec3(2, 4, 3),
+      .light = Light{.intensity = 30, .attenuation = Light::Attenuation::InverseSquare, .shadow = shadow}});
+  return scene;
+}
+
+class MaterialShaderPicture : public PictureTest {
+ protected:
+  std::string refusalOf(const Material& material) {
+    try {
+      static_cast<void>(draw(ringOnPlate(material, {}, Light::Shadow::None), kCamera, kSize));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Scene);
+      return error.what();
+    }
+    ADD_FAILURE() << "it was drawn";
+    return {};
+  }
+};
+
+double largestDifference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.samples().size(); ++i)
+    largest = std::max(largest, std::abs(double(a.samples()[i]) - double(b.samples()[i])));
+  return largest;
+}
+
+/// With a name that luxo's own shaders have, too.
+constexpr const char* kPlain = R"(
+uniform vec3 paint;
+uniform float shine[2];
+float highlight(vec3 n, vec3 h, float power) { return power; }
+vec4 material(Point p) { return vec4(blinnPhong(paint, vec3(0.5), highlight(p.normal, p.viewer, shine[1])), 1.0); })";
+
+TEST_F(MaterialShaderPicture, TheLightOfMaterialsWithoutOne) {
+  const Material own = litBy(kPlain, {{"shine", {3, 40}}, {"paint", {0.7, 0.3, 0.2}}}),
+                 plain{.diffuse = Vec3(0.7, 0.3, 0.2), .specular = Vec3(0.5), .shininess = 40};
+  for (const Light::Shadow shadow : {Light::Shadow::None, Light::Shadow::Exact})
+    for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat})
+      for (const Composition composition : {Composition::Auto, Composition::Deferred}) {
+        const DrawOptions options{.shading = shading, .composition = composition};
+        const Image shown = draw(ringOnPlate(own, own, shadow), kCamera, kSize, options).image;
+        const Image wanted = draw(ringOnPlate(plain, plain, shadow), kCamera, kSize, options).image;
+        EXPECT_LE(largestDifference(shown, wanted), 1e-6)
+            << nameOf(shading) << (shadow == Light::Shadow::Exact ? " in shadow" : "");
+      }
+}
+
+/// The same sum, written as a user does.
+TEST_F(MaterialShaderPicture, LightsWithTheirExactShadows) {
+  const Material own = litBy(R"(
+vec4 material(Point p) {
+  vec3 sum = 0.4 * ambientLight();
+  for (int i = 0; i < lightCount(); ++i) {
+    Light l = light(i);
+    sum += 0.4 * max(dot(p.normal, l.direction), 0.0) * l.radiance * l.visible;
+  }
+  return vec4(sum, 1.0);
+})"),
+                 plain{.diffuse = Vec3(0.4), .specular = Vec3(0)};
+  const Image shown = draw(ringOnPlate(own, own, Light::Shadow::Exact), kCamera, kSize).image;
+  const Image wanted = draw(ringOnPlate(plain, plain, Light::Shadow::Exact), kCamera, kSize).image;
+  EXPECT_LE(largestDifference(shown, wanted), 1e-6);
+}
+
+TEST_F(MaterialShaderPicture, ThePointIsWhatOutputsTell) {
+  const auto shown = [&](const std::string& value, Composition composition) {
+    const Material own = litBy("vec4 material(Point p) { return vec4(" + value + ", 1.0); }");
+    return draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition})
+        .image;
+  };
+  for (const Composition composition : {Composition::Auto, Composition::Deferred})
+    for (const auto& [value, output] : {std::pair{"p.position", Output::Position},
+                                        {"p.normal", Output::Normal},
+                                        {"vec3(p.uv, 0.0)", Output::Uv}}) {
+      const Image image = shown(value, composition);
+      const Scene scene = ringOnPlate({}, {}, Light::Shadow::None);
+      const Image wanted = draw(scene, kCamera, kSize, {.output = output}).image;
+      const Image id = draw(scene, kCamera, kSize, {.output = Output::Id}).image;
+      double largest = 0;
+      for (std::size_t i = 0; i < id.samples().size(); ++i)
+        for (std::size_t c = 0; c < 3 && id.samples()[i] > 0; ++c)
+          largest = std::max(
+              largest, std::abs(double(image.samples()[3 * i + c]) - double(wanted.samples()[3 * i + c])));
+      EXPECT_LE(largest, 2e-5) << value;
+    }
+}
+
+/// Of S = (3u, 2v, u v): Su = (3, 0, v), Sv = (0, 2, u), turned and moved with the node.
+TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
+  const Surface saddle =
+      surface([](auto u, auto v) { return point(3 * u, 2 * v, u * v); }, {{-1, 1}, {-1, 1}});
+  const auto errorOf = [&](const std::string& value) {
+    Scene scene;
+    scene.add(Node{.translation = Vec3(0.5, -0.2, 0),
+                   .rotation = Rotation{{1, 2, 0.5}, 0.6},
+                   .surface = saddle,
+                   .material = scene.add(litBy("uniform mat3 turn; vec4 material(Point p) { vec3 u = turn * "
+                                               "vec3(3, 0, p.uv.y), v = turn * vec3(0, 2, p.uv.x);"
+                                               " return vec4(vec3(" +
+                                                   value + "), 1.0); }",
+                                               {{"turn", [] {
+                                                   std::vector<double> rows;
+                                                   const Mat3 m = rotation(Vec3(1, 2, 0.5), 0.6);
+                                                   for (int row = 0; row < 3; ++row)
+                                                     for (int column = 0; column < 3; ++column)
+                                                       rows.push_back(m[column][row]);
+                                                   return rows;
+                                                 }()}}))});
+    const Image image = draw(scene, Camera{.eye = Vec3(0.5, 1, 9)}, kSize).image;
+    double largest = 0;
+    for (const float sample : image.samples()) largest = std::max(largest, double(sample));
+    return largest;
+  };
+  EXPECT_LE(errorOf("length(p.Su - u)"), 0.03);  // the background is 0.02 to 0.03
+  EXPECT_LE(errorOf("length(p.Sv - v)"), 0.03);
+  EXPECT_LE(errorOf("length(p.tangent - normalize(u))"), 0.03);
+  EXPECT_LE(errorOf("length(p.object - vec3(3.0 * p.uv.x, 2.0 * p.uv.y, p.uv.x * p.uv.y))"), 0.03);
+  EXPECT_LE(errorOf("abs(dot(p.bitangent, p.normal)) + abs(dot(p.bitangent, p.tangent)) + (dot(p.bitangent, "
+                    "v) > 0.0 ? 0.0 : 1.0)"),
+            0.03);
+}
+
+TEST_F(MaterialShaderPicture, WhatIsNoNumberIsMagentaAndCounted) {
+  const Material own = litBy("vec4 material(Point p) { return vec4(sqrt(p.position.x), 0.5, 0.5, 1.0); }");
+  for (const Composition composition : {Composition::Auto, Composition::Deferred}) {
+    const Picture picture =
+        draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition});
+    std::uint64_t magenta = 0;
+    for (std::size_t i = 0; i < picture.image.samples().size(); i += 3) {
+      const auto pixel = picture.image.samples().subspan(i, 3);
+      ASSERT_TRUE(std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]));
+      magenta += pixel[0] == 1 && pixel[1] == 0 && pixel[2] == 1;
+    }
+    EXPECT_GT(magenta, 500u);
+    EXPECT_EQ(picture.statistics.error.nonfinitePx, magenta);
+  }
+}
+
+TEST_F(MaterialShaderPicture, LoopsWithoutEndAndOpacitiesAreRefused) {
+  EXPECT_THAT(
+      refusalOf(litBy("vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
+      HasSubstr("more than 32768 times"));
+  EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")),
+              HasSubstr("opacity below 1"));
+  EXPECT_THAT(refusalOf(litBy("vec4 material(Point p) { if (p.uv.x < 0.5) discard; return vec4(1); }")),
+              HasSubstr("'discard'"));
+}
+
+/// Materials differ in their values alone: one module, one pipeline.
+TEST_F(MaterialShaderPicture, MaterialsOfAShaderShareItsPipeline) {
+  const auto made = [&](double paint) {
+    Scene scene = ringOnPlate(litBy(kPlain, {{"paint", {0.5, 0.5, 0.5}}}),
+                              litBy(kPlain, {{"paint", {paint, 0, 0}}}), Light::Shadow::Exact);
+    return draw(scene, kCamera, kSize).statistics.count.pipelinesCreated;
+  };
+  const std::uint64_t first = made(0.5);
+  EXPECT_GT(first, 0u);
+  EXPECT_EQ(made(0.9), 0u);
+}
+
+/// Ward's highlight on a plate that faces the eye and a lamp above its middle: at a distance r from there the
+/// half vector is by atan(r / h) / 2 off the normal, so that the ratio of what is seen along and across the
+/// grooves is exp(-tan^2 (1 / a^2 - 1 / b^2)).
+TEST_F(MaterialShaderPicture, BrushedSteelIsLongAcrossItsGrooves) {
+  constexpr double kAlong = 0.15, kAcross = 0.45, kHeight = 2;
+  Material steel{.shader = ShaderFiles(LUXO_SOURCE_DIR "/apps/scenes/gallery").get("steel.frag"),
+                 .uniforms = {{"roughness", {kAlong, kAcross}}, {"depth", {0}}, {"metal", {1, 1, 1}}}};
+  Scene scene;
+  scene.add(Node{
+      .rotation = Rotation{{1, 0, 0}, kPi / 2}, .surface = rectangle(4, 4), .material = scene.add(steel)});
+  scene.add(Node{.translation = Vec3(0, 0, kHeight), .light = Light{}});
+  scene.set(RenderSettings{.ambient = Vec3(0)});
+  constexpr int kPixels = 81;
+  const Image image =
+      draw(scene, Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 2},
+           {kPixels, kPixels})
+          .image;
+  const auto highlight = [&](int x, int y) {
+    const double r = std::hypot(x - 40, y - 40) * 2 / kPixels;
+    return image.pixel(x, y)[0] - 0.1 * kHeight / std::hypot(r, kHeight);  // without what is diffuse
+  };
+  for (const int step : {8, 16, 24}) {
+    const double r = step * 2.0 / kPixels, tangent = std::tan(std::atan(r / kHeight) / 2);
+    const double wanted = std::exp(-tangent * tangent * (1 / (kAlong * kAlong) - 1 / (kAcross * kAcross)));
+    EXPECT_NEAR(highlight(40 + step, 40) / highlight(40, 40 + step), wanted, 1e-3) << step;
+  }
+}
+
+}  // namespace
+}  // namespace luxo::test

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What reflection says of layouts, against tables that were worked out by hand from the rules of GLSL.
+#include "gpu/shader_reflection.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace luxo::gpu {
+namespace {
+
+using testing::ElementsAre;
+
+ShaderInterface reflected(const std::string& text, ShaderStage stage = ShaderStage::Fragment) {
+  return reflect(
+      ShaderCompiler("").compile({.source = {"a.glsl", text}, .stage = stage, .forReflection = true}).spirv);
+}
+
+/// "b vec3 @16 +12", with strides where there are some.
+std::vector<std::string> tableOf(const ShaderBlock& block) {
+  std::vector<std::string> lines;
+  for (const ShaderVariable& m : block.members) {
+    lines.push_back(fmt::format("{} {} @{} +{}", m.name, m.type, m.offset, m.size));
+    for (const std::uint32_t size : m.array) lines.back() += fmt::format(" [{}]", size);
+    if (m.arrayStride > 0) lines.back() += fmt::format(" stride {}", m.arrayStride);
+    if (m.matrixStride > 0) lines.back() += fmt::format(" columns {}", m.matrixStride);
+  }
+  return lines;
+}
+
+ShaderBlock blockOf(const std::string& layout, const std::string& kind) {
+  return reflected(fmt::format("#version 460\n#extension GL_EXT_scalar_block_layout : require\n"
+                               "layout({}, set = 1, binding = 2) {} B {{ float a; vec3 b; float c; mat3 m; "
+                               "float d[3]; vec2 e; }} k;\n"
+                               "layout(location = 0) out vec4 o;\n"
+                               "void main() {{ o = vec4(k.b, k.d[1] + k.m[0].x); }}\n",
+                               layout, kind))
+      .blocks.at(0);
+}
+
+TEST(ShaderReflection, Std140) {
+  const ShaderBlock block = blockOf("std140", "uniform");
+  EXPECT_THAT(tableOf(block),
+              ElementsAre("a float @0 +4", "b vec3 @16 +12", "c float @28 +4", "m mat3 @32 +48 columns 16",
+                          "d float @80 +48 [3] stride 16", "e vec2 @128 +8"));
+  EXPECT_EQ(block.size, 136u);
+  EXPECT_TRUE(block.set == 1 && block.binding == 2 && block.kind == ShaderBlock::Kind::Uniform &&
+              !block.loose);
+  EXPECT_TRUE(block.members[1].active && block.members[3].active);
+  EXPECT_FALSE(block.members[0].active || block.members[5].active);
+}
+
+TEST(ShaderReflection, Std430) {
+  const ShaderBlock block = blockOf("std430", "buffer");
+  EXPECT_THAT(tableOf(block),
+              ElementsAre("a float @0 +4", "b vec3 @16 +12", "c float @28 +4", "m mat3 @32 +48 columns 16",
+                          "d float @80 +12 [3] stride 4", "e vec2 @96 +8"));
+  EXPECT_EQ(block.kind, ShaderBlock::Kind::Storage);
+}
+
+TEST(ShaderReflection, Scalar) {
+  const ShaderBlock block = blockOf("scalar", "uniform");
+  EXPECT_THAT(tableOf(block),
+              ElementsAre("a float @0 +4", "b vec3 @4 +12", "c float @16 +4", "m mat3 @20 +36 columns 12",
+                          "d float @56 +12 [3] stride 4", "e vec2 @68 +8"));
+}
+
+/// The uniforms of a lecture's vertex program, outside of blocks.
+TEST(ShaderReflection, UniformsOutsideOfBlocksAndAttributes) {
+  const ShaderInterface all = reflected(R"(#version 330
+uniform mat4 MVP, M, Minv;
+uniform vec4 wLiPos;
+uniform vec3 wEye;
+layout(location = 0) in vec3 vtxPos;
+layout(location = 1) in vec3 vtxNorm;
+out vec3 wNormal, wView, wLight;
+void main() {
+  gl_Position = vec4(vtxPos, 1) * MVP;
+  vec4 wPos = vec4(vtxPos, 1) * M;
+  wLight = wLiPos.xyz * wPos.w - wPos.xyz * wLiPos.w;
+  wView = wEye * wPos.w - wPos.xyz;
+  wNormal = (Minv * vec4(vtxNorm, 0)).xyz;
+})",
+                                        ShaderStage::Vertex);
+  EXPECT_EQ(all.stage, ShaderStage::Vertex);
+  ASSERT_EQ(all.blocks.size(), 1u);
+  EXPECT_TRUE(all.blocks[0].loose);
+  EXPECT_EQ(all.blocks[0].size, 220u);
+  EXPECT_THAT(tableOf(all.blocks[0]),
+              ElementsAre("MVP mat4 @0 +64 columns 16", "M mat4 @64 +64 columns 16",
+                          "Minv mat4 @128 +64 columns 16", "wLiPos vec4 @192 +16", "wEye vec3 @208 +12"));
+  ASSERT_EQ(all.inputs.size(), 2u);
+  EXPECT_TRUE(all.inputs[0].name == "vtxPos" && all.inputs[1].location == 1u);
+  EXPECT_EQ(all.outputs.size(), 4u);  // gl_Position, too
+}
+
+TEST(ShaderReflection, WhatIsNoSpirvIsRefused) {
+  EXPECT_THROW(static_cast<void>(reflect({})), Error);
+  EXPECT_THROW(static_cast<void>(reflect(std::array<std::uint32_t, 8>{1, 2, 3})), Error);
+}
+
+}  // namespace
+}  // namespace luxo::gpu

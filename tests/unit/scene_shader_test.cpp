@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shaders of materials in scene files: their texts, and values that move.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "base/error.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "scene/scene_writer.h"
+#include "scene/shader_files.h"
+#include "scene/snapshot.h"
+#include "unit/image_test_support.h"
+
+namespace luxo {
+namespace {
+
+using testing::HasSubstr;
+
+std::string messageOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    return error.what() + error.hint();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+class SceneShader : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << text;
+  }
+  [[nodiscard]] SceneFile sceneWith(const std::string& material) const {
+    return parseScene(R"({ "luxo": 1, "params": { "k": 3 }, "surfaces": { "s": { "type": "sphere" } },
+      "materials": { "m": )" +
+                          material + R"( }, "nodes": [ { "surface": "s", "material": "m" } ] })",
+                      "a.luxo.json", folder.path());
+  }
+
+  ScratchFolder folder;
+};
+
+TEST_F(SceneShader, ValuesAreFormulasOfTimeAndParameters) {
+  write("m.frag", "vec4 material(Point p) { return vec4(1); }");
+  const SceneFile file = sceneWith(
+      R"({ "shader": "m.frag", "uniforms": { "a": "k * t", "b": [1, "k", 0.5], "c": "#ff0000", "d": true, "e": [[1, 2], [3, 4]] } })");
+  const Snapshot snapshot = takeSnapshot(buildScene(file), 2, {8, 8});
+  const Material& material = snapshot.materials[snapshot.nodes[0].material.index];
+  ASSERT_TRUE(material.shader);
+  EXPECT_EQ(material.shader->files.at(0).text, "vec4 material(Point p) { return vec4(1); }");
+  ASSERT_EQ(material.uniforms.size(), 5u);
+  EXPECT_EQ(material.uniforms[0].values, std::vector<double>{6});
+  EXPECT_EQ(material.uniforms[1].values, (std::vector<double>{1, 3, 0.5}));
+  EXPECT_EQ(material.uniforms[2].values, (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(material.uniforms[3].values, std::vector<double>{1});
+  EXPECT_EQ(material.uniforms[4].values, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(material.shadingIn(Shading::Gouraud), Shading::Phong);
+  EXPECT_EQ(material.shadingIn(Shading::Toon), Shading::Exact);
+}
+
+TEST_F(SceneShader, IsWrittenAsItWasRead) {
+  write("m.frag", "");
+  const SceneFile file = sceneWith(R"({ "shader": "m.frag", "uniforms": { "a": "k", "b": [1, 2] } })");
+  EXPECT_EQ(parseScene(writeScene(file), "again", folder.path()).materials, file.materials);
+}
+
+TEST_F(SceneShader, IncludesAreRelativeToTheirFileAndInTheFolder) {
+  write("look/m.frag", "#include \"lib/a.glsl\"\n");
+  write("look/lib/a.glsl", "  #  include \"b.glsl\"\n#include \"../m.frag\"\n");
+  write("look/lib/b.glsl", "");
+  const MaterialShaderPtr shader = ShaderFiles(folder.path()).get("look/m.frag");
+  ASSERT_EQ(shader->files.size(), 3u);
+  EXPECT_EQ(shader->files[1].name, (folder / "look/lib/a.glsl").lexically_normal().string());
+  write("outside.glsl", "");
+  write("look/n.frag", "\n #include \"../outside.glsl\"\n");
+  EXPECT_THAT(messageOf([&] { static_cast<void>(ShaderFiles(folder.path()).get("look/n.frag")); }),
+              HasSubstr("n.frag:2:11: the included file '../outside.glsl' is outside"));
+}
+
+TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
+  write("m.frag", "");
+  write("long.frag", std::string(kMaxShaderBytes + 1, 'a'));
+  const auto refused = [&](const std::string& material) {
+    return messageOf([&] { static_cast<void>(buildScene(sceneWith(material))); });
+  };
+  EXPECT_THAT(refused(R"({ "shader": "m.frag", "opacity": 0.5 })"),
+              HasSubstr("seen through is not drawn yet"));
+  EXPECT_THAT(refused(R"({ "shader": "m.frag", "diffuse": ["u", 0, 0] })"), HasSubstr("uses u or v"));
+  EXPECT_THAT(refused(R"({ "shader": "none.frag" })"), HasSubstr("a.luxo.json:2:39: cannot read the shader"));
+  EXPECT_THAT(refused(R"({ "shader": "../m.frag" })"), HasSubstr("outside of the scene's folder"));
+  EXPECT_THAT(refused(R"({ "shader": "long.frag" })"), HasSubstr("at most 262144 are read"));
+  EXPECT_THAT(refused(R"({ "uniforms": { "a": 1 } })"), HasSubstr("there are uniforms and no shader"));
+}
+
+}  // namespace
+}  // namespace luxo
