@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours by the place, the normal and the curvature of a surface: against closed forms in every pixel, and
+// against the reference.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/error.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "support/verified_picture.h"
+
+namespace luxo::test {
+namespace {
+
+constexpr PixelSize kSize{96, 72};
+
+/// One surface whose colour that is, under ambient light 1.
+Scene colored(const std::string& surface, const std::string& color, const std::string& node = "") {
+  return buildScene(parseScene(R"({ "luxo": 1, "render": { "size": [96, 72], "ambient": 1, "background": 0 },
+      "params": { "wide": { "value": 0.5, "range": [0.1, 1] } },
+      "materials": { "m": { "specular": 0, "diffuse": )" + color + R"( } },
+      "surfaces": { "s": )" + surface + R"( },
+      "nodes": [ { "surface": "s", "material": "m")" + node + R"( } ],
+      "camera": { "eye": [0.4, 1.5, 3], "look_at": [0, 0, 0] } })",
+                               "scene"));
+}
+
+using SurfaceNamesTest = VerifiedPictureTest;
+
+// Also where the poles are, and whatever a node does to it.
+TEST_F(SurfaceNamesTest, ABallHasOneCurvature) {
+  const Image image = draw(colored(R"({ "type": "sphere", "radius": 0.8 })", R"(["0.32K", "0.4H", "0.4k2"])",
+                                   R"(, "rotate": { "axis": [1, 0, 0.3], "angle": "50deg" })"),
+                           kSize)
+                          .image;
+  int seen = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      if (colorAt(image, x, y) == Vec3(0)) continue;
+      ++seen;
+      // Single precision, in second derivatives: a tenth of a code of 8 bits.
+      ASSERT_TRUE(near(colorAt(image, x, y), Vec3(0.5, 0.5, 0.5), 4e-4)) << x << " " << y;
+    }
+  EXPECT_GT(seen, 1000);
+}
+
+TEST_F(SurfaceNamesTest, TheTruthIsOfTheSameColors) {
+  for (const char* surface :
+       {R"({ "type": "torus", "major": 1, "minor": "wide" })", R"({ "type": "klein" })",
+        R"({ "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "wide*sin(3u)*v", "v"] })"}) {
+    const Scene scene =
+        colored(surface, R"(["0.5 + 0.4*tanh(K)", "0.5 + 0.25*nx + 0.2*y", "0.5 + 0.3*tanh(k1 - k2)"])");
+    SCOPED_TRACE(surface);
+    expectTrueColors(takeSnapshot(scene, 0, kSize), 500);
+  }
+}
+
+TEST(SurfaceNames, AParameterOfThatNameIsItself) {
+  const Scene scene = buildScene(parseScene(R"({ "luxo": 1, "params": { "K": 0.25 },
+      "materials": { "m": { "diffuse": ["K", "K", "K"] } }, "surfaces": { "s": { "type": "teapot" } },
+      "nodes": [ { "surface": "s", "material": "m" } ] })",
+                                            "scene"));
+  EXPECT_EQ(takeSnapshot(scene, 0, kSize).materials.back().diffuse, Vec3(0.25));
+}
+
+TEST(SurfaceNames, OfTooManyFormulasAreRefusedWithTheirPlace) {
+  try {
+    static_cast<void>(colored(R"({ "type": "teapot" })", R"(["K", 0, 0])"));
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    EXPECT_NE(std::string(error.what()).find("scene:5:"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("at most 4"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace luxo::test
