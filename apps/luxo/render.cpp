@@ -208,13 +208,15 @@ class Run {
   }
 
   void tellOfNoOcclusion(const Snapshot& snapshot) const {
-    const Shading shading = settings_.shading;
-    if (snapshot.ambientOcclusion.any() && request_.aov == Output::Color &&
-        request_.verbosity != Verbosity::Quiet &&
-        (shading == Shading::Gouraud || shading == Shading::Toon || shading == Shading::Wireframe))
+    const auto isLeftOut = [&](const SnapshotNode& node) {
+      const Shading shading = snapshot.materials[node.material.index].shadingIn(settings_.shading);
+      return shading == Shading::Gouraud || shading == Shading::Toon || shading == Shading::Wireframe;
+    };
+    if (snapshot.ambientOcclusion.any() && !showsData(settings_.shading) && request_.aov == Output::Color &&
+        request_.verbosity != Verbosity::Quiet && std::ranges::any_of(snapshot.nodes, isLeftOut))
       printWarning(
-          "the scene's ambient occlusion is drawn in exact, Phong and flat shading; here all ambient light "
-          "arrives");
+          "ambient occlusion is of exact, Phong and flat shading: what is drawn in another one gets all "
+          "ambient light, and keeps it from nothing");
   }
 
   void tellOfNoLight(const Snapshot& snapshot) const {

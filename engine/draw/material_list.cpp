@@ -69,9 +69,10 @@ void requireScreen(const AmbientOcclusion& occlusion, bool possible) {
                 "render with --engine reference, or set render.ambient_occlusion's method to \"screen\"");
   if (!possible)
     throw Error(ErrorKind::Scene,
-                fmt::format("ambient occlusion of more than {} nodes and materials is not supported yet",
-                            shared::kMaxFoundMaterials - 1),
-                "leave render.ambient_occlusion out");
+                fmt::format("ambient occlusion in a scene of more than {} lights without shadows, or of more "
+                            "than {} nodes and materials, is not supported yet",
+                            shared::kMaxLights, shared::kMaxFoundMaterials - 1),
+                "leave render.ambient_occlusion, or some lights, out");
 }
 
 }  // namespace
@@ -98,14 +99,14 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
                                 hasLayers(snapshot, options) || occludes);
   list_.occludes = occludes;
   if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
-  if (groups_.size() > 1 &&
-      std::ranges::any_of(materials, [](const Material& m) { return m.shader != nullptr; }))
-    throw Error(
-        ErrorKind::Scene,
-        "the light on a material with a shader comes in several passes, which is not supported yet: there "
-        "are "
-        "more than 32 lights, or some shine through what is transparent",
-        "leave out some lights, set their shadow to \"none\", or take the shader's material without it");
+  if (groups_.size() > 1 && std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
+        return materials[node.material.index].shader != nullptr;
+      }))
+    throw Error(ErrorKind::Scene,
+                "the light on a material with a shader comes in several passes, which is not supported yet: "
+                "there are more than 32 lights, or some shine through what is transparent",
+                "leave out some lights, set their shadow to \"none\", or take the shader's material without "
+                "it");
   list_.groups.resize(groups_.size());
   shades_.resize(groups_.size());
   layerShades_.resize(groups_.size());

@@ -35,9 +35,10 @@ std::optional<UniformType> typeNamed(std::string_view type) {
     if (type == scalar) return UniformType{1, 1, std::string(scalar)};
   for (const auto& [prefix, scalar] :
        {std::pair{"vec", "float"}, {"ivec", "int"}, {"uvec", "uint"}, {"bvec", "bool"}})
-    if (type.starts_with(prefix))
+    if (type.size() == std::string_view(prefix).size() + 1 && type.starts_with(prefix))
       return UniformType{1, static_cast<std::uint32_t>(type.back() - '0'), scalar};
-  if (!type.starts_with("mat")) return std::nullopt;
+  static const std::regex kMatrix("mat[2-4](x[2-4])?");
+  if (!std::regex_match(type.begin(), type.end(), kMatrix)) return std::nullopt;
   const auto columns = static_cast<std::uint32_t>(type[3] - '0');
   return UniformType{columns, type.size() > 5 ? static_cast<std::uint32_t>(type[5] - '0') : columns, "float"};
 }
@@ -62,6 +63,48 @@ std::string arrayText(const gpu::ShaderVariable& uniform) {
   std::string text = uniform.type;
   for (const std::uint32_t size : uniform.array) text += fmt::format("[{}]", size);
   return text;
+}
+
+/// The text outside of functions, without comments: what is declared for all of it.
+std::string outsideOfFunctions(std::string_view glsl) {
+  std::string outside;
+  int depth = 0;
+  for (std::size_t i = 0; i < glsl.size(); ++i) {
+    if (glsl.substr(i, 2) == "//") {
+      i = std::min(glsl.find('\n', i), glsl.size());
+    } else if (glsl.substr(i, 2) == "/*") {
+      i = std::min(glsl.find("*/", i + 2), glsl.size() - 2) + 1;
+      continue;
+    }
+    if (i >= glsl.size()) break;
+    depth -= glsl[i] == '}';
+    if (depth == 0) outside += glsl[i];
+    depth += glsl[i] == '{';
+  }
+  return outside;
+}
+
+/// Names of constants, whose declarations may name several; parameters that are const are none.
+std::vector<std::string> constantsOf(std::string_view glsl) {
+  static const std::regex kConstant(
+      R"(\bconst\s+(?!in\b)(?:(?:highp|mediump|lowp)\s+)?\w+(?:\s*\[[^\]]*\])?\s+(\w[^;{]*))");
+  static const std::regex kDeclarator(R"(^\s*(\w+))");
+  std::vector<std::string> names;
+  const std::string text = std::regex_replace(std::string(glsl), std::regex(R"(//[^\n]*|/\*[^]*?\*/)"), " ");
+  for (std::sregex_iterator found(text.begin(), text.end(), kConstant), end; found != end; ++found) {
+    const std::string declared = (*found)[1].str();
+    int depth = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= declared.size() && depth >= 0; ++i) {
+      const char c = i < declared.size() ? declared[i] : ',';
+      depth += (c == '(' || c == '[') - (c == ')' || c == ']');
+      if (c != ',' || depth != 0) continue;
+      const std::string declarator = declared.substr(begin, i - begin);
+      begin = i + 1;
+      if (std::smatch name; std::regex_search(declarator, name, kDeclarator)) names.push_back(name[1].str());
+    }
+  }
+  return names;
 }
 
 /// Whether a name may follow a dot in a shader: of what it is given, or of a vector.
@@ -147,11 +190,27 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
                   "declare what a scene may set as uniforms outside of blocks: uniform float roughness;");
     uniforms_ = block.members;
   }
+  for (const gpu::ShaderVariable& uniform : uniforms_)
+    if (!typeNamed(uniform.type))
+      refuseWord(uniform.name, fmt::format("the uniform '{}' is of type {}, which scenes do not set",
+                                           uniform.name, arrayText(uniform)),
+                 "numbers, vectors and matrices of float, int, uint and bool, and arrays of them, are set");
   if (!interface_.samplers.empty())
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: '{}' is a {}, which scenes do not set yet", shader_->files.front().name,
                             interface_.samplers.front().name, interface_.samplers.front().type),
                 "give the material a \"map\", and read it with colorMap(p.uv)");
+}
+
+void MaterialProgram::refuseWord(const std::string& word, const std::string& why,
+                                 const std::string& advice) const {
+  const std::regex whole(fmt::format("\\b{}\\b", word));
+  for (const MaterialShader::File& file : shader_->files)
+    if (std::smatch found; std::regex_search(file.text, found, whole)) {
+      const auto begin = static_cast<std::size_t>(found.position());
+      throw Error(ErrorKind::Scene,
+                  describe(file.name, file.text, {{begin, begin + word.size()}, why, advice}));
+    }
 }
 
 /// Points in, a colour out.
@@ -162,6 +221,14 @@ void MaterialProgram::requirePure() const {
         ErrorKind::Scene,
         fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
         "return a colour everywhere");
+  for (const std::string& name : interface_.computedGlobals)
+    refuseWord(name,
+               fmt::format("'{}' is computed before any uniform has its value: outside of functions only "
+                           "constants are",
+                           name),
+               "compute it in material(), or make it a constant");
+  for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMostRounds"})
+    refuseWord(own, fmt::format("'{}' is a name of luxo's own", own), "choose another one");
   if (std::ranges::count(interface_.calls, "luxoStops") < std::int64_t{interface_.loops})
     throw Error(ErrorKind::Scene, fmt::format("{}: a macro spells a loop, which may have no end", file),
                 "write for, while and do where the loop is");
@@ -172,6 +239,13 @@ void MaterialProgram::requirePure() const {
                     fmt::format("{}: '{}' is an input or output of a program, which a material is not", file,
                                 variable.name),
                     "the point is the argument of material(), and the colour its result");
+}
+
+bool MaterialProgram::isInitialised(const std::string& uniform) const {
+  const std::regex initialised(fmt::format(R"(\b{}\s*(?:\[[^\]]*\]\s*)*=)", uniform));
+  return std::ranges::any_of(shader_->files, [&](const MaterialShader::File& file) {
+    return std::regex_search(outsideOfFunctions(file.text), initialised);
+  });
 }
 
 const gpu::ShaderVariable* MaterialProgram::find(const std::string& name) const {
@@ -236,11 +310,8 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
     names.insert(names.end(), some->begin(), some->end());
   for (const gpu::ShaderVariable& uniform : uniforms_) names.push_back(uniform.name);
   // Constants leave no name behind: those of functions are renamed, too, which changes nothing.
-  static const std::regex kConstant(R"(\bconst\s+(?:(?:highp|mediump|lowp)\s+)?\w+\s+(\w+))");
   for (const MaterialShader::File& file : shader_->files)
-    for (std::sregex_iterator found(file.text.begin(), file.text.end(), kConstant), end; found != end;
-         ++found)
-      names.push_back((*found)[1].str());
+    for (std::string& name : constantsOf(file.text)) names.push_back(std::move(name));
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   constexpr std::string_view kGiven[] = {"main",       "material",  "lightCount",  "light",   "ambientLight",
@@ -252,22 +323,29 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
   material = "#define uniform\n";
   for (const std::string& name : names) material += fmt::format("#define {} luxoOwn_{}\n", name, name);
   material += fmt::format("#include \"{}\"\nvoid loadUniforms() {{\n", shader_->files.front().name);
-  std::uint32_t first = 0;
-  for (const auto& [name, count] : given) {
-    const gpu::ShaderVariable& uniform = *find(name);
-    const UniformType type = *typeNamed(uniform.type);
+  const auto set = [&](const gpu::ShaderVariable& uniform, const auto& valueOf) {
     for (std::uint32_t i = 0; i < uniform.elements(); ++i) {
-      std::string element = name;
+      std::string element = uniform.name;
       std::uint32_t rest = i, part = uniform.elements();
       for (const std::uint32_t size : uniform.array) {
         part /= size;
         element += fmt::format("[{}]", rest / part);
         rest %= part;
       }
-      material += fmt::format("  {} = {};\n", element, valueAt(uniform, type, first + i * type.numbers()));
+      material += fmt::format("  {} = {};\n", element, valueOf(i));
     }
+  };
+  std::uint32_t first = 0;
+  for (const auto& [name, count] : given) {
+    const gpu::ShaderVariable& uniform = *find(name);
+    const UniformType type = *typeNamed(uniform.type);
+    set(uniform, [&](std::uint32_t i) { return valueAt(uniform, type, first + i * type.numbers()); });
     first += count;
   }
+  for (const gpu::ShaderVariable& uniform : uniforms_)
+    if (std::ranges::find(given, uniform.name, &GivenUniforms::value_type::first) == given.end() &&
+        !isInitialised(uniform.name))
+      set(uniform, [&](std::uint32_t) { return fmt::format("{}(0)", uniform.type); });
   material += "}\n";
   for (const std::string& name : names) material += fmt::format("#undef {}\n", name);
   material += "#undef uniform\n";
@@ -305,7 +383,8 @@ void appendShader(const Material& material, const SnapshotNode& node, const Vec3
   const auto add = [&](const Vec3& v) {
     for (int i = 0; i < 3; ++i) numbers.push_back(static_cast<float>(v[i]));
   };
-  const Mat3 objectFromWorld = inverseOrZero(node.worldFromObject.linear);
+  Mat3 objectFromWorld = inverseOrZero(node.worldFromObject.linear);
+  for (int column = 0; column < 3; ++column) objectFromWorld[column] /= node.evened;
   add(origin);
   for (int column = 0; column < 3; ++column) add(objectFromWorld[column]);
   add(objectFromWorld * (origin - node.worldFromObject.translation));

@@ -43,6 +43,10 @@ class MaterialProgram {
 
  private:
   void requirePure() const;
+  /// Error(Scene) where the word stands in a file of its own; nothing where it stands in none.
+  void refuseWord(const std::string& word, const std::string& why, const std::string& advice) const;
+  /// Whether its declaration says what it is where a scene does not.
+  [[nodiscard]] bool isInitialised(const std::string& uniform) const;
   [[nodiscard]] const gpu::ShaderVariable* find(const std::string& name) const;
 
   MaterialShaderPtr shader_;

@@ -51,6 +51,7 @@ const Snapshot& ScaleNormalization::of(const Snapshot& snapshot) {
     if (isNew) known = {.from = node.surface, .scaled = scaled(node.surface, scale, node.parameters)};
     known.used = true;
     node.surface = known.scaled;
+    node.evened = scale;
     for (int axis = 0; axis < 3; ++axis) node.worldFromObject.linear[axis] /= scale[axis];
     node.boundsObject = {node.boundsObject.min * scale, node.boundsObject.max * scale};
   }

@@ -24,6 +24,10 @@ class ScenePainter {
  public:
   explicit ScenePainter(gpu::Context& context);
 
+  /// Error(Scene): a material's shader is none, or its uniforms are not of it; as record(), but nothing is
+  /// drawn. Cost: compiles the shaders that are new.
+  void check(const Snapshot& snapshot) { pipelines_.programs().check(snapshot); }
+
   /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
   /// is in view.picture() once the recording has been submitted and is complete. With
   /// view.refinement.completes only what the view's last picture lost is drawn, into that. Throws

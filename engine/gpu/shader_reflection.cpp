@@ -225,7 +225,9 @@ class Reflection {
   /// What OpName says of functions, structures and private variables.
   void addNames(ShaderInterface& all) const {
     std::map<std::uint32_t, std::string> names;
-    std::set<std::string> functions, structures, globals;
+    std::set<std::string> functions, structures, globals, computed;
+    std::set<std::uint32_t> privates, constants;
+    std::uint32_t entry = 0, function = 0;
     constexpr std::size_t kHeader = 5;
     for (std::size_t at = kHeader; at < spirv_.size();) {
       const std::uint32_t length = spirv_[at] >> 16, op = spirv_[at] & 0xffff;
@@ -245,11 +247,20 @@ class Reflection {
       } else if (op == spv::OpFunctionCall && length > 3) {
         const std::string mangled = nameOf(3);
         all.calls.push_back(mangled.substr(0, mangled.find('(')));
+      } else if (op == spv::OpEntryPoint && length > 2) {
+        entry = spirv_[at + 2];
+      } else if (op >= spv::OpConstantTrue && op <= spv::OpSpecConstantOp && length > 2) {
+        constants.insert(spirv_[at + 2]);
+      } else if (op == spv::OpStore && length > 2 && function == entry && privates.contains(spirv_[at + 1]) &&
+                 !constants.contains(spirv_[at + 2])) {
+        computed.insert(nameOf(1));
       } else if (op == spv::OpTypeStruct) {
         structures.insert(nameOf(1));
       } else if (op == spv::OpVariable && length > 3 && spirv_[at + 3] == spv::StorageClassPrivate) {
         globals.insert(nameOf(2));
+        privates.insert(spirv_[at + 2]);
       } else if (op == spv::OpFunction && length > 2) {
+        function = spirv_[at + 2];
         const std::string mangled = nameOf(2);
         functions.insert(mangled.substr(0, mangled.find('(')));
       }
@@ -262,6 +273,7 @@ class Reflection {
     put(functions, all.functions);
     put(structures, all.structures);
     put(globals, all.globals);
+    put(computed, all.computedGlobals);
   }
 
   std::span<const std::uint32_t> spirv_;

@@ -47,6 +47,7 @@ struct ShaderInterface {
   std::vector<std::string> calls;  ///< of functions, each by the name of what it calls
   bool discards = false;                  ///< some of its fragments may end with nothing
   std::vector<std::string> functions, structures, globals;  ///< names that the text gives
+  std::vector<std::string> computedGlobals;  ///< of these, what begins as no constant
 };
 
 /// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V. Cost: linear.

@@ -82,8 +82,9 @@ class Judge {
       std::iota(chosen_.begin(), chosen_.end(), 0U);
     }
     pixels_.resize(chosen_.size());
-    anyShader_ =
-        std::ranges::any_of(snapshot.materials, [](const Material& m) { return m.shader != nullptr; });
+    anyShader_ = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
+      return snapshot.materials[node.material.index].shader != nullptr;
+    });
   }
 
   JudgedPicture judged() {
@@ -325,7 +326,7 @@ class Judge {
       return snapshot_.materials[node.material.index].transparent();
     });
     // Of the ambient light the picture knows less than the truth: no colour is the same.
-    const bool occluded = snapshot_.ambientOcclusion.any();
+    const bool occluded = snapshot_.ambientOcclusion.any() && snapshot_.ambient != Vec3(0);
     const auto mayBeInShadow = [&](const JudgedPixel& pixel) {
       return pixel.mismatch == Mismatch::None && pixel.color > kOtherLight &&
              (layers || (shadows && pixel.position != kUnset));

@@ -112,6 +112,7 @@ class SceneConstruction {
     for (const MaterialDesc& material : file_.materials) addMaterial(material);
     for (const SurfaceDesc& surface : file_.surfaces) addSurface(surface);
     for (const NodeDesc& node : file_.nodes) addNode(node);
+    for (const BuiltMaterial& material : materials_) checkUnused(material);
     setCasters();
     if (file_.camera) addCamera(*file_.camera);
     for (const CameraDesc& camera : file_.cameras) addCamera(camera);
@@ -124,6 +125,7 @@ class SceneConstruction {
   std::optional<MaterialId> makeMaterial(const MaterialDesc& desc, ShapeBuilder::MovingPaint paint);
   std::optional<MaterialId> materialOn(BuiltMaterial& material, const NodeDesc& node);
   bool acceptNames(const NodeDesc& node, const Surface& surface);
+  void checkUnused(const BuiltMaterial& material);
   void addMaps(const MaterialDesc& desc, MovingMaterial& material);
   void requireNumbers(const FileName& texture);
   void addShader(const MaterialDesc& desc, MovingMaterial& material);
@@ -347,6 +349,11 @@ std::optional<MaterialId> SceneConstruction::materialOn(BuiltMaterial& material,
                                                      surfaces_[*surface].surface));
     });
   return made->second;
+}
+
+/// One that reads the surface, and is on none, is made without its colours, for what is wrong with the rest.
+void SceneConstruction::checkUnused(const BuiltMaterial& material) {
+  if (!material.everywhere && material.onSurface.empty()) static_cast<void>(makeMaterial(*material.desc, {}));
 }
 
 bool SceneConstruction::acceptNames(const NodeDesc& node, const Surface& surface) {

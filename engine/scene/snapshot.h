@@ -23,6 +23,7 @@ struct SnapshotNode {
   Box boundsObject, boundsWorld;   ///< conservative
   MaterialId material;             ///< always valid
   std::optional<Segments> segments;
+  Vec3 evened{1};  ///< factors by which the surface is larger than the scene's (draw/scale_normalization.h)
 
   /// Same node, same picture: surfaces compare by identity, numbers bit by bit.
   friend bool operator==(const SnapshotNode& a, const SnapshotNode& b);

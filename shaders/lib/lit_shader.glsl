@@ -36,7 +36,11 @@ Light light(int index) {
                data.radiance * arriving, lightCount() > 0 ? visible : vec3(0));
 }
 
+#ifdef LUXO_OPENNESS
+vec3 ambientLight() { return openness() * shaderNumbers3(15); }
+#else
 vec3 ambientLight() { return shaderNumbers3(15); }
+#endif
 
 vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess) {
   Material plain = Material(ambientLight() * diffuse, diffuse, specular, shininess, foundMaterial().flags);

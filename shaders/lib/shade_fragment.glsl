@@ -27,6 +27,8 @@ vec4 normalFrame() { return texelFetch(foundFrames, ivec2(gl_FragCoord.xy), 0); 
 
 layout(constant_id = kConstantOcclusion) const bool kOcclusion = false;
 layout(set = kSetFound, binding = kBindingOpenness) uniform sampler2D opennesses;
+#define LUXO_OPENNESS
+float openness() { return kOcclusion ? texelFetch(opennesses, ivec2(gl_FragCoord.xy), 0).x : 1.0; }
 
 layout(location = 0) flat in vec4 inViewer;
 layout(location = 1) flat in vec3 inPlace[3];
@@ -46,7 +48,7 @@ Found foundPoint() {
     material = uniformMaterials[number];
   if (material.pattern != kPattern) discard;  // another draw's
   if (kAddsLight) material.ambient = vec3(0);
-  if (kOcclusion) material.ambient *= texelFetch(opennesses, ivec2(gl_FragCoord.xy), 0).x;
+  material.ambient *= openness();
   vec2 pixel = gl_FragCoord.xy - inMiddle;
   vec3 place = inPlace[0] + pixel.x * inPlace[1] + pixel.y * inPlace[2],
        ray = inRay[0] + pixel.x * inRay[1] + pixel.y * inRay[2];

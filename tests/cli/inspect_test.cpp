@@ -218,7 +218,7 @@ TEST_F(Inspect, RefusalsOfPixelsAndVertices) {
 
 TEST_F(Inspect, Refusals) {
   expectFailure(run(folder, {"inspect"}), 2, "nothing is named", "luxo-grandpa");
-  expectFailure(run(folder, {"inspect", "a.frag"}), 3, "not supported yet", "");
+  expectFailure(run(folder, {"inspect", "a.frag"}), 3, "cannot read the shader 'a.frag'", "");
   expectFailure(run(folder, {"inspect", "missing.png"}), 3, "missing.png", "");
   EXPECT_EQ(run(folder, {"inspect", "missing.luxo.json"}).code, 3);
 }

@@ -43,12 +43,12 @@ TEST_F(MaterialShaderProgram, ErrorsAreAtTheirOwnLine) {
   const Outcome outcome =
       drawn("uniform float a;\nvec4 material(Point p) {\n  for (;;) { float b = p.norml.x; }\n}\n");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, StartsWith("error: m.frag:3:26: no such field in structure 'norml'\n"
+  EXPECT_THAT(outcome.err, StartsWith("error: m.frag:3:26: 'norml' : no such field in structure 'p'\n"
                                       "  3 |   for (;;) { float b = p.norml.x; }\n"));
   EXPECT_THAT(outcome.err, Not(HasSubstr("lib/")));
   writeText(folder / "inc.glsl", "\nfloat twice(float x) { return x * y; }\n");
   expectError("#include \"inc.glsl\"\nvec4 material(Point p) { return vec4(twice(1.0)); }\n",
-              "inc.glsl:2:36: undeclared identifier\n");
+              "inc.glsl:2:35: 'y' : undeclared identifier\n");
 }
 
 TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
@@ -59,6 +59,12 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
       "m.frag:1:7: the function 'f' calls itself");
   expectError("#define AGAIN while\nvec4 material(Point p) { AGAIN (p.uv.x > -9.0) { } return vec4(1); }\n",
               "a macro spells a loop");
+  expectError("#define G while\nvec4 material(Point p) { luxoStops(); G (p.uv.x > -9.0) { } return vec4(1); }\n",
+              "m.frag:2:26: 'luxoStops' is a name of luxo's own");
+  expectError("uniform float k = 1.0;\nfloat twice = 2.0 * k;\nvec4 material(Point p) { return vec4(twice); }\n",
+              "m.frag:2:7: 'twice' is computed before any uniform has its value");
+  expectError("struct S { float x; };\nuniform S s;\nvec4 material(Point p) { return vec4(s.x); }\n",
+              "m.frag:2:11: the uniform 's' is of type S");
   expectError("vec4 colour(Point p) { return vec4(1); }\n", "there is no function 'vec4 material(Point p)'");
   expectError("float x = " + std::string(20000, '(') + "1.0" + std::string(20000, ')') + ";\n", "m.frag:1:");
   expectError("uniform B { float x; } b;\nvec4 material(Point p) { return vec4(b.x); }\n",
@@ -71,7 +77,7 @@ TEST_F(MaterialShaderProgram, ValuesHaveNamesAndTypes) {
   const std::string shader =
       "uniform vec3 tint;\nuniform float gloss, idle;\nuniform int steps;\n"
       "vec4 material(Point p) { return vec4(tint * gloss * float(steps), 1); }\n";
-  expectError(shader, "s.luxo.json:4:25: the shader 'm.frag' has no uniform 'tnt'",
+  expectError(shader, "s.luxo.json:4:26: the shader 'm.frag' has no uniform 'tnt'",
               R"({ "tnt": [1, 0, 0] })");
   EXPECT_THAT(drawn(shader, R"({ "tnt": [1, 0, 0] })").err, HasSubstr("did you mean 'tint'?"));
   expectError(shader, "is of type vec3: 3 numbers, not 2", R"({ "tint": [1, 0] })");

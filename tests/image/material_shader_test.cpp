@@ -85,6 +85,50 @@ TEST_F(MaterialShaderPicture, TheLightOfMaterialsWithoutOne) {
       }
 }
 
+/// Where the sky is open it gets the ambient light, like them.
+TEST_F(MaterialShaderPicture, AmbientOcclusionIsItsToo) {
+  const Material own = litBy(kPlain, {{"shine", {3, 40}}, {"paint", {0.7, 0.3, 0.2}}}),
+                 plain{.diffuse = Vec3(0.7, 0.3, 0.2), .specular = Vec3(0.5), .shininess = 40};
+  const auto shown = [&](const Material& material, double radius) {
+    Scene scene = ringOnPlate(material, material, Light::Shadow::None);
+    scene.set(RenderSettings{.ambient = Vec3(1), .ambientOcclusion = {.radius = radius}});
+    return draw(scene, kCamera, kSize).image;
+  };
+  EXPECT_LE(largestDifference(shown(own, 1), shown(plain, 1)), 1e-6);
+  EXPECT_GT(largestDifference(shown(own, 1), shown(own, 0)), 0.1);
+}
+
+/// As the language has it: what the scene does not give is what its declaration says, or 0.
+TEST_F(MaterialShaderPicture, UniformsThatAreNotGivenAreTheirInitialisersOrZero) {
+  const Material own = litBy(R"(
+const float kPi = 0.25, kTiny = 0.5;  // names of luxo's, too
+uniform float a, b = kPi;             // a const of float
+uniform vec3 c[2];
+uniform mat3 d;
+uniform int e = 2;
+float sum(const in vec3 x) { return x.x + x.y + x.z; }
+vec4 material(Point p) { return vec4(sum(c[0] + c[1] + d[1]) + a, b + kTiny, 0.1 * float(e), 1.0); })");
+  for (const Composition composition : {Composition::Auto, Composition::Deferred}) {
+    const Image image =
+        draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition}).image;
+    EXPECT_TRUE(near(colorAt(image, kSize.width / 2, kSize.height - 12), Vec3(0, 0.75, 0.2), 1e-6));
+  }
+}
+
+/// A node whose scale makes a thin surface round, which is drawn as another one: the place is the scene's.
+TEST_F(MaterialShaderPicture, ThePlaceInTheNodeIsOfTheScenesSurface) {
+  Scene scene;
+  Node node{.surface = surface(
+                [](auto u, auto v) { return point(1e-4 * cos(v) * cos(u), sin(v), cos(v) * sin(u)); },
+                {{0, kTau}, {-1.5, 1.5}})};
+  node.scale = Vec3(1e4, 1, 1);
+  node.material = scene.add(litBy("vec4 material(Point p) { return vec4(0.5 + 4000.0 * p.object.x, 0.5, 0.5, 1.0); }"));
+  scene.add(std::move(node));
+  const Camera aside{.eye = Vec3(5, 0, 0), .lookAt = Vec3(0)};
+  const Vec3 middle = colorAt(draw(scene, aside, kSize).image, kSize.width / 2, kSize.height / 2);
+  EXPECT_NEAR(middle.x, 0.9, 0.01);  // x is 1e-4, but for half a pixel
+}
+
 /// The same sum, written as a user does.
 TEST_F(MaterialShaderPicture, LightsWithTheirExactShadows) {
   const Material own = litBy(R"(

@@ -50,7 +50,7 @@ TEST_F(SurfaceNamesTest, TheTruthIsOfTheSameColors) {
        {R"({ "type": "torus", "major": 1, "minor": "wide" })", R"({ "type": "klein" })",
         R"({ "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "wide*sin(3u)*v", "v"] })"}) {
     const Scene scene =
-        colored(surface, R"(["0.5 + 0.4*tanh(K)", "0.5 + 0.25*nx + 0.2*y", "0.5 + 0.3*tanh(k1 - k2)"])");
+        colored(surface, R"c(["0.5 + 0.4*tanh(K)", "0.5 + 0.25*nx + 0.2*y", "0.5 + 0.3*tanh(k1 - k2)"])c");
     SCOPED_TRACE(surface);
     expectTrueColors(takeSnapshot(scene, 0, kSize), 500);
   }

@@ -242,7 +242,7 @@ class Viewer {
     try {
       ViewedScene next = options_.readAgain();
       const double seconds = controls_.playback().seconds(Clock::now());
-      static_cast<void>(takeSnapshot(next.scene, seconds, next.settings.size, next.camera));
+      painter_.check(takeSnapshot(next.scene, seconds, next.settings.size, next.camera));
       controls_.adopt(viewed_, next, Clock::now());
       viewed_ = std::move(next);
       problem_.clear();
