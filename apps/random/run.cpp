@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,7 +20,7 @@
 namespace luxo::random {
 namespace {
 
-constexpr int kPlacesTold = 8;  // of wrong pixels, in a line: enough to look at
+constexpr std::size_t kPlacesTold = 8;  // of wrong pixels, in a line: enough to look at
 
 void requireKind(const std::string& kind) {
   const auto kinds = surfaceKinds();
@@ -56,7 +56,8 @@ void describe(Json& line, const Trial& trial) {
                    {"point", trial.wrong.point},
                    {"light", trial.wrong.light},
                    {"color", trial.wrongColors}};
-  for (const std::uint32_t pixel : trial.wrong.pixels | std::views::take(kPlacesTold))
+  const std::span<const std::uint32_t> wrong = trial.wrong.pixels;
+  for (const std::uint32_t pixel : wrong.first(std::min(wrong.size(), kPlacesTold)))
     line["wrong_at"].push_back({pixel % trial.size.width, pixel / trial.size.width});
   line["worst_px"] = rounded(trial.worstPx, 3);
   line["undecided"] = trial.undecided;

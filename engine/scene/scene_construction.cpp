@@ -341,14 +341,14 @@ std::optional<MaterialId> SceneConstruction::makeMaterial(const MaterialDesc& de
 std::optional<MaterialId> SceneConstruction::materialOn(BuiltMaterial& material, const NodeDesc& node) {
   const std::size_t* surface = surfaceIndices_.find(node.surface, problems_);
   if (material.everywhere || !surface || !surfaces_[*surface].surface.valid()) return material.everywhere;
-  const auto [made, isNew] = material.onSurface.try_emplace(*surface);
-  if (isNew && acceptNames(node, surfaces_[*surface].surface))
+  const auto found = material.onSurface.try_emplace(*surface);
+  std::optional<MaterialId>& made = found.first->second;
+  if (found.second && acceptNames(node, surfaces_[*surface].surface))
     attempt(node.material.place, [&] {
-      made->second = makeMaterial(*material.desc,
-                                  shapes_.buildPaint(material.desc->diffuse, material.desc->opacity,
-                                                     surfaces_[*surface].surface));
+      made = makeMaterial(*material.desc, shapes_.buildPaint(material.desc->diffuse, material.desc->opacity,
+                                                             surfaces_[*surface].surface));
     });
-  return made->second;
+  return made;
 }
 
 /// One that reads the surface, and is on none, is made without its colours, for what is wrong with the rest.
