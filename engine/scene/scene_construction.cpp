@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/suggestion.h"
+#include "scene/material_builder.h"
 #include "scene/moment_formulas.h"
+#include "scene/named.h"
 #include "scene/scene_variables.h"
 #include "scene/scene_warnings.h"
-#include "scene/shader_files.h"
 #include "scene/shape_builder.h"
 #include "scene/surface_names.h"
 #include "scene/texture_builder.h"
@@ -24,66 +24,18 @@
 namespace luxo {
 namespace {
 
-/// Things of one kind by name, for the references to them.
-template <class Thing>
-class Named {
- public:
-  explicit Named(std::string_view kind) : kind_(kind) {}
-
-  void add(const FileName& name, Thing thing, SceneProblems& problems) {
-    if (!things_.emplace(name.text, thing).second)
-      problems.add(name.place, fmt::format("there are two {}s '{}'", kind_, name.text));
-  }
-
-  /// The first of a name stays.
-  void addFirst(const FileName& name, Thing thing) { things_.emplace(name.text, thing); }
-
-  /// Nothing for an empty name and, which is a problem, for one that does not exist.
-  [[nodiscard]] const Thing* find(const FileName& name, SceneProblems& problems) const {
-    if (name.empty()) return nullptr;
-    const auto found = things_.find(name.text);
-    if (found != things_.end()) return &found->second;
-    if (problems.full()) {
-      problems.add(name.place, {});
-      return nullptr;
-    }
-    constexpr std::size_t kMaxToCompare = 1000;
-    std::vector<std::string> names;
-    for (const auto& [known, thing] : things_)
-      if (names.size() < kMaxToCompare) names.emplace_back(known);
-    std::ranges::sort(names);
-    constexpr std::size_t kFew = 12;
-    problems.add(name.place, fmt::format("there is no {} '{}'", kind_, name.text),
-                 didYouMean(name.text, names,
-                            names.empty()          ? fmt::format("the scene has no {}s", kind_)
-                            : names.size() <= kFew ? fmt::format("the {}s are {}", kind_, listed(names))
-                                                   : std::string()));
-    return nullptr;
-  }
-
- private:
-  std::string_view kind_;
-  std::unordered_map<std::string_view, Thing> things_;
-};
-
 struct BuiltSurface {
   Surface surface;
   std::optional<Segments> segments;
 };
 
-/// A material of the file. Where its formulas read the surface it is another one on each, made when a node first
-/// has it there.
+/// A material of the file. Where its formulas read the surface it is another one on each, made when a node
+/// first has it there.
 struct BuiltMaterial {
   const MaterialDesc* desc = nullptr;
   std::optional<MaterialId> everywhere = {};
   std::unordered_map<std::size_t, std::optional<MaterialId>> onSurface = {};  ///< nothing where that failed
 };
-
-struct MovingMaterial;
-
-bool isOpaque(const MaterialDesc& material) {
-  return material.opacity == Quantity(1) && material.blend == Blend::Over;
-}
 
 bool bendsAlongTangents(const MaterialDesc& material) {
   return material.normalMap && material.normalMap->space == NormalSpace::Tangent;
@@ -104,7 +56,8 @@ class SceneConstruction {
         shapes_(variables_, formulas_, problems, warnings, about,
                 std::ranges::any_of(file.materials, knowsTangents)),
         images_(formulas_, problems, warnings),
-        warnings_(warnings) {}
+        warnings_(warnings),
+        looks_(file, textures_, formulas_, problems, warnings) {}
 
   Scene build() {
     for (const TextureDesc& texture : file_.textures)
@@ -123,13 +76,10 @@ class SceneConstruction {
  private:
   void addMaterial(const MaterialDesc& desc);
   std::optional<MaterialId> makeMaterial(const MaterialDesc& desc, ShapeBuilder::MovingPaint paint);
-  std::optional<MaterialId> materialOn(BuiltMaterial& material, const NodeDesc& node);
+  std::optional<MaterialId> materialOn(const std::size_t* surface, BuiltMaterial& material,
+                                       const NodeDesc& node);
   bool acceptNames(const NodeDesc& node, const Surface& surface);
   void checkUnused(const BuiltMaterial& material);
-  void addMaps(const MaterialDesc& desc, MovingMaterial& material);
-  void requireNumbers(const FileName& texture);
-  void addShader(const MaterialDesc& desc, MovingMaterial& material);
-  void addLesson(const MaterialDesc& desc, MovingMaterial& material);
   void addSurface(const SurfaceDesc& desc);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
@@ -156,6 +106,7 @@ class SceneConstruction {
   TextureBuilder images_;
   std::vector<Diagnostic>* warnings_;
   Named<TextureMap> textures_{"texture"};
+  MaterialBuilder looks_;
   Named<std::size_t> materialIndices_{"material"};
   std::vector<BuiltMaterial> materials_;
   Named<std::size_t> surfaceIndices_{"surface"};
@@ -172,135 +123,6 @@ void SceneConstruction::attempt(FilePlace place, const Add& add) {
   }
 }
 
-/// A material whose numbers may move.
-struct MovingMaterial {
-  Material fixed;
-  Animated<Vec3> diffuse = Vec3(0), specular = Vec3(0);
-  std::optional<Animated<Vec3>> ambient = {};
-  Animated<double> shininess = 0.0, opacity = 0.0;
-  std::vector<Animated<double>> patternParameters = {};
-  struct Place {
-    std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
-    Animated<double> angle = 0.0;
-  };
-  std::array<Place, 4> places = {};                          ///< of Material::maps()
-  std::vector<std::vector<Animated<double>>> uniforms = {};  ///< of each the values
-
-  [[nodiscard]] Material at(const Moment& moment) const {
-    Material material = fixed;
-    material.diffuse = diffuse.at(moment);
-    if (ambient) material.ambient = ambient->at(moment);
-    material.specular = specular.at(moment);
-    material.shininess = shininess.at(moment);
-    material.opacity = opacity.at(moment);
-    for (const Animated<double>& parameter : patternParameters)
-      material.patternParameters.push_back(parameter.at(moment));
-    const std::array<TextureMap*, 4> maps = material.maps();
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const Place& place = places[i];
-      maps[i]->offset = {place.offset[0].at(moment), place.offset[1].at(moment)};
-      maps[i]->scale = {place.scale[0].at(moment), place.scale[1].at(moment)};
-      maps[i]->angle = place.angle.at(moment);
-    }
-    for (std::size_t i = 0; i < uniforms.size(); ++i)
-      for (const Animated<double>& value : uniforms[i])
-        material.uniforms[i].values.push_back(value.at(moment));
-    return material;
-  }
-
-  [[nodiscard]] Animated<Material> animated() && {
-    bool constant = diffuse.isConstant() && specular.isConstant() && shininess.isConstant() &&
-                    opacity.isConstant() && (!ambient || ambient->isConstant());
-    bool moves = diffuse.movesWithTime() || specular.movesWithTime() || shininess.movesWithTime() ||
-                 opacity.movesWithTime() || (ambient && ambient->movesWithTime());
-    const auto consider = [&](const Animated<double>& number) {
-      constant = constant && number.isConstant();
-      moves = moves || number.movesWithTime();
-    };
-    std::ranges::for_each(patternParameters, consider);
-    for (const std::vector<Animated<double>>& values : uniforms) std::ranges::for_each(values, consider);
-    for (const Place& place : places)
-      for (const Animated<double>& number :
-           {place.offset[0], place.offset[1], place.scale[0], place.scale[1], place.angle})
-        consider(number);
-    if (constant) return at(0);
-    return {[material = std::move(*this)](const Moment& moment) { return material.at(moment); },
-            moves ? DependsOn::Both : DependsOn::Parameters};
-  }
-};
-
-void SceneConstruction::addMaps(const MaterialDesc& desc, MovingMaterial& material) {
-  const auto maps = desc.maps();
-  const bool opaque = isOpaque(desc);
-  for (std::size_t i = 0; i < maps.size(); ++i) {
-    if (!maps[i]) continue;
-    const MapDesc& map = *maps[i];
-    if (const TextureMap* texture = textures_.find(map.texture, problems_))
-      *material.fixed.maps()[i] = *texture;
-    MovingMaterial::Place& place = material.places[i];
-    for (std::size_t k = 0; k < 2; ++k) {
-      place.offset[k] = formulas_.number(map.offset[k], kPlace);
-      place.scale[k] = formulas_.number(map.scale[k], kPlace);
-    }
-    place.angle = formulas_.number(map.rotate);
-    if (material.fixed.diffusePattern.valid())
-      problems_.add(map.texture.place, "the diffuse colour or opacity uses u or v, and there is a map, too",
-                    "leave out one of them");
-    if (!opaque && warnings_)
-      warnings_->push_back(
-          {rangeOf(map.texture.place), "maps of what is seen through are not drawn yet", {}});
-  }
-  if (!desc.normalMap) return;
-  material.fixed.normalSpace = desc.normalMap->space;
-  requireNumbers(desc.normalMap->map.texture);
-}
-
-void SceneConstruction::addLesson(const MaterialDesc& desc, MovingMaterial& material) {
-  if (!desc.lesson) return;
-  material.fixed.lesson = true;
-  if (material.fixed.diffusePattern.valid())
-    problems_.add(desc.name.place,
-                  "the diffuse colour or opacity uses u or v, which the lesson's formula does not know",
-                  "draw it with a \"map\"");
-  else if (!isOpaque(desc) && warnings_)
-    warnings_->push_back(
-        {rangeOf(desc.name.place), "what is seen through is not lit by the lesson's formula", {}});
-}
-
-void SceneConstruction::addShader(const MaterialDesc& desc, MovingMaterial& material) {
-  if (desc.shader.empty()) return;
-  const SceneSource& source = problems_.source();
-  const auto files = source.shaders ? source.shaders : std::make_shared<ShaderFiles>();
-  attempt(desc.shader.place, [&] { material.fixed.shader = files->get(desc.shader.text); });
-  if (!isOpaque(desc) || material.fixed.diffusePattern.hasOpacity())
-    problems_.add(desc.shader.place, "a shader of what is seen through is not drawn yet",
-                  "leave out \"opacity\" and \"blend\", or the shader");
-  else if (material.fixed.diffusePattern.valid())
-    problems_.add(desc.shader.place, "the diffuse colour uses u or v, and there is a shader, too",
-                  "compute the colour in the shader, from uv");
-  if (desc.normalMap)
-    problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");
-  if (desc.lesson)
-    problems_.add(desc.shader.place, "the lesson's formula and a shader exclude each other",
-                  "leave out one of them");
-  for (const UniformDesc& uniform : desc.uniforms) {
-    std::vector<Animated<double>>& values = material.uniforms.emplace_back();
-    for (const Quantity& value : uniform.values) values.push_back(formulas_.number(value, kPlace));
-    material.fixed.uniforms.push_back(
-        {uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
-  }
-}
-
-/// Vectors are not colours: decoded as these they would lead elsewhere.
-void SceneConstruction::requireNumbers(const FileName& texture) {
-  const auto desc = std::ranges::find(file_.textures, texture.text,
-                                      [](const TextureDesc& t) -> const std::string& { return t.name.text; });
-  if (desc != file_.textures.end() && !desc->file.empty() && !desc->data)
-    problems_.add(texture.place,
-                  fmt::format("the texture '{}' is read as colours, and normals are none", texture.text),
-                  "write \"data\": true in the texture");
-}
-
 void SceneConstruction::addMaterial(const MaterialDesc& desc) {
   attempt(desc.name.place, [&] {
     BuiltMaterial material{&desc};
@@ -315,31 +137,14 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
 
 std::optional<MaterialId> SceneConstruction::makeMaterial(const MaterialDesc& desc,
                                                           ShapeBuilder::MovingPaint paint) {
-  MovingMaterial material{.fixed = {.name = desc.name.text,
-                                    .blend = desc.blend,
-                                    .twoSided = desc.twoSided,
-                                    .shading = desc.lesson ? Shading::Exact : desc.shading,
-                                    .lectureSpecular = desc.lectureSpecular}};
   std::optional<MaterialId> made;
-  attempt(desc.name.place, [&] {
-    material.fixed.diffusePattern = std::move(paint.pattern);
-    material.patternParameters = std::move(paint.parameters);
-    material.diffuse = std::move(paint.uniform);
-    material.opacity = std::move(paint.opacity);
-    if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
-    material.specular = formulas_.vector(desc.specular, kLight);
-    material.shininess = formulas_.number(desc.shininess, kLight);
-    addMaps(desc, material);
-    addLesson(desc, material);
-    addShader(desc, material);
-    made = scene_.add(std::move(material).animated());
-  });
+  attempt(desc.name.place, [&] { made = scene_.add(looks_.build(desc, std::move(paint))); });
   return made;
 }
 
-/// The material on the surface of a node; nothing where that is a problem.
-std::optional<MaterialId> SceneConstruction::materialOn(BuiltMaterial& material, const NodeDesc& node) {
-  const std::size_t* surface = surfaceIndices_.find(node.surface, problems_);
+/// The material of a node on its surface, which may be none; nothing where that is a problem.
+std::optional<MaterialId> SceneConstruction::materialOn(const std::size_t* surface, BuiltMaterial& material,
+                                                        const NodeDesc& node) {
   if (material.everywhere || !surface || !surfaces_[*surface].surface.valid()) return material.everywhere;
   const auto found = material.onSurface.try_emplace(*surface);
   std::optional<MaterialId>& made = found.first->second;
@@ -359,14 +164,15 @@ void SceneConstruction::checkUnused(const BuiltMaterial& material) {
 bool SceneConstruction::acceptNames(const NodeDesc& node, const Surface& surface) {
   const std::uint32_t pieces = surface.triangles() ? 0 : surface.patchCount();
   if (pieces > 0 && pieces <= kMostNamedPatches) return true;
-  problems_.add(node.material.place,
-                fmt::format("the colour or opacity of material '{}' uses the place, normal or curvature of its "
-                            "surface, and '{}' {}",
-                            node.material.text, node.surface.text,
-                            pieces == 0 ? std::string("is a mesh, without a formula of these")
-                                        : fmt::format("has {} formulas: at most {} are supported", pieces,
-                                                      kMostNamedPatches)),
-                "give that node a material of u and v, or of one colour");
+  problems_.add(
+      node.material.place,
+      fmt::format("the colour or opacity of material '{}' uses the place, normal or curvature of its "
+                  "surface, and '{}' {}",
+                  node.material.text, node.surface.text,
+                  pieces == 0
+                      ? std::string("is a mesh, without a formula of these")
+                      : fmt::format("has {} formulas: at most {} are supported", pieces, kMostNamedPatches)),
+      "give that node a material of u and v, or of one colour");
   return false;
 }
 
@@ -403,12 +209,13 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
   else
     node.visible = {[visible](const Moment& moment) { return visible.at(moment) != 0; },
                     visible.movesWithTime() ? DependsOn::Both : DependsOn::Parameters};
-  if (const std::size_t* surface = surfaceIndices_.find(desc.surface, problems_)) {
+  const std::size_t* surface = surfaceIndices_.find(desc.surface, problems_);
+  if (surface) {
     node.surface = surfaces_[*surface].surface;
     node.segments = surfaces_[*surface].segments;
   }
   if (const std::size_t* index = materialIndices_.find(desc.material, problems_))
-    if (const std::optional<MaterialId> material = materialOn(materials_[*index], desc)) {
+    if (const std::optional<MaterialId> material = materialOn(surface, materials_[*index], desc)) {
       node.material = *material;
       if (node.surface.valid()) warnOfCutColor(desc, node.surface.domain(), scene_[*material]);
     }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "base/error.h"
 #include "scene/scene_folder.h"
@@ -31,6 +32,8 @@ std::string readText(const fs::path& path) {
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream && !stream.eof()) refuse("it cannot be read");
   if (text.find('\0') != text.npos) refuse("it is no text");
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return text;
 }
 

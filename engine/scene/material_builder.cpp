@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/material_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "scene/shader_files.h"
+
+namespace luxo {
+namespace {
+
+bool isOpaque(const MaterialDesc& material) {
+  return material.opacity == Quantity(1) && material.blend == Blend::Over;
+}
+
+}  // namespace
+
+/// A material whose numbers may move.
+struct MaterialBuilder::Moving {
+  Material fixed;
+  Animated<Vec3> diffuse = Vec3(0), specular = Vec3(0);
+  std::optional<Animated<Vec3>> ambient = {};
+  Animated<double> shininess = 0.0, opacity = 0.0;
+  std::vector<Animated<double>> patternParameters = {};
+  struct Place {
+    std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
+    Animated<double> angle = 0.0;
+  };
+  std::array<Place, 4> places = {};                          ///< of Material::maps()
+  std::vector<std::vector<Animated<double>>> uniforms = {};  ///< of each the values
+
+  [[nodiscard]] Material at(const Moment& moment) const {
+    Material material = fixed;
+    material.diffuse = diffuse.at(moment);
+    if (ambient) material.ambient = ambient->at(moment);
+    material.specular = specular.at(moment);
+    material.shininess = shininess.at(moment);
+    material.opacity = opacity.at(moment);
+    for (const Animated<double>& parameter : patternParameters)
+      material.patternParameters.push_back(parameter.at(moment));
+    const std::array<TextureMap*, 4> maps = material.maps();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Place& place = places[i];
+      maps[i]->offset = {place.offset[0].at(moment), place.offset[1].at(moment)};
+      maps[i]->scale = {place.scale[0].at(moment), place.scale[1].at(moment)};
+      maps[i]->angle = place.angle.at(moment);
+    }
+    for (std::size_t i = 0; i < uniforms.size(); ++i)
+      for (const Animated<double>& value : uniforms[i])
+        material.uniforms[i].values.push_back(value.at(moment));
+    return material;
+  }
+
+  [[nodiscard]] Animated<Material> animated() && {
+    bool constant = diffuse.isConstant() && specular.isConstant() && shininess.isConstant() &&
+                    opacity.isConstant() && (!ambient || ambient->isConstant());
+    bool moves = diffuse.movesWithTime() || specular.movesWithTime() || shininess.movesWithTime() ||
+                 opacity.movesWithTime() || (ambient && ambient->movesWithTime());
+    const auto consider = [&](const Animated<double>& number) {
+      constant = constant && number.isConstant();
+      moves = moves || number.movesWithTime();
+    };
+    std::ranges::for_each(patternParameters, consider);
+    for (const std::vector<Animated<double>>& values : uniforms) std::ranges::for_each(values, consider);
+    for (const Place& place : places)
+      for (const Animated<double>& number :
+           {place.offset[0], place.offset[1], place.scale[0], place.scale[1], place.angle})
+        consider(number);
+    if (constant) return at(0);
+    return {[material = std::move(*this)](const Moment& moment) { return material.at(moment); },
+            moves ? DependsOn::Both : DependsOn::Parameters};
+  }
+};
+
+Animated<Material> MaterialBuilder::build(const MaterialDesc& desc, ShapeBuilder::MovingPaint paint) {
+  Moving material{.fixed = {.name = desc.name.text,
+                            .blend = desc.blend,
+                            .twoSided = desc.twoSided,
+                            .shading = desc.lesson ? Shading::Exact : desc.shading,
+                            .lectureSpecular = desc.lectureSpecular}};
+  material.fixed.diffusePattern = std::move(paint.pattern);
+  material.patternParameters = std::move(paint.parameters);
+  material.diffuse = std::move(paint.uniform);
+  material.opacity = std::move(paint.opacity);
+  if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
+  material.specular = formulas_.vector(desc.specular, kLight);
+  material.shininess = formulas_.number(desc.shininess, kLight);
+  addMaps(desc, material);
+  addLesson(desc, material);
+  addShader(desc, material);
+  return std::move(material).animated();
+}
+
+void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
+  const auto maps = desc.maps();
+  const bool opaque = isOpaque(desc);
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (!maps[i]) continue;
+    const MapDesc& map = *maps[i];
+    if (const TextureMap* texture = textures_.find(map.texture, problems_))
+      *material.fixed.maps()[i] = *texture;
+    Moving::Place& place = material.places[i];
+    for (std::size_t k = 0; k < 2; ++k) {
+      place.offset[k] = formulas_.number(map.offset[k], kPlace);
+      place.scale[k] = formulas_.number(map.scale[k], kPlace);
+    }
+    place.angle = formulas_.number(map.rotate);
+    if (material.fixed.diffusePattern.valid())
+      problems_.add(map.texture.place, "the diffuse colour or opacity uses u or v, and there is a map, too",
+                    "leave out one of them");
+    if (!opaque && warnings_)
+      warnings_->push_back(
+          {rangeOf(map.texture.place), "maps of what is seen through are not drawn yet", {}});
+  }
+  if (!desc.normalMap) return;
+  material.fixed.normalSpace = desc.normalMap->space;
+  requireNumbers(desc.normalMap->map.texture);
+}
+
+void MaterialBuilder::addLesson(const MaterialDesc& desc, Moving& material) {
+  if (!desc.lesson) return;
+  material.fixed.lesson = true;
+  if (material.fixed.diffusePattern.valid())
+    problems_.add(desc.name.place,
+                  "the diffuse colour or opacity uses u or v, which the lesson's formula does not know",
+                  "draw it with a \"map\"");
+  else if (!isOpaque(desc) && warnings_)
+    warnings_->push_back(
+        {rangeOf(desc.name.place), "what is seen through is not lit by the lesson's formula", {}});
+}
+
+void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
+  if (desc.shader.empty()) return;
+  const SceneSource& source = problems_.source();
+  const auto files = source.shaders ? source.shaders : std::make_shared<ShaderFiles>();
+  try {
+    material.fixed.shader = files->get(desc.shader.text);
+  } catch (const Error& error) {
+    problems_.add(desc.shader.place, error.what(), error.hint());
+  }
+  if (!isOpaque(desc) || material.fixed.diffusePattern.hasOpacity())
+    problems_.add(desc.shader.place, "a shader of what is seen through is not drawn yet",
+                  "leave out \"opacity\" and \"blend\", or the shader");
+  else if (material.fixed.diffusePattern.valid())
+    problems_.add(desc.shader.place, "the diffuse colour uses u or v, and there is a shader, too",
+                  "compute the colour in the shader, from uv");
+  if (desc.normalMap)
+    problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");
+  if (desc.lesson)
+    problems_.add(desc.shader.place, "the lesson's formula and a shader exclude each other",
+                  "leave out one of them");
+  for (const UniformDesc& uniform : desc.uniforms) {
+    std::vector<Animated<double>>& values = material.uniforms.emplace_back();
+    for (const Quantity& value : uniform.values) values.push_back(formulas_.number(value, kPlace));
+    material.fixed.uniforms.push_back(
+        {uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
+  }
+}
+
+/// Vectors are not colours: decoded as these they would lead elsewhere.
+void MaterialBuilder::requireNumbers(const FileName& texture) {
+  const auto desc = std::ranges::find(file_.textures, texture.text,
+                                      [](const TextureDesc& t) -> const std::string& { return t.name.text; });
+  if (desc != file_.textures.end() && !desc->file.empty() && !desc->data)
+    problems_.add(texture.place,
+                  fmt::format("the texture '{}' is read as colours, and normals are none", texture.text),
+                  "write \"data\": true in the texture");
+}
+
+}  // namespace luxo

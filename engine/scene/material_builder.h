@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds the materials of a scene file: their numbers, maps and shaders.
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "scene/material.h"
+#include "scene/moment_formulas.h"
+#include "scene/named.h"
+#include "scene/scene_file.h"
+#include "scene/scene_problems.h"
+#include "scene/shape_builder.h"
+
+namespace luxo {
+
+class MaterialBuilder {
+ public:
+  /// `textures`: those of the file, by the time that build() is called. `warnings` may be null.
+  MaterialBuilder(const SceneFile& file, const Named<TextureMap>& textures, MomentFormulas& formulas,
+                  SceneProblems& problems, std::vector<Diagnostic>* warnings)
+      : file_(file), textures_(textures), formulas_(formulas), problems_(problems), warnings_(warnings) {}
+
+  /// With these colours and this opacity. What is wrong is among the problems.
+  [[nodiscard]] Animated<Material> build(const MaterialDesc& desc, ShapeBuilder::MovingPaint paint);
+
+ private:
+  struct Moving;
+
+  void addMaps(const MaterialDesc& desc, Moving& material);
+  void requireNumbers(const FileName& texture);
+  void addShader(const MaterialDesc& desc, Moving& material);
+  void addLesson(const MaterialDesc& desc, Moving& material);
+
+  const SceneFile& file_;
+  const Named<TextureMap>& textures_;
+  MomentFormulas& formulas_;
+  SceneProblems& problems_;
+  std::vector<Diagnostic>* warnings_;
+};
+
+}  // namespace luxo
