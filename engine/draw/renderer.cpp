@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/renderer.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <set>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "base/assert.h"
-#include "base/error.h"
+#include "draw/measured_pixels.h"
 #include "draw/shadow_list.h"
 #include "tessellate/parallel.h"
 
@@ -71,93 +66,6 @@ void readPositions(const std::byte* texels, int width, const Vec3& origin, float
     const Vec3f position = value.w != 0 ? Vec3f(Vec3(value) + origin) : Vec3f(value);
     std::memcpy(out, &position, sizeof position);
   }
-}
-
-/// What the values of pixels tell, by the bits of floats, so that a compiler may take many at once: the order
-/// of positive floats is that of their bits, and from those of infinity on they are no numbers.
-struct Measured {
-  static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U;
-  std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
-  std::uint32_t nonfinite = 0;
-  std::uint32_t endless = 0, seenThrough = 0;  ///< of these, what shaders of materials mean by infinities
-
-  void add(const Measured& other) {
-    residual = std::max(residual, other.residual);
-    nonfinite += other.nonfinite;
-    endless += other.endless;
-    seenThrough += other.seenThrough;
-  }
-  void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }
-};
-
-float alphaAt(const std::byte* texels, int x) {
-  float alpha;
-  std::memcpy(&alpha, texels + sizeof(Vec4f) * x + 3 * sizeof alpha, sizeof alpha);
-  return alpha;
-}
-
-void addAlphas(const std::byte* texels, int width, Measured& measured) {
-  Measured row = measured;
-  for (int x = 0; x < width; ++x) row.add(alphaAt(texels, x));
-  measured = row;
-}
-
-void addMeanAlphas(const std::byte* texels, int width, Measured& measured) {
-  for (int x = 0; x < width; ++x) measured.add(Accumulator::alphaOf(alphaAt(texels, x)));
-}
-
-void addColors(const std::byte* texels, int width, Measured& measured) {
-  const auto bitsAt = [texels](int i) {
-    std::uint32_t bits;
-    std::memcpy(&bits, texels + sizeof bits * static_cast<std::size_t>(i), sizeof bits);
-    return bits;
-  };
-  // From infinity on a magnitude reaches the sign's place.
-  std::uint32_t any = 0;
-  for (int i = 0; i < 4 * width; ++i)
-    any |= (bitsAt(i) & Measured::kMagnitude) + (0x80000000U - Measured::kInfinity);
-  if ((any & ~Measured::kMagnitude) == 0) return;
-  for (int x = 0; x < width; ++x) {
-    std::uint32_t largest = 0;
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & Measured::kMagnitude);
-    measured.nonfinite += largest >= Measured::kInfinity;
-    const auto all = [&](std::uint32_t bits) {
-      return bitsAt(4 * x) == bits && bitsAt(4 * x + 1) == bits && bitsAt(4 * x + 2) == bits;
-    };
-    measured.endless += all(Measured::kInfinity);
-    measured.seenThrough += all(Measured::kInfinity | ~Measured::kMagnitude);
-  }
-}
-
-/// Nobody overlooks what is no number.
-void showInMagenta(std::span<float> row) {
-  for (std::size_t i = 0; i + 2 < row.size(); i += 3)
-    if (!std::isfinite(row[i]) || !std::isfinite(row[i + 1]) || !std::isfinite(row[i + 2])) {
-      row[i] = row[i + 2] = 1;
-      row[i + 1] = 0;
-    }
-}
-
-/// What shaders of materials say by infinities (shaders/lib/lit_shader.glsl).
-void refuseShaders(const Snapshot& snapshot, const Measured& measured) {
-  std::set<std::string> names;
-  for (const SnapshotNode& node : snapshot.nodes)
-    if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader)
-      names.insert(shader->files.front().name);
-  if (names.empty()) return;
-  const std::string all = fmt::format("{}", fmt::join(names, ", "));
-  if (measured.endless > 0)
-    throw Error(
-        ErrorKind::Scene,
-        fmt::format("{}: in {} pixels the loops of the shader go round more than 32768 times, all of a point "
-                    "together",
-                    all, measured.endless),
-        "end them sooner: a loop that never ends would hang the device");
-  if (measured.seenThrough > 0)
-    throw Error(ErrorKind::Scene,
-                fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet",
-                            all, measured.seenThrough),
-                "return 1 as the fourth number");
 }
 
 /// The rows that pixels are in, which are sorted by row.
@@ -433,7 +341,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
   // The colours of surfaces that were searched for carry their residual (shaders/lib/exact_fragment.glsl).
   const bool certifies = output == Output::Color && view_.searches();
   Image image(width, height, channels);
-  const auto readRow = [&](int y, Measured& measured) {
+  const auto readRow = [&](int y, MeasuredPixels& measured) {
     const std::byte* texels = readback_.row(static_cast<std::uint32_t>(y)).data();
     if (certifies && averaged)
       addMeanAlphas(texels, width, measured);
@@ -449,14 +357,14 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
       readChannels<1>(texels, width, image.row(y).data());
     if (measured.nonfinite > before) showInMagenta(image.row(y));
   };
-  std::vector<Measured> bands(static_cast<std::size_t>((height + kBandRows - 1) / kBandRows));
+  std::vector<MeasuredPixels> bands(static_cast<std::size_t>((height + kBandRows - 1) / kBandRows));
   forEachIndex(bands.size(), static_cast<std::int64_t>(width) * height >= kPixelsForAllCores,
                [&](std::size_t band) {
                  const int first = static_cast<int>(band) * kBandRows;
                  for (int y = first; y < std::min(first + kBandRows, height); ++y) readRow(y, bands[band]);
                });
-  Measured measured;
-  for (const Measured& band : bands) measured.add(band);
+  MeasuredPixels measured;
+  for (const MeasuredPixels& band : bands) measured.add(band);
   refuseShaders(snapshot, measured);
   error.found = view_.searches();
   if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/measured_pixels.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <string>
+
+#include "base/error.h"
+#include "draw/accumulation.h"
+
+namespace luxo {
+
+float alphaAt(const std::byte* texels, int x) {
+  float alpha;
+  std::memcpy(&alpha, texels + sizeof(Vec4f) * x + 3 * sizeof alpha, sizeof alpha);
+  return alpha;
+}
+
+void addAlphas(const std::byte* texels, int width, MeasuredPixels& measured) {
+  MeasuredPixels row = measured;
+  for (int x = 0; x < width; ++x) row.add(alphaAt(texels, x));
+  measured = row;
+}
+
+void addMeanAlphas(const std::byte* texels, int width, MeasuredPixels& measured) {
+  for (int x = 0; x < width; ++x) measured.add(Accumulator::alphaOf(alphaAt(texels, x)));
+}
+
+void addColors(const std::byte* texels, int width, MeasuredPixels& measured) {
+  const auto bitsAt = [texels](int i) {
+    std::uint32_t bits;
+    std::memcpy(&bits, texels + sizeof bits * static_cast<std::size_t>(i), sizeof bits);
+    return bits;
+  };
+  // From infinity on a magnitude reaches the sign's place.
+  std::uint32_t any = 0;
+  for (int i = 0; i < 4 * width; ++i)
+    any |= (bitsAt(i) & MeasuredPixels::kMagnitude) + (0x80000000U - MeasuredPixels::kInfinity);
+  if ((any & ~MeasuredPixels::kMagnitude) == 0) return;
+  for (int x = 0; x < width; ++x) {
+    std::uint32_t largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & MeasuredPixels::kMagnitude);
+    measured.nonfinite += largest >= MeasuredPixels::kInfinity;
+    const auto all = [&](std::uint32_t bits) {
+      return bitsAt(4 * x) == bits && bitsAt(4 * x + 1) == bits && bitsAt(4 * x + 2) == bits;
+    };
+    measured.endless += all(MeasuredPixels::kInfinity);
+    measured.seenThrough += all(MeasuredPixels::kInfinity | ~MeasuredPixels::kMagnitude);
+  }
+}
+
+void showInMagenta(std::span<float> row) {
+  for (std::size_t i = 0; i + 2 < row.size(); i += 3)
+    if (!std::isfinite(row[i]) || !std::isfinite(row[i + 1]) || !std::isfinite(row[i + 2])) {
+      row[i] = row[i + 2] = 1;
+      row[i + 1] = 0;
+    }
+}
+
+void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
+  std::set<std::string> names;
+  for (const SnapshotNode& node : snapshot.nodes)
+    if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader)
+      names.insert(shader->files.front().name);
+  if (names.empty()) return;
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
+  if (measured.endless > 0)
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: in {} pixels the loops of the shader go round more than 32768 times, all of a point "
+                    "together",
+                    all, measured.endless),
+        "end them sooner: a loop that never ends would hang the device");
+  if (measured.seenThrough > 0)
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet",
+                            all, measured.seenThrough),
+                "return 1 as the fourth number");
+}
+
+}  // namespace luxo

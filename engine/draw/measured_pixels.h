@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the pixels of a picture tell beside their colours: the largest residual, and values that are no
+// numbers.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "scene/snapshot.h"
+
+namespace luxo {
+
+/// What the values of pixels tell, by the bits of floats, so that a compiler may take many at once: the order
+/// of positive floats is that of their bits, and from those of infinity on they are no numbers.
+struct MeasuredPixels {
+  static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U;
+  std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
+  std::uint32_t nonfinite = 0;
+  std::uint32_t endless = 0, seenThrough = 0;  ///< of these, what shaders of materials mean by infinities
+
+  void add(const MeasuredPixels& other) {
+    residual = std::max(residual, other.residual);
+    nonfinite += other.nonfinite;
+    endless += other.endless;
+    seenThrough += other.seenThrough;
+  }
+  void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }
+};
+
+/// In a row of RGBA floats.
+[[nodiscard]] float alphaAt(const std::byte* texels, int x);
+
+/// Of a row of RGBA floats the alphas, those of a mean of pictures (draw/accumulation.h), the colours.
+void addAlphas(const std::byte* texels, int width, MeasuredPixels& measured);
+void addMeanAlphas(const std::byte* texels, int width, MeasuredPixels& measured);
+void addColors(const std::byte* texels, int width, MeasuredPixels& measured);
+
+/// Of RGB: nobody overlooks what is no number.
+void showInMagenta(std::span<float> row);
+
+/// Error(Scene): what shaders of materials say by infinities (shaders/lib/lit_shader.glsl).
+void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured);
+
+}  // namespace luxo
