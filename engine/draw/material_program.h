@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "draw/paint.h"
+#include "gpu/shader_cost.h"
 #include "gpu/shader_reflection.h"
 #include "scene/snapshot.h"
 
@@ -43,6 +44,7 @@ class MaterialProgram {
 
  private:
   void requirePure() const;
+  void requireAffordable(const gpu::ShaderCost& cost) const;
   /// Error(Scene) where the word stands in a file of its own; nothing where it stands in none.
   void refuseWord(const std::string& word, const std::string& why, const std::string& advice) const;
   /// Whether its declaration says what it is where a scene does not.

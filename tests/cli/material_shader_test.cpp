@@ -57,6 +57,13 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
       "float f(float x) { return x > 0.0 ? f(x - 1.0) : 0.0; }\nvec4 material(Point p) { return "
       "vec4(f(1.0)); }\n",
       "m.frag:1:7: the function 'f' calls itself");
+  std::string doubling = "float f0(float x) { return sin(x); }\n";
+  for (int i = 1; i < 20; ++i)
+    doubling += "float f" + std::to_string(i) + "(float x) { return f" + std::to_string(i - 1) + "(x) + f" +
+                std::to_string(i - 1) + "(2.0 * x); }\n";
+  expectError(doubling + "vec4 material(Point p) { return vec4(f19(p.uv.x)); }\n", "at most 32768 are compiled");
+  expectError("float a[100000000];\nvec4 material(Point p) { return vec4(a[int(p.uv.x)]); }\n",
+              "m.frag: its variables take 400000");
   expectError("#define AGAIN while\nvec4 material(Point p) { AGAIN (p.uv.x > -9.0) { } return vec4(1); }\n",
               "a macro spells a loop");
   expectError("#define G while\nvec4 material(Point p) { luxoStops(); G (p.uv.x > -9.0) { } return vec4(1); }\n",
@@ -71,6 +78,17 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
               "the block 'B' has no values");
   expectError("vec4 material(Point p) { gl_FragDepth = 0.5; return vec4(1); }\n",
               "'gl_FragDepth' is an input or output");
+}
+
+TEST_F(MaterialShaderProgram, AFileMayBeginWithAByteOrderMark) {
+  EXPECT_EQ(drawn("\xef\xbb\xbfvec4 material(Point p) { return vec4(1); }\n").code, 0);
+}
+
+TEST_F(MaterialShaderProgram, NamesOfLuxosOwnFilesAreRefused) {
+  std::filesystem::create_directory(folder / "lib");
+  writeText(folder / "lib/scene.glsl", "float own() { return 1.0; }\n");
+  expectError("#include \"lib/scene.glsl\"\nvec4 material(Point p) { return vec4(own()); }\n",
+              "'lib/scene.glsl' has the name of one of luxo's own");
 }
 
 TEST_F(MaterialShaderProgram, ValuesHaveNamesAndTypes) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a program costs a driver: counted by hand, and what doubles with each function.
+#include "gpu/shader_cost.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "gpu/shader_compiler.h"
+
+namespace luxo::gpu {
+namespace {
+
+ShaderCost costOfText(const std::string& declared, const std::string& value) {
+  const std::string text =
+      "#version 460\nlayout(location = 0) out float o;\nlayout(location = 0) in float i;\n" + declared +
+      "void main() { o = " + value + "; }\n";
+  return costOf(ShaderCompiler("").compile({.source = {"a.glsl", text}, .forReflection = true}).spirv);
+}
+
+TEST(ShaderCost, VariablesAreThoseOfEveryCopy) {
+  EXPECT_EQ(costOfText("", "i").variableBytes, 0U);
+  EXPECT_EQ(costOfText("float a[5]; mat3 m;\n", "a[1] + m[0].x").variableBytes, 20U + 36U);
+  const std::string f = "float f() { vec4 b[2][3]; return b[1][2].x; }\n";
+  EXPECT_EQ(costOfText(f, "f()").variableBytes, 96U);
+  EXPECT_EQ(costOfText(f, "f() + f()").variableBytes, 192U);
+  EXPECT_EQ(costOfText(f + "float g() { return f() + f(); }\n", "g() + g()").variableBytes, 384U);
+}
+
+TEST(ShaderCost, InstructionsAreThoseOfEveryCopy) {
+  const std::string f = "float f() { return sin(i) * cos(i); }\n";
+  const std::uint64_t none = costOfText(f, "i").instructions, one = costOfText(f, "f()").instructions,
+                      two = costOfText(f, "f() + f()").instructions;
+  EXPECT_GT(one, none + 5);
+  // The second call, and the sum.
+  EXPECT_GT(two - one, one - none);
+  std::string doubling = f;
+  for (int k = 0; k < 60; ++k) {
+    const std::string name = k == 0 ? "f" : "f" + std::to_string(k);
+    doubling += "float f" + std::to_string(k + 1) + "() { return " + name + "() + " + name + "(); }\n";
+  }
+  EXPECT_EQ(costOfText(doubling, "f60()").instructions, 1'000'000'000'000'000U);
+}
+
+TEST(ShaderCost, HugeArraysDoNotWrap) {
+  EXPECT_EQ(costOfText("float a[100000][100000][100000];\n", "a[1][2][int(i)]").variableBytes,
+            1'000'000'000'000'000U);
+}
+
+TEST(ShaderCost, WordsThatAreNoneCostNothing) {
+  EXPECT_EQ(costOf({}).instructions, 0U);
+  const std::uint32_t words[] = {1, 2, 3, 4, 5, 0x00ff0011, 7};
+  EXPECT_EQ(costOf(words).instructions, 0U);
+}
+
+}  // namespace
+}  // namespace luxo::gpu
