@@ -136,12 +136,6 @@ std::vector<BuiltinScene> builtinScenes() {
   return scenes;
 }
 
-std::filesystem::path fileOfScene(const std::string& scene) {
-  const Names names = builtinNames();
-  const bool builtin = std::ranges::find(names, scene) != names.end();
-  return builtin || scene == kStandardInput ? std::filesystem::path() : std::filesystem::path(scene);
-}
-
 OpenedScene openDescribedScene(const std::string& scene, std::span<const ParameterValue> parameters,
                                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs,
                                WarningsAbout about) {

@@ -49,9 +49,6 @@ struct OpenedScene {
 /// What -P says, as descriptions take it.
 [[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);
 
-/// The file behind a scene: empty for built-in ones and standard input.
-[[nodiscard]] std::filesystem::path fileOfScene(const std::string& scene);
-
 /// As openScene(), for a description that is in memory.
 [[nodiscard]] Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,
                                std::vector<std::string>* warnings, WarningsAbout about = WarningsAbout::All);

@@ -165,9 +165,9 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
                     report.approximateShadows);
   if (v.color.byShader > 0)
     text += fmt::format(
-        "shaders    {} pixels are lit by materials' shaders, which the truth cannot run: their colours are "
-        "not "
-        "judged\n",
+        "shaders    {} pixels are lit by materials' shaders, which the truth cannot run, or seen through "
+        "before "
+        "such: their colours are not judged\n",
         v.color.byShader);
   text += fmt::format("psnr       {:.1f} dB linear, {:.1f} dB sRGB, off silhouettes\n", v.color.psnrLinear,
                       v.color.psnrSrgb);

@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "console.h"
 #include "open_scene.h"
@@ -20,9 +22,13 @@ void addView(CLI::App& app, Command& chosen) {
       const RenderRequest request = options->request(RenderTarget::Window);
       showLog(request.verbosity);
       const std::string name = request.scene.empty() ? "luxo-grandpa" : request.scene;
-      const auto read = [name, request] { return viewedScene(openScene(name, request.parameters), request); };
+      const auto read = [name, request] {
+        std::vector<NamedFile> inputs;
+        ViewedScene viewed = viewedScene(openScene(name, request.parameters, nullptr, &inputs), request);
+        for (NamedFile& input : inputs) viewed.files.push_back(std::move(input.path));
+        return viewed;
+      };
       ViewerOptions viewer = viewerOptions(name, request);
-      viewer.file = fileOfScene(name);
       viewer.readAgain = read;
       return runViewer(read(), viewer);
     };

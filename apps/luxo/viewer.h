@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "draw/options.h"
 #include "scene/scene.h"
@@ -16,6 +17,7 @@ struct ViewedScene {
   Scene scene;
   RenderSettings settings = {};  ///< size, first moment, shading, samples, tolerance, frames per second
   CameraId camera = {};          ///< none: the scene's first
+  std::vector<std::filesystem::path> files = {};  ///< that it is made of: all are watched
 };
 
 struct ViewerOptions {
@@ -23,10 +25,9 @@ struct ViewerOptions {
   bool playing = true;  ///< false: starts paused
   Skips skips = {};
   std::string device = "auto";
-  bool validate = false;            ///< Vulkan validation layers on; any message fails the run
-  std::filesystem::path file = {};  ///< where the scene comes from; empty: nowhere
-  /// Reads that file: the viewer asks for it whenever the file is saved. What it throws is shown over the
-  /// last good scene, until the next time.
+  bool validate = false;  ///< Vulkan validation layers on; any message fails the run
+  /// Reads the scene: the viewer asks for it whenever one of its files is saved. What it throws is shown over
+  /// the last good scene, until the next time.
   std::function<ViewedScene()> readAgain = {};
 };
 

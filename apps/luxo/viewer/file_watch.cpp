@@ -28,25 +28,30 @@ FileWatch::Descriptor::~Descriptor() {
   if (number >= 0) close(number);
 }
 
-FileWatch::FileWatch(const std::filesystem::path& file, std::function<void()> notify)
+FileWatch::FileWatch(const std::vector<std::filesystem::path>& files, std::function<void()> notify)
     : notify_(std::move(notify)) {
-  if (file.empty()) return;
+  if (files.empty()) return;
   events_.number = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
   end_.number = eventfd(0, EFD_CLOEXEC);
-  if (events_.number >= 0) add(file);
-  std::error_code unresolved;
-  const std::filesystem::path target = std::filesystem::canonical(file, unresolved);
-  if (events_.number >= 0 && !unresolved && std::filesystem::is_symlink(file, unresolved)) add(target);
-  if (places_.empty() || end_.number < 0) {
-    log(LogLevel::Warning,
-        fmt::format("cannot watch '{}' for changes: {}", file.string(), std::strerror(errno)));
-    return;
-  }
+  for (const std::filesystem::path& file : files) watch(file);
+  if (places_.empty() || end_.number < 0) return;
   try {
     listener_ = std::thread([this] { listen(); });
   } catch (const std::system_error& error) {
-    log(LogLevel::Warning, fmt::format("cannot watch '{}' for changes: {}", file.string(), error.what()));
+    log(LogLevel::Warning,
+        fmt::format("cannot watch '{}' for changes: {}", files.front().string(), error.what()));
   }
+}
+
+void FileWatch::watch(const std::filesystem::path& file) {
+  const std::size_t before = places_.size();
+  if (events_.number >= 0) add(file);
+  if (places_.size() == before)
+    log(LogLevel::Warning,
+        fmt::format("cannot watch '{}' for changes: {}", file.string(), std::strerror(errno)));
+  std::error_code unresolved;
+  const std::filesystem::path target = std::filesystem::canonical(file, unresolved);
+  if (events_.number >= 0 && !unresolved && std::filesystem::is_symlink(file, unresolved)) add(target);
 }
 
 FileWatch::~FileWatch() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells when a file has been saved.
+// Tells when one of some files has been saved.
 #pragma once
 
 #include <atomic>
@@ -10,18 +10,18 @@
 
 namespace luxo {
 
-/// Watches the folder, since editors save by renaming: the file itself may be another one each time. Looks at
-/// nothing while nothing happens there. Behind a symbolic link, the folder of its target is watched, too.
+/// Watches their folders, since editors save by renaming: a file itself may be another one each time. Looks
+/// at nothing while nothing happens there. Behind a symbolic link, the folder of its target is watched, too.
 class FileWatch {
  public:
-  /// `notify` is called from another thread after the file was saved. Watches nothing for an empty path, and
-  /// where the system cannot (a warning is logged).
-  FileWatch(const std::filesystem::path& file, std::function<void()> notify);
+  /// `notify` is called from another thread after a file was saved. Where the system cannot watch one a
+  /// warning is logged.
+  FileWatch(const std::vector<std::filesystem::path>& files, std::function<void()> notify);
   ~FileWatch();
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// Whether the file was saved since the last time.
+  /// Whether one was saved since the last time.
   [[nodiscard]] bool takeSaved() { return saved_.exchange(false); }
 
  private:
@@ -34,6 +34,7 @@ class FileWatch {
     std::string name;  ///< of the file in the watched folder
   };
 
+  void watch(const std::filesystem::path& file);
   void add(const std::filesystem::path& file);
   void listen();
 

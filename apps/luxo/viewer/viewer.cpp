@@ -97,7 +97,7 @@ class Viewer {
         photographer_(context_),
         mean_(context_),
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
-        watch_(options.file, [this] { window_.wake(); }) {
+        watch_(std::in_place, viewed_.files, [this] { window_.wake(); }) {
     status_.title = options.title;
     status_.device = context_.deviceInfo().name;
     painter_.setInterruption([this] { return Clock::now() >= patienceEnd_ && window_.asked(); });
@@ -158,7 +158,7 @@ class Viewer {
     const bool wasPlaying = controls_.playback().playing();
     for (const window::Input& input : events.inputs)
       std::visit([this](const auto& what) { obey(what); }, input);
-    if (watch_.takeSaved()) readAgain();
+    if (watch_->takeSaved()) readAgain();
     if (controls_.playback().playing() != wasPlaying)
       log(LogLevel::Debug, fmt::format("{} at {:.3f} s after {} submits", wasPlaying ? "paused" : "going on",
                                        controls_.playback().seconds(now), submits()));
@@ -236,7 +236,7 @@ class Viewer {
     messageEnd_ = Clock::now() + std::chrono::milliseconds(std::lround(1e3 * seconds));
   }
 
-  // The file was saved. What cannot be read leaves everything as it is.
+  // A file of the scene was saved. What cannot be read leaves everything as it is.
   void readAgain() {
     ++readings_;
     try {
@@ -244,6 +244,7 @@ class Viewer {
       const double seconds = controls_.playback().seconds(Clock::now());
       painter_.check(takeSnapshot(next.scene, seconds, next.settings.size, next.camera));
       controls_.adopt(viewed_, next, Clock::now());
+      if (next.files != viewed_.files) watch_.emplace(next.files, [this] { window_.wake(); });
       viewed_ = std::move(next);
       problem_.clear();
       look();
@@ -525,7 +526,7 @@ class Viewer {
   std::vector<window::GrabArea> areas_;
   std::uint64_t shownGeneration_ = 0;
 
-  FileWatch watch_;  // ends before what it wakes
+  std::optional<FileWatch> watch_;  // ends before what it wakes
 };
 
 }  // namespace

@@ -613,6 +613,35 @@ case_reloads() {
   quit
 }
 
+# write_lit COLOR: a ball whose material's shader gives that.
+write_lit() {
+  printf 'vec4 material(Point p) { return vec4(%s, 1.0); }\n' "$1" > "$folder/lit.frag"
+}
+
+case_shaders() {
+  open_screen
+  cat > "$folder/lit.luxo.json" << 'END'
+{ "luxo": 1, "materials": { "m": { "shader": "lit.frag" } }, "surfaces": { "ball": { "type": "sphere" } },
+  "nodes": [ { "surface": "ball", "material": "m" } ] }
+END
+  write_lit 'p.uv, 0.5'
+  view lit.luxo.json --size 320x180
+  photo good.png
+  settle
+  shot good
+  write_lit 'p.norml'
+  await "the shader's mistake is noticed" logged "lit.frag:1:.*'norml'" 1
+  await "and shown" screen_is_not good
+  photo still_good.png
+  same still_good.png good.png "the last good shader stays"
+  write_lit 'p.normal'
+  await "the shader is read again" logged 'shows the scene as it was saved' 1
+  photo mended.png
+  (unset DISPLAY && cd "$folder" && "$bin/luxo" render lit.luxo.json -q --size 320x180 -o mended_file.png)
+  same mended.png mended_file.png "by the new shader"
+  quit
+}
+
 # Megabytes of memory that the program takes, once it has given back what it kept for pictures to come.
 megabytes() {
   sleep 15
