@@ -18,23 +18,34 @@ constexpr float kUp = 1 + 0x1p-22F;  ///< a float that is rounded down is no bou
 
 }  // namespace
 
-std::vector<CasterPart> casterParts(SurfaceCodes& codes, const SnapshotNode& node) {
-  std::vector<CasterPart> parts;
-  if (node.surface.triangles()) return {{codes.triangles(), {0}, {}}};
-  for (std::uint32_t i = 0; i < node.surface.patchCount(); ++i) {
-    const Patch& patch = node.surface.patches()[i];
+CasterCode casterCode(SurfaceCodes& codes, const SnapshotNode& node) {
+  if (node.surface.triangles()) return {codes.triangles(), {}};
+  std::vector<SurfaceCodePtr> different;
+  std::vector<std::size_t> codeOf;
+  CasterCode found;
+  std::size_t most = 0;
+  for (const Patch& patch : node.surface.patches()) {
     const PatchInputs inputs(patch, node.parameters);
     const std::span<const double> own = inputs;
-    std::vector<double> parameters = patch.general ? patch.general->inputs(patch.constants, node.parameters)
-                                                   : std::vector<double>(own.begin(), own.end());
+    const std::vector<double>& parameters =
+        found.parameters.emplace_back(patch.general ? patch.general->inputs(patch.constants, node.parameters)
+                                                    : std::vector<double>(own.begin(), own.end()));
+    most = std::max(most, parameters.size());
     const SurfaceCodePtr code = patch.general ? codes.get(patch.general, parameters.size())
                                               : codes.get(patch.function, parameters.size());
-    auto part = std::ranges::find(parts, code, &CasterPart::code);
-    if (part == parts.end()) part = parts.insert(parts.end(), {code, {}, {}});
-    part->patches.push_back(i);
-    part->parameters.push_back(std::move(parameters));
+    codeOf.push_back(static_cast<std::size_t>(std::ranges::find(different, code) - different.begin()));
+    if (codeOf.back() == different.size()) different.push_back(code);
   }
-  return parts;
+  if (different.size() == 1) {
+    found.code = different[0];
+    return found;
+  }
+  found.code = codes.united(different, most);
+  for (std::size_t i = 0; i < codeOf.size(); ++i) {
+    found.parameters[i].resize(most);
+    found.parameters[i].push_back(static_cast<double>(codeOf[i]));
+  }
+  return found;
 }
 
 CasterList::CasterList(const Snapshot& snapshot, Geometry& geometry, DrawList& list)
@@ -47,15 +58,15 @@ CasterList::CasterList(const Snapshot& snapshot, Geometry& geometry, DrawList& l
   share_ = kMaxCasterBytes / std::max<std::size_t>(entries, 1);
 }
 
-std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, const CasterPart& part,
+std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, const CasterCode& found,
                                                      const Vec4& from, int gridSize) {
   const Mat3& linear = node.worldFromObject.linear;
   const Mat3 inverse = glm::inverse(linear);
   const bool invertible = isFinite(inverse[0]) && isFinite(inverse[1]) && isFinite(inverse[2]);
-  if (!isFinite(node.boundsObject) || !invertible || part.code->isTooLarge()) return std::nullopt;
+  if (!isFinite(node.boundsObject) || !invertible || found.code->isTooLarge()) return std::nullopt;
   const SurfaceTriangles* triangles = node.surface.triangles();
   if (triangles && triangles->count > kMaxCasterTriangles) return std::nullopt;
-  Entry entry{.caster = {}, .cells = geometry_.casters.cells(node.surface, node.parameters, part.patches)};
+  Entry entry{.caster = {}, .cells = geometry_.casters.cells(node.surface, node.parameters)};
   const CasterCells& cells = *entry.cells;
   if (cells.cells.empty()) return entry;
   if (!cells.finite()) return std::nullopt;
@@ -63,7 +74,7 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   const Vec4 fromObject(inverse * toward, from.w);
   // About a triangle a texel, where there are many.
   const int size = triangles ? std::max(gridSize, static_cast<int>(std::sqrt(triangles->count))) : gridSize;
-  const auto grid = gridThatFits(node, part, fromObject, size);
+  const auto grid = gridThatFits(node, fromObject, size);
 
   const Vec3 origin = inverse * (list_.origin - node.worldFromObject.translation);
   const Vec3 farthest = glm::max(glm::abs(cells.bounds.min), glm::abs(cells.bounds.max));
@@ -75,7 +86,7 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       !fits(all.cells, triangles ? triangles->count : cells.cells.size()) ||
       !fits(all.parameters, triangles ? std::size_t{9} * triangles->count : 0))
     return std::nullopt;
-  const Place& place = placeOf(entry.cells, node.surface, part);
+  const Place& place = placeOf(entry.cells, node.surface, found);
   shared::ShadowCaster& caster = entry.caster.emplace(shared::ShadowCaster{
       .gridFromRelative = Mat3f(grid->axes * inverse),
       .gridOrigin = Vec3f(grid->axes * (origin - grid->light)),
@@ -87,9 +98,9 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       .firstEntry = static_cast<std::uint32_t>(all.gridEntries.size()),
       .firstCell = place.firstCell,
       .firstParameter = place.firstParameter,
-      .parameters = triangles ? part.code->parameters : static_cast<std::uint32_t>(part.parameters[0].size()),
-      .flags = (from.w == 0 ? shared::kParallelLight : 0) |
-               (triangles || part.patches.size() == node.surface.patchCount() ? shared::kWholeCaster : 0),
+      .parameters =
+          triangles ? found.code->parameters : static_cast<std::uint32_t>(found.parameters[0].size()),
+      .flags = from.w == 0 ? shared::kParallelLight : 0,
       .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest))),
       .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
       .margin = static_cast<float>(kGridMargin * cells.size),
@@ -106,12 +117,12 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   return entry;
 }
 
-std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& node, const CasterPart& part,
-                                                          const Vec4& fromObject, int gridSize) {
+std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& node, const Vec4& fromObject,
+                                                          int gridSize) {
   // With fewer texels than that lists are too long to be walked: rays are faster.
   constexpr int kLeast = 8;
   for (;; gridSize = std::max(gridSize / 2, kLeast)) {
-    auto grid = geometry_.casters.grid(node.surface, node.parameters, part.patches, fromObject, gridSize);
+    auto grid = geometry_.casters.grid(node.surface, node.parameters, fromObject, gridSize);
     if (gridSize <= kLeast || std::max(grid->starts.size() * sizeof(grid->starts[0]),
                                        grid->entries.size() * sizeof(grid->entries[0])) <= share_)
       return grid;
@@ -119,7 +130,7 @@ std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& no
 }
 
 const CasterList::Place& CasterList::placeOf(const std::shared_ptr<const CasterCells>& cells,
-                                             const Surface& surface, const CasterPart& part) {
+                                             const Surface& surface, const CasterCode& found) {
   Casters& all = list_.casters;
   const auto [entry, isNew] =
       places_.try_emplace(cells.get(), Place{cells, static_cast<std::uint32_t>(all.cells.size()),
@@ -128,8 +139,8 @@ const CasterList::Place& CasterList::placeOf(const std::shared_ptr<const CasterC
   if (surface.triangles()) {
     addTriangles(*surface.triangles());
   } else {
-    addCells(*cells, surface, part);
-    for (const std::vector<double>& parameters : part.parameters)
+    addCells(*cells, surface);
+    for (const std::vector<double>& parameters : found.parameters)
       all.parameters.insert(all.parameters.end(), parameters.begin(), parameters.end());
   }
   return entry->second;
@@ -149,9 +160,8 @@ std::uint32_t CasterList::add(const shared::ShadowCaster& caster) {
   return static_cast<std::uint32_t>(list_.casters.casters.size() - 1);
 }
 
-void CasterList::addCells(const CasterCells& cells, const Surface& surface, const CasterPart& part) {
+void CasterList::addCells(const CasterCells& cells, const Surface& surface) {
   for (const CasterCell& cell : cells.cells) {
-    const auto patch = std::ranges::find(part.patches, cell.patch) - part.patches.begin();
     const double hu = 0.5 * cell.domain.u.width(), hv = 0.5 * cell.domain.v.width();
     const Patch& of = surface.patches()[cell.patch];
     const double originOfU = of.general ? 0 : of.originOfU();
@@ -159,7 +169,7 @@ void CasterList::addCells(const CasterCells& cells, const Surface& surface, cons
         {.middle = Vec2f(cell.domain.u.lo - originOfU + hu, cell.domain.v.lo + hv),
          .half_ = Vec2f(hu, hv) * kUp,
          .bend = cell.proven() ? Vec3f(cell.uu, cell.uv, cell.vv) * kUp : Vec3f(-1),
-         .patch_ = static_cast<std::uint32_t>(patch),
+         .patch_ = cell.patch,
          .originOfU = static_cast<float>(originOfU),
          .outward = static_cast<float>(surface.topology().orientation(cell.patch))});
   }

@@ -16,16 +16,16 @@
 
 namespace luxo {
 
-/// Patches of a node whose points the same code finds, and the parameters of each; or its triangles, which
-/// are one part, called patch 0.
-struct CasterPart {
+/// The code that finds the points of all patches of a node, and the parameters of each, equally many; or that
+/// of its triangles. One search finds all that a ray meets of a node, as only that tells which meeting is a
+/// point's own.
+struct CasterCode {
   SurfaceCodePtr code;
-  std::vector<std::uint32_t> patches;
   std::vector<std::vector<double>> parameters;
 };
 
 /// By their general form, where they have one: surfaces of one name share it.
-[[nodiscard]] std::vector<CasterPart> casterParts(SurfaceCodes& codes, const SnapshotNode& node);
+[[nodiscard]] CasterCode casterCode(SurfaceCodes& codes, const SnapshotNode& node);
 
 /// Of each buffer of DrawList::casters: what every device binds at once (maxStorageBufferRange).
 inline constexpr std::size_t kMaxCasterBytes = std::size_t{1} << 27;
@@ -36,14 +36,14 @@ class CasterList {
   /// All must outlive this.
   CasterList(const Snapshot& snapshot, Geometry& geometry, DrawList& list);
 
-  /// What a shader needs to look for a part of a node; whoever asks adds what he asks for.
+  /// What a shader needs to look for a node; whoever asks adds what he asks for.
   struct Entry {
-    std::optional<shared::ShadowCaster> caster;  ///< nothing of a part without points
+    std::optional<shared::ShadowCaster> caster;  ///< nothing of one without points
     std::shared_ptr<const CasterCells> cells;
   };
-  /// `from`: world; w = 1: the point; w = 0: the direction toward it. Nothing where shaders cannot find the
-  /// part: it ends nowhere, its formula is too large, or there is no room for more (kMaxCasterBytes).
-  [[nodiscard]] std::optional<Entry> entryOf(const SnapshotNode& node, const CasterPart& part,
+  /// `from`: world; w = 1: the point; w = 0: the direction toward it. Nothing where shaders cannot find it:
+  /// it ends nowhere, its formula is too large, or there is no room for more (kMaxCasterBytes).
+  [[nodiscard]] std::optional<Entry> entryOf(const SnapshotNode& node, const CasterCode& found,
                                              const Vec4& from, int gridSize);
   /// The number of the caster.
   std::uint32_t add(const shared::ShadowCaster& caster);
@@ -58,14 +58,13 @@ class CasterList {
     std::uint32_t firstCell = 0, firstParameter = 0;
   };
   const Place& placeOf(const std::shared_ptr<const CasterCells>& cells, const Surface& surface,
-                       const CasterPart& part);
-  void addCells(const CasterCells& cells, const Surface& surface, const CasterPart& part);
+                       const CasterCode& found);
+  void addCells(const CasterCells& cells, const Surface& surface);
   void addTriangles(const SurfaceTriangles& triangles);
   /// One whose share of the room is enough: grids may be of any size, and those of a thousand lights, or of
   /// as many layers, are smaller.
   [[nodiscard]] std::shared_ptr<const LightGrid> gridThatFits(const SnapshotNode& node,
-                                                              const CasterPart& part, const Vec4& fromObject,
-                                                              int gridSize);
+                                                              const Vec4& fromObject, int gridSize);
 
   const Snapshot& snapshot_;
   Geometry& geometry_;

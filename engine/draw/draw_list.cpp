@@ -169,19 +169,16 @@ class DrawLister {
     const auto area = isFinite(node.boundsWorld) ? casters_.pixelsAround(cornersOf(node.boundsWorld)) : all;
     if (!area) return;
     const Vec4 eye = view.perspective() ? Vec4(view.eye, 1) : Vec4(-view.forward(), 0);
-    bool found = true;
-    for (const CasterPart& part : casterParts(geometry_.codes, node)) {
-      auto entry = casters_.entryOf(node, part, eye, options_.layerGridSize);
-      found = found && entry;
-      if (!entry || !entry->caster) continue;
-      entry->caster->material = number;
-      entry->caster->flags |=
-          (v.twoSided ? shared::kTurnsNormal : 0) | (v.hideBackFaces ? shared::kShowsFront : 0);
-      list_.layers.searches.push_back({.state = {.form = Form::Layer, .surface = part.code},
-                                       .caster = casters_.add(*entry->caster),
-                                       .area = *area});
-    }
-    if (!found) list_.byRays.push_back(*area);
+    const CasterCode found = casterCode(geometry_.codes, node);
+    auto entry = casters_.entryOf(node, found, eye, options_.layerGridSize);
+    if (!entry) list_.byRays.push_back(*area);
+    if (!entry || !entry->caster) return;
+    entry->caster->material = number;
+    entry->caster->flags |=
+        (v.twoSided ? shared::kTurnsNormal : 0) | (v.hideBackFaces ? shared::kShowsFront : 0);
+    list_.layers.searches.push_back({.state = {.form = Form::Layer, .surface = found.code},
+                                     .caster = casters_.add(*entry->caster),
+                                     .area = *area});
   }
 
   void listLayerMesh(const VisibleNode& v, const SnapshotNode& node, const Material& material,

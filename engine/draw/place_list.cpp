@@ -9,29 +9,27 @@
 namespace luxo {
 namespace {
 
-/// Whether there is room for the parts of a node, and a shader for each.
-bool fits(const Casters& casters, const std::vector<CasterPart>& parts) {
-  std::size_t patches = 0, parameters = 0;
-  for (const CasterPart& part : parts) {
-    if (part.code->isTooLarge()) return false;
-    patches += part.patches.size();
-    for (const std::vector<double>& own : part.parameters) parameters += own.size();
-  }
-  return (casters.cells.size() + patches) * sizeof(shared::CasterCell) <= kMaxCasterBytes &&
-         (casters.parameters.size() + parameters) * sizeof(float) <= kMaxCasterBytes;
+/// Whether there is room for the patches of a node, and a shader.
+bool fits(const Casters& casters, const CasterCode& found) {
+  const std::size_t patches = found.parameters.size();
+  return !found.code->isTooLarge() &&
+         (casters.cells.size() + patches) * sizeof(shared::CasterCell) <= kMaxCasterBytes &&
+         (casters.parameters.size() + patches * found.parameters[0].size()) * sizeof(float) <=
+             kMaxCasterBytes;
 }
 
 /// Their domains, and their parameters.
-void addPatches(const Surface& surface, const CasterPart& part, Casters& casters) {
-  for (std::size_t i = 0; i < part.patches.size(); ++i) {
-    const Patch& patch = surface.patches()[part.patches[i]];
+void addPatches(const Surface& surface, const CasterCode& found, Casters& casters) {
+  for (std::size_t i = 0; i < surface.patchCount(); ++i) {
+    const Patch& patch = surface.patches()[i];
     const double hu = 0.5 * patch.domain.u.width(), hv = 0.5 * patch.domain.v.width();
     const double originOfU = patch.general ? 0 : patch.originOfU();
     casters.cells.push_back({.middle = Vec2f(patch.domain.u.lo - originOfU + hu, patch.domain.v.lo + hv),
                              .half_ = Vec2f(hu, hv),
                              .patch_ = static_cast<std::uint32_t>(i),
                              .originOfU = static_cast<float>(originOfU)});
-    casters.parameters.insert(casters.parameters.end(), part.parameters[i].begin(), part.parameters[i].end());
+    casters.parameters.insert(casters.parameters.end(), found.parameters[i].begin(),
+                              found.parameters[i].end());
   }
 }
 
@@ -54,25 +52,23 @@ void listPlaces(const Snapshot& snapshot, const VisibleList& visible, const Draw
     const SnapshotNode& node = snapshot.nodes[v.node];
     const std::uint32_t material = materials.numberOfNode(v.node);
     if (!isOnlyNear(snapshot, node, options) || material == shared::kMaxFoundMaterials) continue;
-    const std::vector<CasterPart> parts = casterParts(geometry.codes, node);
-    if (!fits(casters, parts)) continue;
+    const CasterCode found = casterCode(geometry.codes, node);
+    if (!fits(casters, found)) continue;
     list.placed.push_back({v.node, material});
     const PixelRect all{{0, 0}, {view.size.width, view.size.height}};
     const auto area = isFinite(node.boundsWorld) ? pixels.pixelsAround(cornersOf(node.boundsWorld)) : all;
     if (!area) continue;
-    for (const CasterPart& part : parts) {
-      list.places.push_back({.state = {.form = Form::MeshPlace, .surface = part.code},
-                             .caster = static_cast<std::uint32_t>(casters.meshes.size()),
-                             .area = *area});
-      casters.meshes.push_back({.relativeFromObject = Mat3f(node.worldFromObject.linear),
-                                .translation = Vec3f(node.worldFromObject.translation - list.origin),
-                                .firstPatch = static_cast<std::uint32_t>(casters.cells.size()),
-                                .patches = static_cast<std::uint32_t>(part.patches.size()),
-                                .firstParameter = static_cast<std::uint32_t>(casters.parameters.size()),
-                                .parameters = static_cast<std::uint32_t>(part.parameters[0].size()),
-                                .material = material});
-      addPatches(node.surface, part, casters);
-    }
+    list.places.push_back({.state = {.form = Form::MeshPlace, .surface = found.code},
+                           .caster = static_cast<std::uint32_t>(casters.meshes.size()),
+                           .area = *area});
+    casters.meshes.push_back({.relativeFromObject = Mat3f(node.worldFromObject.linear),
+                              .translation = Vec3f(node.worldFromObject.translation - list.origin),
+                              .firstPatch = static_cast<std::uint32_t>(casters.cells.size()),
+                              .patches = node.surface.patchCount(),
+                              .firstParameter = static_cast<std::uint32_t>(casters.parameters.size()),
+                              .parameters = static_cast<std::uint32_t>(found.parameters[0].size()),
+                              .material = material});
+    addPatches(node.surface, found, casters);
   }
   std::ranges::sort(list.placed, {}, &PlacedNode::node);
 }

@@ -257,10 +257,7 @@ class ShadowLister {
     if (!area || !reachesWhatIsSeen(light, node) || addClosed(bit, light, node, *area)) return;
     if (node.surface.triangles() && materialOf(node).transparent())
       refuse(node, "is a mesh that is seen through, and casts an exact shadow");
-    bool found = true;
-    for (const CasterPart& part : casterParts(geometry_.codes, node))
-      found &= add(bit, light, node, part, *area);
-    if (found) return;
+    if (add(bit, light, node, *area)) return;
     if (!node.surface.triangles()) {
       list_.byRays.push_back(*area);
       return;
@@ -334,9 +331,9 @@ class ShadowLister {
   }
 
   /// Whether a shader can find it.
-  bool add(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node, const CasterPart& part,
-           const PixelRect& area) {
-    const auto entry = casters_.entryOf(node, part, light.positionWorld, options_.shadowGridSize);
+  bool add(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node, const PixelRect& area) {
+    const CasterCode found = casterCode(geometry_.codes, node);
+    const auto entry = casters_.entryOf(node, found, light.positionWorld, options_.shadowGridSize);
     if (!entry) return false;
     if (!entry->caster) return true;
     shared::ShadowCaster caster = *entry->caster;
@@ -345,7 +342,7 @@ class ShadowLister {
     caster.offPixels = static_cast<float>(offPx_);
     caster.material = numberOf(node);
     if (entry->cells->flatNormal) setPlane(light, node, *entry->cells, caster);
-    CasterDraw draw{.state = {.surface = part.code}, .area = area};
+    CasterDraw draw{.state = {.surface = found.code}, .area = area};
     const Material& material = materialOf(node);
     const bool transmits = material.transparent();
     if (transmits) {

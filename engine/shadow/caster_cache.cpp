@@ -24,9 +24,8 @@ std::optional<CasterEquation> casterEquation(const Surface& surface, std::span<c
 }
 
 std::shared_ptr<const CasterCells> CasterCache::cells(const Surface& surface,
-                                                      std::span<const double> parameters,
-                                                      const std::vector<std::uint32_t>& patches) {
-  const Key key{.shape = Shape(surface, parameters), .firstPatch = patches.front()};
+                                                      std::span<const double> parameters) {
+  const Key key{.shape = Shape(surface, parameters)};
   if (auto known = cells_.find(key)) return known;
   if (surface.triangles()) {
     CasterCells made = makeCasterCells(surface, *surface.triangles());
@@ -34,18 +33,17 @@ std::shared_ptr<const CasterCells> CasterCache::cells(const Surface& surface,
     return cells_.insert(key, surface, std::move(made), bytes);
   }
   const CurvatureMap& map = maps_.get(surface, parameters, [&] { return CurvatureMap(surface, parameters); });
-  CasterCells made = makeCasterCells(surface, parameters, patches, map);
+  CasterCells made = makeCasterCells(surface, parameters, map);
   const std::size_t bytes = bytesIn(made.cells);
   return cells_.insert(key, surface, std::move(made), bytes);
 }
 
 std::shared_ptr<const LightGrid> CasterCache::grid(const Surface& surface, std::span<const double> parameters,
-                                                   const std::vector<std::uint32_t>& patches,
+
                                                    const Vec4& light, int size) {
-  const Key key{
-      .shape = Shape(surface, parameters), .firstPatch = patches.front(), .light = light, .size = size};
+  const Key key{.shape = Shape(surface, parameters), .light = light, .size = size};
   if (auto known = grids_.find(key)) return known;
-  const auto caster = cells(surface, parameters, patches);
+  const auto caster = cells(surface, parameters);
   LightGrid made = makeLightGrid(*caster, light, kGridMargin * caster->size, size);
   const std::size_t bytes = bytesIn(made.starts, made.entries);
   return grids_.insert(key, surface, std::move(made), bytes);

@@ -33,14 +33,12 @@ class CasterCache {
  public:
   explicit CasterCache(std::size_t mostBytes = kUsualCacheBytes) : cells_(mostBytes), grids_(mostBytes) {}
 
-  /// Of some of the patches, ascending; of all triangles.
   [[nodiscard]] std::shared_ptr<const CasterCells> cells(const Surface& surface,
-                                                         std::span<const double> parameters,
-                                                         const std::vector<std::uint32_t>& patches);
+                                                         std::span<const double> parameters);
   /// What a light (object space, see makeLightGrid()) sees of these.
   [[nodiscard]] std::shared_ptr<const LightGrid> grid(const Surface& surface,
                                                       std::span<const double> parameters,
-                                                      const std::vector<std::uint32_t>& patches,
+
                                                       const Vec4& light, int size);
 
   /// casterEquation(). Valid until the next call.
@@ -53,13 +51,13 @@ class CasterCache {
  private:
   struct Key {
     Shape shape;
-    std::uint32_t firstPatch = 0;  ///< tells the parts of a surface apart
+
     Vec4 light{0};
     int size = 0;
 
     friend bool operator<(const Key& a, const Key& b) {
       const auto tied = [](const Key& k) {
-        return std::tie(k.shape, k.firstPatch, k.light.x, k.light.y, k.light.z, k.light.w, k.size);
+        return std::tie(k.shape, k.light.x, k.light.y, k.light.z, k.light.w, k.size);
       };
       return tied(a) < tied(b);
     }

@@ -31,13 +31,13 @@ class Cutter {
   Cutter(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map)
       : surface_(surface), parameters_(parameters), map_(map) {}
 
-  CasterCells cut(std::span<const std::uint32_t> patches) {
+  CasterCells cut() {
     const Box framing = surface_.framing(parameters_);
     CasterCells made{.size = framing.empty() ? 0 : glm::length(framing.extent()),
                      .flatNormal = surface_.flatNormal(),
                      .convex = isEllipsoid(surface_, parameters_)};
     size_ = made.size;
-    for (const std::uint32_t patch : patches) add(patch, {});
+    for (std::uint32_t patch = 0; patch < surface_.patchCount(); ++patch) add(patch, {});
     while (!open_.empty() && open_.size() + done_.size() < kMaxCasterCells) {
       std::ranges::pop_heap(open_, {}, &Part::excess);
       const Part part = std::move(open_.back());
@@ -161,8 +161,8 @@ CasterCells makeCasterCells(const Surface& surface, const SurfaceTriangles& tria
 }
 
 CasterCells makeCasterCells(const Surface& surface, std::span<const double> parameters,
-                            std::span<const std::uint32_t> patches, const CurvatureMap& map) {
-  return Cutter(surface, parameters, map).cut(patches);
+                            const CurvatureMap& map) {
+  return Cutter(surface, parameters, map).cut();
 }
 
 }  // namespace luxo

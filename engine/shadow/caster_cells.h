@@ -64,8 +64,8 @@ inline constexpr std::size_t kMaxCasterTriangles = 1U << 18;
 /// A cell for each triangle: nothing bends, and where it is the grid is to know. As many as
 /// kMaxCasterTriangles.
 [[nodiscard]] CasterCells makeCasterCells(const Surface& surface, const SurfaceTriangles& triangles);
-/// Of some of the patches. Cost: a microsecond a cell, beside the map.
+/// Cost: a microsecond a cell, beside the map.
 [[nodiscard]] CasterCells makeCasterCells(const Surface& surface, std::span<const double> parameters,
-                                          std::span<const std::uint32_t> patches, const CurvatureMap& map);
+                                          const CurvatureMap& map);
 
 }  // namespace luxo

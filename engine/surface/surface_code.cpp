@@ -15,8 +15,11 @@ SurfaceCode codeOf(Graph& graph, const std::vector<Expr>& position, std::size_t 
   return {.glsl = instructions > kMaxInstructions ? std::string()
                                                   : emitSurfaceGlsl(graph, "surfaceAt", point, false, number),
           .parameters = static_cast<std::uint32_t>(parameters),
-          .number = number};
+          .number = number,
+          .instructions = instructions};
 }
+
+constexpr std::string_view kFunction = "void surfaceAt(";
 
 }  // namespace
 
@@ -45,6 +48,24 @@ SurfaceCode planeCode(std::size_t parameters) {
   return {.glsl = "#define LUXO_PLANE\n",
           .parameters = static_cast<std::uint32_t>(parameters),
           .number = GlslNumber::Double};
+}
+
+SurfaceCode unitedCode(std::span<const SurfaceCodePtr> codes, std::size_t parameters) {
+  SurfaceCode united{.glsl = {}, .parameters = static_cast<std::uint32_t>(parameters + 1)};
+  std::string functions, cases;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    united.instructions += codes[i]->instructions;
+    if (codes[i]->isTooLarge() || united.instructions > kMaxInstructions) return united;
+    const std::string_view text = codes[i]->glsl;
+    functions += fmt::format("void surfaceAt{}({}", i, text.substr(text.find(kFunction) + kFunction.size()));
+    cases += fmt::format("    case {0}: surfaceAt{0}(u, v, S, Su, Sv); break;\n", i);
+  }
+  united.glsl = fmt::format(
+      "{}{}const float u, const float v, out vec3 S, out vec3 Su, out vec3 Sv) {{\n"
+      "  S = Su = Sv = vec3(0);\n"
+      "  switch (int(parameterAt({}u))) {{\n{}  }}\n}}\n",
+      functions, kFunction, parameters, cases);
+  return united;
 }
 
 SurfaceCodePtr SurfaceCodes::shared(SurfaceCode code) {

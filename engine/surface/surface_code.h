@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,10 +24,13 @@ struct SurfaceCode {
   std::string glsl;
   std::uint32_t parameters = 0;  ///< how many it may read to find a point; its name may take one more
   GlslNumber number = GlslNumber::Float;
+  std::size_t instructions = 0;  ///< of a formula, about
 
   /// There is no code: surfaces must be found in another way.
   [[nodiscard]] bool isTooLarge() const { return glsl.empty(); }
 };
+
+using SurfaceCodePtr = std::shared_ptr<const SurfaceCode>;
 
 /// Formulas of more instructions are too large for exact shaders. Those of a sum of 100 sines, 5300, take a
 /// driver and us 3 s of processor time: at this limit it is about 12 s, on two cores 7.
@@ -42,12 +46,13 @@ inline constexpr std::size_t kMaxInstructions = 20'000;
 /// The code of all surfaces with an equation of that form, which reads `parameters` numbers of it.
 [[nodiscard]] SurfaceCode equationCode(Equation::Form form, std::size_t parameters,
                                        GlslNumber number = GlslNumber::Float);
+/// The code of patches of several formulas, all in float: those read `parameters` numbers at most, and one
+/// more tells which of the codes a patch has. It is empty where one is, or all together are too large.
+[[nodiscard]] SurfaceCode unitedCode(std::span<const SurfaceCodePtr> codes, std::size_t parameters);
 /// The code of all triangles that rays meet (shaders/lib/triangle_ray.glsl): of each nine numbers are read.
 [[nodiscard]] SurfaceCode triangleCode();
 /// The code of all planes that fill a shell, in double.
 [[nodiscard]] SurfaceCode planeCode(std::size_t parameters);
-
-using SurfaceCodePtr = std::shared_ptr<const SurfaceCode>;
 
 /// Every function's code, made once while the function is there. Equal formulas share one, whoever made them:
 /// codes that are there at the same time are equal where their addresses are.
@@ -59,6 +64,9 @@ class SurfaceCodes {
                                    GlslNumber number = GlslNumber::Float);
   [[nodiscard]] SurfaceCodePtr get(Equation::Form form, std::size_t parameters,
                                    GlslNumber number = GlslNumber::Float);
+  [[nodiscard]] SurfaceCodePtr united(std::span<const SurfaceCodePtr> codes, std::size_t parameters) {
+    return shared(unitedCode(codes, parameters));
+  }
   [[nodiscard]] SurfaceCodePtr triangles() { return shared(triangleCode()); }
   [[nodiscard]] SurfaceCodePtr plane(std::size_t parameters) { return shared(planeCode(parameters)); }
 

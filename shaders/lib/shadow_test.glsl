@@ -53,8 +53,7 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   }
   // One is the point's own, if it is a point of the caster. None is left where the ray grazes it and floats part them: then
   // they may part others, too.
-  bool isSettled = ownMeetings == (isOwn ? 1 : 0) ||
-                   (isOwn && ownMeetings == 0 && !has(kWholeCaster) && abs(cosine) > kGrazing);
+  bool isSettled = ownMeetings == (isOwn ? 1 : 0);
   bool mayHaveTwo = isOwn && besideMeetings > 0 && abs(cosine) <= kGrazing;
   return result == kPassed && (!isSettled || mayHaveTwo) ? kOpen : result;
 }

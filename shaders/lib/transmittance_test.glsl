@@ -38,8 +38,7 @@ bool isOpen;
 // In the order of their distance, so that what rounding leaves of the product does not depend on the order of cells.
 bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
   Meeting met = meetingNear(ray, cell, parameters);
-  // What a part of a node has met on a border the part beside it may have met, too, in a draw of its own.
-  isOpen = !met.isProven || passageCount == kMostPassages || (atBorder && !has(kWholeCaster));
+  isOpen = !met.isProven || passageCount == kMostPassages;
   if (isOpen) return true;
   vec3 normal = cross(met.Su, met.Sv);
   normal *= cell.outward * inversesqrt(max(dot(normal, normal), 1e-37));

@@ -352,7 +352,6 @@ LUXO_CONSTANT kParallelLight = 1;
 LUXO_CONSTANT kGatedLight = 2;    // it lights nothing that faces away
 LUXO_CONSTANT kFlatCaster = 4;
 LUXO_CONSTANT kConvexCaster = 8;  // no point of it that faces the light is in its shadow
-LUXO_CONSTANT kWholeCaster = 16;  // it is all of a node
 LUXO_CONSTANT kShowsFront = 32;   // what is seen through: only the outer side is seen
 LUXO_CONSTANT kTurnsNormal = 64;  // and its normal turns toward the viewer
 LUXO_CONSTANT kTintsLight = 128;  // what it lets through has its diffuse colour

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <string>
 
@@ -14,14 +13,8 @@
 namespace luxo {
 namespace {
 
-std::vector<std::uint32_t> allPatches(const Surface& surface) {
-  std::vector<std::uint32_t> patches(surface.patchCount());
-  std::iota(patches.begin(), patches.end(), 0U);
-  return patches;
-}
-
 CasterCells cellsOf(const Surface& surface) {
-  return makeCasterCells(surface, {}, allPatches(surface), CurvatureMap(surface, {}));
+  return makeCasterCells(surface, {}, CurvatureMap(surface, {}));
 }
 
 double area(const Domain& domain) { return domain.u.width() * domain.v.width(); }

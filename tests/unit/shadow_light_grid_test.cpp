@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <span>
 
@@ -17,9 +16,7 @@ namespace luxo {
 namespace {
 
 CasterCells cellsOf(const Surface& surface) {
-  std::vector<std::uint32_t> patches(surface.patchCount());
-  std::iota(patches.begin(), patches.end(), 0U);
-  return makeCasterCells(surface, {}, patches, CurvatureMap(surface, {}));
+  return makeCasterCells(surface, {}, CurvatureMap(surface, {}));
 }
 
 /// The entries that a fragment reads for a point, as shaders/lib/shadow_fragment.glsl finds them, and how far
