@@ -237,9 +237,10 @@ void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double far
                   Sight& sight) const {
   const Body& body = bodies_[node];
   const Material& material = materialOf(node);
-  RootQuery query{nearest, farthest, body.facing, body.mirrored};
+  const RootQuery query{nearest, farthest, body.facing, body.mirrored};
+  RootWalk walk(body.shape, ray, query);
   for (int layer = 0; layer < kMaxLayers; ++layer) {
-    const Roots roots = body.shape.nearestRoot(ray, query);
+    const Roots roots = body.transparent ? walk.from(nearest) : body.shape.nearestRoot(ray, query);
     sight.certified &= roots.certified;
     if (!roots.nearest) return;
     const Hit hit = hitAt(ray, node, *roots.nearest);
@@ -249,7 +250,7 @@ void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double far
       sight.hits.back().certified = roots.certified;
     }
     if (!body.transparent) return;
-    query.nearest = beyond(ray, hit);
+    nearest = beyond(ray, hit);
   }
   sight.certified = false;
 }
@@ -297,18 +298,23 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
       light.directional() ? std::numeric_limits<double>::infinity() : glm::length(toLight);
   const Ray ray{hit.position, unit(toLight)};
   if (!mayMeet(ray, node)) return Vec3(1);
-  const double own = ownReach(hit, ray.direction);
+  double nearest = ownReach(hit, ray.direction);
   const Body& body = bodies_[node];
-  RootQuery query{own, distance, Facing::Both, false};
-  Vec3 left(1);
-  for (int layer = 0; layer < kMaxLayers; ++layer) {
+  const RootQuery query{nearest, distance, Facing::Both, false};
+  if (!body.transparent) {
     const Roots roots = body.shape.nearestRoot(ray, query);
     certified &= roots.certified;
+    return Vec3(roots.nearest ? 0 : 1);
+  }
+  RootWalk walk(body.shape, ray, query);
+  Vec3 left(1);
+  for (int layer = 0; layer < kMaxLayers; ++layer) {
+    const Roots roots = walk.from(nearest);
+    certified &= roots.certified;
     if (!roots.nearest) return left;
-    if (!body.transparent) return Vec3(0);
     left *= materialOf(node).lightThroughAt(roots.nearest->u, roots.nearest->v);
     if (left == Vec3(0)) return left;
-    query.nearest = beyond(ray, hitAt(ray, node, *roots.nearest));
+    nearest = beyond(ray, hitAt(ray, node, *roots.nearest));
   }
   certified = false;
   return left;

@@ -24,13 +24,27 @@ constexpr int kMaxCells = 4096;
 constexpr int kMaxInDoubt = 64;
 /// Where a formula ends: a ray along the rim of a dome looks at more cells the steeper that is.
 constexpr int kMaxCellsAtBorders = 1 << 16;
+/// Of all roots of a ray: one that runs along its surface has no end of them.
+constexpr std::size_t kMaxDoubts = 64;
 constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
 constexpr double kNarrower = 0.75;  // a narrowing worth repeating
 
+bool comesFirst(const Root& a, const Root& b) {
+  return std::tuple(a.patch, a.u, a.v) < std::tuple(b.patch, b.u, b.v);
+}
+
+/// Of a search for every root.
+struct AllRoots {
+  std::vector<Root> roots;
+  std::vector<RootsInOrder::Doubt> doubts;
+};
+
+/// Of the nearest root; or, with `all`, of every one.
 class Search {
  public:
-  Search(const CellTree& tree, const RayFunctions& ray, const RootQuery& query)
-      : tree_(tree),
+  Search(const CellTree& tree, const RayFunctions& ray, const RootQuery& query, AllRoots* all = nullptr)
+      : all_(all),
+        tree_(tree),
         ray_(ray),
         query_(query),
         farthest_(query.farthest),
@@ -87,13 +101,31 @@ class Search {
       const Domain part = parts_.back();
       parts_.pop_back();
       ++cells_;
-      if (undecided_ == kNever ? cells_ > mostCells_ : ++inDoubt > kMaxInDoubt) {
-        undecided_ = std::min(undecided_, query_.nearest);
+      if (all_ ? isEndless() : undecided_ == kNever ? cells_ > mostCells_ : ++inDoubt > kMaxInDoubt) {
+        giveUp();
         parts_.clear();
         return;
       }
       look(part, tree_.patch(patch_).bound(part));
     }
+  }
+
+  [[nodiscard]] bool isEndless() const {
+    return all_->doubts.size() > kMaxDoubts ||
+           cells_ > mostCells_ * static_cast<int>(1 + all_->roots.size() + all_->doubts.size());
+  }
+
+  void giveUp() {
+    undecided_ = std::min(undecided_, query_.nearest);
+    if (all_) all_->doubts.push_back({query_.nearest, query_.farthest, {}});
+  }
+
+  /// Whether all that could be found between these distances is in doubt as it is.
+  [[nodiscard]] bool isInDoubt(const Ball& t) const {
+    return all_ && std::ranges::any_of(all_->doubts, [&](const RootsInOrder::Doubt& doubt) {
+             const double same = kSamePoint * std::abs(doubt.low);
+             return doubt.root && t.lo() >= doubt.low - same && t.hi() <= doubt.high + same;
+           });
   }
 
   void look(Domain d, const CellBounds& b) {
@@ -102,7 +134,7 @@ class Search {
       return;
     }
     const Ball t = value(ray_.along, b.position, ray_.start);
-    if (ray_.misses(b.position) || t.hi() < query_.nearest || t.lo() > farthest_) return;
+    if (ray_.misses(b.position) || t.hi() < query_.nearest || t.lo() > farthest_ || isInDoubt(t)) return;
     const double hu = 0.5 * d.u.width(), hv = 0.5 * d.v.width();
     const Domain& whole = tree_.patch(patch_).domain();
     double cutU = glm::length(b.du.center + b.du.radius) * hu,
@@ -124,6 +156,10 @@ class Search {
       undecided_ = std::min(undecided_, t.lo());
       const double distance = ray_.t(b.middle.center);
       doubtful_ = Root{distance, patch_, d.u.mid(), d.v.mid()};
+      if (all_) {
+        all_->doubts.push_back({t.lo(), t.hi(), doubtful_});
+        return;
+      }
       // Of a pole many cells meet the ray in the same point: one of them is enough.
       farthest_ = std::min(farthest_, distance - kSamePoint * std::abs(distance));
       return;
@@ -220,13 +256,17 @@ class Search {
   /// Of points in one place, where a surface covers itself or closes, that of the least parameters, whatever
   /// the order of cells.
   void take(const Root& root) {
+    if (all_) {
+      all_->roots.push_back(root);
+      return;
+    }
     const double same = kSamePoint * std::abs(root.t);
-    const auto parameters = [](const Root& r) { return std::tuple(r.patch, r.u, r.v); };
-    if (found_ && std::abs(root.t - found_->t) <= same && parameters(*found_) < parameters(root)) return;
+    if (found_ && std::abs(root.t - found_->t) <= same && comesFirst(*found_, root)) return;
     found_ = root;
     farthest_ = std::min(farthest_, root.t + same);
   }
 
+  AllRoots* all_;
   const CellTree& tree_;
   const RayFunctions& ray_;
   const RootQuery& query_;
@@ -284,6 +324,33 @@ bool RayFunctions::misses(const Enclosure& box) const {
 Roots nearestRoot(const CellTree& tree, const RayFunctions& ray, const RootQuery& query) {
   if (tree.nodes().empty()) return {};  // no point has a value
   return Search(tree, ray, query).run();
+}
+
+RootsInOrder::RootsInOrder(const CellTree& tree, const RayFunctions& ray, const RootQuery& query) {
+  if (tree.nodes().empty()) return;
+  AllRoots all;
+  cells_ = Search(tree, ray, query, &all).run().cells;
+  roots_ = std::move(all.roots);
+  doubts_ = std::move(all.doubts);
+  std::ranges::sort(roots_, {}, &Root::t);
+}
+
+Roots RootsInOrder::from(double nearest) const {
+  Roots roots{.cells = cells_};
+  const auto first = std::ranges::lower_bound(roots_, nearest, {}, &Root::t);
+  if (first != roots_.end()) {
+    roots.nearest = *first;
+    for (auto next = first + 1; next != roots_.end() && next->t - first->t <= kSamePoint * std::abs(first->t);
+         ++next)
+      if (comesFirst(*next, *roots.nearest)) roots.nearest = *next;
+  }
+  for (const Doubt& doubt : doubts_) {
+    if (doubt.high < nearest || (roots.nearest && doubt.low > roots.nearest->t)) continue;
+    roots.certified = false;
+    if (doubt.root && doubt.root->t >= nearest && (!roots.nearest || doubt.root->t < roots.nearest->t))
+      roots.nearest = doubt.root;
+  }
+  return roots;
 }
 
 }  // namespace luxo::reference

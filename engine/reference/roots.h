@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "math/transform.h"
 #include "reference/cell_tree.h"
@@ -73,5 +74,27 @@ struct Roots {
 /// Cost: a few dozen box tests and a few cells; at most 4,096 cells, or 65,536 where
 /// the formula ends, after which the rest is undecided.
 [[nodiscard]] Roots nearestRoot(const CellTree& tree, const RayFunctions& ray, const RootQuery& query);
+
+/// All roots of a ray, found in one traversal, for who asks for one after the other. Cost: about that of one
+/// nearestRoot() that finds nothing; at most as many cells again for each root.
+class RootsInOrder {
+ public:
+  RootsInOrder(const CellTree& tree, const RayFunctions& ray, const RootQuery& query);
+
+  /// As nearestRoot() of the query from there on, which must not be nearer than the query's own nearest.
+  [[nodiscard]] Roots from(double nearest) const;
+
+  /// A part of a cell that was left undecided: its distances, and its middle; nothing of a search that was
+  /// given up.
+  struct Doubt {
+    double low = 0, high = 0;
+    std::optional<Root> root;
+  };
+
+ private:
+  std::vector<Root> roots_;  // by distance
+  std::vector<Doubt> doubts_;
+  int cells_ = 0;
+};
 
 }  // namespace luxo::reference

@@ -85,11 +85,11 @@ bool PlacedShape::passesBy(const Ray& ray) const {
   return distance - along * along > radius_ * radius_ * (1 + 1e-9) + 1e-14 * distance;
 }
 
-Roots PlacedShape::nearestRoot(const Ray& ray, const RootQuery& query) const {
+std::optional<Roots> PlacedShape::withoutCells(const Ray& ray, const RootQuery& query) const {
   if (const TriangleTree* triangles = shape_->triangles())
     return reference::nearestRoot(*triangles, {ray, worldFromObject_}, query);
   if (objectFromWorld_) {
-    if (passesBy(ray)) return {};
+    if (passesBy(ray)) return Roots{};
     const ObjectRay objectRay = (*objectFromWorld_)(ray);
     RootQuery before = query;  // what lies beyond a root that was found does not matter
     Roots roots;
@@ -102,7 +102,20 @@ Roots PlacedShape::nearestRoot(const Ray& ray, const RootQuery& query) const {
     }
     if (roots.certified) return roots;
   }
+  return std::nullopt;
+}
+
+Roots PlacedShape::nearestRoot(const Ray& ray, const RootQuery& query) const {
+  if (const std::optional<Roots> roots = withoutCells(ray, query)) return *roots;
   return reference::nearestRoot(shape_->cells(), {ray, worldFromObject_}, query);
+}
+
+Roots RootWalk::from(double nearest) {
+  query_.nearest = nearest;
+  if (const std::optional<Roots> roots = shape_.withoutCells(ray_, query_)) return *roots;
+  if (!ofCells_)
+    ofCells_.emplace(shape_.shape().cells(), RayFunctions(ray_, shape_.worldFromObject()), query_);
+  return ofCells_->from(nearest);
 }
 
 std::vector<std::shared_ptr<const Shape>> ShapeCache::shapes(std::span<const Request> requests) {

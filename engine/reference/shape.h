@@ -61,12 +61,33 @@ class PlacedShape {
   [[nodiscard]] const Transform& worldFromObject() const { return worldFromObject_; }
 
  private:
+  friend class RootWalk;
+
+  /// Nothing where cells have to tell.
+  [[nodiscard]] std::optional<Roots> withoutCells(const Ray& ray, const RootQuery& query) const;
   [[nodiscard]] bool passesBy(const Ray& ray) const;
 
   std::shared_ptr<const Shape> shape_;
   Transform worldFromObject_;
   std::optional<ObjectFromWorld> objectFromWorld_;  ///< where it is of use
   double radius_ = 0;  ///< with closed forms: of a ball around the origin's place
+};
+
+/// What a ray meets of a shape, one root after the other, in one traversal of its cells. The shape must
+/// outlive it.
+class RootWalk {
+ public:
+  RootWalk(const PlacedShape& shape, const Ray& ray, const RootQuery& query)
+      : shape_(shape), ray_(ray), query_(query) {}
+
+  /// As PlacedShape::nearestRoot() of the query from there on, which must not be nearer than the last time.
+  [[nodiscard]] Roots from(double nearest);
+
+ private:
+  const PlacedShape& shape_;
+  Ray ray_;
+  RootQuery query_;
+  std::optional<RootsInOrder> ofCells_;
 };
 
 /// Shapes by surface and parameter values. Not safe from several threads.
