@@ -33,6 +33,8 @@ int runPlot(const PlotOptions& options) {
   if (plot.position.empty() || plot.u.empty() || plot.v.empty())
     throw Error(ErrorKind::Usage, "a plot needs a formula and the ranges --u and --v",
                 "as in luxo plot \"[u, u*v, v]\" --u -1:1 --v -1:1 -o saddle.png");
+  if (!plot.colormap.empty() && plot.color.empty())
+    throw Error(ErrorKind::Usage, "a colormap is given, and no formula to colour by", "as in --color K");
   if (!options.emit && !options.render->hasOutput())
     throw Error(ErrorKind::Usage, "no output is given",
                 "name the picture to write, as in -o saddle.png; or print the scene with --emit");

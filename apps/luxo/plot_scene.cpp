@@ -265,8 +265,9 @@ Interval rangeOn(const Surface& surface, const Quantity& formula, const SceneFil
 Interval shownOf(Interval range, bool aroundZero) {
   const double most = std::max(std::abs(range.lo), std::abs(range.hi));
   if (aroundZero) range = {-most, most};
-  // A constant's rounding is no range.
-  if (!(range.width() > 1e-9 * most)) range = {range.lo - 0.5, range.hi + 0.5};
+  // Rounding is no range: of a constant, and of curvatures that cancel.
+  constexpr double kPart = 1e-9, kNothing = 1e-12;
+  if (!(range.width() > std::max(kPart * most, kNothing))) range = {range.mid() - 0.5, range.mid() + 0.5};
   return range;
 }
 

@@ -66,7 +66,8 @@ TEST_F(IsolinesTest, AreAsWideAsIsSaidWhereverTheyAre) {
           drawn(lined(kPlane, fmt::format(R"({{ "of": "x", "at": {}, "width": {} }})", at, width)));
       const Covered covered = coveredIn(image, kMiddle);
       EXPECT_NEAR(covered.pixels, width, kExactPx) << at;
-      if (width == std::floor(width)) EXPECT_NEAR(covered.middle, 48.5 + 10 * at, kExactPx) << width;
+      if (width != std::floor(width)) continue;
+      EXPECT_NEAR(covered.middle, 48.5 + 10 * at, kExactPx) << width;
     }
 }
 
@@ -121,9 +122,8 @@ TEST_F(IsolinesTest, AsNearAsTheirWidthCoverAll) {
 }
 
 TEST_F(IsolinesTest, OfAConstantAreNone) {
-  // Of a ball of radius 1 the Gaussian curvature is 1, where a line would be, up to rounding; at the pole,
-  // too.
-  for (const char* eye : {"[0, 0, 5]", "[0.01, 5, 0]"}) {
+  // Of a ball of radius 1 the Gaussian curvature is 1, where a line would be, up to rounding.
+  for (const char* eye : {"[0, 0, 5]", "[3, 3, 1]"}) {
     const Image image = drawn(lined(
         R"({ "type": "sphere", "radius": 1 })", R"([ { "of": "K", "step": 0.5 }, { "of": "3" } ])",
         fmt::format(R"({{ "type": "orthographic", "height": 1, "eye": {}, "look_at": [0, 0, 0] }})", eye)));
