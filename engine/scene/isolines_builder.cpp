@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/isolines_builder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <initializer_list>
 
@@ -63,21 +61,10 @@ bool needDomain(std::span<const IsolinesDesc> isolines) {
 }
 
 std::vector<Isolines> isolinesOf(std::span<const IsolinesDesc> isolines, std::span<const Expr> values, Expr u,
-                                 Expr v, const Domain& domain, MomentFormulas& formulas,
-                                 SceneProblems& problems) {
+                                 Expr v, const Domain& domain, MomentFormulas& formulas) {
   std::vector<Isolines> all;
-  std::size_t families = 0;
   Values taken(values, formulas);
-  for (const IsolinesDesc& desc : isolines) {
-    all.push_back(built(desc, taken, u, v, domain));
-    const std::size_t before = families;
-    families += all.back().families.size();
-    if (before <= kMostLineFamilies && families > kMostLineFamilies)
-      problems.add(
-          desc.place,
-          fmt::format("with these the material has more than {} families of lines", kMostLineFamilies),
-          "leave some out; \"step\" repeats those of one formula");
-  }
+  for (const IsolinesDesc& desc : isolines) all.push_back(built(desc, taken, u, v, domain));
   return all;
 }
 

@@ -8,7 +8,6 @@
 #include "scene/isolines.h"
 #include "scene/moment_formulas.h"
 #include "scene/scene_file.h"
-#include "scene/scene_problems.h"
 #include "surface/patch.h"
 
 namespace luxo {
@@ -20,10 +19,9 @@ void appendQuantities(std::span<const IsolinesDesc> isolines, std::vector<Quanti
 [[nodiscard]] bool needDomain(std::span<const IsolinesDesc> isolines);
 
 /// `values`: of what appendQuantities() appended, in variables 0 and 1, u and v, of `domain`. Constants are
-/// held against what they may be; what is wrong is among the problems.
+/// held against what they may be (MomentFormulas::accept()).
 [[nodiscard]] std::vector<Isolines> isolinesOf(std::span<const IsolinesDesc> isolines,
                                                std::span<const Expr> values, Expr u, Expr v,
-                                               const Domain& domain, MomentFormulas& formulas,
-                                               SceneProblems& problems);
+                                               const Domain& domain, MomentFormulas& formulas);
 
 }  // namespace luxo

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/isolines_reader.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <string>
 
+#include "scene/isolines.h"
 #include "scene/scene_keys.h"
 #include "scene/scene_members.h"
 
@@ -48,12 +51,23 @@ void readOne(const JsonValue& value, SceneProblems& problems, IsolinesDesc& isol
 }  // namespace
 
 void readIsolines(const JsonValue& value, SceneProblems& problems, std::vector<IsolinesDesc>& isolines) {
+  std::size_t families = 0;
+  const auto read = [&](const JsonValue& one) {
+    IsolinesDesc& desc = isolines.emplace_back();
+    readOne(one, problems, desc);
+    const std::size_t before = families;
+    families += std::size_t{desc.of.has_value()} + desc.u.has_value() + desc.v.has_value();
+    if (before <= kMostLineFamilies && families > kMostLineFamilies)
+      problems.add(
+          desc.place,
+          fmt::format("with these the material has more than {} families of lines", kMostLineFamilies),
+          "leave some out; \"step\" repeats those of one formula");
+  };
   if (value.kind() != JsonKind::Array) {
-    readOne(value, problems, isolines.emplace_back());
+    read(value);
     return;
   }
-  for (JsonValue one = value.first(); one.exists(); one = one.next())
-    readOne(one, problems, isolines.emplace_back());
+  for (JsonValue one = value.first(); one.exists(); one = one.next()) read(one);
 }
 
 }  // namespace luxo

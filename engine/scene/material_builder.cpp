@@ -21,11 +21,11 @@ const char* painting(const Material& material) {
                                             : "the diffuse colour or opacity uses u or v";
 }
 
+}  // namespace
+
 bool isOpaque(const MaterialDesc& material) {
   return material.opacity == Quantity(1) && material.blend == Blend::Over;
 }
-
-}  // namespace
 
 /// A material whose numbers may move.
 struct MaterialBuilder::Moving {
@@ -97,9 +97,6 @@ Animated<Material> MaterialBuilder::build(const MaterialDesc& desc, ShapeBuilder
   if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
   material.specular = formulas_.vector(desc.specular, kLight);
   material.shininess = formulas_.number(desc.shininess, kLight);
-  if (!desc.isolines.empty() && !isOpaque(desc) && warnings_)
-    warnings_->push_back(
-        {rangeOf(desc.isolines[0].place), "isolines on what is seen through are not drawn yet", {}});
   addMaps(desc, material);
   addLesson(desc, material);
   addShader(desc, material);
