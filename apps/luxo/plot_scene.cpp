@@ -82,13 +82,13 @@ class Typed {
     throw Error(ErrorKind::Usage, describe(kSourceName, text_, {where, message, hint}));
   }
 
-  /// Places include one character on either side: the quotes that formulas of scene files stand in.
+  /// Places of formulas include one character on either side: the quotes that they stand in in scene files.
   [[nodiscard]] Quantity quantity(const Part& part) const {
     const Part formula = part.trimmed();
-    const FilePlace place{static_cast<std::uint32_t>(formula.begin - 1),
-                          static_cast<std::uint32_t>(formula.begin + formula.text.size() + 1)};
-    const auto number = finiteNumber(formula.text);
-    return number ? Quantity(*number, place) : Quantity(formula.text, place);
+    const auto begin = static_cast<std::uint32_t>(formula.begin),
+               end = static_cast<std::uint32_t>(formula.begin + formula.text.size());
+    if (const auto number = finiteNumber(formula.text)) return {*number, {begin, end}};
+    return {formula.text, {begin - 1, end + 1}};
   }
 
   [[nodiscard]] SceneSource source() const {
