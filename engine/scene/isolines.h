@@ -20,9 +20,10 @@
 
 namespace luxo {
 
-/// Where a field is `at` + k `step` for a whole number k, or without a step where it is `at`; `step` is not 0.
-/// No line is where the field or its slope has no value, or where float's rounding hides the slope; by a pole
-/// that grows: the curvature of a ball, 1, may be a speck there, of lines that have 1 among their values.
+/// Where a field is `at` + k `step` for a whole number k, or without a step where it is `at`; `step` is not
+/// 0. No line is where the field or its slope has no value, or where float's rounding hides the slope; by a
+/// pole that grows: the curvature of a ball, 1, may be a speck there, of lines that have 1 among their
+/// values.
 struct LineFamily {
   Expr of, at;
   std::optional<Expr> step;

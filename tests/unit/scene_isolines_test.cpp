@@ -165,7 +165,8 @@ TEST(SceneIsolines, OnWhatIsSeenThroughAreLeftOutAndThatIsSaid) {
   std::vector<Diagnostic> warnings;
   const Scene scene = buildScene(fileWith(R"("opacity": 0.5, "isolines": { "u": 3 })"), {}, &warnings);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].message.find("isolines on what is seen through are not drawn yet"), std::string::npos);
+  EXPECT_NE(warnings[0].message.find("isolines on what is seen through are not drawn yet"),
+            std::string::npos);
   EXPECT_FALSE(takeSnapshot(scene, 0, {8, 8}).materials.back().drawsLines());
 }
 
