@@ -19,7 +19,8 @@ constexpr const char* kFooter =
     "\nAxes are those of scene files: x right, y up, z toward the viewer.\n"
     "  luxo plot \"[cos(u)*cos(v), sin(v), sin(u)*cos(v)]\" --u 0:tau --v -pi/2:pi/2 -o sphere.png\n"
     "  luxo plot \"[u, a*sin(k*u)*cos(k*v), v]\" --u -1:1 --v -1:1 -L k=5 -L a=1/k --sweep k=1:8:1 -o "
-    "wave.png";
+    "wave.png\n"
+    "  luxo plot \"[u, u*v, v]\" --u -1:1 --v -1:1 --color K --isolines y@0.1 --grid 10 -o saddle.png";
 
 struct PlotOptions {
   PlotDesc plot;
@@ -32,6 +33,8 @@ int runPlot(const PlotOptions& options) {
   if (plot.position.empty() || plot.u.empty() || plot.v.empty())
     throw Error(ErrorKind::Usage, "a plot needs a formula and the ranges --u and --v",
                 "as in luxo plot \"[u, u*v, v]\" --u -1:1 --v -1:1 -o saddle.png");
+  if (!plot.colormap.empty() && plot.color.empty())
+    throw Error(ErrorKind::Usage, "a colormap is given, and no formula to colour by", "as in --color K");
   if (!options.emit && !options.render->hasOutput())
     throw Error(ErrorKind::Usage, "no output is given",
                 "name the picture to write, as in -o saddle.png; or print the scene with --emit");
@@ -62,6 +65,18 @@ void addPlot(CLI::App& app, Command& chosen) {
                    "a name for the formulas: a parameter of the scene, unless it uses u or v")
       ->type_name("NAME=FORMULA")
       ->allow_extra_args(false);
+  verb->add_option("--color", options->plot.color,
+                   "colour by a formula of u, v, x y z, the normal nx ny nz, the curvatures K H k1 k2")
+      ->type_name("FORMULA");
+  verb->add_option("--colormap", options->plot.colormap,
+                   "viridis, or vik, whose middle is 0: the usual one where the formula is above and below 0")
+      ->type_name("NAME");
+  verb->add_option("--isolines", options->plot.isolines,
+                   "lines where a formula is a multiple of STEP, or, without a step, 0; repeat it for more")
+      ->type_name("FORMULA@STEP")
+      ->allow_extra_args(false);
+  verb->add_option("--grid", options->plot.grid, "N lines of constant u and of constant v, or NxM")
+      ->type_name("N|NxM");
   verb->add_flag("--emit", options->emit,
                  "print the scene file that draws the same picture, and draw nothing");
   options->render = std::make_unique<RenderOptions>(*verb, SceneArgument::None);

@@ -7,15 +7,21 @@
 #include <cctype>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "colormap.h"
+#include "formula/tape.h"
 #include "plot_camera.h"
 #include "scene/fitted_camera.h"
+#include "scene/formula_set.h"
 #include "scene/scene_builder.h"
+#include "scene/scene_problems.h"
+#include "scene/scene_variables.h"
 #include "scene_request.h"
 
 namespace luxo {
@@ -76,13 +82,13 @@ class Typed {
     throw Error(ErrorKind::Usage, describe(kSourceName, text_, {where, message, hint}));
   }
 
-  /// Places include one character on either side: the quotes that formulas of scene files stand in.
+  /// Places of formulas include one character on either side: the quotes that they stand in in scene files.
   [[nodiscard]] Quantity quantity(const Part& part) const {
     const Part formula = part.trimmed();
-    const FilePlace place{static_cast<std::uint32_t>(formula.begin - 1),
-                          static_cast<std::uint32_t>(formula.begin + formula.text.size() + 1)};
-    const auto number = finiteNumber(formula.text);
-    return number ? Quantity(*number, place) : Quantity(formula.text, place);
+    const auto begin = static_cast<std::uint32_t>(formula.begin),
+               end = static_cast<std::uint32_t>(formula.begin + formula.text.size());
+    if (const auto number = finiteNumber(formula.text)) return {*number, {begin, end}};
+    return {formula.text, {begin - 1, end + 1}};
   }
 
   [[nodiscard]] SceneSource source() const {
@@ -195,7 +201,91 @@ RenderDesc renderOf(const RenderRequest& request) {
   return render;
 }
 
-MaterialDesc materialOf() {
+constexpr const char *kValueName = "color_value", *kPartName = "color_part";
+
+/// Of those definitions that need the place, what the material's formulas use, directly or not.
+std::vector<LetDesc> letOf(const Typed& typed, const std::vector<Definition>& definitions,
+                           std::set<std::string> used) {
+  for (std::size_t before = 0; before != used.size();) {
+    before = used.size();
+    for (const Definition& definition : definitions)
+      if (used.contains(definition.name.text)) used.insert(definition.uses.begin(), definition.uses.end());
+  }
+  const std::set<std::string> ofPlace = namesOfPlace(definitions);
+  std::vector<LetDesc> let;
+  for (const Definition& definition : definitions)
+    if (used.contains(definition.name.text) && ofPlace.contains(definition.name.text))
+      let.push_back({nameAt(definition.name), typed.quantity(definition.formula)});
+  return let;
+}
+
+IsolinesDesc isolinesOf(const Typed& typed, const Part& argument) {
+  const std::size_t at = argument.text.rfind('@');
+  IsolinesDesc lines{.of = typed.quantity(argument.from(0, at)), .opacity = 0.7};
+  if (at != std::string::npos) lines.step = typed.quantity(argument.from(at + 1));
+  return lines;
+}
+
+IsolinesDesc gridOf(const Typed& typed, const Part& argument) {
+  const std::size_t times = argument.text.find('x');
+  const Part first = argument.from(0, times),
+             second = times == std::string::npos ? first : argument.from(times + 1);
+  for (const Part& part : {first, second})
+    if (!finiteNumber(part.text))
+      typed.refuse(argument, "this is not a number of lines", "give N or NxM, as in --grid 24x12");
+  return {.u = typed.quantity(first), .v = typed.quantity(second), .opacity = 0.5};
+}
+
+/// From the least to the most that a formula of a material is on a surface.
+Interval rangeOn(const Surface& surface, const Quantity& formula, const SceneFile& file,
+                 std::span<const LetDesc> let) {
+  constexpr int kPoints = 65;
+  Scene scene;
+  SceneProblems problems(file.source);
+  const SceneVariables variables(file, {}, problems, scene);
+  const FormulaSet set({.formulas = {formula}, .let = let, .onSurface = true, .surface = surface}, variables);
+  set.reportTo(problems);
+  problems.raise();
+  std::vector<double> parameters, u, v;
+  for (const Animated<double>& parameter : set.parameters())
+    parameters.push_back(parameter.at({0, *variables.initial()}));
+  // Between edges: where a pole is, or a pole of the formula, there may be no value.
+  for (int i = 0; i < kPoints; ++i) {
+    u.push_back(surface.domain().u.lo + surface.domain().u.width() * (i + 0.5) / kPoints);
+    v.push_back(surface.domain().v.lo + surface.domain().v.width() * (i + 0.5) / kPoints);
+  }
+  const auto values = Tape(set.graph(), set.values()).evaluateGrid(u, v, parameters);
+  std::optional<Interval> range;
+  for (const double value : values[0])
+    if (std::isfinite(value)) range = range ? hull(*range, value) : Interval(value);
+  return range.value_or(Interval(0));
+}
+
+/// Wider than nothing, and with 0 in the middle where that is asked for.
+Interval shownOf(Interval range, bool aroundZero) {
+  const double most = std::max(std::abs(range.lo), std::abs(range.hi));
+  if (aroundZero) range = {-most, most};
+  // Rounding is no range: of a constant, and of curvatures that cancel.
+  constexpr double kPart = 1e-9, kNothing = 1e-12;
+  if (!(range.width() > std::max(kPart * most, kNothing))) range = {range.mid() - 0.5, range.mid() + 0.5};
+  return range;
+}
+
+/// Colours the material by the formula, on the surface.
+void colorBy(const Quantity& formula, const std::string& colormap, const Surface& surface,
+             const SceneFile& file, MaterialDesc& material) {
+  const Interval range = rangeOn(surface, formula, file, material.let);
+  const std::string map = !colormap.empty() ? colormap : range.lo < 0 && range.hi > 0 ? "vik" : "viridis";
+  const Interval shown = shownOf(range, isDiverging(map));
+  material.let.push_back({.name = kValueName, .value = formula});
+  material.let.push_back(
+      {.name = kPartName,
+       .value = fmt::format("clamp(({} - ({:.6g}))/{:.6g}, 0, 1)", kValueName, shown.lo, shown.width())});
+  material.diffuse = colorsOf(map, kPartName);
+  material.specular = repeated(0.1);
+}
+
+MaterialDesc enamel() {
   return {.name = "enamel",
           .diffuse = {0.1, 0.34, 0.64},
           .specular = repeated(0.35),
@@ -269,14 +359,29 @@ SceneFile plotScene(const PlotDesc& plot, const RenderRequest& request) {
   }
   for (const ParameterValue& value : request.parameters) replaceParameter(typed, file, value);
 
+  std::set<std::string> used;
+  const auto use = [&](const Part& part) {
+    used.merge(namesIn(part.text));
+    return part;
+  };
+  MaterialDesc material = enamel();
+  if (!plot.grid.empty()) material.isolines.push_back(gridOf(typed, typed.add("--grid ", plot.grid)));
+  for (const std::string& lines : plot.isolines)
+    material.isolines.push_back(isolinesOf(typed, use(typed.add("--isolines ", lines))));
+  std::optional<Quantity> color;
+  if (!plot.color.empty()) color = typed.quantity(use(typed.add("--color ", plot.color)));
+  material.let = letOf(typed, definitions, used);
+
   file.render = renderOf(request);
-  file.materials = {materialOf()};
+  file.materials = {enamel()};
   file.surfaces = {{.name = "plot", .shape = std::move(shape)}};
   file.nodes = {NodeDesc{.name = "plot", .surface = "plot", .material = "enamel"}};
   file.source = typed.source();
 
   const Scene unlit = buildScene(file);
   const Snapshot snapshot = allOf(unlit, request);
+  if (color) colorBy(*color, plot.colormap, snapshot.nodes.at(0).surface, file, material);
+  file.materials = {std::move(material)};
   const Vec3 direction = showingDirection(snapshot);
   file.camera = cameraOf(snapshot, unlit.settings().size, direction);
   const std::vector<NodeDesc> lights = lightsOf(azimuthOf(direction));

@@ -117,7 +117,7 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
       list_.deferred && shadows_ && std::ranges::any_of(visible.opaque, [&](const VisibleNode& node) {
         return isOnlyNear(snapshot, snapshot.nodes[node.node], options);
       });
-  list_.findsFootprints = list_.deferred && textures;
+  list_.findsFootprints = list_.deferred && std::ranges::any_of(materials, &Material::readsFootprint);
   list_.findsFrames = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
                         return Paint::of(material).readsFrame();
                       });
@@ -140,6 +140,7 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
   } else if (paint.valid()) {
     data.pattern = patternNumber(paint);
     data.firstPatternParameter = firstPatternParameter(material);
+    if (paint.readsFootprint()) requireTexels(list_.textures);
   }
   if (isDrawnAgain(material.shadingIn(options_.shading))) data.pattern = shared::kDrawnAgain;
   list_.materials.push_back(data);

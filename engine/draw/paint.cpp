@@ -10,7 +10,7 @@
 namespace luxo {
 
 std::string Paint::preamble() const {
-  if (!maps_.any) return {};
+  if (!maps_.any) return lines_ ? "#define LUXO_TEXTURED\n" : "";
   std::string lines = "#define LUXO_TEXTURED\n";
   std::uint32_t first = shared::kTextureNumbers;  // the colour's are always there
   const auto define = [&](bool has, std::string_view name, std::uint32_t numbers) {

@@ -25,6 +25,7 @@ class Paint {
   /// Of a material: its maps, where it draws them, or its pattern.
   [[nodiscard]] static Paint of(const Material& material) {
     Paint paint(material.diffusePattern);
+    paint.lines_ = material.drawsLines();
     if (!material.drawsMaps()) return paint;
     paint.maps_ = {.any = true,
                    .color = material.map.valid(),
@@ -41,6 +42,8 @@ class Paint {
 
   [[nodiscard]] bool valid() const { return maps_.any || pattern_.valid(); }
   [[nodiscard]] bool isTexture() const { return maps_.any; }
+  /// Whether what of the surface a pixel covers decides its colour: a texture's, or that of lines.
+  [[nodiscard]] bool readsFootprint() const { return maps_.any || lines_; }
   /// Whether a point's tangent decides its light.
   [[nodiscard]] bool readsFrame() const { return maps_.tangent || shader_.text; }
   /// Null: luxo's own light.
@@ -48,7 +51,8 @@ class Paint {
   [[nodiscard]] const GivenUniforms& given() const { return shader_.given; }
   /// Included by shaders as "pattern", with preamble() before all; requires valid().
   [[nodiscard]] std::string_view glsl() const {
-    return maps_.any ? "#include \"lib/texture.glsl\"\n" : std::string_view(pattern_.glsl());
+    if (maps_.any) return "#include \"lib/texture.glsl\"\n";
+    return lines_ ? pattern_.glslWithLines() : pattern_.glsl();
   }
   /// Which maps there are, and where their numbers start, as appendMaps() (draw/texture_list.h) has them.
   [[nodiscard]] std::string preamble() const;
@@ -78,6 +82,7 @@ class Paint {
     }
   };
   Pattern pattern_;
+  bool lines_ = false;  ///< whether those of the pattern are drawn
   Maps maps_;
   Shader shader_;
 };

@@ -174,9 +174,9 @@ void PassRecorder::setScissor(const PixelRect& rect) {
 void PassRecorder::bindPaint(const gpu::GraphicsPipeline& pipeline, const DrawState& state) {
   if (!state.pattern.valid()) return;
   pipeline.bindSet(commands_, shared::kSetPattern,
-                   !state.pattern.isTexture()  ? bindings_.pattern
-                   : state.form == Form::Shade ? bindings_.foundTexture
-                                               : bindings_.texture);
+                   !state.pattern.readsFootprint() ? bindings_.pattern
+                   : state.form == Form::Shade     ? bindings_.foundTexture
+                                                   : bindings_.texture);
 }
 
 void PassRecorder::draw(const DrawBatch& batch) {

@@ -125,7 +125,7 @@ void describeWireframe(const DrawState& state, const gpu::Features& features,
 
 /// Points that rays have found replace what is there.
 void describeRayPoints(const DrawState& state, bool inspects, gpu::GraphicsPipelineDesc& desc) {
-  const bool footprint = state.pattern.isTexture() || state.footprint;
+  const bool footprint = state.pattern.readsFootprint() || state.footprint;
   const bool frame = state.pattern.readsFrame() || state.frame;
   desc.vertexShader = inspects                 ? std::span<const std::uint32_t>(luxo_ray_inspect_vert)
                       : frame                  ? std::span<const std::uint32_t>(luxo_ray_surface_frame_vert)
@@ -315,7 +315,7 @@ const gpu::DescriptorLayout& ScenePipelines::foundTextureLayout() {
 }
 
 const gpu::DescriptorLayout& ScenePipelines::paintLayout(const DrawState& state) {
-  if (!state.pattern.isTexture()) return patternLayout();
+  if (!state.pattern.readsFootprint()) return patternLayout();
   return state.form == Form::Shade ? foundTextureLayout() : textureLayout();
 }
 
@@ -488,11 +488,11 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
   if (!state.pattern.valid()) return;
   desc.vertexShader =
       gouraud ? std::span<const std::uint32_t>(luxo_gouraud_pattern_vert) : vertexShaderOf(state);
-  desc.fragmentShader = patternShader(state, gouraud                      ? "pattern/gouraud.frag"
-                                             : toon                       ? "pattern/toon.frag"
-                                             : !state.pattern.isTexture() ? "pattern/surface.frag"
-                                             : state.byRays               ? "pattern/ray_texture.frag"
-                                                                          : "pattern/texture.frag");
+  desc.fragmentShader = patternShader(state, gouraud                           ? "pattern/gouraud.frag"
+                                             : toon                            ? "pattern/toon.frag"
+                                             : !state.pattern.readsFootprint() ? "pattern/surface.frag"
+                                             : state.byRays                    ? "pattern/ray_texture.frag"
+                                                                               : "pattern/texture.frag");
 }
 
 /// The light on points that the same triangles have put down: as near as these are, where they are one a

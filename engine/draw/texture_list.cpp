@@ -73,7 +73,10 @@ void appendMaps(const Material& material, const SnapshotNode& node, TextureList&
   if (material.specularMap.valid())
     append(material.specularMap, material.specular, node.surface, textures, numbers);
   if (material.glowMap.valid()) append(material.glowMap, material.glow, node.surface, textures, numbers);
-  // The lesson's formula may have no map; something is bound all the same.
+  requireTexels(textures);  // the lesson's formula may have no map
+}
+
+void requireTexels(TextureList& textures) {
   static const auto kNone = std::make_shared<const Texture>(makeTexture(Image(1, 1, 1, {1}), "none"));
   if (textures.empty()) textures.push_back(kNone);
 }

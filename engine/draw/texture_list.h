@@ -22,4 +22,7 @@ using TextureList = std::vector<std::shared_ptr<const Texture>>;
 void appendMaps(const Material& material, const SnapshotNode& node, TextureList& textures,
                 std::vector<float>& numbers);
 
+/// Something to bind where shaders are laid out for textures and none is read.
+void requireTexels(TextureList& textures);
+
 }  // namespace luxo

@@ -92,7 +92,7 @@ Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
       unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
   const bool turned = body.twoSided && glm::dot(outward, ray.direction) > 0;
   hit.normal = hit.facet = turned ? -outward : outward;
-  if (materialOf(node).drawsMaps()) {
+  if (materialOf(node).readsFootprint()) {
     const SurfacePoints at = n.surface.evaluate(root.patch, {&root.u, 1}, {&root.v, 1}, n.parameters);
     const Mat3& world = n.worldFromObject.linear;
     const Vec3 su = world * at.du[0], sv = world * at.dv[0];
@@ -143,8 +143,8 @@ Footprint Caster::footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, co
 
 Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
   const Material& material = materialOf(hit.node);
-  Reflection reflection{hit.normal, material.diffuseAt(hit.u, hit.v), material.specular, Vec3(0),
-                        material.shininess};
+  Reflection reflection{hit.normal, material.diffuseAt(hit.u, hit.v, hit.footprint), material.specular,
+                        Vec3(0), material.shininess};
   if (!material.drawsMaps()) return reflection;
   const Body& body = bodies_[hit.node];
   const auto texel = [&](const TextureMap& map, const TexturePlacement& placement) {
@@ -181,7 +181,7 @@ void Caster::placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const {
   hit.normal = unit(hit.normal);
   hit.facet = unit(body.normalFromObject * glm::cross(points[1] - points[0], points[2] - points[0]));
   const Mat3& world = snapshot_.nodes[hit.node].worldFromObject.linear;
-  if (materialOf(hit.node).drawsMaps() && !triangles.mesh.uvs().empty()) {
+  if (materialOf(hit.node).readsFootprint() && !triangles.mesh.uvs().empty()) {
     const auto uv = [&](std::size_t i) { return Vec2(triangles.mesh.uvs()[corners[i]]); };
     hit.footprint = Mat2(uv(1) - uv(0), uv(2) - uv(0)) *
                     footprintOf(ray, hit, world * (points[1] - points[0]), world * (points[2] - points[0]));

@@ -25,7 +25,7 @@ struct Hit {
   Vec3 position{0};
   Vec3 normal{0};          ///< unit; outward, or toward the viewer where two-sided; of triangles interpolated
   Vec3 facet{0};           ///< unit: of the triangle itself; of a formula the normal
-  Footprint footprint{0};  ///< of the view's pixel, where the material has a map
+  Footprint footprint{0};  ///< of the view's pixel, where the material has a map or lines
   NormalFrame frame{0};    ///< of the side that is shown, with it
   bool certified = true;
 };

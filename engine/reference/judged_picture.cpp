@@ -385,7 +385,8 @@ class Judge {
     const auto node = layers_.nodeOf(truth_.number[i]);
     if (!node) return false;
     const Material& material = snapshot_.materials[snapshot_.nodes[*node].material.index];
-    return material.drawsMaps() && !material.shader && material.shadingIn(options_.shading) == Shading::Exact;
+    return material.readsFootprint() && !material.shader &&
+           material.shadingIn(options_.shading) == Shading::Exact;
   }
 
   /// Whether a ray sees, first, the layer that the truth of pixel `i` is of.

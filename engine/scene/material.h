@@ -55,6 +55,7 @@ struct Material {
   std::optional<Shading> shading = std::nullopt;  ///< overrides the picture's shading, unless that shows data
   bool lectureSpecular = false;                   ///< highlights even where the light is below the horizon
   /// Stands for `diffuse`, and for the ambient colour unless that is given; times `opacity`, if it has one.
+  /// Lines of it are not drawn where something is seen through.
   Pattern diffusePattern = {};
   std::vector<double> patternParameters = {};  ///< as many as the pattern has
   /// Times `diffuse`, and stands for the ambient colour unless that is given; there is none where there is a
@@ -100,6 +101,9 @@ struct Material {
   }
   /// Or as if there were some: the lesson's formula, a shader.
   [[nodiscard]] bool drawsMaps() const { return (hasMaps() || lesson || shader) && !transparent(); }
+  [[nodiscard]] bool drawsLines() const { return diffusePattern.hasLines() && !transparent(); }
+  /// Whether what of the surface a pixel covers decides its colour.
+  [[nodiscard]] bool readsFootprint() const { return drawsMaps() || drawsLines(); }
   [[nodiscard]] bool drawsLesson() const { return lesson && !transparent(); }
   /// Whether a light adds something to a surface that is turned away from it.
   [[nodiscard]] bool lightsBelowHorizon() const { return lectureSpecular || lesson || shader; }
@@ -109,6 +113,10 @@ struct Material {
   }
   [[nodiscard]] Vec3 diffuseAt(double u, double v) const {
     return diffusePattern.valid() ? diffusePattern.colorAt(u, v, patternParameters) : diffuse;
+  }
+  /// As a pixel sees it.
+  [[nodiscard]] Vec3 diffuseAt(double u, double v, const Footprint& footprint) const {
+    return drawsLines() ? diffusePattern.colorAt(u, v, footprint, patternParameters) : diffuseAt(u, v);
   }
   /// How much of what is behind a point of it is seen through it.
   [[nodiscard]] Vec3 transmissionAt(double u, double v) const;

@@ -15,11 +15,17 @@
 namespace luxo {
 namespace {
 
-bool isOpaque(const MaterialDesc& material) {
-  return material.opacity == Quantity(1) && material.blend == Blend::Over;
+/// What no map, shader or lesson is drawn beside.
+const char* painting(const Material& material) {
+  return material.diffusePattern.hasLines() ? "there are isolines"
+                                            : "the diffuse colour or opacity uses u or v";
 }
 
 }  // namespace
+
+bool isOpaque(const MaterialDesc& material) {
+  return material.opacity == Quantity(1) && material.blend == Blend::Over;
+}
 
 /// A material whose numbers may move.
 struct MaterialBuilder::Moving {
@@ -112,7 +118,7 @@ void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
     }
     place.angle = formulas_.number(map.rotate);
     if (material.fixed.diffusePattern.valid())
-      problems_.add(map.texture.place, "the diffuse colour or opacity uses u or v, and there is a map, too",
+      problems_.add(map.texture.place, fmt::format("{}, and there is a map, too", painting(material.fixed)),
                     "leave out one of them");
     if (!opaque && warnings_)
       warnings_->push_back(
@@ -128,7 +134,7 @@ void MaterialBuilder::addLesson(const MaterialDesc& desc, Moving& material) {
   material.fixed.lesson = true;
   if (material.fixed.diffusePattern.valid())
     problems_.add(desc.name.place,
-                  "the diffuse colour or opacity uses u or v, which the lesson's formula does not know",
+                  fmt::format("{}, which the lesson's formula does not know", painting(material.fixed)),
                   "draw it with a \"map\"");
   else if (!isOpaque(desc) && warnings_)
     warnings_->push_back(
@@ -148,7 +154,7 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
     problems_.add(desc.shader.place, "a shader of what is seen through is not drawn yet",
                   "leave out \"opacity\" and \"blend\", or the shader");
   else if (material.fixed.diffusePattern.valid())
-    problems_.add(desc.shader.place, "the diffuse colour uses u or v, and there is a shader, too",
+    problems_.add(desc.shader.place, fmt::format("{}, and there is a shader, too", painting(material.fixed)),
                   "compute the colour in the shader, from uv");
   if (desc.normalMap)
     problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");

@@ -14,6 +14,9 @@
 
 namespace luxo {
 
+/// Whether nothing is seen through it, as it is written.
+[[nodiscard]] bool isOpaque(const MaterialDesc& material);
+
 class MaterialBuilder {
  public:
   /// `textures`: those of the file, by the time that build() is called. `warnings` may be null.

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/assert.h"
 #include "formula/glsl.h"
 #include "formula/tape.h"
+#include "scene/pattern_lines.h"
 #include "scene/ranges.h"
 
 namespace luxo {
@@ -18,6 +20,7 @@ struct Pattern::Content {
   bool hasOpacity;
   std::string glsl;
   Tape paint;
+  PatternLines lines = {};
 };
 
 namespace {
@@ -29,15 +32,27 @@ std::string emit(Graph& graph, const std::array<Expr, 4>& paint) {
   return emitGlsl(graph, "patternPaint", {&output, 1});
 }
 
+// A component that is not a positive number is none.
+Vec3 orBlack(const Vec3& color) {
+  const auto one = [](double c) { return c > 0 && std::isfinite(c) ? std::min(c, kMaxSceneNumber) : 0; };
+  return {one(color.x), one(color.y), one(color.z)};
+}
+
 }  // namespace
 
+Pattern::Pattern(Content content) : content_(std::make_shared<const Content>(std::move(content))) {}
+
 Pattern::Pattern(Graph& graph, const std::array<Expr, 3>& color, std::size_t parameterCount)
-    : content_(std::make_shared<const Content>(Content{
-          parameterCount, false, emit(graph, {color[0], color[1], color[2], 1}), Tape(graph, color)})) {}
+    : Pattern(Content{parameterCount, false, emit(graph, {color[0], color[1], color[2], 1}),
+                      Tape(graph, color)}) {}
 
 Pattern::Pattern(Graph& graph, const std::array<Expr, 4>& paint, std::size_t parameterCount)
-    : content_(std::make_shared<const Content>(
-          Content{parameterCount, true, emit(graph, paint), Tape(graph, paint)})) {}
+    : Pattern(Content{parameterCount, true, emit(graph, paint), Tape(graph, paint)}) {}
+
+Pattern::Pattern(Graph& graph, const std::array<Expr, 3>& color, std::span<const Isolines> lines,
+                 std::size_t parameterCount)
+    : Pattern(Content{parameterCount, false, emit(graph, {color[0], color[1], color[2], 1}),
+                      Tape(graph, color), PatternLines(graph, color, lines)}) {}
 
 std::size_t Pattern::parameterCount() const { return valid() ? content_->parameterCount : 0; }
 
@@ -46,8 +61,16 @@ bool Pattern::hasOpacity() const { return valid() && content_->hasOpacity; }
 Vec3 Pattern::colorAt(double u, double v, std::span<const double> parameters) const {
   LUXO_REQUIRE(valid() && parameters.size() == content_->parameterCount);
   const auto value = content_->paint.evaluate({&u, 1}, {&v, 1}, parameters);
-  const auto orBlack = [](double c) { return c > 0 && std::isfinite(c) ? std::min(c, kMaxSceneNumber) : 0; };
-  return {orBlack(value[0][0]), orBlack(value[1][0]), orBlack(value[2][0])};
+  return orBlack({value[0][0], value[1][0], value[2][0]});
+}
+
+bool Pattern::hasLines() const { return valid() && content_->lines.any(); }
+
+Vec3 Pattern::colorAt(double u, double v, const Mat2& footprint, std::span<const double> parameters) const {
+  Vec3 color = colorAt(u, v, parameters);
+  for (const LinesOfPixel& lines : content_->lines.at(u, v, footprint, parameters))
+    color = glm::mix(color, orBlack(lines.color), lines.covered);
+  return color;
 }
 
 double Pattern::opacityAt(double u, double v, std::span<const double> parameters) const {
@@ -89,11 +112,17 @@ const std::string& Pattern::glsl() const {
   return content_->glsl;
 }
 
+const std::string& Pattern::glslWithLines() const {
+  LUXO_REQUIRE(hasLines());
+  return content_->lines.glsl();
+}
+
 std::strong_ordering operator<=>(const Pattern& a, const Pattern& b) {
   if (a.content_ == b.content_) return std::strong_ordering::equal;
   if (!a.valid() || !b.valid()) return a.valid() <=> b.valid();
   if (const auto order = a.content_->parameterCount <=> b.content_->parameterCount; order != 0) return order;
-  return a.content_->glsl <=> b.content_->glsl;
+  if (const auto order = a.content_->glsl <=> b.content_->glsl; order != 0) return order;
+  return a.content_->lines.glsl() <=> b.content_->lines.glsl();
 }
 
 }  // namespace luxo

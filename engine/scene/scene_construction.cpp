@@ -33,6 +33,7 @@ struct BuiltSurface {
 /// first has it there.
 struct BuiltMaterial {
   const MaterialDesc* desc = nullptr;
+  bool readsNames = false;  ///< of the surface's points (scene/surface_names.h): not only its range
   std::optional<MaterialId> everywhere = {};
   std::unordered_map<std::size_t, std::optional<MaterialId>> onSurface = {};  ///< nothing where that failed
 };
@@ -127,9 +128,13 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
   attempt(desc.name.place, [&] {
     BuiltMaterial material{&desc};
     const std::size_t problemsBefore = problems_.count();
-    ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc.diffuse, desc.opacity);
+    ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc);
+    material.readsNames = paint.readsNames;
     const bool known = problems_.count() > problemsBefore || !paint.readsSurface;
     if (known) material.everywhere = makeMaterial(desc, std::move(paint));
+    if (warnings_ && !desc.isolines.empty() && !isOpaque(desc))
+      warnings_->push_back(
+          {rangeOf(desc.isolines[0].place), "isolines on what is seen through are not drawn yet", {}});
     materialIndices_.add(desc.name, materials_.size(), problems_);
     materials_.push_back(std::move(material));
   });
@@ -148,10 +153,9 @@ std::optional<MaterialId> SceneConstruction::materialOn(const std::size_t* surfa
   if (material.everywhere || !surface || !surfaces_[*surface].surface.valid()) return material.everywhere;
   const auto found = material.onSurface.try_emplace(*surface);
   std::optional<MaterialId>& made = found.first->second;
-  if (found.second && acceptNames(node, surfaces_[*surface].surface))
+  if (found.second && (!material.readsNames || acceptNames(node, surfaces_[*surface].surface)))
     attempt(node.material.place, [&] {
-      made = makeMaterial(*material.desc, shapes_.buildPaint(material.desc->diffuse, material.desc->opacity,
-                                                             surfaces_[*surface].surface));
+      made = makeMaterial(*material.desc, shapes_.buildPaint(*material.desc, surfaces_[*surface].surface));
     });
   return made;
 }
@@ -166,11 +170,11 @@ bool SceneConstruction::acceptNames(const NodeDesc& node, const Surface& surface
   if (pieces > 0 && pieces <= kMostNamedPatches) return true;
   problems_.add(
       node.material.place,
-      fmt::format("the colour or opacity of material '{}' uses the place, normal or curvature of its "
-                  "surface, and '{}' {}",
-                  node.material.text, node.surface.text,
-                  pieces == 0
-                      ? std::string("is a mesh, without a formula of these")
+      fmt::format(
+          "the colour, opacity or isolines of material '{}' use the place, normal or curvature of its "
+          "surface, and '{}' {}",
+          node.material.text, node.surface.text,
+          pieces == 0 ? std::string("is a mesh, without a formula of these")
                       : fmt::format("has {} formulas: at most {} are supported", pieces, kMostNamedPatches)),
       "give that node a material of u and v, or of one colour");
   return false;

@@ -138,9 +138,29 @@ struct UniformDesc {
   friend bool operator==(const UniformDesc&, const UniformDesc&) = default;
 };
 
+/// `let`: a name for a formula, for the formulas beside it.
+struct LetDesc {
+  FileName name = {};
+  Quantity value = {};
+
+  friend bool operator==(const LetDesc&, const LetDesc&) = default;
+};
+
+/// As Isolines: where a formula is `at` + k `step`, or without a step `at`; and so many lines of constant u
+/// and of constant v over the surface's range.
+struct IsolinesDesc {
+  std::optional<Quantity> of = {}, step = {}, u = {}, v = {};
+  Quantity at = 0, width = 1.2, opacity = 1;
+  Quantity3 color = repeated(0);
+  FilePlace place = {};
+
+  friend bool operator==(const IsolinesDesc&, const IsolinesDesc&) = default;
+};
+
 /// As Material. A diffuse or ambient colour, or an opacity, that uses u or v is a pattern on the surface.
 struct MaterialDesc {
   FileName name = {};
+  std::vector<LetDesc> let = {};  ///< for `diffuse`, `opacity` and `isolines`
   Quantity3 diffuse = repeated(0.7);
   std::optional<Quantity3> ambient = {};
   Quantity3 specular = repeated(0.2);
@@ -152,6 +172,7 @@ struct MaterialDesc {
   bool lesson = false;  ///< "shading": "lesson", which is exact shading otherwise
   std::optional<MapDesc> map = {}, specularMap = {}, glowMap = {};
   std::optional<NormalMapDesc> normalMap = {};
+  std::vector<IsolinesDesc> isolines = {};
   FileName shader = {};  ///< relative to the folder of the scene, and in it; empty: none
   std::vector<UniformDesc> uniforms = {};
 
@@ -162,14 +183,6 @@ struct MaterialDesc {
   }
 
   friend bool operator==(const MaterialDesc&, const MaterialDesc&) = default;
-};
-
-/// `let`: a name for a formula, for the formulas beside it.
-struct LetDesc {
-  FileName name = {};
-  Quantity value = {};
-
-  friend bool operator==(const LetDesc&, const LetDesc&) = default;
 };
 
 /// One of the catalogue (surface/catalogue.h), by its type's name. Arguments that are left out have their

@@ -36,9 +36,12 @@ inline constexpr std::array<Names, 2> kOcclusionNames = {"method", "radius"};
 inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
 inline constexpr std::array<Names, 8> kTextureNames = {"file", "checker", "squares",    "color",
                                                        "wrap", "filter",  "anisotropy", "data"};
-inline constexpr std::array<Names, 15> kMaterialNames = {
-    "diffuse",          "ambient", "specular",   "shininess",    "opacity",  "blend",  "two_sided", "shading",
-    "lecture_specular", "map",     "normal_map", "specular_map", "glow_map", "shader", "uniforms"};
+inline constexpr std::array<Names, 17> kMaterialNames = {
+    "diffuse",   "ambient", "specular",         "shininess", "opacity",    "blend",
+    "two_sided", "shading", "lecture_specular", "map",       "normal_map", "specular_map",
+    "glow_map",  "shader",  "uniforms",         "let",       "isolines"};
+inline constexpr std::array<Names, 8> kIsolinesNames = {"of", "step",  "at",    "u",
+                                                        "v",  "width", "color", "opacity"};
 inline constexpr std::array<Names, 4> kTextureMapNames = {"texture", "offset", "scale", "rotate"};
 inline constexpr std::array<Names, 5> kNormalMapNames = {"texture", "offset", "scale", "rotate", "space"};
 inline constexpr std::array<Names, 7> kFormulaNames = {"type",   "position", "u",       "v",
@@ -68,6 +71,7 @@ inline constexpr SceneKeys kTexture{"a texture", "texture", kTextureNames};
 inline constexpr SceneKeys kTextureMap{"a map", "texture_map", kTextureMapNames, 1};
 inline constexpr SceneKeys kNormalMap{"a map of normals", "normal_map", kNormalMapNames, 1};
 inline constexpr SceneKeys kMaterial{"a material", "material", kMaterialNames};
+inline constexpr SceneKeys kIsolines{"isolines", "isolines", kIsolinesNames};
 inline constexpr SceneKeys kFormula{"a formula surface", "surface_formula", kFormulaNames, 2};
 inline constexpr SceneKeys kRevolve{"a surface of revolution", "surface_revolve", kRevolveNames, 3};
 inline constexpr SceneKeys kTube{"a tube", "surface_tube", kTubeNames, 3};
@@ -80,9 +84,10 @@ inline constexpr SceneKeys kMap{"a shadow map", "map", kMapNames};
 inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
 /// All of them, but for named surfaces.
-inline constexpr std::array kAll = {kRoot,       kRender,    kOcclusion, kParameter, kTexture, kMaterial,
-                                    kTextureMap, kNormalMap, kFormula,   kRevolve,   kTube,    kBezier,
-                                    kMesh,       kNode,      kRotation,  kLight,     kMap,     kCamera};
+inline constexpr std::array kAll = {kRoot,     kRender,   kOcclusion,  kParameter, kTexture,
+                                    kMaterial, kIsolines, kTextureMap, kNormalMap, kFormula,
+                                    kRevolve,  kTube,     kBezier,     kMesh,      kNode,
+                                    kRotation, kLight,    kMap,        kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};

@@ -16,6 +16,15 @@
 namespace luxo {
 namespace {
 
+/// The number of these digits, all of them.
+std::optional<int> hexNumber(std::string_view digits) {
+  int code = 0;
+  const char* const end = digits.data() + digits.size();
+  if (std::from_chars(digits.data(), end, code, 16).ptr != end || digits.starts_with('-'))
+    return std::nullopt;
+  return code;
+}
+
 /// The linear components of "#rrggbb" or "#rgb".
 std::optional<std::array<double, 3>> hexColor(std::string_view text) {
   const std::string_view digits = text.substr(1);
@@ -23,11 +32,9 @@ std::optional<std::array<double, 3>> hexColor(std::string_view text) {
   const std::size_t length = digits.size() / 3;
   std::array<double, 3> color{};
   for (std::size_t i = 0; i < 3; ++i) {
-    int code = 0;
-    const char* const first = digits.data() + i * length;
-    if (std::from_chars(first, first + length, code, 16).ptr != first + length || *first == '-')
-      return std::nullopt;
-    color[i] = linearFromSrgb((length == 1 ? 17 * code : code) / 255.0);
+    const std::optional<int> code = hexNumber(digits.substr(i * length, length));
+    if (!code) return std::nullopt;
+    color[i] = linearFromSrgb((length == 1 ? 17 * *code : *code) / 255.0);
   }
   return color;
 }
@@ -188,6 +195,39 @@ bool SceneValues::readColor(const JsonValue& value, Quantity3& target) {
   read(value, gray);
   target = repeated(gray);
   return true;
+}
+
+bool SceneValues::readColor(const JsonValue& value, Quantity3& target, Quantity& opacity) {
+  constexpr std::size_t kWithOpacity = 9, kWithout = 7;
+  if (value.kind() != JsonKind::String || !value.string().starts_with('#') ||
+      value.string().size() != kWithOpacity)
+    return readColor(value, target);
+  const std::string text = value.string();
+  const std::string_view all = text;
+  const auto color = hexColor(all.substr(0, kWithout));
+  const auto part = hexNumber(all.substr(kWithout));
+  if (!color || !part) {
+    problems_.add(value.where(), fmt::format("'{}' is not a colour", text),
+                  "write eight hexadecimal digits, the last two for the opacity: \"#00000080\"");
+    return false;
+  }
+  const FilePlace place = placeOf(value.where());
+  for (std::size_t i = 0; i < 3; ++i) target[i] = Quantity((*color)[i], place);
+  opacity = Quantity(*part / 255.0, place);
+  return true;
+}
+
+bool SceneValues::read(const JsonValue& value, std::vector<LetDesc>& target) {
+  if (!value.exists()) return true;
+  if (value.kind() != JsonKind::Object) return reject(value, "an object of names and formulas");
+  bool good = true;
+  for (JsonValue member = value.first(); member.exists(); member = member.next()) {
+    if (member.key().starts_with("x-")) continue;
+    LetDesc& entry = target.emplace_back();
+    entry.name = FileName(member.key(), placeOf(member.keyWhere()));
+    good = read(member, entry.value) && good;
+  }
+  return good;
 }
 
 std::optional<std::size_t> SceneValues::wordIndex(const JsonValue& value,

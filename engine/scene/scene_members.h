@@ -31,7 +31,7 @@ class SceneMembers {
   [[nodiscard]] JsonValue operator[](std::string_view name) const;
 
  private:
-  static constexpr std::size_t kMost = 15;
+  static constexpr std::size_t kMost = 17;
 
   const SceneKeys& kind_;
   std::array<JsonValue, kMost> values_{};
@@ -57,6 +57,10 @@ class SceneValues {
   }
   /// [r, g, b], one number for all three, or "#rrggbb".
   bool readColor(const JsonValue& value, Quantity3& target);
+  /// The same, or "#rrggbbaa", whose last byte is the opacity.
+  bool readColor(const JsonValue& value, Quantity3& target, Quantity& opacity);
+  /// An object of names and formulas.
+  bool read(const JsonValue& value, std::vector<LetDesc>& target);
   /// As many numbers as `target` has.
   bool readArray(const JsonValue& value, std::span<Quantity> target);
   /// One of the names; the enumeration counts as they do.

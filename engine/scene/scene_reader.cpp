@@ -21,6 +21,7 @@
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "formula/parse.h"
+#include "scene/isolines_reader.h"
 #include "scene/json.h"
 #include "scene/model_files.h"
 #include "scene/scene_construction.h"
@@ -257,6 +258,8 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
     if (!material.lesson) material.shading = static_cast<Shading>(word);
   }
   values_.read(members["lecture_specular"], material.lectureSpecular);
+  values_.read(members["let"], material.let);
+  if (members["isolines"].exists()) readIsolines(members["isolines"], problems_, material.isolines);
   values_.read(members["shader"], material.shader);
   if (const JsonValue uniforms = members["uniforms"]; uniforms.exists()) {
     if (material.shader.empty())

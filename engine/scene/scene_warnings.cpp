@@ -166,6 +166,13 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
     visitAll(material.specular, visit);
     visitAll({{material.shininess, material.opacity}}, visit);
     for (const UniformDesc& uniform : material.uniforms) visitAll(uniform.values, visit);
+    for (const LetDesc& entry : material.let) visit(entry.value);
+    for (const IsolinesDesc& isolines : material.isolines) {
+      for (const auto* quantity : {&isolines.of, &isolines.step, &isolines.u, &isolines.v})
+        if (*quantity) visit(**quantity);
+      visitAll({{isolines.at, isolines.width, isolines.opacity}}, visit);
+      visitAll(isolines.color, visit);
+    }
   }
   for (const SurfaceDesc& surface : file.surfaces) {
     std::visit(ShapeVisitor{visit}, surface.shape);

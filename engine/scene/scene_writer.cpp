@@ -160,9 +160,30 @@ JsonText written(const std::vector<UniformDesc>& uniforms) {
   return members.take();
 }
 
+JsonText written(const IsolinesDesc& isolines) {
+  const IsolinesDesc usual;
+  Members members;
+  for (const auto& [key, value] : {std::pair("of", &isolines.of), {"step", &isolines.step}})
+    if (*value) members.put(key, written(**value));
+  members.add("at", isolines.at, usual.at);
+  for (const auto& [key, value] : {std::pair("u", &isolines.u), {"v", &isolines.v}})
+    if (*value) members.put(key, written(**value));
+  members.add("width", isolines.width, usual.width);
+  members.addColor("color", isolines.color, usual.color);
+  members.add("opacity", isolines.opacity, usual.opacity);
+  return members.take();
+}
+
+JsonText written(const std::vector<IsolinesDesc>& isolines) {
+  JsonText array = JsonText::array();
+  for (const IsolinesDesc& one : isolines) array.add(written(one));
+  return array;
+}
+
 JsonText written(const MaterialDesc& material) {
   const MaterialDesc usual;
   Members members;
+  if (!material.let.empty()) members.put("let", written(material.let));
   if (material.ambient) members.put("ambient", writtenColor(*material.ambient));
   members.addColor("diffuse", material.diffuse, material.map ? repeated(1) : usual.diffuse);
   members.addColor("specular", material.specular, material.specularMap ? repeated(1) : usual.specular);
@@ -179,6 +200,8 @@ JsonText written(const MaterialDesc& material) {
     members.put("normal_map", written(material.normalMap->map, material.normalMap->space));
   if (material.specularMap) members.put("specular_map", written(*material.specularMap));
   if (material.glowMap) members.put("glow_map", written(*material.glowMap));
+  if (material.isolines.size() == 1) members.put("isolines", written(material.isolines[0]));
+  if (material.isolines.size() > 1) members.put("isolines", written(material.isolines));
   if (!material.shader.empty()) members.put("shader", JsonText::string(material.shader.text));
   if (!material.uniforms.empty()) members.put("uniforms", written(material.uniforms));
   return members.take();

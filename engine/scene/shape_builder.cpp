@@ -13,6 +13,7 @@
 #include "formula/removable.h"
 #include "formula/tape.h"
 #include "scene/formula_set.h"
+#include "scene/isolines_builder.h"
 #include "scene/model_files.h"
 #include "scene/model_scene.h"
 #include "surface/bezier.h"
@@ -256,42 +257,57 @@ Surface ShapeBuilder::buildShape(const std::string&, const MeshShape& shape) {
   }
 }
 
-ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const Quantity3& color, const Quantity& opacity,
-                                                   const Surface& surface) {
+ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const MaterialDesc& material, const Surface& surface) {
+  const Quantity3& color = material.diffuse;
+  const Quantity& opacity = material.opacity;
   MovingPaint paint;
-  const bool opacityVaries = opacity.isFormula() && readOpacity(opacity, surface, paint.opacity);
+  const bool opacityVaries = opacity.isFormula() && readOpacity(material, surface, paint.opacity);
   if (!opacity.isFormula()) paint.opacity = formulas_.number(opacity, kFraction);
-  if (!opacityVaries && std::ranges::none_of(color, &Quantity::isFormula)) {
+  if (!opacityVaries && material.isolines.empty() && std::ranges::none_of(color, &Quantity::isFormula)) {
     paint.uniform = formulas_.vector(color, kLight);
     return paint;
   }
   std::vector<Quantity> written(color.begin(), color.end());
   if (opacityVaries) written.push_back(opacity);
-  const FormulaSet formulas({.formulas = written, .onSurface = true, .surface = surface}, variables_);
+  const std::size_t ofPaint = written.size();
+  appendQuantities(material.isolines, written);
+  const FormulaSet formulas({.formulas = written, .let = material.let, .onSurface = true, .surface = surface},
+                            variables_);
   formulas.reportTo(problems_);
   if (!formulas.ok()) return {};
-  if (formulas.readsSurface() && !surface.valid()) return {.readsSurface = true};
+  if ((formulas.readsSurface() || needDomain(material.isolines)) && !surface.valid())
+    return {.readsSurface = true, .readsNames = formulas.readsSurface()};
   const std::vector<Expr> c = continued(formulas.graph(), formulas.values());
-  for (std::size_t i = 0; i < c.size(); ++i)
+  for (std::size_t i = 0; i < ofPaint; ++i)
     if (c[i].isConstant() && !formulas_.accept(written[i], c[i].constant(), i < 3 ? kLight : kFraction))
       return {};
+  const std::size_t problemsBefore = problems_.count();
+  const std::vector<Isolines> lines = isolinesOf(
+      material.isolines, std::span(c).subspan(ofPaint), formulas.u(), formulas.v(),
+      surface.valid() && !surface.triangles() ? surface.domain() : Domain{{0, 1}, {0, 1}}, formulas_);
+  if (problems_.count() > problemsBefore) return {};
   // What u and v are in is not always what depends on them: 0.5 + 0 * v.
-  if (!formulas.varies()) {
+  if (!formulas.varies() && lines.empty()) {
     const Animated<Vec3> uniform = uniformOf(formulas);
     paint.uniform = uniform.isConstant() ? uniform : formulas_.guarded(color, kLight, uniform);
     return paint;
   }
   const std::size_t parameters = formulas.parameters().size();
-  paint.pattern = opacityVaries ? Pattern(formulas.graph(), std::array{c[0], c[1], c[2], c[3]}, parameters)
-                                : Pattern(formulas.graph(), std::array{c[0], c[1], c[2]}, parameters);
+  const std::array<Expr, 3> colors{c[0], c[1], c[2]};
+  paint.pattern = opacityVaries   ? Pattern(formulas.graph(), std::array{c[0], c[1], c[2], c[3]}, parameters)
+                  : lines.empty() ? Pattern(formulas.graph(), colors, parameters)
+                                  : Pattern(formulas.graph(), colors, lines, parameters);
   paint.parameters = formulas.parameters();
   return paint;
 }
 
 /// Whether it depends on u, v or a surface that is not known yet; else its value is known.
-bool ShapeBuilder::readOpacity(const Quantity& opacity, const Surface& surface, Animated<double>& value) {
+bool ShapeBuilder::readOpacity(const MaterialDesc& material, const Surface& surface,
+                               Animated<double>& value) {
+  const Quantity& opacity = material.opacity;
   const FormulaSet formula(
-      {.formulas = {opacity, opacity, opacity}, .onSurface = true, .surface = surface}, variables_);
+      {.formulas = {opacity, opacity, opacity}, .let = material.let, .onSurface = true, .surface = surface},
+      variables_);
   if (!formula.ok()) {
     formula.reportTo(problems_);
     return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the surfaces of a scene file, and the patterns of its materials: formulas of u, v and of those
-// parameters that they use.
+// Builds the surfaces of a scene file, and the patterns and isolines of its materials: formulas of u, v and
+// of those parameters that they use.
 #pragma once
 
 #include <optional>
@@ -38,10 +38,11 @@ class ShapeBuilder {
     Animated<Vec3> uniform = Vec3(0);               ///< of any other colour
     Animated<double> opacity = 1.0;                 ///< of any other opacity
     bool readsSurface = false;                      ///< and no surface was given: there is nothing else
+    bool readsNames = false;                        ///< with it: not only its range
   };
-  /// Constants are held against kLight and kFraction. `surface`: what names of scene/surface_names.h speak of.
-  [[nodiscard]] MovingPaint buildPaint(const Quantity3& color, const Quantity& opacity,
-                                       const Surface& surface = {});
+  /// The diffuse colour, opacity and isolines of a material. Constants are held against kLight and kFraction.
+  /// `surface`: what names of scene/surface_names.h speak of, and where a grid of u and v is.
+  [[nodiscard]] MovingPaint buildPaint(const MaterialDesc& material, const Surface& surface = {});
 
  private:
   class Formulas;
@@ -54,7 +55,8 @@ class ShapeBuilder {
   Surface buildShape(const std::string& name, const MeshShape& shape);
   Surface buildShape(const std::string&, std::monostate) { return {}; }
 
-  [[nodiscard]] bool readOpacity(const Quantity& opacity, const Surface& surface, Animated<double>& value);
+  [[nodiscard]] bool readOpacity(const MaterialDesc& material, const Surface& surface,
+                                 Animated<double>& value);
   void checkClosed(const FormulaShape& shape, const Surface& surface);
   void warn(const SurfaceDesc& desc, const Surface& surface);
 

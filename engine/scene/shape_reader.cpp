@@ -33,7 +33,6 @@ class ShapeReader {
   void readCatalogued(const JsonValue& value, const JsonValue& type, const CatalogueEntry& entry);
 
   bool readArgument(const JsonValue& value, const CatalogueArgument& argument, NamedShape& shape);
-  bool readLet(const JsonValue& value, std::vector<LetDesc>& let);
   bool readClosed(const JsonValue& value, FormulaShape& shape);
   bool readPoints(const JsonValue& value, std::vector<Quantity3>& points);
   bool readWholePatches(const JsonValue& value, BezierShape& shape);
@@ -86,7 +85,7 @@ void ShapeReader::readFormula(const JsonValue& value) {
   good = values_.read(members["u"], shape.u) && good;
   good = values_.read(members["v"], shape.v) && good;
   good = readClosed(members["closed"], shape) && good;
-  good = readLet(members["let"], shape.let) && good;
+  good = values_.read(members["let"], shape.let) && good;
   good = values_.read(members["position"], shape.position) && good;
   good = readSegments(members["segments"]) && good;
   if (good) surface_.shape = std::move(shape);
@@ -98,7 +97,7 @@ void ShapeReader::readRevolve(const JsonValue& value) {
   bool good = members.complete();
   good = values_.read(members["u"], shape.u) && good;
   good = values_.read(members["v"], shape.v) && good;
-  good = readLet(members["let"], shape.let) && good;
+  good = values_.read(members["let"], shape.let) && good;
   good = values_.read(members["radius"], shape.radius) && good;
   good = values_.read(members["height"], shape.height) && good;
   good = readSegments(members["segments"]) && good;
@@ -110,7 +109,7 @@ void ShapeReader::readTube(const JsonValue& value) {
   TubeShape shape;
   bool good = members.complete();
   good = values_.read(members["u"], shape.u) && good;
-  good = readLet(members["let"], shape.let) && good;
+  good = values_.read(members["let"], shape.let) && good;
   good = values_.read(members["curve"], shape.curve) && good;
   good = values_.read(members["radius"], shape.radius) && good;
   good = readSegments(members["segments"]) && good;
@@ -158,19 +157,6 @@ bool ShapeReader::readArgument(const JsonValue& value, const CatalogueArgument& 
   read.values.resize(argument.initial.size());
   if (read.values.size() == 1) return values_.read(value, read.values[0]);
   return values_.readArray(value, read.values);
-}
-
-bool ShapeReader::readLet(const JsonValue& value, std::vector<LetDesc>& let) {
-  if (!value.exists()) return true;
-  if (value.kind() != JsonKind::Object) return values_.reject(value, "an object of names and formulas");
-  bool good = true;
-  for (JsonValue member = value.first(); member.exists(); member = member.next()) {
-    if (member.key().starts_with("x-")) continue;
-    LetDesc& entry = let.emplace_back();
-    entry.name = FileName(member.key(), placeOf(member.keyWhere()));
-    good = values_.read(member, entry.value) && good;
-  }
-  return good;
 }
 
 bool ShapeReader::readClosed(const JsonValue& value, FormulaShape& shape) {

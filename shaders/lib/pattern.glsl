@@ -16,13 +16,13 @@ vec4 patternBounds();
 
 float patternParameterAt(uint k) { return patternParameters[firstPatternParameter() + k]; }
 
-#define parameterAt patternParameterAt
-#include "pattern"
-#undef parameterAt
-
 // A formula without a value is black. What is above the largest number of a scene (scene/ranges.h) is that, so that no
 // product with a light leaves float's range.
 float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? min(c, 1e18) : 0.0; }
+
+#define parameterAt patternParameterAt
+#include "pattern"
+#undef parameterAt
 
 // The colour, and how opaque it is; of a pattern that does not say 1.
 vec4 paintAt(vec2 parameters) {

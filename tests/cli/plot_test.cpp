@@ -81,7 +81,8 @@ TEST_F(Plot, DefinitionsThatNeedThePlaceBelongToTheSurface) {
 
 TEST_F(PlotPictures, TheSceneFileDrawsTheSameBytes) {
   const std::string formula = "[u, r*sin(v), cos(v) + u^2]";
-  const Arguments options = {"-L", "k=3", "-L", "r=1+k*u", "-P", "k=0.5", "--size", "61x43", "--time", "2"};
+  const Arguments options = {"-L",     "k=3", "-L",      "r=1+k*u", "-P",         "k=0.5", "--size", "61x43",
+                             "--time", "2",   "--color", "H",       "--isolines", "r@0.2", "--grid", "5x4"};
   Arguments emitting = options, drawing = options;
   emitting.push_back("--emit");
   drawing.insert(drawing.end(), {"-q", "-o", "a.pfm"});
@@ -92,6 +93,65 @@ TEST_F(PlotPictures, TheSceneFileDrawsTheSameBytes) {
   const Outcome rendered = run(folder, {"render", "plot.luxo.json", "-q", "-o", "b.pfm"});
   ASSERT_EQ(rendered.code, 0) << rendered.err;
   EXPECT_TRUE(textOf(folder / "a.pfm") == textOf(folder / "b.pfm"));
+}
+
+TEST_F(Plot, ColorsRunOverWhatTheFormulaIs) {
+  const auto partOf = [](const std::string& position, const std::string& color, const std::string& map = "") {
+    const SceneFile file = plotScene({.position = position,
+                                      .u = "-1:1",
+                                      .v = "-1:1",
+                                      .definitions = {"w=3v", "k=2"},
+                                      .color = color,
+                                      .colormap = map},
+                                     {});
+    return file.materials.at(0).let.back().value.formula();
+  };
+  // Of 65 points between the edges the outermost are 64/65 of the way.
+  EXPECT_EQ(partOf("[u, 0, v]", "k*(u+2)"), "clamp((color_value - (2.03077))/3.93846, 0, 1)");
+  // Above and below 0: as far on either side.
+  EXPECT_EQ(partOf("[u, 0, v]", "w+1"), "clamp((color_value - (-3.95385))/7.90769, 0, 1)");
+  EXPECT_EQ(partOf("[u, 0, v]", "w+1", "viridis"), "clamp((color_value - (-1.95385))/5.90769, 0, 1)");
+  // A plane has no curvature, a helicoid no mean one: what rounding leaves of it is no range.
+  EXPECT_EQ(partOf("[u, 0, v]", "K"), "clamp((color_value - (-0.5))/1, 0, 1)");
+  EXPECT_EQ(partOf("[u*cos(v), v, u*sin(v)]", "H"), "clamp((color_value - (-0.5))/1, 0, 1)");
+}
+
+TEST_F(Plot, LinesAreThoseOfItsMaterial) {
+  const SceneFile file = plotScene({.position = "[u, 0, v]",
+                                    .u = "-1:1",
+                                    .v = "-1:1",
+                                    .definitions = {"w=2q", "q=v", "unused=u"},
+                                    .isolines = {"w@0.5", "K"},
+                                    .grid = "24x12"},
+                                   {});
+  const MaterialDesc& material = file.materials.at(0);
+  ASSERT_EQ(material.isolines.size(), 3u);
+  EXPECT_EQ(material.isolines[0].u, Quantity(24));
+  EXPECT_EQ(material.isolines[0].v, Quantity(12));
+  EXPECT_EQ(material.isolines[1].of, Quantity("w"));
+  EXPECT_EQ(material.isolines[1].step, Quantity(0.5));
+  EXPECT_EQ(material.isolines[2].of, Quantity("K"));
+  EXPECT_FALSE(material.isolines[2].step);
+  ASSERT_EQ(material.let.size(), 2u) << "what they are made of, and nothing else";
+  EXPECT_EQ(material.let[1].name.text, "q");
+}
+
+TEST_F(Plot, MistakesInColorsAndLinesPointIntoTheArgument) {
+  const auto refused = [&](const Arguments& extra, int code, const std::string& said) {
+    Arguments all = extra;
+    all.insert(all.end(), {"-o", "a.png"});
+    const Outcome bad = plot("[u, 0, v]", all);
+    EXPECT_EQ(bad.code, code) << bad.err;
+    EXPECT_TRUE(contains(bad.err, said)) << bad.err << "\nlacks: " << said;
+  };
+  refused({"--color", "u+q"}, 3, "plot:4:11: unknown name 'q'");
+  refused({"--color", "K", "--colormap", "jet"}, 2, "no colormap 'jet'");
+  refused({"--colormap", "vik"}, 2, "no formula to colour by");
+  refused({"--isolines", "u@"}, 3, "plot:4:14: the formula is empty");
+  refused({"--isolines", "u@0"}, 3, "plot:4:14: this is 0");
+  refused({"--grid", "3x"}, 2, "plot:4:8: this is not a number of lines");
+  refused({"--grid", "0"}, 3, "from 1 to 100000");
+  EXPECT_EQ(folder.entries(), 0u);
 }
 
 TEST_F(PlotPictures, TheSurfaceFillsThePicture) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of a pixel lines of a field cover: engine/scene/isolines.h says how, and has the same in double.
+
+// How u and v move from a pixel to the next: u, v to the right, u, v below. Whoever includes this knows.
+vec4 pixelFootprint();
+
+const float kFieldRounding = 1e-6;  // relative
+const float kEndless = 1e30;
+const float kFewLines = 3.0, kManyLines = 4.0;  // in a pixel: between, what is shown goes over to the mean
+
+// The part of a square pixel in which a linear function is less than x, less a half, where it is 0 in the middle and moves by
+// a and b, a >= b >= 0, along the sides.
+float partBelow(float x, float a, float b) {
+  float off = abs(x), beyond = 0.5 * (a + b) - off;
+  float part = off <= 0.5 * (a - b) ? off / a : beyond > 0.0 ? 0.5 - beyond * beyond / (2.0 * a * b) : 0.5;
+  return x < 0.0 ? -part : part;
+}
+
+float coveredByLine(float off, float width, float a, float b) {
+  return partBelow(off + 0.5 * width, a, b) - partBelow(off - 0.5 * width, a, b);
+}
+
+// `field`: how far from a line it is, its derivatives by u and v, its size; all in steps, if it `repeats`.
+float lineCoverage(vec4 field, float width, bool repeats) {
+  vec4 footprint = pixelFootprint();
+  vec2 perPixel = abs(vec2(dot(field.yz, footprint.xy), dot(field.yz, footprint.zw)));
+  float a = max(perPixel.x, perPixel.y), b = min(perPixel.x, perPixel.y), slope = length(perPixel);
+  if (!(slope > kFieldRounding * field.w) || !(width > 0.0)) return 0.0;
+  if (!(slope < kEndless)) return repeats ? 1.0 : 0.0;
+  float wide = width * slope;
+  if (!repeats) return coveredByLine(field.x, wide, a, b);
+  float mean = min(wide, 1.0), many = clamp(a + b - kFewLines, 0.0, kManyLines - kFewLines);
+  if (mean == 1.0 || many == kManyLines - kFewLines) return mean;
+  float off = field.x - floor(field.x), sum = 0.0;
+  for (int k = -2; k <= 3; ++k) sum += coveredByLine(off - float(k), wide, a, b);
+  return mix(sum, mean, many);
+}
+
+// The colour, linear, with an opacity, where that much is covered.
+vec3 underLine(vec3 color, vec4 line, float covered) {
+  vec3 over = vec3(colorOrBlack(line.r), colorOrBlack(line.g), colorOrBlack(line.b));
+  return mix(color, over, covered * (line.a > 0.0 ? min(line.a, 1.0) : 0.0));
+}
