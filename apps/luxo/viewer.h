@@ -12,12 +12,26 @@
 
 namespace luxo {
 
+/// How people turn some parameters of a scene that belong together: the components of a colour, of a vector.
+struct ParameterControl {
+  enum class Kind { Slider, Color, Choice, Switch };
+  std::string label = {};
+  Kind kind = Kind::Slider;
+  std::vector<std::string> parameters = {};  ///< by name, one for each component
+  Interval range = {0, 1};  ///< of the sliders; a parameter without its own takes other values, too
+  std::vector<std::string> choices = {};  ///< of Choice: names of the values 0, 1, ...
+  bool encoded = false;                   ///< of Color: codes of sRGB, not linear
+
+  friend bool operator==(const ParameterControl&, const ParameterControl&) = default;
+};
+
 /// What is shown, and how as long as its user does not say otherwise.
 struct ViewedScene {
   Scene scene;
   RenderSettings settings = {};  ///< size, first moment, shading, samples, tolerance, frames per second
   CameraId camera = {};          ///< none: the scene's first
   std::vector<std::filesystem::path> files = {};  ///< that it is made of: all are watched
+  std::vector<ParameterControl> controls = {};    ///< other parameters with a range have a slider each
 };
 
 struct ViewerOptions {
