@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "draw/options.h"
+#include "math/interval.h"
 #include "scene/scene.h"
 
 namespace luxo {
@@ -39,7 +40,8 @@ struct ViewerOptions {
   bool playing = true;  ///< false: starts paused
   Skips skips = {};
   std::string device = "auto";
-  bool validate = false;  ///< Vulkan validation layers on; any message fails the run
+  bool validate = false;    ///< Vulkan validation layers on; any message fails the run
+  std::string shader = {};  ///< whose presets (shader_presets.h) can be taken and saved; empty: none
   /// Reads the scene: the viewer asks for it whenever one of its files is saved. What it throws is shown over
   /// the last good scene, until the next time.
   std::function<ViewedScene()> readAgain = {};

@@ -29,6 +29,7 @@
 #include "viewer/frame_meter.h"
 #include "viewer/panels.h"
 #include "viewer/photographer.h"
+#include "viewer/presets.h"
 #include "viewer/progressive_mean.h"
 #include "viewer/sliders.h"
 #include "window/presenter.h"
@@ -97,6 +98,7 @@ class Viewer {
         photographer_(context_),
         mean_(context_),
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
+        presets_(options.shader),
         watch_(std::in_place, viewed_.files, [this] { window_.wake(); }) {
     status_.title = options.title;
     status_.device = context_.deviceInfo().name;
@@ -204,6 +206,17 @@ class Viewer {
 
   void obey(const window::Typed& typed) { sliders_.obey(typed); }
   void obey(const window::Grab& grab) {
+    try {
+      if (const auto done = presets_.obey(grab, sliders_, viewed_.scene, viewed_.controls)) {
+        tell({.text = *done});
+        log(LogLevel::Debug, *done);
+        return;
+      }
+    } catch (const Error& error) {
+      tell({.text = error.what(), .alert = true});
+      log(LogLevel::Debug, message_->text);
+      return;
+    }
     if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
   }
 
@@ -261,7 +274,7 @@ class Viewer {
     fitted_.reset();
     if (scene.cameras().empty())
       fitted_ = {takeSnapshot(scene, scene.settings().time, viewed_.settings.size, Camera{}), {0, 0}, {}};
-    sliders_.adopt(viewed_.scene);
+    sliders_.adopt(viewed_.scene, viewed_.controls);
     mostShadowSamples_ = 1;
     for (const Scene::Entry& entry : scene.nodes())
       if (const std::optional<Light>& light = entry.node.light; light && light->shadow != Light::Shadow::None)
@@ -458,7 +471,10 @@ class Viewer {
     status_.reading = meter_.read(controls_.playback().playing(), Clock::now());
     if (controls_.showsNumbers()) panels.push_back(numbersPanel(status_, controls_));
     if (controls_.showsSliders())
-      if (auto sliders = sliders_.panel(viewed_.scene, parameters_)) panels.push_back(std::move(*sliders));
+      if (auto sliders = sliders_.panel(viewed_.scene, parameters_)) {
+        presets_.addRows(*sliders);
+        panels.push_back(std::move(*sliders));
+      }
     if (controls_.showsKeys()) panels.push_back(keysPanel());
     if (!problem_.empty()) {
       panels.push_back(
@@ -485,6 +501,7 @@ class Viewer {
 
   Controls controls_;
   Sliders sliders_;
+  Presets presets_;
   std::vector<double> parameters_;  // at the moment that is shown
   // Of a scene without a camera: what it was when it came into view, and the camera for a size of the window.
   struct Fitted {
