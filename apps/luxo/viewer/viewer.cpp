@@ -30,6 +30,7 @@
 #include "viewer/panels.h"
 #include "viewer/photographer.h"
 #include "viewer/presets.h"
+#include "viewer/probe.h"
 #include "viewer/progressive_mean.h"
 #include "viewer/sliders.h"
 #include "window/presenter.h"
@@ -97,6 +98,7 @@ class Viewer {
         presenter_(context_, swapchain_.format()),
         photographer_(context_),
         mean_(context_),
+        probe_(context_),
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
         presets_(options.shader),
         watch_(std::in_place, viewed_.files, [this] { window_.wake(); }) {
@@ -368,9 +370,17 @@ class Viewer {
     status_.size = size();
     panels_ = panels();
     showPanels(commands);
+    if (repaint || completes || refines) ++pictureVersion_;
+    const bool asksColor = controls_.probes() && probe_.record(commands, shownPicture(), pictureVersion_);
     const double recorded = millisecondsSince(recording);
     const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
     dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
+    if (asksColor) {
+      frames_.wait(submission);
+      probe_.read();
+      log(LogLevel::Debug, fmt::format("under the mouse: {}", probe_.text()));
+      dirty_ = true;
+    }
     if (shownGeneration_ == 0) log(LogLevel::Debug, "shows the first picture");
     shownGeneration_ = swapchain_.generation();
     damaged_ = false;
@@ -435,10 +445,13 @@ class Viewer {
     }
   }
 
+  [[nodiscard]] gpu::Texture& shownPicture() {
+    return mean_.samples() > 0 ? mean_.picture() : view_.picture();
+  }
+
   void showPanels(VkCommandBuffer commands) {
-    gpu::Texture& picture = mean_.samples() > 0 ? mean_.picture() : view_.picture();
     std::vector<window::GrabArea> areas =
-        presenter_.record(frames_, commands, picture, swapchain_, window_.contentScale(), panels_);
+        presenter_.record(frames_, commands, shownPicture(), swapchain_, window_.contentScale(), panels_);
     if (areas == areas_) return;
     for (const window::GrabArea& area : areas)
       log(LogLevel::Debug, fmt::format("grab {} from {},{} to {},{}", area.key, area.minPx.x, area.minPx.y,
@@ -475,6 +488,10 @@ class Viewer {
         presets_.addRows(*sliders);
         panels.push_back(std::move(*sliders));
       }
+    if (controls_.probes() && pictures_ > 0) {
+      probe_.look(viewed_.scene, shown_, window_.cursorPx());
+      if (auto told = probe_.panel()) panels.push_back(std::move(*told));
+    }
     if (controls_.showsKeys()) panels.push_back(keysPanel());
     if (!problem_.empty()) {
       panels.push_back(
@@ -498,6 +515,7 @@ class Viewer {
   window::Presenter presenter_;
   Photographer photographer_;
   ProgressiveMean mean_;  // is seen, while nothing moves, instead of the painter's picture
+  Probe probe_;
 
   Controls controls_;
   Sliders sliders_;
@@ -528,6 +546,7 @@ class Viewer {
   Clock::time_point nextFrame_;
   Clock::time_point tidied_ = Clock::now();
   std::uint64_t tidiedSubmits_ = 0;
+  std::uint64_t pictureVersion_ = 0;  // of what is shown, for the probe
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::deque<std::uint64_t> unmeasured_;  // submissions whose time is still to come
   bool incomplete_ = false;               // the last picture lacks what was lost in it

@@ -23,8 +23,6 @@ case_lab() {
   photo given.png
   render_tint -o given_file.png
   same given.png given_file.png "the file renders headless as it is shown"
-  settle
-  [[ -z ${LUXO_KEEP-} ]] || { window_png "lab.png"; cp "$folder/lab.png" "$LUXO_KEEP"; }
 
   drag_slider 0 120  # beyond its end
   await "the slider turns the uniform" logged 'a parameter is turned' 1
@@ -63,6 +61,19 @@ case_lab() {
   photo violet.png
   render_tint -P tint=0.5,0,1 -P gain=0.25 -o violet_file.png
   same violet.png violet_file.png "the values of the preset"
+  quit
+}
+
+# What the shader gives there is 0.5, 0.25, 0; half precision has these exactly.
+case_lab_probe() {
+  open_screen
+  write_tint tint
+  lab tint.frag --size 640x360
+  keys u
+  xdotool mousemove --window "$window" 440 80
+  await "it tells what is under the mouse" logged 'under the mouse: pixel 440,80, node ring,.* colour 0.5000 0.2500 0.0000, #bc8900' 1
+  xdotool mousemove --window "$window" 600 10
+  await "and that there is nothing" logged 'under the mouse: pixel 600,10, node none, colour 0.0500' 1
   quit
 }
 save_key=$((2147483647 - 1))
