@@ -45,11 +45,11 @@ constexpr const char* kBallAndRing = R"({ "luxo": 1,
       "attenuation": "inverse-square" } } ],
   "camera": { "eye": [0, 2.6, 7.5], "look_at": [0, 1.05, 0], "fov_y": "30deg" } })";
 
-// A model has triangles and, here, two lights that are as far away as it is large.
+// The model takes the place of the sphere.
 constexpr const char* kOfModel = R"({ "luxo": 1,
   "render": { "ambient": 0.15 },
   "materials": { "shader": { "two_sided": true } },
-  "surfaces": { "model": { "type": "mesh", "file": "" } },
+  "surfaces": { "model": { "type": "sphere" } },
   "nodes": [
     { "name": "model", "surface": "model", "material": "shader" },
     { "name": "key", "rotate": [ { "axis": [0, 1, 0], "angle": "60deg" }, { "axis": [1, 0, 0], "angle": "-40deg" } ],
@@ -68,7 +68,7 @@ SceneFile sceneOf(const std::string& shader, const std::string& scene) {
   if (scene.empty()) return ownScene(kBallAndRing, shader);
   if (namesModel(scene)) {
     SceneFile file = ownScene(kOfModel, scene, fs::path(scene).parent_path());
-    std::get<MeshShape>(file.surfaces.front().shape).file = fs::path(scene).filename().string();
+    file.surfaces.front().shape = MeshShape{.file = fs::path(scene).filename().string()};
     return file;
   }
   std::optional<SceneFile> file = sceneDescription(scene);

@@ -2,11 +2,15 @@
 // A shader file where a scene is taken: its uniforms by name, time, mainImage, presets, what is refused.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
 #include "image/format.h"
+#include "open_scene.h"
+#include "scene/snapshot.h"
+#include "shader_scene.h"
 
 namespace luxo::test {
 namespace {
@@ -209,6 +213,52 @@ TEST_F(ShaderFile, IsTakenByTheOtherVerbs) {
   EXPECT_EQ(Json::parse(pixel.out)["points"][0]["node"], "ball");
   writeText(folder / "b.frag", "void mainImage(out vec4 c, in vec2 at) { c = vec4(iTime); }\n");
   EXPECT_THAT(run(folder, {"inspect", "b.frag"}).out, HasSubstr("iTime"));
+}
+
+TEST(Lab, RefusesWhatItCannotShow) {
+  const ScratchFolder folder;
+  writeText(folder / "a.frag", kTinted);
+  writeText(folder / "m.frag", "void mainImage(out vec4 c, in vec2 at) { c = vec4(1); }\n");
+  expectFailure(run(folder, {"lab"}), 2, "SHADER is required");
+  expectFailure(run(folder, {"lab", "none.frag"}), 3, "there is no such file");
+  expectFailure(run(folder, {"lab", "a.txt"}), 2, "'a.txt' is no shader file");
+  expectFailure(run(folder, {"lab", "a.frag", "none.luxo.json"}), 3, "there is no such file");
+  expectFailure(run(folder, {"lab", "a.frag", "-"}), 2, "no scene that can be read again");
+  expectFailure(run(folder, {"lab", "a.frag", "gallery"}), 2, "made by a program");
+  expectFailure(run(folder, {"lab", "a.frag", "flag", "--material", "none"}), 2, "has no material 'none'");
+  expectFailure(run(folder, {"lab", "m.frag", "flag"}), 2, "fills the picture by itself");
+}
+
+TEST(Lab, GivesTheShaderToMaterialsOfAScene) {
+  const ScratchFolder folder;
+  const std::string shader = folder / "a.frag", scene = folder / "s.luxo.json", model = folder / "tri.obj";
+  writeText(shader, kTinted);
+  writeText(scene, R"({ "luxo": 1, "params": { "gain": 2 },
+  "materials": { "seen": { "diffuse": ["u", 0, 0], "opacity": 0.5 }, "other": { "diffuse": 1 } },
+  "surfaces": { "ball": { "type": "sphere" } },
+  "nodes": [ { "surface": "ball", "material": "seen" }, { "surface": "ball", "material": "other" },
+             { "name": "bare", "surface": "ball" } ] })");
+  const auto shadersOf = [](const Scene& built) {
+    const Snapshot snapshot = takeSnapshot(built, 0, {8, 8}, Camera{});
+    std::string text;
+    for (const SnapshotNode& node : snapshot.nodes) {
+      const Material& material = snapshot.materials[node.material.index];
+      text += material.shader ? 'y' : 'n';
+      for (const UniformValue& uniform : material.uniforms)
+        if (uniform.name == "gain") {
+          EXPECT_EQ(uniform.values.front(), 2) << "the scene's parameter of that name";
+        }
+    }
+    return text;
+  };
+  EXPECT_EQ(shadersOf(openShader(shader, {.scene = scene}).scene), "yyy");
+  EXPECT_EQ(shadersOf(openShader(shader, {.scene = scene, .material = "seen"}).scene), "ynn");
+  writeText(model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::vector<NamedFile> inputs;
+  const OpenedShader opened = openShader(shader, {.scene = model}, {}, nullptr, &inputs);
+  EXPECT_EQ(opened.scene.parameters().size(), 5);  // three of the tint, gain, mode
+  EXPECT_EQ(opened.controls.size(), 3);
+  EXPECT_TRUE(std::ranges::any_of(inputs, [&](const NamedFile& file) { return file.path == model; }));
 }
 
 }  // namespace
