@@ -23,6 +23,7 @@
 #include "scene_inspection.h"
 #include "scene_request.h"
 #include "shader_inspection.h"
+#include "shader_scene.h"
 #include "verbs.h"
 
 namespace luxo {
@@ -127,7 +128,8 @@ int runInspect(const InspectOptions& options) {
     printData(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : textOf(json));
     return exit_code::kDone;
   };
-  if (isShader(name)) {
+  const bool asScene = namesMaterialShader(name) && (options.pixel || options.vertex);
+  if (isShader(name) && !asScene) {
     if (options.pixel || options.vertex)
       throw Error(ErrorKind::Usage, "a shader has no pixels and no points",
                   "give a scene whose material has it");

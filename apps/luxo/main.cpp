@@ -23,6 +23,7 @@ int runLuxo(int argc, const char* const* argv) {
   luxo::Command chosen;
   luxo::addRender(app, chosen);
   luxo::addView(app, chosen);
+  luxo::addLab(app, chosen);
   luxo::addPlot(app, chosen);
   luxo::addInspect(app, chosen);
   luxo::addDiff(app, chosen);

@@ -22,6 +22,7 @@
 #include "scene/texture_files.h"
 #include "scenes/embedded_scenes.h"
 #include "scenes/gallery.h"
+#include "shader_scene.h"
 
 namespace luxo {
 namespace {
@@ -68,6 +69,8 @@ void addInputs(std::span<const std::filesystem::path> files, std::vector<NamedFi
     if (inputs && std::filesystem::exists(file, ignored)) inputs->push_back({"a file of the scene", file});
 }
 
+bool isBuiltin(const std::string& scene) { return scene == kGallery || embeddedScene(scene) != nullptr; }
+
 void requireKnown(const std::string& scene) {
   std::error_code ignored;
   const bool looksLikeFile = scene.find_first_of("./") != std::string::npos;
@@ -92,6 +95,13 @@ OpenedScene openDescription(SceneFile file, std::span<const ParameterValue> para
                             std::vector<std::string>* warnings, WarningsAbout about) {
   Scene scene = buildScene(file, parameters, warnings, about);
   return {std::move(scene), std::move(file)};
+}
+
+void addFilesOf(const SceneFile& description, std::vector<NamedFile>* inputs) {
+  const SceneSource& source = description.source;
+  if (source.models) addInputs(source.models->files(), inputs);
+  if (source.textures) addInputs(source.textures->files(), inputs);
+  if (source.shaders) addInputs(source.shaders->files(), inputs);
 }
 
 /// The formulas that a model carries. Nothing, with a warning: this luxo cannot read them.
@@ -139,23 +149,40 @@ std::vector<BuiltinScene> builtinScenes() {
 OpenedScene openDescribedScene(const std::string& scene, std::span<const ParameterValue> parameters,
                                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs,
                                WarningsAbout about) {
-  if (const EmbeddedScene* embedded = embeddedScene(scene))
-    return openDescription(parseScene(std::string(embedded->text), scene), parameters, warnings, about);
-  if (scene == kGallery) {
+  const bool isFile = !isBuiltin(scene);
+  if (isFile && namesMaterialShader(scene))
+    return {openShader(scene, {}, parameters, warnings, inputs, about).scene, std::nullopt};
+  if (inputs && isFile && scene != kStandardInput) inputs->push_back({"the scene", scene});
+  if (isFile && namesModel(scene)) return openModel(scene, parameters, warnings, inputs, about);
+  std::optional<SceneFile> description = sceneDescription(scene);
+  if (!description) {
     refuseParameters(scene, parameters);
     return {gallery(), std::nullopt};
   }
-  if (inputs && scene != kStandardInput) inputs->push_back({"the scene", scene});
-  if (namesModel(scene)) return openModel(scene, parameters, warnings, inputs, about);
-  if (scene != kStandardInput) requireKnown(scene);
-  OpenedScene opened =
-      openDescription(scene == kStandardInput ? readScene(std::cin, "standard input") : readSceneFile(scene),
-                      parameters, warnings, about);
-  const SceneSource& source = opened.description->source;
-  if (source.models) addInputs(source.models->files(), inputs);
-  if (source.textures) addInputs(source.textures->files(), inputs);
-  if (source.shaders) addInputs(source.shaders->files(), inputs);
+  OpenedScene opened = openDescription(std::move(*description), parameters, warnings, about);
+  addFilesOf(*opened.description, inputs);
   return opened;
+}
+
+std::optional<SceneFile> sceneDescription(const std::string& scene) {
+  if (const EmbeddedScene* embedded = embeddedScene(scene))
+    return parseScene(std::string(embedded->text), scene);
+  if (scene == kGallery) return std::nullopt;
+  if (scene == kStandardInput) return readScene(std::cin, "standard input");
+  requireKnown(scene);
+  return readSceneFile(scene);
+}
+
+OpenedShader openShader(const std::string& shader, const ShaderUse& use,
+                        std::span<const ParameterValue> parameters, std::vector<std::string>* warnings,
+                        std::vector<NamedFile>* inputs, WarningsAbout about) {
+  if (inputs) inputs->push_back({"the shader", shader});
+  if (inputs && !use.scene.empty() && !isBuiltin(use.scene)) inputs->push_back({"the scene", use.scene});
+  ShaderScene shown = shaderScene(shader, use, parameters, warnings);
+  Scene scene = buildScene(shown.description, shown.parameters, warnings, about);
+  addInputs(shown.files, inputs);
+  addFilesOf(shown.description, inputs);
+  return {std::move(scene), std::move(shown.controls)};
 }
 
 Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,

@@ -13,6 +13,7 @@
 #include "scene/scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_file.h"
+#include "viewer.h"
 
 namespace luxo {
 
@@ -25,13 +26,15 @@ struct BuiltinScene {
 
 struct OpenedScene {
   Scene scene;
-  std::optional<SceneFile> description;  ///< what it was built from; none: a program, a model's triangles
+  std::optional<SceneFile>
+      description;  ///< what it was built from; none: a program, a model's triangles, a shader
 };
 
-/// The scene of that name: built-in ones first, then files (so ./teapot is the file), a model (mesh/model.h)
-/// or a description; - is standard input. A GLB that carries its formulas (export/carried_scene.h) is these.
-/// `parameters` replace values of the scene's. Error(Scene): there is none of that name; it cannot be read or
-/// has errors. Error(Usage): it has no such parameter, or not with that value.
+/// The scene of that name: built-in ones first, then files (so ./teapot is the file), a model (mesh/model.h),
+/// the shader of a material (shader_scene.h) or a description; - is standard input. A GLB that carries its
+/// formulas (export/carried_scene.h) is these. `parameters` replace values of the scene's. Error(Scene):
+/// there is none of that name; it cannot be read or has errors. Error(Usage): it has no such parameter, or
+/// not with that value.
 ///
 /// `warnings`, where given, takes what is allowed but probably not meant (scene/scene_builder.h), as people
 /// read it. `inputs`, where given, takes the files that it is made of, so that none is overwritten.
@@ -45,6 +48,24 @@ struct OpenedScene {
                               std::vector<std::string>* warnings = nullptr,
                               std::vector<NamedFile>* inputs = nullptr,
                               WarningsAbout about = WarningsAbout::All);
+
+/// The description of a scene that is built in, in a file, or on standard input. Nothing: it is made by a
+/// program. Error(Scene): there is none of that name, it cannot be read, or is none.
+[[nodiscard]] std::optional<SceneFile> sceneDescription(const std::string& scene);
+
+struct ShaderUse;
+
+/// A scene that shows a shader (shader_scene.h), and how people turn its uniforms. As openDescribedScene()
+/// else.
+struct OpenedShader {
+  Scene scene;
+  std::vector<ParameterControl> controls;
+};
+[[nodiscard]] OpenedShader openShader(const std::string& shader, const ShaderUse& use,
+                                      std::span<const ParameterValue> parameters = {},
+                                      std::vector<std::string>* warnings = nullptr,
+                                      std::vector<NamedFile>* inputs = nullptr,
+                                      WarningsAbout about = WarningsAbout::All);
 
 /// What -P says, as descriptions take it.
 [[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);

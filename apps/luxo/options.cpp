@@ -26,7 +26,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   Texts& t = *texts_;
   t.sceneArgument = scene;
   if (scene == SceneArgument::Taken)
-    command.add_option("SCENE", t.scene, "scene file, built-in name, or - for standard input")->type_name("");
+    command.add_option("SCENE", t.scene, "scene file, model, shader of a material, built-in name, or - for standard input")->type_name("");
   const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
     return command.add_option(name, value, help)->type_name(type);
   };

@@ -29,6 +29,7 @@
 #include "scene/fitted_camera.h"
 #include "scene/light_view.h"
 #include "scene_request.h"
+#include "shader_options.h"
 #include "validation.h"
 #include "verbs.h"
 
@@ -353,14 +354,18 @@ class Run {
   ErrorKind lastFailure_ = ErrorKind::Internal;
 };
 
-int renderScene(const RenderRequest& request) {
+int renderScene(const RenderRequest& request, const ShaderOptions& shader) {
   // Looking for holes takes time; what a model or a texture lacks is known.
   const bool warn = request.verbosity == Verbosity::Verbose || request.verbosity == Verbosity::Normal;
   const auto about =
       request.verbosity == Verbosity::Verbose ? WarningsAbout::All : WarningsAbout::WhatIsLacking;
   std::vector<std::string> warnings;
   std::vector<NamedFile> inputs;
-  Scene scene = openScene(request.scene, request.parameters, warn ? &warnings : nullptr, &inputs, about);
+  std::vector<std::string>* const told = warn ? &warnings : nullptr;
+  const ShaderUse use = shaderUse(request.scene, shader);
+  Scene scene = namesMaterialShader(request.scene)
+                    ? openShader(request.scene, use, request.parameters, told, &inputs, about).scene
+                    : openScene(request.scene, request.parameters, told, &inputs, about);
   for (const std::string& warning : warnings) printWarning(warning);
   return renderToFiles(std::move(scene), request, inputs);
 }
@@ -377,10 +382,12 @@ void addRender(CLI::App& app, Command& chosen) {
   CLI::App* verb = app.add_subcommand("render", "draw a scene to files, without any window");
   verb->group("Verbs");
   const auto options = std::make_shared<RenderOptions>(*verb, SceneArgument::Taken);
-  verb->callback([options, &chosen] {
-    chosen = [options] {
+  const auto shader = std::make_shared<ShaderOptions>();
+  addShaderOptions(*verb, *shader);
+  verb->callback([options, shader, &chosen] {
+    chosen = [options, shader] {
       const RenderRequest request = options->request();
-      if (!request.listScenes) return renderScene(request);
+      if (!request.listScenes) return renderScene(request, *shader);
       for (const BuiltinScene& scene : builtinScenes())
         printData(fmt::format("{:<20} {}\n", scene.name, scene.summary));
       return exit_code::kDone;

@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "draw/material_program.h"
 #include "gpu/shader_reflection.h"
+#include "main_image.h"
 #include "scene/shader_files.h"
 
 namespace luxo {
@@ -136,8 +137,9 @@ Json inspectShader(const std::string& name) {
   if (suffix == ".spv") {
     all = gpu::reflect(wordsOf(path));
   } else {
-    const MaterialShaderPtr shader = ShaderFiles(path.parent_path()).get(path.filename().string());
+    MaterialShaderPtr shader = ShaderFiles(path.parent_path()).get(path.filename().string());
     isMaterial = !hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment;
+    if (isMaterial && hasMainImage(*shader) && !hasMaterial(*shader)) shader = materialOfMainImage(shader);
     all = isMaterial ? MaterialProgram(shader).interface() : ofProgram(*shader, stageOf(suffix));
   }
   Json json = {{"luxo", LUXO_VERSION},

@@ -16,6 +16,7 @@ using Command = std::function<int()>;
 
 void addRender(CLI::App& app, Command& chosen);
 void addView(CLI::App& app, Command& chosen);
+void addLab(CLI::App& app, Command& chosen);
 void addPlot(CLI::App& app, Command& chosen);
 void addInspect(CLI::App& app, Command& chosen);
 void addDiff(CLI::App& app, Command& chosen);

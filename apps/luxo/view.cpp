@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "console.h"
+#include "lab.h"
 #include "open_scene.h"
 #include "scene_request.h"
 #include "verbs.h"
@@ -17,11 +18,15 @@ void addView(CLI::App& app, Command& chosen) {
   CLI::App* verb = app.add_subcommand("view", "show a scene in a window: luxo-grandpa, or the one named");
   verb->group("Verbs");
   const auto options = std::make_shared<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
-  verb->callback([options, &chosen] {
-    chosen = [options] {
+  const auto shader = std::make_shared<ShaderOptions>();
+  addShaderOptions(*verb, *shader);
+  verb->callback([options, shader, &chosen] {
+    chosen = [options, shader] {
       const RenderRequest request = options->request(RenderTarget::Window);
       showLog(request.verbosity);
       const std::string name = request.scene.empty() ? "luxo-grandpa" : request.scene;
+      const ShaderUse use = shaderUse(name, *shader);
+      if (namesMaterialShader(name)) return showShader(name, use, request);
       const auto read = [name, request] {
         std::vector<NamedFile> inputs;
         ViewedScene viewed = viewedScene(openScene(name, request.parameters, nullptr, &inputs), request);

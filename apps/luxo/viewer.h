@@ -8,9 +8,23 @@
 #include <vector>
 
 #include "draw/options.h"
+#include "math/interval.h"
 #include "scene/scene.h"
 
 namespace luxo {
+
+/// How people turn some parameters of a scene that belong together: the components of a colour, of a vector.
+struct ParameterControl {
+  enum class Kind { Slider, Color, Choice, Switch };
+  std::string label = {};
+  Kind kind = Kind::Slider;
+  std::vector<std::string> parameters = {};  ///< by name, one for each component
+  Interval range = {0, 1};  ///< of the sliders; a parameter without its own takes other values, too
+  std::vector<std::string> choices = {};  ///< of Choice: names of the values 0, 1, ...
+  bool encoded = false;                   ///< of Color: codes of sRGB, not linear
+
+  friend bool operator==(const ParameterControl&, const ParameterControl&) = default;
+};
 
 /// What is shown, and how as long as its user does not say otherwise.
 struct ViewedScene {
@@ -18,6 +32,7 @@ struct ViewedScene {
   RenderSettings settings = {};  ///< size, first moment, shading, samples, tolerance, frames per second
   CameraId camera = {};          ///< none: the scene's first
   std::vector<std::filesystem::path> files = {};  ///< that it is made of: all are watched
+  std::vector<ParameterControl> controls = {};    ///< other parameters with a range have a slider each
 };
 
 struct ViewerOptions {
@@ -25,7 +40,8 @@ struct ViewerOptions {
   bool playing = true;  ///< false: starts paused
   Skips skips = {};
   std::string device = "auto";
-  bool validate = false;  ///< Vulkan validation layers on; any message fails the run
+  bool validate = false;    ///< Vulkan validation layers on; any message fails the run
+  std::string shader = {};  ///< whose presets (shader_presets.h) can be taken and saved; empty: none
   /// Reads the scene: the viewer asks for it whenever one of its files is saved. What it throws is shown over
   /// the last good scene, until the next time.
   std::function<ViewedScene()> readAgain = {};

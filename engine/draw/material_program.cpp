@@ -347,7 +347,7 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
   names.erase(std::unique(names.begin(), names.end()), names.end());
   constexpr std::string_view kGiven[] = {"main",       "material",  "lightCount",  "light",   "ambientLight",
                                          "blinnPhong", "colorMap",  "specularMap", "glowMap", "Point",
-                                         "Light",      "luxoStops", "luxoRounds"};
+                                         "Light",      "luxoStops", "luxoRounds",  "luxoPictureSize"};
   std::erase_if(names, [&](const std::string& name) {
     return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
   });

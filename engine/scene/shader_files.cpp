@@ -84,15 +84,20 @@ void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, co
 }  // namespace
 
 MaterialShaderPtr ShaderFiles::get(const std::string& name) {
-  const fs::path path = fileInFolder(folder_, name, "shader");
   const std::lock_guard lock(mutex_);
   MaterialShaderPtr& known = shaders_[name];
   if (known) return known;
+  const fs::path path = fileInFolder(folder_, name, "shader");
   const fs::path normal = path.lexically_normal();
   std::vector<MaterialShader::File> files{{normal.string(), readText(path)}};
   for (std::size_t i = 0; i < files.size(); ++i) addIncluded(files, i, normal.parent_path());
   known = std::make_shared<const MaterialShader>(MaterialShader{std::move(files)});
   return known;
+}
+
+void ShaderFiles::put(const std::string& name, MaterialShaderPtr shader) {
+  const std::lock_guard lock(mutex_);
+  shaders_[name] = std::move(shader);
 }
 
 std::vector<fs::path> ShaderFiles::files() {

@@ -28,6 +28,8 @@ class ShaderFiles {
   /// relative to the including file, and is in the shader's folder or below. Error(Scene): a file leads out
   /// of these, is not there or too long; of an include with its file, line and column.
   [[nodiscard]] MaterialShaderPtr get(const std::string& name);
+  /// Gives a name to a shader that is in no file of that name: get() finds it first.
+  void put(const std::string& name, MaterialShaderPtr shader);
   /// Of all shaders so far, what they include among them.
   [[nodiscard]] std::vector<std::filesystem::path> files();
 

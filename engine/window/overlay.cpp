@@ -116,7 +116,7 @@ struct Layout {
         labelWidth = std::max(labelWidth, widthOf(row.label));
         textWidth = std::max(textWidth, widthOf(row.text));
       }
-      if (row.slider) {
+      if (row.slider || row.swatch) {
         trackWidth = std::round(unit(kTrackWidth));
         textWidth = std::max(textWidth, unit(kValueWidth));
       }
@@ -202,6 +202,13 @@ void drawSlider(ImDrawList& list, const Layout& layout, const GrabArea& area, do
   list.AddCircleFilled({handle, y}, layout.unit(kHandleRadius), kHandle);
 }
 
+void drawSwatch(ImDrawList& list, const Layout& layout, const std::array<float, 3>& codes, ImVec2 at) {
+  const ImU32 color = ImGui::ColorConvertFloat4ToU32({codes[0], codes[1], codes[2], 1});
+  const ImVec2 opposite{at.x + layout.trackWidth, at.y + layout.size};
+  list.AddRectFilled(at, opposite, color, layout.unit(kRounding) / 2);
+  list.AddRect(at, opposite, kTrack, layout.unit(kRounding) / 2);
+}
+
 void draw(ImDrawList& list, const Placed& placed, std::vector<GrabArea>& areas) {
   const auto& [panel, layout, corner] = placed;
   const ImVec2 opposite{corner.x + layout.width, corner.y + layout.height};
@@ -224,6 +231,9 @@ void draw(ImDrawList& list, const Placed& placed, std::vector<GrabArea>& areas) 
     write(left, kLabel, row.label);
     if (row.slider) {
       drawSlider(list, layout, area, *row.slider);
+      x += layout.trackWidth + std::round(layout.unit(kColumnGap));
+    } else if (row.swatch) {
+      drawSwatch(list, layout, *row.swatch, {x, y});
       x += layout.trackWidth + std::round(layout.unit(kColumnGap));
     } else if (row.key >= 0) {
       list.AddRectFilled(toImVec(area.minPx), toImVec(area.maxPx), kButton, layout.unit(kRounding) / 2);

@@ -9,6 +9,7 @@
 #include "window/swapchain.h"
 #include "window/window.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -25,6 +26,8 @@ struct Panel {
     std::string text;
     /// A slider between label and text: where its handle stands, from 0 to 1.
     std::optional<double> slider = std::nullopt;
+    /// A colour in the slider's place: codes of sRGB, from 0 to 1.
+    std::optional<std::array<float, 3>> swatch = std::nullopt;
     /// Of its grab area: the slider's track or else, as a button, the text. -1: none.
     int key = -1;
 

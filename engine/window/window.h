@@ -104,6 +104,8 @@ class Window {
   /// Replaces the grab areas. What is being held stays held.
   void setGrabAreas(std::vector<GrabArea> areas) { grabAreas_ = std::move(areas); }
 
+  /// From the top left of the framebuffer, where it was seen last.
+  [[nodiscard]] Vec2 cursorPx() const { return cursorPx_; }
   [[nodiscard]] VkExtent2D framebufferSize() const;  ///< 0x0 while there is nothing to be seen
   [[nodiscard]] double contentScale() const;         ///< 1 at about 96 dots per inch, 2 on a HiDPI screen
   [[nodiscard]] double refreshRate() const;          ///< of the screen it is on, Hz; 60 when unknown

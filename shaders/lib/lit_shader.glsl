@@ -20,6 +20,9 @@ Found litPoint;
 float shaderNumber(uint k) { return patternParameterAt(LUXO_SHADER_NUMBERS + k); }
 vec3 shaderNumbers3(uint k) { return vec3(shaderNumber(k), shaderNumber(k + 1), shaderNumber(k + 2)); }
 
+// Of the picture, in pixels: of shaders that fill it (mainImage in MATERIALS.md).
+vec2 luxoPictureSize() { return 2.0 * view.middle; }
+
 int lightCount() { return int(kPlainLights + kShadedLights); }
 
 Light light(int index) {

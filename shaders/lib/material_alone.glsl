@@ -8,6 +8,7 @@
 layout(location = 0) in vec4 inAny;
 layout(location = 0) out vec4 outColor;
 
+vec2 luxoPictureSize() { return inAny.xy; }
 int lightCount() { return int(inAny.x); }
 Light light(int i) { return Light(inAny.xyz, inAny.w, inAny.xyz, inAny.xyz); }
 vec3 ambientLight() { return inAny.xyz; }

@@ -35,6 +35,7 @@ constexpr KeyHelp kKeys[] = {
     {"P", "save a picture here"},
     {"I", "numbers"},
     {"S", "sliders"},
+    {"U", "what is under the mouse"},
     {"Ctrl+click", "type a slider's value"},
     {"0", "parameters as in the scene"},
     {"F, F11", "full screen"},
@@ -143,6 +144,9 @@ Controls::Request Controls::press(const window::KeyPress& press, Time now) {
       break;
     case 'S':
       showsSliders_ = !showsSliders_;
+      break;
+    case 'U':
+      probes_ = !probes_;
       break;
     case '0':
       return Request::ResetParameters;

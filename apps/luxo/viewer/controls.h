@@ -50,6 +50,8 @@ class Controls {
   [[nodiscard]] bool showsKeys() const { return showsKeys_; }
   [[nodiscard]] bool showsNumbers() const { return showsNumbers_; }
   [[nodiscard]] bool showsSliders() const { return showsSliders_; }
+  /// Whether what is under the mouse is told.
+  [[nodiscard]] bool probes() const { return probes_; }
   /// The camera the user has taken over, if any; else the scene's is meant.
   [[nodiscard]] std::optional<Camera> ownCamera() const;
 
@@ -75,7 +77,7 @@ class Controls {
   window::Playback playback_;
   std::optional<OwnCamera> own_;
   bool refines_ = true, wantsShadows_ = true;
-  bool showsKeys_ = false, showsNumbers_ = true, showsSliders_ = true;
+  bool showsKeys_ = false, showsNumbers_ = true, showsSliders_ = true, probes_ = false;
 };
 
 }  // namespace luxo

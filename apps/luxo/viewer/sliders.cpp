@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/sliders.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "base/error.h"
+#include "base/srgb_curve.h"
 #include "option_values.h"
 #include "slider_scale.h"
 
@@ -12,16 +18,63 @@ namespace {
 
 constexpr int kResetKey = std::numeric_limits<int>::max();  // other keys are indices of parameters
 
+/// Of a colour's components.
+std::array<float, 3> swatchOf(const Scene& scene, const ParameterControl& control,
+                              std::span<const double> values) {
+  std::array<float, 3> codes{};
+  for (std::size_t i = 0; i < codes.size() && i < control.parameters.size(); ++i) {
+    const auto id = scene.findParameter(control.parameters[i]);
+    const double value = std::clamp(id && id->index < values.size() ? values[id->index] : 0, 0.0, 1.0);
+    codes[i] = static_cast<float>(control.encoded ? value : srgbFromLinear(value));
+  }
+  return codes;
+}
+
+window::Panel::Row swatchRow(const std::string& label, const std::array<float, 3>& codes) {
+  const auto byte = [](float code) { return std::lround(255 * code); };
+  return {.label = label,
+          .text = fmt::format("#{:02x}{:02x}{:02x}", byte(codes[0]), byte(codes[1]), byte(codes[2])),
+          .swatch = codes};
+}
+
+bool isButton(const ParameterControl* control) {
+  return control &&
+         (control->kind == ParameterControl::Kind::Choice || control->kind == ParameterControl::Kind::Switch);
+}
+
+double nextOf(const ParameterControl& control, double value) {
+  return value + 1 > control.range.hi ? control.range.lo : value + 1;
+}
+
+std::string buttonText(const ParameterControl& control, double value) {
+  if (control.kind == ParameterControl::Kind::Switch) return value != 0 ? "on" : "off";
+  const auto index = static_cast<std::size_t>(value);
+  return index < control.choices.size() ? control.choices[index] : sliderText(value);
+}
+
 }  // namespace
 
-void Sliders::adopt(Scene& scene) {
+const ParameterControl* Sliders::controlOf(const std::string& parameter) const {
+  for (const ParameterControl& control : controls_)
+    if (std::ranges::find(control.parameters, parameter) != control.parameters.end()) return &control;
+  return nullptr;
+}
+
+std::optional<Interval> Sliders::rangeOf(const Parameter& parameter) const {
+  if (parameter.range) return parameter.range;
+  const ParameterControl* control = controlOf(parameter.name);
+  return control ? std::optional(control->range) : std::nullopt;
+}
+
+void Sliders::adopt(Scene& scene, std::span<const ParameterControl> controls) {
+  controls_ = controls;
   typing_.reset();
   given_.clear();
   for (const Parameter& parameter : scene.parameters()) given_.push_back(parameter.value);
   std::erase_if(chosen_, [&](const auto& choice) {
     const auto id = scene.findParameter(choice.first);
-    const auto range = id ? scene[*id].range : std::nullopt;
-    if (!range || !range->contains(choice.second)) return true;
+    const auto range = id ? rangeOf(scene[*id]) : std::nullopt;
+    if (!range || (scene[*id].range && !range->contains(choice.second))) return true;
     scene.setParameter(*id, choice.second);
     return false;
   });
@@ -34,12 +87,18 @@ bool Sliders::obey(const window::Grab& grab, Scene& scene) {
     return grab.pressed;
   }
   const ParameterId id{static_cast<std::uint32_t>(grab.key)};
-  if (id.index >= scene.parameters().size() || !scene[id].range) return false;
+  if (id.index >= scene.parameters().size() || !rangeOf(scene[id])) return false;
+  if (const ParameterControl* control = controlOf(scene[id].name); isButton(control)) {
+    if (grab.pressed) choose(id, nextOf(*control, scene.parametersAt(0)[id.index]), scene);
+    return grab.pressed;
+  }
   if (grab.types) {
     typing_ = {.parameter = id, .text = {}};
     return false;
   }
-  const double value = sliderValue(scene[id], grab.fraction);
+  Parameter turned = scene[id];
+  turned.range = rangeOf(turned);
+  const double value = sliderValue(turned, grab.fraction);
   const auto chosen = chosen_.find(scene[id].name);
   if (chosen != chosen_.end() && chosen->second == value) return false;
   choose(id, value, scene);
@@ -84,8 +143,18 @@ void Sliders::reset(Scene& scene) {
 std::optional<window::Panel> Sliders::panel(const Scene& scene, std::span<const double> values) const {
   window::Panel panel{.place = window::Panel::Place::BottomLeft, .title = {}, .rows = {}};
   for (std::uint32_t i = 0; i < values.size(); ++i) {
-    const Parameter& parameter = scene[ParameterId{i}];
+    Parameter parameter = scene[ParameterId{i}];
+    parameter.range = rangeOf(parameter);
     if (!parameter.range) continue;
+    const ParameterControl* control = controlOf(parameter.name);
+    if (control && control->kind == ParameterControl::Kind::Color &&
+        control->parameters.front() == parameter.name)
+      panel.rows.push_back(swatchRow(control->label, swatchOf(scene, *control, values)));
+    if (isButton(control)) {
+      panel.rows.push_back(
+          {.label = control->label, .text = buttonText(*control, values[i]), .key = static_cast<int>(i)});
+      continue;
+    }
     const bool isTyped = typing_ && typing_->parameter.index == i;
     panel.rows.push_back({.label = parameter.labelOrName(),
                           .text = isTyped ? typing_->text + "_" : sliderText(values[i]),

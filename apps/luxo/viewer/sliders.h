@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's parameters in the hands of the viewer's user: a slider for each that has a range.
+// The scene's parameters in the hands of the viewer's user: a slider for each that has a range, and what the
+// scene's controls (viewer.h) make of others.
 #pragma once
 
 #include <map>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "viewer.h"
 #include "window/overlay.h"
 #include "window/window.h"
 
@@ -17,7 +19,8 @@ namespace luxo {
 class Sliders {
  public:
   /// Another scene: values that the user chose stay where it has a parameter of that name that takes them.
-  void adopt(Scene& scene);
+  /// `controls` outlive their use.
+  void adopt(Scene& scene, std::span<const ParameterControl> controls = {});
 
   /// True when that changed the scene.
   bool obey(const window::Grab& grab, Scene& scene);
@@ -28,6 +31,8 @@ class Sliders {
   /// Enter takes the value, a number such as 0.5 or 1/3, and Escape leaves it. True when that changed the
   /// scene. Throws Error(Usage) for what is no value of the parameter, which goes on being typed.
   bool obey(const window::KeyPress& key, Scene& scene);
+  /// Gives a parameter that value. Error(Scene): it does not take it.
+  void choose(ParameterId id, double value, Scene& scene);
   /// Gives every parameter the value that its scene gave it.
   void reset(Scene& scene);
 
@@ -40,9 +45,12 @@ class Sliders {
     std::string text;
   };
 
-  void choose(ParameterId id, double value, Scene& scene);
+  /// Of its slider. None: it has none.
+  [[nodiscard]] std::optional<Interval> rangeOf(const Parameter& parameter) const;
+  [[nodiscard]] const ParameterControl* controlOf(const std::string& parameter) const;
   [[nodiscard]] static double typedValue(const Typing& typing, const Scene& scene);
 
+  std::span<const ParameterControl> controls_;
   std::vector<Animated<double>> given_;  // by the scene; index = ParameterId
   std::map<std::string, double> chosen_;
   std::optional<Typing> typing_;

@@ -29,6 +29,8 @@
 #include "viewer/frame_meter.h"
 #include "viewer/panels.h"
 #include "viewer/photographer.h"
+#include "viewer/presets.h"
+#include "viewer/probe.h"
 #include "viewer/progressive_mean.h"
 #include "viewer/sliders.h"
 #include "window/presenter.h"
@@ -96,7 +98,9 @@ class Viewer {
         presenter_(context_, swapchain_.format()),
         photographer_(context_),
         mean_(context_),
+        probe_(context_),
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
+        presets_(options.shader),
         watch_(std::in_place, viewed_.files, [this] { window_.wake(); }) {
     status_.title = options.title;
     status_.device = context_.deviceInfo().name;
@@ -204,6 +208,17 @@ class Viewer {
 
   void obey(const window::Typed& typed) { sliders_.obey(typed); }
   void obey(const window::Grab& grab) {
+    try {
+      if (const auto done = presets_.obey(grab, sliders_, viewed_.scene, viewed_.controls)) {
+        tell({.text = *done});
+        log(LogLevel::Debug, *done);
+        return;
+      }
+    } catch (const Error& error) {
+      tell({.text = error.what(), .alert = true});
+      log(LogLevel::Debug, message_->text);
+      return;
+    }
     if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
   }
 
@@ -261,7 +276,7 @@ class Viewer {
     fitted_.reset();
     if (scene.cameras().empty())
       fitted_ = {takeSnapshot(scene, scene.settings().time, viewed_.settings.size, Camera{}), {0, 0}, {}};
-    sliders_.adopt(viewed_.scene);
+    sliders_.adopt(viewed_.scene, viewed_.controls);
     mostShadowSamples_ = 1;
     for (const Scene::Entry& entry : scene.nodes())
       if (const std::optional<Light>& light = entry.node.light; light && light->shadow != Light::Shadow::None)
@@ -355,9 +370,17 @@ class Viewer {
     status_.size = size();
     panels_ = panels();
     showPanels(commands);
+    if (repaint || completes || refines) ++pictureVersion_;
+    const bool asksColor = controls_.probes() && probe_.record(commands, shownPicture(), pictureVersion_);
     const double recorded = millisecondsSince(recording);
     const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
     dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
+    if (asksColor) {
+      frames_.wait(submission);
+      probe_.read();
+      log(LogLevel::Debug, fmt::format("under the mouse: {}", probe_.text()));
+      dirty_ = true;
+    }
     if (shownGeneration_ == 0) log(LogLevel::Debug, "shows the first picture");
     shownGeneration_ = swapchain_.generation();
     damaged_ = false;
@@ -422,10 +445,13 @@ class Viewer {
     }
   }
 
+  [[nodiscard]] gpu::Texture& shownPicture() {
+    return mean_.samples() > 0 ? mean_.picture() : view_.picture();
+  }
+
   void showPanels(VkCommandBuffer commands) {
-    gpu::Texture& picture = mean_.samples() > 0 ? mean_.picture() : view_.picture();
     std::vector<window::GrabArea> areas =
-        presenter_.record(frames_, commands, picture, swapchain_, window_.contentScale(), panels_);
+        presenter_.record(frames_, commands, shownPicture(), swapchain_, window_.contentScale(), panels_);
     if (areas == areas_) return;
     for (const window::GrabArea& area : areas)
       log(LogLevel::Debug, fmt::format("grab {} from {},{} to {},{}", area.key, area.minPx.x, area.minPx.y,
@@ -458,7 +484,14 @@ class Viewer {
     status_.reading = meter_.read(controls_.playback().playing(), Clock::now());
     if (controls_.showsNumbers()) panels.push_back(numbersPanel(status_, controls_));
     if (controls_.showsSliders())
-      if (auto sliders = sliders_.panel(viewed_.scene, parameters_)) panels.push_back(std::move(*sliders));
+      if (auto sliders = sliders_.panel(viewed_.scene, parameters_)) {
+        presets_.addRows(*sliders);
+        panels.push_back(std::move(*sliders));
+      }
+    if (controls_.probes() && pictures_ > 0) {
+      probe_.look(viewed_.scene, shown_, window_.cursorPx());
+      if (auto told = probe_.panel()) panels.push_back(std::move(*told));
+    }
     if (controls_.showsKeys()) panels.push_back(keysPanel());
     if (!problem_.empty()) {
       panels.push_back(
@@ -482,9 +515,11 @@ class Viewer {
   window::Presenter presenter_;
   Photographer photographer_;
   ProgressiveMean mean_;  // is seen, while nothing moves, instead of the painter's picture
+  Probe probe_;
 
   Controls controls_;
   Sliders sliders_;
+  Presets presets_;
   std::vector<double> parameters_;  // at the moment that is shown
   // Of a scene without a camera: what it was when it came into view, and the camera for a size of the window.
   struct Fitted {
@@ -511,6 +546,7 @@ class Viewer {
   Clock::time_point nextFrame_;
   Clock::time_point tidied_ = Clock::now();
   std::uint64_t tidiedSubmits_ = 0;
+  std::uint64_t pictureVersion_ = 0;  // of what is shown, for the probe
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::deque<std::uint64_t> unmeasured_;  // submissions whose time is still to come
   bool incomplete_ = false;               // the last picture lacks what was lost in it

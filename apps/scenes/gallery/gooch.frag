@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cool and warm: the side of a light is warm, the other cool, and no side is dark (A. Gooch et al., "A non-photorealistic
 // lighting model for automatic technical illustration", SIGGRAPH 1998).
-uniform vec3 paint = vec3(0.55, 0.25, 0.2);
+uniform vec3 paint = vec3(0.55, 0.25, 0.2);  // @color
 uniform float blue = 0.4, yellow = 0.4;        // of the cool and the warm tone
 uniform float cool = 0.2, warm = 0.6;          // how much of the paint they take
 uniform float lines = 0.25;                    // the cosine below which the outline is drawn

@@ -3,9 +3,9 @@
 // texture: the surface is cut from a block.
 #include "noise.glsl"
 
-uniform vec3 stone = vec3(0.82, 0.80, 0.76), vein = vec3(0.14, 0.13, 0.17);
+uniform vec3 stone = vec3(0.82, 0.80, 0.76), vein = vec3(0.14, 0.13, 0.17);  // @color
 uniform float scale = 1.6, bend = 7.0;
-uniform int octaves = 6;
+uniform int octaves = 6;  // @slider 1 12
 
 vec4 material(Point p) {
   vec3 place = scale * p.object;

@@ -5,9 +5,9 @@
 
 const float kPi = 3.14159265;
 
-uniform vec3 metal = vec3(0.62, 0.60, 0.58);
-uniform vec2 roughness = vec2(0.06, 0.35);  // along the grooves, across them
-uniform float grooves = 400.0;              // over v
+uniform vec3 metal = vec3(0.62, 0.60, 0.58);   // @color
+uniform vec2 roughness = vec2(0.06, 0.35);  // along the grooves, across them @slider 0.02 0.5
+uniform float grooves = 400.0;              // over v @slider 20 800
 uniform float depth = 0.25;                 // how much they vary
 
 // Of the angle between the half vector and the normal; n, h, along, across: unit but h.

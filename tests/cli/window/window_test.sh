@@ -732,4 +732,5 @@ case_no_window() {
   expect_error 2 'has no window' "$bin/luxo" view
 }
 
+source "$(dirname "$0")/lab_cases.sh"
 "case_$case_name"

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// luxo lab: a shader on a surface, live.
+#include "lab.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "console.h"
+#include "open_scene.h"
+#include "scene_request.h"
+#include "shader_presets.h"
+#include "verbs.h"
+#include "viewer.h"
+
+namespace luxo {
+namespace {
+
+struct LabOptions {
+  std::unique_ptr<RenderOptions> render;
+  ShaderOptions shader;
+  std::string file, scene, material;
+};
+
+int runLab(const LabOptions& options) {
+  RenderRequest request = options.render->request(RenderTarget::Window);
+  showLog(request.verbosity);
+  if (!namesMaterialShader(options.file))
+    throw Error(ErrorKind::Usage, "'" + options.file + "' is no shader file",
+                "name a file that ends in .frag or .glsl");
+  if (options.scene == "-" || namesMaterialShader(options.scene))
+    throw Error(ErrorKind::Usage, "'" + options.scene + "' is no scene that can be read again",
+                "name a scene file, a model or a built-in scene");
+  if (!options.material.empty() && options.scene.empty())
+    throw Error(ErrorKind::Usage, "--material is of a scene, and none is named",
+                "as in luxo lab steel.frag lamp.luxo.json");
+  ShaderUse use = shaderUse(options.file, options.shader);
+  use.scene = options.scene;
+  use.material = options.material;
+  return showShader(options.file, use, request);
+}
+
+}  // namespace
+
+int showShader(const std::string& shader, const ShaderUse& use, const RenderRequest& request) {
+  std::vector<std::string> warnings;
+  const auto read = [shader, use, request, &warnings] {
+    std::vector<NamedFile> inputs;
+    warnings.clear();
+    OpenedShader opened =
+        openShader(shader, use, request.parameters, &warnings, &inputs, WarningsAbout::WhatIsLacking);
+    ViewedScene viewed = viewedScene(std::move(opened.scene), request);
+    viewed.controls = std::move(opened.controls);
+    for (NamedFile& input : inputs) viewed.files.push_back(std::move(input.path));
+    return viewed;
+  };
+  ViewerOptions viewer = viewerOptions(shader, request);
+  viewer.shader = shader;
+  viewer.readAgain = [&read, &warnings] {
+    ViewedScene viewed = read();
+    for (const std::string& warning : warnings) printWarning(warning);
+    return viewed;
+  };
+  return runViewer(viewer.readAgain(), viewer);
+}
+
+void addLab(CLI::App& app, Command& chosen) {
+  CLI::App* verb = app.add_subcommand("lab", "a shader on a surface, live: drawn again whenever it is saved");
+  verb->group("Verbs");
+  const auto options = std::make_shared<LabOptions>();
+  verb->add_option("SHADER", options->file,
+                   "GLSL file with `vec4 material(Point p)`, or Shadertoy's `mainImage`")
+      ->type_name("")
+      ->required();
+  verb->add_option("SCENE", options->scene,
+                   "scene file, built-in scene or model that gets it (a ball and a ring)")
+      ->type_name("");
+  options->render = std::make_unique<RenderOptions>(*verb, SceneArgument::None, RenderTarget::Window);
+  addShaderOptions(*verb, options->shader);
+  verb->add_option("--material", options->material, "only this material of the scene gets the shader (all)")
+      ->type_name("NAME");
+  verb->footer(
+      "Uniforms are turned in the window, as their lines say:\n"
+      "  uniform float grooves = 400.0;   // @slider 50 800 15     from, to, and in how many steps\n"
+      "  uniform vec3 metal = vec3(0.6);  // @color\n"
+      "  uniform int pattern = 1;         // @select plain|brushed|knurled\n"
+      "Presets are saved beside the shader, as SHADER.presets.json. The same file renders without a window:\n"
+      "  luxo render SHADER --time 1.5 -P grooves=90 -o a.png");
+  verb->callback([options, &chosen] { chosen = [options] { return runLab(*options); }; });
+}
+
+}  // namespace luxo

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+# Cases of window_test.sh about shaders in the lab.
+
+# lab SHADER ARGUMENTS...
+lab() {
+  title=$1
+  launch "$folder" luxo lab "$@"
+}
+write_tint() {
+  cat > "$folder/tint.frag" << END
+uniform float gain = 0.5;              // @slider 0 1
+uniform int mode = 0;                  // @select plain|swapped
+uniform vec3 tint = vec3(1.0, 0.5, 0); // @color
+vec4 material(Point p) { vec3 c = gain * $1; return vec4(mode == 1 ? c.bgr : c, 1.0); }
+END
+}
+render_tint() { (unset DISPLAY && cd "$folder" && "$bin/luxo" render tint.frag -q --size 640x360 "$@") || fail "cannot render: $*"; }
+
+case_lab() {
+  open_screen
+  write_tint tint
+  lab tint.frag --size 640x360
+  photo given.png
+  render_tint -o given_file.png
+  same given.png given_file.png "the file renders headless as it is shown"
+
+  drag_slider 0 120  # beyond its end
+  await "the slider turns the uniform" logged 'a parameter is turned' 1
+  at_slider 1 50 click 1
+  await "the button chooses the next" logged 'a parameter is turned' 2
+  photo turned.png
+  render_tint -P gain=1 -P mode=swapped -o turned_file.png
+  same turned.png turned_file.png "what is turned reaches the picture"
+  at_slider "$save_key" 50 click 1
+  await "the preset is saved" logged "saved 'preset 1' in tint.frag.presets.json" 1
+  render_tint --preset 'preset 1' -o preset_file.png
+  same turned.png preset_file.png "a preset has what was turned"
+
+  # Editors save by renaming another file to this one.
+  settle
+  shot good
+  write_tint 'p.norml'
+  await "the mistake is noticed" logged "tint.frag:4:44: 'norml'" 1
+  await "and shown" screen_is_not good
+  photo still_good.png
+  same still_good.png turned.png "the last good shader stays"
+  (folder=$folder/next && mkdir "$folder" && write_tint 'p.normal')
+  mv "$folder/next/tint.frag" "$folder/tint.frag"
+  await "the shader is read again" logged 'shows the scene as it was saved' 1
+  photo mended.png
+  render_tint --preset 'preset 1' -o mended_file.png
+  same mended.png mended_file.png "by the new shader, as it was turned"
+  quit
+
+  # Another file's preset, and one that was taken.
+  write_tint tint
+  echo '{ "presets": { "violet": { "tint": [0.5, 0, 1], "gain": 0.25, "gone": 3 } } }' > "$folder/tint.frag.presets.json"
+  lab tint.frag --size 640x360
+  at_slider "$next_key" 50 click 1
+  await "the preset is taken" logged "took 'violet'" 1
+  photo violet.png
+  render_tint -P tint=0.5,0,1 -P gain=0.25 -o violet_file.png
+  same violet.png violet_file.png "the values of the preset"
+  quit
+}
+
+# What the shader gives there is 0.5, 0.25, 0; half precision has these exactly.
+case_lab_probe() {
+  open_screen
+  write_tint tint
+  lab tint.frag --size 640x360
+  keys u
+  xdotool mousemove --window "$window" 440 80
+  await "it tells what is under the mouse" logged 'under the mouse: pixel 440,80, node ring,.* colour 0.5000 0.2500 0.0000, #bc8900' 1
+  xdotool mousemove --window "$window" 600 10
+  await "and that there is nothing" logged 'under the mouse: pixel 600,10, node none, colour 0.0500' 1
+  quit
+}
+save_key=$((2147483647 - 1))
+next_key=$((2147483647 - 2))
+
+case_lab_picture() {
+  open_screen
+  cat > "$folder/wave.frag" << 'END'
+uniform float red = 0.5;  // @slider 0 1
+void mainImage(out vec4 fragColor, in vec2 fragCoord) { fragColor = vec4(red, fragCoord / iResolution.xy, 1.0); }
+END
+  lab wave.frag --size 640x360 --time 1
+  photo given.png
+  (unset DISPLAY && cd "$folder" && "$bin/luxo" render wave.frag -q --size 640x360 --time 1 -o given_file.png)
+  same given.png given_file.png "the file renders headless as it is shown"
+  drag_slider 0 -20
+  await "the slider turns the uniform" logged 'a parameter is turned' 1
+  photo turned.png
+  (unset DISPLAY && cd "$folder" && "$bin/luxo" render wave.frag -q --size 640x360 --time 1 -P red=0 -o turned_file.png)
+  same turned.png turned_file.png "what is turned reaches the picture"
+  quit
+  # A material of a scene's own.
+  write_tint tint
+  title=tint.frag
+  launch "$folder" luxo lab tint.frag lecture --size 320x180 --time 2
+  photo scene.png
+  quit
+}
