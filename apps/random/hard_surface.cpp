@@ -63,7 +63,10 @@ struct Wave : Text {
 Text closedSines(Numbers& n, int terms, int most) {
   Text sum;
   for (int k = 0; k < terms; ++k) {
-    const Text argument = Written{"{}*u+{}*v", n.whole(0, most), n.whole(0, most)};
+    int alongU = n.whole(0, most);
+    const int alongV = n.whole(0, most);
+    if (alongU == 0 && alongV == 0) alongU = 1;  // no wave: of three that are none the surface is a point
+    const Text argument = Written{"{}*u+{}*v", alongU, alongV};
     sum += (k == 0 ? "" : "+") + Wave{n, number(n.between(0.08, 0.5)), argument};
   }
   return sum;
