@@ -14,39 +14,29 @@ namespace {
 
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kRounding = 0x1p-21;
+/// Of parameters: what single precision leaves of a rectangle's middle, and of those of its halves. Without
+/// it there were gaps between cells at many turns of a coil.
+constexpr double kParameterRounding = 0x1p-22;
 constexpr float kUp = 1 + 0x1p-22F;  ///< a float that is rounded down is no bound
 
-}  // namespace
-
-CasterCode casterCode(SurfaceCodes& codes, const SnapshotNode& node) {
-  if (node.surface.triangles()) return {codes.triangles(), {}};
-  std::vector<SurfaceCodePtr> different;
-  std::vector<std::size_t> codeOf;
-  CasterCode found;
-  std::size_t most = 0;
-  for (const Patch& patch : node.surface.patches()) {
-    const PatchInputs inputs(patch, node.parameters);
-    const std::span<const double> own = inputs;
-    const std::vector<double>& parameters =
-        found.parameters.emplace_back(patch.general ? patch.general->inputs(patch.constants, node.parameters)
-                                                    : std::vector<double>(own.begin(), own.end()));
-    most = std::max(most, parameters.size());
-    const SurfaceCodePtr code = patch.general ? codes.get(patch.general, parameters.size())
-                                              : codes.get(patch.function, parameters.size());
-    codeOf.push_back(static_cast<std::size_t>(std::ranges::find(different, code) - different.begin()));
-    if (codeOf.back() == different.size()) different.push_back(code);
+/// How far a surface's points would move if its parameters, as shaders have them, were as large again, at
+/// most.
+double spanOfParameters(const Surface& surface, const CasterCells& cells) {
+  double span = 0;
+  for (const CasterCell& cell : cells.cells) {
+    if (!cell.proven()) continue;
+    const Patch& patch = surface.patches()[cell.patch];
+    const double origin = patch.general ? 0 : patch.originOfU();
+    const auto largest = [](const Interval& range, double from) {
+      return std::max(std::abs(range.lo - from), std::abs(range.hi - from)) / range.width();
+    };
+    span = std::max(span, 2 * (glm::length(cell.a) * largest(cell.domain.u, origin) +
+                               glm::length(cell.b) * largest(cell.domain.v, 0)));
   }
-  if (different.size() == 1) {
-    found.code = different[0];
-    return found;
-  }
-  found.code = codes.united(different, most);
-  for (std::size_t i = 0; i < codeOf.size(); ++i) {
-    found.parameters[i].resize(most);
-    found.parameters[i].push_back(static_cast<double>(codeOf[i]));
-  }
-  return found;
+  return span;
 }
+
+}  // namespace
 
 CasterList::CasterList(const Snapshot& snapshot, Geometry& geometry, DrawList& list)
     : snapshot_(snapshot), geometry_(geometry), list_(list) {
@@ -101,7 +91,8 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       .parameters =
           triangles ? found.code->parameters : static_cast<std::uint32_t>(found.parameters[0].size()),
       .flags = from.w == 0 ? shared::kParallelLight : 0,
-      .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest))),
+      .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest)) +
+                                     kParameterRounding * spanOfParameters(node.surface, cells)),
       .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
       .margin = static_cast<float>(kGridMargin * cells.size),
       .pixel = static_cast<float>(1 / (snapshot_.view.pixelsPerUnit * largestStretch(linear)))});

@@ -13,19 +13,9 @@
 #include <vector>
 
 #include "draw/draw_list.h"
+#include "surface/caster_code.h"
 
 namespace luxo {
-
-/// The code that finds the points of all patches of a node, and the parameters of each, equally many; or that
-/// of its triangles. One search finds all that a ray meets of a node, as only that tells which meeting is a
-/// point's own.
-struct CasterCode {
-  SurfaceCodePtr code;
-  std::vector<std::vector<double>> parameters;
-};
-
-/// By their general form, where they have one: surfaces of one name share it.
-[[nodiscard]] CasterCode casterCode(SurfaceCodes& codes, const SnapshotNode& node);
 
 /// Of each buffer of DrawList::casters: what every device binds at once (maxStorageBufferRange).
 inline constexpr std::size_t kMaxCasterBytes = std::size_t{1} << 27;

@@ -169,7 +169,7 @@ class DrawLister {
     const auto area = isFinite(node.boundsWorld) ? casters_.pixelsAround(cornersOf(node.boundsWorld)) : all;
     if (!area) return;
     const Vec4 eye = view.perspective() ? Vec4(view.eye, 1) : Vec4(-view.forward(), 0);
-    const CasterCode found = casterCode(geometry_.codes, node);
+    const CasterCode found = casterCode(geometry_.codes, node.surface, node.parameters);
     auto entry = casters_.entryOf(node, found, eye, options_.layerGridSize);
     if (!entry) list_.byRays.push_back(*area);
     if (!entry || !entry->caster) return;

@@ -52,7 +52,7 @@ void listPlaces(const Snapshot& snapshot, const VisibleList& visible, const Draw
     const SnapshotNode& node = snapshot.nodes[v.node];
     const std::uint32_t material = materials.numberOfNode(v.node);
     if (!isOnlyNear(snapshot, node, options) || material == shared::kMaxFoundMaterials) continue;
-    const CasterCode found = casterCode(geometry.codes, node);
+    const CasterCode found = casterCode(geometry.codes, node.surface, node.parameters);
     if (!fits(casters, found)) continue;
     list.placed.push_back({v.node, material});
     const PixelRect all{{0, 0}, {view.size.width, view.size.height}};

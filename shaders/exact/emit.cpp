@@ -24,6 +24,7 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scene/snapshot.h"
+#include "surface/caster_code.h"
 #include "surface/catalogue.h"
 #include "surface/surface_code.h"
 
@@ -66,18 +67,15 @@ void addFormula(std::set<Formulas>& all, const SurfaceCode& code, const std::str
     all.insert({code.glsl, pattern, code.number, grazing, std::nullopt, parameters});
 }
 
-/// By its general form, where it has one.
-void addCaster(std::set<Formulas>& all, const Surface& surface, Caster caster,
-               const std::string& pattern = {}) {
-  for (const Patch& patch : surface.patches()) {
-    const SurfaceCode code = patch.general ? surfaceCode(*patch.general, 0) : surfaceCode(*patch.function, 0);
-    all.insert({code.glsl, pattern, GlslNumber::Float, true, caster});
-  }
+void addCaster(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
+               Caster caster, const std::string& pattern = {}) {
+  SurfaceCodes codes;
+  all.insert({casterCode(codes, surface, parameters).code->glsl, pattern, GlslNumber::Float, true, caster});
 }
 
 void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const double> parameters,
                 const std::string& pattern, bool tellsParameters = false) {
-  for (const Caster caster : {Caster::Shadow, Caster::MeshPlace}) addCaster(all, surface, caster);
+  for (const Caster caster : {Caster::Shadow, Caster::MeshPlace}) addCaster(all, surface, parameters, caster);
   const auto add = [&](const std::string& glsl, GlslNumber number) {
     all.insert({glsl, pattern, number, true, std::nullopt, tellsParameters});
   };
@@ -94,7 +92,7 @@ void addSurface(std::set<Formulas>& all, const Surface& surface, std::span<const
 
 /// What finds a named surface whatever its arguments.
 void addGeneralForms(std::set<Formulas>& all, const Surface& surface) {
-  for (const Caster caster : {Caster::Shadow, Caster::MeshPlace}) addCaster(all, surface, caster);
+  for (const Caster caster : {Caster::Shadow, Caster::MeshPlace}) addCaster(all, surface, {}, caster);
   const auto equations = equationsOf(surface, {});
   for (std::uint32_t i = 0; i < surface.patchCount(); ++i)
     if (const auto& general = surface.patches()[i].general; general && !equations[i])
@@ -125,12 +123,12 @@ void addScene(Wanted& wanted, const Scene& scene) {
     const bool through = isSeenThrough(node);
     const Pattern& pattern = materialOf(node).diffusePattern;
     const std::string text = pattern.valid() ? pattern.glsl() : "";
-    if (through) addCaster(all, node.surface, Caster::Layer);
+    if (through) addCaster(all, node.surface, node.parameters, Caster::Layer);
     if (layers && shadows) {
-      if (through) addCaster(all, node.surface, Caster::Transmittance, text);
+      if (through) addCaster(all, node.surface, node.parameters, Caster::Transmittance, text);
       for (const Caster caster : {Caster::LayerTransmittance, Caster::LayerShadow})
         if ((caster == Caster::LayerTransmittance) == through)
-          addCaster(all, node.surface, caster, through ? text : "");
+          addCaster(all, node.surface, node.parameters, caster, through ? text : "");
     }
     addSurface(all, node.surface, node.parameters, {});
     if (pattern.valid()) addSurface(all, node.surface, node.parameters, text);
