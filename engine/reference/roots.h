@@ -75,8 +75,9 @@ struct Roots {
 /// the formula ends, after which the rest is undecided.
 [[nodiscard]] Roots nearestRoot(const CellTree& tree, const RayFunctions& ray, const RootQuery& query);
 
-/// All roots of a ray, found in one traversal, for who asks for one after the other. Cost: about that of one
-/// nearestRoot() that finds nothing; at most as many cells again for each root.
+/// All roots of a ray, found in one traversal of the tree, which must outlive it, for who asks for one after
+/// the other. Cost: about that of one nearestRoot() that finds nothing; at most as many cells again for each
+/// root.
 class RootsInOrder {
  public:
   RootsInOrder(const CellTree& tree, const RayFunctions& ray, const RootQuery& query);
@@ -92,6 +93,7 @@ class RootsInOrder {
   };
 
  private:
+  const CellTree& tree_;
   std::vector<Root> roots_;  // by distance
   std::vector<Doubt> doubts_;
   int cells_ = 0;
