@@ -91,8 +91,10 @@ class Samples {
     for (std::uint32_t i = 0; i < mean_.size(); ++i) {
       if (right_[i] == 0 || near(colorAt(shown, i), mean_[i], mean_[i])) continue;
       Vec3 least(0), most(0);
-      for (const Vec2& offset : samplePattern(4)) addColorsAround(caster, i, offset, least, most);
-      wrong += near(colorAt(shown, i), least, most) ? 0 : 1;
+      bool certified = true;
+      for (const Vec2& offset : samplePattern(4))
+        certified &= addColorsAround(caster, i, offset, least, most);
+      wrong += !certified || near(colorAt(shown, i), least, most) ? 0 : 1;
     }
     return wrong;
   }
@@ -141,18 +143,20 @@ class Samples {
   }
 
   /// Adds a quarter of the least and the most of the colours within kSilhouettePx of a sample, and with
-  /// lights in the plane of what is seen on either side of it.
-  void addColorsAround(const reference::Caster& caster, std::uint32_t i, const Vec2& offset, Vec3& least,
-                       Vec3& most) const {
+  /// lights in the plane of what is seen on either side of it. Whether all of them are decided: a shadow of
+  /// what the light is in the plane of may not be.
+  [[nodiscard]] bool addColorsAround(const reference::Caster& caster, std::uint32_t i, const Vec2& offset,
+                                     Vec3& least, Vec3& most) const {
     const auto width = static_cast<std::uint32_t>(snapshot_.view.size.width);
     const Vec2 at = Vec2(i % width, i / width) + 0.5 + offset;
     Vec3 lo(0), hi(0);
+    bool certified = true;
     for (int k = 0; k < 9; ++k) {
       const double angle = kTau * k / 8, radius = k == 8 ? 0 : kSilhouettePx;
       const reference::Ray ray =
           caster.rayThrough(at.x + radius * std::cos(angle), at.y + radius * std::sin(angle));
-      bool certified = true;
       const reference::Caster::Sight sight = caster.look(ray);
+      certified &= sight.certified;
       for (const double tilt : {-kCosineRounding, kCosineRounding}) {
         const Vec3 color = caster.color(ray, sight, certified, tilt);
         const bool isFirst = k == 0 && tilt < 0;
@@ -162,6 +166,7 @@ class Samples {
     }
     least += lo / 4.0;
     most += hi / 4.0;
+    return certified;
   }
 
   Renderer& renderer_;

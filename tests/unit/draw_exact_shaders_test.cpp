@@ -7,6 +7,7 @@
 #include "draw/exact_source.h"
 #include "scene/pattern.h"
 #include "support/spirv.h"
+#include "surface/caster_code.h"
 #include "surface/catalogue.h"
 
 namespace luxo {
@@ -41,15 +42,12 @@ TEST(ExactShaders, EachFormulaHasItsOwn) {
 }
 
 TEST(ExactShaders, ShadowsOfNamedSurfacesAreCarried) {
+  SurfaceCodes codes;
   for (const CatalogueEntry& entry : catalogue()) {
-    const Surface surface = makeSurface(entry);
-    for (const Patch& patch : surface.patches()) {
-      const auto words =
-          builtInCasterShader(ExactSource::Caster::Shadow, patch.general ? surfaceCode(*patch.general, 0)
-                                                                         : surfaceCode(*patch.function, 0));
-      ASSERT_GT(words.size(), 5u) << entry.name;
-      EXPECT_EQ(words[0], kSpirvMagic) << entry.name;
-    }
+    const CasterCode found = casterCode(codes, makeSurface(entry), {});
+    const auto words = builtInCasterShader(ExactSource::Caster::Shadow, *found.code);
+    ASSERT_GT(words.size(), 5u) << entry.name;
+    EXPECT_EQ(words[0], kSpirvMagic) << entry.name;
   }
 }
 
