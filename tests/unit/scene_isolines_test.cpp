@@ -150,7 +150,7 @@ TEST(SceneIsolines, MistakesAreToldAtTheirPlace) {
       {R"("shading": "lesson", "isolines": { "u": 3 })", "there are isolines"}};
   for (const auto& [material, said] : cases) {
     SCOPED_TRACE(material);
-    expectSceneError([&] { static_cast<void>(materialWith(material)); }, {"scene:2:", said});
+    expectSceneError([&, material = material] { static_cast<void>(materialWith(material)); }, {"scene:2:", said});
   }
 }
 
