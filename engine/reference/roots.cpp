@@ -20,7 +20,8 @@ constexpr double kSameParameter = 1e-7;  // of the domain: Newton's last step, w
 // Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024
 // cells at most, all but 4 of a million 512.
 constexpr int kMaxCells = 4096;
-/// Of each cell of the tree, once something is undecided: what is behind that is to be found all the same.
+/// Of each cell of the tree, once something is undecided, or of all roots more than is worth it: what is
+/// behind that is to be found all the same.
 constexpr int kMaxInDoubt = 64;
 /// Where a formula ends: a ray along the rim of a dome looks at more cells the steeper that is.
 constexpr int kMaxCellsAtBorders = 1 << 16;
@@ -104,7 +105,7 @@ class Search {
       const Domain part = parts_.back();
       parts_.pop_back();
       ++cells_;
-      if (all_ ? isEndless() : undecided_ == kNever ? cells_ > mostCells_ : ++inDoubt > kMaxInDoubt) {
+      if (isTooLong(inDoubt)) {
         giveUp();
         parts_.clear();
         return;
@@ -113,14 +114,21 @@ class Search {
     }
   }
 
+  /// Whether one more part of a cell is not looked at, of which so many were while something was in doubt.
+  [[nodiscard]] bool isTooLong(int& inDoubt) const {
+    if (all_) return isEndless() && ++inDoubt > kMaxInDoubt;
+    return undecided_ == kNever ? cells_ > mostCells_ : ++inDoubt > kMaxInDoubt;
+  }
+
   [[nodiscard]] bool isEndless() const {
-    return all_->doubts.size() > kMaxDoubts ||
-           cells_ > mostCells_ * static_cast<int>(1 + all_->roots.size() + all_->doubts.size());
+    const auto searches = static_cast<double>(1 + all_->roots.size() + all_->doubts.size());
+    return all_->doubts.size() > kMaxDoubts || cells_ > mostCells_ * searches;
   }
 
   void giveUp() {
+    if (all_ && !gaveUp_) all_->doubts.push_back({query_.nearest, query_.farthest, {}});
+    gaveUp_ = true;
     undecided_ = std::min(undecided_, query_.nearest);
-    if (all_) all_->doubts.push_back({query_.nearest, query_.farthest, {}});
   }
 
   /// Whether all that could be found between these distances is in doubt as it is.
@@ -280,6 +288,7 @@ class Search {
   std::uint32_t patch_ = 0;
   std::vector<Domain> parts_;
   int cells_ = 0, mostCells_ = kMaxCells;
+  bool gaveUp_ = false;
 };
 
 }  // namespace

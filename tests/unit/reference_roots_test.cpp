@@ -321,6 +321,21 @@ TEST(ReferenceRoots, AllInOrderAreThoseFoundOneByOne) {
   EXPECT_GT(met, 2000);
 }
 
+// A ray along a sheet, which it never leaves, and through another part of it: that it does not end is told,
+// and it ends.
+TEST(ReferenceRoots, AllOfARayAlongItsSurfaceAreNotDecided) {
+  Graph graph;
+  const Expr u = graph.variable(0), v = graph.variable(1);
+  const CellTree tree(Surface({Patch{compileSurface(graph, {u, v * v, v * (v - 1)}), {{0, 1}, {-2, 2}}}}),
+                      {});
+  const RayFunctions along({{-1, 0, 0}, {1, 0, 0}}, Transform{});
+  const RootsInOrder all(tree, along, {0, 100, Facing::Both, false});
+  const Roots roots = all.from(0);
+  EXPECT_FALSE(roots.certified);
+  EXPECT_TRUE(roots.nearest.has_value());
+  EXPECT_LT(roots.cells, 1'000'000);
+}
+
 // Beside the rim of a supertoroid (exponent 0.38) a parameter's last bit is worth 1e-6 of the size, and
 // derivatives are unbounded: boxes of where the formula has values decide the rays there that no number of
 // unbounded ones did (20,000 cells, half an hour a picture).
