@@ -21,7 +21,7 @@
 #include "scene/shader_files.h"
 #include "scene/texture_files.h"
 #include "scenes/embedded_scenes.h"
-#include "scenes/gallery.h"
+#include "scenes/primitives.h"
 #include "shader_scene.h"
 
 namespace luxo {
@@ -29,7 +29,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr const char* kGallery = "gallery";  // in C++
+constexpr const char* kPrimitives = "primitives";  // in C++
+constexpr const char* kGallery = "gallery";
 constexpr const char* kStandardInput = "-";
 
 const EmbeddedScene* embeddedScene(std::string_view name) {
@@ -69,9 +70,12 @@ void addInputs(std::span<const std::filesystem::path> files, std::vector<NamedFi
     if (inputs && std::filesystem::exists(file, ignored)) inputs->push_back({"a file of the scene", file});
 }
 
-bool isBuiltin(const std::string& scene) { return scene == kGallery || embeddedScene(scene) != nullptr; }
+bool isBuiltin(const std::string& scene) { return scene == kPrimitives || embeddedScene(scene) != nullptr; }
 
 void requireKnown(const std::string& scene) {
+  if (scene == kGallery)
+    throw Error(ErrorKind::Scene, "'gallery' is many scenes",
+                "apps/scenes/gallery has them; the named surfaces side by side are 'primitives'");
   std::error_code ignored;
   const bool looksLikeFile = scene.find_first_of("./") != std::string::npos;
   if (looksLikeFile || std::filesystem::exists(scene, ignored)) return;
@@ -141,7 +145,7 @@ std::vector<BuiltinScene> builtinScenes() {
   std::vector<BuiltinScene> scenes;
   for (const EmbeddedScene& scene : embeddedScenes())
     scenes.push_back({std::string(scene.name), summaryOf(scene.text)});
-  if (embeddedScene(kGallery) == nullptr) scenes.push_back({kGallery, "the named surfaces side by side"});
+  if (embeddedScene(kPrimitives) == nullptr) scenes.push_back({kPrimitives, "the named surfaces side by side"});
   std::ranges::sort(scenes, {}, &BuiltinScene::name);
   return scenes;
 }
@@ -157,7 +161,7 @@ OpenedScene openDescribedScene(const std::string& scene, std::span<const Paramet
   std::optional<SceneFile> description = sceneDescription(scene);
   if (!description) {
     refuseParameters(scene, parameters);
-    return {gallery(), std::nullopt};
+    return {primitives(), std::nullopt};
   }
   OpenedScene opened = openDescription(std::move(*description), parameters, warnings, about);
   addFilesOf(*opened.description, inputs);
@@ -167,7 +171,7 @@ OpenedScene openDescribedScene(const std::string& scene, std::span<const Paramet
 std::optional<SceneFile> sceneDescription(const std::string& scene) {
   if (const EmbeddedScene* embedded = embeddedScene(scene))
     return parseScene(std::string(embedded->text), scene);
-  if (scene == kGallery) return std::nullopt;
+  if (scene == kPrimitives) return std::nullopt;
   if (scene == kStandardInput) return readScene(std::cin, "standard input");
   requireKnown(scene);
   return readSceneFile(scene);

@@ -22,7 +22,7 @@
 #include "image/srgb.h"
 #include "luxo_grandpa/lamp.h"
 #include "reference/reference.h"
-#include "scenes/gallery.h"
+#include "scenes/primitives.h"
 #include "stability/cases.h"
 #include "stability/pictures.h"
 #include "surface/library.h"
@@ -126,7 +126,7 @@ std::vector<Measurement> threads(StressContext& context) {
 
 std::vector<Measurement> culling(StressContext& context) {
   std::int64_t withoutSkips = 0, withBackFaces = 0;
-  for (const auto& [scene, time] : {std::pair(luxoGrandpa(), 21.0), std::pair(gallery(), 0.3)}) {
+  for (const auto& [scene, time] : {std::pair(luxoGrandpa(), 21.0), std::pair(primitives(), 0.3)}) {
     const Snapshot snapshot = takeSnapshot(scene, time, context.size());
     const Image expected = context.draw(snapshot).image;
     withoutSkips += differingPixels(context.draw(snapshot, {.skips = Skips::none()}).image, expected);
@@ -143,7 +143,7 @@ std::vector<Measurement> shells(StressContext& context) {
   double farthest = 0;
   int codes = 0;
   std::int64_t moved = 0, compared = 0;
-  for (const auto& [scene, time] : {std::pair(luxoGrandpa(), 21.0), std::pair(gallery(), 0.3)}) {
+  for (const auto& [scene, time] : {std::pair(luxoGrandpa(), 21.0), std::pair(primitives(), 0.3)}) {
     const Snapshot snapshot = takeSnapshot(scene, time, context.size());
     const reference::Caster caster(snapshot);
     struct Drawn {

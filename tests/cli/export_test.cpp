@@ -191,7 +191,7 @@ TEST_F(Export, WhatIsNotCarriedIsSaid) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(contains(outcome.err, "the scene names files: the GLB carries no formulas")) << outcome.err;
   EXPECT_EQ(readModel(folder / "a.glb").scene, "");
-  outcome = exported({"gallery", "-o", "a.glb"});
+  outcome = exported({"primitives", "-o", "a.glb"});
   EXPECT_TRUE(contains(outcome.err, "made by a program")) << outcome.err;
   expectExported({"ring.luxo.json", "-o", "a.glb", "--no-formulas"});
   EXPECT_EQ(readModel(folder / "a.glb").scene, "");

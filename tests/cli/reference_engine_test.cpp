@@ -121,7 +121,7 @@ TEST_F(ReferenceEngine, Refusals) {
   refused({"--shading", "residual"}, 3, "shading 'residual' has no ground truth", "--aov");
   refused({"--device", "gpu"}, 2, "--device and --engine reference contradict", "");
   refused({"--samples", "257"}, 2, "--samples '257'", "1 to 256");
-  expectFailure(run(folder, {"view", "gallery", "--engine", "reference"}), 2, "means nothing in a window",
+  expectFailure(run(folder, {"view", "primitives", "--engine", "reference"}), 2, "means nothing in a window",
                 "");
 }
 

@@ -241,11 +241,11 @@ TEST_F(RenderFiles, ValidationFindsNothing) {
   EXPECT_EQ(textOf(folder / "a.png"), fileOf({}, "b.png"));
 }
 
-TEST_F(RenderFiles, TheGalleryToo) {
+TEST_F(RenderFiles, ThePrimitivesToo) {
   const Outcome list = run(folder, {"render", "--list"});
   EXPECT_EQ(list.code, 0);
   EXPECT_EQ(list.err, "");
-  for (const char* scene : {"luxo-grandpa", "gallery"}) {
+  for (const char* scene : {"luxo-grandpa", "primitives"}) {
     EXPECT_TRUE(contains("\n" + list.out, fmt::format("\n{} ", scene))) << list.out;
     const Outcome outcome = run(folder, {"render", scene, "-o", "a.png", "--size", "33x21"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -227,8 +227,12 @@ TEST_F(SceneFilePictures, AHoleHurtsNobodyElse) {
 TEST_F(SceneFiles, BuiltinScenesAreListed) {
   const Outcome outcome = run(folder, {"render", "--list"});
   EXPECT_EQ(outcome.code, 0);
-  for (const char* name : {"luxo-grandpa", "gallery", "teapot", "flag"})
+  for (const char* name : {"luxo-grandpa", "primitives", "teapot", "flag"})
     EXPECT_TRUE(contains(outcome.out, name)) << outcome.out;
+}
+
+TEST_F(SceneFiles, TheGalleryIsManyScenes) {
+  expectFailure(run(folder, {"render", "gallery", "-o", "a.png"}), 3, "'gallery' is many scenes", "primitives");
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ TEST(Lab, RefusesWhatItCannotShow) {
   expectFailure(run(folder, {"lab", "a.txt"}), 2, "'a.txt' is no shader file");
   expectFailure(run(folder, {"lab", "a.frag", "none.luxo.json"}), 3, "there is no such file");
   expectFailure(run(folder, {"lab", "a.frag", "-"}), 2, "no scene that can be read again");
-  expectFailure(run(folder, {"lab", "a.frag", "gallery"}), 2, "made by a program");
+  expectFailure(run(folder, {"lab", "a.frag", "primitives"}), 2, "made by a program");
   expectFailure(run(folder, {"lab", "a.frag", "flag", "--material", "none"}), 2, "has no material 'none'");
   expectFailure(run(folder, {"lab", "m.frag", "flag"}), 2, "fills the picture by itself");
 }

@@ -10,7 +10,7 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
-#include "scenes/gallery.h"
+#include "scenes/primitives.h"
 #include "support/other_arguments.h"
 #include "support/picture.h"
 #include "surface/catalogue.h"
@@ -42,7 +42,7 @@ Scene sceneOf(Surface surface) {
 
 TEST_F(ExactStart, BuiltInScenesCompileNothing) {
   EXPECT_EQ(compiledBy(luxoGrandpa()), 0u) << "the lamp";
-  EXPECT_EQ(compiledBy(gallery()), 0u) << "the gallery";
+  EXPECT_EQ(compiledBy(primitives()), 0u) << "the primitives";
   for (const EmbeddedScene& scene : embeddedScenes()) {
     if (scene.name == "lecture") continue;  // shows patterns on triangles, too: its own choice of shadings
     EXPECT_EQ(compiledBy(buildScene(parseScene(std::string(scene.text), std::string(scene.name)))), 0u)

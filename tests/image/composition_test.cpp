@@ -13,7 +13,7 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
-#include "scenes/gallery.h"
+#include "scenes/primitives.h"
 #include "support/picture.h"
 #include "surface/surface.h"
 
@@ -66,8 +66,8 @@ TEST_F(CompositionTest, OfEveryBuiltInScene) {
   }
 }
 
-TEST_F(CompositionTest, OfTheGallery) {
-  const Scene scene = gallery();
+TEST_F(CompositionTest, OfThePrimitives) {
+  const Scene scene = primitives();
   expectTheSame(takeSnapshot(scene, 1, {240, 160}));
 }
 

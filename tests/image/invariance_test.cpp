@@ -12,7 +12,7 @@
 
 #include "image/compare.h"
 #include "luxo_grandpa/lamp.h"
-#include "scenes/gallery.h"
+#include "scenes/primitives.h"
 #include "support/picture.h"
 #include "surface/catalogue.h"
 
@@ -103,7 +103,7 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
     double time;
   };
   for (const Subject& subject : {Subject{"lamp", luxoGrandpa(), 21}, Subject{"lamp upward", luxoGrandpa(), 0},
-                                 Subject{"gallery", gallery(), 0.3}, Subject{"mixed", mixedScene(1), 0},
+                                 Subject{"primitives", primitives(), 0.3}, Subject{"mixed", mixedScene(1), 0},
                                  Subject{"mirrored", mixedScene(-1), 0}})
     for (const int samples : {1, 4}) {
       const DrawOptions all{.shading = GetParam(), .samples = samples};

@@ -11,7 +11,7 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
-#include "scenes/gallery.h"
+#include "scenes/primitives.h"
 #include "support/picture.h"
 
 namespace luxo::test {
@@ -132,7 +132,7 @@ class AgainstReference : public PictureTest {
     EXPECT_LT(median(angles), 0.19 * std::pow(2 * kTolerancePx / smallestRadiusPx, 1.5) * 180 / kPi);
     // Half of the pixels are on planes or face the eye, where only single precision is left: a few 6e-8.
     EXPECT_LT(median(depthErrors), 1e-5);
-    // Measured: 54 dB in the gallery, whose tubes are a few pixels wide, 62 to 92 elsewhere.
+    // Measured: 54 dB of the primitives, whose tubes are a few pixels wide, 62 to 92 elsewhere.
     EXPECT_GT(-10 * std::log10(squares / static_cast<double>(depthErrors.size())), 45);
   }
 };
@@ -142,7 +142,7 @@ TEST_F(AgainstReference, LuxoGrandpa) {
   compare(luxoGrandpa(), Shading::Phong, 21, 2);
 }
 
-TEST_F(AgainstReference, Gallery) { compare(gallery(), Shading::Phong, 0, 2); }
+TEST_F(AgainstReference, Primitives) { compare(primitives(), Shading::Phong, 0, 2); }
 
 TEST_F(AgainstReference, Teapot) {
   compare(embedded("teapot"), Shading::Exact, 0, 5);

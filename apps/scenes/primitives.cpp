@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenes/gallery.h"
+#include "scenes/primitives.h"
 
 #include "surface/library.h"
 
 namespace luxo {
 
-Scene gallery() {
+Scene primitives() {
   Scene scene;
   scene.set(RenderSettings{.background = {0.02, 0.025, 0.03}, .ambient = Vec3(0.12)});
 
