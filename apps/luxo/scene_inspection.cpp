@@ -101,6 +101,7 @@ class Inspector {
     const VisibleList visible =
         cull(snapshot_,
              {.tolerancePx = options.tolerancePx, .samples = options.samples, .shading = options.shading});
+    options.samples = 1;  // shadows, and what is seen through, are found for one point of each pixel
     Geometry geometry;
     const DrawList list = listDraws(snapshot_, visible, options, geometry);
     std::uint64_t triangles = 0;
