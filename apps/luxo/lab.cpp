@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "console.h"
 #include "open_scene.h"
 #include "scene_request.h"
+#include "scenes/embedded_scenes.h"
 #include "shader_presets.h"
 #include "verbs.h"
 #include "viewer.h"
@@ -25,12 +27,17 @@ struct LabOptions {
   std::string file, scene, material;
 };
 
+bool isCarried(const std::string& shader) {
+  return std::ranges::find(galleryShaders(), shader, &EmbeddedShader::name) != galleryShaders().end();
+}
+
 int runLab(const LabOptions& options) {
   RenderRequest request = options.render->request(RenderTarget::Window);
   showLog(request.verbosity);
   if (!namesMaterialShader(options.file))
     throw Error(ErrorKind::Usage, "'" + options.file + "' is no shader file",
-                "name a file that ends in .frag or .glsl");
+                isCarried(options.file + ".frag") ? "did you mean '" + options.file + ".frag'?"
+                                                  : "name a file that ends in .frag or .glsl");
   if (options.scene == "-" || namesMaterialShader(options.scene))
     throw Error(ErrorKind::Usage, "'" + options.scene + "' is no scene that can be read again",
                 "name a scene file, a model or a built-in scene");

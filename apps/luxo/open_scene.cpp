@@ -21,6 +21,7 @@
 #include "scene/shader_files.h"
 #include "scene/texture_files.h"
 #include "scenes/embedded_scenes.h"
+#include "scenes/gallery.h"
 #include "scenes/primitives.h"
 #include "shader_scene.h"
 
@@ -33,8 +34,7 @@ constexpr const char* kPrimitives = "primitives";  // in C++
 constexpr const char* kGallery = "gallery";
 constexpr const char* kStandardInput = "-";
 
-const EmbeddedScene* embeddedScene(std::string_view name) {
-  const auto scenes = embeddedScenes();
+const EmbeddedScene* sceneNamed(std::string_view name, std::span<const EmbeddedScene> scenes) {
   const auto found = std::ranges::find(scenes, name, &EmbeddedScene::name);
   return found == scenes.end() ? nullptr : &*found;
 }
@@ -70,18 +70,25 @@ void addInputs(std::span<const std::filesystem::path> files, std::vector<NamedFi
     if (inputs && std::filesystem::exists(file, ignored)) inputs->push_back({"a file of the scene", file});
 }
 
-bool isBuiltin(const std::string& scene) { return scene == kPrimitives || embeddedScene(scene) != nullptr; }
+bool isBuiltin(const std::string& scene) {
+  return scene == kPrimitives || sceneNamed(scene, embeddedScenes()) || sceneNamed(scene, galleryScenes());
+}
 
 void requireKnown(const std::string& scene) {
-  if (scene == kGallery)
-    throw Error(ErrorKind::Scene, "'gallery' is many scenes",
-                "apps/scenes/gallery has them; the named surfaces side by side are 'primitives'");
-  std::error_code ignored;
-  const bool looksLikeFile = scene.find_first_of("./") != std::string::npos;
-  if (looksLikeFile || std::filesystem::exists(scene, ignored)) return;
   const Names names = builtinNames();
+  if (scene == kGallery) {
+    Names ofGallery;
+    for (const EmbeddedScene& one : galleryScenes()) ofGallery.emplace_back(one.name);
+    throw Error(ErrorKind::Scene, "'gallery' is many scenes",
+                fmt::format("they are {}; `luxo gallery` draws them all, and the named surfaces are '{}'",
+                            listed(ofGallery), kPrimitives));
+  }
+  std::error_code ignored;
+  const bool looksLikeFile = scene.find('.') != std::string::npos ||
+                             (scene.find('/') != std::string::npos && closestName(scene, names).empty());
+  if (looksLikeFile || std::filesystem::exists(scene, ignored)) return;
   throw Error(ErrorKind::Scene, fmt::format("there is no scene '{}'", scene),
-              didYouMean(scene, names, fmt::format("the built-in scenes are {}", listed(names))));
+              didYouMean(scene, names, "luxo render --list names the built-in scenes"));
 }
 
 Quantity quantityOf(const std::string& text) {
@@ -145,7 +152,9 @@ std::vector<BuiltinScene> builtinScenes() {
   std::vector<BuiltinScene> scenes;
   for (const EmbeddedScene& scene : embeddedScenes())
     scenes.push_back({std::string(scene.name), summaryOf(scene.text)});
-  if (embeddedScene(kPrimitives) == nullptr) scenes.push_back({kPrimitives, "the named surfaces side by side"});
+  for (const EmbeddedScene& scene : galleryScenes())
+    scenes.push_back({std::string(scene.name), summaryOf(scene.text)});
+  scenes.push_back({kPrimitives, "the named surfaces side by side"});
   std::ranges::sort(scenes, {}, &BuiltinScene::name);
   return scenes;
 }
@@ -169,12 +178,24 @@ OpenedScene openDescribedScene(const std::string& scene, std::span<const Paramet
 }
 
 std::optional<SceneFile> sceneDescription(const std::string& scene) {
-  if (const EmbeddedScene* embedded = embeddedScene(scene))
+  if (const EmbeddedScene* embedded = sceneNamed(scene, embeddedScenes()))
     return parseScene(std::string(embedded->text), scene);
+  if (const EmbeddedScene* ofGallery = sceneNamed(scene, galleryScenes()))
+    return galleryDescription(*ofGallery);
   if (scene == kPrimitives) return std::nullopt;
   if (scene == kStandardInput) return readScene(std::cin, "standard input");
   requireKnown(scene);
   return readSceneFile(scene);
+}
+
+MaterialShaderPtr openMaterialShader(const std::string& shader) {
+  const std::filesystem::path path(shader);
+  std::error_code ignored;
+  const bool carried =
+      std::ranges::find(galleryShaders(), shader, &EmbeddedShader::name) != galleryShaders().end();
+  const std::string name = path.filename().string();
+  if (carried && !std::filesystem::exists(path, ignored)) return galleryShaderFiles()->get(name);
+  return ShaderFiles(path.parent_path()).get(name);
 }
 
 OpenedShader openShader(const std::string& shader, const ShaderUse& use,

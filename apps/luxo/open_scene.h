@@ -10,6 +10,7 @@
 
 #include "option_values.h"
 #include "output_files.h"
+#include "scene/material_shader.h"
 #include "scene/scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_file.h"
@@ -52,6 +53,10 @@ struct OpenedScene {
 /// The description of a scene that is built in, in a file, or on standard input. Nothing: it is made by a
 /// program. Error(Scene): there is none of that name, it cannot be read, or is none.
 [[nodiscard]] std::optional<SceneFile> sceneDescription(const std::string& scene);
+
+/// The material's shader in a file; where there is none of that name, the gallery's: gallery/steel.frag.
+/// Error(Scene): there is neither, or what ShaderFiles::get() says.
+[[nodiscard]] MaterialShaderPtr openMaterialShader(const std::string& shader);
 
 struct ShaderUse;
 

@@ -19,7 +19,7 @@
 #include "draw/material_program.h"
 #include "gpu/shader_reflection.h"
 #include "main_image.h"
-#include "scene/shader_files.h"
+#include "open_scene.h"
 
 namespace luxo {
 namespace {
@@ -137,7 +137,7 @@ Json inspectShader(const std::string& name) {
   if (suffix == ".spv") {
     all = gpu::reflect(wordsOf(path));
   } else {
-    MaterialShaderPtr shader = ShaderFiles(path.parent_path()).get(path.filename().string());
+    MaterialShaderPtr shader = openMaterialShader(name);
     isMaterial = !hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment;
     if (isMaterial && hasMainImage(*shader) && !hasMaterial(*shader)) shader = materialOfMainImage(shader);
     all = isMaterial ? MaterialProgram(shader).interface() : ofProgram(*shader, stageOf(suffix));

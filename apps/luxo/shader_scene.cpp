@@ -265,8 +265,7 @@ bool namesMaterialShader(const std::string& path) {
 
 ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
                         std::span<const ParameterValue> given, std::vector<std::string>* warnings) {
-  const fs::path path(shader);
-  MaterialShaderPtr text = ShaderFiles(path.parent_path()).get(path.filename().string());
+  MaterialShaderPtr text = openMaterialShader(shader);
   ShaderScene made;
   for (const MaterialShader::File& file : text->files) made.files.emplace_back(file.name);
   const bool ofPicture = use.mainImage || (hasMainImage(*text) && !hasMaterial(*text));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene files of this folder, carried by the program.
+// The scene files of this folder and of its gallery, carried by the program.
 #pragma once
 
 #include <span>
@@ -14,5 +14,16 @@ struct EmbeddedScene {
 
 /// By name.
 [[nodiscard]] std::span<const EmbeddedScene> embeddedScenes();
+
+/// Those of gallery/, by name: `gallery/steel`.
+[[nodiscard]] std::span<const EmbeddedScene> galleryScenes();
+
+struct EmbeddedShader {
+  std::string_view name;  ///< of the file: `gallery/steel.frag`
+  std::string_view text;
+};
+
+/// The shaders of the gallery, and what they include.
+[[nodiscard]] std::span<const EmbeddedShader> galleryShaders();
 
 }  // namespace luxo

@@ -57,8 +57,22 @@ std::optional<Include> nextInclude(const std::string& text, std::size_t from) {
   return std::nullopt;
 }
 
-/// Adds to the files those that files[index] includes.
-void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, const fs::path& folder) {
+}  // namespace
+
+fs::path ShaderFiles::pathOf(const fs::path& folder, const std::string& name, std::string_view kind) const {
+  return carried_.empty() ? fileInFolder(folder, name, kind) : folder / name;
+}
+
+std::string ShaderFiles::textOf(const fs::path& path) const {
+  if (carried_.empty()) return readText(path);
+  const auto file =
+      std::ranges::find(carried_, path.lexically_normal().string(), &MaterialShader::File::name);
+  if (file != carried_.end()) return file->text;
+  throw Error(ErrorKind::Scene, fmt::format("there is no shader '{}'", path.lexically_normal().string()));
+}
+
+void ShaderFiles::addIncluded(std::vector<MaterialShader::File>& files, std::size_t index,
+                              const fs::path& folder) const {
   std::size_t from = 0;
   while (const std::optional<Include> include = nextInclude(files[index].text, from)) {
     from = include->where.end;
@@ -66,12 +80,12 @@ void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, co
     try {
       const fs::path inFolder = (here / include->name).lexically_relative(folder.empty() ? "." : folder);
       const fs::path file =
-          fileInFolder(folder, inFolder.empty() ? include->name : inFolder.string(), "included file");
+          pathOf(folder, inFolder.empty() ? include->name : inFolder.string(), "included file");
       const std::string name = file.lexically_normal().string();
       if (std::ranges::find(files, name, &MaterialShader::File::name) != files.end()) continue;
       if (files.size() == kMaxShaderFiles)
         throw Error(ErrorKind::Scene, fmt::format("the shader has more than {} files", kMaxShaderFiles));
-      files.push_back({name, readText(file)});
+      files.push_back({name, textOf(file)});
     } catch (const Error& error) {
       const MaterialShader::File& by = files[index];
       const TextPosition at = positionAt(by.text, include->where.begin);
@@ -81,15 +95,13 @@ void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index, co
   }
 }
 
-}  // namespace
-
 MaterialShaderPtr ShaderFiles::get(const std::string& name) {
   const std::lock_guard lock(mutex_);
   MaterialShaderPtr& known = shaders_[name];
   if (known) return known;
-  const fs::path path = fileInFolder(folder_, name, "shader");
+  const fs::path path = pathOf(folder_, name, "shader");
   const fs::path normal = path.lexically_normal();
-  std::vector<MaterialShader::File> files{{normal.string(), readText(path)}};
+  std::vector<MaterialShader::File> files{{normal.string(), textOf(path)}};
   for (std::size_t i = 0; i < files.size(); ++i) addIncluded(files, i, normal.parent_path());
   known = std::make_shared<const MaterialShader>(MaterialShader{std::move(files)});
   return known;
@@ -103,6 +115,7 @@ void ShaderFiles::put(const std::string& name, MaterialShaderPtr shader) {
 std::vector<fs::path> ShaderFiles::files() {
   const std::lock_guard lock(mutex_);
   std::vector<fs::path> paths;
+  if (!carried_.empty()) return paths;
   for (const auto& [name, shader] : shaders_)
     if (shader)
       for (const MaterialShader::File& file : shader->files) paths.emplace_back(file.name);

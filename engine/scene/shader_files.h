@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,9 @@ class ShaderFiles {
  public:
   /// `folder`: of the scene; empty: the current one.
   explicit ShaderFiles(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
+  /// Of files that a program carries, by their names, `folder`/..., instead of those on disk.
+  ShaderFiles(std::filesystem::path folder, std::vector<MaterialShader::File> carried)
+      : folder_(std::move(folder)), carried_(std::move(carried)) {}
 
   /// The shader in a file that is named relative to the folder, and is in it. What it includes is named
   /// relative to the including file, and is in the shader's folder or below. Error(Scene): a file leads out
@@ -30,11 +34,19 @@ class ShaderFiles {
   [[nodiscard]] MaterialShaderPtr get(const std::string& name);
   /// Gives a name to a shader that is in no file of that name: get() finds it first.
   void put(const std::string& name, MaterialShaderPtr shader);
-  /// Of all shaders so far, what they include among them.
+  /// On disk, of all shaders so far, what they include among them.
   [[nodiscard]] std::vector<std::filesystem::path> files();
 
  private:
+  [[nodiscard]] std::filesystem::path pathOf(const std::filesystem::path& folder, const std::string& name,
+                                             std::string_view kind) const;
+  [[nodiscard]] std::string textOf(const std::filesystem::path& path) const;
+  /// Adds to the files those that files[index] includes.
+  void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index,
+                   const std::filesystem::path& folder) const;
+
   std::filesystem::path folder_;
+  std::vector<MaterialShader::File> carried_;
   std::mutex mutex_;
   std::map<std::string, MaterialShaderPtr> shaders_;
 };

@@ -231,9 +231,5 @@ TEST_F(SceneFiles, BuiltinScenesAreListed) {
     EXPECT_TRUE(contains(outcome.out, name)) << outcome.out;
 }
 
-TEST_F(SceneFiles, TheGalleryIsManyScenes) {
-  expectFailure(run(folder, {"render", "gallery", "-o", "a.png"}), 3, "'gallery' is many scenes", "primitives");
-}
-
 }  // namespace
 }  // namespace luxo::test

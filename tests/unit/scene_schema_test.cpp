@@ -18,6 +18,7 @@
 #include "scene/scene_writer.h"
 #include "scene/shape_reader.h"
 #include "scene_examples.h"
+#include "scenes/embedded_scenes.h"
 #include "surface/catalogue.h"
 
 namespace luxo {
@@ -274,6 +275,8 @@ TEST_F(SceneSchema, TakesTheExamplesAndWhatIsWritten) {
     EXPECT_EQ(check(text), "") << path;
     EXPECT_EQ(check(writeScene(parseScene(text, "s"))), "") << path;
   }
+  for (const EmbeddedScene& scene : galleryScenes())
+    EXPECT_EQ(check(std::string(scene.text)), "") << scene.name;
 }
 
 // A schema that takes everything would pass the above.

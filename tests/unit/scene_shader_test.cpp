@@ -19,6 +19,7 @@
 namespace luxo {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::string messageOf(const std::function<void()>& call) {
@@ -83,6 +84,23 @@ TEST_F(SceneShader, IncludesAreRelativeToTheirFileAndInTheFolder) {
   write("look/n.frag", "\n #include \"../outside.glsl\"\n");
   EXPECT_THAT(messageOf([&] { static_cast<void>(ShaderFiles(folder.path()).get("look/n.frag")); }),
               HasSubstr("n.frag:2:11: the included file '../outside.glsl' is outside"));
+}
+
+// As the gallery's are: a program that carries its shaders reads no file.
+TEST_F(SceneShader, CarriedOnesAreNotLookedForOnDisk) {
+  write("m.frag", "on disk");
+  const std::string prefix = folder.path().string() + "/";
+  ShaderFiles carried(folder.path(), {{prefix + "m.frag", "#include \"lib/a.glsl\"\n"},
+                                      {prefix + "lib/a.glsl", "float a;\n"},
+                                      {prefix + "n.frag", "\n #include \"b.glsl\"\n"}});
+  const MaterialShaderPtr shader = carried.get("m.frag");
+  ASSERT_EQ(shader->files.size(), 2u);
+  EXPECT_EQ(shader->files[0].text, "#include \"lib/a.glsl\"\n");
+  EXPECT_EQ(shader->files[1].text, "float a;\n");
+  EXPECT_TRUE(carried.files().empty());
+  write("b.glsl", "");
+  EXPECT_THAT(messageOf([&] { static_cast<void>(carried.get("n.frag")); }),
+              AllOf(HasSubstr("n.frag:2:11: there is no shader"), HasSubstr("b.glsl")));
 }
 
 TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
