@@ -30,6 +30,7 @@ int runLuxo(int argc, const char* const* argv) {
   luxo::addVerify(app, chosen);
   luxo::addBench(app, chosen);
   luxo::addExport(app, chosen);
+  luxo::addGallery(app, chosen);
   luxo::addDoctor(app, chosen);
   if (!luxo::parseCommandLine(app, argc, argv)) return luxo::exit_code::kDone;
   if (!chosen) throw luxo::Error(luxo::ErrorKind::Usage, "no verb is given", "see luxo --help");

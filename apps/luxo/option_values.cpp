@@ -265,6 +265,13 @@ int parseSample(const std::string& text) {
   return *sample;
 }
 
+int parseColumns(const std::string& text, int most) {
+  const auto columns = wholeNumber<int>(text);
+  if (!columns || *columns < 1 || *columns > most)
+    refuse("--columns", text, "not a number of columns", fmt::format("give a number from 1 to {}", most));
+  return *columns;
+}
+
 ParameterValue parseParameter(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string hint = "give name=value, as in -P speed=2";

@@ -68,6 +68,9 @@ enum class Engine { Vulkan, Reference };
 /// From 0.
 [[nodiscard]] int parseSample(const std::string& text);
 
+/// Of pictures in a row: 1 to `most`.
+[[nodiscard]] int parseColumns(const std::string& text, int most);
+
 struct ParameterValue {
   std::string name;
   std::string value;  ///< a number or an expression; the scene judges it

@@ -77,4 +77,8 @@ void fitThreadsToProcess() {
 
 std::chrono::steady_clock::time_point processStart() { return kProcessStart; }
 
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace luxo

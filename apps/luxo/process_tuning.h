@@ -27,4 +27,6 @@ void fitThreadsToProcess();
 /// When this process began, as near as it can tell: the time a user has been waiting since.
 [[nodiscard]] std::chrono::steady_clock::time_point processStart();
 
+[[nodiscard]] double millisecondsSince(std::chrono::steady_clock::time_point start);
+
 }  // namespace luxo

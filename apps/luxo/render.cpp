@@ -17,7 +17,6 @@
 #include "draw/accumulation.h"
 #include "exit_code.h"
 #include "frame_names.h"
-#include "image/file.h"
 #include "image/format.h"
 #include "interruption.h"
 #include "open_scene.h"
@@ -35,10 +34,6 @@
 
 namespace luxo {
 namespace {
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 struct Job {
   int frame;
@@ -138,7 +133,7 @@ class Run {
       }
       finishPending();
     }
-    writeReport();
+    if (request_.report) writeReport(report_, *request_.report);
     if (const int signal = interruptingSignal(); signal != 0) return exit_code::kSignal + signal;
     requireNoMessage(*validation);
     requireError();
@@ -323,13 +318,6 @@ class Run {
           "8-bit files clamp values to 0..1; write .exr or .pfm for numbers, or use --shading for a view");
   }
 
-  void writeReport() const {
-    if (!request_.report) return;
-    const std::string json = reportJson(report_);
-    if (*request_.report == "-") return printData(json);
-    writeFileAtomically(*request_.report, std::as_bytes(std::span(json)));
-  }
-
   void requireError() const {
     if (!request_.requireErrorPx) return;
     for (const FrameReport& frame : report_.frames) {
@@ -389,7 +377,7 @@ void addRender(CLI::App& app, Command& chosen) {
       const RenderRequest request = options->request();
       if (!request.listScenes) return renderScene(request, *shader);
       for (const BuiltinScene& scene : builtinScenes())
-        printData(fmt::format("{:<20} {}\n", scene.name, scene.summary));
+        printData(fmt::format("{:<28} {}\n", scene.name, scene.summary));
       return exit_code::kDone;
     };
   });

@@ -3,6 +3,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
+
+#include "console.h"
+#include "image/file.h"
 
 namespace luxo {
 namespace {
@@ -83,6 +87,8 @@ Json frameJson(const FrameReport& frame) {
                          {"undecided", reference->undecided},
                          {"standard_error_rms", reference->standardErrorRms},
                          {"standard_error_max", reference->standardErrorMax}};
+  if (!frame.scene.empty()) json["scene"] = frame.scene;
+  if (frame.at) json["at"] = *frame.at;
   if (!frame.parameters.empty()) {
     json["parameters"] = Json::object();
     for (const auto& [name, value] : frame.parameters) json["parameters"][name] = value;
@@ -116,6 +122,12 @@ std::string reportJson(const RunReport& report) {
       {"frames", std::move(frames)},
   };
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void writeReport(const RunReport& report, const std::filesystem::path& file) {
+  const std::string json = reportJson(report);
+  if (file == "-") return printData(json);
+  writeFileAtomically(file, std::as_bytes(std::span(json)));
 }
 
 }  // namespace luxo

@@ -2,6 +2,7 @@
 // `--report`: what a run did, as JSON with stable names.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -33,6 +34,8 @@ struct FrameReport {
   FrameStatistics statistics;
   std::optional<ReferenceStatistics> reference;  ///< cast, not drawn: most of `statistics` does not apply
   std::optional<std::string> error;              ///< why there is no file
+  std::string scene = {};                        ///< where a run has several
+  std::optional<std::array<int, 2>> at = {};     ///< the pixel of the file where the picture begins
 };
 
 struct DeviceReport {
@@ -54,5 +57,7 @@ struct RunReport {
 
 /// Values that do not apply are null, and so are infinite ones, which JSON does not have.
 [[nodiscard]] std::string reportJson(const RunReport& report);
+/// To a file, or, of -, to stdout. Error(Write): it cannot be written.
+void writeReport(const RunReport& report, const std::filesystem::path& file);
 
 }  // namespace luxo

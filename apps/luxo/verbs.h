@@ -23,6 +23,7 @@ void addDiff(CLI::App& app, Command& chosen);
 void addVerify(CLI::App& app, Command& chosen);
 void addBench(CLI::App& app, Command& chosen);
 void addExport(CLI::App& app, Command& chosen);
+void addGallery(CLI::App& app, Command& chosen);
 void addDoctor(CLI::App& app, Command& chosen);
 
 }  // namespace luxo
