@@ -84,7 +84,7 @@ TEST_F(GalleryScenes, TheFourGenerationsHaveOneShape) {
 }
 
 // Without light and with one paint, that of the background too, all there is to see is ink: outlines of three
-// balls at 11, 22 and 48 metres, each 2 px wide, and none on the floor, which goes on to the horizon.
+// balls at 10, 19 and 48 metres, each 2 px wide, and none on the floor, which goes on to the horizon.
 TEST_F(GalleryScenes, TheCartoonsOutlinesAreAsWideNearAndFar) {
   constexpr PixelSize kSize{640, 360};
   const Vec3 paint(0.8, 0.6, 0.4);
