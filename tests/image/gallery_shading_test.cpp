@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the gallery's solid textures, bumps and lights draw, against the same mathematics in double.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/shader_files.h"
+#include "support/picture.h"
+#include "surface/library.h"
+
+namespace luxo::test {
+namespace {
+
+constexpr int kPixels = 64;
+constexpr double kWide = 2;                 // metres that a picture shows
+constexpr double kPixel = kWide / kPixels;  // metres
+
+/// Parts of a pixel: centres are on no lattice's lines.
+const Vec3 kAside(0.137 * kPixel, -0.291 * kPixel, 0);
+constexpr double kHeight = 0.31;  // of plates, which are in no lattice's plane
+
+constexpr double kRings = 7, kWobble = 0.2;
+const Vec3 kPith(0.3, 0, 0.1);
+
+Material shaded(const std::string& shader, std::vector<UniformValue> uniforms) {
+  return {.shader = ShaderFiles(LUXO_SOURCE_DIR "/apps/scenes/gallery").get(shader),
+          .uniforms = std::move(uniforms)};
+}
+
+/// Of a plate across Z, seen along -Z.
+class GalleryShading : public PictureTest {
+ protected:
+  Image plate(const std::string& shader, std::vector<UniformValue> uniforms, double ambient,
+              std::optional<Vec3> toLight = std::nullopt) {
+    Scene scene;
+    scene.add(Node{.translation = Vec3(0, 0, kHeight),
+                   .rotation = Rotation{{1, 0, 0}, kPi / 2},
+                   .surface = rectangle(4, 4),
+                   .material = scene.add(shaded(shader, std::move(uniforms)))});
+    scene.set(RenderSettings{.ambient = Vec3(ambient)});
+    if (toLight) addLight(scene, {.position = Vec4(*toLight, 0)});
+    return picture(scene);
+  }
+
+  Image picture(const Scene& scene) {
+    return draw(scene,
+                Camera{.eye = kAside + Vec3(0, 0, 5),
+                       .lookAt = kAside,
+                       .projection = Projection::Orthographic,
+                       .height = kWide},
+                {kPixels, kPixels})
+        .image;
+  }
+
+  /// White in autumn, black in spring.
+  Image wood(double wobble) {
+    return plate("wood.frag",
+                 {{"early", {0, 0, 0}},
+                  {"late", {1, 1, 1}},
+                  {"pith", {kPith.x, kPith.y, kPith.z}},
+                  {"rings", {kRings}},
+                  {"autumn", {3}},
+                  {"wobble", {wobble}},
+                  {"fibre", {0}}},
+                 1);
+  }
+
+  static Vec3 placeOf(int x, int y) {
+    return kAside + Vec3((x + 0.5 - kPixels / 2.0) * kPixel, (kPixels / 2.0 - y - 0.5) * kPixel, 0);
+  }
+};
+
+using Lattice = std::array<std::int64_t, 3>;
+
+/// pcg3d as the paper has it: the first of its three numbers, as a part of 1.
+double hashed(const Lattice& at) {
+  std::array<std::uint32_t, 3> v{};
+  for (std::size_t i = 0; i < 3; ++i) v[i] = std::uint32_t(at[i]) * 1664525u + 1013904223u;
+  for (int round = 0; round < 2; ++round) {
+    v[0] += v[1] * v[2];
+    v[1] += v[2] * v[0];
+    v[2] += v[0] * v[1];
+    if (round == 0)
+      for (std::uint32_t& part : v) part ^= part >> 16u;
+  }
+  return double(v[0] >> 8u) / (1 << 24);
+}
+
+/// The sum of `height(corner, toPlace)` over the lattice's corners around a place, each with its weights'
+/// product.
+template <class Weight, class Height>
+double overCorners(const Vec3& place, const Weight& weight, const Height& height) {
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Lattice at{};
+    Vec3 from;
+    double share = 1;
+    for (int i = 0; i < 3; ++i) {
+      const double low = std::floor(place[i]);
+      const bool upper = ((corner >> i) & 1) != 0;
+      at[std::size_t(i)] = std::int64_t(low) + (upper ? 1 : 0);
+      from[i] = place[i] - low - (upper ? 1 : 0);
+      share *= weight(1 - std::abs(from[i]));
+    }
+    sum += share * height(at, from);
+  }
+  return sum;
+}
+
+double valueNoise(const Vec3& place) {
+  return overCorners(
+      place, [](double x) { return x * x * (3 - 2 * x); },
+      [](const Lattice& at, const Vec3&) { return hashed(at); });
+}
+
+/// How many pixels of red are further than that from what is wanted there.
+template <class Wanted>
+int wrongPixels(const Image& image, const Wanted& wanted, double tolerance) {
+  int wrong = 0;
+  for (int y = 0; y < kPixels; ++y)
+    for (int x = 0; x < kPixels; ++x)
+      if (!(std::abs(double(image.pixel(x, y)[0]) - wanted(x, y)) <= tolerance)) ++wrong;
+  return wrong;
+}
+
+/// From spring to autumn a year darkens as a cube: its mean over a pixel's width, of many places.
+double darkness(double year, double size) {
+  constexpr int kPlaces = 2000;
+  double sum = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double at = year + size * ((i + 0.5) / kPlaces - 0.5);
+    sum += std::pow(at - std::floor(at), 3);
+  }
+  return sum / kPlaces;
+}
+
+// The node's axes: the plate was turned about X. A place that the mean jumps at is off by one of the 2000.
+constexpr double kOfPlaces = 1e-3;
+
+TEST_F(GalleryShading, RingsOfWoodAreLevelsOfTheDistanceToTheTrunksAxis) {
+  const Image image = wood(0);
+  const auto wanted = [](int x, int y) {
+    const Vec3 at = placeOf(x, y);
+    return darkness(kRings * std::hypot(at.x - kPith.x, -at.y - kPith.z), kRings * kPixel);
+  };
+  EXPECT_EQ(wrongPixels(image, wanted, kOfPlaces), 0);
+}
+
+TEST_F(GalleryShading, RingsOfWoodWobbleByNoise) {
+  const Image image = wood(kWobble);
+  const auto wanted = [](int x, int y) {
+    const Vec3 at = placeOf(x, y), across(at.x - kPith.x, 0, -at.y - kPith.z), slow = 2.5 * across;
+    const double radius = glm::length(across) + kWobble * (valueNoise(slow + 3.7) - 0.5) +
+                          0.2 * kWobble * (valueNoise(4.0 * slow) - 0.5);
+    return darkness(kRings * radius, kRings * kPixel);
+  };
+  EXPECT_EQ(wrongPixels(image, wanted, kOfPlaces), 0);
+}
+
+}  // namespace
+}  // namespace luxo::test
