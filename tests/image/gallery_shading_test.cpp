@@ -220,5 +220,42 @@ TEST_F(GalleryShading, DentsBendTheNormalAsSixOctavesOfTurbulenceDo) {
   EXPECT_LE(wrongPixels(image, wanted, 2e-5), 2);
 }
 
+// What comes from behind is what goes through, from the front what is thrown back, by the cosine on that
+// side; a ball between leaf and light, which the leaf hides, shows as its shadow.
+TEST_F(GalleryShading, ALeafShinesByTheLightBehindIt) {
+  const Vec3 reflected(0.1, 0.2, 0.05), passed(0.3, 0.5, 0.07), ball(0.2, 0.1, -1);
+  constexpr double kRadius = 0.4;
+  const auto leaf = [&](const Vec3& toLight) {
+    Scene scene;
+    const Material material = shaded("vegetation.frag", {{"reflectance", {0.1, 0.2, 0.05}},
+                                                         {"transmittance", {0.3, 0.5, 0.07}},
+                                                         {"relief", {0}},
+                                                         {"shine", {0}}});
+    scene.add(Node{.rotation = Rotation{{1, 0, 0}, kPi / 2},
+                   .surface = rectangle(4, 4),
+                   .material = scene.add(material)});
+    scene.add(Node{.translation = ball, .surface = sphere(kRadius)});
+    scene.add(Node{.rotation = turning({0, 0, 1}, toLight),
+                   .light = Light{.type = Light::Type::Directional, .shadow = Light::Shadow::Exact}});
+    scene.set(RenderSettings{.ambient = Vec3(0)});
+    return picture(scene);
+  };
+  const Vec3 behind = glm::normalize(Vec3(0.4, -0.2, -0.9)), before = glm::normalize(Vec3(0.4, -0.2, 0.9));
+  const Image shone = leaf(behind), lit = leaf(before);
+  int dark = 0;
+  for (int y = 0; y < kPixels; ++y) {
+    for (int x = 0; x < kPixels; ++x) {
+      ASSERT_TRUE(near(colorAt(lit, x, y), reflected * before.z, 1e-6)) << x << " " << y;
+      const Vec3 from = placeOf(x, y) - ball;
+      const double off = glm::length(from - glm::dot(from, behind) * behind);
+      if (std::abs(off - kRadius) < 1e-4) continue;
+      if (off < kRadius) ++dark;
+      ASSERT_TRUE(near(colorAt(shone, x, y), off < kRadius ? Vec3(0) : passed * -behind.z, 1e-6))
+          << x << " " << y;
+    }
+  }
+  EXPECT_GT(dark, 400);
+}
+
 }  // namespace
 }  // namespace luxo::test
