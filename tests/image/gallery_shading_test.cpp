@@ -257,5 +257,65 @@ TEST_F(GalleryShading, ALeafShinesByTheLightBehindIt) {
   EXPECT_GT(dark, 400);
 }
 
+// The table of Jensen et al. has two digits of what a material reflects, beside what that is computed from,
+// which has two or three itself.
+TEST_F(GalleryShading, SubsurfaceColoursAreThoseOfTheMeasuredTable) {
+  struct Row {
+    const char* name;
+    double index;
+    Vec3 scattering, absorption, reflectance;
+  };
+  for (const Row& row : {Row{"apple", 1.3, {2.29, 2.39, 1.97}, {0.0030, 0.0034, 0.046}, {0.85, 0.84, 0.53}},
+                         Row{"marble", 1.5, {2.19, 2.62, 3.00}, {0.0021, 0.0041, 0.0071}, {0.83, 0.79, 0.75}},
+                         Row{"skin", 1.3, {0.74, 0.88, 1.01}, {0.032, 0.17, 0.48}, {0.44, 0.22, 0.13}},
+                         Row{"milk", 1.3, {2.55, 3.21, 3.77}, {0.0011, 0.0024, 0.014}, {0.91, 0.88, 0.76}},
+                         Row{"ketchup", 1.3, {0.18, 0.07, 0.03}, {0.061, 0.97, 1.45}, {0.16, 0.01, 0.00}}}) {
+    const Image image = plate("subsurface.frag",
+                              {{"index", {row.index}},
+                               {"scattering", {row.scattering.x, row.scattering.y, row.scattering.z}},
+                               {"absorption", {row.absorption.x, row.absorption.y, row.absorption.z}}},
+                              1);
+    EXPECT_TRUE(near(colorAt(image, 20, 30), row.reflectance, 0.01)) << row.name;
+  }
+}
+
+// Around a ball that is lit from the right, light is what falls on each place of a ring, spread by the
+// exponential that diffusion with absorption has on a line: here summed up, place by place.
+TEST_F(GalleryShading, LightLeaksPastTheHorizonAsItDiffusesAlongARing) {
+  constexpr double kRadius = 0.9, kScattering = 1, kAbsorption = 0.05;
+  const double depth = 1 / std::sqrt(3 * kAbsorption * (kScattering + kAbsorption));  // millimetres
+  const auto ring = [](double angle, double k) {
+    constexpr int kPlaces = 4000;
+    const double far = 20 / k, step = 2 * far / kPlaces;
+    double sum = 0;
+    for (int i = 0; i < kPlaces; ++i) {
+      const double away = -far + (i + 0.5) * step;
+      sum += 0.5 * k * std::exp(-k * std::abs(away)) * std::max(std::cos(angle - away), 0.0) * step;
+    }
+    return sum;
+  };
+  for (const double k : {1.5, 6.0}) {
+    Scene scene;
+    const std::vector<double> s(3, kScattering), a(3, kAbsorption);
+    scene.add(Node{.surface = sphere(kRadius),
+                   .material = scene.add(shaded(
+                       "subsurface.frag",
+                       {{"scattering", s}, {"absorption", a}, {"index", {1}}, {"size", {k * depth}}}))});
+    scene.set(RenderSettings{.ambient = Vec3(0)});
+    addLight(scene, {.position = Vec4(1, 0, 0, 0)});
+    const Image image = picture(scene);
+    // Index 1 reflects nothing inside, but for 0.2 % that the fit leaves.
+    const double kept = std::sqrt(3 * kAbsorption / (kScattering + kAbsorption)), fit = 0.0016;
+    const double color = 0.5 * kScattering / (kScattering + kAbsorption) *
+                         (1 + std::exp(-4.0 / 3 * (1 + fit) / (1 - fit) * kept)) * std::exp(-kept);
+    for (int x = 4; x < kPixels - 4; x += 3) {
+      const double right = placeOf(x, kPixels / 2).x, up = placeOf(x, kPixels / 2).y;
+      if (std::hypot(right, up) > 0.98 * kRadius) continue;
+      const double wanted = color * ring(std::acos(right / kRadius), k);
+      EXPECT_NEAR(image.pixel(x, kPixels / 2)[0], wanted, 2e-5) << k << " " << x;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace luxo::test
