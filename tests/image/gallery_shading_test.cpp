@@ -2,6 +2,7 @@
 // What the gallery's solid textures, bumps and lights draw, against the same mathematics in double.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -315,6 +316,50 @@ TEST_F(GalleryShading, LightLeaksPastTheHorizonAsItDiffusesAlongARing) {
       EXPECT_NEAR(image.pixel(x, kPixels / 2)[0], wanted, 2e-5) << k << " " << x;
     }
   }
+}
+
+std::vector<UniformValue> ice(double bump, double ground, const Vec3& flow, double time) {
+  return {{"bump", {bump}},
+          {"flow", {flow.x, flow.y, flow.z}},
+          {"time", {time}},
+          {"cloud", {0}},
+          {"absorbs", {0, 0, 0}},
+          {"sky", {1, 1, 1}},
+          {"ground", {ground, ground, ground}},
+          {"stone", {0, 0, 0}},
+          {"lamps", {0}}};
+}
+
+// Of a plate that leans back, under a white sky over black ground: the sky is mirrored, the ground refracted.
+TEST_F(GalleryShading, IceMirrorsWhatFresnelsEquationsSay) {
+  constexpr double kIndex = 1.31;
+  for (const double angle : {0.9, 1.1, 1.3}) {
+    Scene scene;
+    scene.add(Node{.rotation = Rotation{{1, 0, 0}, kPi / 2 - angle},
+                   .surface = rectangle(4, 12),
+                   .material = scene.add(shaded("ice.frag", ice(0, 0, Vec3(0), 0)))});
+    const double in = std::cos(angle), out = std::sqrt(1 - std::pow(std::sin(angle) / kIndex, 2));
+    const double across = (in - kIndex * out) / (in + kIndex * out),
+                 along = (kIndex * in - out) / (kIndex * in + out);
+    EXPECT_NEAR(picture(scene).pixel(20, 30)[0], 0.5 * (across * across + along * along), 1e-5) << angle;
+  }
+}
+
+// Water carries the bumps along: in 4 seconds by 8 pixels. Below y = 0 no table is in the way.
+TEST_F(GalleryShading, BumpsOfIceRunDownWithTheWater) {
+  const Vec3 flow(0, -2 * kPixel, 0);
+  const Image first = plate("ice.frag", ice(0.1, 0.1, flow, 0), 0),
+              later = plate("ice.frag", ice(0.1, 0.1, flow, 4), 0);
+  double least = 1, most = 0;
+  for (int y = kPixels / 2 + 9; y < kPixels; ++y) {
+    for (int x = 0; x < kPixels; ++x) {
+      const double was = first.pixel(x, y - 8)[0];
+      ASSERT_NEAR(later.pixel(x, y)[0], was, 1e-4) << x << " " << y;
+      least = std::min(least, was);
+      most = std::max(most, was);
+    }
+  }
+  EXPECT_GT(most - least, 0.3);
 }
 
 }  // namespace
