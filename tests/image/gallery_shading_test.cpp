@@ -362,5 +362,57 @@ TEST_F(GalleryShading, BumpsOfIceRunDownWithTheWater) {
   EXPECT_GT(most - least, 0.3);
 }
 
+/// Per metre of wavelength and the rest, but for what all wavelengths share.
+double planck(double nanometres, double kelvin) {
+  return std::pow(nanometres, -5) / (std::exp(1.438777e7 / (nanometres * kelvin)) - 1);
+}
+
+/// In front of a black plate, of one temperature.
+std::vector<UniformValue> flame(double kelvin, double torn) {
+  return {{"foot", {0, -0.9, 2}}, {"tall", {3}},   {"wide", {0.5}},   {"hot", {kelvin}},   {"cool", {kelvin}},
+          {"torn", {torn}},       {"time", {0.7}}, {"strength", {1}}, {"paint", {0, 0, 0}}};
+}
+
+TEST_F(GalleryShading, FlamesHaveTheColoursOfABlackBody) {
+  for (const double kelvin : {1500.0, 2400.0}) {
+    const Image image = plate("fire.frag", flame(kelvin, 0.9), 0);
+    int bright = 0;
+    for (int y = 0; y < kPixels; ++y) {
+      for (int x = 0; x < kPixels; ++x) {
+        const Vec3 color = colorAt(image, x, y);
+        if (color.x < 1e-3) continue;
+        ++bright;
+        ASSERT_NEAR(color.y / color.x * planck(611, kelvin) / planck(549, kelvin), 1, 1e-4);
+        ASSERT_NEAR(color.z / color.x * planck(611, kelvin) / planck(464, kelvin), 1, 1e-4);
+      }
+    }
+    EXPECT_GT(bright, 200);
+  }
+}
+
+// Untorn, it is a body of revolution: what it gives off along the way through it is an integral, of which 24
+// steps of 6 cm leave 3e-3 where it is wider than a few of them. Its tip is above the picture.
+TEST_F(GalleryShading, AFlameIsSummedUpAlongTheWayThroughIt) {
+  constexpr double kKelvin = 1900, kTall = 3, kWideOfFlame = 0.5;
+  const Image image = plate("fire.frag", flame(kKelvin, 0), 0);
+  const auto wanted = [&](int x, int y) {
+    const Vec3 place = placeOf(x, y) - Vec3(0, -0.9, 0);
+    const double height = place.y / kTall;
+    const double width = height < 0 ? 0 : 2 * kWideOfFlame * std::sqrt(height + 0.03) * (1 - height);
+    if (width <= 0) return 0.0;
+    constexpr int kSteps = 2000;
+    const double step = 2 * kWideOfFlame / kSteps;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double deep = -kWideOfFlame + (i + 0.5) * step;
+      const double body = 1 - 0.5 * height * height - std::hypot(place.x, deep) / width;
+      sum += glm::smoothstep(0.0, 0.5, body) * step;
+    }
+    return sum;
+  };
+  EXPECT_EQ(wrongPixels(image, wanted, 3e-3), 0);
+  EXPECT_GT(image.pixel(kPixels / 2, kPixels * 3 / 4)[0], 0.3);
+}
+
 }  // namespace
 }  // namespace luxo::test
