@@ -414,5 +414,53 @@ TEST_F(GalleryShading, AFlameIsSummedUpAlongTheWayThroughIt) {
   EXPECT_GT(image.pixel(kPixels / 2, kPixels * 3 / 4)[0], 0.3);
 }
 
+// Two that mirror all but a fifth, under a sky that is the brighter the higher: outlines, normals, and what
+// is seen of one in the other, three times at most. Each mirroring makes an error some ten times as large.
+TEST_F(GalleryShading, SpheresMirrorTheSkyAndEachOther) {
+  constexpr double kPaint = 0.8;
+  constexpr int kBounces = 3;
+  struct Ball {
+    Vec3 middle;
+    double radius;
+  };
+  const std::array<Ball, 2> balls{{{{-0.45, -0.2, -2}, 0.42}, {{0.5, 0.15, -1.7}, 0.47}}};
+  std::vector<double> spheres;
+  for (const Ball& ball : balls)
+    spheres.insert(spheres.end(), {ball.middle.x, ball.middle.y, ball.middle.z, ball.radius});
+  spheres.resize(24, 0);  // of radius 0: no others
+  const Image image = plate("spheres.frag",
+                            {{"spheres", spheres},
+                             {"paints", std::vector<double>(18, kPaint)},
+                             {"mirrors", std::vector<double>(6, 1)},
+                             {"bounces", {kBounces}},
+                             {"ground", {-1000}},
+                             {"below", {0, 0, 0}},
+                             {"above", {1, 1, 1}}},
+                            0);
+  int met = 0, twice = 0;
+  const auto wanted = [&](int x, int y) {
+    Ray ray{placeOf(x, y), {0, 0, -1}};
+    double weight = 1;
+    for (int k = 0; k <= kBounces; ++k) {
+      double nearest = 1e9;
+      Vec3 normal;
+      for (const Ball& ball : balls) {
+        const auto depths = hitSphere(ray, ball.middle, ball.radius);
+        if (!depths || depths->first < 1e-6 || depths->first >= nearest) continue;
+        nearest = depths->first;
+        normal = (ray.at(nearest) - ball.middle) / ball.radius;
+      }
+      if (nearest == 1e9) return weight * (0.5 + 0.5 * ray.direction.y);
+      ++(k == 0 ? met : twice);
+      ray = {ray.at(nearest), ray.direction - 2 * glm::dot(ray.direction, normal) * normal};
+      weight *= kPaint;
+    }
+    return 0.0;
+  };
+  EXPECT_EQ(wrongPixels(image, wanted, 1e-3), 0);
+  EXPECT_GT(met, 1000);
+  EXPECT_GT(twice, 50);
+}
+
 }  // namespace
 }  // namespace luxo::test
