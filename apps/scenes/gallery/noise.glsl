@@ -37,4 +37,23 @@ float turbulence(vec3 place, int octaves) {
   }
   return sum / all;
 }
+
+// Gradient noise, -1 to 1 and 0 on the lattice, with continuous second derivatives (K. Perlin, "Improving noise", SIGGRAPH
+// 2002): its derivatives, and it.
+vec4 gradientNoise(vec3 place) {
+  vec3 low = floor(place), part = place - low;
+  vec3 weight = part * part * part * (part * (6.0 * part - 15.0) + 10.0), slope = 30.0 * part * part * (part - 1.0) * (part - 1.0);
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < 8; ++i) {
+    ivec3 corner = ivec3(i & 1, i >> 1 & 1, i >> 2);
+    int edge = int(12.0 * latticeValue(ivec3(low) + corner));  // toward the middle of one of a cube's
+    vec2 way = vec2(1 - 2 * (edge & 1), 1 - (edge & 2));
+    vec3 gradient = edge < 4 ? vec3(0.0, way) : edge < 8 ? vec3(way.x, 0.0, way.y) : vec3(way, 0.0);
+    vec3 w = mix(1.0 - weight, weight, vec3(corner)), s = mix(-slope, slope, vec3(corner));
+    float height = dot(gradient, part - vec3(corner));
+    sum += vec4(w.x * w.y * w.z * gradient + height * vec3(s.x * w.y * w.z, w.x * s.y * w.z, w.x * w.y * s.z),
+                height * w.x * w.y * w.z);
+  }
+  return sum;
+}
 #endif
