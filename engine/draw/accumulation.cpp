@@ -62,6 +62,7 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
     sum.deferred += pass.count.deferred;
     sum.shadowPasses += pass.count.shadowPasses;
     sum.layerPoints += pass.count.layerPoints;
+    sum.tracedRays += pass.count.tracedRays;
   }
   picture.count = sum;
 

@@ -391,6 +391,14 @@ bool occludesAmbient(const Snapshot& snapshot, const DrawOptions& options) {
          snapshot.ambient != Vec3(0);
 }
 
+bool tracesRays(const Snapshot& snapshot, const DrawOptions& options) {
+  return options.output == Output::Color && !showsData(options.shading) &&
+         std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
+           const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader;
+           return shader && shader->traces();
+         });
+}
+
 bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
   return (shading == Shading::Exact || shading == Shading::Residual) && !seenThrough(snapshot, node, options);

@@ -245,6 +245,7 @@ struct DrawList {
   bool findsFootprints = false;  ///< with them, as some texture asks for them
   bool findsFrames = false;      ///< with these, as some map of normals asks for them
   bool occludes = false;         ///< of a deferred list: it is seen how much of the ambient light gets where
+  bool traces = false;           ///< of a deferred list: points that are lit may send rays into the scene
   /// Of a deferred list: meshes tell theirs, from which the points of their surfaces are found.
   bool findsPlaces = false;
   std::vector<CasterDraw> places;  ///< what finds these
@@ -304,6 +305,8 @@ inline constexpr double kStandInTolerance = 8;
 
 /// Whether the ambient light is occluded.
 [[nodiscard]] bool occludesAmbient(const Snapshot& snapshot, const DrawOptions& options);
+/// Whether the shader of some material may send rays into the scene.
+[[nodiscard]] bool tracesRays(const Snapshot& snapshot, const DrawOptions& options);
 
 /// Whether every pixel of a node finds its point of the surface, by a search, a triangle that is the surface,
 /// or a ray; and of what is seen through in the order of its depth all of them.

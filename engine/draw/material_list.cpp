@@ -93,11 +93,18 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
                         (shadows_ || hasLayers(snapshot, options) || textures
                              ? snapshot.nodes.size()
                              : materials.size() * (lights.size() + 1)) < shared::kMaxFoundMaterials;
-  const bool occludes = occludesAmbient(snapshot, options);
+  const bool occludes = occludesAmbient(snapshot, options), traces = tracesRays(snapshot, options);
   if (occludes) requireScreen(snapshot.ambientOcclusion, possible);
+  if (traces && !possible)
+    throw Error(ErrorKind::Scene,
+                fmt::format("rays that shaders send, in a scene of more than {} lights without shadows, or of "
+                            "more than {} nodes and materials, are not supported yet",
+                            shared::kMaxLights, shared::kMaxFoundMaterials - 1),
+                "leave out some lights, or take the shader's material without trace()");
   list_.deferred = possible && (options.composition == Composition::Deferred || shadows_ ||
-                                hasLayers(snapshot, options) || occludes);
+                                hasLayers(snapshot, options) || occludes || traces);
   list_.occludes = occludes;
+  list_.traces = traces;
   if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
   if (groups_.size() > 1 && std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
         return materials[node.material.index].shader != nullptr;

@@ -118,7 +118,8 @@ std::vector<std::string> constantsOf(std::string_view glsl) {
 bool isField(const std::string& name) {
   constexpr std::string_view kFields[] = {"position",  "object",   "normal",   "viewer",  "tangent",
                                           "bitangent", "Su",       "Sv",       "uv",      "footprint",
-                                          "direction", "distance", "radiance", "visible", "length"};
+                                          "direction", "distance", "radiance", "visible", "length",
+                                         "found",     "inside",   "color",    "number"};
   const auto isOf = [&](std::string_view letters) {
     return name.size() <= 4 && name.find_first_not_of(letters) == name.npos;
   };
@@ -347,7 +348,8 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
   names.erase(std::unique(names.begin(), names.end()), names.end());
   constexpr std::string_view kGiven[] = {"main",       "material",  "lightCount",  "light",   "ambientLight",
                                          "blinnPhong", "colorMap",  "specularMap", "glowMap", "Point",
-                                         "Light",      "luxoStops", "luxoRounds",  "luxoPictureSize"};
+                                         "Light",      "luxoStops", "luxoRounds",  "luxoPictureSize",
+                                         "Hit",        "trace"};
   std::erase_if(names, [&](const std::string& name) {
     return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
   });

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "draw/accumulation.h"
+#include "shared/scene_data.h"
 
 namespace luxo {
 
@@ -45,11 +46,13 @@ void addColors(const std::byte* texels, int width, MeasuredPixels& measured) {
     std::uint32_t largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & MeasuredPixels::kMagnitude);
     measured.nonfinite += largest >= MeasuredPixels::kInfinity;
-    const auto all = [&](std::uint32_t bits) {
-      return bitsAt(4 * x) == bits && bitsAt(4 * x + 1) == bits && bitsAt(4 * x + 2) == bits;
+    const auto are = [&](std::uint32_t red, std::uint32_t others) {
+      return bitsAt(4 * x) == red && bitsAt(4 * x + 1) == others && bitsAt(4 * x + 2) == others;
     };
-    measured.endless += all(MeasuredPixels::kInfinity);
-    measured.seenThrough += all(MeasuredPixels::kInfinity | ~MeasuredPixels::kMagnitude);
+    constexpr std::uint32_t kPlus = MeasuredPixels::kInfinity, kMinus = kPlus | ~MeasuredPixels::kMagnitude;
+    measured.endless += are(kPlus, kPlus);
+    measured.seenThrough += are(kMinus, kMinus);
+    measured.manyTraces += are(kPlus, kMinus);
   }
 }
 
@@ -80,6 +83,11 @@ void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
                 fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet",
                             all, measured.seenThrough),
                 "return 1 as the fourth number");
+  if (measured.manyTraces > 0)
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: in {} pixels the shader sends more than {} rays into the scene", all,
+                            measured.manyTraces, shared::kMostTraces),
+                "send fewer: end loops that follow a ray sooner");
 }
 
 }  // namespace luxo

@@ -24,6 +24,7 @@ std::string Paint::preamble() const {
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
   if (readsFrame()) lines += "#define LUXO_FRAMED\n";
   if (shader_.text) lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", first);
+  if (shader_.text && shader_.text->traces()) lines += "#define LUXO_TRACES\n";
   if (maps_.lesson) lines += "#define LUXO_LESSON\n";
   if (first > shared::kTextureNumbers || maps_.lesson) lines += "#define LUXO_MAPS\n";
   return lines;

@@ -116,6 +116,7 @@ void PassRecorder::useTargets(const Pass& pass) {
   for (const Target target : pass.reads) usages.push_back({targets.texture(target), SampledFragment});
   if (gpu::Texture* resolved = targets.resolved())
     usages.push_back({*resolved, ResolveTarget, gpu::Contents::Discard});
+  if (pass.asks) usages.push_back({view_.traces().questions(), StorageWrite});
   if (pass.searches) {
     if (pass.depth) usages.push_back({view_.feedback().lost(), StorageWrite});
     usages.push_back({view_.feedback().doubtful(), StorageWrite});

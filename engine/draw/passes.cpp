@@ -73,7 +73,7 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
   // compared with a map, too.
   const bool shadowsStay = replaces && list.groups.size() == 1 && !list.hasLightMaps();
   // Rays tell the shadows of all their pixels: the light of the others is there. A miss is cleared with all.
-  const bool shadesStay = shadowsStay && frame.rays->misses.empty() && !list.layers.any() &&
+  const bool shadesStay = shadowsStay && !frame.answers && frame.rays->misses.empty() && !list.layers.any() &&
                           frame.rays->shadows.size() == 1 && !frame.rays->shadows[0].empty() &&
                           !list.occludes;
   if (list.occludes) {
@@ -89,7 +89,8 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
                 .colors = color(i == 0 && !shadesStay ? Begin::Clear : Begin::Keep),
                 .reads = reads,
                 .group = i,
-                .shades = group.shades};
+                .shades = group.shades,
+                .asks = list.traces};
     if (shadesStay) shades.pixels = frame.rays->shadows[i];
     // Meshes that are drawn again ask for the shadows of every group: one without has to say so.
     const bool asks = !group.again.empty() && list.findsShadows();

@@ -43,6 +43,7 @@ struct Pass {
   const RayPoints* rays = nullptr;                  ///< drawn after these; after shadows or layers, theirs
   std::span<const DrawState> shades;                ///< light on all that was found
   std::span<const RayShadow> pixels;                ///< where not empty: light in these alone
+  bool asks = false;                                ///< its fragments may send rays into the scene
   bool probes = false;                              ///< depths are copied from it, for the audit
 };
 
@@ -53,6 +54,7 @@ struct FrameDesc {
   /// Points that rays have found for the last frame. Where something was drawn over what was found, that is
   /// drawn again.
   const RayPoints* rays = nullptr;
+  bool answers = false;      ///< to what shaders have asked: all light is anew
   bool emptyPasses = false;  ///< passes with nothing to draw are there, too
   bool probes = false;
   std::uint32_t layerBands = 1;  ///< LayerLists::bands()

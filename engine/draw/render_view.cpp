@@ -61,7 +61,7 @@ VkExtent2D extentOfLightMaps(const DrawList& list) {
 }  // namespace
 
 RenderView::RenderView(gpu::Context& context, Precision precision)
-    : context_(&context), targets_(context, precision), feedback_(context), layerLists_(context) {}
+    : context_(&context), targets_(context, precision), feedback_(context), layerLists_(context), traces_(context) {}
 
 bool RenderView::learn() {
   bool again = false;
@@ -115,6 +115,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
                     .places = list_.findsPlaces,
                     .lightDepth = extentOfLightMaps(list_)});
   if (list_.layers.any()) layerLists_.prepare(extent);
+  if (list_.traces) traces_.prepare(extent);
   feedback_.begin(list_, extent, chooseProbes());
   upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
 }
@@ -237,6 +238,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     gpu::Texture& parameters =
         list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
+    const gpu::Buffer& noTraces = uploads.materials.use(*context_);  // something to bind
     bindings.found = frames.descriptors().write(pipelines.foundLayout(),
                                                 {{found, pipelines.texelSampler()},
                                                  {parameters, pipelines.texelSampler()},
@@ -244,7 +246,10 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  {shadows, pipelines.texelSampler()},
                                                  {transmittance, pipelines.texelSampler()},
                                                  {places, pipelines.texelSampler()},
-                                                 {openness, pipelines.texelSampler()}});
+                                                 {openness, pipelines.texelSampler()},
+                                                 list_.traces ? traces_.questions() : noTraces,
+                                                 list_.traces ? traces_.starts() : noTraces,
+                                                 list_.traces ? traces_.answers() : noTraces});
   }
   if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, uploads);
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);

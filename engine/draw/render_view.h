@@ -14,6 +14,7 @@
 #include "draw/search_feedback.h"
 #include "draw/search_refinement.h"
 #include "draw/texel_store.h"
+#include "draw/trace_buffers.h"
 #include "draw/view_targets.h"
 #include "gpu/frame.h"
 
@@ -85,6 +86,8 @@ class RenderView {
 
   [[nodiscard]] ViewTargets& targets() { return targets_; }
   [[nodiscard]] SearchFeedback& feedback() { return feedback_; }
+  /// Where the list traces: what shaders ask, and the answers.
+  [[nodiscard]] TraceBuffers& traces() { return traces_; }
   [[nodiscard]] LayerLists& layerLists() { return layerLists_; }
   [[nodiscard]] const VkClearColorValue& background() const { return background_; }
   /// Where a light set is in the buffer of them all.
@@ -110,6 +113,7 @@ class RenderView {
   ViewTargets targets_;
   SearchFeedback feedback_;
   LayerLists layerLists_;
+  TraceBuffers traces_;
   bool lacksRoom_ = false;
   DrawList list_;
   DrawOptions options_;

@@ -181,12 +181,40 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
   const bool auxiliary = options.output != Output::Color;
   const bool native =
       options.samples == 1 || (options.samples == 4 && !found && !findsShadows(snapshot, options) &&
-                               !hasLayers(snapshot, options) && !occludesAmbient(snapshot, options));
+                               !hasLayers(snapshot, options) && !occludesAmbient(snapshot, options) &&
+                               !tracesRays(snapshot, options));
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }
 
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
+  find(snapshot, options, statistics);
+  if (view_.list().traces) trace(snapshot, statistics);
+}
+
+void Renderer::trace(const Snapshot& snapshot, FrameStatistics& statistics) {
+  const Stopwatch watch;
+  const double drawing = statistics.ms.gpu;
+  traced_.begin(snapshot, view_.list().origin);
+  // A point asks for one ray more in each round, and for at most so many.
+  for (std::uint32_t round = 0; round <= shared::kMostTraces; ++round) {
+    if (!traced_.answer(view_.traces().asked())) break;
+    submit(
+        [&](VkCommandBuffer commands) {
+          painter_.recordAnswers(frames_, commands, view_, traced_, resolved_, statistics);
+          recordReadback(commands, view_.picture());
+        },
+        statistics);
+  }
+  // Of a device that does not compute the same twice.
+  for (const shared::TraceQuestion& question : view_.traces().asked())
+    statistics.error.unconvergedPx += question.ray.from != shared::kNoQuestion;
+  statistics.count.tracedRays += traced_.answers().size();
+  statistics.error.uncertifiedPx += traced_.undecidedPx();
+  statistics.ms.rays += watch.milliseconds() - (statistics.ms.gpu - drawing);
+}
+
+void Renderer::find(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
   // What a failed audit leads to: nothing is skipped; then all shells are finer, too; then rays find
   // everything.
   enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
@@ -227,6 +255,7 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Fram
   // Drawing all of a picture once more takes as long as rays through a sixteenth of it.
   const std::uint64_t few = static_cast<std::uint64_t>(snapshot.view.size.width) *
                             static_cast<std::uint64_t>(snapshot.view.size.height) / 16;
+  resolved_ = {};
   do {
     FrameStatistics attempt;
     submit(
@@ -279,8 +308,9 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
       points.undecided + points.shadowsUndecided + std::max<std::uint64_t>(points.layersUndecided, ofMeshes);
   statistics.error.unconvergedPx += points.unknown;
   if (points.empty()) return;
+  resolved_ = std::move(points);
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
-  const bool isAnew = view_.makeRoomFor(points);
+  const bool isAnew = view_.makeRoomFor(resolved_);
   if (isAnew) {
     FrameStatistics again;
     submit(
@@ -293,7 +323,7 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
   }
   submit(
       [&](VkCommandBuffer commands) {
-        painter_.recordRays(frames_, commands, view_, points, statistics);
+        painter_.recordRays(frames_, commands, view_, resolved_, statistics);
         if (view_.list().onlyFound() && !isAnew)
           readback_.record(commands, view_.picture(), rowsOf(pixels));
         else

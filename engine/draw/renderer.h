@@ -13,6 +13,7 @@
 #include "draw/options.h"
 #include "draw/ray_points.h"
 #include "draw/scene_painter.h"
+#include "draw/secondary_rays.h"
 #include "draw/statistics.h"
 #include "gpu/context.h"
 #include "gpu/transfer.h"
@@ -72,7 +73,11 @@ class Renderer {
   /// Draws one sample of each pixel into the view and reads that back. What searches leave in
   /// doubt is found by rays, and what an audit finds wrong is drawn anew.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
-  /// The part of that without rays; again with more refinement where searches lost more than rays
+  /// The part of that before light asks for rays of its own.
+  void find(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
+  /// Answers what shaders ask of the scene, and lets them light their points anew, until they ask no more.
+  void trace(const Snapshot& snapshot, FrameStatistics& statistics);
+  /// The part of find() without rays; again with more refinement where searches lost more than rays
   /// find soon.
   void search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
@@ -91,6 +96,8 @@ class Renderer {
   RenderView view_;
   std::optional<Accumulator> accumulator_;  ///< made for the first picture of several passes
   CertifiedRays rays_;
+  RayPoints resolved_;  ///< by them, in the view's last picture
+  SecondaryRays traced_;
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};
   std::optional<Shown> shown_;

@@ -66,7 +66,8 @@ DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& 
   const auto wanted = static_cast<std::uint32_t>(options.samples);
   // Shadows and layers are found for one point of each pixel.
   const bool one = options.output != Output::Color || findsShadows(snapshot, options) ||
-                   hasLayers(snapshot, options) || occludesAmbient(snapshot, options);
+                   hasLayers(snapshot, options) || occludesAmbient(snapshot, options) ||
+                   tracesRays(snapshot, options);
   able.samples = one ? 1 : static_cast<int>(context_->supportedSamples(wanted));
   return able;
 }
@@ -141,6 +142,14 @@ void ScenePainter::preparePipelines(RenderView& view) {
   pipelines_.prepare(states, view.targets().format());
 }
 
+void ScenePainter::recordAnswers(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
+                                 const SecondaryRays& rays, const RayPoints& points,
+                                 FrameStatistics& statistics) {
+  view.traces().answer(rays.starts(), rays.answers());
+  view.goOn(points);
+  recordPasses(frames, commands, view, {.rays = &points, .answers = true}, statistics);
+}
+
 void ScenePainter::recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
                               const RayPoints& points, FrameStatistics& statistics) {
   view.goOn(points);
@@ -154,8 +163,10 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   frame.probes = view.feedback().probes();
   frame.layerBands = view.layerLists().bands();
   const RenderView::Bindings bindings = view.bind(frames, pipelines_, texels_);
+  if (view.list().traces && !frame.answers) view.traces().clear(commands);
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) recorder.record(pass);
+  if (view.list().traces) gpu::use(commands, {{view.traces().questions(), gpu::Use::HostRead}});
   if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});
   if (view.list().findsPlaces) gpu::use(commands, {{view.feedback().shown(), gpu::Use::HostRead}});
   if (view.list().searches())

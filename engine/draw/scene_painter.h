@@ -14,6 +14,7 @@
 #include "draw/render_view.h"
 #include "draw/scale_normalization.h"
 #include "draw/scene_pipelines.h"
+#include "draw/secondary_rays.h"
 #include "draw/statistics.h"
 #include "draw/texel_store.h"
 #include "gpu/frame.h"
@@ -39,6 +40,11 @@ class ScenePainter {
   /// drawn over what is found, that is drawn again.
   void recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view, const RayPoints& points,
                   FrameStatistics& statistics);
+
+  /// Records that the points of the view's last picture are lit again, by shaders with what their rays have
+  /// met by now. `points`: of that picture.
+  void recordAnswers(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
+                     const SecondaryRays& rays, const RayPoints& points, FrameStatistics& statistics);
 
   /// What is asked now and then while shells are made: whether that should end. The recording goes on, and
   /// leaves what has none to rays.

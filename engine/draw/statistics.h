@@ -29,6 +29,7 @@ struct FrameCounts {
   std::uint64_t tooLarge = 0;  ///< nodes whose formulas are too large for shaders: rays find their points
   std::uint64_t passes = 0;
   std::uint64_t shadowPasses = 0;  ///< searches for shadows: one for each light and caster
+  std::uint64_t tracedRays = 0;    ///< that shaders of materials have sent into the scene
   std::uint64_t layerPoints = 0;   ///< points of what is seen through
   std::uint64_t deferred = 0;  ///< pictures, of one sample each, whose points were found first and lit later
 };

@@ -79,24 +79,26 @@ bool Caster::mayMeet(const Ray& ray, std::uint32_t node) const {
   return enters <= leaves * (1 + 1e-9);
 }
 
-Hit Caster::hitAt(const Ray& ray, std::uint32_t node, const Root& root) const {
+Hit Caster::hitAt(const Beam& beam, std::uint32_t node, const Root& root) const {
+  const Ray& ray = beam.ray;
   const SnapshotNode& n = snapshot_.nodes[node];
   const Body& body = bodies_[node];
   Hit hit{.t = root.t, .node = node, .u = root.u, .v = root.v};
   hit.position = ray.origin + root.t * ray.direction;
   if (n.surface.triangles()) {
-    placeOnTriangle(ray, root, hit);
+    placeOnTriangle(beam, root, hit);
     return hit;
   }
   const Vec3 outward =
       unit(body.normalFromObject * n.surface.normal(root.patch, root.u, root.v, n.parameters));
-  const bool turned = body.twoSided && glm::dot(outward, ray.direction) > 0;
+  hit.back = glm::dot(outward, ray.direction) > 0;
+  const bool turned = body.twoSided && hit.back;
   hit.normal = hit.facet = turned ? -outward : outward;
   if (materialOf(node).readsFootprint()) {
     const SurfacePoints at = n.surface.evaluate(root.patch, {&root.u, 1}, {&root.v, 1}, n.parameters);
     const Mat3& world = n.worldFromObject.linear;
     const Vec3 su = world * at.du[0], sv = world * at.dv[0];
-    hit.footprint = footprintOf(ray, hit, su, sv);
+    hit.footprint = footprintOf(beam, hit, su, sv);
     hit.frame = normalFrame(su, sv, outward, turned);
   }
   return hit;
@@ -119,23 +121,34 @@ std::optional<Hit> Caster::pointAt(std::uint32_t node, const Vec2& parameters, c
     if (!(off < least)) continue;
     least = off;
     nearest = hitAt(
-        ray, node,
+        {ray}, node,
         {.t = glm::dot(position - ray.origin, ray.direction), .patch = patch, .u = inside.x, .v = inside.y});
     nearest->position = position;
   }
   return nearest;
 }
 
-/// The neighbours' rays meet the plane where the neighbours are, moved along the ray.
-Footprint Caster::footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, const Vec3& sv) const {
+std::array<Vec3, 2> Caster::stepsAt(const Beam& beam, const Hit& hit) const {
   const View& view = snapshot_.view;
+  const Vec3& along = beam.ray.direction;
+  if (!beam.travelled) {
+    const double depth = view.perspective() ? glm::dot(along, view.forward()) * hit.t : 1;
+    return {view.right() * (depth / view.pixelsPerUnit), view.up() * (-depth / view.pixelsPerUnit)};
+  }
+  const Vec3 right = unit(glm::cross(along, std::abs(along.y) < 0.5 ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+  const double size = (view.perspective() ? *beam.travelled + hit.t : 1) / view.pixelsPerUnit;
+  return {right * size, glm::cross(along, right) * size};
+}
+
+/// The neighbours' rays meet the plane where the neighbours are, moved along the ray.
+Footprint Caster::footprintOf(const Beam& beam, const Hit& hit, const Vec3& su, const Vec3& sv) const {
+  const Vec3& along = beam.ray.direction;
   const Vec3 n = glm::cross(su, sv);
-  const double depth = view.perspective() ? glm::dot(ray.direction, view.forward()) * hit.t : 1;
-  const double perCosine = 1 / glm::dot(n, ray.direction), perArea = 1 / glm::dot(n, n);
+  const double perCosine = 1 / glm::dot(n, along), perArea = 1 / glm::dot(n, n);
+  const std::array<Vec3, 2> steps = stepsAt(beam, hit);
   Footprint footprint;
   for (int i = 0; i < 2; ++i) {
-    Vec3 step = (i == 0 ? view.right() : -view.up()) * (depth / view.pixelsPerUnit);
-    step -= ray.direction * (glm::dot(n, step) * perCosine);
+    const Vec3 step = steps[i] - along * (glm::dot(n, steps[i]) * perCosine);
     footprint[i] = Vec2(glm::dot(glm::cross(step, sv), n), glm::dot(glm::cross(su, step), n)) * perArea;
   }
   return footprint;
@@ -163,7 +176,8 @@ Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
 
 /// Interpolated by weights as the renderer does it: (u, v), and unit normals in the world. Which of its sides
 /// is seen the normal tells, or, where that is nearly across the ray, the triangle (shaders/lib/scene.glsl).
-void Caster::placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const {
+void Caster::placeOnTriangle(const Beam& beam, const Root& root, Hit& hit) const {
+  const Ray& ray = beam.ray;
   constexpr double kTurningAway = 0.35;
   const Body& body = bodies_[hit.node];
   const SurfaceTriangles& triangles = *snapshot_.nodes[hit.node].surface.triangles();
@@ -184,11 +198,12 @@ void Caster::placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const {
   if (materialOf(hit.node).readsFootprint() && !triangles.mesh.uvs().empty()) {
     const auto uv = [&](std::size_t i) { return Vec2(triangles.mesh.uvs()[corners[i]]); };
     hit.footprint = Mat2(uv(1) - uv(0), uv(2) - uv(0)) *
-                    footprintOf(ray, hit, world * (points[1] - points[0]), world * (points[2] - points[0]));
+                    footprintOf(beam, hit, world * (points[1] - points[0]), world * (points[2] - points[0]));
   }
   const double cosine = -glm::dot(hit.normal, ray.direction);
   const bool front = std::abs(cosine) > kTurningAway ? cosine > 0 : glm::dot(hit.facet, ray.direction) < 0;
   const bool turned = body.twoSided && !front;
+  hit.back = !front;
   if (turned) hit.normal = -hit.normal;
   if (!materialOf(hit.node).drawsMaps() || triangles.mesh.tangents().empty()) return;
   Vec3 tangent(0);
@@ -219,7 +234,7 @@ Caster::First Caster::firstOf(std::span<const std::uint32_t> nodes, const Ray& r
     of = node;
     farthest = root->t;
   }
-  if (root) first.hit = hitAt(ray, of, *root);
+  if (root) first.hit = hitAt({ray}, of, *root);
   return first;
 }
 
@@ -233,17 +248,19 @@ void Caster::prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t
   }
 }
 
-void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
+void Caster::meet(const Beam& beam, std::uint32_t node, const Range& range, Invisible invisible,
                   Sight& sight) const {
+  const Ray& ray = beam.ray;
   const Body& body = bodies_[node];
   const Material& material = materialOf(node);
-  const RootQuery query{nearest, farthest, body.facing, body.mirrored};
+  double nearest = range.nearest;
+  const RootQuery query{nearest, range.farthest, body.facing, body.mirrored};
   RootWalk walk(body.shape, ray, query);
   for (int layer = 0; layer < kMaxLayers; ++layer) {
     const Roots roots = body.transparent ? walk.from(nearest) : body.shape.nearestRoot(ray, query);
     sight.certified &= roots.certified;
     if (!roots.nearest) return;
-    const Hit hit = hitAt(ray, node, *roots.nearest);
+    const Hit hit = hitAt(beam, node, *roots.nearest);
     if (!body.transparent || invisible == Invisible::Told || material.blend == Blend::Multiply ||
         material.opacityAt(hit.u, hit.v) > 0) {
       sight.hits.push_back(hit);
@@ -255,18 +272,25 @@ void Caster::meet(const Ray& ray, std::uint32_t node, double nearest, double far
   sight.certified = false;
 }
 
-Caster::Sight Caster::look(const Ray& ray, Invisible invisible) const {
+Caster::Sight Caster::look(const Beam& beam, const Range& range, Invisible invisible) const {
   Sight sight;
-  auto [nearest, opaque] = rangeOf(ray);
+  double opaque = range.farthest;
   for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
-    meet(ray, node, nearest, opaque, invisible, sight);
+    if (beam.travelled && !mayMeet(beam.ray, node)) continue;
+    meet(beam, node, {range.nearest, opaque}, invisible, sight);
     for (const Hit& hit : sight.hits)
       if (!bodies_[hit.node].transparent) opaque = std::min(opaque, hit.t);
   }
-  std::erase_if(sight.hits, [opaque = opaque](const Hit& hit) { return hit.t > opaque; });
+  std::erase_if(sight.hits, [opaque](const Hit& hit) { return hit.t > opaque; });
   std::stable_sort(sight.hits.begin(), sight.hits.end(),
                    [this](const Hit& a, const Hit& b) { return isInFront(a, b); });
   return sight;
+}
+
+Caster::Sight Caster::lookFrom(const Hit& hit, const Vec3& direction, double travelled) const {
+  const Ray ray{hit.position, unit(direction)};
+  return look({ray, travelled}, {ownReach(hit, ray.direction), std::numeric_limits<double>::infinity()},
+              Invisible::Skipped);
 }
 
 bool Caster::isInFront(const Hit& a, const Hit& b) const {
@@ -314,7 +338,7 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
     if (!roots.nearest) return left;
     left *= materialOf(node).lightThroughAt(roots.nearest->u, roots.nearest->v);
     if (left == Vec3(0)) return left;
-    nearest = beyond(ray, hitAt(ray, node, *roots.nearest));
+    nearest = beyond(ray, hitAt({ray}, node, *roots.nearest));
   }
   certified = false;
   return left;

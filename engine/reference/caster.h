@@ -27,6 +27,7 @@ struct Hit {
   Vec3 facet{0};           ///< unit: of the triangle itself; of a formula the normal
   Footprint footprint{0};  ///< of the view's pixel, where the material has a map or lines
   NormalFrame frame{0};    ///< of the side that is shown, with it
+  bool back = false;       ///< the ray comes from behind the surface
   bool certified = true;
 };
 
@@ -55,7 +56,14 @@ class Caster {
   [[nodiscard]] Sight look(const Ray& ray) const { return look(ray, Invisible::Skipped); }
   /// Points that nothing is seen of, as their opacity is 0, may be told, too.
   enum class Invisible { Skipped, Told };
-  [[nodiscard]] Sight look(const Ray& ray, Invisible invisible) const;
+  [[nodiscard]] Sight look(const Ray& ray, Invisible invisible) const {
+    return look({ray}, rangeOf(ray), invisible);
+  }
+
+  /// The same from a hit on, its own point apart, as far as there is something. `travelled`: metres that the
+  /// light has come along from there to the eye; a pixel's footprint grows with them as if all surfaces on the
+  /// way were flat (J. Amanatides, "Ray tracing with cones", 1984).
+  [[nodiscard]] Sight lookFrom(const Hit& hit, const Vec3& direction, double travelled) const;
 
   /// What a ray meets first of some nodes, as if these were all there are, and opaque.
   struct First {
@@ -156,12 +164,20 @@ class Caster {
   [[nodiscard]] bool mayMeet(const Ray& ray, std::uint32_t node) const;
   /// Where the next layer is looked for: far enough not to find this one again, near enough not to miss that.
   [[nodiscard]] double beyond(const Ray& ray, const Hit& hit) const;
-  [[nodiscard]] Hit hitAt(const Ray& ray, std::uint32_t node, const Root& root) const;
-  void placeOnTriangle(const Ray& ray, const Root& root, Hit& hit) const;
+  /// A pixel's ray, or what became of it.
+  struct Beam {
+    Ray ray;
+    std::optional<double> travelled = std::nullopt;  ///< before it, where it is not the eye's: metres
+  };
+  [[nodiscard]] Hit hitAt(const Beam& beam, std::uint32_t node, const Root& root) const;
+  void placeOnTriangle(const Beam& beam, const Root& root, Hit& hit) const;
+  /// How far a pixel on its right, and one below it, is from where the beam is at a hit: metres.
+  [[nodiscard]] std::array<Vec3, 2> stepsAt(const Beam& beam, const Hit& hit) const;
   /// From how (u, v) moves with the point of the plane that a hit is in: as S does, where su and sv are in
   /// it.
-  [[nodiscard]] Footprint footprintOf(const Ray& ray, const Hit& hit, const Vec3& su, const Vec3& sv) const;
-  void meet(const Ray& ray, std::uint32_t node, double nearest, double farthest, Invisible invisible,
+  [[nodiscard]] Footprint footprintOf(const Beam& beam, const Hit& hit, const Vec3& su, const Vec3& sv) const;
+  [[nodiscard]] Sight look(const Beam& beam, const Range& range, Invisible invisible) const;
+  void meet(const Beam& beam, std::uint32_t node, const Range& range, Invisible invisible,
             Sight& sight) const;
   /// The nearer one; at one distance what is seen through, by how it looks, so that the order of nodes does
   /// not matter; of two opaque points that of the earlier node.

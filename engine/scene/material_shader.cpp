@@ -1,7 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/material_shader.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace luxo {
+namespace {
+
+bool hasWord(std::string_view text, std::string_view word) {
+  const auto isPart = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+  };
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    if ((at == 0 || !isPart(at - 1)) && !isPart(at + word.size())) return true;
+  return false;
+}
+
+}  // namespace
+
+bool MaterialShader::traces() const {
+  return std::ranges::any_of(files, [](const File& file) { return hasWord(file.text, "trace"); });
+}
 
 std::string TextPlace::describe(const std::string& message, const std::string& hint) const {
   if (text) return luxo::describe(name, *text, {where, message, hint});

@@ -23,6 +23,9 @@ struct MaterialShader {
   };
   std::vector<File> files;  ///< the material's own first, then those that it includes, each once
 
+  /// Whether some point may send rays into the scene: its text has the word. Cost: reads the text.
+  [[nodiscard]] bool traces() const;
+
   friend auto operator<=>(const MaterialShader&, const MaterialShader&) = default;
 };
 using MaterialShaderPtr = std::shared_ptr<const MaterialShader>;

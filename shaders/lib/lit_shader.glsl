@@ -74,6 +74,10 @@ vec3 glowMap(vec2 uv) {
 #endif
 }
 
+#ifdef LUXO_TRACES
+#include "lib/trace.glsl"
+#endif
+
 vec4 normalFrame();
 
 // How the point moves on its tangent plane to the next pixel: along the ray, which moves by these.
@@ -111,8 +115,15 @@ vec3 lit(Found found) {
   litPoint = found;
   loadUniforms();
   luxoRounds = 0;
+#ifdef LUXO_TRACES
+  beginTraces();
+#endif
   vec4 color = luxoMaterial(materialPoint(found));
   if (luxoRounds > kLuxoMostRounds) return vec3(uintBitsToFloat(kTooManyRounds));
+#ifdef LUXO_TRACES
+  askTraces();
+  if (tracesTooOften()) return uintBitsToFloat(uvec3(kTooManyRounds, kSeenThrough, kSeenThrough));
+#endif
   bool numbers = isNumber(color.r) && isNumber(color.g) && isNumber(color.b) && isNumber(color.a);
   if (!numbers) return vec3(uintBitsToFloat(kNotANumber));
   return color.a < 1.0 ? vec3(uintBitsToFloat(kSeenThrough)) : color.rgb;

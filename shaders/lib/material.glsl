@@ -23,6 +23,18 @@ struct Light {
   vec3 visible;    // how much of that does arrive, 0 to 1
 };
 
+// What a ray meets first.
+struct Hit {
+  bool found;
+  bool inside;     // it meets the back of a surface: from within, where that is closed
+  float distance;  // metres along the ray; 1e30 of none
+  vec3 position;
+  vec3 normal;     // exact, of the side that is met: against the ray
+  vec2 uv;
+  vec3 color;      // the light that comes along the ray: of none the background
+  uint number;     // luxo's own
+};
+
 int lightCount();
 Light light(int i);
 vec3 ambientLight();
@@ -32,6 +44,9 @@ vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess);
 vec3 colorMap(vec2 uv);
 vec3 specularMap(vec2 uv);
 vec3 glowMap(vec2 uv);
+// A ray from the point that is lit, or onward from what another has met: into the scene, by the reference.
+Hit trace(vec3 direction);
+Hit trace(Hit from, vec3 direction);
 
 // The shader's: linear RGB, and the opacity, which must be 1.
 vec4 material(Point p);

@@ -16,6 +16,8 @@ vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess) { return inAny.xyz
 vec3 colorMap(vec2 uv) { return inAny.xyz * uv.x; }
 vec3 specularMap(vec2 uv) { return inAny.xyz * uv.x; }
 vec3 glowMap(vec2 uv) { return inAny.xyz * uv.x; }
+Hit trace(vec3 direction) { return Hit(inAny.x > 0.0, inAny.y > 0.0, inAny.z, direction, inAny.xyz, inAny.xy, inAny.xyz, 0); }
+Hit trace(Hit from, vec3 direction) { return Hit(from.found, from.inside, inAny.z, direction, from.normal, inAny.xy, inAny.xyz, 0); }
 
 #include "material"
 

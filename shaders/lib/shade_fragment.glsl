@@ -24,6 +24,7 @@ layout(set = kSetPattern, binding = kBindingFoundFrame) uniform sampler2D foundF
 vec4 normalFrame() { return texelFetch(foundFrames, ivec2(gl_FragCoord.xy), 0); }
 #endif
 #define LUXO_ADDS_LIGHT kAddsLight
+#define LUXO_SHADES_FOUND
 
 layout(constant_id = kConstantOcclusion) const bool kOcclusion = false;
 layout(set = kSetFound, binding = kBindingOpenness) uniform sampler2D opennesses;

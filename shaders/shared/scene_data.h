@@ -61,6 +61,9 @@ LUXO_CONSTANT kBindingShadows = 3;
 LUXO_CONSTANT kBindingTransmittance = 4;
 LUXO_CONSTANT kBindingPlaces = 5;
 LUXO_CONSTANT kBindingOpenness = 6;
+LUXO_CONSTANT kBindingTraceQuestions = 7;
+LUXO_CONSTANT kBindingTraceStarts = 8;
+LUXO_CONSTANT kBindingTraceAnswers = 9;
 
 // Bindings of kSetShadow.
 LUXO_CONSTANT kBindingCasters = 0;
@@ -417,6 +420,34 @@ struct MeshPlace {
 struct ShownPoint {
   vec2 parameters;
   uint numberOfMaterial;  // 1 + that; 0: it shows none
+};
+
+// A ray that a material's shader has asked for (trace() in shaders/MATERIALS.md): from the point that it lights, or from
+// what an earlier one of its rays has met.
+LUXO_CONSTANT kMostTraces = 16;  // of a point
+LUXO_CONSTANT kNoQuestion = 0;
+LUXO_CONSTANT kFromPoint = 1;
+LUXO_CONSTANT kFromFirstHit = 2;  // and on: of the answers to this point, by their number
+
+struct TraceRay {
+  vec3 direction;  // unit
+  uint from;       // kFromPoint and on
+};
+
+// That of a pixel that has none for now, in row order; with the point that it lights.
+struct TraceQuestion {
+  TraceRay ray;
+  vec3 position;
+};
+
+struct TraceAnswer {
+  TraceRay ray;
+  float distance;  // metres; negative: it meets nothing
+  vec3 position;
+  vec3 normal;  // of the side that the ray meets
+  vec2 parameters;
+  vec3 color;  // that comes along the ray
+  uint inside;  // 1: it meets the back, from within where the surface is closed
 };
 
 // Kinds of equations.

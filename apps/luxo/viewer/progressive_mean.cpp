@@ -7,17 +7,26 @@ bool ProgressiveMean::complete() const { return joined_ >= kMaxSamples; }
 
 void ProgressiveMean::reset() {
   certifier_.cancel();
+  tracer_.cancel();
   next_.reset();
+  traced_ = false;
   joined_ = 0;
   audit_ = {};
 }
 
 bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
                               const Snapshot& shown, const DrawOptions& drawn) {
-  if (next_) return true;
+  if (next_ && traced_) return true;
+  Snapshot sampled = shown;
+  sampled.view = sampledAt(shown.view, pattern_[static_cast<std::size_t>(joined_)]);
+  if (!next_ && !find(frames, painter, view, sampled, drawn)) return false;
+  traced_ = trace(frames, painter, view, sampled);
+  return traced_;
+}
+
+bool ProgressiveMean::find(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
+                           const Snapshot& sampled, const DrawOptions& drawn) {
   if (!certifier_.busy()) {
-    Snapshot sampled = shown;
-    sampled.view = sampledAt(shown.view, pattern_[static_cast<std::size_t>(joined_)]);
     DrawOptions one = drawn;
     one.samples = 1;
     one.standIns = false;
@@ -38,6 +47,23 @@ bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, Ren
   return next_.has_value();
 }
 
+bool ProgressiveMean::trace(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
+                            const Snapshot& sampled) {
+  if (!view.list().traces) return true;
+  if (!tracer_.busy()) {
+    tracer_.begin(sampled, view.list().origin);
+    tracer_.answer(view.traces().asked());
+  }
+  while (const std::optional<bool> asked = tracer_.poll()) {
+    if (!*asked) return true;
+    FrameStatistics ignored;
+    painter.recordAnswers(frames, frames.begin(), view, tracer_.rays(), next_->points, ignored);
+    frames.wait(frames.submit());
+    tracer_.answer(view.traces().asked());
+  }
+  return false;
+}
+
 void ProgressiveMean::join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter,
                            RenderView& view) {
   if (!accumulator_) accumulator_.emplace(context_);
@@ -48,6 +74,7 @@ void ProgressiveMean::join(gpu::FrameRing& frames, VkCommandBuffer commands, Sce
   audit_.wrong += next_->failed;
   audit_.byRays += next_->points.resolved;
   next_.reset();
+  traced_ = false;
   ++joined_;
 }
 

@@ -11,6 +11,7 @@
 #include "gpu/frame.h"
 #include "scene/snapshot.h"
 #include "viewer/certifier.h"
+#include "viewer/tracer.h"
 
 namespace luxo {
 
@@ -26,8 +27,8 @@ class ProgressiveMean {
   [[nodiscard]] int samples() const { return joined_; }
   [[nodiscard]] bool complete() const;
   /// A sample has joined, or is on its way.
-  [[nodiscard]] bool begun() const { return joined_ > 0 || next_ || certifier_.busy(); }
-  [[nodiscard]] bool casting() const { return certifier_.busy(); }  ///< rays, beside the window
+  [[nodiscard]] bool begun() const { return joined_ > 0 || next_ || casting(); }
+  [[nodiscard]] bool casting() const { return certifier_.busy() || tracer_.busy(); }  ///< rays, beside the window
   [[nodiscard]] const Audit& audit() const { return audit_; }
   [[nodiscard]] gpu::Texture& picture() { return accumulator_->mean(); }
 
@@ -42,12 +43,21 @@ class ProgressiveMean {
   void join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter, RenderView& view);
 
  private:
+  /// Draws the sample that joins next, and lets rays settle it. Whether they have.
+  [[nodiscard]] bool find(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
+                          const Snapshot& sampled, const DrawOptions& drawn);
+  /// Answers what its shaders ask of the scene. Whether they ask no more.
+  [[nodiscard]] bool trace(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
+                           const Snapshot& sampled);
+
   gpu::Context& context_;
   std::optional<Accumulator> accumulator_;  // made when first needed
   Certifier certifier_;
+  Tracer tracer_;
   std::vector<Vec2> pattern_ = samplePattern(kMaxSamples);
   int joined_ = 0;
   std::optional<Certifier::Outcome> next_;  // of the sample that joins next
+  bool traced_ = false;                     // that, too
   Audit audit_;
 };
 

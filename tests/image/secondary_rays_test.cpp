@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rays that shaders of materials send into the scene meet: chords, mirrors, bounds.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/shader_files.h"
+#include "support/picture.h"
+#include "surface/library.h"
+
+namespace luxo::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr PixelSize kSize{72, 56};
+/// Colours are computed in single precision from positions some metres away: a few dozen roundings.
+constexpr double kFloat = 1e-5;
+
+Material litBy(const std::string& text) {
+  return {.shader = std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}})};
+}
+
+class SecondaryRays : public PictureTest {};
+
+/// A ray that enters a ball at cosine c goes on at Snell's cosine c' for 2 r c', meets the ball from within at that cosine,
+/// too, and the same again from there.
+TEST_F(SecondaryRays, ChordsOfAGlassBall) {
+  constexpr double kRadius = 1.3, kIndex = 1.5;
+  Scene scene;
+  const Material glass = litBy(R"(
+vec4 material(Point p) {
+  vec3 way = refract(-p.viewer, p.normal, 1.0 / 1.5);
+  Hit first = trace(way);
+  Hit second = trace(first, 3.0 * reflect(way, first.normal));
+  if (!first.found || !first.inside || !second.inside) return vec4(9.0);
+  return vec4(first.distance, second.distance, -dot(way, first.normal), 1.0);
+})");
+  const Vec3 center(0.4, -0.2, 0.1);
+  scene.add(Node{.translation = center, .surface = sphere(kRadius), .material = scene.add(glass)});
+  const Camera camera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
+  const Picture picture = draw(scene, camera, kSize);
+  const CameraModel model(camera, kSize);
+  std::uint64_t inside = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const Ray ray = model.through(centerOf(x, y));
+      const auto roots = hitSphere(ray, center, kRadius);
+      if (!roots) continue;
+      ++inside;
+      const Vec3 normal = (ray.at(roots->first) - center) / kRadius;
+      const double cosine = -glm::dot(normal, glm::normalize(ray.direction));
+      const double within = std::sqrt(1 - (1 - cosine * cosine) / (kIndex * kIndex));
+      const Vec3 wanted(2 * kRadius * within, 2 * kRadius * within, within);
+      EXPECT_TRUE(near(colorAt(picture.image, x, y), wanted, kFloat)) << x << ", " << y;
+    }
+  EXPECT_GT(inside, 600U);
+  EXPECT_EQ(picture.statistics.count.tracedRays, 2 * inside);
+  EXPECT_EQ(picture.statistics.error.uncertifiedPx, 0U);
+}
+
+/// Things of every kind above a plate that is a mirror.
+Scene aboveAMirror(const Material& plate, bool withPlate,
+                   Light::Shadow shadow = Light::Shadow::Exact) {
+  Scene scene;
+  scene.set(RenderSettings{.background = Vec3(0.1, 0.2, 0.4), .ambient = Vec3(0.2)});
+  const MaterialId matt = scene.add(Material{.diffuse = Vec3(0.7, 0.4, 0.1), .specular = Vec3(0.6)}),
+                   veil = scene.add(Material{.diffuse = Vec3(0.1, 0.6, 0.3), .opacity = 0.5});
+  scene.add(Node{.translation = Vec3(-0.9, 1.1, 0), .surface = sphere(0.6), .material = matt});
+  scene.add(Node{.translation = Vec3(0.9, 1.3, -0.4), .rotation = Rotation{{1, 0, 0.4}, 0.9},
+                 .surface = torus(0.6, 0.25), .material = matt});
+  scene.add(Node{.translation = Vec3(0.1, 1.2, 0.9), .surface = sphere(0.4), .material = veil});
+  if (withPlate) scene.add(Node{.surface = rectangle(40, 40), .material = scene.add(plate)});
+  scene.add(Node{.translation = Vec3(2, 5, 4),
+                 .light = Light{.intensity = 40, .attenuation = Light::Attenuation::InverseSquare,
+                                .shadow = shadow}});
+  return scene;
+}
+
+const std::string kMirror = R"(
+vec4 material(Point p) {
+  Hit hit = trace(reflect(-p.viewer, p.normal));
+  return vec4(hit.color, 1.0);
+})";
+
+Camera aheadFrom(double height) { return {.eye = Vec3(0.2, height, 6), .lookAt = Vec3(0.2, height, 0)}; }
+
+/// A level camera over a level mirror sees in it, upside down, what one as far below it sees: lights and shadows, and what
+/// is seen through.
+TEST_F(SecondaryRays, AMirrorShowsWhatTheMirroredEyeSees) {
+  const Picture direct = draw(aboveAMirror({}, false), aheadFrom(-1.2), kSize);
+  const CameraModel model(aheadFrom(1.2), kSize);
+  for (const Shading shading : {Shading::Exact, Shading::Phong}) {
+    const Picture mirrored = draw(aboveAMirror(litBy(kMirror), true), aheadFrom(1.2), kSize,
+                                  {.shading = shading});
+    int shown = 0, differ = 0;
+    // Below the horizon, where nothing that stands on the plate's side hides it: the lower third.
+    for (int y = kSize.height * 2 / 3; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) {
+        const Vec3 wanted = colorAt(direct.image, x, kSize.height - 1 - y);
+        shown += wanted != Vec3(0.1, 0.2, 0.4);
+        differ += !near(colorAt(mirrored.image, x, y), wanted, kFloat);
+      }
+    EXPECT_GT(shown, 150);
+    EXPECT_EQ(differ, 0) << nameOf(shading);
+  }
+}
+
+/// Samples of a pixel send rays of their own.
+TEST_F(SecondaryRays, EverySampleHasItsOwn) {
+  const Picture direct = draw(aboveAMirror({}, false), aheadFrom(-1.2), kSize, {.samples = 4});
+  const Picture one = draw(aboveAMirror(litBy(kMirror), true), aheadFrom(1.2), kSize);
+  const Picture four = draw(aboveAMirror(litBy(kMirror), true), aheadFrom(1.2), kSize, {.samples = 4});
+  EXPECT_GT(four.statistics.count.tracedRays, 3 * one.statistics.count.tracedRays);
+  EXPECT_LT(four.statistics.count.tracedRays, 5 * one.statistics.count.tracedRays);
+  EXPECT_EQ(direct.statistics.count.tracedRays, 0U);
+}
+
+/// Sixteen rays are answered, however they are spread over a path; one more is an error in words.
+TEST_F(SecondaryRays, APointSendsSixteenAtMost) {
+  const auto count = [&](int rays) {
+    const std::string text = "vec4 material(Point p) { float n = 0.0; Hit hit = trace(-p.normal);\n"
+                             "for (int i = 1; i < " + std::to_string(rays) + "; ++i) {\n"
+                             "  if (hit.found) n += 1.0;\n"
+                             "  hit = i % 2 == 0 ? trace(-p.normal) : trace(hit, -p.normal.yzx); }\n"
+                             "return vec4(n, n, n, 1.0); }";
+    Scene scene;
+    scene.add(Node{.surface = torus(1, 0.4), .material = scene.add(litBy(text))});
+    return draw(scene, Camera{.eye = Vec3(0, 2, 3)}, {24, 16});
+  };
+  const Picture all = count(16);
+  const Image& image = all.image;
+  EXPECT_EQ(std::ranges::max(image.samples()), 15);  // from within a torus every way ends at it
+  try {
+    static_cast<void>(count(17));
+    ADD_FAILURE() << "it was drawn";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    EXPECT_THAT(error.what(), HasSubstr("the shader sends more than 16 rays into the scene"));
+  }
+}
+
+/// What a ray meets nothing of, and rays without a direction; a hit of nothing leads nowhere.
+TEST_F(SecondaryRays, NothingIsMet) {
+  Scene scene;
+  scene.set(RenderSettings{.background = Vec3(0.1, 0.2, 0.4)});
+  scene.add(Node{.surface = sphere(1), .material = scene.add(litBy(R"(
+uniform float zero;
+vec4 material(Point p) {
+  Hit none = trace(p.normal);
+  Hit still = trace(none, -p.normal), undirected = trace(vec3(zero)), wrong = trace(p.normal / zero);
+  float far = none.distance == 1e30 ? 0.5 : 0.0;
+  return vec4(none.found || still.found || undirected.found || wrong.found ? vec3(9.0) : none.color * far, 1.0);
+})"))});
+  const Image image = draw(scene, Camera{.eye = Vec3(0, 0, 3)}, {16, 16}).image;
+  EXPECT_TRUE(near(colorAt(image, 8, 8), Vec3(0.05, 0.1, 0.2), 1e-7));
+}
+
+/// Glass of air's own index, which takes nothing, is not there; of a higher one it is.
+TEST_F(SecondaryRays, GlassThatBendsNothingIsInvisible) {
+  const std::vector<double> sky{0.1, 0.2, 0.4};
+  const auto shown = [&](std::optional<double> index) {
+    Scene scene = aboveAMirror({.diffuse = Vec3(0.6)}, true, Light::Shadow::None);
+    if (index)
+      scene.add(Node{
+          .translation = Vec3(0.2, 0.9, 2.4),
+          .surface = torus(0.5, 0.3),
+          .material = scene.add(Material{
+              .shader = ShaderFiles(LUXO_SOURCE_DIR "/apps/scenes/gallery").get("glass.frag"),
+              .uniforms = {{"index", {*index}}, {"absorption", {0, 0, 0}}, {"lamp", {0}}, {"sky", sky},
+                           {"horizon", sky}}})});
+    return draw(scene, aheadFrom(1.2), kSize).image;
+  };
+  const Image without = shown(std::nullopt), invisible = shown(1), visible = shown(1.3);
+  int differ = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      EXPECT_TRUE(near(colorAt(invisible, x, y), colorAt(without, x, y), kFloat)) << x << ", " << y;
+      differ += !near(colorAt(visible, x, y), colorAt(without, x, y), 0.02);
+    }
+  EXPECT_GT(differ, 150);
+}
+
+/// Without trace() the picture is made in one go, as ever.
+TEST_F(SecondaryRays, WhoSendsNonePaysNothing) {
+  const auto counted = [&](const std::string& text) {
+    Scene scene;
+    scene.add(Node{.surface = torus(1, 0.4), .material = scene.add(litBy(text))});
+    return draw(scene, Camera{.eye = Vec3(0, 2, 3)}, {24, 16}).statistics.count;
+  };
+  const FrameCounts none = counted("vec4 material(Point p) { return vec4(p.normal, 1.0); } // retrace"),
+                    one = counted("vec4 material(Point p) { return vec4(trace(p.normal).normal, 1.0); }");
+  EXPECT_EQ(none.deferred, 0U);
+  EXPECT_EQ(none.tracedRays, 0U);
+  EXPECT_EQ(one.deferred, 1U);
+  EXPECT_EQ(one.submits, none.submits + 1);
+}
+
+}  // namespace
+}  // namespace luxo::test
