@@ -114,10 +114,13 @@ PartialInterval pow(const PartialInterval& x, const PartialInterval& y) {
   const Interval& base = x.range;
   const bool hasPole = y.range.lo < 0 && base.contains(0);
   if (base.lo >= 0 || isInteger(y.range)) return {pow(base, y.range), hasPole ? Defined::Somewhere : both};
-  // Below 0 only integer powers go on.
-  if (y.range.lo != y.range.hi) return {Interval::everything(), Defined::Somewhere};
-  if (base.hi < 0) return kNothing;
-  return {pow(Interval(0, base.hi), y.range), Defined::Somewhere};
+  // Below 0 only integer powers go on, of which there may be some, of either sign.
+  const bool goesOn = std::floor(y.range.hi) >= y.range.lo;
+  if (!goesOn)
+    return base.hi < 0 ? kNothing : PartialInterval(pow(Interval(0, base.hi), y.range), Defined::Somewhere);
+  const double largest = pow(Interval(std::max(0.0, -base.hi), -base.lo), y.range).hi;
+  const Interval below(-largest, largest);
+  return {base.hi < 0 ? below : hull(below, pow(Interval(0, base.hi), y.range)), Defined::Somewhere};
 }
 
 PartialInterval sqrt(const PartialInterval& x) {

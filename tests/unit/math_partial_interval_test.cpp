@@ -95,6 +95,23 @@ TEST(PartialInterval, IsAsSharpAsWhatThereIs) {
   EXPECT_NEAR(b[1].range.hi, std::log(0.5), 1e-15);
 }
 
+/// An exponent that was computed is an interval: below 0 only the integers in it count.
+TEST(PartialInterval, PowersOfWhatMayBeBelowZero) {
+  const PartialInterval across(Interval(-0.25, 0.5)), below(Interval(-0.5, -0.25));
+  const PartialInterval none = pow(across, PartialInterval(Interval(2.5, 2.75)));
+  EXPECT_EQ(none.defined, Defined::Somewhere);
+  EXPECT_EQ(none.range.lo, 0);
+  EXPECT_NEAR(none.range.hi, std::pow(0.5, 2.5), 1e-15);
+  const PartialInterval cubes = pow(across, PartialInterval(Interval(2.5, 3.5)));
+  EXPECT_EQ(cubes.defined, Defined::Somewhere);
+  EXPECT_TRUE(cubes.range.contains(std::pow(-0.25, 3)));
+  EXPECT_NEAR(cubes.range.lo, -std::pow(0.25, 2.5), 1e-15);
+  EXPECT_NEAR(cubes.range.hi, std::pow(0.5, 2.5), 1e-15);
+  EXPECT_EQ(pow(below, PartialInterval(Interval(2.25, 2.75))).defined, Defined::Nowhere);
+  EXPECT_TRUE(pow(below, PartialInterval(Interval(1.75, 2.25))).range.contains(0.25));
+  EXPECT_TRUE(pow(below, PartialInterval(Interval(-1.25, -0.75))).range.contains(-4));
+}
+
 TEST(PartialInterval, BesidePolesNothingIsNearZero) {
   const PartialInterval one(1.0), across(Interval(-0.25, 0.125)), right(Interval(0, 0.125));
   EXPECT_FALSE((one / across).within(3.9));
