@@ -13,6 +13,7 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "draw/shader_text.h"
 #include "option_values.h"
 
 namespace luxo {
@@ -275,23 +276,6 @@ void readTag(const Declaration& from, const TypeShape& shape, UniformControl& co
 }
 
 }  // namespace
-
-std::string withoutComments(const std::string& glsl) {
-  std::string text = glsl;
-  const auto blank = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (text[i] != '\n') text[i] = ' ';
-  };
-  for (std::size_t i = text.find('/'); i != text.npos; i = text.find('/', i + 1)) {
-    if (i + 1 >= text.size() || (text[i + 1] != '/' && text[i + 1] != '*')) continue;
-    const bool isLine = text[i + 1] == '/';
-    std::size_t end = isLine ? text.find('\n', i) : text.find("*/", i + 2);
-    end = end == text.npos ? text.size() : isLine ? end : end + 2;
-    blank(i, end);
-    i = end - 1;
-  }
-  return text;
-}
 
 std::vector<UniformControl> uniformControls(const MaterialShader& shader,
                                             std::span<const gpu::ShaderVariable> uniforms,

@@ -45,11 +45,14 @@ void addColors(const std::byte* texels, int width, MeasuredPixels& measured) {
     std::uint32_t largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & MeasuredPixels::kMagnitude);
     measured.nonfinite += largest >= MeasuredPixels::kInfinity;
-    const auto all = [&](std::uint32_t bits) {
-      return bitsAt(4 * x) == bits && bitsAt(4 * x + 1) == bits && bitsAt(4 * x + 2) == bits;
+    const auto are = [&](std::uint32_t red, std::uint32_t green) {
+      return bitsAt(4 * x) == red && bitsAt(4 * x + 1) == green && bitsAt(4 * x + 2) == red;
     };
-    measured.endless += all(MeasuredPixels::kInfinity);
-    measured.seenThrough += all(MeasuredPixels::kInfinity | ~MeasuredPixels::kMagnitude);
+    constexpr std::uint32_t kPositive = MeasuredPixels::kInfinity,
+                            kNegative = MeasuredPixels::kInfinity | ~MeasuredPixels::kMagnitude;
+    measured.endless += are(kPositive, kPositive);
+    measured.seenThrough += are(kNegative, kNegative);
+    measured.moved += are(kPositive, kNegative);
   }
 }
 
@@ -80,6 +83,13 @@ void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
                 fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet",
                             all, measured.seenThrough),
                 "return 1 as the fourth number");
+  if (measured.moved > 0)
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: in {} pixels the vertex program moves the vertex: gl_Position is not that of "
+                            "gl_Vertex, and an exact surface is where its formula has it",
+                            all, measured.moved),
+                "write gl_Position = ftransform(), and the movement into the surface's \"position\": formulas "
+                "take time and parameters");
 }
 
 }  // namespace luxo

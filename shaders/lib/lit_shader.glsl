@@ -14,6 +14,7 @@
 // What the picture tells whoever reads it, instead of a colour: values that are no numbers. NaN is one that the shader
 // gave itself.
 const uint kNotANumber = 0x7fc00000u, kTooManyRounds = 0x7f800000u, kSeenThrough = 0xff800000u;
+const uvec3 kMovedAway = uvec3(kTooManyRounds, kSeenThrough, kTooManyRounds);
 
 Found litPoint;
 
@@ -111,8 +112,10 @@ vec3 lit(Found found) {
   litPoint = found;
   loadUniforms();
   luxoRounds = 0;
+  luxoMoved = false;
   vec4 color = luxoMaterial(materialPoint(found));
   if (luxoRounds > kLuxoMostRounds) return vec3(uintBitsToFloat(kTooManyRounds));
+  if (luxoMoved) return uintBitsToFloat(kMovedAway);
   bool numbers = isNumber(color.r) && isNumber(color.g) && isNumber(color.b) && isNumber(color.a);
   if (!numbers) return vec3(uintBitsToFloat(kNotANumber));
   return color.a < 1.0 ? vec3(uintBitsToFloat(kSeenThrough)) : color.rgb;
