@@ -100,7 +100,10 @@ void addDeclared(std::string_view statement, Declaration declaration, Declaratio
     const std::size_t equals = declarator.find('=');
     declaration.initialiser =
         equals == declarator.npos ? std::string_view() : trimmed(declarator.substr(equals + 1));
-    if (!name.empty()) all.try_emplace(std::string(name), declaration);
+    if (name.empty()) continue;
+    // Two programs may declare it: what one of them says holds.
+    const auto [known, isNew] = all.try_emplace(std::string(name), declaration);
+    if (!isNew && known->second.initialiser.empty()) known->second = declaration;
   }
 }
 
@@ -292,6 +295,14 @@ std::vector<UniformControl> uniformControls(const MaterialShader& shader,
     const auto declared = declarations.find(uniform.name);
     if (declared == declarations.end()) continue;
     const Declaration& from = declared->second;
+    if (uniform.type.starts_with("sampler")) {
+      control.kind = Kind::Choice;
+      control.initial = {0};
+      control.choices = {"map", "specular_map", "glow_map"};
+      control.range = Interval{0, 2};
+      control.step = 1;
+      continue;
+    }
     const bool isTurned = shape.columns == 1 && uniform.array.empty();
     control.initial = from.initialiser.empty() ? std::vector<double>(shape.rows, 0.0)
                                                : numbersIn(from.initialiser, uniform.type, shape.rows);

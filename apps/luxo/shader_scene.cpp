@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "draw/course_style.h"
 #include "draw/material_program.h"
 #include "formula/parse.h"
 #include "main_image.h"
@@ -95,6 +96,7 @@ void give(MaterialDesc& material, const FileName& shader, const std::vector<Unif
   material.lesson = false;
   material.normalMap.reset();
   material.shader = shader;
+  material.vertex = {};
   material.uniforms = uniforms;
 }
 
@@ -263,10 +265,18 @@ bool namesMaterialShader(const std::string& path) {
   return suffix == ".frag" || suffix == ".glsl";
 }
 
+MaterialShaderPtr shaderInFile(const fs::path& file) {
+  ShaderFiles files(file.parent_path());
+  MaterialShaderPtr shader = files.get(file.filename().string());
+  const fs::path vertex = fs::path(file).replace_extension(".vert");
+  return vertex != file && fs::exists(vertex) && inCourseStyle(*shader)
+             ? files.get(file.filename().string(), vertex.filename().string())
+             : shader;
+}
+
 ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
                         std::span<const ParameterValue> given, std::vector<std::string>* warnings) {
-  const fs::path path(shader);
-  MaterialShaderPtr text = ShaderFiles(path.parent_path()).get(path.filename().string());
+  MaterialShaderPtr text = shaderInFile(shader);
   ShaderScene made;
   for (const MaterialShader::File& file : text->files) made.files.emplace_back(file.name);
   const bool ofPicture = use.mainImage || (hasMainImage(*text) && !hasMaterial(*text));

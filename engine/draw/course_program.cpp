@@ -116,16 +116,20 @@ bool CourseProgram::isInitialised(const Stage& stage, const std::string& uniform
   return false;
 }
 
+/// Whether a program has the word.
+bool CourseProgram::names(const std::string& word) const {
+  const std::regex whole(fmt::format("\\b{}\\b", word));
+  return std::ranges::any_of(shader_->files, [&](const MaterialShader::File& file) {
+    return std::regex_search(withoutComments(file.text), whole);
+  });
+}
+
 void CourseProgram::link(const Refuse& refuse) {
   const std::string& file = shader_->files.front().name;
-  const auto isWritten = [](const Stage& stage, std::string_view name) {
-    const ShaderVariable* output = find(stage.interface.outputs, name);
-    return output && output->active;
-  };
-  if (!isWritten(fragment_, "gL_FragColor"))
+  if (!names("gl_FragColor"))
     throw Error(ErrorKind::Scene, fmt::format("{}: the program does not write gl_FragColor", file),
                 "it is the colour: gl_FragColor = vec4(0.0, 0.0, 1.0, 1.0);");
-  if (vertex_ && !isWritten(*vertex_, "gL_Position"))
+  if (vertex_ && !names("gl_Position"))
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: the program does not write gl_Position", shader_->files[shader_->vertex].name),
                 "write gl_Position = ftransform();");
@@ -217,11 +221,12 @@ void CourseProgram::describe(const Refuse& refuse) {
       if (std::smatch found; std::regex_search(file.text, found, sampler)) uniform.type = found[1].str();
   }
   if (!uniforms.members.empty()) interface_.blocks.push_back(std::move(uniforms));
-  const auto taken = [](const std::vector<ShaderVariable>& variables) {
+  const auto taken = [this](const std::vector<ShaderVariable>& variables) {
     std::vector<ShaderVariable> own;
     for (ShaderVariable variable : variables) {
-      if (variable.name.starts_with("gL_") && !variable.active) continue;
+      const bool isOwn = !variable.name.starts_with("gL_");
       variable.name = withoutCourseSpelling(variable.name);
+      if (!isOwn && !names(variable.name)) continue;
       variable.location.reset();
       own.push_back(std::move(variable));
     }

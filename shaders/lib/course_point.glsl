@@ -5,6 +5,7 @@
 
 // Columns: the axes of the object in the scene, and back.
 mat3 luxoRelativeFromObject, luxoObjectFromRelative;
+mat3 luxoEyeAxes;  // from the scene's
 
 vec3 luxoOnAxesOfObject(vec3 direction) { return unitOrZero(luxoObjectFromRelative * direction); }
 
@@ -13,13 +14,13 @@ void luxoLoadMatrices() {
   vec3 forward = view.forward.xyz, right = perspective ? view.rayRight : view.placeRight,
        down = perspective ? view.rayDown : view.placeDown;
   vec3 eye = perspective ? view.viewer.xyz : view.placeMiddle - view.forward.w * forward;
-  mat3 eyeAxes = transpose(mat3(normalize(right), -normalize(down), -forward));
+  luxoEyeAxes = transpose(mat3(normalize(right), -normalize(down), -forward));
   luxoObjectFromRelative = mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9));
   luxoRelativeFromObject = determinant(luxoObjectFromRelative) != 0.0 ? inverse(luxoObjectFromRelative) : mat3(0);
-  mat3 linear = eyeAxes * luxoRelativeFromObject;
+  mat3 linear = luxoEyeAxes * luxoRelativeFromObject;
   gL_ModelViewMatrix = mat4(linear);
-  gL_ModelViewMatrix[3] = vec4(eyeAxes * (-luxoRelativeFromObject * shaderNumbers3(12) - eye), 1.0);
-  gL_NormalMatrix = eyeAxes * transpose(luxoObjectFromRelative);
+  gL_ModelViewMatrix[3] = vec4(luxoEyeAxes * (-luxoRelativeFromObject * shaderNumbers3(12) - eye), 1.0);
+  gL_NormalMatrix = luxoEyeAxes * transpose(luxoObjectFromRelative);
   // Near and far are those of what there is to see.
   float near = max(view.depthRange.x, 1e-6), far = max(view.depthRange.y, 1.001 * near);
   gL_ProjectionMatrix = mat4(0);
@@ -57,27 +58,33 @@ void luxoLoadMaterial() {
   gL_BackLightModelProduct = gL_FrontLightModelProduct;
 }
 
-// A light is as bright as it is visible from the point.
+// The scene's lights in the order of their nodes; one is as bright as it is visible from the point. What stands for a wide
+// light, some points of it, is one again.
 void luxoLoadLights() {
-  mat3 eyeAxes = gL_NormalMatrix * transpose(luxoRelativeFromObject);
+  float points[gL_MaxLights];
   for (int i = 0; i < gL_MaxLights; ++i) {
-    gL_LightSourceParameters source = gL_LightSourceParameters(vec4(0), vec4(0), vec4(0), vec4(0, 0, 1, 0), vec4(0, 0, 1, 0),
-                                                               vec3(0, 0, -1), 0.0, 180.0, -1.0, 1.0, 0.0, 0.0);
-    if (i < lightCount()) {
-      LightData data = lightSet.lights[i];
-      Light seen = light(i);
-      vec3 away = data.position.xyz - litPoint.position * data.position.w;
-      vec4 fromPoint = gL_ModelViewMatrix * vec4(gL_Vertex.xyz, 1);
-      source.position = vec4(eyeAxes * away + fromPoint.xyz * data.position.w, data.position.w);
-      source.halfVector = vec4(unitOrZero(unitOrZero(source.position.xyz) + vec3(0, 0, 1)), 0);
-      source.diffuse = source.specular = vec4(data.radiance * seen.visible, 1);
-      source.ambient = vec4(0, 0, 0, 1);
-      source.constantAttenuation = data.inverseSquare != 0 ? 0.0 : 1.0;
-      source.quadraticAttenuation = data.inverseSquare != 0 ? 1.0 : 0.0;
-    }
-    gL_LightSource[i] = source;
-    gL_FrontLightProduct[i] = gL_LightProducts(vec4(0, 0, 0, 1), gL_FrontMaterial.diffuse * source.diffuse,
-                                               gL_FrontMaterial.specular * source.specular);
+    points[i] = 0.0;
+    gL_LightSource[i] = gL_LightSourceParameters(vec4(0, 0, 0, 1), vec4(0, 0, 0, 1), vec4(0, 0, 0, 1), vec4(0), vec4(0),
+                                                 vec3(0, 0, -1), 0.0, 180.0, -1.0, 1.0, 0.0, 0.0);
+  }
+  vec3 here = (gL_ModelViewMatrix * vec4(gL_Vertex.xyz, 1)).xyz;
+  for (int i = 0; i < lightCount(); ++i) {
+    LightData data = lightSet.lights[i];
+    if (data.order >= gL_MaxLights) continue;
+    vec3 away = data.position.xyz - litPoint.position * data.position.w;
+    points[data.order] += 1.0;
+    gL_LightSource[data.order].position += vec4(luxoEyeAxes * away + here * data.position.w, data.position.w);
+    gL_LightSource[data.order].diffuse.rgb += data.radiance * light(i).visible;
+    if (data.inverseSquare != 0) gL_LightSource[data.order].constantAttenuation = 0.0;
+  }
+  for (int i = 0; i < gL_MaxLights; ++i) {
+    vec4 position = points[i] > 0.0 ? gL_LightSource[i].position / points[i] : vec4(0, 0, 1, 0);
+    gL_LightSource[i].position = position;
+    gL_LightSource[i].halfVector = vec4(unitOrZero(unitOrZero(position.xyz) + vec3(0, 0, 1)), 0);
+    gL_LightSource[i].quadraticAttenuation = 1.0 - gL_LightSource[i].constantAttenuation;
+    gL_LightSource[i].specular = gL_LightSource[i].diffuse;
+    gL_FrontLightProduct[i] = gL_LightProducts(vec4(0, 0, 0, 1), gL_FrontMaterial.diffuse * gL_LightSource[i].diffuse,
+                                               gL_FrontMaterial.specular * gL_LightSource[i].specular);
     gL_BackLightProduct[i] = gL_FrontLightProduct[i];
   }
 }

@@ -256,6 +256,7 @@ struct LightData {
   vec4 position;  // w = 1: a point; w = 0: the unit direction toward a light at infinity
   vec3 radiance;  // color * intensity
   uint inverseSquare;
+  uint order;  // of its node among those that have lights, from 0: points of a wide light share it
 };
 
 // What finding the surface in a pixel takes beside InstanceData, at the same index. Rows are linear functions of the
