@@ -81,8 +81,8 @@ shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const
         light.directional() ? Vec3(light.positionWorld) : Vec3(light.positionWorld) - origin_;
     set.lights[i] = {.position = Vec4f(Vec3f(position), light.positionWorld.w),
                      .radiance = Vec3f(light.radiance),
-                     .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare,
-                     .order = orderOf(snapshot_, light.id)};
+                     .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
+    set.order[i] = orderOf(snapshot_, light.id);
     if (light.shade && options_.shadows != ShadowKinds::None) set.shades[shade++] = shadeData(*light.shade);
   }
   return set;

@@ -65,10 +65,12 @@ void showInMagenta(std::span<float> row) {
 }
 
 void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
-  std::set<std::string> names;
+  std::set<std::string> names, vertexNames;
   for (const SnapshotNode& node : snapshot.nodes)
-    if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader)
+    if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader) {
       names.insert(shader->files.front().name);
+      if (shader->vertex > 0) vertexNames.insert(shader->files[shader->vertex].name);
+    }
   if (names.empty()) return;
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   if (measured.endless > 0)
@@ -87,7 +89,7 @@ void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: in {} pixels the vertex program moves the vertex: gl_Position is not that of "
                             "gl_Vertex, and an exact surface is where its formula has it",
-                            all, measured.moved),
+                            fmt::join(vertexNames, ", "), measured.moved),
                 "write gl_Position = ftransform(), and the movement into the surface's \"position\": formulas "
                 "take time and parameters");
 }

@@ -70,12 +70,13 @@ void luxoLoadLights() {
   vec3 here = (gL_ModelViewMatrix * vec4(gL_Vertex.xyz, 1)).xyz;
   for (int i = 0; i < lightCount(); ++i) {
     LightData data = lightSet.lights[i];
-    if (data.order >= gL_MaxLights) continue;
+    uint k = lightSet.order[i];
+    if (k >= gL_MaxLights) continue;
     vec3 away = data.position.xyz - litPoint.position * data.position.w;
-    points[data.order] += 1.0;
-    gL_LightSource[data.order].position += vec4(luxoEyeAxes * away + here * data.position.w, data.position.w);
-    gL_LightSource[data.order].diffuse.rgb += data.radiance * light(i).visible;
-    if (data.inverseSquare != 0) gL_LightSource[data.order].constantAttenuation = 0.0;
+    points[k] += 1.0;
+    gL_LightSource[k].position += vec4(luxoEyeAxes * away + here * data.position.w, data.position.w);
+    gL_LightSource[k].diffuse.rgb += data.radiance * light(i).visible;
+    if (data.inverseSquare != 0) gL_LightSource[k].constantAttenuation = 0.0;
   }
   for (int i = 0; i < gL_MaxLights; ++i) {
     vec4 position = points[i] > 0.0 ? gL_LightSource[i].position / points[i] : vec4(0, 0, 1, 0);

@@ -256,7 +256,6 @@ struct LightData {
   vec4 position;  // w = 1: a point; w = 0: the unit direction toward a light at infinity
   vec3 radiance;  // color * intensity
   uint inverseSquare;
-  uint order;  // of its node among those that have lights, from 0: points of a wide light share it
 };
 
 // What finding the surface in a pixel takes beside InstanceData, at the same index. Rows are linear functions of the
@@ -304,6 +303,7 @@ struct ShadeData {
 struct LightSet {
   LightData lights[kMaxLights];  // the shaded ones last
   ShadeData shades[kMaxLights];  // of the shaded ones, in their order
+  uint order[kMaxLights];        // of a light's node among those that have some; points of a wide light share it
 };
 
 // A cell of a caster (engine/shadow/caster_cells.h), object space.
