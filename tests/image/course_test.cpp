@@ -22,7 +22,8 @@ namespace {
 using testing::HasSubstr;
 
 constexpr PixelSize kSize{72, 56};
-const Camera kCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
+Camera cameraAt(const Vec3& place) { return {.eye = place + Vec3(1.5, 2.5, 4), .lookAt = place}; }
+const Camera kCamera = cameraAt(Vec3(0));
 
 MaterialShaderPtr ofTheCourse(const std::string& fragment, const std::string& vertex = {}) {
   return ShaderFiles(LUXO_SOURCE_DIR "/apps/scenes/course").get(fragment, vertex);
@@ -152,11 +153,9 @@ void main() {
                     fragment = "varying vec4 clip, eye, again;\nvarying vec3 n;\n";
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
     for (const Vec3& at : {Vec3(0), Vec3(300, 20, -700)}) {
-      Camera camera = kCamera;
+      Camera camera = cameraAt(at);
       camera.projection = projection;
       camera.height = 4;
-      camera.eye += at;
-      camera.lookAt += at;
       expectHolds(vertex, fragment,
                   "all(lessThan(abs((0.5 * clip.xy / clip.w + 0.5) * vec2(72.0, 56.0) - gl_FragCoord.xy), vec2(0.02)))",
                   camera, at);
@@ -175,14 +174,11 @@ TEST_F(CoursePicture, AVertexStaysWhereTheSurfaceIs) {
                 HasSubstr("the vertex program moves the vertex"))
         << place;
   const Vec3 far(300, 20, -700);
-  Camera camera = kCamera;
-  camera.eye += far;
-  camera.lookAt += far;
   for (const char* place :
        {"gl_ProjectionMatrix * gl_ModelViewMatrix * gl_Vertex", "gl_ProjectionMatrix * (gl_ModelViewMatrix * gl_Vertex)",
         "2.5 * ftransform()", "ftransform() / ftransform().w", "gl_Vertex * gl_ModelViewProjectionMatrixTranspose"})
     EXPECT_NO_THROW(static_cast<void>(
-        shown(programs("void main() { gl_Position = " + std::string(place) + "; }", fragment), camera, far)))
+        shown(programs("void main() { gl_Position = " + std::string(place) + "; }", fragment), cameraAt(far), far)))
         << place;
 }
 

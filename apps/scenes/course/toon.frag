@@ -11,6 +11,6 @@ void main() {
   float lit = gl_LightSource[0].diffuse.g > 0.0 ? max(dot(n, to), 0.0) : 0.0;
   float tone = (floor(lit * float(tones) * 0.999) + 1.0) / float(tones);
   float edge = smoothstep(outline, outline + 0.03, dot(n, v));
-  float glint = step(0.96, dot(n, normalize(to + v))) * step(0.001, lit);
+  float glint = step(0.99, dot(n, normalize(to + v))) * step(0.001, lit);
   gl_FragColor = vec4(mix(paint * tone, vec3(1.0), 0.8 * glint) * mix(0.05, 1.0, edge), 1.0);
 }
