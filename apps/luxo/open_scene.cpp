@@ -193,9 +193,9 @@ MaterialShaderPtr openMaterialShader(const std::string& shader) {
   std::error_code ignored;
   const bool carried =
       std::ranges::find(galleryShaders(), shader, &EmbeddedShader::name) != galleryShaders().end();
-  const std::string name = path.filename().string();
-  if (carried && !std::filesystem::exists(path, ignored)) return galleryShaderFiles()->get(name);
-  return ShaderFiles(path.parent_path()).get(name);
+  return carried && !std::filesystem::exists(path, ignored)
+             ? galleryShaderFiles()->get(path.filename().string())
+             : shaderInFile(path);
 }
 
 OpenedShader openShader(const std::string& shader, const ShaderUse& use,

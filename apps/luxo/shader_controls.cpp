@@ -13,6 +13,7 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "draw/shader_text.h"
 #include "option_values.h"
 
 namespace luxo {
@@ -99,7 +100,10 @@ void addDeclared(std::string_view statement, Declaration declaration, Declaratio
     const std::size_t equals = declarator.find('=');
     declaration.initialiser =
         equals == declarator.npos ? std::string_view() : trimmed(declarator.substr(equals + 1));
-    if (!name.empty()) all.try_emplace(std::string(name), declaration);
+    if (name.empty()) continue;
+    // Two programs may declare it: what one of them says holds.
+    const auto [known, isNew] = all.try_emplace(std::string(name), declaration);
+    if (!isNew && known->second.initialiser.empty()) known->second = declaration;
   }
 }
 
@@ -276,23 +280,6 @@ void readTag(const Declaration& from, const TypeShape& shape, UniformControl& co
 
 }  // namespace
 
-std::string withoutComments(const std::string& glsl) {
-  std::string text = glsl;
-  const auto blank = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (text[i] != '\n') text[i] = ' ';
-  };
-  for (std::size_t i = text.find('/'); i != text.npos; i = text.find('/', i + 1)) {
-    if (i + 1 >= text.size() || (text[i + 1] != '/' && text[i + 1] != '*')) continue;
-    const bool isLine = text[i + 1] == '/';
-    std::size_t end = isLine ? text.find('\n', i) : text.find("*/", i + 2);
-    end = end == text.npos ? text.size() : isLine ? end : end + 2;
-    blank(i, end);
-    i = end - 1;
-  }
-  return text;
-}
-
 std::vector<UniformControl> uniformControls(const MaterialShader& shader,
                                             std::span<const gpu::ShaderVariable> uniforms,
                                             std::vector<std::string>* warnings) {
@@ -308,6 +295,14 @@ std::vector<UniformControl> uniformControls(const MaterialShader& shader,
     const auto declared = declarations.find(uniform.name);
     if (declared == declarations.end()) continue;
     const Declaration& from = declared->second;
+    if (uniform.type.starts_with("sampler")) {
+      control.kind = Kind::Choice;
+      control.initial = {0};
+      control.choices = {"map", "specular_map", "glow_map"};
+      control.range = Interval{0, 2};
+      control.step = 1;
+      continue;
+    }
     const bool isTurned = shape.columns == 1 && uniform.array.empty();
     control.initial = from.initialiser.empty() ? std::vector<double>(shape.rows, 0.0)
                                                : numbersIn(from.initialiser, uniform.type, shape.rows);

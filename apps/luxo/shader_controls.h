@@ -46,7 +46,4 @@ struct UniformControl {
                                                           std::span<const gpu::ShaderVariable> uniforms,
                                                           std::vector<std::string>* warnings = nullptr);
 
-/// The text with spaces for its comments: all that is left stands where it stood.
-[[nodiscard]] std::string withoutComments(const std::string& glsl);
-
 }  // namespace luxo

@@ -16,10 +16,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "draw/course_style.h"
 #include "draw/material_program.h"
 #include "gpu/shader_reflection.h"
 #include "main_image.h"
 #include "open_scene.h"
+#include "shader_scene.h"
 
 namespace luxo {
 namespace {
@@ -62,6 +64,13 @@ gpu::ShaderInterface ofProgram(const MaterialShader& shader, gpu::ShaderStage st
                                     .preamble = "#extension GL_GOOGLE_include_directive : enable\n",
                                     .forReflection = true})
                           .spirv);
+}
+
+/// A vertex program with the fragment program that shows what it gives.
+MaterialShaderPtr withFragmentProgram(const MaterialShader& vertex) {
+  MaterialShader shader{{{"gl_Color", "void main() { gl_FragColor = gl_Color; }\n"}}, 1};
+  shader.files.insert(shader.files.end(), vertex.files.begin(), vertex.files.end());
+  return std::make_shared<const MaterialShader>(std::move(shader));
 }
 
 Json jsonOf(const gpu::ShaderVariable& variable, bool laidOut) {
@@ -133,12 +142,14 @@ Json inspectShader(const std::string& name) {
   const fs::path path(name);
   const std::string suffix = path.extension().string();
   gpu::ShaderInterface all;
-  bool isMaterial = false;
+  bool isMaterial = false, inStyle = false;
   if (suffix == ".spv") {
     all = gpu::reflect(wordsOf(path));
   } else {
     MaterialShaderPtr shader = openMaterialShader(name);
-    isMaterial = !hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment;
+    inStyle = suffix != ".comp" && inCourseStyle(*shader) && !hasMainImage(*shader);
+    if (inStyle && suffix == ".vert") shader = withFragmentProgram(*shader);
+    isMaterial = inStyle || (!hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment);
     if (isMaterial && hasMainImage(*shader) && !hasMaterial(*shader)) shader = materialOfMainImage(shader);
     all = isMaterial ? MaterialProgram(shader).interface() : ofProgram(*shader, stageOf(suffix));
   }
@@ -149,6 +160,7 @@ Json inspectShader(const std::string& name) {
                {"material", isMaterial}};
   if (isMaterial) {
     json["uniforms"] = all.blocks.empty() ? Json::array() : jsonOf(all.blocks.front().members, true);
+    if (inStyle) json.update({{"attributes", jsonOf(all.inputs)}, {"varyings", jsonOf(all.outputs)}});
     return json;
   }
   json["inputs"] = jsonOf(all.inputs);
@@ -164,13 +176,17 @@ std::string shaderText(const Json& json) {
   const bool isMaterial = json["material"].get<bool>();
   std::string text = fmt::format(
       "{}: {}\n", json["shader"].get<std::string>(),
-      isMaterial ? "the shader of a material" : fmt::format("a {} shader", json["stage"].get<std::string>()));
+      json.contains("varyings") ? "a program in the course's style, the shader of a material"
+      : isMaterial              ? "the shader of a material"
+                                : fmt::format("a {} shader", json["stage"].get<std::string>()));
   const auto list = [&](const char* key, std::string_view title) {
     if (!json.contains(key) || json[key].empty()) return;
     text += fmt::format("{}\n", title);
     for (const Json& variable : json[key]) text += lineOf(variable, 2);
   };
   list("uniforms", "uniforms");
+  list("attributes", "attributes");
+  list("varyings", "varyings");
   list("inputs", json["stage"] == "vertex" ? "attributes" : "inputs");
   list("outputs", json["stage"] == "vertex" ? "varyings" : "outputs");
   if (json.contains("blocks"))

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "draw/course_style.h"
 #include "draw/material_program.h"
 #include "formula/parse.h"
 #include "main_image.h"
@@ -95,6 +96,7 @@ void give(MaterialDesc& material, const FileName& shader, const std::vector<Unif
   material.lesson = false;
   material.normalMap.reset();
   material.shader = shader;
+  material.vertex = {};
   material.uniforms = uniforms;
 }
 
@@ -261,6 +263,15 @@ class Parameters {
 bool namesMaterialShader(const std::string& path) {
   const std::string suffix = fs::path(path).extension().string();
   return suffix == ".frag" || suffix == ".glsl";
+}
+
+MaterialShaderPtr shaderInFile(const fs::path& file) {
+  ShaderFiles files(file.parent_path());
+  MaterialShaderPtr shader = files.get(file.filename().string());
+  const fs::path vertex = fs::path(file).replace_extension(".vert");
+  return vertex != file && fs::exists(vertex) && inCourseStyle(*shader)
+             ? files.get(file.filename().string(), vertex.filename().string())
+             : shader;
 }
 
 ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,

@@ -9,12 +9,17 @@
 #include <vector>
 
 #include "option_values.h"
+#include "scene/material_shader.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_file.h"
 #include "shader_controls.h"
 #include "viewer.h"
 
 namespace luxo {
+
+/// The shader in a file; of a program in the course's style the vertex program of the same name beside it,
+/// phong.vert of phong.frag, belongs to it. Error(Scene): as ShaderFiles::get().
+[[nodiscard]] MaterialShaderPtr shaderInFile(const std::filesystem::path& file);
 
 /// How a shader is shown.
 struct ShaderUse {

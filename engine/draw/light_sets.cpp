@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
@@ -27,6 +28,14 @@ double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& opti
   const Sphere sphere = sphereAround(node->boundsWorld);
   const double depth = glm::dot(sphere.center - view.eye, view.forward()) + sphere.radius;
   return options.tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
+}
+
+/// Of a light's node among those that have lights.
+std::uint32_t orderOf(const Snapshot& snapshot, NodeId node) {
+  std::set<std::uint32_t> before;
+  for (const SnapshotLight& light : snapshot.lights)
+    if (light.id.index < node.index) before.insert(light.id.index);
+  return static_cast<std::uint32_t>(before.size());
 }
 
 }  // namespace
@@ -73,6 +82,7 @@ shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const
     set.lights[i] = {.position = Vec4f(Vec3f(position), light.positionWorld.w),
                      .radiance = Vec3f(light.radiance),
                      .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
+    set.order[i] = orderOf(snapshot_, light.id);
     if (light.shade && options_.shadows != ShadowKinds::None) set.shades[shade++] = shadeData(*light.shade);
   }
   return set;

@@ -13,13 +13,16 @@
 #include "base/log.h"
 #include "base/suggestion.h"
 #include "draw/bounded_loops.h"
+#include "draw/course_style.h"
+#include "draw/shader_text.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
 
 namespace luxo {
 namespace {
 
-constexpr std::string_view kAlone = "lib/material_alone.glsl", kEntry = "material";
+constexpr std::string_view kAlone = "lib/material_alone.glsl", kCourseAlone = "lib/course_alone.glsl",
+                           kEntry = "material";
 // What else luxo's shaders include that is made while it runs.
 constexpr std::string_view kPattern = "pattern", kSurface = "surface";
 
@@ -44,6 +47,7 @@ std::optional<UniformType> typeNamed(std::string_view type) {
        {std::pair{"vec", "float"}, {"ivec", "int"}, {"uvec", "uint"}, {"bvec", "bool"}})
     if (type.size() == std::string_view(prefix).size() + 1 && type.starts_with(prefix))
       return UniformType{1, static_cast<std::uint32_t>(type.back() - '0'), scalar};
+  if (type == "sampler1D" || type == "sampler2D") return UniformType{1, 1, "int"};
   static const std::regex kMatrix("mat[2-4](x[2-4])?");
   if (!std::regex_match(type.begin(), type.end(), kMatrix)) return std::nullopt;
   const auto columns = static_cast<std::uint32_t>(type[3] - '0');
@@ -63,55 +67,13 @@ std::string valueAt(const gpu::ShaderVariable& uniform, const UniformType& type,
     for (std::uint32_t row = 0; row < type.rows; ++row)
       arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ",
                                numberAt(type, first + row * type.columns + column));
-  return fmt::format("{}({})", uniform.type, arguments);
+  return fmt::format("{}({})", type.numbers() == 1 ? type.scalar : uniform.type, arguments);
 }
 
 std::string arrayText(const gpu::ShaderVariable& uniform) {
   std::string text = uniform.type;
   for (const std::uint32_t size : uniform.array) text += fmt::format("[{}]", size);
   return text;
-}
-
-/// The text outside of functions, without comments: what is declared for all of it.
-std::string outsideOfFunctions(std::string_view glsl) {
-  std::string outside;
-  int depth = 0;
-  for (std::size_t i = 0; i < glsl.size(); ++i) {
-    if (glsl.substr(i, 2) == "//") {
-      i = std::min(glsl.find('\n', i), glsl.size());
-    } else if (glsl.substr(i, 2) == "/*") {
-      i = std::min(glsl.find("*/", i + 2), glsl.size() - 2) + 1;
-      continue;
-    }
-    if (i >= glsl.size()) break;
-    depth -= glsl[i] == '}';
-    if (depth == 0) outside += glsl[i];
-    depth += glsl[i] == '{';
-  }
-  return outside;
-}
-
-/// Names of constants, whose declarations may name several; parameters that are const are none.
-std::vector<std::string> constantsOf(std::string_view glsl) {
-  static const std::regex kConstant(
-      R"(\bconst\s+(?!in\b)(?:(?:highp|mediump|lowp)\s+)?\w+(?:\s*\[[^\]]*\])?\s+(\w[^;{]*))");
-  static const std::regex kDeclarator(R"(^\s*(\w+))");
-  std::vector<std::string> names;
-  const std::string text = std::regex_replace(std::string(glsl), std::regex(R"(//[^\n]*|/\*[^]*?\*/)"), " ");
-  for (std::sregex_iterator found(text.begin(), text.end(), kConstant), end; found != end; ++found) {
-    const std::string declared = (*found)[1].str();
-    int depth = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= declared.size() && depth >= 0; ++i) {
-      const char c = i < declared.size() ? declared[i] : ',';
-      depth += (c == '(' || c == '[') - (c == ')' || c == ']');
-      if (c != ',' || depth != 0) continue;
-      const std::string declarator = declared.substr(begin, i - begin);
-      begin = i + 1;
-      if (std::smatch name; std::regex_search(declarator, name, kDeclarator)) names.push_back(name[1].str());
-    }
-  }
-  return names;
 }
 
 /// Whether a name may follow a dot in a shader: of what it is given, or of a vector.
@@ -131,14 +93,17 @@ constexpr const char* kEntryHint =
     "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
 
 /// What is wrong with it, of what a compiler says of it joined with luxo's own.
-[[noreturn]] void explain(const MaterialShader& shader, std::string_view said) {
+[[noreturn]] void explain(const MaterialShader& shader, const std::string& entry, std::string_view said) {
   const std::string& file = shader.files.front().name;
   if (said.find("No function definition") != said.npos && said.find("material(struct-Point") != said.npos)
     throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file),
                 kEntryHint);
+  if (said.find("No function definition") != said.npos && said.find("mAin(") != said.npos)
+    throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'void main()'", entry),
+                "a program begins there");
   if (const std::size_t calls = said.find("Recursion detected"); calls != said.npos) {
     const std::size_t begin = said.find_first_not_of(" \n", said.find('\n', calls));
-    const std::string name(said.substr(begin, said.find('(', begin) - begin));
+    const std::string name = withoutCourseSpelling(said.substr(begin, said.find('(', begin) - begin));
     for (const MaterialShader::File& one : shader.files)
       if (std::smatch found;
           std::regex_search(one.text, found, std::regex(fmt::format("\\b{}\\s*\\(", name))))
@@ -179,26 +144,66 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
       throw Error(ErrorKind::Scene,
                   fmt::format("the shader file '{}' has the name of one of luxo's own", file.name),
                   "give it another one");
-  for (const MaterialShader::File& file : shader_->files) texts_.push_back(withBoundedLoops(file.text));
+  if (luxo::inCourseStyle(*shader_)) {
+    compileCourse();
+  } else {
+    if (shader_->vertex > 0)
+      throw Error(ErrorKind::Scene,
+                  fmt::format("{}: there is a vertex program beside it, and it is no program in the course's style",
+                              shader_->files.front().name),
+                  "leave \"vertex\" out: material() is given the point itself (shaders/MATERIALS.md)");
+    for (const MaterialShader::File& file : shader_->files) texts_.push_back(withBoundedLoops(file.text));
+    interface_ = compileAlone(kAlone, 0, gpu::ShaderStage::Fragment);
+  }
+  requireAffordable();
+  requireSettable();
+}
+
+void MaterialProgram::compileCourse() {
+  for (const MaterialShader::File& file : shader_->files) {
+    refuseForeign(file);
+    texts_.push_back(withBoundedLoops(withCourseSpelling(file.text)));
+  }
+  gpu::ShaderInterface fragment = compileAlone(kCourseAlone, 0, gpu::ShaderStage::Fragment);
+  std::optional<gpu::ShaderInterface> vertex;
+  if (shader_->vertex > 0) vertex = compileAlone(kCourseAlone, shader_->vertex, gpu::ShaderStage::Vertex);
+  course_.emplace(*shader_, texts_, std::move(fragment), std::move(vertex),
+                  [this](const std::string& word, const std::string& why, const std::string& advice) {
+                    refuseWord(word, why, advice);
+                  });
+}
+
+gpu::ShaderInterface MaterialProgram::compileAlone(std::string_view in, std::size_t index,
+                                                   gpu::ShaderStage stage) {
+  const std::string& entry = shader_->files[index].name;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
-  const std::string material = fmt::format("#include \"{}\"\n", shader_->files.front().name);
+  const std::string material = fmt::format("#include \"{}\"\n", entry);
   sources.push_back({kEntry, material});
   for (std::size_t i = 0; i < texts_.size(); ++i)
     sources.push_back({shader_->files[i].name, texts_[i], shader_->files[i].text});
   gpu::ShaderCompiler::Result result;
   try {
     result = gpu::ShaderCompiler().compile(
-        {.source = *std::ranges::find(kShaderSources, kAlone, &gpu::ShaderSource::name),
+        {.source = *std::ranges::find(kShaderSources, in, &gpu::ShaderSource::name),
+         .stage = stage,
          .includes = sources,
-         .forReflection = true});
+         .preamble = stage == gpu::ShaderStage::Vertex ? "#define LUXO_VERTEX\n" : "",
+         .forReflection = true,
+         .asShown = withoutCourseSpelling});
   } catch (const Error& error) {
-    explain(*shader_, error.what());
+    explain(*shader_, entry, error.what());
   }
-  compiled_ = result.compiled;
-  interface_ = gpu::reflect(result.spirv);
-  requirePure();
-  requireAffordable(gpu::costOf(result.spirv));
-  for (const gpu::ShaderBlock& block : interface_.blocks) {
+  compiled_ = compiled_ || result.compiled;
+  gpu::ShaderInterface interface = gpu::reflect(result.spirv);
+  requirePure(interface);
+  const gpu::ShaderCost cost = gpu::costOf(result.spirv);
+  cost_.instructions += cost.instructions;
+  cost_.variableBytes += cost.variableBytes;
+  return interface;
+}
+
+void MaterialProgram::requireSettable() {
+  for (const gpu::ShaderBlock& block : interface().blocks) {
     if (!block.loose)
       throw Error(ErrorKind::Scene,
                   fmt::format("{}: the block '{}' has no values", shader_->files.front().name, block.name),
@@ -211,46 +216,50 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
                  fmt::format("the uniform '{}' is of type {}, which scenes do not set", uniform.name,
                              arrayText(uniform)),
                  "numbers, vectors and matrices of float, int, uint and bool, and arrays of them, are set");
-  if (!interface_.samplers.empty())
+  if (!interface().samplers.empty())
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: '{}' is a {}, which scenes do not set yet", shader_->files.front().name,
-                            interface_.samplers.front().name, interface_.samplers.front().type),
+                            interface().samplers.front().name, interface().samplers.front().type),
                 "give the material a \"map\", and read it with colorMap(p.uv)");
 }
 
 void MaterialProgram::refuseWord(const std::string& word, const std::string& why,
                                  const std::string& advice) const {
   const std::regex whole(fmt::format("\\b{}\\b", word));
-  for (const MaterialShader::File& file : shader_->files)
-    if (std::smatch found; std::regex_search(file.text, found, whole)) {
+  for (const MaterialShader::File& file : shader_->files) {
+    const std::string text = withoutComments(file.text);
+    if (std::smatch found; std::regex_search(text, found, whole)) {
       const auto begin = static_cast<std::size_t>(found.position());
       throw Error(ErrorKind::Scene,
                   describe(file.name, file.text, {{begin, begin + word.size()}, why, advice}));
     }
+  }
 }
 
 /// Points in, a colour out.
-void MaterialProgram::requirePure() const {
+void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
   const std::string& file = shader_->files.front().name;
-  if (interface_.discards)
+  if (interface.discards)
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
         "return a colour everywhere");
-  for (const std::string& name : interface_.computedGlobals)
-    refuseWord(name,
+  for (const std::string& name : interface.computedGlobals)
+    refuseWord(withoutCourseSpelling(name),
                fmt::format("'{}' is computed before any uniform has its value: outside of functions only "
                            "constants are",
                            name),
-               "compute it in material(), or make it a constant");
+               "compute it in a function, or make it a constant");
   for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMostRounds"})
     refuseWord(own, fmt::format("'{}' is a name of luxo's own", own), "choose another one");
-  if (std::ranges::count(interface_.calls, "luxoStops") < std::int64_t{interface_.loops})
+  if (std::ranges::count(interface.calls, "luxoStops") < std::int64_t{interface.loops})
     throw Error(ErrorKind::Scene, fmt::format("{}: a macro spells a loop, which may have no end", file),
                 "write for, while and do where the loop is");
-  for (const auto* variables : {&interface_.inputs, &interface_.outputs})
+  const bool isProgram = luxo::inCourseStyle(*shader_);
+  for (const auto* variables : {&interface.inputs, &interface.outputs})
     for (const gpu::ShaderVariable& variable : *variables)
-      if (variable.name != "inAny" && variable.name != "outColor" && variable.name != "gl_FragCoord")
+      if (isProgram ? variable.name.starts_with("gl_") && variable.name != "gl_FrontFacing"
+                    : variable.name != "inAny" && variable.name != "outColor" && variable.name != "gl_FragCoord")
         throw Error(ErrorKind::Scene,
                     fmt::format("{}: '{}' is an input or output of a program, which a material is not", file,
                                 variable.name),
@@ -264,7 +273,8 @@ bool MaterialProgram::isInitialised(const std::string& uniform) const {
   });
 }
 
-void MaterialProgram::requireAffordable(const gpu::ShaderCost& cost) const {
+void MaterialProgram::requireAffordable() const {
+  const gpu::ShaderCost& cost = cost_;
   const std::string& file = shader_->files.front().name;
   if (cost.instructions > kMostInstructions)
     throw Error(
@@ -310,6 +320,10 @@ void MaterialProgram::check(const Material& material) const {
                          arrayText(*uniform), wanted, wanted == 1 ? "" : "s", value.values.size()),
              {});
     for (const double number : value.values) {
+      if (uniform->type.starts_with("sampler") && number > 2)
+        refuse(fmt::format("the uniform '{}' of '{}' is a {}, and there is no map {}", value.name, file,
+                           arrayText(*uniform), number),
+               "0 is the material's \"map\", 1 its \"specular_map\", 2 its \"glow_map\"");
       constexpr double kMostWhole = 16777216;  // what floats count to
       if (type->scalar != "float" && !(number == std::floor(number) && std::abs(number) <= kMostWhole &&
                                        (type->scalar == "int" || number >= 0)))
@@ -334,8 +348,47 @@ std::vector<std::string> MaterialProgram::unused(const Material& material) const
   return messages;
 }
 
+template <typename StorageOf>
+std::string MaterialProgram::loads(const GivenUniforms& given, StorageOf storageOf) const {
+  std::string text;
+  const auto set = [&](const gpu::ShaderVariable& uniform, const auto& valueOf) {
+    for (std::uint32_t i = 0; i < uniform.elements(); ++i) {
+      std::string element = storageOf(uniform.name);
+      std::uint32_t rest = i, part = uniform.elements();
+      for (const std::uint32_t size : uniform.array) {
+        part /= size;
+        element += fmt::format("[{}]", rest / part);
+        rest %= part;
+      }
+      text += fmt::format("  {} = {};\n", element, valueOf(i));
+    }
+  };
+  std::uint32_t first = 0;
+  for (const auto& [name, count] : given) {
+    const gpu::ShaderVariable& uniform = *find(name);
+    const UniformType type = *typeNamed(uniform.type);
+    const std::uint32_t begin = first;
+    set(uniform, [&](std::uint32_t i) { return valueAt(uniform, type, begin + i * type.numbers()); });
+    first += count;
+  }
+  for (const gpu::ShaderVariable& uniform : uniforms_)
+    if (std::ranges::find(given, uniform.name, &GivenUniforms::value_type::first) == given.end() &&
+        !isInitialised(uniform.name))
+      set(uniform, [&](std::uint32_t) {
+        return fmt::format("{}(0)", uniform.type.starts_with("sampler") ? "int" : uniform.type);
+      });
+  return text;
+}
+
 std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& given,
                                                         std::string& material) const {
+  if (course_) {
+    material =
+        course_->material(loads(given, [this](const std::string& name) { return course_->storageOf(name); }));
+    std::vector<gpu::ShaderSource> sources = course_->files();
+    sources.push_back({kEntry, material});
+    return sources;
+  }
   // What the shader names is its own, whatever luxo's own shaders call theirs.
   std::vector<std::string> names;
   for (const auto* some : {&interface_.functions, &interface_.structures, &interface_.globals})
@@ -355,31 +408,8 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
   });
   material = "#define uniform\n";
   for (const std::string& name : names) material += fmt::format("#define {} luxoOwn_{}\n", name, name);
-  material += fmt::format("#include \"{}\"\nvoid loadUniforms() {{\n", shader_->files.front().name);
-  const auto set = [&](const gpu::ShaderVariable& uniform, const auto& valueOf) {
-    for (std::uint32_t i = 0; i < uniform.elements(); ++i) {
-      std::string element = uniform.name;
-      std::uint32_t rest = i, part = uniform.elements();
-      for (const std::uint32_t size : uniform.array) {
-        part /= size;
-        element += fmt::format("[{}]", rest / part);
-        rest %= part;
-      }
-      material += fmt::format("  {} = {};\n", element, valueOf(i));
-    }
-  };
-  std::uint32_t first = 0;
-  for (const auto& [name, count] : given) {
-    const gpu::ShaderVariable& uniform = *find(name);
-    const UniformType type = *typeNamed(uniform.type);
-    set(uniform, [&](std::uint32_t i) { return valueAt(uniform, type, first + i * type.numbers()); });
-    first += count;
-  }
-  for (const gpu::ShaderVariable& uniform : uniforms_)
-    if (std::ranges::find(given, uniform.name, &GivenUniforms::value_type::first) == given.end() &&
-        !isInitialised(uniform.name))
-      set(uniform, [&](std::uint32_t) { return fmt::format("{}(0)", uniform.type); });
-  material += "}\n";
+  material += fmt::format("#include \"{}\"\nvoid loadUniforms() {{\n{}}}\n", shader_->files.front().name,
+                          loads(given, [](const std::string& name) { return name; }));
   for (const std::string& name : names) material += fmt::format("#undef {}\n", name);
   material += "#undef uniform\n";
   std::vector<gpu::ShaderSource> sources{{kEntry, material}};

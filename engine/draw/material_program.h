@@ -9,11 +9,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "draw/course_program.h"
 #include "draw/paint.h"
 #include "gpu/shader_cost.h"
 #include "gpu/shader_reflection.h"
@@ -27,7 +29,12 @@ class MaterialProgram {
   /// its own file, line and column.
   explicit MaterialProgram(MaterialShaderPtr shader);
 
-  [[nodiscard]] const gpu::ShaderInterface& interface() const { return interface_; }
+  /// Of a program in the course's style: of its stages together.
+  [[nodiscard]] const gpu::ShaderInterface& interface() const {
+    return course_ ? course_->interface() : interface_;
+  }
+  /// Whether it is a program in the course's style (draw/course_style.h).
+  [[nodiscard]] bool inCourseStyle() const { return course_.has_value(); }
   [[nodiscard]] const std::vector<gpu::ShaderVariable>& uniforms() const { return uniforms_; }
   [[nodiscard]] bool compiled() const { return compiled_; }
 
@@ -43,17 +50,27 @@ class MaterialProgram {
                                                        std::string& material) const;
 
  private:
-  void requirePure() const;
-  void requireAffordable(const gpu::ShaderCost& cost) const;
+  /// By itself, in one of luxo's own shaders, of which it is the file "material": the files[index].
+  [[nodiscard]] gpu::ShaderInterface compileAlone(std::string_view in, std::size_t index,
+                                                  gpu::ShaderStage stage);
+  void compileCourse();
+  void requireSettable();
+  void requirePure(const gpu::ShaderInterface& interface) const;
+  void requireAffordable() const;
   /// Error(Scene) where the word stands in a file of its own; nothing where it stands in none.
   void refuseWord(const std::string& word, const std::string& why, const std::string& advice) const;
   /// Whether its declaration says what it is where a scene does not.
   [[nodiscard]] bool isInitialised(const std::string& uniform) const;
+  /// Statements that give uniforms their values; `storageOf` gives the variable.
+  template <typename StorageOf>
+  [[nodiscard]] std::string loads(const GivenUniforms& given, StorageOf storageOf) const;
   [[nodiscard]] const gpu::ShaderVariable* find(const std::string& name) const;
 
   MaterialShaderPtr shader_;
   std::vector<std::string> texts_;  ///< of its files, with bounded loops
+  gpu::ShaderCost cost_;
   gpu::ShaderInterface interface_;
+  std::optional<CourseProgram> course_;
   std::vector<gpu::ShaderVariable> uniforms_;
   bool compiled_ = false;
 };

@@ -46,13 +46,14 @@ void addColors(const std::byte* texels, int width, MeasuredPixels& measured) {
     std::uint32_t largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & MeasuredPixels::kMagnitude);
     measured.nonfinite += largest >= MeasuredPixels::kInfinity;
-    const auto are = [&](std::uint32_t red, std::uint32_t others) {
-      return bitsAt(4 * x) == red && bitsAt(4 * x + 1) == others && bitsAt(4 * x + 2) == others;
+    const auto are = [&](std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+      return bitsAt(4 * x) == red && bitsAt(4 * x + 1) == green && bitsAt(4 * x + 2) == blue;
     };
     constexpr std::uint32_t kPlus = MeasuredPixels::kInfinity, kMinus = kPlus | ~MeasuredPixels::kMagnitude;
-    measured.endless += are(kPlus, kPlus);
-    measured.seenThrough += are(kMinus, kMinus);
-    measured.manyTraces += are(kPlus, kMinus);
+    measured.endless += are(kPlus, kPlus, kPlus);
+    measured.seenThrough += are(kMinus, kMinus, kMinus);
+    measured.moved += are(kPlus, kMinus, kPlus);
+    measured.manyTraces += are(kPlus, kMinus, kMinus);
   }
 }
 
@@ -65,10 +66,12 @@ void showInMagenta(std::span<float> row) {
 }
 
 void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
-  std::set<std::string> names;
+  std::set<std::string> names, vertexNames;
   for (const SnapshotNode& node : snapshot.nodes)
-    if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader)
+    if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader) {
       names.insert(shader->files.front().name);
+      if (shader->vertex > 0) vertexNames.insert(shader->files[shader->vertex].name);
+    }
   if (names.empty()) return;
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   if (measured.endless > 0)
@@ -83,6 +86,13 @@ void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
                 fmt::format("{}: in {} pixels the shader gives an opacity below 1, which is not drawn yet",
                             all, measured.seenThrough),
                 "return 1 as the fourth number");
+  if (measured.moved > 0)
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: in {} pixels the vertex program moves the vertex: gl_Position is not that of "
+                            "gl_Vertex, and an exact surface is where its formula has it",
+                            fmt::join(vertexNames, ", "), measured.moved),
+                "write gl_Position = ftransform(), and the movement into the surface's \"position\": formulas "
+                "take time and parameters");
   if (measured.manyTraces > 0)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: in {} pixels the shader sends more than {} rays into the scene", all,

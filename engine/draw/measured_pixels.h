@@ -19,13 +19,14 @@ struct MeasuredPixels {
   static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U;
   std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
   std::uint32_t nonfinite = 0;
-  std::uint32_t endless = 0, seenThrough = 0, manyTraces = 0;  ///< of these, what shaders of materials mean by infinities
+  std::uint32_t endless = 0, seenThrough = 0, moved = 0, manyTraces = 0;  ///< what shaders mean by infinities
 
   void add(const MeasuredPixels& other) {
     residual = std::max(residual, other.residual);
     nonfinite += other.nonfinite;
     endless += other.endless;
     seenThrough += other.seenThrough;
+    moved += other.moved;
     manyTraces += other.manyTraces;
   }
   void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }

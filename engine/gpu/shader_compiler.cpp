@@ -193,7 +193,8 @@ std::string explain(std::string_view line, const ShaderDesc& desc) {
     begin = end + 1;
   }
   const std::string_view text = all.substr(begin, std::min(all.find('\n', begin), all.size()) - begin);
-  std::string_view message = rest.substr(numberEnd + 2);
+  const std::string told(rest.substr(numberEnd + 2)), spelled = desc.asShown ? desc.asShown(told) : told;
+  std::string_view message = spelled;
   constexpr std::string_view kNoToken = "'' : ";
   if (message.starts_with(kNoToken)) message.remove_prefix(kNoToken.size());
   message = message.substr(std::min(message.find_first_not_of(' '), message.size()));

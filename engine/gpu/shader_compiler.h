@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct ShaderDesc {
   /// To be reflected (gpu/shader_reflection.h), not run: every name stays, functions that nobody calls too,
   /// nothing is optimised; uniforms may be outside of blocks, and places (set, binding, location) left out.
   bool forReflection = false;
+  /// Where names in the texts are not spelled as in what messages show: gives the message as that is.
+  std::string (*asShown)(std::string_view) = nullptr;
 };
 
 /// Keeps on disk what it compiled and optimised, by content: the source, what it includes and the compiler's

@@ -145,10 +145,15 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
   if (desc.shader.empty()) return;
   const SceneSource& source = problems_.source();
   const auto files = source.shaders ? source.shaders : std::make_shared<ShaderFiles>();
+  const FileName* named = &desc.shader;
   try {
     material.fixed.shader = files->get(desc.shader.text);
+    if (!desc.vertex.empty()) {
+      named = &desc.vertex;
+      material.fixed.shader = files->get(desc.shader.text, desc.vertex.text);
+    }
   } catch (const Error& error) {
-    problems_.add(desc.shader.place, error.what(), error.hint());
+    problems_.add(named->place, error.what(), error.hint());
   }
   if (!isOpaque(desc) || material.fixed.diffusePattern.hasOpacity())
     problems_.add(desc.shader.place, "a shader of what is seen through is not drawn yet",

@@ -22,6 +22,9 @@ struct MaterialShader {
     friend auto operator<=>(const File&, const File&) = default;
   };
   std::vector<File> files;  ///< the material's own first, then those that it includes, each once
+  /// Which of them is the vertex program of one in the course's style (shaders/MATERIALS.md); what that
+  /// includes is behind it. 0: none.
+  std::size_t vertex = 0;
 
   /// Whether some point may send rays into the scene: its text has the word. Cost: reads the text.
   [[nodiscard]] bool traces() const;

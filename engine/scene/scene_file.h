@@ -174,6 +174,7 @@ struct MaterialDesc {
   std::optional<NormalMapDesc> normalMap = {};
   std::vector<IsolinesDesc> isolines = {};
   FileName shader = {};  ///< relative to the folder of the scene, and in it; empty: none
+  FileName vertex = {};  ///< the same, of a vertex program beside a shader in the course's style
   std::vector<UniformDesc> uniforms = {};
 
   /// Those that there are, in the order of Material::maps(); null: none.

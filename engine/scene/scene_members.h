@@ -31,7 +31,7 @@ class SceneMembers {
   [[nodiscard]] JsonValue operator[](std::string_view name) const;
 
  private:
-  static constexpr std::size_t kMost = 17;
+  static constexpr std::size_t kMost = 18;
 
   const SceneKeys& kind_;
   std::array<JsonValue, kMost> values_{};

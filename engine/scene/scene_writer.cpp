@@ -203,6 +203,7 @@ JsonText written(const MaterialDesc& material) {
   if (material.isolines.size() == 1) members.put("isolines", written(material.isolines[0]));
   if (material.isolines.size() > 1) members.put("isolines", written(material.isolines));
   if (!material.shader.empty()) members.put("shader", JsonText::string(material.shader.text));
+  if (!material.vertex.empty()) members.put("vertex", JsonText::string(material.vertex.text));
   if (!material.uniforms.empty()) members.put("uniforms", written(material.uniforms));
   return members.take();
 }

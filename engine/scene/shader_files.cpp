@@ -95,21 +95,32 @@ void ShaderFiles::addIncluded(std::vector<MaterialShader::File>& files, std::siz
   }
 }
 
-MaterialShaderPtr ShaderFiles::get(const std::string& name) {
+MaterialShaderPtr ShaderFiles::get(const std::string& name, const std::string& vertex) {
   const std::lock_guard lock(mutex_);
-  MaterialShaderPtr& known = shaders_[name];
+  MaterialShaderPtr& known = shaders_[{name, vertex}];
   if (known) return known;
   const fs::path path = pathOf(folder_, name, "shader");
   const fs::path normal = path.lexically_normal();
   std::vector<MaterialShader::File> files{{normal.string(), textOf(path)}};
   for (std::size_t i = 0; i < files.size(); ++i) addIncluded(files, i, normal.parent_path());
-  known = std::make_shared<const MaterialShader>(MaterialShader{std::move(files)});
+  std::size_t first = 0;
+  if (!vertex.empty()) {
+    const fs::path program = pathOf(folder_, vertex, "vertex program").lexically_normal();
+    const auto same = std::ranges::find(files, program.string(), &MaterialShader::File::name);
+    if (same != files.end())
+      throw Error(ErrorKind::Scene, fmt::format("the vertex program '{}' is a part of the shader, too", vertex),
+                  "a vertex program and a fragment program are two files");
+    first = files.size();
+    files.push_back({program.string(), textOf(program)});
+    for (std::size_t i = first; i < files.size(); ++i) addIncluded(files, i, program.parent_path());
+  }
+  known = std::make_shared<const MaterialShader>(MaterialShader{std::move(files), first});
   return known;
 }
 
 void ShaderFiles::put(const std::string& name, MaterialShaderPtr shader) {
   const std::lock_guard lock(mutex_);
-  shaders_[name] = std::move(shader);
+  shaders_[{name, {}}] = std::move(shader);
 }
 
 std::vector<fs::path> ShaderFiles::files() {

@@ -31,7 +31,8 @@ class ShaderFiles {
   /// The shader in a file that is named relative to the folder, and is in it. What it includes is named
   /// relative to the including file, and is in the shader's folder or below. Error(Scene): a file leads out
   /// of these, is not there or too long; of an include with its file, line and column.
-  [[nodiscard]] MaterialShaderPtr get(const std::string& name);
+  /// `vertex`: a vertex program's file in the same way; empty: none.
+  [[nodiscard]] MaterialShaderPtr get(const std::string& name, const std::string& vertex = {});
   /// Gives a name to a shader that is in no file of that name: get() finds it first.
   void put(const std::string& name, MaterialShaderPtr shader);
   /// On disk, of all shaders so far, what they include among them.
@@ -48,7 +49,7 @@ class ShaderFiles {
   std::filesystem::path folder_;
   std::vector<MaterialShader::File> carried_;
   std::mutex mutex_;
-  std::map<std::string, MaterialShaderPtr> shaders_;
+  std::map<std::pair<std::string, std::string>, MaterialShaderPtr> shaders_;  ///< vertex programs second
 };
 
 }  // namespace luxo

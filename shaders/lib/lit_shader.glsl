@@ -14,6 +14,8 @@
 // What the picture tells whoever reads it, instead of a colour: values that are no numbers. NaN is one that the shader
 // gave itself.
 const uint kNotANumber = 0x7fc00000u, kTooManyRounds = 0x7f800000u, kSeenThrough = 0xff800000u;
+const uvec3 kMovedAway = uvec3(kTooManyRounds, kSeenThrough, kTooManyRounds);
+const uvec3 kTooManyTraces = uvec3(kTooManyRounds, kSeenThrough, kSeenThrough);
 
 Found litPoint;
 
@@ -118,11 +120,13 @@ vec3 lit(Found found) {
 #ifdef LUXO_TRACES
   beginTraces();
 #endif
+  luxoMoved = false;
   vec4 color = luxoMaterial(materialPoint(found));
   if (luxoRounds > kLuxoMostRounds) return vec3(uintBitsToFloat(kTooManyRounds));
+  if (luxoMoved) return uintBitsToFloat(kMovedAway);
 #ifdef LUXO_TRACES
   askTraces();
-  if (tracesTooOften()) return uintBitsToFloat(uvec3(kTooManyRounds, kSeenThrough, kSeenThrough));
+  if (tracesTooOften()) return uintBitsToFloat(kTooManyTraces);
 #endif
   bool numbers = isNumber(color.r) && isNumber(color.g) && isNumber(color.b) && isNumber(color.a);
   if (!numbers) return vec3(uintBitsToFloat(kNotANumber));

@@ -306,6 +306,7 @@ struct ShadeData {
 struct LightSet {
   LightData lights[kMaxLights];  // the shaded ones last
   ShadeData shades[kMaxLights];  // of the shaded ones, in their order
+  uint order[kMaxLights];        // of a light's node among those that have some; points of a wide light share it
 };
 
 // A cell of a caster (engine/shadow/caster_cells.h), object space.

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/course_program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <regex>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "base/suggestion.h"
+#include "draw/course_style.h"
+#include "draw/shader_text.h"
+
+namespace luxo {
+namespace {
+
+using gpu::ShaderVariable;
+
+/// What a vertex has beside what the language gives it, on the axes of its object.
+struct Attribute {
+  std::string_view name, type, value;
+};
+constexpr Attribute kAttributes[] = {{"tangent", "vec3", "luxoOnAxesOfObject(p.tangent)"},
+                                     {"bitangent", "vec3", "luxoOnAxesOfObject(p.bitangent)"},
+                                     {"binormal", "vec3", "luxoOnAxesOfObject(p.bitangent)"},
+                                     {"Su", "vec3", "luxoObjectFromRelative * p.Su"},
+                                     {"Sv", "vec3", "luxoObjectFromRelative * p.Sv"},
+                                     {"uv", "vec2", "p.uv"}};
+
+constexpr std::string_view kState = "gL_State";
+
+/// Names of lib/course.glsl, in luxo's spelling.
+bool isOfTheLanguage(std::string_view name) {
+  return name.starts_with("gL_") || name.starts_with("luxo") || name.starts_with("tExture") ||
+         name == "fTransform";
+}
+
+const ShaderVariable* find(const std::vector<ShaderVariable>& variables, std::string_view name) {
+  const auto found = std::ranges::find(variables, name, &ShaderVariable::name);
+  return found == variables.end() ? nullptr : &*found;
+}
+
+const std::vector<ShaderVariable>& uniformsOf(const gpu::ShaderInterface& interface) {
+  static const std::vector<ShaderVariable> kNone;
+  const auto loose = std::ranges::find_if(interface.blocks, &gpu::ShaderBlock::loose);
+  return loose == interface.blocks.end() ? kNone : loose->members;
+}
+
+std::string typeText(const ShaderVariable& variable) {
+  std::string text = variable.type;
+  for (const std::uint32_t size : variable.array) text += fmt::format("[{}]", size);
+  return text;
+}
+
+/// In its declaration; empty: none.
+std::string initialiserOf(const std::string& file, const std::string& uniform) {
+  const std::string outside = outsideOfFunctions(file);
+  const std::regex initialised(fmt::format(R"(\b{}\s*(?:\[[^\]]*\]\s*)*=\s*([^;]*))", uniform));
+  std::smatch found;
+  return std::regex_search(outside, found, initialised) ? found[1].str() : std::string();
+}
+
+}  // namespace
+
+CourseProgram::CourseProgram(const MaterialShader& shader, const std::vector<std::string>& texts,
+                             gpu::ShaderInterface fragment, std::optional<gpu::ShaderInterface> vertex,
+                             const Refuse& refuse)
+    : shader_(&shader), fragment_{"luxoFragment_", std::move(fragment)} {
+  if (vertex) vertex_ = Stage{"luxoVertex_", *std::move(vertex)};
+  link(refuse);
+  name(fragment_, texts);
+  if (vertex_) name(*vertex_, texts);
+  static const std::regex kDefine(R"((?:^|\n)[ \t]*#[ \t]*define[ \t]+(\w+))");
+  for (const std::string& text : texts)
+    for (std::sregex_iterator found(text.begin(), text.end(), kDefine), end; found != end; ++found)
+      macros_ += fmt::format("#undef {}\n", (*found)[1].str());
+  describe(refuse);
+}
+
+/// Finds the names that a program declares, and has them begin with its prefix.
+void CourseProgram::name(Stage& stage, const std::vector<std::string>& texts) const {
+  const gpu::ShaderInterface& interface = stage.interface;
+  std::set<std::string, std::less<>>& names = stage.names;
+  for (const auto* some : {&interface.functions, &interface.structures, &interface.globals})
+    names.insert(some->begin(), some->end());
+  for (const auto* some : {&interface.inputs, &interface.outputs, &uniformsOf(interface)})
+    for (const ShaderVariable& variable : *some) names.insert(variable.name);
+  static const std::regex kStructure(R"(\bstruct\s+(\w+))");
+  for (const std::string& text : texts) {
+    for (std::string& constant : constantsOf(text)) names.insert(std::move(constant));
+    for (std::sregex_iterator found(text.begin(), text.end(), kStructure), end; found != end; ++found)
+      names.insert((*found)[1].str());
+  }
+  std::erase_if(names, [](const std::string& one) {
+    return one == "main" || one.starts_with("gl_") || isOfTheLanguage(one);
+  });
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    // Below a folder of its own, so that both may include the same file.
+    stage.paths.push_back(
+        (std::filesystem::path(stage.prefix) / shader_->files[i].name).lexically_normal().string());
+    if (shader_->files[i].name.starts_with('/'))
+      stage.paths.back() = std::string(stage.prefix) + shader_->files[i].name;
+    stage.texts.push_back(renamed(texts[i], names, stage.prefix));
+  }
+}
+
+bool CourseProgram::isInitialised(const Stage& stage, const std::string& uniform) const {
+  const std::size_t split = shader_->vertex == 0 ? shader_->files.size() : shader_->vertex;
+  for (std::size_t i = &stage == &fragment_ ? 0 : split; i < (&stage == &fragment_ ? split : shader_->files.size());
+       ++i)
+    if (!initialiserOf(shader_->files[i].text, uniform).empty()) return true;
+  return false;
+}
+
+/// Whether a program has the word.
+bool CourseProgram::names(const std::string& word) const {
+  const std::regex whole(fmt::format("\\b{}\\b", word));
+  return std::ranges::any_of(shader_->files, [&](const MaterialShader::File& file) {
+    return std::regex_search(withoutComments(file.text), whole);
+  });
+}
+
+void CourseProgram::link(const Refuse& refuse) {
+  const std::string& file = shader_->files.front().name;
+  if (!names("gl_FragColor"))
+    throw Error(ErrorKind::Scene, fmt::format("{}: the program does not write gl_FragColor", file),
+                "it is the colour: gl_FragColor = vec4(0.0, 0.0, 1.0, 1.0);");
+  if (vertex_ && !names("gl_Position"))
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: the program does not write gl_Position", shader_->files[shader_->vertex].name),
+                "write gl_Position = ftransform();");
+  for (const ShaderVariable& varying : fragment_.interface.inputs) {
+    if (!varying.active || isOfTheLanguage(varying.name) || varying.name.starts_with("gl_")) continue;
+    const std::string spelled = withoutCourseSpelling(varying.name);
+    if (!vertex_)
+      refuse(spelled, fmt::format("'{}' is a varying, and there is no vertex program that writes it", spelled),
+             fmt::format("name one as \"vertex\" of the material, or put it beside the file as {}",
+                         std::filesystem::path(file).stem().string() + ".vert"));
+    const ShaderVariable* written = find(vertex_->interface.outputs, varying.name);
+    if (!written)
+      refuse(spelled,
+             fmt::format("the vertex program '{}' has no varying '{}'", shader_->files[shader_->vertex].name,
+                         spelled),
+             "declare it in both");
+    else if (typeText(*written) != typeText(varying))
+      refuse(spelled,
+             fmt::format("the varying '{}' is of type {} here, and of type {} in the vertex program", spelled,
+                         typeText(varying), typeText(*written)),
+             "declare it alike in both");
+  }
+  if (!vertex_) return;
+  for (const ShaderVariable& attribute : vertex_->interface.inputs) {
+    if (isOfTheLanguage(attribute.name) || attribute.name.starts_with("gl_")) continue;
+    const std::string spelled = withoutCourseSpelling(attribute.name);
+    const auto* const known = std::ranges::find(kAttributes, spelled, &Attribute::name);
+    if (known == std::end(kAttributes)) {
+      std::vector<std::string> names;
+      for (const Attribute& one : kAttributes) names.emplace_back(one.name);
+      refuse(spelled, fmt::format("'{}' is no attribute that points of surfaces have", spelled),
+             didYouMean(spelled, names, fmt::format("they have {}, and gl_Vertex and its like", listed(names))));
+    } else if (typeText(attribute) != known->type) {
+      refuse(spelled, fmt::format("the attribute '{}' is of type {}, not {}", spelled, known->type,
+                                  typeText(attribute)),
+             {});
+    }
+  }
+  for (const ShaderVariable& uniform : uniformsOf(fragment_.interface)) {
+    const ShaderVariable* other = find(uniformsOf(vertex_->interface), uniform.name);
+    if (!other) continue;
+    const std::string spelled = withoutCourseSpelling(uniform.name);
+    if (typeText(*other) != typeText(uniform))
+      refuse(spelled,
+             fmt::format("the uniform '{}' is of type {} here, and of type {} in the vertex program", spelled,
+                         typeText(uniform), typeText(*other)),
+             "declare it alike in both");
+    std::string first;
+    for (const MaterialShader::File& one : shader_->files)
+      if (const std::string text = initialiserOf(one.text, spelled); !text.empty()) {
+        if (!first.empty() && text != first)
+          refuse(spelled, fmt::format("the uniform '{}' begins at {} here, and at {} in the vertex program",
+                                      spelled, first, text),
+                 "let one of them say it");
+        first = text;
+      }
+  }
+}
+
+void CourseProgram::describe(const Refuse& refuse) {
+  interface_ = fragment_.interface;
+  interface_.blocks.clear();
+  gpu::ShaderBlock uniforms{.name = "uniforms", .loose = true};
+  std::vector<const Stage*> stages{&fragment_};
+  if (vertex_) stages.push_back(&*vertex_);
+  for (const Stage* stage : stages)
+    for (const gpu::ShaderBlock& block : stage->interface.blocks) {
+      if (block.name == kState) {
+        for (const ShaderVariable& member : block.members)
+          readsLights_ = readsLights_ || (member.active && (member.name == "gL_LightSource" ||
+                                                            member.name.ends_with("LightProduct")));
+      } else if (block.loose) {
+        for (const ShaderVariable& uniform : block.members) {
+          const auto known = std::ranges::find(uniforms.members, uniform.name, &ShaderVariable::name);
+          if (known == uniforms.members.end())
+            uniforms.members.push_back(uniform);
+          else
+            known->active = known->active || uniform.active;
+        }
+      } else {
+        refuse(block.name, fmt::format("the block '{}' has no values", block.name),
+               "declare what a scene may set as uniforms outside of blocks: uniform float roughness;");
+      }
+    }
+  for (ShaderVariable& uniform : uniforms.members) {
+    uniform.name = withoutCourseSpelling(uniform.name);
+    const std::regex sampler(fmt::format(R"(\b(sampler[12]D)\s[^;]*\b{}\b)", uniform.name));
+    for (const MaterialShader::File& file : shader_->files)
+      if (std::smatch found; std::regex_search(file.text, found, sampler)) uniform.type = found[1].str();
+  }
+  if (!uniforms.members.empty()) interface_.blocks.push_back(std::move(uniforms));
+  const auto taken = [this](const std::vector<ShaderVariable>& variables) {
+    std::vector<ShaderVariable> own;
+    for (ShaderVariable variable : variables) {
+      const bool isOwn = !variable.name.starts_with("gL_");
+      variable.name = withoutCourseSpelling(variable.name);
+      if (!isOwn && !names(variable.name)) continue;
+      variable.location.reset();
+      own.push_back(std::move(variable));
+    }
+    return own;
+  };
+  interface_.outputs = taken(vertex_ ? vertex_->interface.outputs : fragment_.interface.inputs);
+  interface_.inputs = vertex_ ? taken(vertex_->interface.inputs) : std::vector<ShaderVariable>{};
+}
+
+std::string CourseProgram::storageOf(const std::string& uniform) const {
+  const std::string name = withCourseSpelling(uniform);
+  const bool ofFragment = find(uniformsOf(fragment_.interface), name) != nullptr,
+             ofVertex = vertex_ && find(uniformsOf(vertex_->interface), name) != nullptr;
+  const bool isVertexs = ofVertex && (!ofFragment || (isInitialised(*vertex_, uniform) &&
+                                                      !isInitialised(fragment_, uniform)));
+  return fmt::format("{}{}", (isVertexs ? *vertex_ : fragment_).prefix, name);
+}
+
+std::string CourseProgram::material(const std::string& loads) const {
+  std::string text = "#define uniform\n#include \"lib/course.glsl\"\n";
+  if (readsLights_) text += "#define LUXO_READS_LIGHTS\n";
+  if (vertex_) text += fmt::format("#include \"{}\"\n{}", vertex_->paths[shader_->vertex], macros_);
+  text += fmt::format("#include \"{}\"\n{}", fragment_.paths.front(), macros_);
+  text += fmt::format("void loadUniforms() {{\n{}", loads);
+  if (vertex_)
+    for (const ShaderVariable& uniform : uniformsOf(fragment_.interface))
+      if (find(uniformsOf(vertex_->interface), uniform.name)) {
+        const std::string from = storageOf(withoutCourseSpelling(uniform.name)),
+                          ofFragment = fmt::format("{}{}", fragment_.prefix, uniform.name),
+                          ofVertex = fmt::format("{}{}", vertex_->prefix, uniform.name);
+        text += fmt::format("  {} = {};\n", from == ofVertex ? ofFragment : ofVertex, from);
+      }
+  text += "}\n#include \"lib/course_point.glsl\"\nvec4 material(Point p) {\n  luxoLoadPoint(p);\n";
+  if (vertex_) {
+    for (const ShaderVariable& attribute : vertex_->interface.inputs)
+      if (const auto* const known = std::ranges::find(kAttributes, attribute.name, &Attribute::name);
+          known != std::end(kAttributes))
+        text += fmt::format("  {}{} = {};\n", vertex_->prefix, attribute.name, known->value);
+    text += fmt::format("  {}mAin();\n  luxoMoved = luxoIsMoved();\n", vertex_->prefix);
+    for (const ShaderVariable& varying : fragment_.interface.inputs)
+      if (!isOfTheLanguage(varying.name) && find(vertex_->interface.outputs, varying.name))
+        text += fmt::format("  {}{} = {}{};\n", fragment_.prefix, varying.name, vertex_->prefix, varying.name);
+    text += "  luxoHandOver();\n";
+  } else if (const ShaderVariable* color = find(fragment_.interface.inputs, "gL_Color"); color && color->active) {
+    text += "  gL_Color = luxoFixedColor();\n";
+  }
+  return text + fmt::format("  {}mAin();\n  return vec4(gL_FragColor.rgb, 1.0);\n}}\n#undef uniform\n",
+                            fragment_.prefix);
+}
+
+std::vector<gpu::ShaderSource> CourseProgram::files() const {
+  std::vector<gpu::ShaderSource> sources;
+  const auto add = [&](const Stage& stage) {
+    for (std::size_t i = 0; i < stage.paths.size(); ++i) sources.push_back({stage.paths[i], stage.texts[i]});
+  };
+  add(fragment_);
+  if (vertex_) add(*vertex_);
+  return sources;
+}
+
+}  // namespace luxo

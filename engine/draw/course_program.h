@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// A material's shader in the style of GLSL 1.20 (draw/course_style.h): a fragment program and the vertex
+// program beside it, each compiled by itself, and joined to one function that lights a point.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gpu/shader_reflection.h"
+#include "scene/material_shader.h"
+
+namespace luxo {
+
+class CourseProgram {
+ public:
+  /// Error(Scene) about a word of the shader's files, where it stands first.
+  using Refuse =
+      std::function<void(const std::string& word, const std::string& why, const std::string& advice)>;
+
+  /// What its programs are by themselves; without a vertex program nothing is handed over to the other.
+  /// `texts`: of its files, as they were compiled. Error(Scene): they do not fit each other, or do not write
+  /// what they have to.
+  CourseProgram(const MaterialShader& shader, const std::vector<std::string>& texts,
+                gpu::ShaderInterface fragment, std::optional<gpu::ShaderInterface> vertex,
+                const Refuse& refuse);
+
+  /// Of both: attributes as inputs, varyings as outputs, those of the language that are used among them; one
+  /// block of uniforms; all names as the programs spell them. A sampler's type is its own.
+  [[nodiscard]] const gpu::ShaderInterface& interface() const { return interface_; }
+
+  /// The variable that is a uniform.
+  [[nodiscard]] std::string storageOf(const std::string& uniform) const;
+  /// The text that is the material's: it includes files(), and has `loads` in its function loadUniforms().
+  [[nodiscard]] std::string material(const std::string& loads) const;
+  /// Valid as long as this object.
+  [[nodiscard]] std::vector<gpu::ShaderSource> files() const;
+
+ private:
+  struct Stage {
+    std::string_view prefix;  ///< of its names, where both are one text
+    gpu::ShaderInterface interface;
+    std::set<std::string, std::less<>> names = {};
+    std::vector<std::string> paths = {}, texts = {};  ///< of the shader's files
+  };
+
+  void name(Stage& stage, const std::vector<std::string>& texts) const;
+  [[nodiscard]] bool names(const std::string& word) const;
+  void link(const Refuse& refuse);
+  void describe(const Refuse& refuse);
+  [[nodiscard]] bool isInitialised(const Stage& stage, const std::string& uniform) const;
+
+  const MaterialShader* shader_;
+  Stage fragment_;
+  std::optional<Stage> vertex_;
+  gpu::ShaderInterface interface_;
+  std::string macros_;  ///< what ends those of a program
+  bool readsLights_ = false;
+};
+
+}  // namespace luxo

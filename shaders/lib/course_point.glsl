@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// A point as programs in the style of GLSL 1.20 see it. Their vertex program runs at the point itself, in the pixel: it
+// is what interpolation between vertices comes to where these are ever nearer to each other. So all shadings have the
+// same, and nobody has to know of triangles.
+
+// Columns: the axes of the object in the scene, and back.
+mat3 luxoRelativeFromObject, luxoObjectFromRelative;
+mat3 luxoEyeAxes;  // from the scene's
+
+vec3 luxoOnAxesOfObject(vec3 direction) { return unitOrZero(luxoObjectFromRelative * direction); }
+
+void luxoLoadMatrices() {
+  bool perspective = view.viewer.w != 0.0;
+  vec3 forward = view.forward.xyz, right = perspective ? view.rayRight : view.placeRight,
+       down = perspective ? view.rayDown : view.placeDown;
+  vec3 eye = perspective ? view.viewer.xyz : view.placeMiddle - view.forward.w * forward;
+  luxoEyeAxes = transpose(mat3(normalize(right), -normalize(down), -forward));
+  luxoObjectFromRelative = mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9));
+  luxoRelativeFromObject = determinant(luxoObjectFromRelative) != 0.0 ? inverse(luxoObjectFromRelative) : mat3(0);
+  mat3 linear = luxoEyeAxes * luxoRelativeFromObject;
+  gL_ModelViewMatrix = mat4(linear);
+  gL_ModelViewMatrix[3] = vec4(luxoEyeAxes * (-luxoRelativeFromObject * shaderNumbers3(12) - eye), 1.0);
+  gL_NormalMatrix = luxoEyeAxes * transpose(luxoObjectFromRelative);
+  // Near and far are those of what there is to see.
+  float near = max(view.depthRange.x, 1e-6), far = max(view.depthRange.y, 1.001 * near);
+  gL_ProjectionMatrix = mat4(0);
+  gL_ProjectionMatrix[0][0] = 1.0 / (length(right) * view.middle.x);
+  gL_ProjectionMatrix[1][1] = 1.0 / (length(down) * view.middle.y);
+  gL_ProjectionMatrix[2] = perspective ? vec4(0, 0, -(far + near) / (far - near), -1) : vec4(0, 0, -2.0 / (far - near), 0);
+  gL_ProjectionMatrix[3] = perspective ? vec4(0, 0, -2.0 * far * near / (far - near), 0)
+                                       : vec4(0, 0, -(far + near) / (far - near), 1);
+  gL_ModelViewProjectionMatrix = gL_ProjectionMatrix * gL_ModelViewMatrix;
+  gL_ModelViewMatrixInverse = inverse(gL_ModelViewMatrix);
+  gL_ProjectionMatrixInverse = inverse(gL_ProjectionMatrix);
+  gL_ModelViewProjectionMatrixInverse = gL_ModelViewMatrixInverse * gL_ProjectionMatrixInverse;
+  gL_ModelViewMatrixTranspose = transpose(gL_ModelViewMatrix);
+  gL_ProjectionMatrixTranspose = transpose(gL_ProjectionMatrix);
+  gL_ModelViewProjectionMatrixTranspose = transpose(gL_ModelViewProjectionMatrix);
+  gL_ModelViewMatrixInverseTranspose = transpose(gL_ModelViewMatrixInverse);
+  gL_ProjectionMatrixInverseTranspose = transpose(gL_ProjectionMatrixInverse);
+  gL_ModelViewProjectionMatrixInverseTranspose = transpose(gL_ModelViewProjectionMatrixInverse);
+  for (int i = 0; i < gL_MaxTextureCoords; ++i) gL_TextureMatrix[i] = mat4(1);
+  gL_NormalScale = 1.0;
+  gL_DepthRange = gL_DepthRangeParameters(0.0, 1.0, 1.0);
+}
+
+void luxoLoadMaterial() {
+  Material plain = foundMaterial();
+  vec3 scene = shaderNumbers3(15);  // ambient light, which the material's number is a product with
+  vec3 ambient = (plain.flags & kPatternAmbient) != 0
+                     ? plain.diffuse
+                     : mix(plain.diffuse, plain.ambient / max(scene, vec3(kTiny)), greaterThan(scene, vec3(0)));
+  gL_FrontMaterial = gL_MaterialParameters(vec4(0, 0, 0, 1), vec4(ambient, 1), vec4(plain.diffuse, 1),
+                                           vec4(plain.specular, 1), plain.shininess);
+  gL_BackMaterial = gL_FrontMaterial;
+  gL_LightModel.ambient = vec4(ambientLight(), 1);
+  gL_FrontLightModelProduct.sceneColor = vec4(ambient * ambientLight(), 1);
+  gL_BackLightModelProduct = gL_FrontLightModelProduct;
+}
+
+// The scene's lights in the order of their nodes; one is as bright as it is visible from the point. What stands for a wide
+// light, some points of it, is one again.
+void luxoLoadLights() {
+  float points[gL_MaxLights];
+  for (int i = 0; i < gL_MaxLights; ++i) {
+    points[i] = 0.0;
+    gL_LightSource[i] = gL_LightSourceParameters(vec4(0, 0, 0, 1), vec4(0, 0, 0, 1), vec4(0, 0, 0, 1), vec4(0), vec4(0),
+                                                 vec3(0, 0, -1), 0.0, 180.0, -1.0, 1.0, 0.0, 0.0);
+  }
+  vec3 here = (gL_ModelViewMatrix * vec4(gL_Vertex.xyz, 1)).xyz;
+  for (int i = 0; i < lightCount(); ++i) {
+    LightData data = lightSet.lights[i];
+    uint k = lightSet.order[i];
+    if (k >= gL_MaxLights) continue;
+    vec3 away = data.position.xyz - litPoint.position * data.position.w;
+    points[k] += 1.0;
+    gL_LightSource[k].position += vec4(luxoEyeAxes * away + here * data.position.w, data.position.w);
+    gL_LightSource[k].diffuse.rgb += data.radiance * light(i).visible;
+    if (data.inverseSquare != 0) gL_LightSource[k].constantAttenuation = 0.0;
+  }
+  for (int i = 0; i < gL_MaxLights; ++i) {
+    vec4 position = points[i] > 0.0 ? gL_LightSource[i].position / points[i] : vec4(0, 0, 1, 0);
+    gL_LightSource[i].position = position;
+    gL_LightSource[i].halfVector = vec4(unitOrZero(unitOrZero(position.xyz) + vec3(0, 0, 1)), 0);
+    gL_LightSource[i].quadraticAttenuation = 1.0 - gL_LightSource[i].constantAttenuation;
+    gL_LightSource[i].specular = gL_LightSource[i].diffuse;
+    gL_FrontLightProduct[i] = gL_LightProducts(vec4(0, 0, 0, 1), gL_FrontMaterial.diffuse * gL_LightSource[i].diffuse,
+                                               gL_FrontMaterial.specular * gL_LightSource[i].specular);
+    gL_BackLightProduct[i] = gL_FrontLightProduct[i];
+  }
+}
+
+void luxoLoadPoint(Point p) {
+  luxoLoadMatrices();
+  gL_Vertex = vec4(p.object, 1);
+  gL_Normal = unitOrZero(transpose(luxoRelativeFromObject) * p.normal);
+  luxoLoadMaterial();
+#ifdef LUXO_READS_LIGHTS
+  luxoLoadLights();
+#endif
+  vec4 uv = vec4(p.uv, 0, 1);
+  gL_MultiTexCoord0 = gL_MultiTexCoord1 = gL_MultiTexCoord2 = gL_MultiTexCoord3 = uv;
+  gL_MultiTexCoord4 = gL_MultiTexCoord5 = gL_MultiTexCoord6 = gL_MultiTexCoord7 = uv;
+  for (int i = 0; i < gL_MaxTextureCoords; ++i) gL_TexCoord[i] = uv;
+  vec4 clip = gL_ModelViewProjectionMatrix * gL_Vertex;
+  gL_FragCoord = vec4(gl_FragCoord.x, 2.0 * view.middle.y - gl_FragCoord.y, 0.5 * clip.z / clip.w + 0.5, 1.0 / clip.w);
+  gL_FrontFacing = dot(p.normal, p.viewer) >= 0.0;
+  gL_SecondaryColor = gL_FrontSecondaryColor = gL_BackSecondaryColor = vec4(0, 0, 0, 1);
+  gL_FrontColor = gL_BackColor = gL_Color = gL_FrontMaterial.diffuse;
+  gL_FogCoord = gL_FogFragCoord = -(gL_ModelViewMatrix * gL_Vertex).z;
+  gL_Position = gL_FragColor = vec4(0);
+}
+
+// The light that the scene's own materials have, as where no program runs at vertices.
+vec4 luxoFixedColor() {
+  return vec4(illuminated(Material(gL_FrontLightModelProduct.sceneColor.rgb, gL_FrontMaterial.diffuse.rgb,
+                                   gL_FrontMaterial.specular.rgb, gL_FrontMaterial.shininess, foundMaterial().flags),
+                          litPoint.position, litPoint.normal, litPoint.viewer), 1);
+}
+
+mat4 luxoMagnitudes(mat4 m) { return mat4(abs(m[0]), abs(m[1]), abs(m[2]), abs(m[3])); }
+
+// Whether gl_Position is another place than the vertex's own: a surface is where its formula has it. A product of four
+// terms is rounded by at most 4 half units in the last place of the sum of their magnitudes, the product of two matrices
+// and a vector by 8, and two ways to compute it differ by 16, which is 2^-20 of it. Four times that is left for those
+// that go by more matrices.
+bool luxoIsMoved() {
+  vec4 own = gL_ModelViewProjectionMatrix * gL_Vertex, q = gL_Position;
+  vec4 rounding = 3.8147e-6 * (luxoMagnitudes(gL_ProjectionMatrix) * (luxoMagnitudes(gL_ModelViewMatrix) * abs(gL_Vertex)));
+  vec3 allowed = rounding.xyz * abs(q.w) + rounding.w * abs(q.xyz);
+  return !(q.w > 0.0 && all(lessThanEqual(abs(q.xyz * own.w - own.xyz * q.w), allowed)));
+}
+
+void luxoHandOver() {
+  gL_Color = gL_FrontFacing ? gL_FrontColor : gL_BackColor;
+  gL_SecondaryColor = gL_FrontFacing ? gL_FrontSecondaryColor : gL_BackSecondaryColor;
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs in the course's style, as users meet them: mistakes at their own place in either file, what luxo
+// inspect says.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace luxo::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kVertex =
+    "#version 120\nattribute vec3 tangent;\nuniform float time;\nvarying vec3 n;\n"
+    "void main() { n = gl_NormalMatrix * gl_Normal + time * tangent; gl_Position = ftransform(); }\n";
+constexpr const char* kFragment =
+    "#version 120\nuniform vec3 paint = vec3(1.0);  // @color\nuniform sampler2D skin;\nvarying vec3 n;\n"
+    "void main() { gl_FragColor = vec4(paint * n.z, 1.0) * texture2D(skin, vec2(0.5)); }\n";
+
+class CourseFiles : public DeviceRenderTest {
+ protected:
+  void expectError(const std::string& vertex, const std::string& fragment, const std::string& begins) const {
+    writeText(folder / "m.vert", vertex);
+    writeText(folder / "m.frag", fragment);
+    const Outcome outcome = run(folder, {"render", "m.frag", "-o", "a.png", "--size", "16x12"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, StartsWith("error: " + begins));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("gL_")));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("luxo")));
+  }
+};
+
+TEST_F(CourseFiles, StandAsAScene) {
+  writeText(folder / "m.vert", kVertex);
+  writeText(folder / "m.frag", kFragment);
+  const Outcome outcome = run(
+      folder, {"render", "m.frag", "-o", "a.png", "--size", "16x12", "-P", "paint=#ff8000", "-P", "skin=glow_map"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(run(folder, {"render", "m.frag", "-o", "a.png", "-P", "skin=3"}).code, 2);
+}
+
+TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
+  // Each program's own, with the names that it has.
+  expectError(kVertex, "void main() {\n  gl_FragColor = gl_LightSource[0].difuse;\n}\n",
+              "m.frag:2:36: 'difuse' : no such field in structure 'gl_LightSource'\n"
+              "  2 |   gl_FragColor = gl_LightSource[0].difuse;\n");
+  expectError("void main() {\n  gl_Vertex = vec4(0.0);\n  gl_Position = ftransform();\n}\n", kFragment, "m.vert:2:");
+  expectError("void main() { gl_Position = ftransfrm(); }\n", "void main() { gl_FragColor = vec4(1.0); }\n",
+              "m.vert:1:29: 'ftransfrm' : no matching overloaded function found");
+  expectError(kVertex, "varying vec3 n;\nvoid main() { n = vec3(0.0); gl_FragColor = vec4(n, 1.0); }\n", "m.frag:2:");
+  expectError(kVertex, "void main() { gl_FragColor = vec4(gl_Vertx); }\n", "m.frag:1:35: 'gl_Vertx' : undeclared identifier");
+  // Of the language: components that a vector has not, or twice; what cannot be converted.
+  for (const char* wrong : {"v2.z", "v4.xgp", "v2.yyyy", "v4.xx = vec2(9.0, 3.0)", "v4.yz = 11.0", "v2 = v4"})
+    expectError(kVertex,
+                "void main() {\n  vec2 v2 = vec2(1.0); vec4 v4 = vec4(1.0);\n  " + std::string(wrong) +
+                    ";\n  gl_FragColor = v4;\n}\n",
+                "m.frag:3:");
+  // Of both together.
+  expectError(kVertex, "// m\nvarying vec3 m;\nvoid main() { gl_FragColor = vec4(m, 1.0); }\n",
+              "m.frag:2:14: the vertex program 'm.vert' has no varying 'm'");
+  expectError(kVertex, "varying vec4 n;\nvoid main() { gl_FragColor = n; }\n",
+              "m.frag:1:14: the varying 'n' is of type vec4 here, and of type vec3 in the vertex program");
+  expectError(kVertex, "uniform vec2 time;\nvarying vec3 n;\nvoid main() { gl_FragColor = vec4(n, time.x); }\n",
+              "m.frag:1:14: the uniform 'time' is of type vec2 here");
+  expectError("uniform float a = 1.0;\nvoid main() { gl_Position = a * ftransform(); }\n",
+              "uniform float a = 2.0;\nvoid main() { gl_FragColor = vec4(a); }\n",
+              "m.frag:1:15: the uniform 'a' begins at 2.0 here, and at 1.0 in the vertex program");
+  expectError("attribute vec3 tangnt;\nvoid main() { gl_Position = ftransform() + vec4(tangnt, 0.0); }\n",
+              "void main() { gl_FragColor = vec4(1.0); }\n", "m.vert:1:16: 'tangnt' is no attribute");
+  expectError("void main() { }\n", "void main() { gl_FragColor = vec4(1.0); }\n",
+              "m.vert: the program does not write gl_Position");
+  expectError(kVertex, "varying vec3 n;\nvoid main() { vec3 m = n; }\n", "m.frag: the program does not write gl_FragColor");
+  expectError(kVertex, "#pragma luxo course\nvec4 f() { return vec4(1.0); }\n", "m.frag: there is no function 'void main()'");
+  // What there is not.
+  expectError(kVertex, "void main() {\n  if (gl_Color.r < 0.5) discard;\n  gl_FragColor = gl_Color;\n}\n",
+              "m.frag:2:25: 'discard': nothing is seen through a material's shader yet");
+  expectError(kVertex, "uniform sampler3D s;\nvoid main() { gl_FragColor = texture3D(s, vec3(0.0)); }\n",
+              "m.frag:1:9: 'sampler3D': a material's maps are images");
+  expectError("!!ARBvp1.0\nEND\n", kFragment, "m.vert:1:1: '!!ARBvp1.0': this is an assembly program");
+  expectError("void main() { gl_Position = ftransform(); EmitVertex(); }\n", kFragment,
+              "m.vert:1:43: 'EmitVertex': there are no geometry programs");
+  std::filesystem::remove(folder / "m.vert");
+  const Outcome alone = run(folder, {"render", "m.frag", "-o", "a.png"});
+  EXPECT_EQ(alone.code, 3);
+  EXPECT_THAT(alone.err, HasSubstr("m.frag:4:14: 'n' is a varying, and there is no vertex program that writes it"));
+  EXPECT_THAT(alone.err, HasSubstr("m.vert"));
+}
+
+TEST_F(CourseFiles, ScenesNameBothPrograms) {
+  writeText(folder / "a.vert", kVertex);
+  writeText(folder / "m.frag", kFragment);
+  writeText(folder / "own.frag", "vec4 material(Point p) { return vec4(1); }\n");
+  const auto drawn = [&](const std::string& material) {
+    writeText(folder / "s.luxo.json", R"({ "luxo": 1, "materials": { "own": )" + material +
+                                          R"( }, "surfaces": { "ball": { "type": "sphere" } },
+  "nodes": [ { "surface": "ball", "material": "own" } ] })");
+    return run(folder, {"render", "s.luxo.json", "-o", "a.png", "--size", "16x12"});
+  };
+  EXPECT_EQ(drawn(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "time": "t", "skin": 1 } })").code, 0);
+  const auto expectRefused = [&](const std::string& material, const std::string& said) {
+    const Outcome outcome = drawn(material);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr(said));
+  };
+  expectRefused(R"({ "shader": "m.frag", "vertex": "b.vert" })", "s.luxo.json:1:75: cannot read the shader 'b.vert'");
+  expectRefused(R"({ "vertex": "a.vert" })", "there is a vertex program and no shader");
+  expectRefused(R"({ "shader": "own.frag", "vertex": "a.vert" })", "it is no program in the course's style");
+  expectRefused(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "skin": 3 } })", "there is no map 3");
+}
+
+TEST_F(CourseFiles, InspectTellsAttributesUniformsAndVaryings) {
+  writeText(folder / "m.vert", kVertex);
+  writeText(folder / "m.frag", kFragment);
+  const Json json = Json::parse(run(folder, {"inspect", "m.frag", "--json"}).out);
+  const auto listed = [&](const char* kind) {
+    std::string text;
+    for (const Json& one : json.at(kind))
+      text += one.at("type").get<std::string>() + " " + one.at("name").get<std::string>() + "; ";
+    return text;
+  };
+  EXPECT_EQ(listed("uniforms"), "vec3 paint; sampler2D skin; float time; ");
+  EXPECT_EQ(listed("attributes"), "vec3 gl_Normal; vec4 gl_Vertex; vec3 tangent; ");
+  EXPECT_EQ(listed("varyings"), "vec4 gl_Position; vec3 n; ");
+  EXPECT_THAT(run(folder, {"inspect", "m.vert"}).out, HasSubstr("varyings\n"));
+}
+
+}  // namespace
+}  // namespace luxo::test
