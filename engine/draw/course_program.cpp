@@ -110,8 +110,8 @@ void CourseProgram::name(Stage& stage, const std::vector<std::string>& texts) co
 
 bool CourseProgram::isInitialised(const Stage& stage, const std::string& uniform) const {
   const std::size_t split = shader_->vertex == 0 ? shader_->files.size() : shader_->vertex;
-  for (std::size_t i = &stage == &fragment_ ? 0 : split; i < (&stage == &fragment_ ? split : shader_->files.size());
-       ++i)
+  for (std::size_t i = &stage == &fragment_ ? 0 : split;
+       i < (&stage == &fragment_ ? split : shader_->files.size()); ++i)
     if (!initialiserOf(shader_->files[i].text, uniform).empty()) return true;
   return false;
 }
@@ -130,14 +130,16 @@ void CourseProgram::link(const Refuse& refuse) {
     throw Error(ErrorKind::Scene, fmt::format("{}: the program does not write gl_FragColor", file),
                 "it is the colour: gl_FragColor = vec4(0.0, 0.0, 1.0, 1.0);");
   if (vertex_ && !names("gl_Position"))
-    throw Error(ErrorKind::Scene,
-                fmt::format("{}: the program does not write gl_Position", shader_->files[shader_->vertex].name),
-                "write gl_Position = ftransform();");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: the program does not write gl_Position", shader_->files[shader_->vertex].name),
+        "write gl_Position = ftransform();");
   for (const ShaderVariable& varying : fragment_.interface.inputs) {
     if (!varying.active || isOfTheLanguage(varying.name) || varying.name.starts_with("gl_")) continue;
     const std::string spelled = withoutCourseSpelling(varying.name);
     if (!vertex_)
-      refuse(spelled, fmt::format("'{}' is a varying, and there is no vertex program that writes it", spelled),
+      refuse(spelled,
+             fmt::format("'{}' is a varying, and there is no vertex program that writes it", spelled),
              fmt::format("name one as \"vertex\" of the material, or put it beside the file as {}",
                          std::filesystem::path(file).stem().string() + ".vert"));
     const ShaderVariable* written = find(vertex_->interface.outputs, varying.name);
@@ -160,12 +162,14 @@ void CourseProgram::link(const Refuse& refuse) {
     if (known == std::end(kAttributes)) {
       std::vector<std::string> names;
       for (const Attribute& one : kAttributes) names.emplace_back(one.name);
-      refuse(spelled, fmt::format("'{}' is no attribute that points of surfaces have", spelled),
-             didYouMean(spelled, names, fmt::format("they have {}, and gl_Vertex and its like", listed(names))));
+      refuse(
+          spelled, fmt::format("'{}' is no attribute that points of surfaces have", spelled),
+          didYouMean(spelled, names, fmt::format("they have {}, and gl_Vertex and its like", listed(names))));
     } else if (typeText(attribute) != known->type) {
-      refuse(spelled, fmt::format("the attribute '{}' is of type {}, not {}", spelled, known->type,
-                                  typeText(attribute)),
-             {});
+      refuse(
+          spelled,
+          fmt::format("the attribute '{}' is of type {}, not {}", spelled, known->type, typeText(attribute)),
+          {});
     }
   }
   for (const ShaderVariable& uniform : uniformsOf(fragment_.interface)) {
@@ -181,8 +185,9 @@ void CourseProgram::link(const Refuse& refuse) {
     for (const MaterialShader::File& one : shader_->files)
       if (const std::string text = initialiserOf(one.text, spelled); !text.empty()) {
         if (!first.empty() && text != first)
-          refuse(spelled, fmt::format("the uniform '{}' begins at {} here, and at {} in the vertex program",
-                                      spelled, first, text),
+          refuse(spelled,
+                 fmt::format("the uniform '{}' begins at {} here, and at {} in the vertex program", spelled,
+                             first, text),
                  "let one of them say it");
         first = text;
       }
@@ -199,8 +204,9 @@ void CourseProgram::describe(const Refuse& refuse) {
     for (const gpu::ShaderBlock& block : stage->interface.blocks) {
       if (block.name == kState) {
         for (const ShaderVariable& member : block.members)
-          readsLights_ = readsLights_ || (member.active && (member.name == "gL_LightSource" ||
-                                                            member.name.ends_with("LightProduct")));
+          readsLights_ =
+              readsLights_ ||
+              (member.active && (member.name == "gL_LightSource" || member.name.ends_with("LightProduct")));
       } else if (block.loose) {
         for (const ShaderVariable& uniform : block.members) {
           const auto known = std::ranges::find(uniforms.members, uniform.name, &ShaderVariable::name);
@@ -240,8 +246,8 @@ std::string CourseProgram::storageOf(const std::string& uniform) const {
   const std::string name = withCourseSpelling(uniform);
   const bool ofFragment = find(uniformsOf(fragment_.interface), name) != nullptr,
              ofVertex = vertex_ && find(uniformsOf(vertex_->interface), name) != nullptr;
-  const bool isVertexs = ofVertex && (!ofFragment || (isInitialised(*vertex_, uniform) &&
-                                                      !isInitialised(fragment_, uniform)));
+  const bool isVertexs =
+      ofVertex && (!ofFragment || (isInitialised(*vertex_, uniform) && !isInitialised(fragment_, uniform)));
   return fmt::format("{}{}", (isVertexs ? *vertex_ : fragment_).prefix, name);
 }
 
@@ -268,9 +274,11 @@ std::string CourseProgram::material(const std::string& loads) const {
     text += fmt::format("  {}mAin();\n  luxoMoved = luxoIsMoved();\n", vertex_->prefix);
     for (const ShaderVariable& varying : fragment_.interface.inputs)
       if (!isOfTheLanguage(varying.name) && find(vertex_->interface.outputs, varying.name))
-        text += fmt::format("  {}{} = {}{};\n", fragment_.prefix, varying.name, vertex_->prefix, varying.name);
+        text +=
+            fmt::format("  {}{} = {}{};\n", fragment_.prefix, varying.name, vertex_->prefix, varying.name);
     text += "  luxoHandOver();\n";
-  } else if (const ShaderVariable* color = find(fragment_.interface.inputs, "gL_Color"); color && color->active) {
+  } else if (const ShaderVariable* color = find(fragment_.interface.inputs, "gL_Color");
+             color && color->active) {
     text += "  gL_Color = luxoFixedColor();\n";
   }
   return text + fmt::format("  {}mAin();\n  return vec4(gL_FragColor.rgb, 1.0);\n}}\n#undef uniform\n",

@@ -18,12 +18,10 @@ using Names = std::set<std::string_view>;
 
 // What the language had, and has given up, or takes for itself today: the latter are names of programs' own.
 const Names& respelledWords() {
-  static const Names kWords = {"main",      "varying",   "attribute",       "sampler1D", "sampler2D",
-                               "texture1D", "texture2D", "texture1DProj",   "texture2DProj",
-                               "ftransform",
-                               "sample",    "patch",     "buffer",          "shared",    "precise",
-                               "active",    "common",    "partition",       "filter",    "resource",
-                               "subroutine"};
+  static const Names kWords = {
+      "main",          "varying",       "attribute",  "sampler1D", "sampler2D", "texture1D", "texture2D",
+      "texture1DProj", "texture2DProj", "ftransform", "sample",    "patch",     "buffer",    "shared",
+      "precise",       "active",        "common",     "partition", "filter",    "resource",  "subroutine"};
   return kWords;
 }
 
@@ -76,10 +74,23 @@ void forEachToken(std::string_view glsl, Visit visit) {
 
 /// Words that only such programs have.
 bool isTelling(std::string_view word) {
-  static const Names kTelling = {"varying", "attribute", "ftransform", "gl_FragColor", "gl_FrontColor",
-                                 "gl_BackColor", "gl_Vertex", "gl_Normal", "gl_Color", "gl_TexCoord",
-                                 "gl_ModelViewMatrix", "gl_ModelViewProjectionMatrix", "gl_ProjectionMatrix",
-                                 "gl_NormalMatrix", "gl_LightSource", "gl_FrontMaterial", "gl_LightModel"};
+  static const Names kTelling = {"varying",
+                                 "attribute",
+                                 "ftransform",
+                                 "gl_FragColor",
+                                 "gl_FrontColor",
+                                 "gl_BackColor",
+                                 "gl_Vertex",
+                                 "gl_Normal",
+                                 "gl_Color",
+                                 "gl_TexCoord",
+                                 "gl_ModelViewMatrix",
+                                 "gl_ModelViewProjectionMatrix",
+                                 "gl_ProjectionMatrix",
+                                 "gl_NormalMatrix",
+                                 "gl_LightSource",
+                                 "gl_FrontMaterial",
+                                 "gl_LightModel"};
   return kTelling.contains(word) || word.starts_with("gl_MultiTexCoord");
 }
 
@@ -125,11 +136,10 @@ constexpr Foreign kForeign[] = {
 
 [[noreturn]] void refuse(const MaterialShader::File& file, const Token& token, std::string_view why,
                          std::string_view advice) {
-  throw Error(ErrorKind::Scene,
-              describe(file.name, file.text,
-                       {{token.begin, token.begin + token.text.size()},
-                        fmt::format("'{}': {}", token.text, why),
-                        std::string(advice)}));
+  throw Error(ErrorKind::Scene, describe(file.name, file.text,
+                                         {{token.begin, token.begin + token.text.size()},
+                                          fmt::format("'{}': {}", token.text, why),
+                                          std::string(advice)}));
 }
 
 }  // namespace
@@ -178,7 +188,7 @@ std::string renamed(std::string_view glsl, const std::set<std::string, std::less
                     std::string_view prefix) {
   std::string text;
   std::size_t copied = 0, at = 0;
-  std::string_view before, last;  // the last two tokens
+  std::string_view before, last;                   // the last two tokens
   int braces = 0, brackets = 0, ofStructure = -1;  // where its members are
   for (Token token = nextToken(glsl, at); !token.text.empty();) {
     const Token next = nextToken(glsl, at);
@@ -190,8 +200,8 @@ std::string renamed(std::string_view glsl, const std::set<std::string, std::less
     } else if (token.text == "[" || token.text == "]") {
       brackets += token.text == "[" ? 1 : -1;
     } else if (token.isWord() && last != "." && names.contains(token.text)) {
-      const bool isMember = ofStructure >= 0 && brackets == 0 &&
-                            (next.text == ";" || next.text == "," || next.text == "[");
+      const bool isMember =
+          ofStructure >= 0 && brackets == 0 && (next.text == ";" || next.text == "," || next.text == "[");
       if (!isMember) {
         text += glsl.substr(copied, token.begin - copied);
         text += prefix;
@@ -208,7 +218,8 @@ std::string renamed(std::string_view glsl, const std::set<std::string, std::less
 void refuseForeign(const MaterialShader::File& file) {
   std::size_t start = file.text.find_first_not_of(" \t\r\n");
   if (start != file.text.npos && file.text.compare(start, 2, "!!") == 0)
-    refuse(file, {std::string_view(file.text).substr(start, file.text.find_first_of("\r\n", start) - start), start},
+    refuse(file,
+           {std::string_view(file.text).substr(start, file.text.find_first_of("\r\n", start) - start), start},
            "this is an assembly program", "write it in GLSL, with void main()");
   std::string_view before;
   forEachToken(file.text, [&](const Token& token) {

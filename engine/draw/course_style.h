@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// GLSL in the style of 1.10 and 1.20, as courses write it: `varying`, `attribute`, gl_LightSource, ftransform.
-// shaders/MATERIALS.md is its page, shaders/lib/course.glsl what such programs have by themselves.
+// GLSL in the style of 1.10 and 1.20, as courses write it: `varying`, `attribute`, gl_LightSource,
+// ftransform. shaders/MATERIALS.md is its page, shaders/lib/course.glsl what such programs have by
+// themselves.
 //
 // The language that luxo compiles has given up those words, keeps others for itself, and lets nobody declare
 // a name that begins with gl_. So they get a spelling of luxo's own, with a capital as their second letter

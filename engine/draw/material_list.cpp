@@ -96,11 +96,12 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const bool occludes = occludesAmbient(snapshot, options), traces = tracesRays(snapshot, options);
   if (occludes) requireScreen(snapshot.ambientOcclusion, possible);
   if (traces && !possible)
-    throw Error(ErrorKind::Scene,
-                fmt::format("rays that shaders send, in a scene of more than {} lights without shadows, or of "
-                            "more than {} nodes and materials, are not supported yet",
-                            shared::kMaxLights, shared::kMaxFoundMaterials - 1),
-                "leave out some lights, or take the shader's material without trace()");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("rays that shaders send, in a scene of more than {} lights without shadows, or of "
+                    "more than {} nodes and materials, are not supported yet",
+                    shared::kMaxLights, shared::kMaxFoundMaterials - 1),
+        "leave out some lights, or take the shader's material without trace()");
   list_.deferred = possible && (options.composition == Composition::Deferred || shadows_ ||
                                 hasLayers(snapshot, options) || occludes || traces);
   list_.occludes = occludes;

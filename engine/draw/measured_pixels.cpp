@@ -87,12 +87,13 @@ void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
                             all, measured.seenThrough),
                 "return 1 as the fourth number");
   if (measured.moved > 0)
-    throw Error(ErrorKind::Scene,
-                fmt::format("{}: in {} pixels the vertex program moves the vertex: gl_Position is not that of "
-                            "gl_Vertex, and an exact surface is where its formula has it",
-                            fmt::join(vertexNames, ", "), measured.moved),
-                "write gl_Position = ftransform(), and the movement into the surface's \"position\": formulas "
-                "take time and parameters");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: in {} pixels the vertex program moves the vertex: gl_Position is not that of "
+                    "gl_Vertex, and an exact surface is where its formula has it",
+                    fmt::join(vertexNames, ", "), measured.moved),
+        "write gl_Position = ftransform(), and the movement into the surface's \"position\": formulas "
+        "take time and parameters");
   if (measured.manyTraces > 0)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: in {} pixels the shader sends more than {} rays into the scene", all,

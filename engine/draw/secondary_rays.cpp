@@ -35,8 +35,8 @@ void SecondaryRays::begin(const Snapshot& snapshot, const Vec3& origin, std::fun
     if (!snapshot_.materials[snapshot_.nodes[node].material.index].transparent()) opaque_.push_back(node);
   casts_.clear();
   answers_.clear();
-  const std::size_t pixels =
-      static_cast<std::size_t>(snapshot_.view.size.width) * static_cast<std::size_t>(snapshot_.view.size.height);
+  const std::size_t pixels = static_cast<std::size_t>(snapshot_.view.size.width) *
+                             static_cast<std::size_t>(snapshot_.view.size.height);
   starts_.assign(pixels + 1, 0);
   undecided_ = 0;
 }
@@ -81,7 +81,8 @@ reference::Ray SecondaryRays::rayOf(std::uint32_t pixel) const {
   return caster_->rayThrough(at.x, at.y);
 }
 
-SecondaryRays::Start SecondaryRays::startOf(std::uint32_t pixel, const shared::TraceQuestion& question) const {
+SecondaryRays::Start SecondaryRays::startOf(std::uint32_t pixel,
+                                            const shared::TraceQuestion& question) const {
   if (question.ray.from >= shared::kFromFirstHit) {
     const std::uint32_t index = starts_[pixel] + (question.ray.from - shared::kFromFirstHit);
     if (index < starts_[pixel + 1] && casts_[index].hit) return {*casts_[index].hit, casts_[index].travelled};

@@ -19,11 +19,11 @@ void TraceBuffers::prepare(VkExtent2D extent) {
     gpu::Timeline& timeline = context_->timeline();
     timeline.wait(timeline.submitted());
     questions_ = {};
-    questions_ = gpu::Buffer(
-        *context_, {.size = bytes,
-                    .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                    .memory = gpu::MemoryUse::Readback,
-                    .name = "questions of shaders"});
+    questions_ = gpu::Buffer(*context_,
+                             {.size = bytes,
+                              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                              .memory = gpu::MemoryUse::Readback,
+                              .name = "questions of shaders"});
   }
   answer(std::vector<std::uint32_t>(pixels_ + 1), {});
 }

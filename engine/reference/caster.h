@@ -61,8 +61,8 @@ class Caster {
   }
 
   /// The same from a hit on, its own point apart, as far as there is something. `travelled`: metres that the
-  /// light has come along from there to the eye; a pixel's footprint grows with them as if all surfaces on the
-  /// way were flat (J. Amanatides, "Ray tracing with cones", 1984).
+  /// light has come along from there to the eye; a pixel's footprint grows with them as if all surfaces on
+  /// the way were flat (J. Amanatides, "Ray tracing with cones", 1984).
   [[nodiscard]] Sight lookFrom(const Hit& hit, const Vec3& direction, double travelled) const;
 
   /// What a ray meets first of some nodes, as if these were all there are, and opaque.

@@ -132,6 +132,6 @@ bool luxoIsMoved() {
 }
 
 void luxoHandOver() {
-  gL_Color = gL_FrontFacing ? gL_FrontColor : gL_BackColor;
-  gL_SecondaryColor = gL_FrontFacing ? gL_FrontSecondaryColor : gL_BackSecondaryColor;
+  gL_Color = gL_FrontColor;  // two sides of colours are off unless asked for
+  gL_SecondaryColor = gL_FrontSecondaryColor;
 }

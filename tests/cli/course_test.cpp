@@ -38,8 +38,8 @@ class CourseFiles : public DeviceRenderTest {
 TEST_F(CourseFiles, StandAsAScene) {
   writeText(folder / "m.vert", kVertex);
   writeText(folder / "m.frag", kFragment);
-  const Outcome outcome = run(
-      folder, {"render", "m.frag", "-o", "a.png", "--size", "16x12", "-P", "paint=#ff8000", "-P", "skin=glow_map"});
+  const Outcome outcome = run(folder, {"render", "m.frag", "-o", "a.png", "--size", "16x12", "-P",
+                                       "paint=#ff8000", "-P", "skin=glow_map"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(run(folder, {"render", "m.frag", "-o", "a.png", "-P", "skin=3"}).code, 2);
 }
@@ -49,11 +49,14 @@ TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
   expectError(kVertex, "void main() {\n  gl_FragColor = gl_LightSource[0].difuse;\n}\n",
               "m.frag:2:36: 'difuse' : no such field in structure 'gl_LightSource'\n"
               "  2 |   gl_FragColor = gl_LightSource[0].difuse;\n");
-  expectError("void main() {\n  gl_Vertex = vec4(0.0);\n  gl_Position = ftransform();\n}\n", kFragment, "m.vert:2:");
+  expectError("void main() {\n  gl_Vertex = vec4(0.0);\n  gl_Position = ftransform();\n}\n", kFragment,
+              "m.vert:2:");
   expectError("void main() { gl_Position = ftransfrm(); }\n", "void main() { gl_FragColor = vec4(1.0); }\n",
               "m.vert:1:29: 'ftransfrm' : no matching overloaded function found");
-  expectError(kVertex, "varying vec3 n;\nvoid main() { n = vec3(0.0); gl_FragColor = vec4(n, 1.0); }\n", "m.frag:2:");
-  expectError(kVertex, "void main() { gl_FragColor = vec4(gl_Vertx); }\n", "m.frag:1:35: 'gl_Vertx' : undeclared identifier");
+  expectError(kVertex, "varying vec3 n;\nvoid main() { n = vec3(0.0); gl_FragColor = vec4(n, 1.0); }\n",
+              "m.frag:2:");
+  expectError(kVertex, "void main() { gl_FragColor = vec4(gl_Vertx); }\n",
+              "m.frag:1:35: 'gl_Vertx' : undeclared identifier");
   // Of the language: components that a vector has not, or twice; what cannot be converted.
   for (const char* wrong : {"v2.z", "v4.xgp", "v2.yyyy", "v4.xx = vec2(9.0, 3.0)", "v4.yz = 11.0", "v2 = v4"})
     expectError(kVertex,
@@ -65,7 +68,8 @@ TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
               "m.frag:2:14: the vertex program 'm.vert' has no varying 'm'");
   expectError(kVertex, "varying vec4 n;\nvoid main() { gl_FragColor = n; }\n",
               "m.frag:1:14: the varying 'n' is of type vec4 here, and of type vec3 in the vertex program");
-  expectError(kVertex, "uniform vec2 time;\nvarying vec3 n;\nvoid main() { gl_FragColor = vec4(n, time.x); }\n",
+  expectError(kVertex,
+              "uniform vec2 time;\nvarying vec3 n;\nvoid main() { gl_FragColor = vec4(n, time.x); }\n",
               "m.frag:1:14: the uniform 'time' is of type vec2 here");
   expectError("uniform float a = 1.0;\nvoid main() { gl_Position = a * ftransform(); }\n",
               "uniform float a = 2.0;\nvoid main() { gl_FragColor = vec4(a); }\n",
@@ -74,8 +78,10 @@ TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
               "void main() { gl_FragColor = vec4(1.0); }\n", "m.vert:1:16: 'tangnt' is no attribute");
   expectError("void main() { }\n", "void main() { gl_FragColor = vec4(1.0); }\n",
               "m.vert: the program does not write gl_Position");
-  expectError(kVertex, "varying vec3 n;\nvoid main() { vec3 m = n; }\n", "m.frag: the program does not write gl_FragColor");
-  expectError(kVertex, "#pragma luxo course\nvec4 f() { return vec4(1.0); }\n", "m.frag: there is no function 'void main()'");
+  expectError(kVertex, "varying vec3 n;\nvoid main() { vec3 m = n; }\n",
+              "m.frag: the program does not write gl_FragColor");
+  expectError(kVertex, "#pragma luxo course\nvec4 f() { return vec4(1.0); }\n",
+              "m.frag: there is no function 'void main()'");
   // What there is not.
   expectError(kVertex, "void main() {\n  if (gl_Color.r < 0.5) discard;\n  gl_FragColor = gl_Color;\n}\n",
               "m.frag:2:25: 'discard': nothing is seen through a material's shader yet");
@@ -87,7 +93,8 @@ TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
   std::filesystem::remove(folder / "m.vert");
   const Outcome alone = run(folder, {"render", "m.frag", "-o", "a.png"});
   EXPECT_EQ(alone.code, 3);
-  EXPECT_THAT(alone.err, HasSubstr("m.frag:4:14: 'n' is a varying, and there is no vertex program that writes it"));
+  EXPECT_THAT(alone.err,
+              HasSubstr("m.frag:4:14: 'n' is a varying, and there is no vertex program that writes it"));
   EXPECT_THAT(alone.err, HasSubstr("m.vert"));
 }
 
@@ -101,16 +108,19 @@ TEST_F(CourseFiles, ScenesNameBothPrograms) {
   "nodes": [ { "surface": "ball", "material": "own" } ] })");
     return run(folder, {"render", "s.luxo.json", "-o", "a.png", "--size", "16x12"});
   };
-  EXPECT_EQ(drawn(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "time": "t", "skin": 1 } })").code, 0);
+  EXPECT_EQ(
+      drawn(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "time": "t", "skin": 1 } })").code, 0);
   const auto expectRefused = [&](const std::string& material, const std::string& said) {
     const Outcome outcome = drawn(material);
     EXPECT_EQ(outcome.code, 3);
     EXPECT_THAT(outcome.err, HasSubstr(said));
   };
-  expectRefused(R"({ "shader": "m.frag", "vertex": "b.vert" })", "s.luxo.json:1:75: cannot read the shader 'b.vert'");
+  expectRefused(R"({ "shader": "m.frag", "vertex": "b.vert" })",
+                "s.luxo.json:1:75: cannot read the shader 'b.vert'");
   expectRefused(R"({ "vertex": "a.vert" })", "there is a vertex program and no shader");
   expectRefused(R"({ "shader": "own.frag", "vertex": "a.vert" })", "it is no program in the course's style");
-  expectRefused(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "skin": 3 } })", "there is no map 3");
+  expectRefused(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "skin": 3 } })",
+                "there is no map 3");
 }
 
 TEST_F(CourseFiles, InspectTellsAttributesUniformsAndVaryings) {

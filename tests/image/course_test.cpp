@@ -42,14 +42,14 @@ MaterialShaderPtr programs(const std::string& vertex, const std::string& fragmen
 Scene ringOnPlate(const Material& material, Light::Shadow shadow, const Vec3& at = Vec3(0)) {
   Scene scene;
   const MaterialId shown = scene.add(material);
-  Node ring{.translation = at, .rotation = Rotation{{1, 0, 0.4}, 0.9}, .surface = torus(1, 0.4), .material = shown};
+  Node ring{
+      .translation = at, .rotation = Rotation{{1, 0, 0.4}, 0.9}, .surface = torus(1, 0.4), .material = shown};
   ring.scale = Vec3(1, 0.8, 1.2);
   scene.add(std::move(ring));
   scene.add(Node{.translation = at + Vec3(0, -1.2, 0), .surface = rectangle(5, 5), .material = shown});
-  scene.add(Node{.translation = at + Vec3(2, 4, 3),
-                 .light = Light{.intensity = 20,
-                                .attenuation = Light::Attenuation::InverseSquare,
-                                .shadow = shadow}});
+  scene.add(Node{
+      .translation = at + Vec3(2, 4, 3),
+      .light = Light{.intensity = 20, .attenuation = Light::Attenuation::InverseSquare, .shadow = shadow}});
   scene.add(Node{.rotation = Rotation{{1, 0, 0}, -1.0},
                  .light = Light{.type = Light::Type::Directional, .color = Vec3(0.2, 0.3, 0.5)}});
   return scene;
@@ -64,7 +64,8 @@ double largestDifference(const Image& a, const Image& b) {
 
 class CoursePicture : public PictureTest {
  protected:
-  [[nodiscard]] Image shown(const MaterialShaderPtr& shader, const Camera& camera = kCamera, const Vec3& at = Vec3(0)) {
+  [[nodiscard]] Image shown(const MaterialShaderPtr& shader, const Camera& camera = kCamera,
+                            const Vec3& at = Vec3(0)) {
     return draw(ringOnPlate({.shader = shader}, Light::Shadow::None, at), camera, kSize).image;
   }
   /// A fragment program that shows green where the condition holds everywhere.
@@ -93,21 +94,25 @@ class CoursePicture : public PictureTest {
   }
 };
 
-// The formula is luxo's own, in eye space. A cosine is off by some 2^-20 after the matrices, and its power 25 by 25 times
-// that of itself, which the light of at most 1 magnifies no more: 3e-5.
+// The formula is luxo's own, in eye space. A cosine is off by some 2^-20 after the matrices, and its power 25
+// by 25 times that of itself, which the light of at most 1 magnifies no more: 3e-5.
 TEST_F(CoursePicture, LightAtVerticesAndInFragmentsIsThatOfMaterialsWithoutAShader) {
   Material plain{.diffuse = Vec3(0.6, 0.3, 0.2), .specular = Vec3(0.3), .shininess = 25}, own = plain;
-  for (const auto& [fragment, vertex] :
-       {std::pair{"phong.frag", "point.vert"}, {"color.frag", "gouraud.vert"}, {"color.frag", ""}}) {
-    own.shader = ofTheCourse(fragment, vertex);
-    for (const Light::Shadow shadow : {Light::Shadow::None, Light::Shadow::Exact})
-      for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat}) {
-        const DrawOptions options{.shading = shading};
-        EXPECT_LE(largestDifference(draw(ringOnPlate(own, shadow), kCamera, kSize, options).image,
-                                    draw(ringOnPlate(plain, shadow), kCamera, kSize, options).image),
-                  3e-5)
-            << fragment << " " << vertex << " " << nameOf(shading);
-      }
+  struct Case {
+    const char *fragment, *vertex;
+    Light::Shadow shadow;
+    Shading shading;
+  };
+  for (const Case& one : {Case{"phong.frag", "point.vert", Light::Shadow::Exact, Shading::Exact},
+                          Case{"phong.frag", "point.vert", Light::Shadow::None, Shading::Flat},
+                          Case{"color.frag", "gouraud.vert", Light::Shadow::None, Shading::Phong},
+                          Case{"color.frag", "", Light::Shadow::Exact, Shading::Exact}}) {
+    own.shader = ofTheCourse(one.fragment, one.vertex);
+    const DrawOptions options{.shading = one.shading};
+    EXPECT_LE(largestDifference(draw(ringOnPlate(own, one.shadow), kCamera, kSize, options).image,
+                                draw(ringOnPlate(plain, one.shadow), kCamera, kSize, options).image),
+              3e-5)
+        << one.fragment << " " << one.vertex << " " << nameOf(one.shading);
   }
 }
 
@@ -116,8 +121,10 @@ TEST_F(CoursePicture, ColoursOfTheMaterialAreItsOwn) {
   for (const auto& [ambient, wanted] : {std::pair{std::optional<Vec3>(), Vec3(0.6, 0.3, 0.2)},
                                         {std::optional(Vec3(0.1, 0.5, 0.4)), Vec3(0.1, 0.5, 0.4)}}) {
     material.ambient = ambient;
-    material.shader = programs("", "void main() { gl_FragColor = gl_FrontMaterial.ambient + gl_FrontMaterial.specular + "
-                                   "0.01 * gl_FrontMaterial.shininess; }");
+    material.shader =
+        programs("",
+                 "void main() { gl_FragColor = gl_FrontMaterial.ambient + gl_FrontMaterial.specular + "
+                 "0.01 * gl_FrontMaterial.shininess; }");
     const Image image = draw(ringOnPlate(material, Light::Shadow::None), kCamera, kSize).image;
     EXPECT_TRUE(near(colorAt(image, kSize.width / 2, kSize.height - 12), wanted + Vec3(0.5), 1e-6));
   }
@@ -126,8 +133,9 @@ TEST_F(CoursePicture, ColoursOfTheMaterialAreItsOwn) {
 // In the order of their nodes, however luxo sorts them; a wide light is one.
 TEST_F(CoursePicture, LightsHaveTheOrderOfTheScene) {
   const MaterialShaderPtr shader =
-      programs("", "void main() { gl_FragColor = vec4(gl_LightSource[0].diffuse.r, gl_LightSource[1].diffuse.r, "
-                   "gl_LightSource[2].diffuse.r, 1); }");
+      programs("",
+               "void main() { gl_FragColor = vec4(gl_LightSource[0].diffuse.r, gl_LightSource[1].diffuse.r, "
+               "gl_LightSource[2].diffuse.r, 1); }");
   for (const double first : {0.25, 0.75}) {
     Scene scene;
     scene.add(Node{.surface = rectangle(9, 9), .material = scene.add(Material{.shader = shader})});
@@ -138,7 +146,8 @@ TEST_F(CoursePicture, LightsHaveTheOrderOfTheScene) {
   }
 }
 
-// What the matrices make of the vertex is where the raster has the pixel: half a pixel off would be 1 / 56 of clip space.
+// What the matrices make of the vertex is where the raster has the pixel: half a pixel off would be 1 / 56 of
+// clip space.
 TEST_F(CoursePicture, MatricesLeadToThePixel) {
   const std::string vertex = R"(
 varying vec4 clip, eye, again;
@@ -157,7 +166,8 @@ void main() {
       camera.projection = projection;
       camera.height = 4;
       expectHolds(vertex, fragment,
-                  "all(lessThan(abs((0.5 * clip.xy / clip.w + 0.5) * vec2(72.0, 56.0) - gl_FragCoord.xy), vec2(0.02)))",
+                  "all(lessThan(abs((0.5 * clip.xy / clip.w + 0.5) * vec2(72.0, 56.0) - gl_FragCoord.xy), "
+                  "vec2(0.02)))",
                   camera, at);
       expectHolds(vertex, fragment, "clip.z > -clip.w && clip.z < clip.w && eye.z < 0.0", camera, at);
       expectHolds(vertex, fragment, "length(n) < 1e-5 && gl_FrontFacing", camera, at);
@@ -167,18 +177,20 @@ void main() {
 
 TEST_F(CoursePicture, AVertexStaysWhereTheSurfaceIs) {
   const std::string fragment = "void main() { gl_FragColor = vec4(1.0); }";
-  for (const char* place : {"ftransform() + vec4(0.001, 0.0, 0.0, 0.0)", "ftransform() - vec4(0.0, 0.0, 0.01, 0.0)",
-                            "gl_Vertex", "gl_ModelViewProjectionMatrix * vec4(1.01 * gl_Vertex.xyz, 1.0)",
-                            "-ftransform()", "ftransform() / 0.0"})
+  for (const char* place :
+       {"ftransform() + vec4(0.001, 0.0, 0.0, 0.0)", "ftransform() - vec4(0.0, 0.0, 0.01, 0.0)", "gl_Vertex",
+        "gl_ModelViewProjectionMatrix * vec4(1.01 * gl_Vertex.xyz, 1.0)", "-ftransform()",
+        "ftransform() / 0.0"})
     EXPECT_THAT(refusalOf(programs("void main() { gl_Position = " + std::string(place) + "; }", fragment)),
                 HasSubstr("the vertex program moves the vertex"))
         << place;
   const Vec3 far(300, 20, -700);
   for (const char* place :
-       {"gl_ProjectionMatrix * gl_ModelViewMatrix * gl_Vertex", "gl_ProjectionMatrix * (gl_ModelViewMatrix * gl_Vertex)",
-        "2.5 * ftransform()", "ftransform() / ftransform().w", "gl_Vertex * gl_ModelViewProjectionMatrixTranspose"})
-    EXPECT_NO_THROW(static_cast<void>(
-        shown(programs("void main() { gl_Position = " + std::string(place) + "; }", fragment), cameraAt(far), far)))
+       {"gl_ProjectionMatrix * gl_ModelViewMatrix * gl_Vertex",
+        "gl_ProjectionMatrix * (gl_ModelViewMatrix * gl_Vertex)", "2.5 * ftransform()",
+        "ftransform() / ftransform().w", "gl_Vertex * gl_ModelViewProjectionMatrixTranspose"})
+    EXPECT_NO_THROW(static_cast<void>(shown(
+        programs("void main() { gl_Position = " + std::string(place) + "; }", fragment), cameraAt(far), far)))
         << place;
 }
 
@@ -187,7 +199,10 @@ TEST_F(CoursePicture, TheRulesOfTheLanguageHold) {
   Scene scene;
   scene.add(Node{.surface = surface([](auto u, auto v) { return point(u, v, 0 * u); }, {{0, 1}, {0, 1}}),
                  .material = scene.add(Material{.shader = ofTheCourse("types.frag", "types.vert")})});
-  const Camera camera{.eye = Vec3(0.5, 0.5, 2), .lookAt = Vec3(0.5, 0.5, 0), .projection = Projection::Orthographic, .height = 1};
+  const Camera camera{.eye = Vec3(0.5, 0.5, 2),
+                      .lookAt = Vec3(0.5, 0.5, 0),
+                      .projection = Projection::Orthographic,
+                      .height = 1};
   const Image image = draw(scene, camera, {64, 64}).image;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
@@ -195,9 +210,11 @@ TEST_F(CoursePicture, TheRulesOfTheLanguageHold) {
           << "rule " << column + 4 * (3 - row);
 }
 
-// Each its own: functions, constants, structures, macros, uniforms of one value; and names that the language has since.
+// Each its own: functions, constants, structures, macros, uniforms of one value; and names that the language
+// has since.
 TEST_F(CoursePicture, ProgramsDoNotShareNames) {
-  expectHolds(R"(
+  expectHolds(
+      R"(
 #define TWICE(x) (2.0 * (x))
 const float k = 1.0;
 uniform float common = 4.0;
@@ -217,7 +234,7 @@ void main() {
   gl_TexCoord[2] = vec4(5.0);
   gl_Position = ftransform();
 })",
-              R"(
+      R"(
 #define TWICE(x) (20.0 * (x))
 const float k = 10.0;
 uniform float common;
@@ -226,24 +243,31 @@ float sample(float x) { return x * k; }
 float total = 50.0;
 varying float position, normal, material;
 varying vec2 patch[2];)",
-              "sample(TWICE(total)) == 10000.0 && position == 3.0 && normal == 6.0 && patch[1] == vec2(7.0, 8.0) && "
-              "material == 9.0 && common == 4.0 && gl_TexCoord[2].t == 5.0 && Light(2.0).position == 2.0");
+      "sample(TWICE(total)) == 10000.0 && position == 3.0 && normal == 6.0 && patch[1] == vec2(7.0, 8.0) && "
+      "material == 9.0 && common == 4.0 && gl_TexCoord[2].t == 5.0 && Light(2.0).position == 2.0");
 }
 
 TEST_F(CoursePicture, EachProgramOfTheCourseCompiles) {
-  for (const auto& [fragment, vertex] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"hello.frag", "hello.vert"},     {"toon.frag", "point.vert"},        {"texture.frag", "point.vert"},
-           {"bump.frag", "bump.vert"},       {"mirror.frag", "point.vert"},      {"varying.frag", "matrices.vert"},
-           {"flow.frag", "types.vert"},      {"functions.frag", "types.vert"},   {"coordinates.frag", ""},
-           {"varying.frag", "qualifiers.vert"}})
+  for (const auto& [fragment, vertex] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"hello.frag", "hello.vert"},
+                                                                  {"toon.frag", "point.vert"},
+                                                                  {"texture.frag", "point.vert"},
+                                                                  {"bump.frag", "bump.vert"},
+                                                                  {"mirror.frag", "point.vert"},
+                                                                  {"varying.frag", "matrices.vert"},
+                                                                  {"flow.frag", "types.vert"},
+                                                                  {"functions.frag", "types.vert"},
+                                                                  {"coordinates.frag", ""},
+                                                                  {"varying.frag", "qualifiers.vert"}})
     EXPECT_TRUE(MaterialProgram(ofTheCourse(fragment, vertex)).inCourseStyle()) << fragment;
 }
 
 TEST_F(CoursePicture, LoopsWithoutEndAreRefused) {
-  EXPECT_THAT(refusalOf(programs("varying float x; void main() { x = 1.0; while (x > 0.0) x *= 1.0; gl_Position = "
-                                 "ftransform(); }",
-                                 "varying float x; void main() { gl_FragColor = vec4(x); }")),
-              HasSubstr("more than 32768 times"));
+  EXPECT_THAT(
+      refusalOf(programs("varying float x; void main() { x = 1.0; while (x > 0.0) x *= 1.0; gl_Position = "
+                         "ftransform(); }",
+                         "varying float x; void main() { gl_FragColor = vec4(x); }")),
+      HasSubstr("more than 32768 times"));
 }
 
 }  // namespace

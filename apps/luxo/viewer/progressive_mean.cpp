@@ -32,7 +32,8 @@ bool ProgressiveMean::find(gpu::FrameRing& frames, ScenePainter& painter, Render
     one.standIns = false;
     FrameStatistics ignored;
     view.refinement.beginPicture();
-    // What a sample has lost rays find, and those to come learn from it; but without room there is none for rays.
+    // What a sample has lost rays find, and those to come learn from it; but without room there is none for
+    // rays.
     do {
       painter.record(frames, frames.begin(), view, sampled, one, ignored);
       frames.wait(frames.submit());
@@ -50,13 +51,19 @@ bool ProgressiveMean::find(gpu::FrameRing& frames, ScenePainter& painter, Render
 bool ProgressiveMean::trace(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
                             const Snapshot& sampled) {
   if (!view.list().traces) return true;
+  FrameStatistics ignored;
   if (!tracer_.busy()) {
+    // Shaders ask from the points that are shown in the end.
+    if (!next_->points.empty()) {
+      painter.recordRays(frames, frames.begin(), view, next_->points, ignored);
+      frames.wait(frames.submit());
+    }
     tracer_.begin(sampled, view.list().origin);
     tracer_.answer(view.traces().asked());
+    rounds_ = 0;
   }
   while (const std::optional<bool> asked = tracer_.poll()) {
-    if (!*asked) return true;
-    FrameStatistics ignored;
+    if (!*asked || ++rounds_ > shared::kMostTraces) return true;
     painter.recordAnswers(frames, frames.begin(), view, tracer_.rays(), next_->points, ignored);
     frames.wait(frames.submit());
     tracer_.answer(view.traces().asked());

@@ -28,7 +28,9 @@ class ProgressiveMean {
   [[nodiscard]] bool complete() const;
   /// A sample has joined, or is on its way.
   [[nodiscard]] bool begun() const { return joined_ > 0 || next_ || casting(); }
-  [[nodiscard]] bool casting() const { return certifier_.busy() || tracer_.busy(); }  ///< rays, beside the window
+  [[nodiscard]] bool casting() const {
+    return certifier_.busy() || tracer_.busy();
+  }  ///< rays, beside the window
   [[nodiscard]] const Audit& audit() const { return audit_; }
   [[nodiscard]] gpu::Texture& picture() { return accumulator_->mean(); }
 
@@ -58,6 +60,7 @@ class ProgressiveMean {
   int joined_ = 0;
   std::optional<Certifier::Outcome> next_;  // of the sample that joins next
   bool traced_ = false;                     // that, too
+  std::uint32_t rounds_ = 0;                // of answers to its shaders
   Audit audit_;
 };
 
