@@ -174,11 +174,11 @@ Json inspectShader(const std::string& name) {
 
 std::string shaderText(const Json& json) {
   const bool isMaterial = json["material"].get<bool>();
-  std::string text = fmt::format(
-      "{}: {}\n", json["shader"].get<std::string>(),
-      json.contains("varyings") ? "a program in the course's style, the shader of a material"
-      : isMaterial              ? "the shader of a material"
-                                : fmt::format("a {} shader", json["stage"].get<std::string>()));
+  std::string text =
+      fmt::format("{}: {}\n", json["shader"].get<std::string>(),
+                  json.contains("varyings") ? "a program in the course's style, the shader of a material"
+                  : isMaterial              ? "the shader of a material"
+                                            : fmt::format("a {} shader", json["stage"].get<std::string>()));
   const auto list = [&](const char* key, std::string_view title) {
     if (!json.contains(key) || json[key].empty()) return;
     text += fmt::format("{}\n", title);

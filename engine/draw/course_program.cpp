@@ -90,8 +90,9 @@ void CourseProgram::name(Stage& stage, const std::vector<std::string>& texts) co
   for (const auto* some : {&interface.inputs, &interface.outputs, &uniformsOf(interface)})
     for (const ShaderVariable& variable : *some) names.insert(variable.name);
   static const std::regex kStructure(R"(\bstruct\s+(\w+))");
-  for (const std::string& text : texts) {
-    for (std::string& constant : constantsOf(text)) names.insert(std::move(constant));
+  for (const std::size_t i : includedBy(&stage == &fragment_ ? 0 : shader_->vertex)) {
+    const std::string& text = texts[i];
+    for (std::string& constant : constantsOf(outsideOfFunctions(text))) names.insert(std::move(constant));
     for (std::sregex_iterator found(text.begin(), text.end(), kStructure), end; found != end; ++found)
       names.insert((*found)[1].str());
   }
@@ -108,12 +109,26 @@ void CourseProgram::name(Stage& stage, const std::vector<std::string>& texts) co
   }
 }
 
+/// The files of a program, which begins with that one: those that it includes have the name of a directive.
+std::vector<std::size_t> CourseProgram::includedBy(std::size_t program) const {
+  std::vector<std::size_t> own{program};
+  static const std::regex kInclude("#[ \\t]*include[ \\t]*\"([^\"]*)\"");
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const std::string& text = shader_->files[own[k]].text;
+    for (std::sregex_iterator found(text.begin(), text.end(), kInclude), end; found != end; ++found)
+      for (std::size_t i = 0; i < shader_->files.size(); ++i)
+        if (std::filesystem::path(shader_->files[i].name).filename() ==
+                std::filesystem::path((*found)[1].str()).filename() &&
+            std::ranges::find(own, i) == own.end())
+          own.push_back(i);
+  }
+  return own;
+}
+
 bool CourseProgram::isInitialised(const Stage& stage, const std::string& uniform) const {
-  const std::size_t split = shader_->vertex == 0 ? shader_->files.size() : shader_->vertex;
-  for (std::size_t i = &stage == &fragment_ ? 0 : split;
-       i < (&stage == &fragment_ ? split : shader_->files.size()); ++i)
-    if (!initialiserOf(shader_->files[i].text, uniform).empty()) return true;
-  return false;
+  return std::ranges::any_of(includedBy(&stage == &fragment_ ? 0 : shader_->vertex), [&](std::size_t i) {
+    return !initialiserOf(shader_->files[i].text, uniform).empty();
+  });
 }
 
 /// Whether a program has the word.
@@ -227,19 +242,24 @@ void CourseProgram::describe(const Refuse& refuse) {
       if (std::smatch found; std::regex_search(file.text, found, sampler)) uniform.type = found[1].str();
   }
   if (!uniforms.members.empty()) interface_.blocks.push_back(std::move(uniforms));
-  const auto taken = [this](const std::vector<ShaderVariable>& variables) {
+  // All outputs count as active.
+  const auto taken = [](const std::vector<ShaderVariable>& variables, const auto& isUsed) {
     std::vector<ShaderVariable> own;
     for (ShaderVariable variable : variables) {
-      const bool isOwn = !variable.name.starts_with("gL_");
+      const bool isOwn = !isOfTheLanguage(variable.name);
       variable.name = withoutCourseSpelling(variable.name);
-      if (!isOwn && !names(variable.name)) continue;
+      if (!isOwn && !isUsed(variable)) continue;
       variable.location.reset();
       own.push_back(std::move(variable));
     }
     return own;
   };
-  interface_.outputs = taken(vertex_ ? vertex_->interface.outputs : fragment_.interface.inputs);
-  interface_.inputs = vertex_ ? taken(vertex_->interface.inputs) : std::vector<ShaderVariable>{};
+  const auto isActive = [](const ShaderVariable& variable) { return variable.active; };
+  interface_.outputs = vertex_
+                           ? taken(vertex_->interface.outputs,
+                                   [this](const ShaderVariable& variable) { return names(variable.name); })
+                           : taken(fragment_.interface.inputs, isActive);
+  interface_.inputs = vertex_ ? taken(vertex_->interface.inputs, isActive) : std::vector<ShaderVariable>{};
 }
 
 std::string CourseProgram::storageOf(const std::string& uniform) const {

@@ -49,6 +49,7 @@ class CourseProgram {
 
   void name(Stage& stage, const std::vector<std::string>& texts) const;
   [[nodiscard]] bool names(const std::string& word) const;
+  [[nodiscard]] std::vector<std::size_t> includedBy(std::size_t program) const;
   void link(const Refuse& refuse);
   void describe(const Refuse& refuse);
   [[nodiscard]] bool isInitialised(const Stage& stage, const std::string& uniform) const;

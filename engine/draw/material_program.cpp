@@ -81,7 +81,7 @@ bool isField(const std::string& name) {
   constexpr std::string_view kFields[] = {"position",  "object",   "normal",   "viewer",  "tangent",
                                           "bitangent", "Su",       "Sv",       "uv",      "footprint",
                                           "direction", "distance", "radiance", "visible", "length",
-                                         "found",     "inside",   "color",    "number"};
+                                          "found",     "inside",   "color",    "number"};
   const auto isOf = [&](std::string_view letters) {
     return name.size() <= 4 && name.find_first_not_of(letters) == name.npos;
   };
@@ -98,7 +98,7 @@ constexpr const char* kEntryHint =
   if (said.find("No function definition") != said.npos && said.find("material(struct-Point") != said.npos)
     throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file),
                 kEntryHint);
-  if (said.find("No function definition") != said.npos && said.find("mAin(") != said.npos)
+  if (said.find(fmt::format("\n{}:", kCourseAlone)) != said.npos)
     throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'void main()'", entry),
                 "a program begins there");
   if (const std::size_t calls = said.find("Recursion detected"); calls != said.npos) {
@@ -129,6 +129,14 @@ constexpr const char* kEntryHint =
   throw Error(ErrorKind::Scene, message.empty() ? fmt::format("{}: {}", file, said) : message);
 }
 
+/// A message about a program in the course's style. What the language has is in a block without a name.
+std::string asProgramsSpell(std::string_view message) {
+  constexpr std::string_view kNameless = " in structure 'anon@0'";
+  std::string spelled = withoutCourseSpelling(message);
+  if (const std::size_t at = spelled.find(kNameless); at != spelled.npos) spelled.erase(at, kNameless.size());
+  return spelled;
+}
+
 /// 0 of what flattens space.
 Mat3 inverseOrZero(const Mat3& linear) {
   const double volume = std::abs(glm::dot(linear[0], glm::cross(linear[1], linear[2])));
@@ -148,10 +156,11 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
     compileCourse();
   } else {
     if (shader_->vertex > 0)
-      throw Error(ErrorKind::Scene,
-                  fmt::format("{}: there is a vertex program beside it, and it is no program in the course's style",
-                              shader_->files.front().name),
-                  "leave \"vertex\" out: material() is given the point itself (shaders/MATERIALS.md)");
+      throw Error(
+          ErrorKind::Scene,
+          fmt::format("{}: there is a vertex program beside it, and it is no program in the course's style",
+                      shader_->files.front().name),
+          "leave \"vertex\" out: material() is given the point itself (shaders/MATERIALS.md)");
     for (const MaterialShader::File& file : shader_->files) texts_.push_back(withBoundedLoops(file.text));
     interface_ = compileAlone(kAlone, 0, gpu::ShaderStage::Fragment);
   }
@@ -189,7 +198,7 @@ gpu::ShaderInterface MaterialProgram::compileAlone(std::string_view in, std::siz
          .includes = sources,
          .preamble = stage == gpu::ShaderStage::Vertex ? "#define LUXO_VERTEX\n" : "",
          .forReflection = true,
-         .asShown = withoutCourseSpelling});
+         .asShown = asProgramsSpell});
   } catch (const Error& error) {
     explain(*shader_, entry, error.what());
   }
@@ -258,8 +267,9 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
   const bool isProgram = luxo::inCourseStyle(*shader_);
   for (const auto* variables : {&interface.inputs, &interface.outputs})
     for (const gpu::ShaderVariable& variable : *variables)
-      if (isProgram ? variable.name.starts_with("gl_") && variable.name != "gl_FrontFacing"
-                    : variable.name != "inAny" && variable.name != "outColor" && variable.name != "gl_FragCoord")
+      if (isProgram
+              ? variable.name.starts_with("gl_") && variable.name != "gl_FrontFacing"
+              : variable.name != "inAny" && variable.name != "outColor" && variable.name != "gl_FragCoord")
         throw Error(ErrorKind::Scene,
                     fmt::format("{}: '{}' is an input or output of a program, which a material is not", file,
                                 variable.name),
@@ -399,10 +409,10 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
     for (std::string& name : constantsOf(file.text)) names.push_back(std::move(name));
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  constexpr std::string_view kGiven[] = {"main",       "material",  "lightCount",  "light",   "ambientLight",
-                                         "blinnPhong", "colorMap",  "specularMap", "glowMap", "Point",
-                                         "Light",      "luxoStops", "luxoRounds",  "luxoPictureSize",
-                                         "Hit",        "trace"};
+  constexpr std::string_view kGiven[] = {"main",         "material",        "lightCount", "light",
+                                         "ambientLight", "blinnPhong",      "colorMap",   "specularMap",
+                                         "glowMap",      "Point",           "Light",      "luxoStops",
+                                         "luxoRounds",   "luxoPictureSize", "Hit",        "trace"};
   std::erase_if(names, [&](const std::string& name) {
     return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
   });

@@ -108,7 +108,8 @@ MaterialShaderPtr ShaderFiles::get(const std::string& name, const std::string& v
     const fs::path program = pathOf(folder_, vertex, "vertex program").lexically_normal();
     const auto same = std::ranges::find(files, program.string(), &MaterialShader::File::name);
     if (same != files.end())
-      throw Error(ErrorKind::Scene, fmt::format("the vertex program '{}' is a part of the shader, too", vertex),
+      throw Error(ErrorKind::Scene,
+                  fmt::format("the vertex program '{}' is a part of the shader, too", vertex),
                   "a vertex program and a fragment program are two files");
     first = files.size();
     files.push_back({program.string(), textOf(program)});

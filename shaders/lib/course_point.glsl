@@ -131,7 +131,8 @@ bool luxoIsMoved() {
   return !(q.w > 0.0 && all(lessThanEqual(abs(q.xyz * own.w - own.xyz * q.w), allowed)));
 }
 
+// Those of the front are shown on both sides, unless an application asks for more, as luxo does not.
 void luxoHandOver() {
-  gL_Color = gL_FrontColor;  // two sides of colours are off unless asked for
+  gL_Color = gL_FrontColor;
   gL_SecondaryColor = gL_FrontSecondaryColor;
 }

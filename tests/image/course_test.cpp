@@ -66,7 +66,9 @@ class CoursePicture : public PictureTest {
  protected:
   [[nodiscard]] Image shown(const MaterialShaderPtr& shader, const Camera& camera = kCamera,
                             const Vec3& at = Vec3(0)) {
-    return draw(ringOnPlate({.shader = shader}, Light::Shadow::None, at), camera, kSize).image;
+    return draw(ringOnPlate({.shader = shader}, Light::Shadow::None, at), camera, kSize,
+                {.composition = Composition::Deferred})
+        .image;
   }
   /// A fragment program that shows green where the condition holds everywhere.
   void expectHolds(const std::string& vertex, const std::string& before, const std::string& condition,
@@ -227,7 +229,7 @@ void main() {
   Light l;
   l.position = vec3(1.0);
   l.filter[1] = 2.0;
-  position = sample(TWICE(total)) + l.position.x;  // 3
+  position = sample(TWICE(total)) + step(0.5, l.position.x);  // 3
   normal = common + l.filter[1];                   // 6
   patch[1] = vec2(7.0, 8.0);
   material = 9.0;
@@ -236,15 +238,17 @@ void main() {
 })",
       R"(
 #define TWICE(x) (20.0 * (x))
-const float k = 10.0;
+const float k = 10.0, step = 4.0;  // a function of the language, in the vertex program
 uniform float common;
 struct Light { float position; };
 float sample(float x) { return x * k; }
 float total = 50.0;
 varying float position, normal, material;
-varying vec2 patch[2];)",
+varying vec2 patch[2];
+float two() { const float mod = 2.0; return mod; })",
       "sample(TWICE(total)) == 10000.0 && position == 3.0 && normal == 6.0 && patch[1] == vec2(7.0, 8.0) && "
-      "material == 9.0 && common == 4.0 && gl_TexCoord[2].t == 5.0 && Light(2.0).position == 2.0");
+      "material == 9.0 && common == 4.0 && gl_TexCoord[2].t == 5.0 && Light(2.0).position == mod(7.0, 5.0) "
+      "&& step == 4.0 && two() == 2.0");
 }
 
 TEST_F(CoursePicture, EachProgramOfTheCourseCompiles) {

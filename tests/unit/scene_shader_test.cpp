@@ -69,7 +69,8 @@ TEST_F(SceneShader, ValuesAreFormulasOfTimeAndParameters) {
 
 TEST_F(SceneShader, IsWrittenAsItWasRead) {
   write("m.frag", "");
-  const SceneFile file = sceneWith(R"({ "shader": "m.frag", "uniforms": { "a": "k", "b": [1, 2] } })");
+  const SceneFile file =
+      sceneWith(R"({ "shader": "m.frag", "vertex": "m.vert", "uniforms": { "a": "k", "b": [1, 2] } })");
   EXPECT_EQ(parseScene(writeScene(file), "again", folder.path()).materials, file.materials);
 }
 
@@ -103,6 +104,23 @@ TEST_F(SceneShader, CarriedOnesAreNotLookedForOnDisk) {
               AllOf(HasSubstr("n.frag:2:11: there is no shader"), HasSubstr("b.glsl")));
 }
 
+TEST_F(SceneShader, AVertexProgramIsBehindWhatTheShaderIncludes) {
+  write("m.frag", "#include \"both.glsl\"\n");
+  write("both.glsl", "");
+  write("look/m.vert", "#include \"own.glsl\"\n");
+  write("look/own.glsl", "");
+  write("n.vert", "#include \"both.glsl\"\n");
+  ShaderFiles files(folder.path());
+  const MaterialShaderPtr shader = files.get("m.frag", "look/m.vert");
+  ASSERT_EQ(shader->files.size(), 4u);
+  EXPECT_EQ(shader->vertex, 2u);
+  EXPECT_EQ(shader->files[3].name, (folder / "look/own.glsl").lexically_normal().string());
+  EXPECT_EQ(files.get("m.frag", "n.vert")->files.size(), 3u) << "both.glsl is there already";
+  EXPECT_EQ(files.get("m.frag")->vertex, 0u);
+  EXPECT_EQ(files.get("m.frag", "look/m.vert"), shader);
+  EXPECT_THAT(messageOf([&] { static_cast<void>(files.get("m.frag", "m.frag")); }), HasSubstr("two files"));
+}
+
 TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   write("m.frag", "");
   write("long.frag", std::string(kMaxShaderBytes + 1, 'a'));
@@ -115,6 +133,9 @@ TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   EXPECT_THAT(refused(R"({ "shader": "none.frag" })"), HasSubstr("a.luxo.json:2:39: cannot read the shader"));
   EXPECT_THAT(refused(R"({ "shader": "../m.frag" })"), HasSubstr("outside of the scene's folder"));
   EXPECT_THAT(refused(R"({ "shader": "long.frag" })"), HasSubstr("at most 262144 are read"));
+  EXPECT_THAT(refused(R"({ "shader": "m.frag", "vertex": "none.vert" })"),
+              HasSubstr("a.luxo.json:2:59: cannot read the shader"));
+  EXPECT_THAT(refused(R"({ "vertex": "m.frag" })"), HasSubstr("there is a vertex program and no shader"));
   EXPECT_THAT(refused(R"({ "uniforms": { "a": 1 } })"), HasSubstr("there are uniforms and no shader"));
 }
 
