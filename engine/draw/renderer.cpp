@@ -196,19 +196,14 @@ void Renderer::trace(const Snapshot& snapshot, FrameStatistics& statistics) {
   const Stopwatch watch;
   const double drawing = statistics.ms.gpu;
   traced_.begin(snapshot, view_.list().origin);
-  // A point asks for one ray more in each round, and for at most so many.
-  for (std::uint32_t round = 0; round <= shared::kMostTraces; ++round) {
-    if (!traced_.answer(view_.traces().asked())) break;
+  while (traced_.answer(view_.traces().asked()))
     submit(
         [&](VkCommandBuffer commands) {
           painter_.recordAnswers(frames_, commands, view_, traced_, resolved_, statistics);
           recordReadback(commands, view_.picture());
         },
         statistics);
-  }
-  // Of a device that does not compute the same twice.
-  for (const shared::TraceQuestion& question : view_.traces().asked())
-    statistics.error.unconvergedPx += question.ray.from != shared::kNoQuestion;
+  statistics.error.unconvergedPx += traced_.openPx();
   statistics.count.tracedRays += traced_.answers().size();
   statistics.error.uncertifiedPx += traced_.undecidedPx();
   statistics.ms.rays += watch.milliseconds() - (statistics.ms.gpu - drawing);

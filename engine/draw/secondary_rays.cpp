@@ -15,6 +15,10 @@ namespace {
 constexpr std::size_t kRaysForAllCores = 8;
 constexpr std::size_t kFinest = std::numeric_limits<std::uint32_t>::max();  // worth the finest cells
 
+/// A point asks for one ray more in each round. Searches and rays may each have found it, one after the
+/// other.
+constexpr std::uint32_t kMostRounds = 2 * shared::kMostTraces;
+
 /// How far a point that is shown may be from where its pixel's ray meets the surface. Exact ones are within
 /// single precision; those of meshes within a pixel or so, seen at 75 degrees or steeper.
 constexpr double kRounding = 0x1p-18, kPixels = 4;
@@ -38,14 +42,17 @@ void SecondaryRays::begin(const Snapshot& snapshot, const Vec3& origin, std::fun
   const std::size_t pixels = static_cast<std::size_t>(snapshot_.view.size.width) *
                              static_cast<std::size_t>(snapshot_.view.size.height);
   starts_.assign(pixels + 1, 0);
-  undecided_ = 0;
+  rounds_ = 0;
+  undecided_ = open_ = 0;
 }
 
 bool SecondaryRays::answer(std::span<const shared::TraceQuestion> questions) {
   std::vector<Cast> asked;
   for (std::uint32_t pixel = 0; pixel < questions.size(); ++pixel)
     if (questions[pixel].ray.from != shared::kNoQuestion) asked.push_back({pixel, questions[pixel].ray});
-  if (asked.empty()) return false;
+  open_ = asked.size();
+  if (asked.empty() || rounds_++ > kMostRounds) return false;
+  forget(questions);
   std::vector<reference::Ray> fromEye;
   for (const Cast& one : asked)
     if (one.ray.from == shared::kFromPoint) fromEye.push_back(rayOf(one.pixel));
@@ -115,6 +122,16 @@ void SecondaryRays::cast(std::span<const Start> starts, std::span<Cast> asked,
   });
 }
 
+void SecondaryRays::forget(std::span<const shared::TraceQuestion> questions) {
+  std::uint32_t index = 0;
+  const std::size_t forgotten = std::erase_if(casts_, [&](const Cast& one) {
+    const shared::TraceQuestion& question = questions[one.pixel];
+    const std::uint32_t number = index++ - starts_[one.pixel];
+    return question.ray.from != shared::kNoQuestion && number >= question.number;
+  });
+  if (forgotten > 0) findStarts();
+}
+
 void SecondaryRays::keep(std::vector<Cast> asked) {
   std::vector<Cast> both;
   both.reserve(casts_.size() + asked.size());
@@ -123,16 +140,20 @@ void SecondaryRays::keep(std::vector<Cast> asked) {
              [](const Cast& a, const Cast& b) { return a.pixel < b.pixel; });
   casts_ = std::move(both);
   answers_.clear();
-  std::ranges::fill(starts_, 0U);
   undecided_ = 0;
   std::optional<std::uint32_t> counted;
   for (const Cast& one : casts_) {
     answers_.push_back(answerOf(one));
-    ++starts_[one.pixel + 1];
     if (one.certified || counted == one.pixel) continue;
     counted = one.pixel;
     ++undecided_;
   }
+  findStarts();
+}
+
+void SecondaryRays::findStarts() {
+  std::ranges::fill(starts_, 0U);
+  for (const Cast& one : casts_) ++starts_[one.pixel + 1];
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
 }
 

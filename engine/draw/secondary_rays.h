@@ -29,13 +29,17 @@ class SecondaryRays {
   void begin(
       const Snapshot& snapshot, const Vec3& origin, std::function<bool()> goesOn = [] { return true; });
 
-  /// Answers what the pixels ask, row by row. Whether any did. Cost: some 10 us a ray and core, more where
-  /// what it meets is in exact shadows; 250 bytes an answer are kept until the picture's end.
+  /// Answers what the pixels ask, row by row. False when none asks, and the picture is done; or when they ask
+  /// more often than their points can. Where a pixel asks again for a ray that was answered, as its point has
+  /// become another, what it was told from there on is forgotten. Cost: some 10 us a ray and core, more where
+  /// what it meets is in exact shadows; some 500 bytes an answer are kept until the picture's end.
   bool answer(std::span<const shared::TraceQuestion> questions);
 
   /// Of each pixel, the number of its first answer; and one more: how many there are.
   [[nodiscard]] const std::vector<std::uint32_t>& starts() const { return starts_; }
   [[nodiscard]] const std::vector<shared::TraceAnswer>& answers() const { return answers_; }
+  /// Pixels that ask after the last answer: of a device that does not compute the same twice.
+  [[nodiscard]] std::uint64_t openPx() const { return open_; }
   /// Pixels with a ray that proves nothing: within rounding of grazing something.
   [[nodiscard]] std::uint64_t undecidedPx() const { return undecided_; }
 
@@ -58,8 +62,11 @@ class SecondaryRays {
   [[nodiscard]] reference::Ray rayOf(std::uint32_t pixel) const;  ///< the eye's
   [[nodiscard]] Start startOf(std::uint32_t pixel, const shared::TraceQuestion& question) const;
   void cast(std::span<const Start> starts, std::span<Cast> asked, std::span<const std::size_t> chosen) const;
+  /// Forgets what pixels have been told from the numbers on that they ask for.
+  void forget(std::span<const shared::TraceQuestion> questions);
   /// Keeps them behind those of the same pixel that are there.
   void keep(std::vector<Cast> asked);
+  void findStarts();
   [[nodiscard]] shared::TraceAnswer answerOf(const Cast& cast) const;
 
   Snapshot snapshot_;
@@ -71,7 +78,8 @@ class SecondaryRays {
   std::vector<Cast> casts_;                  ///< by pixel, in the order in which they were asked
   std::vector<std::uint32_t> starts_;
   std::vector<shared::TraceAnswer> answers_;
-  std::uint64_t undecided_ = 0;
+  std::uint32_t rounds_ = 0;
+  std::uint64_t undecided_ = 0, open_ = 0;
 };
 
 }  // namespace luxo

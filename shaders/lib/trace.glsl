@@ -46,7 +46,7 @@ Hit traced(uint from, vec3 direction) {
     TraceAnswer answer = traceAnswers[first + index];
     if (answer.ray.from == from && answer.ray.direction == ray.direction) return answered(answer, kFromFirstHit + index);
   }
-  traceOpen = TraceQuestion(ray, litPoint.position);
+  traceOpen = TraceQuestion(ray, index, litPoint.position);
   return noHit();
 }
 

@@ -435,9 +435,10 @@ struct TraceRay {
   uint from;       // kFromPoint and on
 };
 
-// That of a pixel that has none for now, in row order; with the point that it lights.
+// What a pixel asks: the number of its answer, whose place another one may have; and the point that it lights.
 struct TraceQuestion {
-  TraceRay ray;
+  TraceRay ray;  // kNoQuestion: none
+  uint number;
   vec3 position;
 };
 
@@ -447,7 +448,7 @@ struct TraceAnswer {
   vec3 position;
   vec3 normal;  // of the side that the ray meets
   vec2 parameters;
-  vec3 color;  // that comes along the ray
+  vec3 color;   // that comes along the ray
   uint inside;  // 1: it meets the back, from within where the surface is closed
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "draw/secondary_rays.h"
 #include "scene/shader_files.h"
 #include "support/picture.h"
 #include "surface/library.h"
@@ -197,6 +198,39 @@ TEST_F(SecondaryRays, GlassThatBendsNothingIsInvisible) {
       differ += !near(colorAt(visible, x, y), colorAt(without, x, y), 0.02);
     }
   EXPECT_GT(differ, 150);
+}
+
+/// A point that is found anew asks anew: what it was told before, and what it was told after that, goes. Who
+/// asks without end is left, and counted.
+TEST(SecondaryRaysProtocol, AskingAgainReplacesAnswers) {
+  Scene scene;
+  scene.add(Node{.surface = sphere(1)});
+  scene.add(Camera{.eye = Vec3(0, 0, 4)});
+  const Snapshot snapshot = takeSnapshot(scene, 0, {3, 3});
+  luxo::SecondaryRays rays;
+  rays.begin(snapshot, Vec3(0));
+  std::vector<shared::TraceQuestion> questions(9);
+  const auto ask = [&](std::uint32_t number, std::uint32_t from, const Vec3f& direction) {
+    questions[4] = {{direction, from}, number, Vec3f(0, 0, 1)};
+    return rays.answer(questions);
+  };
+  const Vec3f across(0.6F, 0, -0.8F), down(0, 0, -1);
+  EXPECT_TRUE(ask(0, shared::kFromPoint, across));
+  EXPECT_TRUE(ask(1, shared::kFromFirstHit, across));
+  EXPECT_EQ(rays.answers().size(), 2U);
+  EXPECT_NEAR(rays.answers()[0].distance, 1.6, 1e-6);
+  EXPECT_EQ(rays.answers()[1].distance, -1) << "out of the ball";
+  EXPECT_TRUE(ask(0, shared::kFromPoint, down));
+  ASSERT_EQ(rays.answers().size(), 1U);
+  EXPECT_NEAR(rays.answers()[0].distance, 2, 1e-6);
+  EXPECT_EQ(rays.starts()[4], 0U);
+  EXPECT_EQ(rays.starts()[5], 1U);
+  int more = 0;
+  while (ask(0, shared::kFromPoint, down)) ASSERT_LT(++more, 100);
+  EXPECT_EQ(rays.openPx(), 1U);
+  questions[4] = {};
+  EXPECT_FALSE(rays.answer(questions));
+  EXPECT_EQ(rays.openPx(), 0U);
 }
 
 /// Without trace() the picture is made in one go, as ever.

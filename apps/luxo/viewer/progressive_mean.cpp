@@ -53,17 +53,11 @@ bool ProgressiveMean::trace(gpu::FrameRing& frames, ScenePainter& painter, Rende
   if (!view.list().traces) return true;
   FrameStatistics ignored;
   if (!tracer_.busy()) {
-    // Shaders ask from the points that are shown in the end.
-    if (!next_->points.empty()) {
-      painter.recordRays(frames, frames.begin(), view, next_->points, ignored);
-      frames.wait(frames.submit());
-    }
     tracer_.begin(sampled, view.list().origin);
     tracer_.answer(view.traces().asked());
-    rounds_ = 0;
   }
   while (const std::optional<bool> asked = tracer_.poll()) {
-    if (!*asked || ++rounds_ > shared::kMostTraces) return true;
+    if (!*asked) return true;
     painter.recordAnswers(frames, frames.begin(), view, tracer_.rays(), next_->points, ignored);
     frames.wait(frames.submit());
     tracer_.answer(view.traces().asked());

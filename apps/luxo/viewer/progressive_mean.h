@@ -60,7 +60,6 @@ class ProgressiveMean {
   int joined_ = 0;
   std::optional<Certifier::Outcome> next_;  // of the sample that joins next
   bool traced_ = false;                     // that, too
-  std::uint32_t rounds_ = 0;                // of answers to its shaders
   Audit audit_;
 };
 
