@@ -29,6 +29,11 @@ void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), s
 
 }  // namespace
 
+Verbosity verbosityOf(bool quiet, bool verbose) {
+  if (quiet && verbose) throw Error(ErrorKind::Usage, "-q and -v contradict each other", "keep one of them");
+  return quiet ? Verbosity::Quiet : verbose ? Verbosity::Verbose : Verbosity::Normal;
+}
+
 bool colouredConsole() {
   const char* refused = std::getenv("NO_COLOR");
   return isatty(STDERR_FILENO) == 1 && (refused == nullptr || *refused == '\0');

@@ -10,6 +10,9 @@ namespace luxo {
 
 enum class Verbosity { Quiet, Normal, Verbose };
 
+/// Of -q and -v. Error(Usage): both.
+[[nodiscard]] Verbosity verbosityOf(bool quiet, bool verbose);
+
 /// Whether stderr takes colour: it is a terminal and NO_COLOR is not set (no-color.org).
 [[nodiscard]] bool colouredConsole();
 

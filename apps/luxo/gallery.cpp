@@ -73,12 +73,6 @@ Sheet sheetOf(const GalleryOptions& options, int count) {
   return sheet;
 }
 
-Verbosity verbosityOf(const GalleryOptions& options) {
-  if (options.quiet && options.verbose)
-    throw Error(ErrorKind::Usage, "-q and -v contradict each other", "keep one of them");
-  return options.quiet ? Verbosity::Quiet : options.verbose ? Verbosity::Verbose : Verbosity::Normal;
-}
-
 /// Draws them in turn with what the ones before have left: pictures do not depend on it. False when
 /// interrupted.
 bool drawAll(const GalleryOptions& options, const Sheet& sheet, Verbosity verbosity, gpu::Context& context,
@@ -123,7 +117,7 @@ void requireOutputsOf(const GalleryOptions& options) {
 }
 
 int runGallery(const GalleryOptions& options) {
-  const Verbosity verbosity = verbosityOf(options);
+  const Verbosity verbosity = verbosityOf(options.quiet, options.verbose);
   const int count = static_cast<int>(galleryScenes().size());
   const Sheet sheet = sheetOf(options, count);
   if (options.samples) static_cast<void>(parseSamples(*options.samples));

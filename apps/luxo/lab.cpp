@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -27,17 +26,13 @@ struct LabOptions {
   std::string file, scene, material;
 };
 
-bool isCarried(const std::string& shader) {
-  return std::ranges::find(galleryShaders(), shader, &EmbeddedShader::name) != galleryShaders().end();
-}
-
 int runLab(const LabOptions& options) {
   RenderRequest request = options.render->request(RenderTarget::Window);
   showLog(request.verbosity);
   if (!namesMaterialShader(options.file))
     throw Error(ErrorKind::Usage, "'" + options.file + "' is no shader file",
-                isCarried(options.file + ".frag") ? "did you mean '" + options.file + ".frag'?"
-                                                  : "name a file that ends in .frag or .glsl");
+                isGalleryShader(options.file + ".frag") ? "did you mean '" + options.file + ".frag'?"
+                                                        : "name a file that ends in .frag or .glsl");
   if (options.scene == "-" || namesMaterialShader(options.scene))
     throw Error(ErrorKind::Usage, "'" + options.scene + "' is no scene that can be read again",
                 "name a scene file, a model or a built-in scene");

@@ -191,9 +191,7 @@ std::optional<SceneFile> sceneDescription(const std::string& scene) {
 MaterialShaderPtr openMaterialShader(const std::string& shader) {
   const std::filesystem::path path(shader);
   std::error_code ignored;
-  const bool carried =
-      std::ranges::find(galleryShaders(), shader, &EmbeddedShader::name) != galleryShaders().end();
-  return carried && !std::filesystem::exists(path, ignored)
+  return isGalleryShader(shader) && !std::filesystem::exists(path, ignored)
              ? galleryShaderFiles()->get(path.filename().string())
              : shaderInFile(path);
 }

@@ -26,7 +26,10 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   Texts& t = *texts_;
   t.sceneArgument = scene;
   if (scene == SceneArgument::Taken)
-    command.add_option("SCENE", t.scene, "scene file, model, shader of a material, built-in name, or - for standard input")->type_name("");
+    command
+        .add_option("SCENE", t.scene,
+                    "scene file, model, shader of a material, built-in name, or - for standard input")
+        ->type_name("");
   const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
     return command.add_option(name, value, help)->type_name(type);
   };
@@ -128,7 +131,7 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   RenderRequest request;
   request.listScenes = t.list;
   if (t.list) return request;
-  if (t.quiet && t.verbose) refuse("-q and -v contradict each other", "keep one of them");
+  request.verbosity = verbosityOf(t.quiet, t.verbose);
   if (t.time && t.frames)
     refuse("--time and --frames exclude each other", "frame n is at (n-1)/fps; see --fps");
   if (t.sweep && t.frames)
@@ -162,7 +165,6 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   if (t.device.empty()) refuse("--device is empty", "auto, cpu, gpu, a number or a part of the name");
   request.device = t.device;
   request.validate = t.validate;
-  request.verbosity = t.quiet ? Verbosity::Quiet : t.verbose ? Verbosity::Verbose : Verbosity::Normal;
   requireDistinct(request.parameters, request.sweep);
   requireForEngine(request);
   request.scene = t.scene;

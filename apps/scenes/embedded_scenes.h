@@ -2,6 +2,7 @@
 // The scene files of this folder and of its gallery, carried by the program.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
@@ -25,5 +26,8 @@ struct EmbeddedShader {
 
 /// The shaders of the gallery, and what they include.
 [[nodiscard]] std::span<const EmbeddedShader> galleryShaders();
+[[nodiscard]] inline bool isGalleryShader(std::string_view name) {
+  return std::ranges::find(galleryShaders(), name, &EmbeddedShader::name) != galleryShaders().end();
+}
 
 }  // namespace luxo

@@ -2,10 +2,7 @@
 #include "viewer/certifier.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
-
-#include "background.h"
 
 namespace luxo {
 namespace {
@@ -17,13 +14,13 @@ std::pair<std::int32_t, std::int32_t> placeOf(const PixelPlace& pixel) { return 
 void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, RenderView& view) {
   cancel();
   snapshot_ = snapshot;
-  rays_.begin(snapshot_, options, [this] { return !cancelled_; });
+  rays_.begin(snapshot_, options, [this] { return !work_.cancelled(); });
   std::vector<PixelPlace> doubtful;
   for (const Doubt& doubt : view.doubts()) doubtful.push_back(doubt.pixel);
-  working_ = inBackground([this, doubtful = std::move(doubtful), probes = view.probes(),
-                           found = view.list().found, origin = view.list().origin, shown = view.shown(),
-                           groups = view.list().groups, layers = view.list().layers.found,
-                           layersFrom = view.list().layersFrom(), size = snapshot.view.size] {
+  work_.begin([this, doubtful = std::move(doubtful), probes = view.probes(), found = view.list().found,
+               origin = view.list().origin, shown = view.shown(), groups = view.list().groups,
+               layers = view.list().layers.found, layersFrom = view.list().layersFrom(),
+               size = snapshot.view.size] {
     const auto resolved = [&](const std::vector<PixelPlace>& pixels) {
       RayPoints points = rays_.resolve(pixels, found, origin);
       rays_.addShadows(pixels, shown, groups, points);
@@ -41,19 +38,6 @@ void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, Rend
     if (audit.failed > 0) outcome.points = resolved(auditedPixels(size, {.extent = AuditExtent::All}, {}));
     return outcome;
   });
-}
-
-void Certifier::cancel() {
-  if (!busy()) return;
-  cancelled_ = true;
-  working_.wait();
-  working_ = {};
-  cancelled_ = false;
-}
-
-std::optional<Certifier::Outcome> Certifier::poll() {
-  if (!busy() || working_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-  return working_.get();
 }
 
 }  // namespace luxo

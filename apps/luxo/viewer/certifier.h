@@ -3,12 +3,10 @@
 // window.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <future>
 #include <optional>
-#include <vector>
 
+#include "background.h"
 #include "draw/ray_points.h"
 #include "draw/render_view.h"
 #include "scene/snapshot.h"
@@ -22,26 +20,20 @@ class Certifier {
     std::uint64_t audited = 0, failed = 0, undecided = 0;
   };
 
-  Certifier() = default;
-  ~Certifier() { cancel(); }
-  Certifier(const Certifier&) = delete;
-  Certifier& operator=(const Certifier&) = delete;
-
   /// Begins with what the painter has recorded last, which has to be complete. What it did before is
   /// cancelled.
   void begin(const Snapshot& snapshot, const DrawOptions& options, RenderView& view);
   /// Stops soon, and forgets the outcome. Waits for a ray, or for cells that are being built.
-  void cancel();
+  void cancel() { work_.cancel(); }
 
-  [[nodiscard]] bool busy() const { return working_.valid(); }
+  [[nodiscard]] bool busy() const { return work_.busy(); }
   /// Once it is there.
-  [[nodiscard]] std::optional<Outcome> poll();
+  [[nodiscard]] std::optional<Outcome> poll() { return work_.poll(); }
 
  private:
   CertifiedRays rays_;
   Snapshot snapshot_;
-  std::atomic<bool> cancelled_ = false;
-  std::future<Outcome> working_;
+  BackgroundWork<Outcome> work_;
 };
 
 }  // namespace luxo

@@ -2,11 +2,11 @@
 // While nothing moves: answers what shaders of materials ask of the scene, beside the window.
 #pragma once
 
-#include <atomic>
-#include <future>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "background.h"
 #include "draw/secondary_rays.h"
 #include "scene/snapshot.h"
 
@@ -14,28 +14,27 @@ namespace luxo {
 
 class Tracer {
  public:
-  Tracer() = default;
-  ~Tracer() { cancel(); }
-  Tracer(const Tracer&) = delete;
-  Tracer& operator=(const Tracer&) = delete;
-
   /// As SecondaryRays::begin(). What it did before is cancelled.
-  void begin(const Snapshot& snapshot, const Vec3& origin);
-  /// Begins to answer.
-  void answer(std::vector<shared::TraceQuestion> questions);
+  void begin(const Snapshot& snapshot, const Vec3& origin) {
+    cancel();
+    rays_.begin(snapshot, origin, [this] { return !work_.cancelled(); });
+  }
+  /// Begins to answer. Requires that it is not busy.
+  void answer(std::vector<shared::TraceQuestion> questions) {
+    work_.begin([this, asked = std::move(questions)] { return rays_.answer(asked); });
+  }
   /// Stops soon. Waits for a ray, or for cells that are being built.
-  void cancel();
+  void cancel() { work_.cancel(); }
 
-  [[nodiscard]] bool busy() const { return working_.valid(); }
+  [[nodiscard]] bool busy() const { return work_.busy(); }
   /// Once it has answered: whether there was a question.
-  [[nodiscard]] std::optional<bool> poll();
+  [[nodiscard]] std::optional<bool> poll() { return work_.poll(); }
   /// Not while it is busy.
   [[nodiscard]] const SecondaryRays& rays() const { return rays_; }
 
  private:
   SecondaryRays rays_;
-  std::atomic<bool> cancelled_ = false;
-  std::future<bool> working_;
+  BackgroundWork<bool> work_;
 };
 
 }  // namespace luxo

@@ -21,7 +21,7 @@ float meanOfYears(float year, float size) {
 }
 
 vec4 material(Point p) {
-  vec3 along = normalize(trunk), place = p.object - pith;
+  vec3 along = dot(trunk, trunk) > 0.0 ? normalize(trunk) : vec3(0.0, 1.0, 0.0), place = p.object - pith;
   float height = dot(place, along);
   vec3 across = place - height * along;
   float pixel = length(p.Su * p.footprint[0].x + p.Sv * p.footprint[0].y) +
