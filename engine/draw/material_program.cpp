@@ -198,7 +198,7 @@ gpu::ShaderInterface MaterialProgram::compileAlone(std::string_view in, std::siz
          .includes = sources,
          .preamble = stage == gpu::ShaderStage::Vertex ? "#define LUXO_VERTEX\n" : "",
          .forReflection = true,
-         .asShown = asProgramsSpell});
+         .asShown = in == kCourseAlone ? asProgramsSpell : nullptr});
   } catch (const Error& error) {
     explain(*shader_, entry, error.what());
   }
@@ -248,23 +248,25 @@ void MaterialProgram::refuseWord(const std::string& word, const std::string& why
 /// Points in, a colour out.
 void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
   const std::string& file = shader_->files.front().name;
+  const bool isProgram = luxo::inCourseStyle(*shader_);
   if (interface.discards)
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
         "return a colour everywhere");
-  for (const std::string& name : interface.computedGlobals)
-    refuseWord(withoutCourseSpelling(name),
+  for (const std::string& global : interface.computedGlobals) {
+    const std::string name = isProgram ? withoutCourseSpelling(global) : global;
+    refuseWord(name,
                fmt::format("'{}' is computed before any uniform has its value: outside of functions only "
                            "constants are",
                            name),
                "compute it in a function, or make it a constant");
+  }
   for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMostRounds"})
     refuseWord(own, fmt::format("'{}' is a name of luxo's own", own), "choose another one");
   if (std::ranges::count(interface.calls, "luxoStops") < std::int64_t{interface.loops})
     throw Error(ErrorKind::Scene, fmt::format("{}: a macro spells a loop, which may have no end", file),
                 "write for, while and do where the loop is");
-  const bool isProgram = luxo::inCourseStyle(*shader_);
   for (const auto* variables : {&interface.inputs, &interface.outputs})
     for (const gpu::ShaderVariable& variable : *variables)
       if (isProgram
