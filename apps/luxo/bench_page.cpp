@@ -47,7 +47,7 @@ std::string rowOf(const Cells& cells, const char* tag) {
 }
 
 /// A dash for what does not apply.
-std::string number(double value, const char* format = "{:.3g}") {
+std::string pageNumber(double value, const char* format = "{:.3g}") {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "\u2013";
 }
 
@@ -85,10 +85,11 @@ std::string rowsTable(const BenchScene& scene) {
     const Typical& ms = row.cost.frameMs;
     table.rows.push_back(
         {nameOf(row.way), fmt::format("{}", row.way.samples), fmt::format("{}", row.cost.triangles),
-         number(ms.median, "{:.2f}"), number(ms.p10, "{:.2f}") + " \u2013 " + number(ms.p90, "{:.2f}"),
-         fmt::format("{}", row.cost.runs), number(row.cost.coldMs, "{:.0f}"), number(e.positionMaxPx),
-         number(e.positionP999Px), number(e.silhouettePx), fmt::format("{}", e.beyond),
-         number(e.normalP999Deg), number(e.differing8Part), number(e.psnr, "{:.1f}")});
+         pageNumber(ms.median, "{:.2f}"),
+         pageNumber(ms.p10, "{:.2f}") + " \u2013 " + pageNumber(ms.p90, "{:.2f}"),
+         fmt::format("{}", row.cost.runs), pageNumber(row.cost.coldMs, "{:.0f}"), pageNumber(e.positionMaxPx),
+         pageNumber(e.positionP999Px), pageNumber(e.silhouettePx), fmt::format("{}", e.beyond),
+         pageNumber(e.normalP999Deg), pageNumber(e.differing8Part), pageNumber(e.psnr, "{:.1f}")});
   }
   return tableOf(table);
 }

@@ -69,8 +69,8 @@ Scene sceneOf(const BenchedScene& benched, const ShadowWay& way) {
 }
 
 /// A way with a renderer of its own, so that what others draw in between changes nothing in it.
-struct Contestant {
-  Contestant(gpu::Context& context, const BenchedScene& scene, const ShadowWay& way, PixelSize size)
+struct ShadowContestant {
+  ShadowContestant(gpu::Context& context, const BenchedScene& scene, const ShadowWay& way, PixelSize size)
       : row{.scene = scene.name, .way = way},
         snapshot(takeSnapshot(sceneOf(scene, way), 0, size)),
         options{.shadowGridSize = way.gridSize, .skips = {.unchanged = false}},
@@ -141,14 +141,14 @@ std::vector<ShadowWay> waysOf(const ShadowPlan& plan, double slopeBias) {
   return ways;
 }
 
-void judge(std::list<Contestant>& contestants, const BenchedScene& scene, const ReferencePicture& truth,
+void judge(std::list<ShadowContestant>& contestants, const BenchedScene& scene, const ReferencePicture& truth,
            const ShadowPlan& plan) {
   const Snapshot exact = takeSnapshot(sceneOf(scene, {.kind = Kind::Exact}), 0, plan.size);
   const std::vector<std::uint32_t> pixels = spreadPixels(plan.size, plan.truthPixels);
   const ReferencePicture soft =
       castPicture(takeSnapshot(sceneOf(scene, {.kind = Kind::Soft, .points = kTruthPoints}), 0, plan.size),
                   {.pixels = pixels});
-  for (Contestant& c : contestants) {
+  for (ShadowContestant& c : contestants) {
     if (c.row.way.kind == Kind::Soft)
       c.row.rms = rmsOf(c.renderer.render(c.snapshot, c.options).image, soft, pixels);
     else if (c.row.way.kind != Kind::None)
@@ -196,11 +196,11 @@ std::optional<ShadowBench> benchShadows(gpu::Context& context, const ShadowPlan&
     const ReferencePicture truth =
         castPicture(takeSnapshot(sceneOf(kScenes[i], {.kind = Kind::Exact}), 0, plan.size));
     const double slopeBias = tunedSlopeBias(context, kScenes[i], truth, plan);
-    std::list<Contestant> contestants;  // a renderer does not move
+    std::list<ShadowContestant> contestants;  // a renderer does not move
     for (const ShadowWay& way : waysOf(plan, slopeBias))
       contestants.emplace_back(context, kScenes[i], way, plan.size);
     for (int run = -1; run < plan.runs; ++run)
-      for (Contestant& c : contestants) {
+      for (ShadowContestant& c : contestants) {
         const double part = 0.7 * (run + 1) / (plan.runs + 1);
         if (!goesOn((static_cast<double>(i) + part) / kScenes.size())) return std::nullopt;
         if (run > 0 && c.hasTakenMuch(plan.muchMs)) continue;
@@ -208,7 +208,7 @@ std::optional<ShadowBench> benchShadows(gpu::Context& context, const ShadowPlan&
         if (run < 0) c.frameMs.clear();  // pipelines, meshes and maps were made
       }
     judge(contestants, kScenes[i], truth, plan);
-    for (Contestant& c : contestants) {
+    for (ShadowContestant& c : contestants) {
       c.row.runs = static_cast<int>(c.frameMs.size());
       c.row.frameMs = typicalOf(c.frameMs);
       bench.rows.push_back(std::move(c.row));

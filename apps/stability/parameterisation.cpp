@@ -75,8 +75,8 @@ std::vector<Measurement> spherePoles(StressContext& context) {
 // ST-02. From above the apex a cone's normal depends on the direction around the middle alone, and its
 // outline is a circle.
 std::vector<Measurement> coneApex(StressContext& context) {
-  constexpr double kHeight = 2, kEye = 6;
-  const Scene scene = sceneOf(cone(1, 0, kHeight));
+  constexpr double kConeHeight = 2, kEye = 6;
+  const Scene scene = sceneOf(cone(1, 0, kConeHeight));
   double worst = 0, nans = 0, wrong = 0;
   for (const PixelSize size : oddAndEven(context)) {
     const Outputs out(context, scene, {.eye = Vec3(0, kEye, 0)}, size);
@@ -85,7 +85,7 @@ std::vector<Measurement> coneApex(StressContext& context) {
     // The last pixel before the outline may lie on either side of it.
     forEachAround(size, 1, outline - 0.01, [&](int x, int y, double) {
       const Vec3 d = rayThrough(out.snapshot.view, centerOf(x, y)).direction;
-      const Vec3 truth = Vec3(0, 1, 0) + kHeight * unit(Vec3(d.x, 0, d.z));
+      const Vec3 truth = Vec3(0, 1, 0) + kConeHeight * unit(Vec3(d.x, 0, d.z));
       raise(worst, degreesBetween(colorAt(out.normal, x, y), truth));
     });
     forEachAround(size, 0, size.width, [&](int x, int y, double distance) {

@@ -16,7 +16,7 @@
 namespace luxo {
 namespace {
 
-constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat kSumFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 }  // namespace
 
@@ -84,7 +84,7 @@ Accumulator::Accumulator(gpu::Context& context)
       pipeline_(context, {.name = "average",
                           .vertexShader = luxo_whole_target_vert,
                           .fragmentShader = luxo_average_frag,
-                          .colorFormats = {kFormat},
+                          .colorFormats = {kSumFormat},
                           .blend = gpu::Blend::Mean,
                           .specialization = {{0, std::bit_cast<std::uint32_t>(kUncertain)}},
                           .setLayouts = {layout_}}) {}
@@ -94,7 +94,7 @@ void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Tex
   if (!mean_ || mean_.extent().width != extent.width || mean_.extent().height != extent.height) {
     LUXO_REQUIRE_COMPARE(before, ==, 0);
     mean_ = gpu::Texture(*context_, {.extent = extent,
-                                     .format = kFormat,
+                                     .format = kSumFormat,
                                      .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                               VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
                                      .name = "mean"});

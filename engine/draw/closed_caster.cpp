@@ -10,7 +10,7 @@ namespace luxo {
 namespace {
 
 /// Of the distances involved: what a dozen operations of single precision round away.
-constexpr double kRounding = 0x1p-21;
+constexpr double kEquationRounding = 0x1p-21;
 /// A light this near to the surface, of what F is a sum of, does not tell its side.
 constexpr double kOnSurface = 1e-6;
 /// Of the ring: in the narrow middle of a torus with less room than that steps are short.
@@ -84,9 +84,9 @@ std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const Snapsho
   caster.atLight = static_cast<float>(torus ? torusAt(equation.tube, at) : quadricAt(caster, at));
   caster.lowest = Vec3f(glm::max(known->edges.min - middle, Vec3(-kNowhere)));
   caster.highest = Vec3f(glm::min(known->edges.max - middle, Vec3(kNowhere)));
-  caster.rounding = Vec3f(kRounding * (glm::abs(from) + equation.reach + std::abs(center)));
-  caster.roundingPerMetre = Vec3f(kRounding * lengths);
-  caster.offPerPixel = static_cast<float>(offPx / (snapshot.view.pixelsPerUnit * kRounding));
+  caster.rounding = Vec3f(kEquationRounding * (glm::abs(from) + equation.reach + std::abs(center)));
+  caster.roundingPerMetre = Vec3f(kEquationRounding * lengths);
+  caster.offPerPixel = static_cast<float>(offPx / (snapshot.view.pixelsPerUnit * kEquationRounding));
   if (equation.isRadial()) {
     caster.flags = shared::kRadialCaster;
     if (caster.lowest.x <= 0) caster.lowest.x = static_cast<float>(-kNowhere);  // the axis is no edge

@@ -20,9 +20,6 @@ constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kDepthRounding = 0x1p-21;
 const shared::ReachingLight kAllReaches{.shadows = 0, .transmittance = Vec3f(1)};
-constexpr std::size_t kRaysForAllCores = 8;
-constexpr std::size_t kFinest =
-    std::numeric_limits<std::uint32_t>::max();  // rays that are worth the finest cells
 
 double depthInBuffer(const View& view, double depth) {
   return view.perspective() ? view.near / depth : (view.far - depth) / (view.far - view.near);
@@ -149,7 +146,7 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   std::vector<reference::Caster::First> seen(pixels.size());
   const auto cast = [&](std::span<const std::size_t> chosen) {
-    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
+    forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
       if (goesOn_()) seen[chosen[k]] = caster_->firstOf(nodes_, rays[chosen[k]]);
     });
   };
@@ -160,7 +157,7 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
   if (!chosen.empty()) {
     static_cast<void>(prepare(
-        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, kFinest));
+        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, reference::kRaysForFinestCells));
     cast(chosen);
   }
 
@@ -233,7 +230,7 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, const ShownMe
   };
   std::vector<Found> all(pixels.size());
   const auto find = [&](std::span<const std::size_t> chosen) {
-    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
+    forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
       if (!goesOn_()) return;
       const reference::Ray& ray = rays[chosen[k]];
       Found found;
@@ -265,7 +262,7 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, const ShownMe
           undecided.push_back({all[i].seen.hit->position, caster_->towardLight(*light, *all[i].seen.hit)});
   }
   if (!undecided.empty()) {
-    caster_->prepareFor(undecided, all_, kFinest);
+    caster_->prepareFor(undecided, all_, reference::kRaysForFinestCells);
     find(chosen);
   }
   points.shadows.resize(groups.size());
@@ -290,7 +287,7 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
   };
   std::vector<Layered> seen(pixels.size());
   const auto look = [&](std::span<const std::size_t> chosen) {
-    forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
+    forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
       if (!goesOn_()) return;
       Layered layered{.sight = caster_->look(rays[chosen[k]], reference::Caster::Invisible::Told)};
       layered.certified = layered.sight.certified;
@@ -307,7 +304,7 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
   std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
   if (!chosen.empty()) {
     static_cast<void>(prepare(
-        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, kFinest));
+        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, reference::kRaysForFinestCells));
     look(chosen);
   }
   const Vec3 forward = caster_->snapshot().view.forward();
@@ -353,7 +350,7 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const Shown
   };
   using enum reference::Judgement;
   std::vector<reference::Judgement> judged(probes.size());
-  forEachIndex(probes.size(), probes.size() >= kRaysForAllCores, [&](std::size_t i) {
+  forEachIndex(probes.size(), probes.size() >= reference::kRaysForAllCores, [&](std::size_t i) {
     if (!goesOn_()) return;
     const Vec2 at = sampled(probes[i].pixel);
     judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding_ + ofBuffer);

@@ -12,16 +12,13 @@
 namespace luxo {
 namespace {
 
-constexpr std::size_t kRaysForAllCores = 8;
-constexpr std::size_t kFinest = std::numeric_limits<std::uint32_t>::max();  // worth the finest cells
-
 /// A point asks for one ray more in each round. Searches and rays may each have found it, one after the
 /// other.
 constexpr std::uint32_t kMostRounds = 2 * shared::kMostTraces;
 
 /// How far a point that is shown may be from where its pixel's ray meets the surface. Exact ones are within
 /// single precision; those of meshes within a pixel or so, seen at 75 degrees or steeper.
-constexpr double kRounding = 0x1p-18, kPixels = 4;
+constexpr double kStoredRounding = 0x1p-18, kPixels = 4;
 
 }  // namespace
 
@@ -58,7 +55,7 @@ bool SecondaryRays::answer(std::span<const shared::TraceQuestion> questions) {
     if (one.ray.from == shared::kFromPoint) fromEye.push_back(rayOf(one.pixel));
   caster_->prepareFor(fromEye, opaque_);
   std::vector<Start> starts(asked.size());
-  forEachIndex(asked.size(), asked.size() >= kRaysForAllCores, [&](std::size_t i) {
+  forEachIndex(asked.size(), asked.size() >= reference::kRaysForAllCores, [&](std::size_t i) {
     if (goesOn_()) starts[i] = startOf(asked[i].pixel, questions[asked[i].pixel]);
   });
   std::vector<reference::Ray> rays;
@@ -74,7 +71,7 @@ bool SecondaryRays::answer(std::span<const shared::TraceQuestion> questions) {
   // What few cells leave undecided many may not.
   std::erase_if(chosen, [&](std::size_t i) { return asked[i].certified; });
   if (!chosen.empty()) {
-    prepare(chosen, kFinest);
+    prepare(chosen, reference::kRaysForFinestCells);
     cast(starts, asked, chosen);
   }
   keep(std::move(asked));
@@ -99,7 +96,8 @@ SecondaryRays::Start SecondaryRays::startOf(std::uint32_t pixel,
   const double distance = glm::distance(shown, view.eye);
   const double pixelSize = (view.perspective() ? distance : 1) / view.pixelsPerUnit;
   reference::Caster::First seen = caster_->firstOf(opaque_, rayOf(pixel));
-  if (seen.hit && glm::distance(seen.hit->position, shown) <= kRounding * distance + kPixels * pixelSize)
+  if (seen.hit &&
+      glm::distance(seen.hit->position, shown) <= kStoredRounding * distance + kPixels * pixelSize)
     return {*seen.hit, distance, seen.certified};
   // A mesh shows something else there. Its points are rounded: those of the surface around it are not met.
   return {{.position = shown}, distance};
@@ -107,7 +105,7 @@ SecondaryRays::Start SecondaryRays::startOf(std::uint32_t pixel,
 
 void SecondaryRays::cast(std::span<const Start> starts, std::span<Cast> asked,
                          std::span<const std::size_t> chosen) const {
-  forEachIndex(chosen.size(), chosen.size() >= kRaysForAllCores, [&](std::size_t k) {
+  forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
     if (!goesOn_()) return;
     Cast& one = asked[chosen[k]];
     const Start& start = starts[chosen[k]];

@@ -38,7 +38,7 @@ const SnapshotNode* nodeOf(const Snapshot& snapshot, NodeId id) {
 }
 
 /// Of the distances involved: what double leaves of one.
-constexpr double kRounding = 1e-13;
+constexpr double kRoundingBehind = 1e-13;
 
 double distanceTo(const Box& box, const Vec3& p) { return glm::distance(p, glm::clamp(p, box.min, box.max)); }
 
@@ -398,7 +398,7 @@ class ShadowLister {
         lowest = std::min(lowest, (side < 0 ? -1 : 1) * glm::dot(normal, corner - at));
         size = std::max(size, glm::distance(corner, at));
       }
-      if (!(lowest >= -kRounding * size)) behind.add(box);
+      if (!(lowest >= -kRoundingBehind * size)) behind.add(box);
     }
     return behind;
   }

@@ -18,7 +18,7 @@ namespace {
 /// Half of what an outline may be off; the raster's own steps are a fifth.
 constexpr double kMostPx = 0.005;
 /// Of each length that is added up on the way from object to clip space: three products and sums, twice.
-constexpr double kRounding = 6 * 0x1p-24;
+constexpr double kVertexRounding = 6 * 0x1p-24;
 
 /// Pixels that rounding moves a corner by: `everywhere`, and `near` over its depth.
 struct Rounding {
@@ -36,7 +36,7 @@ Rounding roundingOf(const View& view, const SnapshotNode& node, const VisibleNod
   const double lengths = visible.stretch * object + relative +
                          glm::distance(transformPoint(node.worldFromObject, middle), origin);
   const double slant = view.perspective() ? 1 + glm::length(view.halfExtent) : 1;
-  const double rounding = kRounding * view.pixelsPerUnit * slant;
+  const double rounding = kVertexRounding * view.pixelsPerUnit * slant;
   if (view.perspective()) return {rounding * slant, rounding * lengths};
   return {rounding * (glm::length(view.halfExtent) + lengths), 0};
 }

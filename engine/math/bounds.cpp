@@ -10,7 +10,6 @@ Sphere sphereAround(const Box& box) {
   // Measured from the centre as it was rounded.
   const Vec3 center = box.center();
   const double radius = glm::length(glm::max(box.max - center, center - box.min)) * (1 + 1e-15);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return radius < kInfinity ? Sphere{center, radius} : Sphere{Vec3(0), kInfinity};
 }
 

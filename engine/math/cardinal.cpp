@@ -8,7 +8,6 @@
 namespace luxo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostWrong = 1e-13;
 /// The first zero of j_1 is at 4.4934, those of higher orders beyond: up to its square no order is negative.
 constexpr double kNoneNegative = 20;

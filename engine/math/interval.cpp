@@ -11,7 +11,6 @@
 namespace luxo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnderflows = 0x1p-960;  // products below may lose digits
 constexpr double kLarge = 1e300;
 

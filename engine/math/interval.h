@@ -13,7 +13,7 @@
 // out.
 #pragma once
 
-#include <limits>
+#include "math/numbers.h"
 
 namespace luxo {
 

@@ -12,7 +12,6 @@ namespace {
 
 using Defined = PartialInterval::Defined;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const PartialInterval kNothing(Interval::everything(), Defined::Nowhere);
 
 /// Of an operation that is defined for all numbers.

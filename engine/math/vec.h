@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <numbers>
+#include "math/numbers.h"
 
 namespace luxo {
 
@@ -27,9 +27,6 @@ using Vec3f = glm::vec3;
 using Vec4f = glm::vec4;
 using Mat3f = glm::mat3;
 using Mat4f = glm::mat4;
-
-inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kTau = 2 * std::numbers::pi;
 
 [[nodiscard]] constexpr double radians(double degrees) { return degrees * (kPi / 180); }
 

@@ -10,6 +10,14 @@
 
 namespace luxo {
 
+/// The corners beside a corner in its triangle: three consecutive numbers, in turn.
+[[nodiscard]] constexpr std::uint32_t nextCorner(std::uint32_t corner) {
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+[[nodiscard]] constexpr std::uint32_t previousCorner(std::uint32_t corner) {
+  return corner % 3 == 0 ? corner + 2 : corner - 1;
+}
+
 /// For each position the number of the first with the same bits.
 [[nodiscard]] std::vector<std::uint32_t> pointNumbers(std::span<const Vec3f> positions);
 

@@ -15,9 +15,6 @@ constexpr Vec3f kNotGiven{0};
 // Two roundings to float of each component: off by 1e-7.
 Vec3f unitFloat(const Vec3& v) { return Vec3f(unit(v)) + 0.0f; }
 
-std::uint32_t nextCorner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-std::uint32_t previousCorner(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
-
 class NormalMaker {
  public:
   NormalMaker(const MeshVertices& vertices, std::span<const std::uint32_t> indices,

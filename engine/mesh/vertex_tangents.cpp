@@ -11,9 +11,6 @@ namespace {
 
 constexpr std::uint32_t kUnused = 0xffffffff;
 
-std::uint32_t nextCorner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-std::uint32_t previousCorner(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
-
 /// Where u grows on a triangle.
 struct Direction {
   Vec3 u{0};

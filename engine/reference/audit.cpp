@@ -23,9 +23,9 @@ struct Shown {
   bool certified = true;
 };
 
-class Judge {
+class SampleJudge {
  public:
-  Judge(const Caster& caster, std::span<const std::uint32_t> nodes, double depth, double rounding)
+  SampleJudge(const Caster& caster, std::span<const std::uint32_t> nodes, double depth, double rounding)
       : caster_(caster), nodes_(nodes), depth_(depth), rounding_(rounding) {}
 
   [[nodiscard]] Judgement at(const Vec2& pixel) const {
@@ -66,7 +66,7 @@ class Judge {
 
 Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel, double depth,
                 double rounding) {
-  return Judge(caster, nodes, depth, rounding).at(pixel);
+  return SampleJudge(caster, nodes, depth, rounding).at(pixel);
 }
 
 Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,

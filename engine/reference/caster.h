@@ -17,6 +17,9 @@
 
 namespace luxo::reference {
 
+/// From so many rays on it is worth waking all cores for them.
+inline constexpr std::size_t kRaysForAllCores = 8;
+
 /// A point of a surface that a ray meets. World space.
 struct Hit {
   double t = 0;            ///< metres along the ray

@@ -20,7 +20,6 @@ constexpr double kMargin = 1e-6;           // of the domain, on every side
 constexpr double kFineEnough = 1.0 / 512;  // of the surface's size
 /// Sizes: what a pole reaches beyond is as thin as a millionth of them.
 constexpr double kEndless = 1e6;
-constexpr double kEpsilon = 0x1p-52;
 constexpr std::size_t kWorthAThread = 512;  // cells
 
 Enclosure enclose(const Interval& x, const Interval& y, const Interval& z) {

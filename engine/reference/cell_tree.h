@@ -14,6 +14,9 @@
 
 namespace luxo::reference {
 
+/// Of doubles: twice what one operation rounds away of its result.
+inline constexpr double kEpsilon = 0x1p-52;
+
 /// A vector known up to a radius per component: it holds the true one, rounding included.
 struct Enclosure {
   Vec3 center{0}, radius{0};

@@ -22,7 +22,6 @@
 namespace luxo::reference {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMaxSpacingPx = 20;  // of neighbouring pixels' points on one layer, without a closer look
 constexpr double kMaxTurn = 0.1;      // the same for the sine between their line and the surface
 constexpr double kTouchingUlps = 2;   // of two depths, each of which is rounded up or down
@@ -64,10 +63,10 @@ class DepthScale {
   const View& view_;
 };
 
-class Judge {
+class PictureJudge {
  public:
-  Judge(const Snapshot& snapshot, const ReferencePicture& truth, const MeasuredPicture& measured,
-        const VerificationOptions& options)
+  PictureJudge(const Snapshot& snapshot, const ReferencePicture& truth, const MeasuredPicture& measured,
+               const VerificationOptions& options)
       : snapshot_(snapshot),
         truth_(truth),
         measured_(measured),
@@ -562,7 +561,7 @@ class Judge {
 
 JudgedPicture judgePixels(const Snapshot& snapshot, const ReferencePicture& truth,
                           const MeasuredPicture& measured, const VerificationOptions& options) {
-  return Judge(snapshot, truth, measured, options).judged();
+  return PictureJudge(snapshot, truth, measured, options).judged();
 }
 
 }  // namespace luxo::reference

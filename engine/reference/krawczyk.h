@@ -10,8 +10,6 @@
 
 namespace luxo::reference {
 
-inline constexpr double kEpsilon = 0x1p-52;
-
 /// A number and how far it may be from the true one.
 struct Ball {
   double center = 0, radius = 0;

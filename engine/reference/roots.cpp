@@ -19,7 +19,7 @@ constexpr double kSamePoint = 1e-9;      // of the distance
 constexpr double kSameParameter = 1e-7;  // of the domain: Newton's last step, where a ray grazes
 // Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024
 // cells at most, all but 4 of a million 512.
-constexpr int kMaxCells = 4096;
+constexpr int kMaxCellsInside = 4096;
 /// Of each cell of the tree, once something is undecided, or of all roots more than is worth it: what is
 /// behind that is to be found all the same.
 constexpr int kMaxInDoubt = 64;
@@ -27,7 +27,7 @@ constexpr int kMaxInDoubt = 64;
 constexpr int kMaxCellsAtBorders = 1 << 16;
 /// Of all roots of a ray: one that runs along its surface has no end of them.
 constexpr std::size_t kMaxDoubts = 64;
-constexpr int kNewtonSteps = 6;     // from inside a proven cell: quadratic from the first
+constexpr int kPolishingSteps = 6;  // from inside a proven cell: quadratic from the first
 constexpr double kNarrower = 0.75;  // a narrowing worth repeating
 
 /// Of two roots in one place: that of the least parameters, where these differ by more than rounding.
@@ -233,7 +233,7 @@ class Search {
   void accept(double u, double v, const Domain& cell) {
     const BoundedPatch& patch = tree_.patch(patch_);
     BoundedPatch::Point p = patch.at(u, v);
-    for (int step = 0; step < kNewtonSteps; ++step) {
+    for (int step = 0; step < kPolishingSteps; ++step) {
       const double f1 = ray_.f1(p.position), f2 = ray_.f2(p.position);
       const double a = glm::dot(ray_.across1, p.du), b = glm::dot(ray_.across1, p.dv);
       const double c = glm::dot(ray_.across2, p.du), d = glm::dot(ray_.across2, p.dv);
@@ -287,7 +287,7 @@ class Search {
   double undecided_ = kNever;  // nearest t that an undecided part may have
   std::uint32_t patch_ = 0;
   std::vector<Domain> parts_;
-  int cells_ = 0, mostCells_ = kMaxCells;
+  int cells_ = 0, mostCells_ = kMaxCellsInside;
   bool gaveUp_ = false;
 };
 

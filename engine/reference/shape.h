@@ -3,6 +3,8 @@
 // cells, or as triangles; and the surfaces of a picture, kept for the next one.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,6 +20,9 @@
 #include "surface/surface.h"
 
 namespace luxo::reference {
+
+/// So many are worth the finest cells.
+inline constexpr std::size_t kRaysForFinestCells = std::numeric_limits<std::uint32_t>::max();
 
 /// Safe from any thread, but for prepareFor(). Keeps a copy of the surface.
 class Shape {

@@ -11,9 +11,9 @@ constexpr double kPrecision = 1e-5;
 constexpr double kFirstRadius = 1e-3;
 constexpr int kDirections = 16;
 
-class Search {
+class OutlineSearch {
  public:
-  Search(const std::function<bool(const Vec2&)>& holds, const Vec2& center, double farthest)
+  OutlineSearch(const std::function<bool(const Vec2&)>& holds, const Vec2& center, double farthest)
       : holds_(holds), center_(center), farthest_(farthest) {}
 
   double distance() {
@@ -66,7 +66,7 @@ class Search {
 }  // namespace
 
 double distanceTo(const std::function<bool(const Vec2&)>& holds, const Vec2& center, double farthest) {
-  return Search(holds, center, farthest).distance();
+  return OutlineSearch(holds, center, farthest).distance();
 }
 
 }  // namespace luxo::reference

@@ -27,7 +27,6 @@ constexpr int kMaxCells = 8192;
 constexpr int kSamples = 1 << 16, kMaxPerSide = 33, kMaxPerOpenSide = 257;
 /// How much farther out than nine of ten points what is worth looking at may lie.
 constexpr double kWorthSeeing = 4;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The directions of the picture: x to its right, y up, z toward the viewer.
 struct Axes {

@@ -10,28 +10,24 @@
 #include "scene/surface_names.h"
 
 namespace luxo {
-namespace {
-
-constexpr std::uint32_t kU = 0, kV = 1, kFirst = 2;
-
-}  // namespace
+namespace {}  // namespace
 
 FormulaSet::FormulaSet(const FormulaSetDesc& desc, const SceneVariables& variables) {
   // First with all of the scene's variables: the time, then the parameters.
   std::vector<std::uint32_t> numbers(1 + variables.count());
-  for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = kFirst + i;
+  for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = kFirstParameter + i;
   read(desc, variables, numbers);
   if (!ok()) return;
   std::vector<Expr> all = values_;
   all.insert(all.end(), {u_, v_});
   for (const std::uint32_t variable : variablesOf(*graph_, all)) {
-    if (variable < kFirst) continue;
-    const std::uint32_t which = variable - kFirst;
+    if (variable < kFirstParameter) continue;
+    const std::uint32_t which = variable - kFirstParameter;
     if (which >= numbers.size()) {
       readsSurface_ = true;
       continue;
     }
-    numbers[which] = static_cast<std::uint32_t>(kFirst + parameters_.size());
+    numbers[which] = static_cast<std::uint32_t>(kFirstParameter + parameters_.size());
     parameters_.push_back(which == 0 ? SceneVariables::time() : variables.parameter(which - 1));
   }
   read(desc, variables, numbers);
@@ -56,13 +52,13 @@ void FormulaSet::read(const FormulaSetDesc& desc, const SceneVariables& variable
   Scope scope;
   if (desc.onSurface) {
     const std::size_t sceneVariables = readsSurface_ ? parameters_.size() : numbers.size();
-    bindSurface(desc, scope, static_cast<std::uint32_t>(kFirst + sceneVariables));
+    bindSurface(desc, scope, static_cast<std::uint32_t>(kFirstParameter + sceneVariables));
   }
   variables.bind(scope, [&](std::size_t which) { return graph_->variable(numbers[which]); });
   scope.explainAbsence("u", desc.whyNoU.empty() ? "a range cannot depend on it" : desc.whyNoU);
   scope.explainAbsence("v", desc.whyNoV.empty() ? "a range cannot depend on it" : desc.whyNoV);
-  u_ = readRange(desc.u, scope, kU, domain_.u);
-  v_ = readRange(desc.v, scope, kV, domain_.v);
+  u_ = readRange(desc.u, scope, kVariableU, domain_.u);
+  v_ = readRange(desc.v, scope, kVariableV, domain_.v);
   if (desc.whyNoU.empty()) scope.bind("u", u_);
   if (desc.whyNoV.empty()) scope.bind("v", v_);
   readLet(desc.let, scope);
@@ -117,7 +113,7 @@ Expr FormulaSet::readOne(const Quantity& quantity, Scope& scope) {
 
 bool FormulaSet::varies() const {
   const std::vector<std::uint32_t> variables = variablesOf(*graph_, values_);
-  return !variables.empty() && variables.front() < kFirst;
+  return !variables.empty() && variables.front() < kFirstParameter;
 }
 
 void FormulaSet::reportTo(SceneProblems& problems) const {

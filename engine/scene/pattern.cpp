@@ -25,8 +25,6 @@ struct Pattern::Content {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 std::string emit(Graph& graph, const std::array<Expr, 4>& paint) {
   const GlslOutput output{"paint", paint};
   return emitGlsl(graph, "patternPaint", {&output, 1});

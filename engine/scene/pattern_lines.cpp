@@ -8,17 +8,17 @@
 
 #include "base/assert.h"
 #include "formula/glsl.h"
+#include "surface/patch.h"
 
 namespace luxo {
 namespace {
-
-constexpr std::uint32_t kU = 0, kV = 1;
 
 /// As LineField has them, in units of the step.
 std::array<Expr, 4> fieldOf(Graph& graph, const LineFamily& family) {
   const Expr step = family.step.value_or(1);
   const Expr level = (family.of - family.at) / step;
-  return {level, graph.derivative(level, kU), graph.derivative(level, kV), abs(family.of / step)};
+  return {level, graph.derivative(level, kVariableU), graph.derivative(level, kVariableV),
+          abs(family.of / step)};
 }
 
 }  // namespace

@@ -23,8 +23,6 @@
 namespace luxo {
 namespace {
 
-constexpr std::uint32_t kV = 1;
-
 /// The surface of position formulas, at rest for its topology and then free to move.
 Surface assemble(const FormulaSet& formulas, const ExprPoint& position, const Moment& start,
                  SurfaceTraits traits) {
@@ -211,7 +209,7 @@ Surface ShapeBuilder::buildShape(const std::string& name, const TubeShape& shape
   if (!formulas.ok()) return {};
   const std::vector<Expr>& p = formulas.values();
   for (std::size_t i = 0; i < 3; ++i)
-    if (std::ranges::count(variablesOf(formulas.graph(), std::span(&p[i], 1)), kV) > 0) {
+    if (std::ranges::count(variablesOf(formulas.graph(), std::span(&p[i], 1)), kVariableV) > 0) {
       problems_.add(shape.curve[i].place(), "the curve of a tube cannot depend on v", "only its radius can");
       return {};
     }

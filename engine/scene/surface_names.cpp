@@ -10,8 +10,6 @@
 namespace luxo {
 namespace {
 
-constexpr std::uint32_t kU = 0, kV = 1, kFirst = 2;
-
 Expr dot(const ExprPoint& a, const ExprPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 ExprPoint cross(const ExprPoint& a, const ExprPoint& b) {
@@ -26,26 +24,27 @@ ExprPoint derivative(Graph& graph, const ExprPoint& f, std::uint32_t variable) {
 }
 
 /// Of one patch, in a graph of its own: the values of kSurfaceNames. The curvatures are written as in
-/// surface/curvature.cpp, in the basis e1 = Su / |Su|, e2 across: the difference k1 - k2 of two numbers that are
-/// nearly equal is no difference of their squares.
+/// surface/curvature.cpp, in the basis e1 = Su / |Su|, e2 across: the difference k1 - k2 of two numbers that
+/// are nearly equal is no difference of their squares.
 Tape valuesOf(const Surface& surface, std::uint32_t patch) {
   Graph graph;
   const std::vector<Expr> p = surface.patches()[patch].function->position.expressions(graph);
   const ExprPoint s{p[0], p[1], p[2]};
-  const ExprPoint su = derivative(graph, s, kU), sv = derivative(graph, s, kV);
+  const ExprPoint su = derivative(graph, s, kVariableU), sv = derivative(graph, s, kVariableV);
   const ExprPoint across = cross(su, sv);
   const Expr area = sqrt(dot(across, across));
   const ExprPoint normal = scaled(across, surface.topology().orientation(patch) / area);
 
   const Expr a = sqrt(dot(su, su)), b = dot(sv, su) / a, c = area / a;
-  const Expr l = -dot(derivative(graph, su, kU), normal), m = -dot(derivative(graph, su, kV), normal),
-             n = -dot(derivative(graph, sv, kV), normal);
+  const Expr l = -dot(derivative(graph, su, kVariableU), normal),
+             m = -dot(derivative(graph, su, kVariableV), normal),
+             n = -dot(derivative(graph, sv, kVariableV), normal);
   const Expr b11 = l / (a * a), b12 = (m / a - b * b11) / c;
   const Expr b22 = (n - 2 * b * m / a + b * b * b11) / (c * c);
   const Expr mean = 0.5 * (b11 + b22), half = 0.5 * (b11 - b22), spread = sqrt(half * half + b12 * b12);
-  const Expr values[] = {s[0],      s[1],      s[2],
-                         normal[0], normal[1], normal[2],
-                         b11 * b22 - b12 * b12, mean, mean + spread, mean - spread};
+  const Expr values[] = {
+      s[0], s[1],          s[2],         normal[0], normal[1], normal[2], b11 * b22 - b12 * b12,
+      mean, mean + spread, mean - spread};
   static_assert(std::size(values) == kSurfaceNames.size());
   return {graph, values};
 }
@@ -63,16 +62,17 @@ Expr offPoles(Expr variable, const Interval& range, const EdgeKind& lower, const
 
 std::vector<Expr> surfaceValues(Graph& graph, const Surface& surface, std::uint32_t firstParameter) {
   LUXO_REQUIRE_COMPARE(surface.patchCount(), <=, kMostNamedPatches);
-  const Expr u = graph.variable(kU), v = graph.variable(kV);
+  const Expr u = graph.variable(kVariableU), v = graph.variable(kVariableV);
   std::vector<Expr> values;
   // The first patch that holds the point, the last where none does: Surface::patchAt().
   for (std::uint32_t k = surface.patchCount(); k-- > 0;) {
     const Patch& patch = surface.patches()[k];
     const Topology& topology = surface.topology();
     std::map<std::uint32_t, Expr> variables{
-        {kU, offPoles(u, patch.domain.u, topology.edge(k, Side::UMin), topology.edge(k, Side::UMax))},
-        {kV, offPoles(v, patch.domain.v, topology.edge(k, Side::VMin), topology.edge(k, Side::VMax))}};
-    std::uint32_t next = kFirst;
+        {kVariableU, offPoles(u, patch.domain.u, topology.edge(k, Side::UMin), topology.edge(k, Side::UMax))},
+        {kVariableV,
+         offPoles(v, patch.domain.v, topology.edge(k, Side::VMin), topology.edge(k, Side::VMax))}};
+    std::uint32_t next = kFirstParameter;
     for (const double constant : patch.constants) variables[next++] = constant;
     for (std::uint32_t i = 0; i < surface.parameters().size(); ++i)
       variables[next++] = graph.variable(firstParameter + i);

@@ -13,7 +13,6 @@
 namespace luxo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of a cell's size: what evaluations round away.
 constexpr double kRounding = 1e-14;
 /// Halvings of a patch, both ways together.

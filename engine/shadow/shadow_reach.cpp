@@ -12,20 +12,20 @@ namespace luxo {
 namespace {
 
 /// Of the numbers involved: what a dozen operations of double leave.
-constexpr double kRounding = 1e-14;
+constexpr double kReachRounding = 1e-14;
 
 /// The plane through the light with that normal: where the corners are, and how far off rounding may have
 /// them.
-struct Side {
+struct BoxSides {
   double low = std::numeric_limits<double>::infinity(), high = -low, off = 0;
 
-  Side(const Vec4& light, const Vec3& normal, const std::array<Vec3, 8>& corners) {
+  BoxSides(const Vec4& light, const Vec3& normal, const std::array<Vec3, 8>& corners) {
     for (const Vec3& corner : corners) {
       const double along = glm::dot(normal, corner - light.w * Vec3(light));
       low = std::min(low, along);
       high = std::max(high, along);
-      off = std::max(off, kRounding * (glm::dot(glm::abs(normal), glm::abs(corner)) +
-                                       glm::dot(glm::abs(normal), glm::abs(light.w * Vec3(light)))));
+      off = std::max(off, kReachRounding * (glm::dot(glm::abs(normal), glm::abs(corner)) +
+                                            glm::dot(glm::abs(normal), glm::abs(light.w * Vec3(light)))));
     }
   }
 };
@@ -54,7 +54,7 @@ bool mayShadow(const Vec4& light, const Box& caster, const Box& receiver) {
         // Through the edge and the light; of rays that are parallel through any point, as both boxes are held
         // against it.
         const Vec3 normal = glm::cross(edge, light.w != 0 ? corner - Vec3(light) : Vec3(light));
-        const Side casts(light, normal, ofCaster), receives(light, normal, ofReceiver);
+        const BoxSides casts(light, normal, ofCaster), receives(light, normal, ofReceiver);
         const double off = casts.off + receives.off;
         if (light.w == 0) {
           if (casts.low > receives.high + off || receives.low > casts.high + off) return false;

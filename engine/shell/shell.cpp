@@ -34,7 +34,6 @@ constexpr double kOpen = 1.0 / 24;
 
 constexpr int kMaxFinerMeshes = 6;
 constexpr std::size_t kMaxRefinedTriangles = 200'000;
-constexpr std::size_t kPointsForAllCores = 8192;
 
 /// The surface near a triangle turns less than the triangles around it do, times this; at an edge of the
 /// patch some of them are missing. Past a border rays reach what has turned farther: the inside of horns.

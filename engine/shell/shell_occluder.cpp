@@ -26,13 +26,13 @@ constexpr double kLeastLeft = 0.25, kUpright = 1e-6;
 
 /// Pairs of walls that stand back to back, and on no third one, where the surface goes on smoothly.
 std::vector<std::pair<std::size_t, std::size_t>> jointsOf(const ShellFrame& frame) {
-  using Place = std::array<double, 3>;
+  using Rounded = std::array<double, 3>;
   const double unit = kSamePlace * frame.size();
   const auto placeOf = [&](std::uint32_t vertex) {
     const Vec3& p = frame.mesh().positions[vertex];
-    return Place{std::round(p.x / unit) + 0.0, std::round(p.y / unit) + 0.0, std::round(p.z / unit) + 0.0};
+    return Rounded{std::round(p.x / unit) + 0.0, std::round(p.y / unit) + 0.0, std::round(p.z / unit) + 0.0};
   };
-  std::map<std::pair<Place, Place>, std::vector<std::size_t>> walls;
+  std::map<std::pair<Rounded, Rounded>, std::vector<std::size_t>> walls;
   for (std::size_t w = 0; w < frame.walls().size(); ++w)
     walls[{placeOf(frame.walls()[w].from), placeOf(frame.walls()[w].to)}].push_back(w);
   std::vector<std::pair<std::size_t, std::size_t>> joints;

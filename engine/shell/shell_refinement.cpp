@@ -22,7 +22,6 @@ constexpr double kMostly = 0.4;
 constexpr std::uint32_t kFewCells = 16;
 constexpr double kLittle = 1.5;
 constexpr std::uint32_t kDeepest = 14;
-constexpr std::size_t kPointsForAllCores = 8192;
 
 /// A triangle that is too coarse.
 struct Coarse {

@@ -11,6 +11,9 @@
 
 namespace luxo {
 
+/// From so many vertices on it is worth waking all cores to move them.
+inline constexpr std::size_t kPointsForAllCores = 8192;
+
 /// Cuts blocks, or raises their segments, where triangles turn by more than `desc.mostTurn` away from the
 /// direction in which a corner moves, and where moving would turn them over. What is much thinner than the
 /// tolerance stays as it is. `frame` is that of the blocks. Returns whether anything changed.

@@ -192,7 +192,6 @@ Vec2 Equation::parametersOf(const Vec3& unitPoint) const {
 }
 
 Box Equation::edgesOf(const Domain& domain) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box edges{Vec3(-kInfinity), Vec3(kInfinity)};
   const auto limit = [&](const Parameter& parameter, const Interval& range) {
     const auto axis = parameter.along == Along::Radius ? 0 : static_cast<int>(parameter.along);

@@ -13,6 +13,9 @@
 
 namespace luxo {
 
+/// The variables of surfaces' formulas: u, v, then parameters.
+inline constexpr std::uint32_t kVariableU = 0, kVariableV = 1, kFirstParameter = 2;
+
 /// A rectangle of the (u,v) plane.
 struct Domain {
   Interval u{0, 1}, v{0, 1};

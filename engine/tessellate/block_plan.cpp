@@ -15,8 +15,6 @@
 namespace luxo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// What a border between blocks costs beside the triangles that its vertices add.
 constexpr double kBorderPrice = 2;
 /// A split has to save this part of the triangles.
@@ -37,8 +35,6 @@ constexpr std::uint32_t kUnboundedSegments = 4;
 /// turns them over, and every one of them costs as much as a large one.
 constexpr double kStoutness = 6;
 constexpr double kFew = 4;  // along a patch: never too many
-
-constexpr std::size_t kPatchesForAllCores = 8;
 
 /// `longestEdge` asks for no more segments than this along a patch.
 constexpr double kMaxSpacingSegments = 128;

@@ -11,14 +11,12 @@
 namespace luxo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kMaxLevels = 5;      // of the map
 constexpr std::uint32_t kDeepestLevel = 10;  // of what is looked at to make it
 /// Half a turn is bounded no better than a whole one, nor is a quarter: that says nothing about the eighth.
 constexpr std::uint32_t kBlindLevels = 3;
 /// A surface that moves has a map for every frame.
 constexpr std::size_t kMaxLeaves = 2048, kMaxLeavesMoving = 256, kFewestLeaves = 16;
-constexpr std::uint32_t kPatchesForAllCores = 8;
 constexpr double kWild = 1e6;         // times what the others have
 constexpr double kGoodEnough = 0.04;  // more triangles than sharper bounds would give
 

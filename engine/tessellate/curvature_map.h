@@ -12,6 +12,9 @@
 
 namespace luxo {
 
+/// From so many patches on it is worth waking all cores for them.
+inline constexpr std::size_t kPatchesForAllCores = 8;
+
 /// Upper bounds of the lengths of Suu, Suv and Svv, with u and v measured in parts of the patch's sides, so
 /// that they are lengths of the object. Infinite where none could be proven.
 struct Curvature {

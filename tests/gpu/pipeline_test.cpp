@@ -34,7 +34,7 @@ struct Vertex {
 constexpr Color kRed{1, 0, 0, 1};
 constexpr Color kGreen{0, 1, 0, 1};
 constexpr Color kBlack{0, 0, 0, 0};
-constexpr VkExtent2D kExtent{16, 16};
+constexpr VkExtent2D kTargetExtent{16, 16};
 
 // Covers the bottom left half of the picture; counter-clockwise with y up.
 std::vector<Vertex> lowerLeft(const Color& color, float depth = 0.5f) {
@@ -70,9 +70,11 @@ class PipelineTest : public test::GpuTest {
 
   Texture attachment(VkFormat format, VkImageUsageFlags usage,
                      VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT) {
-    return Texture(
-        context(),
-        {.extent = kExtent, .format = format, .usage = usage, .samples = samples, .name = "attachment"});
+    return Texture(context(), {.extent = kTargetExtent,
+                               .format = format,
+                               .usage = usage,
+                               .samples = samples,
+                               .name = "attachment"});
   }
   Texture colorTarget(VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT) {
     return attachment(format, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
@@ -95,7 +97,7 @@ class PipelineTest : public test::GpuTest {
     vertices.write(0, std::as_bytes(std::span(layer.vertices)));
     layer.pipeline->bind(commands);
     layer.pipeline->push(commands, std::as_bytes(std::span(layer.tint)));
-    setViewport(commands, kExtent);
+    setViewport(commands, kTargetExtent);
     vkCmdSetCullMode(commands, layer.cull);
     vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
     const VkDeviceSize zero = 0;
@@ -108,7 +110,7 @@ class PipelineTest : public test::GpuTest {
     FrameRing frames(context());
     Texture color = colorTarget();
     Texture depth = depthTarget();
-    Readback readback(context(), kExtent, color.format());
+    Readback readback(context(), kTargetExtent, color.format());
     const VkCommandBuffer commands = frames.begin();
     const Label label(context(), commands, "layers");
     use(commands,
@@ -116,7 +118,7 @@ class PipelineTest : public test::GpuTest {
     const auto colorInfo = cleared(color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     const auto depthInfo = cleared(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
     const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                    .renderArea = {.extent = kExtent},
+                                    .renderArea = {.extent = kTargetExtent},
                                     .layerCount = 1,
                                     .colorAttachmentCount = 1,
                                     .pColorAttachments = &colorInfo,
@@ -138,7 +140,7 @@ class PipelineTest : public test::GpuTest {
   }
 
   static const Color& at(const std::vector<Color>& image, std::uint32_t x, std::uint32_t y) {
-    return image[y * kExtent.width + x];
+    return image[y * kTargetExtent.width + x];
   }
 };
 
@@ -255,7 +257,7 @@ TEST_F(PipelineTest, ResolvesSamplesToTheirMean) {
   Texture samples =
       attachment(VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, VK_SAMPLE_COUNT_4_BIT);
   Texture color = colorTarget();
-  Readback readback(context(), kExtent, color.format());
+  Readback readback(context(), kTargetExtent, color.format());
   const VkCommandBuffer commands = frames.begin();
   use(commands,
       {{samples, Use::ColorAttachment, Contents::Discard}, {color, Use::ResolveTarget, Contents::Discard}});
@@ -265,7 +267,7 @@ TEST_F(PipelineTest, ResolvesSamplesToTheirMean) {
   info.resolveImageView = color.view();
   info.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {.extent = kExtent},
+                                  .renderArea = {.extent = kTargetExtent},
                                   .layerCount = 1,
                                   .colorAttachmentCount = 1,
                                   .pColorAttachments = &info};
@@ -293,15 +295,15 @@ TEST_F(PipelineTest, BlendsOnlyTheFirstAttachment) {
   FrameRing frames(context());
   Texture color = colorTarget();
   Texture numbers = colorTarget(VK_FORMAT_R32_UINT);
-  Readback colors(context(), kExtent, color.format());
-  Readback ids(context(), kExtent, numbers.format());
+  Readback colors(context(), kTargetExtent, color.format());
+  Readback ids(context(), kTargetExtent, numbers.format());
   const VkCommandBuffer commands = frames.begin();
   use(commands,
       {{color, Use::ColorAttachment, Contents::Discard}, {numbers, Use::ColorAttachment, Contents::Discard}});
   const std::array infos{cleared(color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
                          cleared(numbers, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL)};
   const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {.extent = kExtent},
+                                  .renderArea = {.extent = kTargetExtent},
                                   .layerCount = 1,
                                   .colorAttachmentCount = infos.size(),
                                   .pColorAttachments = infos.data()};
@@ -349,7 +351,7 @@ TEST_F(PipelineTest, ShadersSeeTheirDescriptors) {
 
   FrameRing frames(context());
   Texture color = colorTarget();
-  Readback readback(context(), kExtent, color.format());
+  Readback readback(context(), kTargetExtent, color.format());
   const VkCommandBuffer commands = frames.begin();
   use(commands, {{fourth, Use::TransferDestination, Contents::Discard}});
   const VkClearColorValue value{.float32 = {0, 0.125f, 0, 0}};
@@ -361,13 +363,13 @@ TEST_F(PipelineTest, ShadersSeeTheirDescriptors) {
                  {count, Use::StorageWrite}});
   const auto info = cleared(color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {.extent = kExtent},
+                                  .renderArea = {.extent = kTargetExtent},
                                   .layerCount = 1,
                                   .colorAttachmentCount = 1,
                                   .pColorAttachments = &info};
   vkCmdBeginRendering(commands, &rendering);
   pipeline.bind(commands);
-  setViewport(commands, kExtent);
+  setViewport(commands, kTargetExtent);
   vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   const VkDescriptorSet set = frames.descriptors().write(
@@ -383,7 +385,7 @@ TEST_F(PipelineTest, ShadersSeeTheirDescriptors) {
   for (const Color& pixel : pixels<Color>(readback)) ASSERT_EQ(pixel, (Color{6, 30, 7.5f, 0.125f}));
   std::uint32_t pixelsDrawn = 0;
   std::memcpy(&pixelsDrawn, count.read().data(), sizeof(pixelsDrawn));
-  EXPECT_EQ(pixelsDrawn, kExtent.width * kExtent.height);
+  EXPECT_EQ(pixelsDrawn, kTargetExtent.width * kTargetExtent.height);
 }
 
 TEST_F(PipelineTest, DescriptorSetsAreWithoutLimit) {

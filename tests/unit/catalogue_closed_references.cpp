@@ -16,8 +16,9 @@ double superellipseArea(double e) { return e * beta(e / 2, e / 2); }
 
 /// The point at angle q of a tube around c, whose section is spanned by n, a unit vector across the velocity,
 /// and n x velocity.
-Point onTube(const Point& c, const Point& velocity, const Point& n, Real radius, Real q, Real side) {
-  const Point b = glm::cross(n, velocity) / glm::length(velocity);
+RealPoint onTube(const RealPoint& c, const RealPoint& velocity, const RealPoint& n, Real radius, Real q,
+                 Real side) {
+  const RealPoint b = glm::cross(n, velocity) / glm::length(velocity);
   return c + radius * (std::cos(q) * n + side * std::sin(q) * b);
 }
 
@@ -48,9 +49,10 @@ void addOneSided(std::vector<CatalogueReference>& all) {
                        const Real U = kTauL * u, V = kTauL * v - kPiL / 2;
                        const Real a = 0.3L * std::cos(U) * (1 + std::sin(U)), b = 0.8L * std::sin(U);
                        const Real c = 0.2L - 0.1L * std::cos(U);
-                       return U <= kPiL ? Point(2 * (a + c * std::cos(U) * std::cos(V)),
-                                                2 * (b + c * std::sin(U) * std::cos(V)), 2 * c * std::sin(V))
-                                        : Point(2 * (a + c * std::cos(V + kPiL)), 2 * b, 2 * c * std::sin(V));
+                       return U <= kPiL
+                                  ? RealPoint(2 * (a + c * std::cos(U) * std::cos(V)),
+                                              2 * (b + c * std::sin(U) * std::cos(V)), 2 * c * std::sin(V))
+                                  : RealPoint(2 * (a + c * std::cos(V + kPiL)), 2 * b, 2 * c * std::sin(V));
                      },
                  .kinked = true,
                  .smooth = false});
@@ -71,8 +73,8 @@ void addOneSided(std::vector<CatalogueReference>& all) {
                    using Complex = std::complex<Real>;
                    const Complex z = std::polar(v, kTauL * u), z3 = z * z * z, z4 = z3 * z, z6 = z3 * z3;
                    const Complex d = z6 + std::sqrt(5.0L) * z3 - 1.0L;
-                   const Point g(-1.5L * (z * (1.0L - z4) / d).imag(), -1.5L * (z * (1.0L + z4) / d).real(),
-                                 ((1.0L + z6) / d).imag() - 0.5L);
+                   const RealPoint g(-1.5L * (z * (1.0L - z4) / d).imag(),
+                                     -1.5L * (z * (1.0L + z4) / d).real(), ((1.0L + z6) / d).imag() - 0.5L);
                    return upright(g / glm::dot(g, g));
                  }});
 }
@@ -81,18 +83,18 @@ void addOneSided(std::vector<CatalogueReference>& all) {
 void addPinched(std::vector<CatalogueReference>& all) {
   const auto onSphere = [](Real u, Real v, Real start) {
     const Real q = kPiL * v / 2, phi = kTauL * u + start;
-    return Point(std::sin(q) * std::cos(phi), std::sin(q) * std::sin(phi), std::cos(q));
+    return RealPoint(std::sin(q) * std::cos(phi), std::sin(q) * std::sin(phi), std::cos(q));
   };
   all.push_back({.label = "steiner_roman",
                  .entry = "steiner_roman",
                  .arguments = {{"scale", {2.0}}},
                  .position =
                      [=](Real u, Real v) {
-                       const Point p = onSphere(u, v, 0);
+                       const RealPoint p = onSphere(u, v, 0);
                        return upright(2 * p.y * p.z, 2 * p.z * p.x, 2 * p.x * p.y);
                      },
                  .residual =
-                     [](Point p) {
+                     [](RealPoint p) {
                        const Real xy = p.x * p.y, yz = p.y * p.z, zx = p.z * p.x;
                        return xy * xy + yz * yz + zx * zx + 2 * p.x * yz;
                      },
@@ -101,7 +103,7 @@ void addPinched(std::vector<CatalogueReference>& all) {
                  .entry = "cross_cap",
                  .position =
                      [=](Real u, Real v) {
-                       const Point p = onSphere(u, v, kPiL / 4);
+                       const RealPoint p = onSphere(u, v, kPiL / 4);
                        return upright(p.x * p.z, p.y * p.z, (p.z * p.z - p.x * p.x) / 2);
                      },
                  .smooth = false});
@@ -112,7 +114,7 @@ void addPinched(std::vector<CatalogueReference>& all) {
                        const Real s = 2 * u - 1, t = 2 * v - 1;
                        return upright(s * t, s, t * t);
                      },
-                 .residual = [](Point p) { return p.x * p.x - p.z * p.z * p.y; },
+                 .residual = [](RealPoint p) { return p.x * p.x - p.z * p.z * p.y; },
                  .smooth = false});
 }
 
@@ -127,7 +129,7 @@ void addSuperquadrics(std::vector<CatalogueReference>& all) {
                    .entry = "superellipsoid",
                    .arguments = {{"radii", {1.5, 0.75, 1.0}}, {"exponents", {e, f}}},
                    .residual =
-                       [=](Point p) {
+                       [=](RealPoint p) {
                          const Real level = std::pow(power(p.x / 1.5L, F) + power(p.z, F), F / Real(E));
                          return std::pow(level + power(p.y / 0.75L, E), Real(E) / 2) - 1;
                        },
@@ -139,7 +141,7 @@ void addSuperquadrics(std::vector<CatalogueReference>& all) {
          .entry = "supertoroid",
          .arguments = {{"exponents", {e, f}}},
          .residual =
-             [=](Point p) {
+             [=](RealPoint p) {
                const Real distance = std::pow(power(p.x, F) + power(p.z, F), Real(F) / 2);
                return std::pow(power((distance - 1) / 0.4L, E) + power(p.y / 0.4L, E), Real(E) / 2) - 1;
              },
@@ -186,10 +188,10 @@ void addTubes(std::vector<CatalogueReference>& all) {
                  .position =
                      [](Real u, Real v) {
                        const Real a = 2 * kTauL * u, b = 5 * kTauL * u, R = 1 + 0.4L * std::cos(b);
-                       const Point n(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
-                       const Point dR = -2 * std::sin(b) * Point(std::cos(a), std::sin(a), 0);
-                       const Point velocity =
-                           dR + 2 * R * Point(-std::sin(a), std::cos(a), 0) + Point(0, 0, 2 * std::cos(b));
+                       const RealPoint n(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
+                       const RealPoint dR = -2 * std::sin(b) * RealPoint(std::cos(a), std::sin(a), 0);
+                       const RealPoint velocity = dR + 2 * R * RealPoint(-std::sin(a), std::cos(a), 0) +
+                                                  RealPoint(0, 0, 2 * std::cos(b));
                        return upright(onTube({R * std::cos(a), R * std::sin(a), 0.4L * std::sin(b)}, velocity,
                                              n, 0.1L, kTauL * v, -1));
                      },
@@ -218,7 +220,7 @@ void addStructured(std::vector<CatalogueReference>& all) {
   // A tube around a circle is a torus.
   all.push_back({.label = "tube",
                  .entry = "",
-                 .residual = [](Point p) { return std::hypot(rho(p) - 1, p.y) - 0.3L; },
+                 .residual = [](RealPoint p) { return std::hypot(rho(p) - 1, p.y) - 0.3L; },
                  .area = kTau * kTau * 0.3,
                  .volume = kTau * kPi * 0.09,
                  .build =
@@ -237,10 +239,10 @@ void addStructured(std::vector<CatalogueReference>& all) {
                  .entry = "",
                  .position =
                      [=](Real u, Real v) {
-                       Point sum(0);
+                       RealPoint sum(0);
                        for (int j = 0; j < 4; ++j)
                          for (int i = 0; i < 4; ++i)
-                           sum += bernstein(i, u) * bernstein(j, v) * Point(patch[4 * j + i]);
+                           sum += bernstein(i, u) * bernstein(j, v) * RealPoint(patch[4 * j + i]);
                        return sum;
                      },
                  .build = [=] { return bezier({patch}); }});

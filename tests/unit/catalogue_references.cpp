@@ -9,7 +9,7 @@ void addElementary(std::vector<CatalogueReference>& all) {
                  .entry = "rectangle",
                  .arguments = {{"size", {3.0, 2.0}}},
                  .position = [](Real u, Real v) { return upright(3 * (u - 0.5L), 2 * (v - 0.5L), 0); },
-                 .normal = [](Real, Real) { return Point(0, 1, 0); },
+                 .normal = [](Real, Real) { return RealPoint(0, 1, 0); },
                  .area = 6,
                  .gaussianCurvature = 0,
                  .minimal = true});
@@ -17,7 +17,7 @@ void addElementary(std::vector<CatalogueReference>& all) {
                  .entry = "disk",
                  .arguments = {{"radius", {2.0}}},
                  .position = [](Real u, Real v) { return around(u, 2 * v, 0); },
-                 .normal = [](Real, Real) { return Point(0, 1, 0); },
+                 .normal = [](Real, Real) { return RealPoint(0, 1, 0); },
                  .area = 4 * kPi,
                  .gaussianCurvature = 0,
                  .minimal = true});
@@ -26,7 +26,7 @@ void addElementary(std::vector<CatalogueReference>& all) {
                  .arguments = {{"radius", {0.5}}, {"height", {3.0}}},
                  .position = [](Real u, Real v) { return around(u, 0.5L, 3 * v); },
                  .normal = [](Real u, Real) { return around(u, 1, 0); },
-                 .residual = [](Point p) { return rho(p) - 0.5L; },
+                 .residual = [](RealPoint p) { return rho(p) - 0.5L; },
                  .area = 3 * kPi,
                  .gaussianCurvature = 0});
   const auto cone = [&](const char* label, Real bottom, Real top, Real h) {
@@ -37,7 +37,7 @@ void addElementary(std::vector<CatalogueReference>& all) {
                                  {"height", {static_cast<double>(h)}}},
                    .position = [=](Real u, Real v) { return around(u, bottom + (top - bottom) * v, h * v); },
                    .normal = [=](Real u, Real) { return around(u, h, bottom - top); },
-                   .residual = [=](Point p) { return rho(p) - bottom - (top - bottom) * p.y / h; },
+                   .residual = [=](RealPoint p) { return rho(p) - bottom - (top - bottom) * p.y / h; },
                    .area = static_cast<double>(kPiL * (bottom + top) * std::hypot(h, bottom - top)),
                    .gaussianCurvature = 0});
   };
@@ -57,7 +57,7 @@ void addElementary(std::vector<CatalogueReference>& all) {
                        const Real latitude = kPiL * (v - 0.5L);
                        return around(u, std::cos(latitude), std::sin(latitude));
                      },
-                 .residual = [](Point p) { return glm::length(p) - 1.25L; },
+                 .residual = [](RealPoint p) { return glm::length(p) - 1.25L; },
                  .area = 4 * kPi * 1.5625,
                  .volume = 4 * kPi / 3 * 1.953125,
                  .gaussianCurvature = 1 / 1.5625});
@@ -77,14 +77,14 @@ void addElementary(std::vector<CatalogueReference>& all) {
                        return upright(std::cos(U) * std::sin(V) / 2, std::sin(U) * std::sin(V) / 1.5L,
                                       std::cos(V) / 0.5L);
                      },
-                 .residual = [](Point p) { return std::hypot(p.x / 2, p.y / 0.5L, p.z / 1.5L) - 1; },
+                 .residual = [](RealPoint p) { return std::hypot(p.x / 2, p.y / 0.5L, p.z / 1.5L) - 1; },
                  .volume = 4 * kPi / 3 * 1.5});
   all.push_back({.label = "paraboloid",
                  .entry = "paraboloid",
                  .arguments = {{"focal_length", {0.2}}, {"height", {1.8}}},
                  .position = [](Real u, Real v) { return around(u, 1.2L * v, 1.8L * v * v); },
                  .normal = [](Real u, Real v) { return around(u, 1.2L * v, -0.4L); },
-                 .residual = [](Point p) { return p.y - rho(p) * rho(p) / 0.8L; },
+                 .residual = [](RealPoint p) { return p.y - rho(p) * rho(p) / 0.8L; },
                  .area = 8 * kPi * 0.04 / 3 * (std::pow(10.0, 1.5) - 1)});
   all.push_back({.label = "torus",
                  .entry = "torus",
@@ -94,15 +94,15 @@ void addElementary(std::vector<CatalogueReference>& all) {
                        return around(u, 1 + 0.25L * std::cos(kTauL * v), 0.25L * std::sin(kTauL * v));
                      },
                  .normal = [](Real u, Real v) { return around(u, std::cos(kTauL * v), std::sin(kTauL * v)); },
-                 .residual = [](Point p) { return std::hypot(rho(p) - 1, p.y) - 0.25L; },
+                 .residual = [](RealPoint p) { return std::hypot(rho(p) - 1, p.y) - 0.25L; },
                  .area = kTau * kTau * 0.25,
                  .volume = kTau * kPi * 0.0625});
   all.push_back(
       {.label = "flag",
        .entry = "flag",
        .arguments = {{"phase", {0.7}}},
-       .position = [](Real u, Real v) { return Point(3 * u, 2 * v, 0.2L * std::sin(8 * u + 0.7L)); },
-       .normal = [](Real u, Real) { return Point(-1.6L * std::cos(8 * u + 0.7L), 0, 3); },
+       .position = [](Real u, Real v) { return RealPoint(3 * u, 2 * v, 0.2L * std::sin(8 * u + 0.7L)); },
+       .normal = [](Real u, Real) { return RealPoint(-1.6L * std::cos(8 * u + 0.7L), 0, 3); },
        .gaussianCurvature = 0});
   all.push_back({.label = "teapot", .entry = "teapot", .smooth = false});
 }
@@ -124,7 +124,7 @@ void addAlgebraic(std::vector<CatalogueReference>& all) {
              return around(u, x / 0.25L, -z * 5.25L / 2.25L);
            },
        .residual =
-           [](Point p) { return 0.25L * (rho(p) * rho(p) / 0.25L - p.y * p.y * 5.25L / 2.25L - 1); }});
+           [](RealPoint p) { return 0.25L * (rho(p) * rho(p) / 0.25L - p.y * p.y * 5.25L / 2.25L - 1); }});
   // c = 0.4, rim 1 at y = 1.2: a^2 = 1 / (1.2^2/0.4^2 - 1) = 1/8.
   const auto sheet = [](Real u, Real v) {
     const Real s = std::abs(2 * v - 1), side = v < 0.5L ? -1 : 1;
@@ -136,10 +136,10 @@ void addAlgebraic(std::vector<CatalogueReference>& all) {
                  .position = sheet,
                  .normal =
                      [=](Real u, Real v) {
-                       const Point p = sheet(u, v);
-                       return Point(8 * p.x, -p.y / 0.16L, 8 * p.z);
+                       const RealPoint p = sheet(u, v);
+                       return RealPoint(8 * p.x, -p.y / 0.16L, 8 * p.z);
                      },
-                 .residual = [](Point p) { return p.y * p.y / 0.16L - 8 * rho(p) * rho(p) - 1; }});
+                 .residual = [](RealPoint p) { return p.y * p.y / 0.16L - 8 * rho(p) * rho(p) - 1; }});
   all.push_back({.label = "hyperbolic_paraboloid",
                  .entry = "hyperbolic_paraboloid",
                  .arguments = {{"size", {2.0, 2.0}}, {"height", {1.0}}},
@@ -149,7 +149,7 @@ void addAlgebraic(std::vector<CatalogueReference>& all) {
                        return upright(x, y, (x * x - y * y) / 2);
                      },
                  .normal = [](Real u, Real v) { return upright(-(2 * u - 1), 2 * v - 1, 1); },
-                 .residual = [](Point p) { return p.y - (p.x * p.x - p.z * p.z) / 2; }});
+                 .residual = [](RealPoint p) { return p.y - (p.x * p.x - p.z * p.z) / 2; }});
   all.push_back({.label = "monkey_saddle",
                  .entry = "monkey_saddle",
                  .arguments = {{"radius", {1.0}}, {"height", {2.0}}},
@@ -159,7 +159,7 @@ void addAlgebraic(std::vector<CatalogueReference>& all) {
                        const Real x = v * std::cos(kTauL * u), y = v * std::sin(kTauL * u);
                        return upright(-3 * (x * x - y * y), 6 * x * y, 1);
                      },
-                 .residual = [](Point p) { return p.y - (p.x * p.x * p.x - 3 * p.x * p.z * p.z); }});
+                 .residual = [](RealPoint p) { return p.y - (p.x * p.x * p.x - 3 * p.x * p.z * p.z); }});
   // a = 1.5, d = 0.75, c = 0.5, b^2 = 2.
   all.push_back({.label = "dupin_cyclide",
                  .entry = "dupin_cyclide",
@@ -173,7 +173,7 @@ void addAlgebraic(std::vector<CatalogueReference>& all) {
                                       b * su * (1.5L - 0.75L * cv) / w, b * sv * (0.5L * cu - 0.75L) / w);
                      },
                  .residual =
-                     [](Point p) {
+                     [](RealPoint p) {
                        const Real s = glm::dot(p, p) - 0.5625L + 2, x = 1.5L * p.x - 0.375L;
                        return (s * s - 4 * x * x - 8 * p.z * p.z) / 10;
                      }});
@@ -229,7 +229,7 @@ void addCurvature(std::vector<CatalogueReference>& all) {
                        return around(u, 0.5L * std::cosh(2 * z), z);
                      },
                  .normal = [](Real u, Real v) { return around(u, 1, -std::sinh(3.2L * (v - 0.5L))); },
-                 .residual = [](Point s) { return rho(s) - 0.5L * std::cosh(2 * s.y); },
+                 .residual = [](RealPoint s) { return rho(s) - 0.5L * std::cosh(2 * s.y); },
                  .area = kPi * 0.5 * (1.6 + 0.5 * std::sinh(3.2)),
                  .minimal = true});
   // Literature: (x - x^3/3 + x y^2, y - y^3/3 + y x^2, x^2 - y^2); metric (1 + r^2)^2.
@@ -262,7 +262,7 @@ void addCurvature(std::vector<CatalogueReference>& all) {
                        return upright(-std::tan(0.9L * kPiL * (u - 0.5L)), std::tan(0.9L * kPiL * (v - 0.5L)),
                                       1);
                      },
-                 .residual = [](Point s) { return std::exp(s.y) * std::cos(s.x) - std::cos(s.z); },
+                 .residual = [](RealPoint s) { return std::exp(s.y) * std::cos(s.x) - std::cos(s.z); },
                  .minimal = true});
 }
 

@@ -17,29 +17,30 @@
 namespace luxo {
 
 using Real = long double;
-using Point = glm::vec<3, Real>;
+using RealPoint = glm::vec<3, Real>;
 
 inline constexpr Real kPiL = std::numbers::pi_v<Real>;
 inline constexpr Real kTauL = 2 * kPiL;
 
 /// The literature's z-up frame to luxo's.
-inline Point upright(Real x, Real y, Real z) { return {x, z, -y}; }
-inline Point upright(const Point& p) { return upright(p.x, p.y, p.z); }
+inline RealPoint upright(Real x, Real y, Real z) { return {x, z, -y}; }
+inline RealPoint upright(const RealPoint& p) { return upright(p.x, p.y, p.z); }
 
 /// (radius cos phi, radius sin phi, z) of the literature.
-inline Point around(Real u, Real radius, Real z) {
+inline RealPoint around(Real u, Real radius, Real z) {
   return upright(radius * std::cos(kTauL * u), radius * std::sin(kTauL * u), z);
 }
 
-inline Real rho(const Point& p) { return std::hypot(p.x, p.z); }
+inline Real rho(const RealPoint& p) { return std::hypot(p.x, p.z); }
 
 struct CatalogueReference {
   std::string label;
   std::string entry;  ///< of the catalogue; empty for what is built otherwise
   std::vector<SurfaceArgument> arguments = {};
-  std::function<Point(Real u, Real v)> position = {};  ///< luxo's frame and domain
-  std::function<Point(Real u, Real v)> normal = {};    ///< outward, any length; the limit at singular points
-  std::function<Real(Point)> residual = {};            ///< of an implicit equation, about a length
+  std::function<RealPoint(Real u, Real v)> position = {};  ///< luxo's frame and domain
+  std::function<RealPoint(Real u, Real v)> normal =
+      {};                                        ///< outward, any length; the limit at singular points
+  std::function<Real(RealPoint)> residual = {};  ///< of an implicit equation, about a length
   std::optional<double> area = {}, volume = {};
   std::optional<double> gaussianCurvature = {};
   bool minimal = false;                 ///< mean curvature 0

@@ -68,10 +68,11 @@ TEST_P(CatalogueReferences, PositionsAreThoseOfTheLiterature) {
       const Vec3& p = points.position[i];
       if (GetParam().position) {
         const auto [u, v] = within(surface.patchDomain(patch), at.u[i], at.v[i]);
-        worst = std::max(worst, static_cast<double>(glm::length(Point(p) - GetParam().position(u, v))));
+        worst = std::max(worst, static_cast<double>(glm::length(RealPoint(p) - GetParam().position(u, v))));
       }
       if (GetParam().residual)
-        worstResidual = std::max(worstResidual, std::abs(static_cast<double>(GetParam().residual(Point(p)))));
+        worstResidual =
+            std::max(worstResidual, std::abs(static_cast<double>(GetParam().residual(RealPoint(p)))));
     }
   }
   // Formulas of up to a hundred roundings, the worst of them a subtraction that loses three digits.
@@ -92,23 +93,23 @@ TEST_P(CatalogueReferences, TangentsEqualCentralDifferences) {
     const Domain& domain = surface.patchDomain(patch);
     const auto at = [&](Real u, Real v) {
       return exact ? GetParam().position(u, v)
-                   : Point(surface.position(patch, static_cast<double>(u), static_cast<double>(v)));
+                   : RealPoint(surface.position(patch, static_cast<double>(u), static_cast<double>(v)));
     };
     for (double s = 0.3; s < 0.8; s += 0.083)
       for (double t = 0.3; t < 0.8; t += 0.083) {
         const double u = domain.u.lo + s * domain.u.width(), v = domain.v.lo + t * domain.v.width();
         const Real hu = h * static_cast<Real>(domain.u.width()), hv = h * static_cast<Real>(domain.v.width());
         const auto difference = [&](Real du, Real dv) {
-          Point sum(0);
+          RealPoint sum(0);
           for (const auto& [k, weight] : {std::pair(1, 45.0L), {2, -9.0L}, {3, 1.0L}})
             sum += weight * (at(u + k * du, v + k * dv) - at(u - k * du, v - k * dv)) / 60.0L;
           return sum / (du + dv);
         };
         const SurfacePoints points = surface.evaluate(patch, {&u, 1}, {&v, 1}, {});
-        worst = std::max(worst,
-                         static_cast<double>(glm::length(Point(points.du[0]) - difference(hu, 0)) * hu / h));
-        worst = std::max(worst,
-                         static_cast<double>(glm::length(Point(points.dv[0]) - difference(0, hv)) * hv / h));
+        worst = std::max(
+            worst, static_cast<double>(glm::length(RealPoint(points.du[0]) - difference(hu, 0)) * hu / h));
+        worst = std::max(
+            worst, static_cast<double>(glm::length(RealPoint(points.dv[0]) - difference(0, hv)) * hv / h));
       }
   }
   EXPECT_LE(worst, (exact ? 1e-12 : 1e-8) * extent);
@@ -130,7 +131,7 @@ TEST_P(CatalogueReferences, NormalsAreUnitAndAcrossBothTangents) {
       ASSERT_LE(std::abs(glm::dot(n, points.dv[i])), 1e-9 * longest) << where;
       if (GetParam().normal) {
         const auto [u, v] = within(surface.patchDomain(patch), at.u[i], at.v[i]);
-        const Point expected = GetParam().normal(u, v);
+        const RealPoint expected = GetParam().normal(u, v);
         ASSERT_LE(glm::length(n - Vec3(expected / glm::length(expected))), 1e-8) << where;
       }
     }

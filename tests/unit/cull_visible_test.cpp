@@ -13,7 +13,7 @@ namespace luxo {
 namespace {
 
 constexpr CullOptions kNothingSkipped{.frustum = false, .small = false, .backface = false, .lights = false};
-constexpr PixelSize kSize{160, 90};
+constexpr PixelSize kViewSize{160, 90};
 
 Camera someCamera(test::Random& random) {
   return {.eye = random.inCube(8),
@@ -45,7 +45,7 @@ TEST(Cull, NoNodeWithAPointInThePictureIsOutsideTheFrustum) {
   test::Random random(21);
   std::uint32_t culled = 0, drawn = 0;
   for (int i = 0; i < 200; ++i) {
-    const Snapshot snapshot = takeSnapshot(someScene(random, 10, 15), 0, kSize, someCamera(random));
+    const Snapshot snapshot = takeSnapshot(someScene(random, 10, 15), 0, kViewSize, someCamera(random));
     CullOptions options = kNothingSkipped;
     options.frustum = true;
     const VisibleList list = cull(snapshot, options);
@@ -60,7 +60,8 @@ TEST(Cull, NoNodeWithAPointInThePictureIsOutsideTheFrustum) {
         const Vec3 eye = transformPoint(place, p);
         if (-eye.z < snapshot.view.near) continue;
         const Vec2 pixel = pixelFromEye(snapshot.view, eye);
-        ASSERT_FALSE(pixel.x >= 0 && pixel.x <= kSize.width && pixel.y >= 0 && pixel.y <= kSize.height);
+        ASSERT_FALSE(pixel.x >= 0 && pixel.x <= kViewSize.width && pixel.y >= 0 &&
+                     pixel.y <= kViewSize.height);
       }
     }
   }
@@ -114,7 +115,7 @@ TEST(Cull, NoNodeThatCoversASampleIsTooSmall) {
                         .fovY = radians(20),
                         .projection = i % 4 ? Projection::Perspective : Projection::Orthographic,
                         .height = 1.5};
-    const Snapshot snapshot = takeSnapshot(scene, 0, kSize, camera);
+    const Snapshot snapshot = takeSnapshot(scene, 0, kViewSize, camera);
     for (const int samples : {1, 4}) {
       CullOptions options = kNothingSkipped;
       options.small = true;
@@ -192,7 +193,7 @@ TEST(Cull, WhateverIsWithinTheToleranceMovesNoFurtherOnTheScreen) {
   int checked = 0;
   double tightest = 0;
   for (int i = 0; i < 400; ++i) {
-    const Snapshot snapshot = takeSnapshot(someScene(random, 6, 6), 0, kSize, someCamera(random));
+    const Snapshot snapshot = takeSnapshot(someScene(random, 6, 6), 0, kViewSize, someCamera(random));
     const View& view = snapshot.view;
     const double tolerance = std::exp(random.uniform(std::log(0.01), std::log(20.0)));
     CullOptions options = kNothingSkipped;
@@ -209,7 +210,8 @@ TEST(Cull, WhateverIsWithinTheToleranceMovesNoFurtherOnTheScreen) {
         const Vec3 a = transformPoint(place, surface), b = transformPoint(place, mesh);
         // A point of the mesh is seen when it is in the picture.
         const Vec2 seen = pixelFromEye(view, b);
-        if (-b.z < view.near || seen.x < 0 || seen.y < 0 || seen.x > kSize.width || seen.y > kSize.height)
+        if (-b.z < view.near || seen.x < 0 || seen.y < 0 || seen.x > kViewSize.width ||
+            seen.y > kViewSize.height)
           continue;
         if (-a.z < visible.nearestDepth)
           continue;  // beyond the near plane the surface has no place on the screen
@@ -256,8 +258,8 @@ TEST(Cull, WhatHasNoBoundsIsKeptAtTheQualityOfWhatIsSeen) {
   scene.add(Node{.surface = surface([](auto u, auto v) { return point(u, 1 / u, v); }, {{-1, 1}, {0, 1}})});
   const Camera camera{.eye = Vec3(0, 0, 1000), .lookAt = Vec3(0)};
   const Camera away{.eye = Vec3(0, 0, 1000), .lookAt = Vec3(0, 0, 2000)};
-  EXPECT_EQ(cull(takeSnapshot(scene, 0, kSize, away), {}).counts.drawn, 1u);
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, camera);
+  EXPECT_EQ(cull(takeSnapshot(scene, 0, kViewSize, away), {}).counts.drawn, 1u);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kViewSize, camera);
   const VisibleNode visible = cull(snapshot, {.tolerancePx = 0.5}).opaque.at(0);
   const double pixel = 1000 / snapshot.view.pixelsPerUnit;
   EXPECT_LE(visible.toleranceObject, 0.5 * pixel);
@@ -272,7 +274,8 @@ TEST(Cull, OpaqueFrontToBackTransparentAsGiven) {
   for (int i = 0; i < 60; ++i)
     scene.add(Node{
         .translation = random.inCube(5), .surface = sphere(0.3), .material = i % 2 ? glass : MaterialId{}});
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
+  const Snapshot snapshot =
+      takeSnapshot(scene, 0, kViewSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
   const VisibleList list = cull(snapshot);
   EXPECT_EQ(list.opaque.size(), 30u);
   EXPECT_EQ(list.transparent.size(), 30u);
@@ -282,7 +285,8 @@ TEST(Cull, OpaqueFrontToBackTransparentAsGiven) {
   EXPECT_EQ(cull(snapshot, {.seesThrough = false}).opaque.size(), 60u);
   Scene clear;
   clear.add(Node{.surface = sphere(0.3), .material = clear.add(Material{.opacity = 0})});
-  const Snapshot nothing = takeSnapshot(clear, 0, kSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
+  const Snapshot nothing =
+      takeSnapshot(clear, 0, kViewSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
   EXPECT_EQ(cull(nothing).counts.drawn, 0u);
 }
 
@@ -296,7 +300,7 @@ TEST(Cull, OrderDoesNotDependOnInsertion) {
     Scene scene;
     for (const Vec3& place : places) scene.add(Node{.translation = place, .surface = sphere(0.3)});
     const Snapshot snapshot =
-        takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
+        takeSnapshot(scene, 0, kViewSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
     const VisibleList list = cull(snapshot);
     const auto placesOf = [&](const std::vector<VisibleNode>& nodes) {
       std::vector<Vec3> found;
@@ -422,8 +426,8 @@ TEST(Cull, BoundsThatReachTheEyeKeepEverythingDefined) {
   scene.add(Node{.scale = Vec3(1, 0, 1), .surface = sphere(1)});  // flattened
   scene.add(Node{.scale = Vec3(0), .surface = sphere(1)});        // a point at the eye
   scene.add(Node{.light = Light{}});
-  const VisibleList list =
-      cull(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(0), .lookAt = Vec3(0, 0, -1)}), kNothingSkipped);
+  const VisibleList list = cull(
+      takeSnapshot(scene, 0, kViewSize, Camera{.eye = Vec3(0), .lookAt = Vec3(0, 0, -1)}), kNothingSkipped);
   EXPECT_EQ(list.counts.drawn, 3u);
   for (const VisibleNode& node : list.opaque) {
     EXPECT_GT(node.toleranceObject, 0);

@@ -11,7 +11,7 @@
 namespace luxo {
 namespace {
 
-constexpr PixelSize kSize{640, 480};
+constexpr PixelSize kRowsSize{640, 480};
 
 Transform tilted() {
   const Vec3 x(1.7, 0.6, -0.4), y(-0.2, 0.4, 0.1), z(0.5, -0.3, -1.4);
@@ -20,12 +20,12 @@ Transform tilted() {
 
 View viewOf(Projection projection) {
   return viewAt({.eye = Vec3(2, 3, 5), .lookAt = Vec3(0.1, 0, 0), .projection = projection, .height = 4}, {},
-                kSize, {Vec3(-5), Vec3(5)});
+                kRowsSize, {Vec3(-5), Vec3(5)});
 }
 
 /// Right of and below the picture's middle.
 Vec2 pixelOf(const View& view, const Vec3& world) {
-  return pixelFromEye(view, eyeFromWorldPoint(view, world)) - 0.5 * Vec2(kSize.width, kSize.height);
+  return pixelFromEye(view, eyeFromWorldPoint(view, world)) - 0.5 * Vec2(kRowsSize.width, kRowsSize.height);
 }
 
 TEST(PixelRows, AreThePixelsOfPoints) {
@@ -61,7 +61,7 @@ TEST(PixelRows, FindThePlacesOfAPlane) {
 TEST(PixelRows, NothingIsFoundOfAPlaneSeenEdgeOn) {
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
     const Camera camera{.eye = Vec3(0, 0, 5), .projection = projection, .height = 4};
-    EXPECT_FALSE(planeRows(viewAt(camera, {}, kSize, {Vec3(-5), Vec3(5)}), Transform{}));
+    EXPECT_FALSE(planeRows(viewAt(camera, {}, kRowsSize, {Vec3(-5), Vec3(5)}), Transform{}));
   }
 }
 
@@ -71,7 +71,7 @@ TEST(PixelRows, WhatIsOutsideOfThePictureIsNotNear) {
   SnapshotNode floor;
   floor.boundsObject = floor.boundsWorld = {Vec3(-100, 0, -100), Vec3(100, 0, 100)};
   const View view =
-      viewAt({.eye = Vec3(0, 1, 0), .lookAt = Vec3(0, 0.9, -1), .fovY = radians(40)}, {}, kSize);
+      viewAt({.eye = Vec3(0, 1, 0), .lookAt = Vec3(0, 0.9, -1), .fovY = radians(40)}, {}, kRowsSize);
   const double slope = 0.1, angle = std::atan(slope) + radians(20), distance = 1 / std::sin(angle);
   EXPECT_NEAR(nearestSeen(view, floor), distance * std::cos(radians(20)), 1e-9);
 }

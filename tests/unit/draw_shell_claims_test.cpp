@@ -23,7 +23,7 @@
 namespace luxo {
 namespace {
 
-constexpr PixelSize kSize{48, 36};
+constexpr PixelSize kClaimSize{48, 36};
 /// Of a depth: more than rays and triangles round, far less than shells are thick.
 constexpr double kAlike = 1e-7;
 
@@ -137,7 +137,7 @@ Snapshot snapshotOf(const Family& family, unsigned seed) {
         "camera": {{ "eye": [{:.4f}, {:.4f}, {:.4f}], "look_at": [0, 0, 0], "up": [0.1, 1, 0.05], {} }} }})",
                                  surface, eye.x, eye.y, eye.z, projection),
                      family.name)),
-      0, kSize);
+      0, kClaimSize);
 }
 
 /// A triangle that is drawn, and of which side of the surface its searches are for.
@@ -174,8 +174,8 @@ class ShellClaims : public testing::TestWithParam<Family> {
     const reference::Caster caster(snapshot);
     const double orientation = snapshot.nodes[0].surface.topology().orientation();
     std::vector<std::optional<Seen>> seen;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kClaimSize.height; ++y)
+      for (int x = 0; x < kClaimSize.width; ++x) {
         const reference::Ray ray = caster.rayThrough(x + 0.5, y + 0.5);
         const auto sight = caster.look(ray);
         seen.emplace_back();
@@ -202,15 +202,15 @@ class ShellClaims : public testing::TestWithParam<Family> {
       return std::pair(std::max(0, static_cast<int>(std::floor(std::max(low, 0.0)))),
                        std::min(size - 1, static_cast<int>(std::floor(std::min(high, 1e6)))));
     };
-    const auto [firstX, lastX] = range(0, kSize.width);
-    const auto [firstY, lastY] = range(1, kSize.height);
+    const auto [firstX, lastX] = range(0, kClaimSize.width);
+    const auto [firstY, lastY] = range(1, kClaimSize.height);
     for (int y = firstY; y <= lastY; ++y)
       for (int x = firstX; x <= lastX; ++x) {
         const double right = x + 0.5 - t[0].x, down = y + 0.5 - t[0].y;
         const double u = (right * b.y - down * b.x) / area, v = (down * a.x - right * a.y) / area;
         if (!(u >= 0 && v >= 0 && u + v <= 1)) continue;
         const double z = (1 - u - v) * inverse(t[0].z) + u * inverse(t[1].z) + v * inverse(t[2].z);
-        action(static_cast<std::size_t>(y * kSize.width + x), inverse(z));
+        action(static_cast<std::size_t>(y * kClaimSize.width + x), inverse(z));
       }
   }
 
@@ -247,7 +247,7 @@ TEST_P(ShellClaims, HoldForCertifiedRays) {
     for (const PixelRect& rect : whole.byRays)  // there the shell claims nothing
       for (int y = rect.low.y; y < rect.high.y; ++y)
         for (int x = rect.low.x; x < rect.high.x; ++x)
-          seen[static_cast<std::size_t>(y * kSize.width + x)].reset();
+          seen[static_cast<std::size_t>(y * kClaimSize.width + x)].reset();
     if (whole.opaque.empty()) {
       ++withoutShell;
       continue;
@@ -300,7 +300,7 @@ TEST(Shells, OfWhatHasCollapsed) {
         "position": ["(1-t)*u", "(1-t)*v", "(1-t)*sin(u)"] } }, "nodes": [{ "surface": "s" }],
         "camera": { "eye": [3, 2, 4], "look_at": [0, 0, 0] } })json",
                  "collapsed"));
-  const Snapshot snapshot = takeSnapshot(scene, 1, kSize);
+  const Snapshot snapshot = takeSnapshot(scene, 1, kClaimSize);
   ASSERT_EQ(snapshot.nodes[0].boundsObject.extent(), Vec3(0));
   Geometry geometry;
   EXPECT_LE(listDraws(snapshot, cull(snapshot, {.small = false}), {}, geometry).opaque.size(), 4U);

@@ -17,8 +17,6 @@ namespace {
 
 using Real = long double;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 Real mod(Real x, Real y) { return x - y * std::floor(x / y); }
 Real clamp(Real x, Real lo, Real hi) { return min(max(x, lo), hi); }
 Real mix(Real a, Real b, Real t) { return a * (1 - t) + b * t; }
@@ -29,7 +27,7 @@ Real smoothstep(Real a, Real b, Real x) {
 Real notEqual(Real x, Real y) { return x != y ? 1 : 0; }
 
 /// One formula of x for the engine and for long double, over a range where it is smooth.
-struct Case {
+struct OperationCase {
   std::string name;
   std::function<Expr(Expr)> engine;
   std::function<Real(Real)> precise;
@@ -37,7 +35,7 @@ struct Case {
 };
 
 #define LUXO_TEST_CASE(lo, hi, ...)                                                              \
-  Case {                                                                                         \
+  OperationCase {                                                                                \
 #__VA_ARGS__,                                                                                  \
         [](Expr x) -> Expr { return __VA_ARGS__; },                                                \
         [](Real x) -> Real {                                                                       \
@@ -49,8 +47,8 @@ struct Case {
         lo, hi \
   }
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all{
+const std::vector<OperationCase>& cases() {
+  static const std::vector<OperationCase> all{
       LUXO_TEST_CASE(-2, 2, -x),
       LUXO_TEST_CASE(-2, 2, x * x + 3 * x - x / 7),
       LUXO_TEST_CASE(0.5, 3, 1 / x),
@@ -115,7 +113,7 @@ Real extrapolate(const std::function<Real(Real)>& difference) {
 }
 
 TEST(Operation, ValuesAndDerivativesAgainstDifferences) {
-  for (const Case& c : cases()) {
+  for (const OperationCase& c : cases()) {
     Graph graph;
     const Expr f = c.engine(graph.variable(0)), slope = graph.derivative(f, 0);
     const Expr outputs[] = {f, slope, graph.derivative(slope, 0)};
@@ -150,7 +148,7 @@ TEST(Operation, DoublesLieInsideTheirBounds) {
   std::vector<double> parts(kPoints), us(kPoints), vs(kPoints);
   for (double& p : parts) p = part(random);
   parts[0] = 0, parts[1] = 1;
-  for (const Case& c : cases()) {
+  for (const OperationCase& c : cases()) {
     Graph graph;
     const Expr f = c.engine(graph.variable(0));
     const Tape tape(graph, {&f, 1});

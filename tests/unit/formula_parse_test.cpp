@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "math/numbers.h"
+
 namespace luxo {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kE = std::numbers::e;
 constexpr double kU = 0.7, kV = -1.3, kT = 2.5;
 
@@ -39,15 +40,15 @@ double valueOf(std::string_view text, Scope scope = numbers()) {
   return formula.value.constant();
 }
 
-struct Case {
+struct ParsedCase {
   std::string_view text;
   double value;
 };
 
 // The same operations in the same order as C++ does them: equal to a rounding of each, so to 1e-15 of the
 // value.
-void expectValues(const std::vector<Case>& cases) {
-  for (const Case& c : cases)
+void expectValues(const std::vector<ParsedCase>& cases) {
+  for (const ParsedCase& c : cases)
     EXPECT_NEAR(valueOf(c.text), c.value, 1e-15 * std::max(1.0, std::abs(c.value))) << c.text;
 }
 

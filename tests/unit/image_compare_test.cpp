@@ -10,7 +10,7 @@
 namespace luxo {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 TEST(Compare, EqualImages) {
@@ -19,7 +19,7 @@ TEST(Compare, EqualImages) {
   EXPECT_EQ(result.max, 0);
   EXPECT_EQ(result.mean, 0);
   EXPECT_EQ(result.rmse, 0);
-  EXPECT_EQ(result.psnr, double(kInfinity));
+  EXPECT_EQ(result.psnr, double(kFloatInfinity));
   EXPECT_EQ(result.differingPixels8, 0);
   EXPECT_EQ(result.nanSamples, 0);
   EXPECT_EQ(result.pixels, 64);
@@ -78,16 +78,16 @@ TEST(Compare, NaNAndInfinity) {
   };
   EXPECT_EQ(one(kNaN, -kNaN).max, 0);
   EXPECT_EQ(one(kNaN, kNaN).nanSamples, 0);
-  EXPECT_EQ(one(kNaN, 0).max, double(kInfinity));
+  EXPECT_EQ(one(kNaN, 0).max, double(kFloatInfinity));
   EXPECT_EQ(one(kNaN, 0).nanSamples, 1);
-  EXPECT_EQ(one(0, kNaN).mean, double(kInfinity));
-  EXPECT_EQ(one(kNaN, 0, ComparisonSpace::Srgb8).max, double(kInfinity));
-  EXPECT_EQ(one(kNaN, kInfinity).max, double(kInfinity));
-  EXPECT_EQ(one(kInfinity, kInfinity).max, 0);
-  EXPECT_EQ(one(kInfinity, -kInfinity).max, double(kInfinity));
-  EXPECT_EQ(one(kInfinity, 3).max, double(kInfinity));
-  EXPECT_EQ(one(kInfinity, 3).nanSamples, 0);
-  EXPECT_EQ(one(kInfinity, 3).psnr, -double(kInfinity));
+  EXPECT_EQ(one(0, kNaN).mean, double(kFloatInfinity));
+  EXPECT_EQ(one(kNaN, 0, ComparisonSpace::Srgb8).max, double(kFloatInfinity));
+  EXPECT_EQ(one(kNaN, kFloatInfinity).max, double(kFloatInfinity));
+  EXPECT_EQ(one(kFloatInfinity, kFloatInfinity).max, 0);
+  EXPECT_EQ(one(kFloatInfinity, -kFloatInfinity).max, double(kFloatInfinity));
+  EXPECT_EQ(one(kFloatInfinity, 3).max, double(kFloatInfinity));
+  EXPECT_EQ(one(kFloatInfinity, 3).nanSamples, 0);
+  EXPECT_EQ(one(kFloatInfinity, 3).psnr, -double(kFloatInfinity));
   EXPECT_EQ(one(0.0f, -0.0f).max, 0);
 }
 

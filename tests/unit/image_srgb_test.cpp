@@ -33,15 +33,15 @@ TEST(Srgb, KnownCodes) {
 }
 
 TEST(Srgb, WhatIsNotAColourIsClamped) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float infinity = std::numeric_limits<float>::infinity();
   EXPECT_EQ(encodeSrgb8(-1.0f), 0);
   EXPECT_EQ(encodeSrgb8(-0.0f), 0);
-  EXPECT_EQ(encodeSrgb8(-kInfinity), 0);
+  EXPECT_EQ(encodeSrgb8(-infinity), 0);
   EXPECT_EQ(encodeSrgb8(std::numeric_limits<float>::quiet_NaN()), 0);
   EXPECT_EQ(encodeSrgb8(-std::numeric_limits<float>::quiet_NaN()), 0);
   EXPECT_EQ(encodeSrgb8(std::numeric_limits<float>::denorm_min()), 0);
   EXPECT_EQ(encodeSrgb8(1.5f), 255);
-  EXPECT_EQ(encodeSrgb8(kInfinity), 255);
+  EXPECT_EQ(encodeSrgb8(infinity), 255);
 }
 
 TEST(Srgb, EqualsTheFormulaAroundEveryChangeOfCode) {

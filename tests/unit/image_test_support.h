@@ -45,9 +45,9 @@ inline Image imageOfAnyBits(int width, int height, int channels, std::uint32_t s
   std::mt19937 random(seed);
   Image image(width, height, channels);
   for (float& sample : image.samples()) sample = std::bit_cast<float>(std::uint32_t(random()));
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const float special[] = {kInfinity,
-                           -kInfinity,
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float special[] = {infinity,
+                           -infinity,
                            -0.0f,
                            std::bit_cast<float>(0x7fc12345u),
                            std::bit_cast<float>(0xff812345u),

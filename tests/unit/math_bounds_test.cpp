@@ -11,11 +11,10 @@ namespace luxo {
 namespace {
 
 using Real = long double;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class Randomness {
+class RandomBoxes {
  public:
-  explicit Randomness(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomBoxes(std::uint64_t seed) : engine_(seed) {}
   double between(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
   double anySize() { return std::exp(between(-20, 20)) * (between(-1, 1) < 0 ? -1 : 1); }
   Vec3 vector(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
@@ -55,7 +54,7 @@ TEST(Box, GrowsFromNothing) {
 TEST(Box, TransformedHoldsEveryTransformedPoint) {
   // Against the exact image of the corners in long double, which an affine map's box must hold. Translations
   // that cancel the box's own distance leave rounding errors much larger than the result.
-  Randomness random(1);
+  RandomBoxes random(1);
   for (int i = 0; i < 50'000; ++i) {
     const Box box = random.box();
     Transform t{{random.vector(2), random.vector(2), random.vector(2)}, random.vector(10)};
@@ -100,7 +99,7 @@ TEST(Box, TransformedEmptyStaysEmptyAndInfiniteStaysInfinite) {
 }
 
 TEST(Sphere, AroundABoxHoldsItsCorners) {
-  Randomness random(2);
+  RandomBoxes random(2);
   for (int i = 0; i < 50'000; ++i) {
     const Box box = random.box();
     const Sphere sphere = sphereAround(box);

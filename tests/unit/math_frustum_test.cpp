@@ -82,7 +82,6 @@ TEST(Frustum, TouchingIsNotOutside) {
 
 TEST(Frustum, WhatIsNotFiniteIsNeverOutside) {
   const Frustum frustum = frustumOf(viewAt({.eye = Vec3(0, 0, 5)}, 0, {100, 100}));
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(outside(frustum, Transform{}, {Vec3(-kInfinity), Vec3(kInfinity)}));
   EXPECT_FALSE(outside(frustum, Sphere{Vec3(0), kInfinity}));
   EXPECT_FALSE(outside(frustum, Sphere{Vec3(std::numeric_limits<double>::quiet_NaN()), 1}));

@@ -20,7 +20,6 @@ namespace {
 using Real =
     long double;  // 64 bits of mantissa: its own rounding is 2^-11 of what the intervals step outward
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
@@ -87,9 +86,9 @@ const std::vector<Operation>& operations() {
   return all;
 }
 
-class Randomness {
+class RandomIntervals {
  public:
-  explicit Randomness(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomIntervals(std::uint64_t seed) : engine_(seed) {}
 
   double between(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
@@ -151,7 +150,7 @@ void expectInside(const Operation& f, const Interval& result, const Interval& x,
 }
 
 TEST(Interval, HoldsAMillionResultsOfEveryFunction) {
-  Randomness random(1);
+  RandomIntervals random(1);
   for (const Operation& f : operations()) {
     const int intervals = f.name.starts_with("pow") ? 2'000 : 20'000;  // 11 times
     for (int i = 0; i < intervals; ++i) {
@@ -170,7 +169,7 @@ TEST(Interval, HoldsAMillionResultsOfEveryFunction) {
 TEST(Interval, ClaimsSomethingWhereverItIsDefined) {
   // Inclusion alone is easy: everything() includes. Off poles and jumps a narrow operand gives a narrow
   // result: the widths below are ten times the slopes at 0.5..1, which are at most 4 for all functions here.
-  Randomness random(11);
+  RandomIntervals random(11);
   for (const Operation& f : operations()) {
     const bool steps = f.name == "floor" || f.name == "less" || f.name == "less or equal" ||
                        f.name == "equal" || f.name == "hull";
@@ -187,7 +186,7 @@ TEST(Interval, ClaimsSomethingWhereverItIsDefined) {
 TEST(Interval, HoldsEveryResultAtEverySize) {
   // The bounds of the operands are reached, and the exact result may overflow or underflow double; the
   // comparison is in the wider exponent range of Real. Trigonometry and hyperbolics included.
-  Randomness random(2);
+  RandomIntervals random(2);
   for (const Operation& f : operations())
     for (int i = 0; i < 10'000; ++i) {
       const Interval x = random.interval(random.anyBits(), random.anyBits());
@@ -202,7 +201,7 @@ TEST(Interval, HoldsEveryResultAtEverySize) {
 TEST(Interval, PointsGiveNarrowResults) {
   // Steps outward: 1 on each side of a correctly rounded result, 4 for the C library; division rounds twice,
   // integer powers once per multiplication. In units of the larger end's distance to its neighbour.
-  Randomness random(3);
+  RandomIntervals random(3);
   for (const Operation& f : operations()) {
     if (f.name == "hull") continue;
     const bool power = f.name.starts_with("pow");
@@ -385,7 +384,7 @@ TEST(Interval, FunctionsNearTheSmallestNumbers) {
 TEST(Interval, WavesHoldTheirExtremesAtAnyAge) {
   // An interval that straddles an extreme of sine or cosine, anywhere up to 1e9 rad, holds +-1. The hard ones
   // start or end at the neighbour of the extreme.
-  Randomness random(4);
+  RandomIntervals random(4);
   const Real pi = std::acos(Real(-1));
   const auto neighbours = [](Real x) {
     const double nearest = double(x);

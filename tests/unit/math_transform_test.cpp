@@ -19,9 +19,9 @@ using Real = long double;
 constexpr double kUlp = 0x1p-52;
 const Real kTauReal = 2 * std::acos(Real(-1));
 
-class Randomness {
+class RandomTransforms {
  public:
-  explicit Randomness(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomTransforms(std::uint64_t seed) : engine_(seed) {}
   double between(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
   Vec3 vector(double size = 1) { return {between(-size, size), between(-size, size), between(-size, size)}; }
   Mat3 matrix(double size = 1) { return {vector(size), vector(size), vector(size)}; }
@@ -44,7 +44,7 @@ void expectNear(const Vec3& a, const Vec3& b, double tolerance) {
 }
 
 TEST(Unit, LengthsFromTheSmallestToTheLargest) {
-  Randomness random(1);
+  RandomTransforms random(1);
   for (int exponent = -300; exponent <= 300; exponent += 10)
     for (int i = 0; i < 20; ++i) {
       const Vec3 direction = random.vector() + Vec3(0.1, 0, 0);
@@ -70,7 +70,7 @@ TEST(Rotation, KnownAnswers) {
 
 TEST(Rotation, EqualsTheQuaternion) {
   // q v q* written out in long double, with the axis normalised there.
-  Randomness random(2);
+  RandomTransforms random(2);
   for (int i = 0; i < 10'000; ++i) {
     const Vec3 axis = random.vector(10), v = random.vector();
     const double angle = random.between(-7, 7);
@@ -90,7 +90,7 @@ TEST(Rotation, EqualsTheQuaternion) {
 }
 
 TEST(Rotation, IsOrthonormalAndRightHanded) {
-  Randomness random(3);
+  RandomTransforms random(3);
   for (int i = 0; i < 10'000; ++i) {
     const Mat3 r = random.turn();
     EXPECT_LE(distance(glm::transpose(r) * r, Mat3(1)), 16 * kUlp);
@@ -129,7 +129,7 @@ TEST(Transform, ScalesThenTurnsThenMoves) {
 }
 
 TEST(Transform, ProductsChain) {
-  Randomness random(4);
+  RandomTransforms random(4);
   for (int i = 0; i < 1'000; ++i) {
     const Transform a{random.matrix(), random.vector()}, b{random.matrix(), random.vector()};
     const Vec3 p = random.vector();
@@ -154,7 +154,7 @@ TEST(NormalMatrix, KeepsNormalsAcrossTangents) {
 }
 
 TEST(NormalMatrix, IsTheSignedCofactor) {
-  Randomness random(5);
+  RandomTransforms random(5);
   for (int i = 0; i < 10'000; ++i) {
     const Mat3 m = random.matrix();
     const Vec3 a = random.vector(), b = random.vector();
@@ -213,7 +213,7 @@ void expectLargestStretch(const Mat3& m) {
 }
 
 TEST(LargestStretch, EqualsTheLargestSingularValue) {
-  Randomness random(6);
+  RandomTransforms random(6);
   for (int i = 0; i < 10'000; ++i) expectLargestStretch(random.matrix(std::exp(random.between(-20, 20))));
   expectLargestStretch(Mat3(Vec3(1, 2, 3), Vec3(2, 4, 6), Vec3(-1, -2, -3)));  // rank 1
   EXPECT_EQ(largestStretch(Mat3(0)), 0);
@@ -225,7 +225,7 @@ TEST(LargestStretch, EqualsTheLargestSingularValue) {
 TEST(LargestStretch, EqualAndNearlyEqualStretches) {
   // Two equal largest stretches make the characteristic polynomial ill-conditioned: half the digits of its
   // root would be lost. Rotations on both sides make every entry non-zero.
-  Randomness random(7);
+  RandomTransforms random(7);
   for (int i = 0; i < 3'000; ++i)
     for (const Vec3& stretch : {Vec3(2, 2, 1), Vec3(2, 2, 0), Vec3(2, 1, 1), Vec3(1, 1, 1), Vec3(3, 0, 0),
                                 Vec3(1, 1 + 1e-9, 1e-3), Vec3(-5, 5, 5 - 1e-7)})
@@ -258,7 +258,7 @@ TEST(AngleAt, KnownAnswers) {
 }
 
 TEST(AngleAt, ExactAtAnyAge) {
-  Randomness random(8);
+  RandomTransforms random(8);
   for (int i = 0; i < 200'000; ++i) {
     const double rate = random.between(-10, 10), time = std::exp(random.between(-5, std::log(1e9)));
     const double angle = angleAt(rate, time);
@@ -270,7 +270,7 @@ TEST(AngleAt, ExactAtAnyAge) {
 }
 
 TEST(AngleAt, ExactForAnyFiniteProduct) {
-  Randomness random(9);
+  RandomTransforms random(9);
   for (int i = 0; i < 20'000; ++i) {
     const double rate = std::exp(random.between(-300, 350)), time = std::exp(random.between(-300, 350));
     const double angle = angleAt(rate, time);

@@ -309,7 +309,6 @@ TEST(TriangleMesh, RefusesWhatIsNoMesh) {
   EXPECT_THAT(refusalOf(arrays), HasSubstr("no triangle with an area"));
   EXPECT_THAT(refusalOf({}), HasSubstr("no triangle with an area"));
 
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double bad : {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN(), 1.1e18}) {
     arrays = oneTriangle();
     arrays.positions[1].y = bad;

@@ -13,7 +13,7 @@
 namespace luxo::reference {
 namespace {
 
-constexpr PixelSize kSize{8, 8};
+constexpr PixelSize kCoveredSize{8, 8};
 constexpr double kResolution = 1.0 / 1024;
 
 /// One pixel is one metre; the picture's middle is the origin, seen along -Z.
@@ -29,7 +29,7 @@ Snapshot seen(Node node, const Camera& camera, const Material& material = {}) {
   Scene scene;
   node.material = scene.add(material);
   scene.add(std::move(node));
-  return takeSnapshot(scene, 0, kSize, camera);
+  return takeSnapshot(scene, 0, kCoveredSize, camera);
 }
 
 void expectHolds(const CoverageBounds& bounds, double truth, double resolution = kResolution) {
@@ -69,7 +69,7 @@ TEST(ReferenceCoverage, HalfPlanes) {
                        .rotation = Rotation{{0, 0, 1}, angle}});
     scene.add(
         Node{.parent = turned, .rotation = Rotation{{1, 0, 0}, radians(90)}, .surface = rectangle(40, 40)});
-    const Snapshot snapshot = takeSnapshot(scene, 0, kSize, flatCamera());
+    const Snapshot snapshot = takeSnapshot(scene, 0, kCoveredSize, flatCamera());
     expectHolds(pixelCoverage(Caster(snapshot), 4, 4), areaBelow(1 - 0.4 - 0.3 * slope, slope));
   }
 }
@@ -125,7 +125,7 @@ TEST(ReferenceCoverage, OneNodeOrAll) {
   };
   add(-5 + 0.3);
   add(5 + 0.5);
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, flatCamera());
+  const Snapshot snapshot = takeSnapshot(scene, 0, kCoveredSize, flatCamera());
   const Caster caster(snapshot);
   expectHolds(pixelCoverage(caster, 4, 2, kResolution, 0), 0.3);
   expectHolds(pixelCoverage(caster, 4, 2, kResolution, 1), 0.5);

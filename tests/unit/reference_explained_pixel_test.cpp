@@ -16,17 +16,17 @@ namespace {
 
 using test::expectNear;
 
-constexpr PixelSize kSize{64, 48};
+constexpr PixelSize kExplainedSize{64, 48};
 
 Scene looking() {
   Scene scene;
-  scene.set(RenderSettings{.size = kSize, .background = {0.1, 0.2, 0.3}, .ambient = Vec3(0.25)});
+  scene.set(RenderSettings{.size = kExplainedSize, .background = {0.1, 0.2, 0.3}, .ambient = Vec3(0.25)});
   scene.add(Camera{.eye = Vec3(0, 0, 10), .lookAt = Vec3(0), .fovY = radians(40), .near = 0.1});
   return scene;
 }
 
 ExplainedPixel explained(const Scene& scene, const Vec2& at = {32, 24}) {
-  return explainPixel(takeSnapshot(scene, 0, kSize), at);
+  return explainPixel(takeSnapshot(scene, 0, kExplainedSize), at);
 }
 
 // A ball that is seen in its middle: everything is known.
@@ -175,14 +175,14 @@ TEST(ExplainedPixel, IsThePictures) {
   scene.add(
       Node{.translation = Vec3(1, 5, 2),
            .light = Light{.shadow = Light::Shadow::Exact, .radius = 0.5, .casters = {NodeId{0}, floor}}});
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kExplainedSize);
   const ReferencePicture picture = castPicture(snapshot);
   for (int i = 0; i < 24; ++i) {
-    const int x = (i * 29) % kSize.width, y = (i * 17) % kSize.height;
+    const int x = (i * 29) % kExplainedSize.width, y = (i * 17) % kExplainedSize.height;
     const ExplainedPixel pixel = explainPixel(snapshot, {x + 0.5, y + 0.5});
     for (int c = 0; c < 3; ++c) EXPECT_EQ(float(pixel.color[c]), picture.color.pixel(x, y)[std::size_t(c)]);
     if (pixel.points.empty()) continue;
-    const std::size_t at = std::size_t(y) * kSize.width + std::size_t(x);
+    const std::size_t at = std::size_t(y) * kExplainedSize.width + std::size_t(x);
     EXPECT_EQ(snapshot.nodes[pixel.points[0].node].number, picture.number[at]);
     EXPECT_EQ(pixel.points[0].depth, picture.depth[at]);
     EXPECT_EQ(pixel.points[0].lights.size(), 1U);

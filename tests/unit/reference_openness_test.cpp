@@ -11,15 +11,15 @@
 namespace luxo {
 namespace {
 
-constexpr PixelSize kSize{32, 32};
+constexpr PixelSize kOpenSize{32, 32};
 // 256 evenly spread points tell the area of a half disc, or of a disc in the disc, to a few parts in 256.
 constexpr double kOfRays = 4.0 / reference::kOpennessRays;
 
 /// Of the point in the middle of the picture, at which the eye looks from above.
 double opennessOf(Scene scene, double radius, const Vec3& point = Vec3(0)) {
-  scene.set(RenderSettings{.size = kSize, .ambient = Vec3(1), .ambientOcclusion = {.radius = radius}});
+  scene.set(RenderSettings{.size = kOpenSize, .ambient = Vec3(1), .ambientOcclusion = {.radius = radius}});
   const Camera camera{.eye = point + Vec3(0, 0.25, 0), .lookAt = point, .up = Vec3(0, 0, -1), .near = 1e-3};
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, camera);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kOpenSize, camera);
   const reference::Caster caster(snapshot);
   const auto sight = caster.look(caster.rayThrough(16, 16));
   return sight.hits.empty() ? -1 : caster.openness(sight.hits.front());

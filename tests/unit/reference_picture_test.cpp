@@ -15,7 +15,7 @@
 namespace luxo {
 namespace {
 
-constexpr PixelSize kSize{96, 64};
+constexpr PixelSize kReferenceSize{96, 64};
 constexpr double kRadius = 1.25;
 const Vec3 kLight(4, 5, 6);
 
@@ -23,7 +23,7 @@ Camera camera() { return {.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .fovY = radia
 
 Scene sphereScene(Material material = {.diffuse = {0.6, 0.4, 0.2}, .specular = Vec3(0.3), .shininess = 30}) {
   Scene scene;
-  scene.set(RenderSettings{.size = kSize, .background = {0.1, 0.2, 0.3}, .ambient = Vec3(0.05)});
+  scene.set(RenderSettings{.size = kReferenceSize, .background = {0.1, 0.2, 0.3}, .ambient = Vec3(0.05)});
   scene.add(Node{.surface = sphere(kRadius), .material = scene.add(std::move(material))});
   scene.add(Node{.translation = kLight,
                  .light = Light{.intensity = 40, .attenuation = Light::Attenuation::InverseSquare}});
@@ -34,16 +34,17 @@ Scene sphereScene(Material material = {.diffuse = {0.6, 0.4, 0.2}, .specular = V
 /// Unit direction of the ray through a pixel's centre, from the definition of the camera above.
 Vec3 directionOf(int x, int y) {
   const double half = std::tan(radians(20));
-  return glm::normalize(Vec3(((x + 0.5) / kSize.width * 2 - 1) * half * kSize.width / kSize.height,
-                             (1 - (y + 0.5) / kSize.height * 2) * half, -1));
+  return glm::normalize(
+      Vec3(((x + 0.5) / kReferenceSize.width * 2 - 1) * half * kReferenceSize.width / kReferenceSize.height,
+           (1 - (y + 0.5) / kReferenceSize.height * 2) * half, -1));
 }
 
 TEST(ReferencePicture, SphereByItsEquations) {
-  const ReferencePicture picture = castPicture(takeSnapshot(sphereScene(), 0, kSize));
+  const ReferencePicture picture = castPicture(takeSnapshot(sphereScene(), 0, kReferenceSize));
   std::uint64_t hits = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y * kSize.width + x);
+  for (int y = 0; y < kReferenceSize.height; ++y)
+    for (int x = 0; x < kReferenceSize.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y * kReferenceSize.width + x);
       const Vec3 eye(0, 0, 5), d = directionOf(x, y);
       const double b = glm::dot(eye, d), discriminant = b * b - (25 - kRadius * kRadius);
       const auto color = picture.color.pixel(x, y);
@@ -73,12 +74,13 @@ TEST(ReferencePicture, SphereByItsEquations) {
     }
   EXPECT_GT(hits, 1000U);
   EXPECT_EQ(picture.hits, hits);
-  EXPECT_EQ(picture.misses + picture.hits, static_cast<std::uint64_t>(kSize.width * kSize.height));
+  EXPECT_EQ(picture.misses + picture.hits,
+            static_cast<std::uint64_t>(kReferenceSize.width * kReferenceSize.height));
   EXPECT_EQ(picture.undecided, 0U);
 }
 
 TEST(ReferencePicture, IsTheSameOnAnyNumberOfThreads) {
-  const Snapshot snapshot = takeSnapshot(sphereScene(), 0, kSize);
+  const Snapshot snapshot = takeSnapshot(sphereScene(), 0, kReferenceSize);
   const ReferencePicture one = castPicture(snapshot, {.samples = 3, .threads = 1});
   const ReferencePicture two = castPicture(snapshot, {.samples = 3, .threads = 2});
   EXPECT_TRUE(std::ranges::equal(one.color.samples(), two.color.samples()));
@@ -96,7 +98,7 @@ TEST(ReferencePicture, PatternsAreEvaluatedAtTheHit) {
   RenderSettings settings = scene.settings();
   settings.ambient = Vec3(1);
   scene.set(settings);
-  const ReferencePicture picture = castPicture(takeSnapshot(scene, 0, kSize));
+  const ReferencePicture picture = castPicture(takeSnapshot(scene, 0, kReferenceSize));
   // v is the latitude: the northern half is red and the southern green.
   const auto north = picture.color.pixel(48, 20), south = picture.color.pixel(48, 44);
   EXPECT_GE(north[0], 1);
@@ -108,13 +110,13 @@ TEST(ReferencePicture, PatternsAreEvaluatedAtTheHit) {
 // Half transparent: in front of what lies behind it, its own far side included.
 TEST(ReferencePicture, TransparentSurfacesAreSeenThrough) {
   Scene scene;
-  scene.set(RenderSettings{.size = kSize, .background = Vec3(0.5), .ambient = Vec3(1)});
+  scene.set(RenderSettings{.size = kReferenceSize, .background = Vec3(0.5), .ambient = Vec3(1)});
   const MaterialId glass = scene.add(
       Material{.diffuse = Vec3(1, 0, 0), .specular = Vec3(0), .opacity = 0.5, .twoSided = TwoSided::Yes});
   scene.add(Node{.surface = sphere(kRadius), .material = glass});
   scene.add(camera());
-  const ReferencePicture picture = castPicture(takeSnapshot(scene, 0, kSize));
-  const auto middle = picture.color.pixel(kSize.width / 2, kSize.height / 2);
+  const ReferencePicture picture = castPicture(takeSnapshot(scene, 0, kReferenceSize));
+  const auto middle = picture.color.pixel(kReferenceSize.width / 2, kReferenceSize.height / 2);
   EXPECT_FLOAT_EQ(middle[0], 0.5F + 0.5F * (0.5F + 0.5F * 0.5F));  // red over red over grey
   EXPECT_FLOAT_EQ(middle[1], 0.125F);
 }
@@ -122,7 +124,7 @@ TEST(ReferencePicture, TransparentSurfacesAreSeenThrough) {
 // Of a ball whose fronts alone are shown the far inside is seen through a hole that the near plane cuts, and
 // is not there; the same ball mirrored is the same ball, outward normals included.
 TEST(ReferencePicture, BackFacesAndMirrorsFollowTheMaterial) {
-  constexpr std::size_t kMiddle = kSize.width * kSize.height / 2 + kSize.width / 2;
+  constexpr std::size_t kMiddle = kReferenceSize.width * kReferenceSize.height / 2 + kReferenceSize.width / 2;
   for (const double mirror : {1.0, -1.0})
     for (const TwoSided sides : {TwoSided::Auto, TwoSided::Yes, TwoSided::No})
       for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
@@ -133,14 +135,15 @@ TEST(ReferencePicture, BackFacesAndMirrorsFollowTheMaterial) {
         cut.near = 5.0;  // through the centre
         cut.projection = projection;
         scene.add(cut);
-        const ReferencePicture inside = castPicture(takeSnapshot(scene, 0, kSize));
+        const ReferencePicture inside = castPicture(takeSnapshot(scene, 0, kReferenceSize));
         EXPECT_EQ(inside.number[kMiddle], sides == TwoSided::No ? 0U : 1U);
         if (sides != TwoSided::No) {
           EXPECT_NEAR(inside.depth[kMiddle], 5 + kRadius, 0.01);  // half a pixel off the middle
           EXPECT_NEAR(inside.normal[kMiddle].z, sides == TwoSided::Yes ? 1 : -1, 0.01);
         }
-        const ReferencePicture outside = castPicture(takeSnapshot(
-            scene, 0, kSize, Camera{.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .projection = projection}));
+        const ReferencePicture outside = castPicture(
+            takeSnapshot(scene, 0, kReferenceSize,
+                         Camera{.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .projection = projection}));
         EXPECT_NEAR(outside.depth[kMiddle], 5 - kRadius, 0.01);
         EXPECT_NEAR(outside.normal[kMiddle].z, 1, 0.01);
       }
@@ -173,7 +176,7 @@ TEST(ReferencePicture, SamplesAverageToCoverage) {
 TEST(ReferencePicture, RefusesWhatIsNotLight) {
   Scene scene = sphereScene({.name = "inky", .shading = Shading::Toon});
   try {
-    static_cast<void>(castPicture(takeSnapshot(scene, 0, kSize)));
+    static_cast<void>(castPicture(takeSnapshot(scene, 0, kReferenceSize)));
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("inky"), std::string::npos);
@@ -181,13 +184,13 @@ TEST(ReferencePicture, RefusesWhatIsNotLight) {
 }
 
 TEST(ReferencePicture, StopsWhenAsked) {
-  const ReferencePicture picture = castPicture(takeSnapshot(sphereScene(), 0, kSize),
+  const ReferencePicture picture = castPicture(takeSnapshot(sphereScene(), 0, kReferenceSize),
                                                {.threads = 1, .progress = [](double) { return false; }});
   EXPECT_FALSE(picture.complete);
 }
 
-/// An exponent that a parameter gives is known to rounding only: where a formula ends, as powers do at 0, cells reach a
-/// little farther, and are bounded all the same.
+/// An exponent that a parameter gives is known to rounding only: where a formula ends, as powers do at 0,
+/// cells reach a little farther, and are bounded all the same.
 TEST(ReferencePicture, PowersOfAParameterEndWhereThoseOfANumberDo) {
   const Scene scene = buildScene(parseScene(R"({ "luxo": 1, "params": { "k": 0.32 },
     "surfaces": { "box": { "type": "superellipsoid", "radii": [0.7, 0.6, 0.7], "exponents": ["k", "k"] } },

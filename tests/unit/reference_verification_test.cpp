@@ -18,9 +18,9 @@
 namespace luxo {
 namespace {
 
-constexpr PixelSize kSize{80, 60};
+constexpr PixelSize kVerifiedSize{80, 60};
 constexpr double kHeight = 3;  // metres in the picture
-constexpr double kPixel = kHeight / kSize.height;
+constexpr double kPixel = kHeight / kVerifiedSize.height;
 constexpr double kRadiusPx = 1 / kPixel;  // of the unit sphere in the middle of the picture
 
 /// Seen along -Z without perspective, moved to the right by some pixels.
@@ -35,7 +35,7 @@ Camera straightOn(double rightPx = 0) {
 
 Scene sceneOf(const Surface& surface) {
   Scene scene;
-  scene.set(RenderSettings{.size = kSize, .background = {0.1, 0.2, 0.3}, .ambient = Vec3(0.3)});
+  scene.set(RenderSettings{.size = kVerifiedSize, .background = {0.1, 0.2, 0.3}, .ambient = Vec3(0.3)});
   scene.add(Node{.surface = surface,
                  .material = scene.add(Material{.diffuse = Vec3(0.5), .twoSided = TwoSided::Yes})});
   scene.add(straightOn());
@@ -62,16 +62,16 @@ MeasuredPicture roundedTo32Bits(const ReferencePicture& truth) {
           .id = imageOf(truth, 1, [&](std::size_t i) { return Vec3(truth.number[i]); })};
 }
 
-std::size_t indexOf(int x, int y) { return static_cast<std::size_t>(y * kSize.width + x); }
+std::size_t indexOf(int x, int y) { return static_cast<std::size_t>(y * kVerifiedSize.width + x); }
 
 /// Of a pixel's centre from the centre of the picture.
 double radiusPx(int x, int y) {
-  return std::hypot(x + 0.5 - 0.5 * kSize.width, y + 0.5 - 0.5 * kSize.height);
+  return std::hypot(x + 0.5 - 0.5 * kVerifiedSize.width, y + 0.5 - 0.5 * kVerifiedSize.height);
 }
 
 class VerifySphere : public testing::Test {
  protected:
-  Snapshot snapshot = takeSnapshot(sceneOf(sphere(1)), 0, kSize);
+  Snapshot snapshot = takeSnapshot(sceneOf(sphere(1)), 0, kVerifiedSize);
   ReferencePicture truth = castPicture(snapshot);
   MeasuredPicture measured = roundedTo32Bits(truth);
 
@@ -106,7 +106,8 @@ TEST_F(VerifySphere, TheTruthItselfIsWrongByItsRoundingOnly) {
 // pixel is on the wrong side only where the silhouette passes within a quarter of a pixel.
 TEST_F(VerifySphere, AShiftOfAQuarterPixelIsMeasured) {
   constexpr double kShift = 0.25;
-  measured = roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kSize, straightOn(kShift))));
+  measured =
+      roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kVerifiedSize, straightOn(kShift))));
   const Verification v = judged();
   EXPECT_NEAR(v.positionPx.rms, kShift, 1e-5);
   EXPECT_NEAR(v.positionPx.p99, kShift, 1e-5);
@@ -116,8 +117,8 @@ TEST_F(VerifySphere, AShiftOfAQuarterPixelIsMeasured) {
   EXPECT_EQ(v.coverage.wrongLayer, 0U);
   double farthest = 0;
   std::uint64_t beyond = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kVerifiedSize.height; ++y)
+    for (int x = 0; x < kVerifiedSize.width; ++x) {
       const bool covered = radiusPx(x, y) < kRadiusPx;
       if (covered == (std::hypot(x + 0.5 - 40 + kShift, y + 0.5 - 30) < kRadiusPx)) {
         EXPECT_FALSE(std::isinf(v.positionMap.pixel(x, y)[0]));
@@ -183,7 +184,7 @@ TEST(Verify, ATexturesColourIsWrongBeyondACode) {
                  .material = scene.add(Material{
                      .diffuse = Vec3(1),
                      .map = {.texture = std::make_shared<const Texture>(makeTexture(squares, "squares"))}})});
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kVerifiedSize);
   const ReferencePicture truth = castPicture(snapshot);
   MeasuredPicture measured = roundedTo32Bits(truth);
   const auto wrongWith = [&](float more) {
@@ -235,7 +236,7 @@ TEST_F(VerifySphere, ASpeckOutsideIsExtra) {
 TEST_F(VerifySphere, TheFarSideIsAnotherLayer) {
   Camera cut = straightOn();
   cut.near = 5.0;
-  measured = roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kSize, cut)));
+  measured = roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kVerifiedSize, cut)));
   const Verification v = judged();
   EXPECT_EQ(v.coverage.both, 0U);
   EXPECT_EQ(v.coverage.wrongLayer, truth.hits);
@@ -254,7 +255,7 @@ TEST(Verify, TheDistanceOfAWrongLayerIsThatOfItsFold) {
                      .up = Vec3(0, 0, -1),
                      .projection = Projection::Orthographic,
                      .height = kHeight};
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, above);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kVerifiedSize, above);
   const ReferencePicture truth = castPicture(snapshot);
   MeasuredPicture measured = roundedTo32Bits(truth);
   EXPECT_EQ(verify(snapshot, truth, measured).coverage.mismatches(), 0U);
@@ -277,7 +278,7 @@ TEST(Verify, TheDistanceOfAWrongLayerIsThatOfItsFold) {
 std::uint64_t mismatchesOfTheLower(double apart, const Camera& above) {
   Scene scene = sceneOf(rectangle(1, 1));
   scene.add(Node{.translation = Vec3(0, -apart, 0), .surface = rectangle(1, 1)});
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize, above);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kVerifiedSize, above);
   const ReferencePicture truth = castPicture(snapshot);
   MeasuredPicture measured = roundedTo32Bits(truth);
   for (float& number : measured.id.samples())
@@ -309,7 +310,7 @@ TEST(Verify, LayersThatTheDepthBufferDoesNotTellApartAreOne) {
 TEST(Verify, AnotherNodeIsAMismatch) {
   Scene scene = sceneOf(sphere(1));
   scene.add(Node{.translation = Vec3(0, 0, 2), .surface = sphere(0.3)});
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kVerifiedSize);
   const ReferencePicture truth = castPicture(snapshot);
   MeasuredPicture measured = roundedTo32Bits(truth);
   const int x = 40, y = 26;
@@ -331,7 +332,7 @@ TEST(Verify, AnotherNodeIsAMismatch) {
 TEST(Verify, DepthIsMeasuredInUnitsOfTheReversedBuffer) {
   Scene scene = sceneOf(rectangle(20, 20));
   const Snapshot snapshot =
-      takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(0, 4, 0), .lookAt = Vec3(0), .near = 0.5});
+      takeSnapshot(scene, 0, kVerifiedSize, Camera{.eye = Vec3(0, 4, 0), .lookAt = Vec3(0), .near = 0.5});
   const ReferencePicture truth = castPicture(snapshot);
   MeasuredPicture measured = roundedTo32Bits(truth);
   const double ulp = 0x1p-26 * 16 / 0.5;
@@ -356,8 +357,8 @@ TEST_F(VerifySphere, LightIsMeasuredWhereThereIsNoSilhouette) {
   // Wrong at silhouettes alone: the picture is, its light is not.
   measured = roundedTo32Bits(truth);
   std::uint64_t changed = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x)
+  for (int y = 0; y < kVerifiedSize.height; ++y)
+    for (int x = 0; x < kVerifiedSize.width; ++x)
       if (std::abs(radiusPx(x, y) - kRadiusPx + 0.3) < 0.3) measured.color.pixel(x, y)[0] = 1, ++changed;
   const Verification edges = judged();
   EXPECT_TRUE(std::isinf(edges.color.psnrLinear));
@@ -367,7 +368,7 @@ TEST_F(VerifySphere, LightIsMeasuredWhereThereIsNoSilhouette) {
 // Two pixels across are all silhouette.
 TEST(Verify, WithNoPixelOffTheSilhouettesNoLightIsWrong) {
   const Scene scene = sceneOf(cylinder(0.03, 2));
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kVerifiedSize);
   const ReferencePicture truth = castPicture(snapshot);
   const Verification v = verify(snapshot, truth, roundedTo32Bits(truth));
   EXPECT_GT(v.coverage.both, 0U);
@@ -389,9 +390,10 @@ TEST_F(VerifySphere, WhatIsNotANumberIsNeverRight) {
 }
 
 TEST_F(VerifySphere, ChosenPixelsAreJudgedAsInTheWholePicture) {
-  measured = roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kSize, straightOn(0.1))));
-  const std::vector<std::uint32_t> chosen = spreadPixels(kSize, 500);
-  const ReferencePicture part = castPicture(snapshot, {.pixels = withNeighbours(kSize, chosen)});
+  measured =
+      roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kVerifiedSize, straightOn(0.1))));
+  const std::vector<std::uint32_t> chosen = spreadPixels(kVerifiedSize, 500);
+  const ReferencePicture part = castPicture(snapshot, {.pixels = withNeighbours(kVerifiedSize, chosen)});
   EXPECT_LT(part.hits + part.misses, truth.hits + truth.misses);
   const Verification whole = judged();
   const Verification some = verify(snapshot, part, measured, {.pixels = chosen});
@@ -403,7 +405,8 @@ TEST_F(VerifySphere, ChosenPixelsAreJudgedAsInTheWholePicture) {
 }
 
 TEST_F(VerifySphere, ThreadsChangeNothing) {
-  measured = roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kSize, straightOn(0.3))));
+  measured =
+      roundedTo32Bits(castPicture(takeSnapshot(sceneOf(sphere(1)), 0, kVerifiedSize, straightOn(0.3))));
   const Verification one = judged({.threads = 1}), two = judged({.threads = 2});
   EXPECT_EQ(one.positionPx.rms, two.positionPx.rms);
   EXPECT_EQ(one.coverage.farthestPx, two.coverage.farthestPx);
@@ -411,7 +414,7 @@ TEST_F(VerifySphere, ThreadsChangeNothing) {
 }
 
 TEST_F(VerifySphere, RefusesPicturesOfAnotherSize) {
-  measured.uv = Image(kSize.width, kSize.height + 1, 3);
+  measured.uv = Image(kVerifiedSize.width, kVerifiedSize.height + 1, 3);
   EXPECT_THROW(static_cast<void>(judged()), Error);
   measured.uv = Image();
   EXPECT_THROW(static_cast<void>(judged()), Error) << "needed";

@@ -26,7 +26,7 @@ Scene build(const std::string& text, std::span<const ParameterOverride> override
   return buildScene(parseScene("{ \"luxo\": 1, " + text + " }", "test"), overrides);
 }
 
-Snapshot snap(const Scene& scene, double time = 0) { return takeSnapshot(scene, time, {64, 48}); }
+Snapshot builtSnapshot(const Scene& scene, double time = 0) { return takeSnapshot(scene, time, {64, 48}); }
 
 const SnapshotNode& nodeNamed(const Scene& scene, const Snapshot& snapshot, std::string_view name) {
   for (const SnapshotNode& node : snapshot.nodes)
@@ -131,7 +131,7 @@ TEST(SceneBuilder, TheLampAsAFileIsTheLampInCpp) {
   const Scene file = buildScene(parseScene(test::sourceText("apps/scenes/luxo-grandpa.luxo.json"), "lamp"));
   EXPECT_EQ(file.settings(), cpp.settings());
   for (const double time : {0.0, 21.0, 3.7, 1e6 + 0.125}) {
-    const Snapshot a = snap(file, time), b = snap(cpp, time);
+    const Snapshot a = builtSnapshot(file, time), b = builtSnapshot(cpp, time);
     EXPECT_EQ(a.view, b.view);
     EXPECT_EQ(a.lights, b.lights);
     EXPECT_EQ(a.ambient, b.ambient);
@@ -160,7 +160,7 @@ TEST(SceneBuilder, FormulasMeanWhatTheSameCppMeans) {
   EXPECT_EQ(surface.domain().v, Interval(-1, 0.5));
   EXPECT_TRUE(surface.topology().seamU());
   const double time = 0.7;
-  const std::vector<double> parameters = snap(scene, time).nodes[0].parameters;
+  const std::vector<double> parameters = builtSnapshot(scene, time).nodes[0].parameters;
   for (const double u : {0.1, 2.0, 5.0})
     for (const double v : {-0.9, 0.3}) {
       const double r = 1 + 0.25 * v * std::cos(3 * u + time);
@@ -178,7 +178,7 @@ TEST(SceneBuilder, RangesMayMove) {
   Scene more = scene;
   more.setParameter(ParameterId{0}, 0.25);
   const auto end = [](const Scene& s) {
-    const Snapshot snapshot = snap(s);
+    const Snapshot snapshot = builtSnapshot(s);
     const Surface& surface = snapshot.nodes[0].surface;
     return surface.position(surface.domain().u.hi, 0, snapshot.nodes[0].parameters);
   };
@@ -232,7 +232,7 @@ TEST(SceneBuilder, ArgumentsMayMove) {
   Scene large = scene;
   large.setParameter(ParameterId{0}, 4);
   const auto radius = [](const Scene& s, double time) {
-    const Snapshot snapshot = snap(s, time);
+    const Snapshot snapshot = builtSnapshot(s, time);
     return glm::length(snapshot.nodes[0].surface.position(0.2, 0.6, snapshot.nodes[0].parameters));
   };
   EXPECT_NEAR(radius(scene, 0), 2, 1e-14);
@@ -246,12 +246,12 @@ TEST(SceneBuilder, WhatASurfaceDoesNotReadDoesNotChangeIt) {
     "surfaces": { "s": { "type": "formula", "position": ["u*b", "v", "0"] } }, "nodes": [ { "surface": "s" } ])_");
   Scene other = scene;
   other.setParameter(ParameterId{0}, 2);
-  EXPECT_EQ(snap(scene).nodes[0].parameters, std::vector<double>{1});
-  EXPECT_EQ(snap(other).nodes[0], snap(scene, 5).nodes[0]);
+  EXPECT_EQ(builtSnapshot(scene).nodes[0].parameters, std::vector<double>{1});
+  EXPECT_EQ(builtSnapshot(other).nodes[0], builtSnapshot(scene, 5).nodes[0]);
   other.setParameter(ParameterId{1}, 2);
-  EXPECT_EQ(snap(other).nodes[0].parameters, std::vector<double>{2});
-  EXPECT_EQ(snap(other).nodes[0].surface.identity(),
-            snap(scene).nodes[0].surface.identity());  // not recompiled
+  EXPECT_EQ(builtSnapshot(other).nodes[0].parameters, std::vector<double>{2});
+  EXPECT_EQ(builtSnapshot(other).nodes[0].surface.identity(),
+            builtSnapshot(scene).nodes[0].surface.identity());  // not recompiled
 }
 
 TEST(SceneBuilder, ColorsThatVaryOverASurfaceArePatterns) {
@@ -261,7 +261,7 @@ TEST(SceneBuilder, ColorsThatVaryOverASurfaceArePatterns) {
   Scene fine = scene;
   fine.setParameter(ParameterId{0}, 8);
   const auto colorAt = [](const Scene& s, double u, double v, double time) {
-    const Material material = snap(s, time).materials[1];
+    const Material material = builtSnapshot(s, time).materials[1];
     EXPECT_TRUE(material.diffusePattern.valid());
     return material.diffusePattern.colorAt(u, v, material.patternParameters);
   };
@@ -402,7 +402,7 @@ TEST(SceneBuilder, DescriptionsMadeInCppNeedNoText) {
   file.surfaces.push_back({.name = "s", .shape = FormulaShape{.position = {"u", "sin(k*u)", "v"}}});
   file.nodes.push_back({.surface = "s"});
   const Scene scene = buildScene(file);
-  const Snapshot snapshot = snap(scene);
+  const Snapshot snapshot = builtSnapshot(scene);
   expectNear(nodeNamed(scene, snapshot, "").surface.position(0.5, 1, snapshot.nodes[0].parameters),
              {0.5, std::sin(1.5), 1}, 1e-15);
 

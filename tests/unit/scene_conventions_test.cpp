@@ -54,12 +54,12 @@ Rows rotationRows(const Vec3& d, double angle) {
 
 const Vec3 kEye(3, 2, 9), kLookAt(0.5, -1, 0.25), kUp(0.1, 1, 0);
 const Vec3 kAxis = glm::normalize(Vec3(1, 5, 1));
-constexpr PixelSize kSize{96, 64};
+constexpr PixelSize kConventionSize{96, 64};
 constexpr double kFov = 0.9, kNear = 0.25;
 const Vec3 kScale(2, 3, 4), kMove(1, 2, 3), kPoint(0.3, -0.2, 0.4);
 
 Camera camera() { return {.eye = kEye, .lookAt = kLookAt, .up = kUp, .fovY = kFov, .near = kNear}; }
-View view(PixelSize size = kSize) { return viewAt(camera(), {}, size); }
+View view(PixelSize size = kConventionSize) { return viewAt(camera(), {}, size); }
 
 /// T_View of the lecture.
 Rows viewRows() {
@@ -68,7 +68,7 @@ Rows viewRows() {
          Rows{{{{u.x, v.x, w.x, 0}, {u.y, v.y, w.y, 0}, {u.z, v.z, w.z, 0}, {0, 0, 0, 1}}}};
 }
 Rows projectionRows(double far) {
-  const double sy = 1 / std::tan(kFov / 2), asp = double(kSize.width) / kSize.height;
+  const double sy = 1 / std::tan(kFov / 2), asp = double(kConventionSize.width) / kConventionSize.height;
   return {{{{sy / asp, 0, 0, 0},
             {0, sy, 0, 0},
             {0, 0, -(kNear + far) / (far - kNear), -1},
@@ -85,7 +85,7 @@ Transform placed() {
                  .scale = kScale,
                  .surface = sphere(1)});
   scene.add(camera());
-  return takeSnapshot(scene, 0, kSize).nodes.at(0).worldFromObject;
+  return takeSnapshot(scene, 0, kConventionSize).nodes.at(0).worldFromObject;
 }
 Rows placedRows() {
   return scaling(kScale) * rotationRows(kAxis, 0.7) * translation(kMove) * rotationRows({0, 0, 1}, 0.4) *
@@ -120,8 +120,9 @@ TEST(Conventions, ClipSpaceIsTheLecturesButForDepth) {
 TEST(Conventions, TheScreensYPointsDown) {
   const Vec4 lectures = Vec4(kPoint, 1) * viewRows() * projectionRows(100);
   const Vec2 pixel = pixelFromEye(view(), eyeFromWorldPoint(view(), kPoint));
-  EXPECT_NEAR(pixel.x, (lectures.x / lectures.w + 1) / 2 * kSize.width, 1e-10);
-  EXPECT_NEAR(pixel.y, kSize.height - (lectures.y / lectures.w + 1) / 2 * kSize.height, 1e-10);
+  EXPECT_NEAR(pixel.x, (lectures.x / lectures.w + 1) / 2 * kConventionSize.width, 1e-10);
+  EXPECT_NEAR(pixel.y, kConventionSize.height - (lectures.y / lectures.w + 1) / 2 * kConventionSize.height,
+              1e-10);
 }
 
 TEST(Conventions, NormalsAreTheLecturesByTheInverse) {

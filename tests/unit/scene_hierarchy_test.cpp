@@ -12,11 +12,10 @@ namespace {
 using test::expectNear;
 using test::expectSceneError;
 using test::nodeNamed;
+using test::snap;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHuge = 1e200;
-
-Snapshot snap(const Scene& scene, double time = 0) { return takeSnapshot(scene, time, {100, 100}); }
 
 TEST(Hierarchy, ScalesThenRotatesThenTranslates) {
   Scene scene;

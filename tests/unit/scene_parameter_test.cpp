@@ -12,8 +12,7 @@ namespace {
 
 using test::expectNear;
 using test::expectSceneError;
-
-Snapshot snap(const Scene& scene, double time = 0) { return takeSnapshot(scene, time, {100, 100}); }
+using test::snap;
 
 /// The value of parameter 0.
 Animated<double> first() {

@@ -13,8 +13,7 @@ namespace {
 
 using test::expectNear;
 using test::expectSceneError;
-
-Snapshot snap(const Scene& scene, double time = 0) { return takeSnapshot(scene, time, {100, 100}); }
+using test::snap;
 
 Scene plain() {
   Scene scene;

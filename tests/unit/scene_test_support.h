@@ -88,6 +88,8 @@ inline std::vector<Vec3> sample(const Surface& surface, int n) {
   return surface.evaluateGrid(u, v, {}).position;
 }
 
+inline Snapshot snap(const Scene& scene, double time = 0) { return takeSnapshot(scene, time, {100, 100}); }
+
 inline const SnapshotNode& nodeNamed(const Scene& scene, const Snapshot& snapshot, const char* name) {
   for (const SnapshotNode& node : snapshot.nodes)
     if (scene[node.id].name == name) return node;

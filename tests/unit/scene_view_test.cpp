@@ -14,7 +14,6 @@ using test::expectNear;
 using test::expectSceneError;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Half the height is tan 45 degrees = 1 at depth 1: f = 50 pixels.
 Camera squareAngle() { return {.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .fovY = radians(90)}; }

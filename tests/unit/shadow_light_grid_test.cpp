@@ -15,7 +15,7 @@
 namespace luxo {
 namespace {
 
-CasterCells cellsOf(const Surface& surface) {
+CasterCells casterOf(const Surface& surface) {
   return makeCasterCells(surface, {}, CurvatureMap(surface, {}));
 }
 
@@ -59,7 +59,7 @@ TEST_P(LightGrids, ListWhatIsInTheWay) {
   int looked = 0;
   for (const Surface& surface : {torus(2, 0.5), makeSurface("klein"), makeSurface("teapot"),
                                  makeSurface("boy"), sphere(1), rectangle(3, 2)}) {
-    const CasterCells caster = cellsOf(surface);
+    const CasterCells caster = casterOf(surface);
     for (int k = 0; k < 4; ++k) {
       const Vec3 way = direction();
       const Vec3 at = caster.bounds.center() + distance * caster.size * way;
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(All, LightGrids,
                                            GridCase{3, true, 0}));
 
 TEST(LightGrid, HasNoTexelsWhereTheCasterIsNot) {
-  const CasterCells caster = cellsOf(sphere(1));
+  const CasterCells caster = casterOf(sphere(1));
   const LightGrid grid = makeLightGrid(caster, Vec4(0, 30, 0, 1), 0);
   for (std::uint32_t face = 0; face < 6; ++face)
     EXPECT_EQ(grid.faces[face].texels.x > 0, face == LightGrid::kFirstFace) << face;
@@ -101,7 +101,7 @@ TEST(LightGrid, HasNoTexelsWhereTheCasterIsNot) {
 }
 
 TEST(LightGrid, HasFewerTexelsWhereThereWouldBeTooManyEntries) {
-  const CasterCells caster = cellsOf(torus(2, 0.5));
+  const CasterCells caster = casterOf(torus(2, 0.5));
   const LightGrid grid = makeLightGrid(caster, Vec4(0, 1, 0, 0), 0, 4096);
   EXPECT_LT(grid.size, 4096);
   EXPECT_GT(grid.size, 64);

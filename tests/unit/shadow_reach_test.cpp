@@ -54,7 +54,6 @@ TEST(ShadowReach, WhatHoldsTheLightOrHasNoEndMay) {
   EXPECT_TRUE(mayShadow({0, 0, 0, 1}, one, far)) << "the light is inside of the caster";
   EXPECT_TRUE(mayShadow({5.5, 5.5, 5.5, 1}, one, far) == false)
       << "inside of the receiver, which is in front of it";
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(mayShadow({0, 9, 0, 1}, Box{Vec3(-kInfinity), Vec3(kInfinity)}, far));
   EXPECT_TRUE(mayShadow({0, 9, 0, 1}, one, Box{Vec3(-1, -2, -1), Vec3(1, kInfinity, 1)}));
   EXPECT_FALSE(mayShadow({0, 9, 0, 1}, Box{}, one));

@@ -14,7 +14,6 @@ namespace luxo {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Edge kindOf(const Topology& t, Side side, std::uint32_t patch = 0) { return t.edge(patch, side).kind; }
 Vec3 normalOf(const Topology& t, Side side) { return t.edge(0, side).normal; }

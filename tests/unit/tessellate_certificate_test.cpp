@@ -20,7 +20,7 @@ namespace luxo {
 namespace {
 
 constexpr int kCameras = 100;
-constexpr PixelSize kSize{640, 360};
+constexpr PixelSize kCertifiedSize{640, 360};
 
 /// A camera outside the box that sees most of it, from any direction.
 Camera randomCamera(const Box& box, std::mt19937& random) {
@@ -93,7 +93,7 @@ TEST_P(Certificate, IsNeverExceededAndTight) {
   for (int i = 0; i < kCameras; ++i) {
     Scene scene;
     scene.add(Node{.surface = surface});
-    const Snapshot snapshot = takeSnapshot(scene, 0, kSize, randomCamera(box, random));
+    const Snapshot snapshot = takeSnapshot(scene, 0, kCertifiedSize, randomCamera(box, random));
     const VisibleList visible = cull(snapshot, {.tolerancePx = i % 2 == 0 ? 0.5 : 1.0});
     ASSERT_EQ(visible.opaque.size(), 1u);
     const VisibleNode& node = visible.opaque[0];

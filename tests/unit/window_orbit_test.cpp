@@ -12,7 +12,7 @@ namespace luxo::window {
 namespace {
 
 constexpr double kFov = radians(50);
-constexpr PixelSize kSize{1280, 720};
+constexpr PixelSize kOrbitSize{1280, 720};
 const Vec2 kSizePx(1280, 720);
 // Poses hold about five operations on numbers of size 20, projections then scale by 1e3 pixels.
 constexpr double kPoseError = 1e-13, kPixelError = 1e-9;
@@ -23,11 +23,11 @@ OrbitCamera orbit(const Pose& pose) { return OrbitCamera(pose, heightPerDistance
 
 View viewOf(const OrbitCamera& camera) {
   const Pose pose = camera.pose();
-  return viewAt(Camera{.eye = pose.eye, .lookAt = pose.lookAt, .up = pose.up, .fovY = kFov}, 0, kSize);
+  return viewAt(Camera{.eye = pose.eye, .lookAt = pose.lookAt, .up = pose.up, .fovY = kFov}, 0, kOrbitSize);
 }
 
 View viewOf(const Pose& pose) {
-  return viewAt(Camera{.eye = pose.eye, .lookAt = pose.lookAt, .up = pose.up, .fovY = kFov}, 0, kSize);
+  return viewAt(Camera{.eye = pose.eye, .lookAt = pose.lookAt, .up = pose.up, .fovY = kFov}, 0, kOrbitSize);
 }
 
 Vec2 project(const View& view, const Vec3& world) {
