@@ -31,16 +31,18 @@ std::uint64_t wholeNumber(const std::string& option, const std::string& text, do
 void summarize(const random::RunTotals& t) {
   printNote(fmt::format(
       "{} scenes, {} pixels, {} of them covered, {} undecided by the reference\n"
-      "{} wrong, {} of them silently, in {} scenes; {} unconverged, {} uncertified; {} scenes refused\n"
+      "{} wrong, {} of them silently, in {} scenes; {} unconverged, {} uncertified; {} scenes refused, {} "
+      "not "
+      "judged to the end\n"
       "{:.0f} s of CPU for pictures, {:.0f} s for the reference",
       t.scenes, t.pixels, t.hits, t.undecided, t.wrong, t.silentlyWrong, t.failedScenes, t.unconverged,
-      t.uncertified, t.refusedScenes, t.pictureSeconds, t.referenceSeconds));
+      t.uncertified, t.refusedScenes, t.slowScenes, t.pictureSeconds, t.referenceSeconds));
 }
 
 }  // namespace
 
 struct RandomOptions::Texts {
-  std::string count, seed = "1", first = "0", kind, samples;
+  std::string count, seed = "1", first = "0", kind, samples, limit = "600";
   std::vector<CLI::Option*> options;  ///< the first is --random
 };
 
@@ -53,6 +55,7 @@ RandomOptions::RandomOptions(CLI::App& command) : texts_(std::make_unique<Texts>
   add("--first", texts_->first, "index of the first random scene (0)", "I");
   add("--kind", texts_->kind, "only random scenes of this kind; crowd: of named surfaces in shadows", "NAME");
   add("--samples", texts_->samples, "of the random scenes (some 1, some 4)", "1|4");
+  add("--limit", texts_->limit, "processor time for each, then it is called unjudged (600)", "S");
 }
 
 RandomOptions::~RandomOptions() = default;
@@ -73,6 +76,7 @@ int RandomOptions::run(const RenderRequest& render, const std::string& findings)
                              .kind = texts_->kind,
                              .options = {.size = render.size, .samples = {}},
                              .skips = render.skips,
+                             .limitSeconds = static_cast<double>(wholeNumber("--limit", texts_->limit, 1)),
                              .findings = findings,
                              .print = printData,
                              .goesOn = [] { return interruptingSignal() == 0; }};

@@ -34,11 +34,18 @@ void requireKind(const std::string& kind) {
               didYouMean(kind, names, fmt::format("the kinds are {}", listed(names))));
 }
 
+TrialOptions trialOptions(const RunRequest& request, int samples) {
+  const double end = processorSeconds() + request.limitSeconds;
+  return {.samples = samples, .skips = request.skips, .goesOn = [&request, end] {
+            return processorSeconds() < end && request.goesOn();
+          }};
+}
+
 Trial tryJson(Renderer& renderer, const RunRequest& request, const Json& json) {
   const Scene scene = sceneOf(json);
   const RenderSettings& settings = scene.settings();
   return tryScene(renderer, takeSnapshot(scene, settings.time, settings.size),
-                  {.samples = settings.samples, .skips = request.skips, .goesOn = request.goesOn});
+                  trialOptions(request, settings.samples));
 }
 
 Json lineOf(const RunRequest& request, std::uint64_t index, const std::string& kind,
@@ -72,6 +79,7 @@ void describe(Json& line, const Trial& trial) {
 
 void add(RunTotals& totals, const Trial& trial) {
   ++totals.scenes;
+  totals.slowScenes += trial.complete ? 0 : 1;
   totals.failedScenes += trial.silentlyWrong > 0 ? 1 : 0;
   totals.pixels += trial.pixels;
   totals.hits += trial.hits;
@@ -84,8 +92,15 @@ void add(RunTotals& totals, const Trial& trial) {
   totals.referenceSeconds += trial.referenceSeconds;
 }
 
-void keep(Renderer& renderer, const RunRequest& request, std::uint64_t index, const Json& scene,
-          const Trial& trial) {
+void write(const RunRequest& request, std::uint64_t index, const Json& scene) {
+  std::error_code failed;
+  std::filesystem::create_directories(request.findings, failed);
+  const auto file = request.findings / fmt::format("random-{}-{}.luxo.json", request.seed, index);
+  const std::string text = scene.dump(1) + "\n";
+  writeFileAtomically(file, std::as_bytes(std::span(text)));
+}
+
+Json shrunkScene(Renderer& renderer, const RunRequest& request, const Json& scene, const Trial& trial) {
   const Failure failure = [&](const Json& candidate) -> std::optional<Trial> {
     try {
       Trial found = tryJson(renderer, request, candidate);
@@ -95,12 +110,7 @@ void keep(Renderer& renderer, const RunRequest& request, std::uint64_t index, co
       return std::nullopt;
     }
   };
-  const Json small = shrunk(scene, trial, failure);
-  std::error_code failed;
-  std::filesystem::create_directories(request.findings, failed);
-  const auto file = request.findings / fmt::format("random-{}-{}.luxo.json", request.seed, index);
-  const std::string text = small.dump(1) + "\n";
-  writeFileAtomically(file, std::as_bytes(std::span(text)));
+  return shrunk(scene, trial, failure);
 }
 
 }  // namespace
@@ -124,21 +134,28 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
         Snapshot snapshot = takeSnapshot(*request.scene, sight.time, sight.size, cameraOf(sight.json));
         // Drawings (toon, wireframe) have no truth, but their surfaces do.
         for (Material& material : snapshot.materials) material.shading.reset();
-        trial = tryScene(renderer, snapshot,
-                         {.samples = sight.samples, .skips = request.skips, .goesOn = request.goesOn});
+        // Nor has what a picture itself tells of openness; the light beside it has.
+        snapshot.ambientOcclusion = {};
+        trial = tryScene(renderer, snapshot, trialOptions(request, sight.samples));
         describe(line, trial);
       } else {
         const HardScene hard = (crowd ? crowdScene : hardScene)(request.seed, index, request.options);
         line = lineOf(request, index, hard.kind, hard.camera);
         trial = tryJson(renderer, request, hard.json);
         describe(line, trial);
-        if (trial.silentlyWrong > 0 && !request.findings.empty()) {
-          request.print(line.dump() + "\n");
-          line = Json();
-          keep(renderer, request, index, hard.json, trial);
+        if (!request.findings.empty() && request.goesOn()) {
+          if (trial.silentlyWrong > 0) {
+            request.print(line.dump() + "\n");
+            line = Json();
+            write(request, index, shrunkScene(renderer, request, hard.json, trial));
+          } else if (!trial.complete) {
+            write(request, index, hard.json);
+          }
         }
       }
-      if (!trial.complete) break;
+      if (!request.goesOn()) break;
+      if (!trial.complete && !line.empty())
+        line["unjudged"] = fmt::format("stopped after {} s of CPU", request.limitSeconds);
       add(totals, trial);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::Scene) throw;

@@ -18,14 +18,18 @@ struct RunRequest {
   std::string kind;  ///< only scenes of this kind count; empty: all
   HardSceneOptions options = {};
   Skips skips = {};
-  std::filesystem::path findings;                 ///< a folder for what fails, shrunk; empty: nowhere
-  const Scene* scene = nullptr;                   ///< this one from random cameras, instead of random scenes
-  std::function<void(const std::string&)> print;  ///< takes a line of JSON, with its end
+  /// Processor time for the pictures and the truth of a scene, seconds: after that it is not judged any
+  /// further. Asked between pictures, and by the reference's rays.
+  double limitSeconds = 600;
+  std::filesystem::path findings;  ///< a folder for what fails, shrunk, or takes too long; empty: nowhere
+  const Scene* scene = nullptr;    ///< this one from random cameras, instead of random scenes
+  std::function<void(const std::string&)> print;       ///< takes a line of JSON, with its end
   std::function<bool()> goesOn = [] { return true; };  ///< asked now and then
 };
 
 struct RunTotals {
   std::uint64_t scenes = 0, failedScenes = 0, refusedScenes = 0;
+  std::uint64_t slowScenes = 0;  ///< of `scenes`: not judged to the end, as they took limitSeconds
   std::uint64_t pixels = 0, hits = 0, undecided = 0, unconverged = 0, uncertified = 0;
   std::uint64_t wrong = 0, silentlyWrong = 0;
   double pictureSeconds = 0, referenceSeconds = 0;
@@ -33,8 +37,8 @@ struct RunTotals {
 
 /// The line of a scene. Names: seed, index, kind, camera, size, samples, pixels, hits, wrong {hit_miss,
 /// layer, point, light, color}, wrong_at (columns and rows of the first), worst_px,
-/// undecided, silently_wrong, unconverged, uncertified, cpu_s {picture, reference}; `error` instead of all
-/// after camera where the renderer refused it.
+/// undecided, silently_wrong, unconverged, uncertified, cpu_s {picture, reference}; `unjudged`, why, where
+/// that is of a part of the samples; `error` instead of all after camera where the renderer refused it.
 ///
 /// Throws Error(Device) when the device is lost, Error(Write) when a finding cannot be written, Error(Usage)
 /// for a kind that there is not.

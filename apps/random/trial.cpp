@@ -6,17 +6,13 @@
 #include <ctime>
 
 #include "reference/caster.h"
+#include "reference/layers.h"
 #include "reference/reference.h"
 
 namespace luxo::random {
 namespace {
 
 constexpr double kSameColor = 2e-3;  // linear: half an 8-bit step of dark colours, 20 times what float leaves
-double processorSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Adds the processors' time while it lives.
 class Stopwatch {
@@ -44,7 +40,11 @@ class Samples {
         snapshot_(snapshot),
         options_{.shading = Shading::Exact, .skips = options.skips},
         goesOn_(options.goesOn),
-        trial_(trial) {
+        trial_(trial),
+        layers_(snapshot) {
+    anyShader_ = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
+      return snapshot.materials[node.material.index].shader != nullptr;
+    });
     const auto count = static_cast<std::size_t>(snapshot.view.size.width) *
                        static_cast<std::size_t>(snapshot.view.size.height);
     mean_.assign(count, Vec3(0));
@@ -57,6 +57,8 @@ class Samples {
     snapshot.view = sampledAt(snapshot.view, offsetPx);
     MeasuredPicture measured;
     const FrameError error = draw(snapshot, measured);
+    trial_.complete &= goesOn_();
+    if (!trial_.complete) return;
     ReferencePicture truth;
     Verification v;
     {
@@ -79,7 +81,8 @@ class Samples {
       // that touches the true one, which may have another colour.
       const float off = v.positionMap.samples()[i];
       const bool sameLayer = truth.number[i] == 0 ? off < 0 : off >= 0;
-      if (!truth.certified[i] || !sameLayer || !(off <= kPointPx)) right_[i] = 0;
+      if (!truth.certified[i] || !sameLayer || !(off <= kPointPx) || hasNoTrueColor(truth.number[i]))
+        right_[i] = 0;
     }
   }
 
@@ -129,6 +132,14 @@ class Samples {
     return error;
   }
 
+  /// Of what a material's own shader lights there is no truth, be it seen through something.
+  [[nodiscard]] bool hasNoTrueColor(std::uint32_t number) const {
+    const auto node = layers_.nodeOf(number);
+    if (!anyShader_ || !node) return false;
+    const Material& material = snapshot_.materials[snapshot_.nodes[*node].material.index];
+    return material.shader || material.transparent();
+  }
+
   void add(const WrongPixels& wrong) {
     trial_.wrong.hitMiss += wrong.hitMiss;
     trial_.wrong.layer += wrong.layer;
@@ -175,12 +186,20 @@ class Samples {
   DrawOptions options_;
   const std::function<bool()>& goesOn_;
   Trial& trial_;
+  reference::Layers layers_;
+  bool anyShader_ = false;  ///< of a material
   ReferenceCaster caster_;
   std::vector<Vec3> mean_;
   std::vector<std::uint8_t> right_;
 };
 
 }  // namespace
+
+double processorSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 Trial tryScene(Renderer& renderer, const Snapshot& snapshot, const TrialOptions& options) {
   Trial trial{.size = snapshot.view.size, .samples = options.samples};
@@ -198,6 +217,8 @@ Trial tryScene(Renderer& renderer, const Snapshot& snapshot, const TrialOptions&
     const Stopwatch watch(trial.pictureSeconds);
     resolved = renderer.render(snapshot, {.shading = Shading::Exact, .samples = 4, .skips = options.skips});
   }
+  trial.complete &= options.goesOn();
+  if (!trial.complete) return trial;
   const Stopwatch watch(trial.referenceSeconds);
   trial.wrongColors = samples.wrongColors(resolved.image);
   trial.silentlyWrong += Samples::beyond(trial.wrongColors, resolved.statistics.error);

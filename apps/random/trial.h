@@ -26,7 +26,7 @@ struct Trial {
   /// Wrong, beyond what the report counts as unconverged or uncertified.
   std::uint64_t silentlyWrong = 0;
   double pictureSeconds = 0, referenceSeconds = 0;  ///< of all processors
-  bool complete = true;                             ///< false: it was stopped
+  bool complete = true;  ///< false: it was stopped, and the counts are of what was judged until then
 };
 
 struct TrialOptions {
@@ -34,6 +34,9 @@ struct TrialOptions {
   Skips skips = {};
   std::function<bool()> goesOn = [] { return true; };  ///< asked now and then
 };
+
+/// Processor time of this process so far, of all its threads.
+[[nodiscard]] double processorSeconds();
 
 /// Draws colour, (u, v) and numbers, at every sample's place, in exact shading, and casts the reference at
 /// the same places. Of four samples each is judged in a picture of its own; the picture that resolves them

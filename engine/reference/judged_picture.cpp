@@ -405,26 +405,46 @@ class PictureJudge {
 
   /// Whether no colour is, within the width of an outline, as the one that is shown, with lights in the plane
   /// of what is seen on either side of it: of what is seen through any layer may be the wrong one, and of a
-  /// texture any texel.
+  /// texture any texel. Where a layer ends on the way so does its colour, which beside a fold changes by more
+  /// than kOtherLight in a hundredth of a pixel: it is followed to the end, and kPointPx beyond.
   [[nodiscard]] bool hasAnotherColor(const Caster& caster, std::uint32_t i) const {
+    struct Look {
+      std::size_t layers;
+      Vec3 color;
+    };
     const Vec2 center = centerOf(i);
     const Vec3 shown = valueAt(measured_.color, i);
     Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
-    constexpr int kDirections = 8;
-    for (int k = -1; k < 2 * kDirections; ++k) {
-      const double angle = kTau * k / kDirections,
-                   radius = k < 0 ? 0 : (k < kDirections ? 1 : 0.1) * kSilhouettePx;
-      const Vec2 at = center + radius * Vec2(std::cos(angle), std::sin(angle));
-      const Ray ray = caster.rayThrough(at.x, at.y);
-      bool certified = true;
+    bool certified = true;
+    const auto count = [&](const Vec3& color) {
+      least = glm::min(least, color);
+      most = glm::max(most, color);
+    };
+    const auto look = [&](const Vec2& offset) -> Look {
+      const Ray ray = caster.rayThrough(center.x + offset.x, center.y + offset.y);
       const Caster::Sight sight = caster.look(ray);
-      for (const double tilt : {-kCosineRounding, kCosineRounding}) {
-        const Vec3 color = caster.color(ray, sight, certified, tilt);
-        if (!certified) return false;
-        least = glm::min(least, color);
-        most = glm::max(most, color);
+      Vec3 color(0);
+      for (const double tilt : {-kCosineRounding, kCosineRounding})
+        count(color = caster.color(ray, sight, certified, tilt));
+      return {sight.hits.size(), color};
+    };
+    const std::size_t layers = look(Vec2(0)).layers;
+    constexpr int kDirections = 8, kHalvings = 14;  // to 1e-6 px
+    for (int k = 0; k < 2 * kDirections && certified; ++k) {
+      const double angle = kTau * k / kDirections;
+      const Vec2 way(std::cos(angle), std::sin(angle));
+      Vec2 same(0), other = (k < kDirections ? 1 : 0.1) * kSilhouettePx * way;
+      const std::size_t others = look(other).layers;
+      if (others == layers) continue;
+      for (int halving = 0; halving < kHalvings && certified; ++halving) {
+        const Vec2 middle = 0.5 * (same + other);
+        (look(middle).layers == layers ? same : other) = middle;
       }
+      const Look last = look(others > layers ? other : same);
+      const Look before = others > layers ? look(other + kPointPx * way) : look(same - kPointPx * way);
+      if (before.layers == last.layers) count(2.0 * last.color - before.color);
     }
+    if (!certified) return false;
     const auto slack = [](double value) { return kOtherLight * (1 + value); };
     for (int c = 0; c < 3; ++c)
       if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c])) return true;
