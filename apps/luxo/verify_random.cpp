@@ -14,6 +14,7 @@
 #include "exit_code.h"
 #include "interruption.h"
 #include "open_scene.h"
+#include "option_values.h"
 #include "random/run.h"
 #include "validation.h"
 
@@ -42,7 +43,7 @@ void summarize(const random::RunTotals& t) {
 }  // namespace
 
 struct RandomOptions::Texts {
-  std::string count, seed = "1", first = "0", kind, samples, limit = "600";
+  std::string count, seed = "1", first = "0", kind, samples, limit = "600", audit;
   std::vector<CLI::Option*> options;  ///< the first is --random
 };
 
@@ -55,6 +56,8 @@ RandomOptions::RandomOptions(CLI::App& command) : texts_(std::make_unique<Texts>
   add("--first", texts_->first, "index of the first random scene (0)", "I");
   add("--kind", texts_->kind, "only random scenes of this kind; crowd: of named surfaces in shadows", "NAME");
   add("--samples", texts_->samples, "of the random scenes (some 1, some 4)", "1|4");
+  add("--audit", texts_->audit, "of the pictures; none: what a proof gets wrong is found, not mended (usual)",
+      "all|N|none");
   add("--limit", texts_->limit, "processor time for each, then it is called unjudged (600)", "S");
 }
 
@@ -86,6 +89,7 @@ int RandomOptions::run(const RenderRequest& render, const std::string& findings)
                   fmt::format("--samples '{}': random scenes have 1 or 4", texts_->samples));
     request.options.samples = texts_->samples == "1" ? 1 : 4;
   }
+  if (!texts_->audit.empty()) request.audit = parseAudit(texts_->audit);
   std::optional<Scene> scene;
   if (!render.scene.empty()) request.scene = &scene.emplace(openScene(render.scene, render.parameters));
 

@@ -36,7 +36,7 @@ void requireKind(const std::string& kind) {
 
 TrialOptions trialOptions(const RunRequest& request, int samples) {
   const double end = processorSeconds() + request.limitSeconds;
-  return {.samples = samples, .skips = request.skips, .goesOn = [&request, end] {
+  return {.samples = samples, .skips = request.skips, .audit = request.audit, .goesOn = [&request, end] {
             return processorSeconds() < end && request.goesOn();
           }};
 }

@@ -18,6 +18,7 @@ struct RunRequest {
   std::string kind;  ///< only scenes of this kind count; empty: all
   HardSceneOptions options = {};
   Skips skips = {};
+  Audit audit = {};
   /// Processor time for the pictures and the truth of a scene, seconds: after that it is not judged any
   /// further. Asked between pictures, and by the reference's rays.
   double limitSeconds = 600;

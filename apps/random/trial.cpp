@@ -38,7 +38,7 @@ class Samples {
   Samples(Renderer& renderer, const Snapshot& snapshot, const TrialOptions& options, Trial& trial)
       : renderer_(renderer),
         snapshot_(snapshot),
-        options_{.shading = Shading::Exact, .skips = options.skips},
+        options_{.shading = Shading::Exact, .audit = options.audit, .skips = options.skips},
         goesOn_(options.goesOn),
         trial_(trial),
         layers_(snapshot) {
@@ -215,7 +215,8 @@ Trial tryScene(Renderer& renderer, const Snapshot& snapshot, const TrialOptions&
   Picture resolved;
   {
     const Stopwatch watch(trial.pictureSeconds);
-    resolved = renderer.render(snapshot, {.shading = Shading::Exact, .samples = 4, .skips = options.skips});
+    resolved = renderer.render(
+        snapshot, {.shading = Shading::Exact, .audit = options.audit, .samples = 4, .skips = options.skips});
   }
   trial.complete &= options.goesOn();
   if (!trial.complete) return trial;

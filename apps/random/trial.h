@@ -32,6 +32,7 @@ struct Trial {
 struct TrialOptions {
   int samples = 1;  ///< 1 or 4
   Skips skips = {};
+  Audit audit = {};                                    ///< none: what is wrong in a proof is seen, not mended
   std::function<bool()> goesOn = [] { return true; };  ///< asked now and then
 };
 
