@@ -179,13 +179,16 @@ Json power(Numbers& n) {
 }
 
 /// A tube about a closed curve that winds p times around Y and q times through the ring: thick enough, often,
-/// to touch or pass through itself. Its sections are not perpendicular to the curve.
+/// to touch or pass through itself. Its sections are not perpendicular to the curve. Every other one is a
+/// figure of eight, half of which is inside out: who looks from outside sees inner sides. No number is drawn
+/// for it, so that all other scenes stay what they were.
 Json knot(Numbers& n) {
   const int p = n.whole(1, 4), q = n.whole(1, 7);
   const double minor = n.between(0.2, 0.9), tube = n.between(0.05, 0.5);
+  const bool isEight = (p + q) % 2 == 0;
   const Json let = {{"b", Written{"{}+{}*cos({}*u)", number(n.between(0.9, 1.3)), number(minor), q}},
                     {"r", Written{"b+{}*cos(v)", number(tube)}}};
-  const Text y = Written{"{}*sin({}*u)+{}*sin(v)", number(minor), q, number(tube)};
+  const Text y = Written{"{}*sin({}*u)+{}*sin({})", number(minor), q, number(tube), isEight ? "2*v" : "v"};
   return formula(wholeTurn(), wholeTurn(), {Written{"r*cos({}*u)", p}, y, Written{"r*sin({}*u)", p}}, let);
 }
 
