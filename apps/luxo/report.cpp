@@ -28,6 +28,10 @@ Json frameJson(const FrameReport& frame) {
   const auto drawn = [&](const auto& value) { return frame.reference ? Json() : Json(value); };
   // What only exact shading has.
   const auto found = [&error = error](std::uint64_t pixels) { return error.found ? Json(pixels) : Json(); };
+  // And meshes in shadows.
+  const auto settled = [&error = error](std::uint64_t pixels) {
+    return error.found || error.shadowed ? Json(pixels) : Json();
+  };
   Json json = {
       {"frame", frame.frame},
       {"time", frame.time},
@@ -71,11 +75,11 @@ Json frameJson(const FrameReport& frame) {
        {{"tolerance_px", drawn(error.tolerancePx)},
         {"bound_px", finite(error.boundPx)},
         {"residual_max_px", error.residualMaxPx ? Json(*error.residualMaxPx) : Json()},
-        {"unconverged_px", found(error.unconvergedPx)},
-        {"uncertified_px", found(error.uncertifiedPx)},
-        {"resolved_by_rays_px", found(error.resolvedByRaysPx)},
+        {"unconverged_px", settled(error.unconvergedPx)},
+        {"uncertified_px", settled(error.uncertifiedPx)},
+        {"resolved_by_rays_px", settled(error.resolvedByRaysPx)},
         {"approximate_shadows", drawn(frame.approximateShadows)},
-        {"shadow_rays_px", found(error.shadowRaysPx)},
+        {"shadow_rays_px", settled(error.shadowRaysPx)},
         {"layers_missing", drawn(error.layersMissing)},
         {"audited_px", found(error.auditedPx)},
         {"audit_failed_px", found(error.auditFailedPx)},

@@ -392,6 +392,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
   for (const MeasuredPixels& band : bands) measured.add(band);
   refuseShaders(snapshot, measured);
   error.found = view_.searches();
+  error.shadowed = view_.list().findsShadows();
   if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);
   error.nonfinitePx = measured.nonfinite;
   return image;

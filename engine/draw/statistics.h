@@ -43,6 +43,8 @@ struct FrameError {
   /// the point of the surface that it shows, as the shader measured it. Nothing: no node has it.
   std::optional<double> residualMaxPx;
   bool found = false;  ///< points of some node are found in its pixels: what follows applies
+  /// Shadows are found in its pixels, of meshes, too: the first four of what follows apply.
+  bool shadowed = false;
   /// Of all samples: pixels whose point was not found although no miss was certain, or was found by an audit
   /// to be wrong, after all refinement; and pixels that show a point which is not proven, neither by the
   /// search that found it nor by a ray.

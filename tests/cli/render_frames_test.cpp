@@ -157,6 +157,18 @@ TEST_F(RenderFrames, ReportOfMeshesHasTheirBound) {
     EXPECT_TRUE(error[key].is_null()) << key << ": no surface was searched for";
 }
 
+TEST_F(RenderFrames, ReportOfMeshesInShadowHasTheRaysOfThese) {
+  ASSERT_EQ(run(folder, {"render", "shadows", "--shading", "phong", "--size", "40x30", "-o", "a.png",
+                         "--report", "report.json", "-q"})
+                .code,
+            0);
+  const Json error = report()["frames"][0]["error"];
+  for (const char* key : {"unconverged_px", "uncertified_px", "resolved_by_rays_px", "shadow_rays_px"})
+    EXPECT_TRUE(error[key].is_number()) << key;
+  for (const char* key : {"residual_max_px", "audited_px"})
+    EXPECT_TRUE(error[key].is_null()) << key << ": no surface was searched for";
+}
+
 TEST_F(RenderFrames, RequiredErrorOfExactPictures) {
   EXPECT_EQ(render({"-o", "a.png", "--require-error", "0.01px"}).code, 0);
   const std::string whole = textOf(folder / "a.png");
