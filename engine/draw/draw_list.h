@@ -28,7 +28,7 @@ namespace luxo {
 
 /// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
 /// later, with their parameters or without. Or they light what was written down; or find which points of its
-/// surface a mesh has put down; or find whether a surface
+/// surface a mesh has put down, be it seen through; or find whether a surface
 /// keeps a light from it, or how much of a light gets through it; or write what rays have found of that; or
 /// are a caster's mesh that is flattened onto a plane; or draw a light's depth map, or compare with it. Of
 /// what is seen through they put points in the list of their pixel; or find what light reaches those; or put
@@ -41,6 +41,7 @@ enum class Form {
   Openness,
   Shade,
   MeshPlace,
+  LayerPlace,
   Shadow,
   Transmittance,
   ShadowsByRays,
@@ -211,7 +212,10 @@ struct PlacedNode {
 struct Layers {
   std::vector<CasterDraw> searches;
   std::vector<DrawBatch> meshes;
-  std::vector<FoundLayer> found;  ///< ascending
+  std::vector<CasterDraw> places;     ///< what finds the points of meshes' surfaces
+  std::vector<std::uint32_t> placed;  ///< whose these are: indices into Snapshot::nodes, ascending
+  std::vector<FoundLayer> found;      ///< ascending
+  DrawState blend;                    ///< what blends them
 
   [[nodiscard]] bool any() const { return !meshes.empty() || !found.empty(); }
 };

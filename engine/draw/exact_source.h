@@ -33,14 +33,15 @@ class ExactSource {
   /// What a shader finds of a surface, whose formula this is, that rays meet in its cells (lib/caster.glsl):
   /// whether it keeps a light from what is seen, or how much of the light it lets through; the same of what
   /// is seen through; or all that is seen of it where it is seen through; or which of its points a mesh
-  /// shows.
-  enum class Caster { Shadow, Transmittance, LayerShadow, LayerTransmittance, Layer, MeshPlace };
+  /// shows, or one that is seen through.
+  enum class Caster { Shadow, Transmittance, LayerShadow, LayerTransmittance, Layer, MeshPlace, LayerPlace };
   /// `pattern`: of one that lets light through.
   [[nodiscard]] static ExactSource of(Caster caster, const SurfaceCode& surface,
                                       std::string_view pattern = {}) {
     constexpr std::string_view kNames[] = {"exact/shadow.frag",       "exact/transmittance.frag",
                                            "exact/layer_shadow.frag", "exact/layer_transmittance.frag",
-                                           "exact/layer.frag",        "exact/mesh_place.frag"};
+                                           "exact/layer.frag",        "exact/mesh_place.frag",
+                                           "exact/layer_place.frag"};
     ExactSource source(surface, pattern, true);
     source.name_ = kNames[static_cast<std::size_t>(caster)];
     if (!pattern.empty()) source.preamble_ += "#define LUXO_PATTERN\n";

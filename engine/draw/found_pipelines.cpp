@@ -202,6 +202,10 @@ void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelin
     desc.specialization.clear();
     desc.pushConstantBytes = sizeof(RayTarget);
     return;
+  } else if (state.form == Form::LayerPlace) {
+    desc.vertexShader = luxo_mesh_place_vert;
+    desc.fragmentShader = casterShader(state);
+    desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters}};
   } else if (state.form == Form::LayerLightMap) {
     desc.vertexShader = luxo_light_map_vert;
     desc.fragmentShader = luxo_light_map_layer_frag;

@@ -259,7 +259,7 @@ void PassRecorder::search(const CasterDraw& draw) {
     pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   setScissor(area);
   drawWhole(draw.caster);
-  if (form != Form::Layer && form != Form::MeshPlace)
+  if (form != Form::Layer && form != Form::MeshPlace && form != Form::LayerPlace)
     statistics_.count.shadowPasses += std::max(draw.state.closed, 1U);
   setScissor(rows_);
 }

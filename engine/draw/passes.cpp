@@ -151,6 +151,8 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
     add("layers", {.searches = true,
                    .batches = list.layers.meshes,
                    .casters = list.layers.searches,
+  if (!replaces && !list.layers.places.empty())
+    add("places of layers", {.searches = true, .casters = list.layers.places});
                    .clearsLayers = true});
   if (frame.rays) add("layers of rays", {.rays = frame.rays});
   // A point holds the shadows of one group.

@@ -35,32 +35,38 @@ void addPatches(const Surface& surface, const CasterCode& found, Casters& caster
 
 }  // namespace
 
+bool isLitMesh(Shading shading) {
+  return shading == Shading::Flat || shading == Shading::Gouraud || shading == Shading::Phong ||
+         shading == Shading::Toon;
+}
+
 bool isOnlyNear(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
-  const bool isLit = shading == Shading::Flat || shading == Shading::Gouraud || shading == Shading::Phong ||
-                     shading == Shading::Toon;
-  return isLit && !node.surface.triangles() && !node.surface.flatNormal();
+  return isLitMesh(shading) && !node.surface.triangles() && !node.surface.flatNormal();
 }
 
 void listPlaces(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                 Geometry& geometry, const MaterialList& materials, DrawList& list) {
-  if (!list.findsPlaces) return;
+  if (!materials.shadows()) return;
   const CasterList pixels(snapshot, geometry, list);
   const View& view = snapshot.view;
   Casters& casters = list.casters;
-  for (const VisibleNode& v : visible.opaque) {
+  const auto add = [&](const VisibleNode& v, Form form, std::vector<CasterDraw>& draws) {
     const SnapshotNode& node = snapshot.nodes[v.node];
     const std::uint32_t material = materials.numberOfNode(v.node);
-    if (!isOnlyNear(snapshot, node, options) || material == shared::kMaxFoundMaterials) continue;
+    if (!isOnlyNear(snapshot, node, options) || material == shared::kMaxFoundMaterials) return;
     const CasterCode found = casterCode(geometry.codes, node.surface, node.parameters);
-    if (!fits(casters, found)) continue;
-    list.placed.push_back({v.node, material});
+    if (!fits(casters, found)) return;
+    if (form == Form::MeshPlace)
+      list.placed.push_back({v.node, material});
+    else
+      list.layers.placed.push_back(v.node);
     const PixelRect all{{0, 0}, {view.size.width, view.size.height}};
     const auto area = isFinite(node.boundsWorld) ? pixels.pixelsAround(cornersOf(node.boundsWorld)) : all;
-    if (!area) continue;
-    list.places.push_back({.state = {.form = Form::MeshPlace, .surface = found.code},
-                           .caster = static_cast<std::uint32_t>(casters.meshes.size()),
-                           .area = *area});
+    if (!area) return;
+    draws.push_back({.state = {.form = form, .surface = found.code},
+                     .caster = static_cast<std::uint32_t>(casters.meshes.size()),
+                     .area = *area});
     casters.meshes.push_back({.relativeFromObject = Mat3f(node.worldFromObject.linear),
                               .translation = Vec3f(node.worldFromObject.translation - list.origin),
                               .firstPatch = static_cast<std::uint32_t>(casters.cells.size()),
@@ -69,8 +75,13 @@ void listPlaces(const Snapshot& snapshot, const VisibleList& visible, const Draw
                               .parameters = static_cast<std::uint32_t>(found.parameters[0].size()),
                               .material = material});
     addPatches(node.surface, found, casters);
-  }
+  };
+  for (const VisibleNode& v : visible.opaque)
+    if (list.findsPlaces) add(v, Form::MeshPlace, list.places);
+  for (const VisibleNode& v : visible.transparent)
+    if (list.layers.any()) add(v, Form::LayerPlace, list.layers.places);
   std::ranges::sort(list.placed, {}, &PlacedNode::node);
+  std::ranges::sort(list.layers.placed);
 }
 
 }  // namespace luxo

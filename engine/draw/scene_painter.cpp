@@ -136,7 +136,8 @@ void ScenePainter::preparePipelines(RenderView& view) {
     if (!group.flatTransmittances.empty()) states.push_back({.form = Form::FlatTransmittance});
   }
   for (const CasterDraw& draw : view.list().places) states.push_back(draw.state);
-  for (const CasterDraw& draw : layers.searches) states.push_back(draw.state);
+  for (const auto* draws : {&layers.searches, &layers.places})
+    for (const CasterDraw& draw : *draws) states.push_back(draw.state);
   for (const DrawBatch& batch : layers.meshes) states.push_back(batch.state);
   if (layers.any()) states.push_back({.form = Form::BlendLayers});
   pipelines_.prepare(states, view.targets().format());

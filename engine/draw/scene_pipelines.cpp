@@ -187,6 +187,8 @@ std::optional<ExactSource::Caster> casterOf(Form form) {
       return Layer;
     case Form::MeshPlace:
       return MeshPlace;
+    case Form::LayerPlace:
+      return LayerPlace;
     default:
       return std::nullopt;
   }
@@ -554,10 +556,11 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   if (state.footprint) desc.colorFormats.push_back(kFoundFootprintFormat);
   if (state.frame) desc.colorFormats.push_back(kFoundFrameFormat);
   if (state.pattern.valid()) desc.setLayouts.push_back(paintLayout(state));
-  const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerShadow ||
-                        state.form == Form::LayerTransmittance || state.form == Form::LayersByRays ||
-                        state.form == Form::ShadeLayers || state.form == Form::BlendLayers ||
-                        state.form == Form::LayerLightMap || state.form == Form::LayerAgain;
+  const bool ofLayers = state.form == Form::Layer || state.form == Form::LayerPlace ||
+                        state.form == Form::LayerShadow || state.form == Form::LayerTransmittance ||
+                        state.form == Form::LayersByRays || state.form == Form::ShadeLayers ||
+                        state.form == Form::BlendLayers || state.form == Form::LayerLightMap ||
+                        state.form == Form::LayerAgain;
   if (ofLayers) {
     static_assert(shared::kSetLayers == 3);
     desc.setLayouts = {sceneLayout_,

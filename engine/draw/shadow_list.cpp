@@ -100,8 +100,9 @@ class ShadowLister {
     for (std::uint32_t i = 0; i < batch.instanceCount; ++i) {
       const std::uint32_t node = list_.instanceNodes[batch.firstInstance + i];
       if (snapshot_.nodes[node].surface.triangles()) continue;
-      const bool placed = batch.state.form != Form::Layer &&
-                          std::ranges::binary_search(list_.placed, node, {}, &PlacedNode::node);
+      const bool placed = batch.state.form == Form::Layer
+                              ? std::ranges::binary_search(list_.layers.placed, node)
+                              : std::ranges::binary_search(list_.placed, node, {}, &PlacedNode::node);
       if (!placed) return options_.tolerancePx * (options_.standIns ? kStandInTolerance : 1);
     }
     return 0;

@@ -2,17 +2,16 @@
 // How much of its light a caster lets through to the points of a pixel that are seen through.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/transmittance_test.glsl"
-#include "lib/layers.glsl"
-#include "lib/octahedral.glsl"
+#include "lib/layer_start.glsl"
 
 void findLayerTransmittances() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerByRay) != 0) continue;
-    vec3 position = place + point.depth * ray, normal = fromOctahedral(point.normal);
-    if (facesAway(position, normal)) continue;
-    vec3 transmittance = transmittanceAt(position, normal, point.depth,
+    LayerStart start = startOf(point, place, ray);
+    if (facesAway(start.drawn, start.drawnNormal)) continue;
+    vec3 transmittance = transmittanceAt(start.position, start.normal, point.depth,
                                          (point.material & kLayerMaterial) == varyingMaterial.x);
     if (isOpen) doubtLayers();
     layerPoints[index].transmittance = point.transmittance * transmittance;

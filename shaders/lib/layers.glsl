@@ -43,7 +43,7 @@ void addLayer(LayerPoint point) {
 
 // A point that is to be lit.
 LayerPoint unlitPoint(float depth, float off, uint material, vec2 normal, vec2 parameters) {
-  return LayerPoint(0, depth, off, material, 0, normal, parameters, vec3(0), vec3(0), vec3(1));
+  return LayerPoint(0, depth, off, material, 0, normal, parameters, vec3(0), vec3(0), vec3(1), vec3(0), 0);
 }
 
 // How much comes through from behind.

@@ -466,6 +466,7 @@ LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of 
 LUXO_CONSTANT kLayerAtBorder = 1 << 17;  // or on a border between two cells, which may both have found it
 LUXO_CONSTANT kLayerByRay = 1 << 18;     // or found by a ray
 LUXO_CONSTANT kLayerMaterial = 0xffff;
+LUXO_CONSTANT kLayerPlaced = 1 << 19;    // of triangles, whose surface's own point is known
 
 // A point of what is seen through, in the list of its pixel.
 struct LayerPoint {
@@ -480,6 +481,8 @@ struct LayerPoint {
   vec3 through;   // how much comes through from behind
   vec3 transmittance;  // how much of a light its casters let through, where that light is all there is
 };
+  vec3 place;     // of one that is kLayerPlaced: the surface's own point, relative,
+  uint placeNormal;  // and its normal there
 
 // How lights reach a point of what is seen through that a ray has found: those of a group.
 struct ReachingLight {
@@ -504,7 +507,7 @@ static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 72 && sizeof(ReachingLight) == 16);
+static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared

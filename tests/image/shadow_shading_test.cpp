@@ -229,6 +229,60 @@ TEST_F(ShadowShadingTest, FallOnWhatIsSeenThrough) {
     EXPECT_GT(onPaneAlone, 30) << nameOf(shading);
   }
 }
+/// Of a sheet that is seen through, far from its coarse mesh: in the light or not as the surface's own point
+/// is.
+TEST_F(ShadowShadingTest, StartsAtTheSurfaceOfWhatIsSeenThrough) {
+  const Vec3 sun(3, 6, 1), ball(0.8, 2, 0.2);
+  const double kRadius = 0.7;
+  const auto sceneWith = [&](double intensity, bool shadow) {
+    return buildScene(parseScene(R"_({ "luxo": 1,
+      "render": { "ambient": [0.2, 0.2, 0.2], "background": [0, 0, 0] },
+      "materials": { "veil": { "diffuse": [0.6, 0.5, 0.4], "specular": 0, "opacity": 0.5 } },
+      "surfaces": { "veil": { "type": "formula", "u": [-1.5, 1.5], "v": [-1.5, 1.5],
+                              "position": ["u", "0.3*cos(2u)*cos(2v)", "-v"] },
+                    "ball": { "type": "sphere", "radius": 0.7 } },
+      "camera": { "eye": [-1, 4, 2], "look_at": [0, 0, 0], "fov_y": "40deg" },
+      "nodes": [ { "surface": "veil", "material": "veil" },
+                 { "name": "ball", "surface": "ball", "translate": [0.8, 2, 0.2] },
+                 { "translate": [3, 6, 1], "light": { "intensity": )_" +
+                                     std::to_string(intensity) +
+                                     (shadow ? R"(, "shadow": "exact", "casters": ["ball"])" : "") +
+                                     " } } ] }",
+                                 "veil"));
+  };
+  for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {
+    DrawOptions options{.shading = shading, .tolerancePx = 6};
+    const auto show = [&](double intensity, bool shadow, Output output = Output::Color) {
+      options.output = output;
+      return draw(sceneWith(intensity, shadow), kSize, options).image;
+    };
+    const Image image = show(0.7, true), lit = show(0.7, false), dark = show(0, false),
+                id = show(0.7, true, Output::Id), uv = show(0.7, true, Output::Uv),
+                positions = show(0.7, true, Output::Position);
+    const auto sees = [&](const Vec3& from) {
+      const Vec3 way = unit(sun - from), off = from - ball;
+      const double b = glm::dot(off, way);
+      return b > 0 ? 1.0 : glm::length(off - b * way) - kRadius;  // in the light where it is above 0
+    };
+    int shadowed = 0, farFromMesh = 0;
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x) {
+        if (id.pixel(x, y)[0] != 1) continue;
+        const double u = uv.pixel(x, y)[0], v = uv.pixel(x, y)[1];
+        const double height = sees(Vec3(u, 0.3 * std::cos(2 * u) * std::cos(2 * v), -v));
+        if (std::abs(height) < 1e-4) continue;
+        shadowed += height < 0;
+        farFromMesh += (sees(colorAt(positions, x, y)) < 0) != (height < 0);
+        ASSERT_TRUE(near(colorAt(image, x, y), colorAt(height > 0 ? lit : dark, x, y), 5e-6))
+            << x << ", " << y << " " << nameOf(shading);
+      }
+    EXPECT_GT(shadowed, 200) << nameOf(shading);
+    // Those with light between vertices, and outlines, have finer meshes.
+    EXPECT_GT(farFromMesh, shading == Shading::Phong || shading == Shading::Flat ? 10 : 2)
+        << nameOf(shading) << ": the test shows less than it says";
+  }
+}
+
 
 /// In all these shadings a light that shines from behind lights nothing.
 TEST_F(ShadowShadingTest, GouraudHasNoLightFromBehind) {
