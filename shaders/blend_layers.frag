@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that is seen through in a pixel, over what is not: nearest first, whatever the order in which it was found.
+// All that is seen through in a pixel, over what is not: nearest first, whatever the order in which it was found; or, in the
+// given order of nodes, the last one first, and of each its nearest point.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
 #include "lib/one_point.glsl"
 #include "lib/octahedral.glsl"
+
+layout(constant_id = kConstantGivenOrder) const bool kGivenOrder = false;
 
 // For the audit: of each pixel how many points were blended, and the sum of their depths.
 layout(scalar, set = kSetLayers, binding = kBindingLayerSums) buffer LayerSums { vec2 layerSums[]; };
@@ -16,6 +19,8 @@ bool isLess(vec3 a, vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y <
 
 // A total order of what looks different, whatever the order of the nodes.
 bool isBefore(uint first, uint second) {
+  uint ofA = layerPoints[first].material & kLayerMaterial, ofB = layerPoints[second].material & kLayerMaterial;
+  if (kGivenOrder && ofA != ofB) return ofA > ofB;
   float a = layerPoints[first].depth, b = layerPoints[second].depth;
   if (a != b) return a < b;
   vec3 lightA = layerPoints[first].light, lightB = layerPoints[second].light;
@@ -72,7 +77,7 @@ void main() {
     if ((point.material & kLayerOfMesh) != 0 && point.depth >= opaque) continue;
     // On a border between two cells both may have it, or one that is certain of it and the other, too.
     uint either = point.material | last.material, other = (point.material ^ last.material) & ~kLayerAtBorder;
-    bool isBeside = point.depth - last.depth <= point.off + last.off,
+    bool isBeside = point.depth - last.depth <= point.off + last.off && !(kGivenOrder && (other & kLayerMaterial) != 0),
          isTwice = isBeside && other == 0 && (either & kLayerAtBorder) != 0;
     // Which of two points is nearer than floats tell is left to rays, and how often a surface covers itself.
     if (isBeside && !isTwice && (either & (kLayerOfMesh | kLayerByRay)) == 0) doubtLayers();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -73,10 +72,7 @@ class DrawLister {
 
   DrawList list() && {
     listOpaque();
-    if (hasLayers(snapshot_, options_))
-      listLayers();
-    else
-      listTransparent(visible_.transparent);
+    listLayers();
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
     materials_.listShades();
@@ -135,12 +131,13 @@ class DrawLister {
         groups[entry->second].instances.push_back(item.instance);
       }
     }
-    for (Group& group : groups)
-      append(list_.opaque, std::move(group.batch), group.instances, {Half::Near, Half::Far});
+    for (Group& group : groups) append(list_.opaque, std::move(group.batch), group.instances);
   }
 
-  /// Points in any order.
+  /// Points in any order: by the numbers of their materials, which follow the nodes', they may be blended in
+  /// the given one.
   void listLayers() {
+    list_.layers.blend = {.form = Form::BlendLayers, .givenOrder = snapshot_.blendOrder == BlendOrder::Given};
     std::vector<VisibleNode> wires;
     for (const VisibleNode& v : visible_.transparent) {
       const SnapshotNode& node = snapshot_.nodes[v.node];
@@ -212,10 +209,10 @@ class DrawLister {
     if (material >= shared::kMaxFoundMaterials)
       throw Error(ErrorKind::Scene,
                   fmt::format("more than {} nodes are seen through", shared::kMaxFoundMaterials),
-                  "set render.blend_order to \"given\", or make some of them opaque");
+                  "make some of them opaque");
   }
 
-  /// Order is everything, so only neighbours merge, and a surface shows its far side first.
+  /// Lines over all else. Order is everything, so only neighbours merge.
   void listTransparent(std::span<const VisibleNode> nodes) {
     for (const VisibleNode& v : nodes) {
       Item item = itemOf(v, true);
@@ -224,7 +221,7 @@ class DrawLister {
           place(item.instance);
           ++list_.transparent.back().instanceCount;
         } else {
-          append(list_.transparent, std::move(batch), {&item.instance, 1}, {Half::Far, Half::Near});
+          append(list_.transparent, std::move(batch), {&item.instance, 1});
         }
       }
     }
@@ -293,10 +290,10 @@ class DrawLister {
   /// Shadows are found for points that are lit later.
   [[noreturn]] static void refuseShadows(const SnapshotNode& node) {
     throw Error(ErrorKind::Scene,
-                fmt::format("node number {} is blended in the order of the file (or there are more than {} "
-                            "nodes), in a scene with shadows, which is not supported yet",
+                fmt::format("node number {} is in shadow, in a scene of more than {} nodes, which is not "
+                            "supported yet",
                             node.number, shared::kMaxFoundMaterials - 1),
-                "set render.blend_order to \"exact\", or the lights' shadows to \"none\"");
+                "set the lights' shadows to \"none\", or leave out some nodes");
   }
 
   /// Triangles that are the surface itself; where single precision would move them in the picture, rays find
@@ -323,8 +320,7 @@ class DrawLister {
   }
 
   /// Adds a draw of these instances; of a curved surface that shows both sides two, in the given order.
-  void append(std::vector<DrawBatch>& batches, DrawBatch batch, std::span<const Instance> instances,
-              std::array<Half, 2> halves) {
+  void append(std::vector<DrawBatch>& batches, DrawBatch batch, std::span<const Instance> instances) {
     if (batch.indexCount == 0) return;  // a formula without a single finite triangle
     batch.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
     batch.instanceCount = static_cast<std::uint32_t>(instances.size());
@@ -339,7 +335,7 @@ class DrawLister {
       batches.push_back(std::move(batch));
       return;
     }
-    for (const Half half : halves) {
+    for (const Half half : {Half::Near, Half::Far}) {
       batch.half = half;
       batch.culling = half == Half::Near ? FaceCulling::Back : FaceCulling::Front;
       batches.push_back(batch);
@@ -378,12 +374,11 @@ bool seenThrough(const Snapshot& snapshot, const SnapshotNode& node, const DrawO
 }
 
 bool hasLayers(const Snapshot& snapshot, const DrawOptions& options) {
-  return snapshot.blendOrder == BlendOrder::Exact &&
-         std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
-           const Material& material = snapshot.materials[node.material.index];
-           return seenThrough(snapshot, node, options) && !material.invisible() &&
-                  material.shadingIn(options.shading) != Shading::Wireframe;
-         });
+  return std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
+    const Material& material = snapshot.materials[node.material.index];
+    return seenThrough(snapshot, node, options) && !material.invisible() &&
+           material.shadingIn(options.shading) != Shading::Wireframe;
+  });
 }
 
 bool occludesAmbient(const Snapshot& snapshot, const DrawOptions& options) {
@@ -406,9 +401,8 @@ bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const Draw
 
 bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Material& material = snapshot.materials[node.material.index];
-  return snapshot.blendOrder == BlendOrder::Exact && seenThrough(snapshot, node, options) &&
-         !material.invisible() && material.shadingIn(options.shading) == Shading::Exact &&
-         !node.surface.triangles();
+  return seenThrough(snapshot, node, options) && !material.invisible() &&
+         material.shadingIn(options.shading) == Shading::Exact && !node.surface.triangles();
 }
 
 bool DrawList::onlyFound() const {

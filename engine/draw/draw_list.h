@@ -92,6 +92,7 @@ struct DrawState {
   std::uint32_t firstLight = 0;     ///< of Form::Again, in Gouraud shading: of kVertexLights
   std::uint32_t exactShadows = 0;   ///< and the lights, a bit each, that have exact ones
   bool places = false;              ///< of Form::Shadow and Transmittance: DrawList::findsPlaces
+  bool givenOrder = false;          ///< of Form::BlendLayers: BlendOrder::Given
 
   friend auto operator<=>(const DrawState&, const DrawState&) = default;
 };
@@ -208,7 +209,7 @@ struct PlacedNode {
   std::uint32_t material = 0;  ///< its number
 };
 
-/// What is seen through, in the order of its depth in every pixel.
+/// What is seen through, in the order of its depth in every pixel, or in that of its nodes.
 struct Layers {
   std::vector<CasterDraw> searches;
   std::vector<DrawBatch> meshes;
@@ -240,7 +241,7 @@ struct DrawList {
   std::vector<PixelRect>
       shadowsByRays;                   ///< where triangles may stand before a light that no shader looks for
   std::vector<PixelPlace> outlines;    ///< some of the pixels that searches graze
-  std::vector<DrawBatch> transparent;  ///< in this order: wires, and BlendOrder::Given
+  std::vector<DrawBatch> transparent;  ///< wires, in this order
   std::uint64_t culledHidden = 0;      ///< triangles of shells that are behind others, every instance counted
   std::uint64_t tooLarge = 0;          ///< nodes found by rays: their formulas are too large for shaders
   /// Points are found first, and lit once each, by all lights that reach anything.
@@ -304,7 +305,7 @@ inline constexpr double kStandInTolerance = 8;
 /// Whether a node is seen through: of what is not a picture nothing is, nor are lines.
 [[nodiscard]] bool seenThrough(const Snapshot& snapshot, const SnapshotNode& node,
                                const DrawOptions& options);
-/// Whether something is, and comes together by its depth in every pixel.
+/// Whether something is, lines apart.
 [[nodiscard]] bool hasLayers(const Snapshot& snapshot, const DrawOptions& options);
 
 /// Whether the ambient light is occluded.
@@ -313,7 +314,7 @@ inline constexpr double kStandInTolerance = 8;
 [[nodiscard]] bool tracesRays(const Snapshot& snapshot, const DrawOptions& options);
 
 /// Whether every pixel of a node finds its point of the surface, by a search, a triangle that is the surface,
-/// or a ray; and of what is seen through in the order of its depth all of them.
+/// or a ray; and of what is seen through all of them.
 [[nodiscard]] bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node,
                                 const DrawOptions& options);
 [[nodiscard]] bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node,

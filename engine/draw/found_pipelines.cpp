@@ -177,10 +177,10 @@ void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelin
   if (state.form == Form::BlendLayers) {
     if (!context_->features().dualSrcBlend)
       throw Error(ErrorKind::Device, "this device cannot draw what is seen through (no dualSrcBlend)",
-                  "choose another --device, or set render.blend_order to \"given\"");
+                  "choose another --device");
     desc.fragmentShader = luxo_blend_layers_frag;
     desc.blend = gpu::Blend::Through;
-    desc.specialization.clear();
+    desc.specialization = {{shared::kConstantGivenOrder, state.givenOrder}};
   } else if (state.form == Form::ShadeLayers) {
     desc.vertexShader = luxo_shade_vert;
     desc.fragmentShader =

@@ -10,7 +10,6 @@ namespace {
 
 std::vector<Attachment> color(Begin begin) { return {{Target::Color, begin}}; }
 
-const std::array<DrawState, 1> kBlendLayers{DrawState{.form = Form::BlendLayers}};
 const std::array<DrawState, 1> kOpenness{DrawState{.form = Form::Openness}};
 
 /// What the first pass draws, and what is drawn over that.
@@ -151,9 +150,9 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
     add("layers", {.searches = true,
                    .batches = list.layers.meshes,
                    .casters = list.layers.searches,
+                   .clearsLayers = true});
   if (!replaces && !list.layers.places.empty())
     add("places of layers", {.searches = true, .casters = list.layers.places});
-                   .clearsLayers = true});
   if (frame.rays) add("layers of rays", {.rays = frame.rays});
   // A point holds the shadows of one group.
   const bool shadowsStay = replaces && list.groups.size() == 1;
@@ -175,8 +174,10 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
     for (std::size_t k = 0; k < group.layerAgain.size(); ++k)
       add("layers again", {.batches = std::span(group.layerAgain).subspan(k, 1), .group = i});
   }
-  add("blend layers",
-      {.colors = color(Begin::Keep), .searches = true, .countsLayers = true, .shades = kBlendLayers});
+  add("blend layers", {.colors = color(Begin::Keep),
+                       .searches = true,
+                       .countsLayers = true,
+                       .shades = {&list.layers.blend, 1}});
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ void ScenePainter::preparePipelines(RenderView& view) {
   for (const auto* draws : {&layers.searches, &layers.places})
     for (const CasterDraw& draw : *draws) states.push_back(draw.state);
   for (const DrawBatch& batch : layers.meshes) states.push_back(batch.state);
-  if (layers.any()) states.push_back({.form = Form::BlendLayers});
+  if (layers.any()) states.push_back(layers.blend);
   pipelines_.prepare(states, view.targets().format());
 }
 

@@ -291,20 +291,6 @@ void cutLights(Snapshot& snapshot) {
     snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
-/// As nodes are given they are blended over what is there, by one number.
-void requirePlainBlending(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
-  if (snapshot.blendOrder != BlendOrder::Given) return;
-  for (const SnapshotNode& node : snapshot.nodes) {
-    const Material& material = snapshot.materials[node.material.index];
-    if (material.blend != Blend::Over || material.diffusePattern.hasOpacity())
-      NodeThen{scene, node.id, moment}.reject(
-          "its material has a \"blend\", or an opacity that uses u or v, in a scene with \"blend_order\": "
-          "\"given\", "
-          "which is not supported",
-          "leave blend_order out");
-  }
-}
-
 /// A planar shadow is one number for each face, and falls on what hides all else; a shade in closed form lets
 /// nothing through.
 void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
@@ -353,7 +339,6 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t most
   cutLights(snapshot);
   openShades(snapshot);
   requirePlanarShadows(scene, snapshot, moment);
-  requirePlainBlending(scene, snapshot, moment);
   return snapshot;
 }
 

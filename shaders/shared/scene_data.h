@@ -115,6 +115,7 @@ LUXO_CONSTANT kConstantFirstLight = 17;     // of kVertexLights of a group
 LUXO_CONSTANT kConstantExactShadows = 18;   // the lights, a bit each, that have exact ones
 LUXO_CONSTANT kConstantPlaces = 19;         // some points are of meshes, whose surfaces' own points are known
 LUXO_CONSTANT kConstantOcclusion = 20;      // of the ambient light
+LUXO_CONSTANT kConstantGivenOrder = 21;     // what is seen through is blended node by node
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -465,8 +466,8 @@ LUXO_CONSTANT kMostClosedCasters = 2;
 LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
 LUXO_CONSTANT kLayerAtBorder = 1 << 17;  // or on a border between two cells, which may both have found it
 LUXO_CONSTANT kLayerByRay = 1 << 18;     // or found by a ray
-LUXO_CONSTANT kLayerMaterial = 0xffff;
 LUXO_CONSTANT kLayerPlaced = 1 << 19;    // of triangles, whose surface's own point is known
+LUXO_CONSTANT kLayerMaterial = 0xffff;
 
 // A point of what is seen through, in the list of its pixel.
 struct LayerPoint {
@@ -480,9 +481,9 @@ struct LayerPoint {
   vec3 light;     // what it reflects, times its opacity
   vec3 through;   // how much comes through from behind
   vec3 transmittance;  // how much of a light its casters let through, where that light is all there is
-};
   vec3 place;     // of one that is kLayerPlaced: the surface's own point, relative,
   uint placeNormal;  // and its normal there
+};
 
 // How lights reach a point of what is seen through that a ray has found: those of a group.
 struct ReachingLight {

@@ -82,12 +82,12 @@ TEST_F(CompositionTest, OfManySamples) {
   expectTheSame(takeSnapshot(luxoGrandpa(), 21, {160, 120}), Shading::Exact, 4);
 }
 
-/// What is drawn over what was found: per-vertex light, wireframes, what is blended as it is given.
+/// What is drawn over what was found: per-vertex light, wireframes, wires that are seen through.
 constexpr std::string_view kMixed = R"luxo({
-  "luxo": 1, "render": { "blend_order": "given" },
+  "luxo": 1,
   "materials": {
     "a": { "diffuse": [0.7, 0.2, 0.2] }, "b": { "shading": "gouraud" }, "c": { "shading": "wireframe" },
-    "d": { "opacity": 0.5 }, "e": { "diffuse": ["0.5+0.5*sin(9u)", "v", 0.2] },
+    "d": { "shading": "wireframe", "opacity": 0.5 }, "e": { "diffuse": ["0.5+0.5*sin(9u)", "v", 0.2] },
     "f": { "diffuse": [0.2, "0.5+0.5*cos(7v)", "u"], "shading": "phong" }
   },
   "surfaces": {

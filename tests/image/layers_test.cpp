@@ -178,6 +178,53 @@ TEST_F(LayersTest, GivenOrderIsWhatIsGiven) {
   EXPECT_GT(glm::distance(right, middle(near + ", " + far, "given")), 0.05);
 }
 
+constexpr const char* kShadowingLight =
+    R"(, { "translate": [1, 5, 1], "light": { "intensity": 0.7, "shadow": "exact", "casters": ["caster"] } })";
+
+TEST_F(LayersTest, GivenOrderHasShadowsModesAndFormulas) {
+  std::vector<std::string> nodes{
+      node("torus", "glass"),
+      node("ball", "stained", R"(, "translate": [0.8, 0, 0])"),
+      node("mobius", "waves"),
+      node("klein", "red", R"(, "scale": [0.3, 0.3, 0.3])"),
+      node("sheet", "glow"),
+      node("ball", "checks",
+           R"(, "scale": [0.4, 0.4, 0.4], "translate": [0.3, 1.6, 0.3], "name": "caster")")};
+  for (int turn = 0; turn < 2; ++turn) {
+    std::string all;
+    for (const std::string& one : nodes) all += (all.empty() ? "" : ", ") + one;
+    const Verified found =
+        verified(takeSnapshot(sceneOf(all + kShadowingLight, R"("blend_order": "given",)"), 0, {160, 120}));
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+    EXPECT_GT(found.statistics.count.shadowPasses, 0U);
+    EXPECT_GT(found.statistics.count.layerPoints, 5000U);
+    std::ranges::reverse(nodes);
+  }
+}
+
+/// Sheets one above the other, from the lowest on, are in the order of their depth.
+TEST_F(LayersTest, GivenOrderIsTheSameInEveryShading) {
+  const std::string low = node("sheet", "glass"),
+                    high = node("sheet", "red", R"(, "translate": [0, 0.4, 0])"),
+                    caster =
+                        ", " +
+                        node(
+                            "ball", "checks",
+                            R"(, "scale": [0.4, 0.4, 0.4], "translate": [0.3, 1.6, 0.3], "name": "caster")") +
+                        kShadowingLight;
+  for (const Shading shading :
+       {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {
+    const auto shown = [&](const std::string& nodes, const std::string& order) {
+      return draw(sceneOf(nodes, R"("blend_order": ")" + order + R"(",)"), {80, 60}, {.shading = shading})
+          .image;
+    };
+    const Image exact = shown(low + ", " + high + caster, "exact");
+    EXPECT_TRUE(sameBytes(shown(low + ", " + high + caster, "given"), exact)) << nameOf(shading);
+    EXPECT_FALSE(sameBytes(shown(high + ", " + low + caster, "given"), exact)) << nameOf(shading);
+  }
+}
+
 TEST_F(LayersTest, ManySamplesAreTheirMean) {
   const Scene scene = sceneOf(node("torus", "glass") + ", " + node("mobius", "waves"));
   const Image four = draw(scene, kSize, {.samples = 4}).image;
@@ -211,8 +258,7 @@ TEST_F(LayersTest, ShadowsFallOnEveryLayer) {
   const Scene scene =
       sceneOf(node("ball", "checks",
                    R"(, "scale": [0.4, 0.4, 0.4], "translate": [0.3, 1.6, 0.3], "name": "caster")") +
-              ", " + node("torus", "glass") + ", " + node("mobius", "waves") + R"(,
-      { "translate": [1, 5, 1], "light": { "shadow": "exact", "casters": ["caster"] } })");
+              ", " + node("torus", "glass") + ", " + node("mobius", "waves") + kShadowingLight);
   const Verified found = verified(takeSnapshot(scene, 0, kSize));
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   EXPECT_GT(found.statistics.count.shadowPasses, 0U);

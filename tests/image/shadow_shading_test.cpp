@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "support/picture.h"
@@ -229,6 +228,7 @@ TEST_F(ShadowShadingTest, FallOnWhatIsSeenThrough) {
     EXPECT_GT(onPaneAlone, 30) << nameOf(shading);
   }
 }
+
 /// Of a sheet that is seen through, far from its coarse mesh: in the light or not as the surface's own point
 /// is.
 TEST_F(ShadowShadingTest, StartsAtTheSurfaceOfWhatIsSeenThrough) {
@@ -283,7 +283,6 @@ TEST_F(ShadowShadingTest, StartsAtTheSurfaceOfWhatIsSeenThrough) {
   }
 }
 
-
 /// In all these shadings a light that shines from behind lights nothing.
 TEST_F(ShadowShadingTest, GouraudHasNoLightFromBehind) {
   // The ball alone, coarse, and its own caster: behind the terminator of its normals there is ambient light.
@@ -309,20 +308,6 @@ TEST_F(ShadowShadingTest, GouraudHasNoLightFromBehind) {
       ++behind;
     }
   EXPECT_GT(behind, 30);
-}
-
-TEST_F(ShadowShadingTest, AreRefusedWhereOrderIsGiven) {
-  Scene scene = sceneOf(kTwo, true, kOpaque, true);
-  RenderSettings settings = scene.settings();
-  settings.blendOrder = BlendOrder::Given;
-  scene.set(settings);
-  try {
-    static_cast<void>(draw(scene, kSize, {.shading = Shading::Gouraud}));
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::Scene);
-    EXPECT_NE(std::string(error.what()).find("not supported yet"), std::string::npos) << error.what();
-  }
 }
 
 TEST_F(ShadowShadingTest, ManySamplesAreInEveryShading) {
