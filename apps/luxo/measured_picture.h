@@ -12,7 +12,11 @@ struct MeasuredFrame {
   FrameStatistics statistics;  ///< of the colour picture
 };
 
-/// Draws colour, depth, position, normal, uv and id, one sample per pixel. Errors as Renderer::render.
+/// Of a picture with more lights what each of them gives meshes is not drawn, and not judged.
+inline constexpr std::size_t kMostAlone = 32;
+
+/// Draws colour, depth, position, normal, uv and id, one sample per pixel; where meshes of formulas are in
+/// shadow the light of each light alone, too, as withExactShadows() has them. Errors as Renderer::render.
 [[nodiscard]] MeasuredFrame measure(Renderer& renderer, const Snapshot& snapshot, DrawOptions options);
 
 }  // namespace luxo

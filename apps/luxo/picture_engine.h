@@ -42,7 +42,7 @@ class PictureEngine {
                                                           std::shared_ptr<gpu::ValidationLog> validation);
 
 /// Casts rays on all cores and needs no device. Shows on a terminal how far it is and how long it still
-/// takes. Error(Scene): the settings ask for what has no ground truth: lines, toon, a view.
+/// takes. Error(Scene): the settings ask for what has no ground truth: lines, a view.
 [[nodiscard]] std::unique_ptr<PictureEngine> referenceEngine(const RenderRequest& request,
                                                              const RenderSettings& settings);
 

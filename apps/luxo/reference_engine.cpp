@@ -58,6 +58,7 @@ class ReferenceEngine : public PictureEngine {
       : output_(request.aov),
         // Geometry is of the pixel's centre and never averaged.
         samples_(request.aov == Output::Color ? settings.samples : 1),
+        shading_(settings.shading),
         showsProgress_(request.verbosity == Verbosity::Normal) {
     requireGroundTruth(settings);
   }
@@ -70,10 +71,11 @@ class ReferenceEngine : public PictureEngine {
     if (output_ == Output::Color) warnOfShaders(snapshot);
     const auto start = Clock::now();
     ProgressBar bar(showsProgress_);
-    ReferencePicture picture = castPicture(snapshot, {.samples = samples_, .progress = [&](double done) {
-                                                        bar.show(done);
-                                                        return interruptingSignal() == 0;
-                                                      }});
+    ReferencePicture picture =
+        castPicture(snapshot, {.samples = samples_, .shading = shading_, .progress = [&](double done) {
+                                 bar.show(done);
+                                 return interruptingSignal() == 0;
+                               }});
     if (!picture.complete) return std::nullopt;
     MadePicture made;
     made.reference = {picture.hits, picture.misses, picture.undecided, picture.standardErrorRms,
@@ -90,7 +92,7 @@ class ReferenceEngine : public PictureEngine {
   static void requireGroundTruth(const RenderSettings& settings) {
     const Shading shading = settings.shading;
     if (shading != Shading::Flat && shading != Shading::Gouraud && shading != Shading::Phong &&
-        shading != Shading::Exact)
+        shading != Shading::Exact && shading != Shading::Toon)
       throw Error(ErrorKind::Scene, fmt::format("shading '{}' has no ground truth", nameOf(shading)),
                   "give --shading phong; --aov writes depth, position, normal, uv or id");
   }
@@ -108,6 +110,7 @@ class ReferenceEngine : public PictureEngine {
   Output output_;
   std::set<std::string> warned_;
   int samples_;
+  Shading shading_;
   bool showsProgress_;
 };
 

@@ -69,9 +69,9 @@ VerifyRequest requestOf(const VerifyOptions& options) {
 }
 
 void requireGroundTruth(Shading shading) {
-  if (showsData(shading) || shading == Shading::Toon)
+  if (showsData(shading) || shading == Shading::Wireframe)
     throw Error(ErrorKind::Scene, fmt::format("shading '{}' has no ground truth", nameOf(shading)),
-                "give --shading phong, flat, gouraud or exact");
+                "give --shading exact, phong, flat, gouraud or toon");
 }
 
 /// Shadows that are approximations promise nothing that could be required.
@@ -136,16 +136,18 @@ int verifyScene(const VerifyOptions& options) {
   ReferencePicture truth;
   {
     ProgressBar bar(render.verbosity == Verbosity::Normal);
-    truth =
-        castPicture(exact, {.pixels = withNeighbours(settings.size, pixels), .progress = [&](double done) {
-                              bar.show(done);
-                              return interruptingSignal() == 0;
-                            }});
+    truth = castPicture(exact, {.pixels = withNeighbours(settings.size, pixels),
+                                .shading = settings.shading,
+                                .progress = [&](double done) {
+                                  bar.show(done);
+                                  return interruptingSignal() == 0;
+                                }});
   }
   if (!truth.complete) return exit_code::kSignal + interruptingSignal();
   report.truthMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  report.verification =
-      verify(exact, truth, measured.picture, {.shading = settings.shading, .pixels = std::move(pixels)});
+  report.verification = verify(
+      exact, truth, measured.picture,
+      {.shading = settings.shading, .pixels = std::move(pixels), .boundPx = report.statistics.error.boundPx});
 
   if (!options.heat.empty()) saveImage(errorHeat(report.verification.positionMap), options.heat);
   const std::string json = verificationJson(report, scene, snapshot);

@@ -18,13 +18,22 @@ constexpr int kMaxLayers = 1024;  // of transparent surfaces behind each other
 constexpr double kHitRounding = 1e-11;
 constexpr double kRootRounding = 1e-12;  // and how far a root may be from where another search finds it
 constexpr double kGrazing = 1e-4;        // the cosine below which a ray leaves its own surface no sooner
+// Of a pixel: the step of differences that measure derivatives, which leave some 1e-4 of these.
+constexpr double kDerivativePx = 1e-4;
 
 // x^n for 0 <= x <= 1 with 0^0 = 1.
 double highlight(double x, double n) { return x > 0 || n == 0 ? std::pow(x, n) : 0; }
 
+/// How many of two vectors a third one in their plane is.
+Vec2 partsOf(const Vec3& step, const Vec3& su, const Vec3& sv) {
+  const Vec3 n = glm::cross(su, sv);
+  return Vec2(glm::dot(glm::cross(step, sv), n), glm::dot(glm::cross(su, step), n)) / glm::dot(n, n);
+}
+
 }  // namespace
 
-Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snapshot_(snapshot) {
+Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells, Shading shading)
+    : snapshot_(snapshot) {
   std::vector<ShapeCache::Request> requests;
   for (const SnapshotNode& node : snapshot.nodes) requests.emplace_back(node.surface, node.parameters);
   const auto shapes = cache.shapes(requests);
@@ -39,7 +48,8 @@ Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snaps
                        .twoSided = material.twoSided == TwoSided::Yes ||
                                    (material.twoSided == TwoSided::Auto && !node.surface.closed()),
                        .facing = material.twoSided == TwoSided::No ? Facing::Front : Facing::Both,
-                       .transparent = material.transparent()});
+                       .transparent = material.transparent(),
+                       .drawing = material.shadingIn(shading) == Shading::Toon});
     Body& body = bodies_.back();
     body.normalFromTexel = normalFromTexel(material, body.normalFromObject);
     if (material.drawsMaps())
@@ -48,7 +58,8 @@ Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells) : snaps
   }
 }
 
-Caster::Caster(const Snapshot& snapshot) : Caster(snapshot, *std::make_unique<ShapeCache>()) {}
+Caster::Caster(const Snapshot& snapshot, Shading shading)
+    : Caster(snapshot, *std::make_unique<ShapeCache>(), Cells::AtOnce, shading) {}
 
 Ray Caster::rayThrough(double x, double y) const {
   const View& view = snapshot_.view;
@@ -83,7 +94,7 @@ Hit Caster::hitAt(const Beam& beam, std::uint32_t node, const Root& root) const 
   const Ray& ray = beam.ray;
   const SnapshotNode& n = snapshot_.nodes[node];
   const Body& body = bodies_[node];
-  Hit hit{.t = root.t, .node = node, .u = root.u, .v = root.v};
+  Hit hit{.t = root.t, .node = node, .u = root.u, .v = root.v, .patch = root.patch};
   hit.position = ray.origin + root.t * ray.direction;
   if (n.surface.triangles()) {
     placeOnTriangle(beam, root, hit);
@@ -144,13 +155,11 @@ std::array<Vec3, 2> Caster::stepsAt(const Beam& beam, const Hit& hit) const {
 Footprint Caster::footprintOf(const Beam& beam, const Hit& hit, const Vec3& su, const Vec3& sv) const {
   const Vec3& along = beam.ray.direction;
   const Vec3 n = glm::cross(su, sv);
-  const double perCosine = 1 / glm::dot(n, along), perArea = 1 / glm::dot(n, n);
+  const double perCosine = 1 / glm::dot(n, along);
   const std::array<Vec3, 2> steps = stepsAt(beam, hit);
   Footprint footprint;
-  for (int i = 0; i < 2; ++i) {
-    const Vec3 step = steps[i] - along * (glm::dot(n, steps[i]) * perCosine);
-    footprint[i] = Vec2(glm::dot(glm::cross(step, sv), n), glm::dot(glm::cross(su, step), n)) * perArea;
-  }
+  for (int i = 0; i < 2; ++i)
+    footprint[i] = partsOf(steps[i] - along * (glm::dot(n, steps[i]) * perCosine), su, sv);
   return footprint;
 }
 
@@ -337,7 +346,8 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
     certified &= roots.certified;
     if (!roots.nearest) return left;
     left *= materialOf(node).lightThroughAt(roots.nearest->u, roots.nearest->v);
-    if (left == Vec3(0)) return left;
+    // A ray leaves a plane where it meets it.
+    if (left == Vec3(0) || snapshot_.nodes[node].surface.flatNormal()) return left;
     nearest = beyond(ray, hitAt({ray}, node, *roots.nearest));
   }
   certified = false;
@@ -420,7 +430,95 @@ Vec3 Caster::withoutLights(const Hit& hit) const { return withoutLights(hit, ref
 
 Vec3 Caster::diffuseOf(const Hit& hit) const { return reflectionAt(hit).diffuse; }
 
-Vec3 Caster::illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const {
+Vec3 Caster::normalBeside(const Hit& hit, const Vec3& step) const {
+  const SnapshotNode& node = snapshot_.nodes[hit.node];
+  const Body& body = bodies_[hit.node];
+  const Mat3& world = node.worldFromObject.linear;
+  Vec3 normal(0);
+  if (const SurfaceTriangles* triangles = node.surface.triangles()) {
+    const std::array<std::uint32_t, 3> corners = triangles->corners(hit.patch);
+    const std::array<Vec3, 3> points = triangles->points(hit.patch);
+    const Vec2 weights = partsOf(hit.position + step - transformPoint(node.worldFromObject, points[0]),
+                                 world * (points[1] - points[0]), world * (points[2] - points[0]));
+    const std::array<double, 3> all{1 - weights.x - weights.y, weights.x, weights.y};
+    for (std::size_t i = 0; i < 3; ++i)
+      normal += all[i] * unit(body.normalFromObject * Vec3(triangles->mesh.normals()[corners[i]]));
+  } else {
+    const SurfacePoints at = node.surface.evaluate(hit.patch, {&hit.u, 1}, {&hit.v, 1}, node.parameters);
+    const Vec2 moved = Vec2(hit.u, hit.v) + partsOf(step, world * at.du[0], world * at.dv[0]);
+    const Domain& domain = node.surface.patches()[hit.patch].domain;
+    normal = body.normalFromObject *
+             node.surface.normal(hit.patch, std::clamp(moved.x, domain.u.lo, domain.u.hi),
+                                 std::clamp(moved.y, domain.v.lo, domain.v.hi), node.parameters);
+  }
+  normal = unit(normal);
+  if (!(glm::length(normal) > 0)) return hit.normal;
+  return glm::dot(normal, hit.normal) < 0 ? -normal : normal;
+}
+
+std::array<Caster::Beside, 2> Caster::besides(const Ray& ray, const Hit& hit) const {
+  const double perCosine = 1 / glm::dot(hit.facet, ray.direction);
+  std::array<Beside, 2> besides;
+  const std::array<Vec3, 2> steps = stepsAt({ray}, hit);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec3 step = kDerivativePx * steps[i];
+    besides[i].step = step - ray.direction * (glm::dot(hit.facet, step) * perCosine);
+    besides[i].normal = normalBeside(hit, besides[i].step);
+  }
+  return besides;
+}
+
+Vec3 Caster::drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt) const {
+  constexpr double kBright = 0.5, kShaded = 0.5, kOutlineWidth = 2;
+  constexpr double kTiny = 1e-30;
+  const Reflection reflection = reflectionAt(hit);
+  const std::array<Beside, 2> neighbours = besides(ray, hit);
+  const double shift = tilt == 0 ? 0 : std::copysign(kDrawnEdgePx, tilt);
+  const auto gradient = [&](const auto& value) {
+    const double here = value(Vec3(0), hit.normal);
+    Vec2 change;
+    for (int i = 0; i < 2; ++i) {
+      const Beside& beside = neighbours[static_cast<std::size_t>(i)];
+      change[i] = value(beside.step, beside.normal) - here;
+    }
+    return glm::length(change) / kDerivativePx;
+  };
+
+  Vec3 bright(0);
+  for (const SnapshotLight& light : snapshot_.lights) {
+    const auto cosineOf = [&](const Vec3& step, const Vec3& normal) {
+      return glm::dot(normal,
+                      unit(Vec3(light.positionWorld) - (hit.position + step) * light.positionWorld.w));
+    };
+    if (light.radiance == Vec3(0) || (materialOf(hit.node).drawsMaps() && cosineOf(Vec3(0), hit.normal) <= 0))
+      continue;
+    const double cosine = cosineOf(Vec3(0), reflection.normal), slope = gradient(cosineOf);
+    const auto covered = [&](const Vec3& through) {
+      return glm::clamp((cosine * through - kBright) / glm::max(slope * through, Vec3(kTiny)) + 0.5 + shift,
+                        Vec3(0), Vec3(1));
+    };
+    if (glm::all(glm::lessThanEqual(covered(Vec3(1)), bright))) continue;
+    const Vec3 through = reaching(light, hit, certified);
+    if (through != Vec3(0)) bright = glm::max(bright, covered(through));
+  }
+
+  const auto facing = [&](const Vec3& step, const Vec3& normal) {
+    const View& view = snapshot_.view;
+    const Vec3 toViewer = view.perspective() ? unit(view.eye - hit.position - step) : -ray.direction;
+    const double cosine = glm::dot(normal, toViewer);
+    return cosine * std::abs(cosine);
+  };
+  double outline = 0;
+  if (!snapshot_.nodes[hit.node].surface.flatNormal()) {
+    const double distancePx = std::abs(facing(Vec3(0), hit.normal)) / std::max(gradient(facing), kTiny);
+    outline = std::clamp(kOutlineWidth + 0.5 - distancePx - shift, 0.0, 1.0);
+  }
+  return (reflection.diffuse * (kShaded + (1 - kShaded) * bright) + reflection.glow) * (1 - outline);
+}
+
+Vec3 Caster::illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt) const {
+  if (bodies_[hit.node].drawing) return drawn(ray, hit, certified, tilt);
+  const Vec3 toViewer = -ray.direction;
   const Reflection reflection = reflectionAt(hit);
   Vec3 sum = withoutLights(hit, reflection);
   for (const SnapshotLight& light : snapshot_.lights)
@@ -457,7 +555,7 @@ Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified, double t
     });
   Vec3 color = snapshot_.background;
   for (const Hit& hit : hits) {
-    const Vec3 reflected = illuminated(hit, -ray.direction, certified, tilt);
+    const Vec3 reflected = illuminated(ray, hit, certified, tilt);
     if (!bodies_[hit.node].transparent) {
       color = reflected;
       continue;

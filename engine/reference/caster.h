@@ -31,10 +31,15 @@ struct Hit {
   Footprint footprint{0};  ///< of the view's pixel, where the material has a map or lines
   NormalFrame frame{0};    ///< of the side that is shown, with it
   bool back = false;       ///< the ray comes from behind the surface
+  std::uint32_t patch = 0;  ///< of the surface, or which triangle
   bool certified = true;
 };
 
 inline constexpr int kOpennessRays = 256;
+
+/// Of drawings: edges are a pixel wide, half of which is beside them, measured over the pixels of two rows
+/// and columns, and as far off as the mesh is, a pixel at most by what normals between vertices add to that.
+inline constexpr double kDrawnEdgePx = 2.5;
 
 /// When the cells of surfaces that have no closed form are built: at once, all of them; or by prepareFor().
 enum class Cells { AtOnce, WhereRaysGo };
@@ -43,9 +48,11 @@ enum class Cells { AtOnce, WhereRaysGo };
 /// the distinct surfaces that have no closed form.
 class Caster {
  public:
-  explicit Caster(const Snapshot& snapshot);
+  /// `shading`: of materials that do not say otherwise. What it decides is which of them are drawings (toon).
+  explicit Caster(const Snapshot& snapshot, Shading shading = Shading::Exact);
   /// Only what the cache does not have yet is built. The cache may go.
-  Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells = Cells::AtOnce);
+  Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells = Cells::AtOnce,
+         Shading shading = Shading::Exact);
 
   /// The ray of a picture's point: pixel coordinates, x to the right, y down.
   [[nodiscard]] Ray rayThrough(double x, double y) const;
@@ -88,7 +95,8 @@ class Caster {
 
   /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
   /// was not decided. `tilt` is added to every cosine between a normal and the direction to a light: of a
-  /// light in a surface's own plane rounding decides whether it shines there.
+  /// light in a surface's own plane rounding decides whether it shines there. Of drawings it moves all edges
+  /// by kDrawnEdgePx: with either sign, between the two colours is that of any other measure of a gradient.
   [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified, double tilt = 0) const;
 
   /// A light that may be in shadow at a hit: what it adds where it is seen (of an opaque surface), and
@@ -147,6 +155,7 @@ class Caster {
     bool mirrored = false, twoSided = false;
     Facing facing = Facing::Both;
     bool transparent = false;
+    bool drawing = false;                       ///< toon
     std::array<TexturePlacement, 4> maps = {};  ///< as Material::maps(), where it has them
     Mat3 normalFromTexel{0};
   };
@@ -192,7 +201,17 @@ class Caster {
   [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
     return snapshot_.materials[snapshot_.nodes[node].material.index];
   }
-  [[nodiscard]] Vec3 illuminated(const Hit& hit, const Vec3& toViewer, bool& certified, double tilt) const;
+  [[nodiscard]] Vec3 illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt) const;
+  /// As shaders/lib/toon.glsl draws it, with the derivatives that the surface has there.
+  [[nodiscard]] Vec3 drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt) const;
+  /// A small step away from a hit, in the plane that touches the surface there, metres, and the surface's
+  /// normal.
+  struct Beside {
+    Vec3 step, normal;
+  };
+  /// A part of a pixel to the right, and down.
+  [[nodiscard]] std::array<Beside, 2> besides(const Ray& ray, const Hit& hit) const;
+  [[nodiscard]] Vec3 normalBeside(const Hit& hit, const Vec3& step) const;
   [[nodiscard]] std::optional<std::uint32_t> nodeOf(NodeId id) const;
   /// How far along a way from a hit its own surface may be: a hit is as far off that as rounding leaves it,
   /// and along the way that is more where this grazes it.

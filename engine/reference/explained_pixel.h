@@ -64,7 +64,8 @@ struct ExplainedPixel {
   std::vector<PointOnRay> points;
 };
 
-/// Shadows are the exact ones, and materials that are drawn otherwise (toon, wireframe) are told as lit.
+/// Shadows are the exact ones, and points of materials that are drawn otherwise (toon, wireframe) are told as
+/// lit.
 /// Cost: the cells of surfaces that have no closed form, some rays.
 [[nodiscard]] ExplainedPixel explainPixel(const Snapshot& snapshot, const Vec2& at);
 

@@ -28,9 +28,6 @@ constexpr double kTouchingUlps = 2;   // of two depths, each of which is rounded
 constexpr double kFloatRounding = 0x1p-24;   // of a number: the nearest float is no farther
 constexpr double kOtherTexture = 1.0 / 255;  // linear: devices filter with few bits
 constexpr double kOtherLight = 1e-4;  // linear: smaller differences are not looked into for a light's shadow
-/// Of a mesh light falls on its own place, not on the surface's: what that changes is less than what a light
-/// has to add to be looked for.
-constexpr double kLeastOnMesh = 5e-3;
 
 /// Pixels whose light may be wrong, times lights: where there are more, thousands of pixels are wrong, and
 /// borders of shadows are looked for in four directions alone, so that judging takes no longer than four
@@ -119,6 +116,8 @@ class PictureJudge {
     require(measured_.normal, 3, "normal", false);
     require(measured_.uv, 3, "uv", true);
     require(measured_.id, 1, "id", true);
+    require(measured_.dark, 3, "dark", !measured_.alone.empty());
+    for (const Image& alone : measured_.alone) require(alone, 3, "alone", true);
   }
 
   [[nodiscard]] static Vec3 valueAt(const Image& image, std::uint32_t i) {
@@ -344,39 +343,103 @@ class PictureJudge {
     const auto lights =
         std::ranges::count_if(snapshot_.lights, [](const SnapshotLight& light) { return light.hasShadow(); });
     coarse_ = wrong.size() * static_cast<std::size_t>(lights) > kMostTurned;
-    const Caster caster(snapshot_);
+    const Caster caster(snapshot_, options_.shading);
     tbb::parallel_for(std::size_t(0), wrong.size(), [&](std::size_t w) {
       JudgedPixel& pixel = pixels_[wrong[w]];
       const std::uint32_t i = chosen_[wrong[w]];
-      if (pixel.mismatch != Mismatch::None)
+      if (pixel.mismatch != Mismatch::None) {
         pixel.silhouettePx = static_cast<float>(silhouetteDistance(caster, i, pixel.mismatch));
-      else if (pixel.offPoint)
-        judgeOff(caster, i, shadows && !layers, pixel);
+        return;
+      }
+      const bool isOff = pixel.offPoint;
+      if (isOff) pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
+      if (pixel.byShader || measured_.color.empty() || (isOff && !isMesh(i))) return;
+      if (!occluded && (layers || mayShowAnotherTexture(wrong[w])))
+        pixel.offLight = hasAnotherColor(caster, i);
+      else if (shadows && isMesh(i))
+        pixel.offLight = !occluded && meshInAnotherLight(caster, i);
       else
-        pixel.offLight = !occluded && (layers || mayShowAnotherTexture(wrong[w])) ? hasAnotherColor(caster, i)
-                                                                                  : inAnotherLight(caster, i);
+        pixel.offLight = inAnotherLight(caster, i);
     });
   }
 
-  /// Of a pixel whose point is off: whether it is beside an outline, and the light on it.
-  void judgeOff(const Caster& caster, std::uint32_t i, bool shadows, JudgedPixel& pixel) const {
-    pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
-    const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
-    const SnapshotNode& of = snapshot_.nodes[node];
-    if (!shadows || pixel.byShader || measured_.color.empty() || measured_.normal.empty() ||
-        of.surface.flatNormal() || onTriangles(node) ||
-        snapshot_.materials[of.material.index].shadingIn(options_.shading) != Shading::Phong)
-      return;
+  [[nodiscard]] Shading shadingOf(std::uint32_t node) const {
+    return snapshot_.materials[snapshot_.nodes[node].material.index].shadingIn(options_.shading);
+  }
+
+  /// Whether a pixel shows a mesh that stands for a formula.
+  [[nodiscard]] bool isMesh(std::uint32_t i) const {
+    const auto node = layers_.nodeOf(truth_.number[i]);
+    return node && !onTriangles(*node) && shadingOf(*node) != Shading::Exact;
+  }
+
+  /// From where light rays of a pixel that shows a mesh start, and where that is on the screen: the surface's
+  /// own point that is shown; of a plane, on which its mesh lies, what is seen.
+  [[nodiscard]] std::pair<std::optional<Hit>, Vec2> litPoint(const Caster& caster, std::uint32_t i,
+                                                             std::uint32_t node) const {
     const Vec2 center = centerOf(i);
     const Ray ray = caster.rayThrough(center.x, center.y);
+    if (snapshot_.nodes[node].surface.flatNormal()) {
+      const Caster::Sight sight = caster.look(ray);
+      if (!seesLayerOf(i, sight, center)) return {};
+      return {sight.hits.front(), center};
+    }
     const auto shown = shownAt(i, node);
-    std::optional<Hit> hit = caster.pointAt(node, parametersAt(i), ray);
-    if (!hit || !shown) return;
-    hit->normal = valueAt(measured_.normal, i);
+    if (!shown) return {};
+    return {caster.pointAt(node, parametersAt(i), ray), shown->pixel};
+  }
+
+  /// Of a mesh the picture without lights, and with each one alone, tell what a light gives where it is seen;
+  /// and the surface's own point, which the pixel shows, whether it is.
+  [[nodiscard]] bool meshInAnotherLight(const Caster& caster, std::uint32_t i) const {
+    if (measured_.color.empty() || measured_.normal.empty() ||
+        measured_.alone.size() != snapshot_.lights.size() || measured_.id.samples()[i] != truth_.number[i])
+      return false;
+    const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
+    const auto [hit, at] = litPoint(caster, i, node);
+    if (!hit) return false;
+    const Vec3 normal = valueAt(measured_.normal, i), dark = valueAt(measured_.dark, i);
+    const Shading shading = shadingOf(node);
+
+    std::vector<Vec3> shares, left;
+    std::vector<std::uint32_t> shadowed;
     bool certified = true;
-    const Vec3 color = caster.color(ray, {.hits = {*hit}}, certified);
-    pixel.offLight =
-        certified && inAnotherLight(caster, i, *hit, -ray.direction, color, shown->pixel, kLeastOnMesh);
+    for (std::uint32_t light = 0; light < snapshot_.lights.size(); ++light) {
+      shares.push_back(valueAt(measured_.alone[light], i) - dark);
+      left.emplace_back(1);
+      if (!snapshot_.lights[light].hasShadow() || shares.back() == Vec3(0)) continue;
+      const double cosine = glm::dot(normal, caster.towardLight(light, *hit));
+      // What vertices receive is no light on what turns away from it.
+      if (shading == Shading::Gouraud && std::abs(cosine) <= kCosineRounding) return false;
+      left.back() =
+          shading == Shading::Gouraud && cosine < 0 ? Vec3(0) : caster.reaching(light, *hit, certified);
+      // In steps a part of a light has a border of its own.
+      if (shading == Shading::Toon && left.back() != Vec3(0) && left.back() != Vec3(1)) return false;
+      shadowed.push_back(light);
+    }
+    if (!certified) return false;
+    // A drawing is as bright as its brightest light.
+    const auto lit = [&] {
+      Vec3 all(0);
+      for (std::size_t light = 0; light < shares.size(); ++light) {
+        const Vec3 more = left[light] * shares[light];
+        all = shading == Shading::Toon ? glm::max(all, more) : all + more;
+      }
+      return dark + all;
+    };
+    const Vec3 expected = lit();
+    std::vector<Turned> lights;
+    for (const std::uint32_t light : shadowed) {
+      const Vec3 truly = left[light];
+      const bool visible = truly != Vec3(0);
+      left[light] = Vec3(visible ? 0 : 1);
+      lights.push_back({.light = light,
+                        .visible = visible,
+                        .change = lit() - expected,
+                        .atBorder = isOnHorizon(caster.towardLight(light, *hit), hit->normal)});
+      left[light] = truly;
+    }
+    return isTurned(caster, i, valueAt(measured_.color, i) - expected, std::move(lights), at);
   }
 
   /// In exact shading: other ones have colours of their own.
@@ -403,16 +466,33 @@ class PictureJudge {
         centerOf(i), 2 * kSilhouettePx);
   }
 
-  /// Whether no colour is, within the width of an outline, as the one that is shown, with lights in the plane
-  /// of what is seen on either side of it: of what is seen through any layer may be the wrong one, and of a
-  /// texture any texel. Where a layer ends on the way so does its colour, which beside a fold changes by more
-  /// than kOtherLight in a hundredth of a pixel: it is followed to the end, and kPointPx beyond.
+  /// How far beside a pixel what it shows may be from: the width of an outline, and of drawings as far as
+  /// their meshes may be off. Nothing where light is not known that well: of meshes, which are off, in all
+  /// other ways.
+  [[nodiscard]] std::optional<double> reachOfColors(const Caster::Sight& sight) const {
+    double reach = kSilhouettePx;
+    for (const Hit& hit : sight.hits) {
+      const Shading shading = shadingOf(hit.node);
+      const bool isOn = onTriangles(hit.node) || snapshot_.nodes[hit.node].surface.flatNormal();
+      if (shading == Shading::Exact || (shading == Shading::Phong && isOn)) continue;
+      if (shading != Shading::Toon || !std::isfinite(options_.boundPx)) return std::nullopt;
+      reach = std::max(reach, options_.boundPx);
+    }
+    return reach;
+  }
+
+  /// Whether no colour is, within the reach of what is seen, as the one that is shown, with lights in the
+  /// plane of what is seen on either side of it: of what is seen through any layer may be the wrong one, and
+  /// of a texture any texel. Where a layer ends on the way so does its colour, which beside a fold changes by
+  /// more than kOtherLight in a hundredth of a pixel: it is followed to the end, and kPointPx beyond.
   [[nodiscard]] bool hasAnotherColor(const Caster& caster, std::uint32_t i) const {
     struct Look {
       std::size_t layers;
       Vec3 color;
     };
     const Vec2 center = centerOf(i);
+    const std::optional<double> reach = reachOfColors(caster.look(caster.rayThrough(center.x, center.y)));
+    if (!reach) return false;
     const Vec3 shown = valueAt(measured_.color, i);
     Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
     bool certified = true;
@@ -433,7 +513,7 @@ class PictureJudge {
     for (int k = 0; k < 2 * kDirections && certified; ++k) {
       const double angle = kTau * k / kDirections;
       const Vec2 way(std::cos(angle), std::sin(angle));
-      Vec2 same(0), other = (k < kDirections ? 1 : 0.1) * kSilhouettePx * way;
+      Vec2 same(0), other = (k < kDirections ? 1 : 0.1) * *reach * way;
       const std::size_t others = look(other).layers;
       if (others == layers) continue;
       for (int halving = 0; halving < kHalvings && certified; ++halving) {
@@ -503,27 +583,27 @@ class PictureJudge {
     const auto sight = caster.look(ray);
     if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
       return false;  // seen through: no closed form
-    return inAnotherLight(caster, i, sight.hits.front(), -ray.direction, valueAt(truth_.color, i), center);
-  }
-
-  /// Whether the colour shown of a point, which is at `center` on the screen, is nearer to that with one
-  /// light's visibility turned round than to the truth, and no border of that shadow, and no outline, is
-  /// near. Of many lights that are as bright, the points of a soft shadow, several may explain a colour:
-  /// those with a border nearby do so first. A light that adds no more than `least` explains nothing.
-  [[nodiscard]] bool inAnotherLight(const Caster& caster, std::uint32_t i, const Hit& hit,
-                                    const Vec3& toViewer, const Vec3& trueColor, const Vec2& center,
-                                    double least = 0) const {
-    Vec3 off = valueAt(measured_.color, i) - trueColor;
-    const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const Hit& hit = sight.hits.front();
     std::vector<Turned> lights;
-    for (const Caster::Shadowed& one : caster.shadowedLights(hit, toViewer)) {
-      const Vec3 change = one.visible ? -one.share : one.share;
-      if (one.certified && size(change) > least && size(off - change) < size(off))
+    for (const Caster::Shadowed& one : caster.shadowedLights(hit, -ray.direction))
+      if (one.certified)
         lights.push_back({.light = one.light,
                           .visible = one.visible,
-                          .change = change,
+                          .change = one.visible ? -one.share : one.share,
                           .atBorder = isOnHorizon(caster.towardLight(one.light, hit), hit.normal)});
-    }
+    return isTurned(caster, i, valueAt(measured_.color, i) - valueAt(truth_.color, i), std::move(lights),
+                    center);
+  }
+
+  /// Whether a colour that is so much off the truth, of a point which is at `center` on the screen, is nearer
+  /// to that with one light's visibility turned round, and no border of that shadow, and no outline, is near.
+  /// Of many lights that are as bright, the points of a soft shadow, several may explain a colour: those with
+  /// a border nearby do so first.
+  [[nodiscard]] bool isTurned(const Caster& caster, std::uint32_t i, Vec3 off, std::vector<Turned> lights,
+                              const Vec2& center) const {
+    const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    std::erase_if(lights, [&](const Turned& one) { return !(size(off - one.change) < size(off)); });
+    if (!(size(off) > kOtherLight) || lights.empty()) return false;
     findBorders(caster, i, center, lights);
     const auto others =
         std::partition(lights.begin(), lights.end(), [](const Turned& one) { return one.atBorder; });

@@ -28,7 +28,7 @@ void requireLight(const Snapshot& snapshot) {
   for (const SnapshotNode& node : snapshot.nodes) {
     const auto shading = snapshot.materials[node.material.index].shading;
     if (!shading || *shading == Shading::Flat || *shading == Shading::Gouraud || *shading == Shading::Phong ||
-        *shading == Shading::Exact)
+        *shading == Shading::Exact || *shading == Shading::Toon)
       continue;
     throw Error(ErrorKind::Scene,
                 fmt::format("material '{}' is shaded as {}, which has no ground truth",
@@ -54,7 +54,8 @@ class Exposure {
   Exposure(const Snapshot& snapshot, const ReferenceOptions& options, reference::ShapeCache& cache)
       : options_(options),
         arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
-        caster_(arena_.execute([&] { return Caster(snapshot, cache); })),
+        caster_(arena_.execute(
+            [&] { return Caster(snapshot, cache, reference::Cells::AtOnce, options.shading); })),
         size_(snapshot.view.size) {
     const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
     picture_.color = Image(size_.width, size_.height, 3);

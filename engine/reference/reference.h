@@ -28,6 +28,8 @@ struct ReferenceOptions {
   /// Row * width + column of the pixels to cast; empty: all. The others stay black, with nothing hit, and do
   /// not count.
   std::vector<std::uint32_t> pixels = {};
+  /// Of materials that do not say otherwise: all are lit as in exact shading, but drawings (toon).
+  Shading shading = Shading::Exact;
   /// Called now and then with the finished part, 0..1, from one thread at a time; false stops the work.
   std::function<bool(double)> progress = {};
 };
@@ -68,7 +70,7 @@ class ReferenceCaster {
   std::unique_ptr<reference::ShapeCache> cache_;
 };
 
-/// Throws Error(Scene) for materials whose shading is not light (toon, wireframe).
+/// Throws Error(Scene) for materials whose shading is neither light nor a drawing (toon): lines, views.
 [[nodiscard]] ReferencePicture castPicture(const Snapshot& snapshot, const ReferenceOptions& options = {});
 
 }  // namespace luxo

@@ -12,10 +12,10 @@
 // A pixel is wrong (WrongPixels) when it shows a surface where there is none, or none where there is one, or
 // another layer, or a point that is more than kPointPx and what float32 leaves of (u, v) off, or a light that
 // the truth has in shadow (or the other way round): each only away from outlines and borders of shadows by
-// more than kSilhouettePx. Of a mesh in Phong shading, whose points are off, the light is judged at the point
-// that is shown, and by the normal that is; between vertices, on facets and in steps light is no number that
-// tells. Layers touch, and either may be shown, whose points on the ray are as near to each
-// other as the depth buffer's rounding, or the one to the other's surface as kPointPx in space.
+// more than kSilhouettePx. Of a mesh, whose points are off, lights are judged from the point that is shown,
+// by what each of them alone gives the picture (MeasuredPicture::alone). Layers touch, and either may be
+// shown, whose points on the ray are as near to each other as the depth buffer's rounding, or the one to the
+// other's surface as kPointPx in space.
 #pragma once
 
 #include <cstdint>
@@ -34,6 +34,10 @@ namespace luxo {
 /// are judged.
 struct MeasuredPicture {
   Image color, depth, position, normal, uv, id;
+  /// Of pictures with meshes of formulas, for the light on these to be judged: the colour without any light,
+  /// and with each of the snapshot's lights alone, without its shadow.
+  Image dark = {};
+  std::vector<Image> alone = {};
 };
 
 struct VerificationOptions {
@@ -42,6 +46,9 @@ struct VerificationOptions {
   /// neighbours of each (withNeighbours).
   std::vector<std::uint32_t> pixels = {};
   double farthestPx = 4;  ///< how far around a mismatched pixel its silhouette is looked for
+  /// How far meshes may be off on the screen (FrameError::boundPx). Colours of drawings that are seen through
+  /// are judged within it; those of other meshes, which are seen through, are not.
+  double boundPx = 0;
   /// Off: mismatches are counted, but how far they are from right stays 0, and WrongPixels stays empty.
   bool silhouettes = true;
   int worst = 5;     ///< pixels listed per metric

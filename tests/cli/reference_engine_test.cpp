@@ -115,7 +115,6 @@ TEST_F(ReferenceEngine, Refusals) {
     expectFailure(cast(arguments), code, said, help);
     EXPECT_EQ(folder.entries(), 0u);
   };
-  refused({"--shading", "toon"}, 3, "shading 'toon' has no ground truth", "--shading phong");
   refused({"--shading", "wireframe"}, 3, "shading 'wireframe' has no ground truth", "--shading phong");
   refused({"--shading", "normal"}, 3, "shading 'normal' has no ground truth", "--aov");
   refused({"--shading", "residual"}, 3, "shading 'residual' has no ground truth", "--aov");
@@ -126,11 +125,11 @@ TEST_F(ReferenceEngine, Refusals) {
 }
 
 TEST_F(ReferenceEngine, RefusesMaterialsThatAreNotLight) {
-  writeText(folder / "inky.luxo.json", R"({ "luxo": 1, "materials": { "inky": { "shading": "toon" } },
+  writeText(folder / "inky.luxo.json", R"({ "luxo": 1, "materials": { "inky": { "shading": "wireframe" } },
     "surfaces": { "ball": { "type": "sphere" } }, "nodes": [ { "surface": "ball", "material": "inky" } ] })");
   const Outcome outcome =
       run(folder, {"render", "inky.luxo.json", "-o", "a.png", "--size", "8x8", "--engine", "reference"});
-  expectFailure(outcome, 3, "material 'inky' is shaded as toon, which has no ground truth",
+  expectFailure(outcome, 3, "material 'inky' is shaded as wireframe, which has no ground truth",
                 "--engine vulkan");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }

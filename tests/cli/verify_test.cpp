@@ -121,7 +121,7 @@ TEST_F(VerifyTest, Refusals) {
   refused({"sphere", "--engine", "reference"}, 2, "unknown option '--engine'");
   refused({"sphere", "-o", "heat.jpg"}, 2, "'.jpg'");
   refused({"nosuch"}, 3, "nosuch");
-  refused({"sphere", "--shading", "toon"}, 3, "shading 'toon' has no ground truth");
+  refused({"sphere", "--shading", "wireframe"}, 3, "shading 'wireframe' has no ground truth");
   refused({"sphere", "--shading", "normal"}, 3, "shading 'normal' has no ground truth");
   refused({"sphere", "-o", "a.png", "--report", "a.png"}, 2, "--report 'a.png' would overwrite -o");
   refused({"sphere", "-o", "missing/a.png"}, 5, "cannot write 'missing/a.png'");

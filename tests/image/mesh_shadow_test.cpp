@@ -130,26 +130,34 @@ TEST_F(MeshShadowTest, OfATeapotOnATableTouchIt) {
 
 TEST_F(MeshShadowTest, VerifyHoldsThemAgainstThePointsShown) {
   constexpr PixelSize kSmall{80, 60};
-  for (const std::string& body : {kTorus, kWaves}) {
-    const Snapshot snapshot = takeSnapshot(sceneOf(body), 0, kSmall);
-    const auto show = [&](Output output) {
-      return renderer()
-          .render(snapshot, {.shading = Shading::Phong, .output = output, .tolerancePx = kCoarsePx})
-          .image;
-    };
-    MeasuredPicture measured{.color = show(Output::Color),
-                             .position = show(Output::Position),
-                             .normal = show(Output::Normal),
-                             .uv = show(Output::Uv),
-                             .id = show(Output::Id)};
-    const ReferencePicture truth = castPicture(snapshot);
-    const VerificationOptions options{.shading = Shading::Phong, .worst = 0, .flip = false};
-    EXPECT_EQ(verify(snapshot, truth, measured, options).wrong.light, 0U);
-    // As if nothing had a shadow.
-    const Snapshot bright = takeSnapshot(sceneOf(body, Sun::Shines), 0, kSmall);
-    measured.color = renderer().render(bright, {.shading = Shading::Phong, .tolerancePx = kCoarsePx}).image;
-    EXPECT_GT(verify(snapshot, truth, measured, options).wrong.light, 60U);
-  }
+  for (const std::string& body : {kTorus, kWaves})
+    for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {
+      const Snapshot snapshot = takeSnapshot(sceneOf(body), 0, kSmall);
+      const auto show = [&](Output output, Sun sun = Sun::Shadows) {
+        return renderer()
+            .render(takeSnapshot(sceneOf(body, sun), 0, kSmall),
+                    {.shading = shading, .output = output, .tolerancePx = kCoarsePx})
+            .image;
+      };
+      MeasuredPicture measured{.color = show(Output::Color),
+                               .depth = {},
+                               .position = show(Output::Position),
+                               .normal = show(Output::Normal),
+                               .uv = show(Output::Uv),
+                               .id = show(Output::Id),
+                               .dark = show(Output::Color, Sun::Dark),
+                               .alone = {show(Output::Color, Sun::Shines)}};
+      const ReferencePicture truth = castPicture(snapshot, {.shading = shading});
+      const VerificationOptions options{.shading = shading, .worst = 0, .flip = false};
+      EXPECT_EQ(verify(snapshot, truth, measured, options).wrong.light, 0U) << nameOf(shading);
+      // As if nothing had a shadow; and as if all were in shadow.
+      measured.color = measured.alone[0];
+      // A drawing has light where it falls in steeply alone.
+      EXPECT_GT(verify(snapshot, truth, measured, options).wrong.light, shading == Shading::Toon ? 10U : 60U)
+          << nameOf(shading);
+      measured.color = measured.dark;
+      EXPECT_GT(verify(snapshot, truth, measured, options).wrong.light, 1000U) << nameOf(shading);
+    }
 }
 
 /// The eye sees the mesh before the ball, and the ball's own points beside it.

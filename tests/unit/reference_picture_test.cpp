@@ -173,8 +173,47 @@ TEST(ReferencePicture, SamplesAverageToCoverage) {
   EXPECT_NEAR(picture.standardErrorMax, std::sqrt(0.3 * 0.7 / 255), 0.002);
 }
 
+/// By the equations of a ball seen from far away: of its silhouette and of the sun's cosine the derivatives
+/// over the picture are known.
+TEST(ReferencePicture, DrawsInTwoLevelsWithAnOutline) {
+  constexpr double kPxPerMetre = 20;
+  const Vec3 sun = glm::normalize(Vec3(1, 2, 2)), paint(0.8, 0.6, 0.4);
+  Scene scene;
+  scene.set(RenderSettings{.background = Vec3(1)});
+  scene.add(Node{.surface = sphere(1), .material = scene.add(Material{.diffuse = paint})});
+  scene.add(Node{.rotation = Rotation{glm::cross(Vec3(0, 0, 1), sun), std::acos(sun.z)},
+                 .light = Light{.type = Light::Type::Directional}});
+  const Snapshot snapshot = takeSnapshot(
+      scene, 0, {64, 64},
+      Camera{.eye = Vec3(0, 0, 5), .lookAt = Vec3(0), .projection = Projection::Orthographic, .height = 3.2});
+  const ReferencePicture picture = castPicture(snapshot, {.shading = Shading::Toon});
+  int inked = 0, edge = 0;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const Vec2 p((x + 0.5 - 32) / kPxPerMetre, (32 - y - 0.5) / kPxPerMetre);
+      const double r2 = glm::dot(p, p), z = std::sqrt(1 - r2);
+      if (!(r2 < 1)) {
+        EXPECT_EQ(picture.color.pixel(x, y)[0], 1);
+        continue;
+      }
+      const double cosine = glm::dot(sun, Vec3(p, z));
+      const double slope = glm::length(Vec2(sun) - p * (sun.z / z)) / kPxPerMetre;
+      const double bright = std::clamp((cosine - 0.5) / slope + 0.5, 0.0, 1.0);
+      const double outlinePx = (1 - r2) / (2 * std::sqrt(r2) / kPxPerMetre);
+      const double ink = std::clamp(2.5 - outlinePx, 0.0, 1.0);
+      inked += ink == 1;
+      edge += bright > 0 && bright < 1;
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(picture.color.pixel(x, y)[static_cast<std::size_t>(c)],
+                    paint[c] * (0.5 + 0.5 * bright) * (1 - ink), 2e-3)
+            << x << ", " << y;
+    }
+  EXPECT_GT(inked, 100);
+  EXPECT_GT(edge, 20);
+}
+
 TEST(ReferencePicture, RefusesWhatIsNotLight) {
-  Scene scene = sphereScene({.name = "inky", .shading = Shading::Toon});
+  Scene scene = sphereScene({.name = "inky", .shading = Shading::Wireframe});
   try {
     static_cast<void>(castPicture(takeSnapshot(scene, 0, kReferenceSize)));
     FAIL();
