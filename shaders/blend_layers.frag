@@ -17,6 +17,9 @@ layout(location = 0, index = 1) out vec4 outThrough;
 
 bool isLess(vec3 a, vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
+bool isNumber(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7f800000u; }
+bool isColor(vec3 light) { return isNumber(light.r) && isNumber(light.g) && isNumber(light.b); }
+
 // A total order of what looks different, whatever the order of the nodes.
 bool isBefore(uint first, uint second) {
   uint ofA = layerPoints[first].material & kLayerMaterial, ofB = layerPoints[second].material & kLayerMaterial;
@@ -86,8 +89,13 @@ void main() {
     last = point;
     if (isTwice) continue;
     sums += vec2(1, point.depth);
-    light += through * point.light;
-    through *= point.through;
+    if (isColor(point.light)) {
+      light += through * point.light;
+      through *= point.through;
+    } else if (through != vec3(0)) {  // what a shader tells instead of a colour stays as it is
+      light = point.light;
+      through = vec3(0);
+    }
   }
   layerSums[layerPixel()] = sums;
   outLight = vec4(light, 0);

@@ -9,6 +9,10 @@ layout(scalar, set = kSetLayers, binding = kBindingRayLayers) readonly buffer Ra
 
 layout(scalar, set = kSetLayers, binding = kBindingRayLayerLight) readonly buffer ReachingLights { ReachingLight reachingLights[]; };
 
+layout(scalar, set = kSetLayers, binding = kBindingRayLayerDetails) readonly buffer RayLayerDetails {
+  LayerDetail rayLayerDetails[];
+};
+
 layout(location = 0) flat in uvec4 inRange;
 
 // The last of them is the first in the list. Of every point there is one for each group.
@@ -37,5 +41,9 @@ void main() {
     index = next;
   }
   layerHeads[layerPixel()] = head;
-  for (uint i = 0; i < inRange.y; ++i) addLayer(rayLayers[inRange.x + i]);
+  for (uint i = inRange.x; i < inRange.x + inRange.y; ++i)
+    if (kLayerDetails)
+      addLayer(rayLayers[i], rayLayerDetails[i]);
+    else
+      addLayer(rayLayers[i]);
 }

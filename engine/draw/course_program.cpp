@@ -301,8 +301,8 @@ std::string CourseProgram::material(const std::string& loads) const {
              color && color->active) {
     text += "  gL_Color = luxoFixedColor();\n";
   }
-  return text + fmt::format("  {}mAin();\n  return vec4(gL_FragColor.rgb, 1.0);\n}}\n#undef uniform\n",
-                            fragment_.prefix);
+  return text + fmt::format("  {}mAin();\n  return vec4(gL_FragColor.rgb, {});\n}}\n#undef uniform\n",
+                            fragment_.prefix, shader_->hasOpacity() ? "gL_FragColor.a" : "1.0");
 }
 
 std::vector<gpu::ShaderSource> CourseProgram::files() const {

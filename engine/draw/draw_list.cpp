@@ -173,7 +173,9 @@ class DrawLister {
     entry->caster->material = number;
     entry->caster->flags |=
         (v.twoSided ? shared::kTurnsNormal : 0) | (v.hideBackFaces ? shared::kShowsFront : 0);
-    list_.layers.searches.push_back({.state = {.form = Form::Layer, .surface = found.code},
+    list_.layers.searches.push_back({.state = {.form = Form::Layer,
+                                               .details = list_.layers.details,
+                                               .surface = found.code},
                                      .caster = casters_.add(*entry->caster),
                                      .area = *area});
   }
@@ -189,6 +191,8 @@ class DrawLister {
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
+    batch.state.details = list_.layers.details;
+    batch.state.tangents = batch.state.details && node.surface.triangles();
     batch.flat = node.surface.flatNormal().has_value();
     Item item{.lightSet = lights.index};
     item.instance.node = v.node;

@@ -72,6 +72,7 @@ struct DrawState {
   Paint pattern = {};       ///< where light falls on it; none for views of geometry
   bool footprint = false;   ///< of Form::FoundWithParameters: and with the footprint of the pixel
   bool frame = false;       ///< and with the frame of maps of normals
+  bool details = false;     ///< of Form::Layer and LayersByRays: Layers::details
   bool tangents = false;    ///< of triangles that are drawn with such a frame: it is of their tangents
   SurfaceCodePtr surface;   ///< what finds a surface in every pixel; null: triangles are drawn
   bool equation = false;    ///< with it: it is an equation, no formula
@@ -217,6 +218,7 @@ struct Layers {
   std::vector<std::uint32_t> placed;  ///< whose these are: indices into Snapshot::nodes, ascending
   std::vector<FoundLayer> found;      ///< ascending
   DrawState blend;                    ///< what blends them
+  bool details = false;  ///< points come with shared::LayerDetail, as a map or a shader asks for it
 
   [[nodiscard]] bool any() const { return !meshes.empty() || !found.empty(); }
 };

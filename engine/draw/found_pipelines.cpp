@@ -145,6 +145,8 @@ void ScenePipelines::describeCaster(const DrawState& state, gpu::GraphicsPipelin
     desc.fragmentShader = casterShader(state);
     desc.specialization = {{shared::kConstantParameterCount, state.surface->parameters},
                            {shared::kConstantPlaces, state.places}};
+    if (state.form == Form::Layer)
+      desc.specialization.push_back({shared::kConstantLayerDetails, state.details});
     return;
   }
   desc.vertexShader = luxo_closed_shadow_vert;
@@ -199,7 +201,7 @@ void ScenePipelines::describeLayers(const DrawState& state, gpu::GraphicsPipelin
     desc.bindings = {{0, sizeof(RayLayers), VK_VERTEX_INPUT_RATE_VERTEX}};
     desc.attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(RayLayers, place)},
                        {1, 0, VK_FORMAT_R32G32B32_UINT, offsetof(RayLayers, first)}};
-    desc.specialization.clear();
+    desc.specialization = {{shared::kConstantLayerDetails, state.details}};
     desc.pushConstantBytes = sizeof(RayTarget);
     return;
   } else if (state.form == Form::LayerPlace) {

@@ -15,7 +15,7 @@ LayerLists::LayerLists(gpu::Context& context)
                 sizeof(shared::LayerPoint) -
             1) {}  // the first is none's
 
-void LayerLists::prepare(VkExtent2D extent) {
+void LayerLists::prepare(VkExtent2D extent, bool details) {
   const VkDeviceSize pixels = VkDeviceSize{extent.width} * extent.height;
   const auto make = [this](VkDeviceSize bytes, gpu::MemoryUse memory, const char* name) {
     return gpu::Buffer(*context_,
@@ -39,11 +39,22 @@ void LayerLists::prepare(VkExtent2D extent) {
   }
   // Two points a pixel until more are asked for.
   const std::uint64_t room = std::min(std::max<std::uint64_t>(2 * pixels, wanted_), most_);
-  if (points_ && room <= room_) return;
+  const bool fits = points_ && room <= room_;
+  if (fits && (!details || details_)) return;
   timeline.wait(timeline.submitted());
-  room_ = room;
-  points_ = {};
-  points_ = make((room + 1) * sizeof(shared::LayerPoint), gpu::MemoryUse::Device, "layers");
+  if (!fits) {
+    room_ = room;
+    points_ = {};
+    details_ = {};
+    points_ = make((room + 1) * sizeof(shared::LayerPoint), gpu::MemoryUse::Device, "layers");
+  }
+  if (details) details_ = make((room_ + 1) * sizeof(shared::LayerDetail), gpu::MemoryUse::Device, "details of layers");
+}
+
+std::vector<gpu::Buffer*> LayerLists::buffers() {
+  std::vector<gpu::Buffer*> all{&heads_, &points_, &count_, &sums_};
+  if (details_) all.push_back(&details_);
+  return all;
 }
 
 LayerLists::Found LayerLists::found() {

@@ -6,8 +6,8 @@
 // has more, it is drawn in bands of rows, one after the other, with the same room.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
@@ -24,9 +24,9 @@ class LayerLists {
  public:
   explicit LayerLists(gpu::Context& context);
 
-  /// Room for the lists of so many pixels, and for as many points as were asked for. Waits for the device
-  /// where lists have to be made anew.
-  void prepare(VkExtent2D extent);
+  /// Room for the lists of so many pixels, and for as many points as were asked for, with their details or
+  /// without. Waits for the device where lists have to be made anew.
+  void prepare(VkExtent2D extent, bool details);
   [[nodiscard]] std::uint32_t bands() const { return bands_; }
 
   /// Of a recording that is complete.
@@ -49,7 +49,9 @@ class LayerLists {
   [[nodiscard]] gpu::Buffer& points() { return points_; }
   [[nodiscard]] gpu::Buffer& count() { return count_; }
   [[nodiscard]] gpu::Buffer& sums() { return sums_; }
-  [[nodiscard]] std::array<gpu::Buffer*, 4> buffers() { return {&heads_, &points_, &count_, &sums_}; }
+  /// Of the points (shared::LayerDetail); where there are none something to bind.
+  [[nodiscard]] gpu::Buffer& details() { return details_ ? details_ : points_; }
+  [[nodiscard]] std::vector<gpu::Buffer*> buffers();
   /// For the host to read: of each band.
   [[nodiscard]] gpu::Buffer& counts() { return counts_; }
 
@@ -60,7 +62,7 @@ class LayerLists {
   VkExtent2D extent_{};
   std::uint64_t most_, room_ = 0, wanted_ = 0;  ///< points
   std::uint32_t bands_ = 1;
-  gpu::Buffer heads_, points_, count_, sums_, counts_;
+  gpu::Buffer heads_, points_, details_, count_, sums_, counts_;
 };
 
 }  // namespace luxo

@@ -125,10 +125,16 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
       list_.deferred && shadows_ && std::ranges::any_of(visible.opaque, [&](const VisibleNode& node) {
         return isOnlyNear(snapshot, snapshot.nodes[node.node], options);
       });
-  list_.findsFootprints = list_.deferred && std::ranges::any_of(materials, &Material::readsFootprint);
-  list_.findsFrames = list_.deferred && std::ranges::any_of(materials, [](const Material& material) {
-                        return Paint::of(material).readsFrame();
+  const auto some = [&](const auto& ofMaterial) { return std::ranges::any_of(materials, ofMaterial); };
+  list_.findsFootprints = list_.deferred && some([](const Material& material) {
+                            return material.readsFootprint() && !material.transparent();
+                          });
+  list_.findsFrames = list_.deferred && some([](const Material& material) {
+                        return Paint::of(material).readsFrame() && !material.transparent();
                       });
+  list_.layers.details = hasLayers(snapshot, options) && some([](const Material& material) {
+                           return material.readsFootprint() && material.transparent();
+                         });
 }
 
 std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf, std::uint32_t node) {

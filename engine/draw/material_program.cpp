@@ -252,8 +252,8 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
   if (interface.discards)
     throw Error(
         ErrorKind::Scene,
-        fmt::format("{}: there is a 'discard', and nothing is seen through a material's shader yet", file),
-        "return a colour everywhere");
+        fmt::format("{}: there is a 'discard', and a material is a function of its point", file),
+        "return an opacity of 0, in a shader that has the line '#pragma luxo opacity'");
   for (const std::string& global : interface.computedGlobals) {
     const std::string name = isProgram ? withoutCourseSpelling(global) : global;
     refuseWord(name,
@@ -439,6 +439,7 @@ const MaterialProgram& MaterialPrograms::of(const MaterialShaderPtr& shader) {
 }
 
 void MaterialPrograms::check(const Snapshot& snapshot) {
+  tellShadows(snapshot);
   std::vector<MaterialShaderPtr> used;
   for (const SnapshotNode& node : snapshot.nodes) {
     const Material& material = snapshot.materials[node.material.index];
@@ -451,6 +452,23 @@ void MaterialPrograms::check(const Snapshot& snapshot) {
   }
   std::erase_if(programs_,
                 [&](const auto& entry) { return std::ranges::find(used, entry.first) == used.end(); });
+}
+
+/// Whether light gets through, who looks for shadows has to know without running a shader.
+void MaterialPrograms::tellShadows(const Snapshot& snapshot) {
+  for (const SnapshotNode& node : snapshot.nodes) {
+    const Material& material = snapshot.materials[node.material.index];
+    if (!material.shader || !material.shader->hasOpacity() || material.invisible()) continue;
+    const bool casts = std::ranges::any_of(snapshot.lights, [&](const SnapshotLight& light) {
+      return std::ranges::find(light.casters, node.id) != light.casters.end() ||
+             (light.shade && light.shade->caster == node.id);
+    });
+    const std::string message = fmt::format(
+        "shadows do not know how opaque the shader '{}' says that the points of material '{}' are: these keep "
+        "{:.4g} of a light from what is behind them, as the material's \"opacity\" says",
+        material.shader->files.front().name, material.name, material.opacity);
+    if (casts && told_.insert(message).second) log(LogLevel::Warning, message);
+  }
 }
 
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,

@@ -85,6 +85,8 @@ class MaterialPrograms {
   [[nodiscard]] std::uint64_t takeCompiled() { return std::exchange(compiled_, 0); }
 
  private:
+  void tellShadows(const Snapshot& snapshot);
+
   std::map<MaterialShaderPtr, MaterialProgram> programs_;
   std::uint64_t compiled_ = 0;
   std::set<std::string> told_;

@@ -25,6 +25,7 @@ std::string Paint::preamble() const {
   if (readsFrame()) lines += "#define LUXO_FRAMED\n";
   if (shader_.text) lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", first);
   if (shader_.text && shader_.text->traces()) lines += "#define LUXO_TRACES\n";
+  if (shader_.text && shader_.text->hasOpacity()) lines += "#define LUXO_OPACITY\n";
   if (maps_.lesson) lines += "#define LUXO_LESSON\n";
   if (first > shared::kTextureNumbers || maps_.lesson) lines += "#define LUXO_MAPS\n";
   return lines;

@@ -404,7 +404,7 @@ void PassRecorder::drawShadows(Form form, const RayPoints& points, std::size_t g
 }
 
 void PassRecorder::drawLayers(const RayPoints& points, std::size_t group) {
-  drawTriangles({.form = Form::LayersByRays}, bindings_.rayLayers, 0,
+  drawTriangles({.form = Form::LayersByRays, .details = view_.list().layers.details}, bindings_.rayLayers, 0,
                 static_cast<std::uint32_t>(points.layers.size()), static_cast<std::uint32_t>(group));
 }
 

@@ -66,6 +66,7 @@ struct RayPoints {
   std::vector<RayLayers> layers;
   std::vector<shared::LayerPoint> layerPoints;     ///< with the light of the first group
   std::vector<shared::ReachingLight> layerLights;  ///< of each all groups
+  std::vector<shared::LayerDetail> layerDetails;   ///< of each; 0 where no map or shader asks for them
   std::uint64_t resolved = 0;                      ///< pixels
   std::uint64_t undecided = 0;  ///< of these, those whose ray proves nothing: within rounding of grazing
   std::uint64_t shadowsUndecided = 0;  ///< pixels in which a ray to a light proves nothing

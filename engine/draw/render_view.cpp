@@ -114,7 +114,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
                     .openness = list_.occludes,
                     .places = list_.findsPlaces,
                     .lightDepth = extentOfLightMaps(list_)});
-  if (list_.layers.any()) layerLists_.prepare(extent);
+  if (list_.layers.any()) layerLists_.prepare(extent, list_.layers.details);
   if (list_.traces) traces_.prepare(extent);
   feedback_.begin(list_, extent, chooseProbes());
   upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
@@ -143,6 +143,7 @@ void RenderView::goOn(const RayPoints& points) {
   write(rayLayers_, points.layers, "pixels of rays' layers");
   writeElements(*context_, rayLayerPoints_, points.layerPoints, "layers of rays", false);
   writeElements(*context_, rayLayerLights_, points.layerLights, "light on rays' layers", false);
+  writeElements(*context_, rayLayerDetails_, points.layerDetails, "details of rays' layers", false);
 }
 
 void RenderView::upload(Uploads& uploads, bool always) {
@@ -285,6 +286,7 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
   constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
   const gpu::Buffer& byRays = hasRays_ ? rayLayerPoints_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirLight = hasRays_ ? rayLayerLights_.use(*context_) : layerLists_.points();
+  const gpu::Buffer& theirDetails = hasRays_ ? rayLayerDetails_.use(*context_) : layerLists_.points();
   return frames.descriptors().write(pipelines.layersLayout(),
                                     {layerLists_.heads(),
                                      layerLists_.points(),
@@ -294,7 +296,9 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
                                      byRays,
                                      {uploads.materials.use(*context_), 0, kUniformBytes},
                                      layerLists_.sums(),
-                                     theirLight});
+                                     theirLight,
+                                     layerLists_.details(),
+                                     theirDetails});
 }
 
 std::uint32_t RenderView::lightOffset(std::uint32_t lightSet) const {

@@ -120,7 +120,8 @@ class RenderView {
   VkClearColorValue background_{};
   /// What completes a picture does not overwrite what the next begins with.
   Uploads uploads_, completion_;
-  MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerLights_;
+  MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerLights_,
+      rayLayerDetails_;
   bool hasRays_ = false;
 };
 

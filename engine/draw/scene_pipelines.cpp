@@ -39,6 +39,8 @@
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/surface_frag.h"
 #include "luxo/shaders/surface_layer_frag.h"
+#include "luxo/shaders/surface_layer_frame_frag.h"
+#include "luxo/shaders/surface_layer_tangent_frag.h"
 #include "luxo/shaders/surface_pattern_vert.h"
 #include "luxo/shaders/surface_tangent_vert.h"
 #include "luxo/shaders/surface_vert.h"
@@ -161,6 +163,13 @@ std::span<const std::uint32_t> foundShaderOf(const DrawState& state) {
   return !state.frame     ? std::span<const std::uint32_t>(luxo_found_footprint_frag)
          : state.tangents ? std::span<const std::uint32_t>(luxo_found_tangent_frag)
                           : std::span<const std::uint32_t>(luxo_found_frame_frag);
+}
+
+/// Of triangles that are seen through.
+std::span<const std::uint32_t> layerShaderOf(const DrawState& state) {
+  return !state.details   ? std::span<const std::uint32_t>(luxo_surface_layer_frag)
+         : state.tangents ? std::span<const std::uint32_t>(luxo_surface_layer_tangent_frag)
+                          : std::span<const std::uint32_t>(luxo_surface_layer_frame_frag);
 }
 
 /// What a driver keeps of a pipeline whose shaders have that many bytes: measured on Mesa 22.3's lavapipe,
@@ -487,8 +496,8 @@ void ScenePipelines::describeMesh(const DrawState& state, gpu::GraphicsPipelineD
     desc.fragmentShader = foundShaderOf(state);
   }
   if (state.form == Form::Layer) {
-    desc.vertexShader = luxo_surface_pattern_vert;
-    desc.fragmentShader = luxo_surface_layer_frag;
+    desc.vertexShader = vertexShaderOf(state);
+    desc.fragmentShader = layerShaderOf(state);
   }
   if (!state.pattern.valid()) return;
   desc.vertexShader =
@@ -566,7 +575,7 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
     desc.setLayouts = {sceneLayout_,
                        state.surface || state.closed > 0 || state.form == Form::LayerLightMap
                            ? shadowLayout()
-                           : patternLayout(),
+                           : paintLayout(state),
                        foundLayout(), layersLayout()};
     desc.depthFormat = VK_FORMAT_UNDEFINED;
     if (state.form != Form::BlendLayers) desc.colorFormats.clear();

@@ -87,7 +87,7 @@ class ShadowLister {
     for (const SnapshotNode* caster : casters) {
       if (from.plane)
         flatten(bit, from, *caster);
-      else if (!from.map || materialOf(*caster).transparent())
+      else if (!from.map || materialOf(*caster).letsLightThrough())
         list(bit, from, *caster);
     }
     drawClosed();
@@ -117,7 +117,7 @@ class ShadowLister {
     LightMapDrawn drawn{.map = settingsOf(light), .casters = {}};
     Box box;
     for (const SnapshotNode* node : nodes)
-      if (!materialOf(*node).transparent()) box.add(finiteBoundsOf(*node));
+      if (!materialOf(*node).letsLightThrough()) box.add(finiteBoundsOf(*node));
     if (box.empty() || !isFinite(box) || receivers_.empty()) return;
     const int size = static_cast<int>(drawn.map.size);
     const std::vector<View> views = lightViews(light, box, isFinite(receivers_) ? receivers_ : box, size);
@@ -138,7 +138,7 @@ class ShadowLister {
                             .forward = Vec3f(views[i].forward()),
                             .origin = Vec3f(views[i].eye - list_.origin)};
     for (const SnapshotNode* node : nodes)
-      if (!materialOf(*node).transparent()) addToMap(*node, views, light, drawn);
+      if (!materialOf(*node).letsLightThrough()) addToMap(*node, views, light, drawn);
     group_->map = std::move(drawn);
   }
 
@@ -227,7 +227,7 @@ class ShadowLister {
     Mat4 relativeFromObject(node.worldFromObject.linear);
     relativeFromObject[3] = Vec4(transformPoint(node.worldFromObject, mesh->origin) - list_.origin, 1);
     const Material& material = materialOf(node);
-    (material.transparent() ? group_->flatTransmittances : group_->flatShadows)
+    (material.letsLightThrough() ? group_->flatTransmittances : group_->flatShadows)
         .push_back({.mesh = mesh,
                     .shadow = {.clipFromObject =
                                    Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
@@ -256,7 +256,7 @@ class ShadowLister {
   void list(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
     const std::optional<PixelRect> area = areaOf(light, node);
     if (!area || !reachesWhatIsSeen(light, node) || addClosed(bit, light, node, *area)) return;
-    if (node.surface.triangles() && materialOf(node).transparent())
+    if (node.surface.triangles() && materialOf(node).letsLightThrough())
       refuse(node, "is a mesh that is seen through, and casts an exact shadow");
     if (add(bit, light, node, *area)) return;
     if (!node.surface.triangles()) {
@@ -277,7 +277,7 @@ class ShadowLister {
   /// Whether a shader can find it by its equation.
   bool addClosed(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node,
                  const PixelRect& area) {
-    if (materialOf(node).transparent()) return false;
+    if (materialOf(node).letsLightThrough()) return false;
     const auto closed =
         closedCaster(snapshot_, node, light.positionWorld, list_.origin, offPx_, geometry_.casters);
     if (!closed) return false;
@@ -345,7 +345,7 @@ class ShadowLister {
     if (entry->cells->flatNormal) setPlane(light, node, *entry->cells, caster);
     CasterDraw draw{.state = {.surface = found.code}, .area = area};
     const Material& material = materialOf(node);
-    const bool transmits = material.transparent();
+    const bool transmits = material.letsLightThrough();
     if (transmits) {
       caster.flags |= material.blend == Blend::Multiply ? shared::kTintsLight : 0;
       caster.diffuse = Vec3f(material.diffuse);
@@ -488,7 +488,7 @@ namespace {
 bool hasTransparentCaster(const Snapshot& snapshot, const SnapshotLight& light) {
   return std::ranges::any_of(light.casters, [&](NodeId caster) {
     const SnapshotNode* node = nodeOf(snapshot, caster);
-    return node && snapshot.materials[node->material.index].transparent();
+    return node && snapshot.materials[node->material.index].letsLightThrough();
   });
 }
 

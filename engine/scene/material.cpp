@@ -48,9 +48,11 @@ void validate(const Material& material) {
     reject(material, "map", "given beside a pattern", "alone");
   if (material.lesson && material.diffusePattern.valid())
     reject(material, "the lesson's formula", "given beside a pattern", "alone, or with a map");
-  if (material.shader && (material.transparent() || material.diffusePattern.valid()))
-    reject(material, "its shader", "that of what is seen through, or has a pattern",
-           "of an opaque material without one");
+  if (material.shader && material.diffusePattern.valid())
+    reject(material, "its shader", "given beside a pattern", "alone");
+  if (material.shader && material.shader->traces() && material.transparent())
+    reject(material, "its shader", "one that sends rays into the scene, of what is seen through",
+           "of an opaque material, or without trace()");
   if (material.shader && (material.normalMap.valid() || material.lesson))
     reject(material, "its shader", "given beside a map of normals or the lesson's formula", "alone");
   for (const UniformValue& uniform : material.uniforms)

@@ -74,8 +74,9 @@ struct Material {
   /// of `specularMap`; its ambient light is its own. There is no pattern.
   bool lesson = false;
   /// Lights it instead of all that is above but the maps of colours, which it may ask for: in every pixel,
-  /// whatever the shading. Nothing is seen through it, and there is no pattern and no map of normals. The
-  /// ground truth cannot run it: it draws the material without.
+  /// whatever the shading. There is no pattern and no map of normals. One that says how opaque its points are
+  /// (MaterialShader::hasOpacity) is seen through, times `opacity`; what it lets of the light through to
+  /// others `opacity` alone says. The ground truth cannot run it: it draws the material without.
   MaterialShaderPtr shader = nullptr;
   std::vector<UniformValue> uniforms = {};  ///< of the shader: those that are given
 
@@ -86,7 +87,12 @@ struct Material {
     if (!shader) return own;
     return own == Shading::Gouraud ? Shading::Phong : own == Shading::Toon ? Shading::Exact : own;
   }
+  /// Whether something behind it may be seen.
   [[nodiscard]] bool transparent() const {
+    return letsLightThrough() || (shader && shader->hasOpacity());
+  }
+  /// Whether what is in its shadow may get some light: what is seen through, unless only a shader says so.
+  [[nodiscard]] bool letsLightThrough() const {
     return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity();
   }
   /// Whether nothing is seen of it, anywhere.
@@ -100,7 +106,7 @@ struct Material {
     return map.valid() || normalMap.valid() || specularMap.valid() || glowMap.valid();
   }
   /// Or as if there were some: the lesson's formula, a shader.
-  [[nodiscard]] bool drawsMaps() const { return (hasMaps() || lesson || shader) && !transparent(); }
+  [[nodiscard]] bool drawsMaps() const { return shader || ((hasMaps() || lesson) && !transparent()); }
   [[nodiscard]] bool drawsLines() const { return diffusePattern.hasLines() && !transparent(); }
   /// Whether what of the surface a pixel covers decides its colour.
   [[nodiscard]] bool readsFootprint() const { return drawsMaps() || drawsLines(); }

@@ -155,12 +155,13 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
   } catch (const Error& error) {
     problems_.add(named->place, error.what(), error.hint());
   }
-  if (!isOpaque(desc) || material.fixed.diffusePattern.hasOpacity())
-    problems_.add(desc.shader.place, "a shader of what is seen through is not drawn yet",
-                  "leave out \"opacity\" and \"blend\", or the shader");
-  else if (material.fixed.diffusePattern.valid())
+  if (material.fixed.diffusePattern.valid())
     problems_.add(desc.shader.place, fmt::format("{}, and there is a shader, too", painting(material.fixed)),
-                  "compute the colour in the shader, from uv");
+                  "compute them in the shader, from uv (\"#pragma luxo opacity\")");
+  const MaterialShaderPtr& shader = material.fixed.shader;
+  if (shader && shader->traces() && (!isOpaque(desc) || shader->hasOpacity()))
+    problems_.add(desc.shader.place, "the material is seen through, and its shader sends rays into the scene",
+                  "leave out \"opacity\" and \"blend\", and '#pragma luxo opacity' in the shader, or trace()");
   if (desc.normalMap)
     problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");
   if (desc.lesson)

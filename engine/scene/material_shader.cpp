@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 namespace luxo {
 namespace {
@@ -16,10 +17,26 @@ bool hasWord(std::string_view text, std::string_view word) {
   return false;
 }
 
+/// Whether a line of a text is that, whatever spaces there are, comments behind it apart.
+bool hasPragma(std::string_view text, const std::regex& pragma) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (std::regex_search(text.begin() + at, text.begin() + end, pragma, std::regex_constants::match_continuous))
+      return true;
+    at = end + 1;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool MaterialShader::traces() const {
   return std::ranges::any_of(files, [](const File& file) { return hasWord(file.text, "trace"); });
+}
+
+bool MaterialShader::hasOpacity() const {
+  static const std::regex kPragma(R"(\s*#\s*pragma\s+luxo\s+opacity\s*($|//|/\*))");
+  return std::ranges::any_of(files, [](const File& file) { return hasPragma(file.text, kPragma); });
 }
 
 std::string TextPlace::describe(const std::string& message, const std::string& hint) const {

@@ -308,7 +308,7 @@ void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Mo
       require(
           caster,
           [](const Material& material) {
-            return !material.transparent() || !material.diffusePattern.valid();
+            return !material.letsLightThrough() || !material.diffusePattern.valid();
           },
           "it is seen through, has a pattern, and casts a planar shadow",
           "leave it out of the light's \"casters\", or set the light's shadow to \"exact\"");
@@ -320,7 +320,7 @@ void openShades(Snapshot& snapshot) {
   for (SnapshotLight& light : snapshot.lights) {
     if (!light.shade) continue;
     const auto node = std::ranges::find(snapshot.nodes, light.shade->caster, &SnapshotNode::id);
-    if (node == snapshot.nodes.end() || !snapshot.materials[node->material.index].transparent()) continue;
+    if (node == snapshot.nodes.end() || !snapshot.materials[node->material.index].letsLightThrough()) continue;
     light.casters = {light.shade->caster};
     light.shade.reset();
   }

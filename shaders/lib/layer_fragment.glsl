@@ -19,6 +19,23 @@ float besideOpaque;      // and by so much these may be off
 vec3 rayInView;
 bool isOpen = false;
 
+// Of a point that is met. Along the tangent plane it moves to the next pixel as the rays do; what of that is along Su and
+// along Sv is how u and v move.
+LayerDetail detailOf(Meeting met, float depth, vec3 normal, float outward, bool isTurned) {
+  mat3 objectFromRelative = transpose(mat3(varyingObject[0].xyz, varyingObject[1].xyz, varyingObject[2].xyz));
+  vec3 across = cross(met.Su, met.Sv);
+  float perSquared = 1.0 / max(dot(across, across), 1e-37);
+  vec4 footprint;
+  for (int i = 0; i < 2; ++i) {
+    vec3 moved = i == 0 ? view.placeRight + depth * view.rayRight : view.placeDown + depth * view.rayDown;
+    vec3 onPlane = objectFromRelative * (moved - rayInView * (dot(normal, moved) / dot(normal, rayInView)));
+    footprint[2 * i] = dot(cross(onPlane, met.Sv), across) * perSquared;
+    footprint[2 * i + 1] = dot(cross(met.Su, onPlane), across) * perSquared;
+  }
+  vec4 frame = vec4(unitOrZero(inverse(objectFromRelative) * met.Su), outward * sign(determinant(objectFromRelative)));
+  return LayerDetail(footprint, isTurned ? -frame : frame);
+}
+
 bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
   Meeting met = meetingNear(ray, cell, parameters);
   float t = met.t, off = met.off;
@@ -35,9 +52,14 @@ bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
   normal = unitOrZero(normal);
   bool isFront = dot(normal, rayInView) < 0.0;
   if (has(kShowsFront) && !isFront) return false;
-  if (has(kTurnsNormal) && !isFront) normal = -normal;
-  addLayer(unlitPoint(t / metresOfDepth, 4.0 * off / metresOfDepth, varyingMaterial.x | (atBorder ? kLayerAtBorder : 0),
-                      octahedral(normal), parametersInside(cell, met.parameters)));
+  bool isTurned = has(kTurnsNormal) && !isFront;
+  if (isTurned) normal = -normal;
+  LayerPoint point = unlitPoint(t / metresOfDepth, 4.0 * off / metresOfDepth, varyingMaterial.x | (atBorder ? kLayerAtBorder : 0),
+                                octahedral(normal), parametersInside(cell, met.parameters));
+  if (kLayerDetails)
+    addLayer(point, detailOf(met, point.depth, normal, cell.outward, isTurned));
+  else
+    addLayer(point);
   return false;
 }
 

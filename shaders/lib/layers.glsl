@@ -13,7 +13,10 @@ layout(scalar, set = kSetLayers, binding = kBindingLayerHeads) buffer LayerHeads
 layout(scalar, set = kSetLayers, binding = kBindingLayerPoints) buffer LayerPoints { LayerPoint layerPoints[]; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerCount) buffer LayerCount { uint layerCount; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerDoubts) buffer LayerDoubts { uint layerDoubts[]; };
+layout(scalar, set = kSetLayers, binding = kBindingLayerDetails) buffer LayerDetails { LayerDetail layerDetails[]; };
 layout(set = kSetLayers, binding = kBindingLayerDepth) uniform sampler2D opaqueDepth;
+
+layout(constant_id = kConstantLayerDetails) const bool kLayerDetails = false;
 
 uint layerPixel() { return uint(gl_FragCoord.y) * uint(textureSize(opaqueDepth, 0).x) + uint(gl_FragCoord.x); }
 
@@ -32,13 +35,21 @@ float layerDepth(float buffered, vec3 place, vec3 ray) {
   return buffered > 0.0 ? (buffered - atPlace) / alongRay : 1e30;
 }
 
-// Whoever asks for the list is told how many points there are; where it has no room for them it is asked again.
-void addLayer(LayerPoint point) {
-  if (layerCount > 0x80000000u) return;  // before it wraps
+// Whoever asks for the list is told how many points there are; where it has no room for them it is asked again. Gives the
+// point's index, 0 without room.
+uint addLayer(LayerPoint point) {
+  if (layerCount > 0x80000000u) return 0;  // before it wraps
   uint index = atomicAdd(layerCount, 1) + 1;  // 0 ends a list
-  if (index >= layerPoints.length()) return;
+  if (index >= layerPoints.length()) return 0;
   point.next = atomicExchange(layerHeads[layerPixel()], index);
   layerPoints[index] = point;
+  return index;
+}
+
+// With kLayerDetails: there is room for as many.
+void addLayer(LayerPoint point, LayerDetail detail) {
+  uint index = addLayer(point);
+  if (index != 0) layerDetails[index] = detail;
 }
 
 // A point that is to be lit.

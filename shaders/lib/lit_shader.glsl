@@ -18,6 +18,7 @@ const uvec3 kMovedAway = uvec3(kTooManyRounds, kSeenThrough, kTooManyRounds);
 const uvec3 kTooManyTraces = uvec3(kTooManyRounds, kSeenThrough, kSeenThrough);
 
 Found litPoint;
+float litOpacity;  // that the shader gives
 
 float shaderNumber(uint k) { return patternParameterAt(LUXO_SHADER_NUMBERS + k); }
 vec3 shaderNumbers3(uint k) { return vec3(shaderNumber(k), shaderNumber(k + 1), shaderNumber(k + 2)); }
@@ -115,6 +116,7 @@ void loadUniforms();
 
 vec3 lit(Found found) {
   litPoint = found;
+  litOpacity = 1.0;
   loadUniforms();
   luxoRounds = 0;
 #ifdef LUXO_TRACES
@@ -130,7 +132,12 @@ vec3 lit(Found found) {
 #endif
   bool numbers = isNumber(color.r) && isNumber(color.g) && isNumber(color.b) && isNumber(color.a);
   if (!numbers) return vec3(uintBitsToFloat(kNotANumber));
-  return color.a < 1.0 ? vec3(uintBitsToFloat(kSeenThrough)) : color.rgb;
+#ifdef LUXO_OPACITY
+  litOpacity = clamp(color.a, 0.0, 1.0);
+#else
+  if (color.a < 1.0) return vec3(uintBitsToFloat(kSeenThrough));
+#endif
+  return color.rgb;
 }
 
 #define material luxoMaterial

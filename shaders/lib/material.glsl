@@ -48,7 +48,7 @@ vec3 glowMap(vec2 uv);
 Hit trace(vec3 direction);
 Hit trace(Hit from, vec3 direction);
 
-// The shader's: linear RGB, and the opacity, which must be 1.
+// The shader's: linear RGB, and the opacity, which is 1 unless a line of the shader is `#pragma luxo opacity`.
 vec4 material(Point p);
 
 // Loops of shaders end after so many rounds, all loops of a point together: draw/bounded_loops.h has them ask. Half of

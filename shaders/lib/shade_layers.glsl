@@ -22,6 +22,13 @@ layout(location = 1) flat in vec3 inPlace[3];
 layout(location = 4) flat in vec3 inRay[3];
 layout(location = 7) flat in vec2 inMiddle;
 
+#ifdef LUXO_TEXTURED
+LayerDetail layerDetail;
+vec4 pixelFootprint() { return layerDetail.footprint; }
+vec4 normalFrame() { return layerDetail.frame; }
+#endif
+#define LUXO_ADDS_LIGHT kAddsLight
+
 MaterialData material;
 uint shadowsHere;
 vec3 transmittanceHere;
@@ -31,7 +38,7 @@ uint foundMaterialNumber() { return 0; }
 uint shadows() { return shadowsHere; }
 vec3 lightTransmittance() { return transmittanceHere; }
 
-// Whoever includes this knows them: the diffuse colour, and the opacity.
+// Whoever includes this knows them: the diffuse colour, and the opacity; once the point is lit.
 vec4 paintOf(Found found);
 
 void shadeLayers() {
@@ -55,9 +62,13 @@ void shadeLayers() {
     found.depth = found.residual = 0.0;  // no light asks for them
     shadowsHere = point.shadows;
     transmittanceHere = point.transmittance;
+#ifdef LUXO_TEXTURED
+    layerDetail = layerDetails[index];
+#endif
+    vec3 reflected_ = lit(found);
     vec4 paint = paintOf(found);
     vec3 before = kAddsLight ? point.light : vec3(0);
-    layerPoints[index].light = before + paint.a * lit(found);
+    layerPoints[index].light = before + paint.a * reflected_;
     if (kManyGroups) {  // the next group has its own
       layerPoints[index].shadows = 0;
       layerPoints[index].transmittance = vec3(1);

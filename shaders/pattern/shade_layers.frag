@@ -10,8 +10,12 @@ uint firstPatternParameter() { return material.firstPatternParameter; }
 vec4 patternBounds() { return vec4(vec2(-3e38), vec2(3e38)); }  // what was found is within them
 
 vec4 paintOf(Found found) {
+#ifdef LUXO_SHADER
+  return vec4(material.diffuse, material.opacity * litOpacity);
+#else
   vec4 paint = paintAt(found.parameters);
   return vec4(paint.rgb, material.opacity * paint.a);
+#endif
 }
 
 void main() { shadeLayers(); }

@@ -90,7 +90,9 @@ LUXO_CONSTANT kBindingRayLayers = 5;       // points that rays have found
 LUXO_CONSTANT kBindingLayerMaterials = 6;  // the first kUniformMaterials of them all
 LUXO_CONSTANT kBindingLayerSums = 7;
 LUXO_CONSTANT kBindingRayLayerLight = 8;
-LUXO_CONSTANT kLayerBindings = 9;
+LUXO_CONSTANT kBindingLayerDetails = 9;     // of the points, where some material asks for them
+LUXO_CONSTANT kBindingRayLayerDetails = 10;
+LUXO_CONSTANT kLayerBindings = 11;
 
 // Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
 // reach a draw costs nothing.
@@ -116,6 +118,7 @@ LUXO_CONSTANT kConstantExactShadows = 18;   // the lights, a bit each, that have
 LUXO_CONSTANT kConstantPlaces = 19;         // some points are of meshes, whose surfaces' own points are known
 LUXO_CONSTANT kConstantOcclusion = 20;      // of the ambient light
 LUXO_CONSTANT kConstantGivenOrder = 21;     // what is seen through is blended node by node
+LUXO_CONSTANT kConstantLayerDetails = 22;   // points of what is seen through come with them
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -485,6 +488,12 @@ struct LayerPoint {
   uint placeNormal;  // and its normal there
 };
 
+// What maps and shaders of materials ask for beside a point of what is seen through: at its index.
+struct LayerDetail {
+  vec4 footprint;  // how u and v move from the pixel to the next: to the right, below
+  vec4 frame;      // engine/scene/normal_map.h
+};
+
 // How lights reach a point of what is seen through that a ray has found: those of a group.
 struct ReachingLight {
   uint shadows;
@@ -508,7 +517,7 @@ static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(ReachingLight) == 16);
+static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dents: six octaves of turbulence, sharpened, press the surface in (R. Cook, "Shade trees", SIGGRAPH 1984; as a RenderMan
 // shader in S. Upstill, "The RenderMan Companion", 1989, chapter 16). The normal is bent by the exact derivatives of the depth
-// (J. Blinn, "Simulation of wrinkled surfaces", SIGGRAPH 1978); the outline stays.
+// (J. Blinn, "Simulation of wrinkled surfaces", SIGGRAPH 1978); the outline stays. Where they are deepest there are holes.
+#pragma luxo opacity
 #include "noise.glsl"
 
 uniform vec3 metal = vec3(0.45, 0.22, 0.11);   // @color
@@ -11,6 +12,7 @@ uniform float dent = 1.5;        // metres, where turbulence is 1 @slider 0 4
 uniform int octaves = 6;         // @slider 1 8
 uniform float sharp = 3.0;       // the power that turbulence is raised to @slider 1 4
 uniform float old = 0.5;         // how deep dents are that have a patina @slider 0 1
+uniform float hole = 0.9;        // and those that are holes @slider 0.3 2
 uniform float shininess = 50.0;  // @slider 1 200
 
 // The derivatives of turbulence by the place, and it: the sum of |noise(4 f place)| / 2 f, f = 1, 2, 4 ... An octave
@@ -44,5 +46,9 @@ vec4 material(Point p) {
     float across = max(dot(bent, normalize(l.direction + p.viewer)), 0.0);
     sum += l.radiance * l.visible * color * (up + 3.0 * (1.0 - worn) * pow(across, shininess));
   }
-  return vec4(sum, 1.0);
+  // Of the pixel, how much is on the side of the metal: as if the edge were straight.
+  vec3 slant = scale * t.xyz;
+  vec2 perPixel = vec2(dot(slant, p.Su * p.footprint[0].x + p.Sv * p.footprint[0].y),
+                       dot(slant, p.Su * p.footprint[1].x + p.Sv * p.footprint[1].y));
+  return vec4(sum, clamp(0.5 + (hole - t.w) / max(length(perPixel), 1e-9), 0.0, 1.0));
 }
