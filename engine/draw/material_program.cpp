@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view kAlone = "lib/material_alone.glsl", kCourseAlone = "lib/course_alone.glsl",
                            kEntry = "material";
 // What else luxo's shaders include that is made while it runs.
-constexpr std::string_view kPattern = "pattern", kSurface = "surface";
+constexpr std::string_view kPattern = "pattern", kSurface = "surface", kCurvature = "curvature";
 
 // A driver copies functions to where they are called, and its time grows faster than what that makes.
 // Measured on llvmpipe: 17,000 instructions take 3 s, 34,000 11 s, 68,000 37 s; those of apps/scenes/gallery
@@ -81,7 +81,8 @@ bool isField(const std::string& name) {
   constexpr std::string_view kFields[] = {"position",  "object",   "normal",   "viewer",  "tangent",
                                           "bitangent", "Su",       "Sv",       "uv",      "footprint",
                                           "direction", "distance", "radiance", "visible", "length",
-                                          "found",     "inside",   "color",    "number"};
+                                          "found",     "inside",   "color",    "number",  "K",
+                                          "H",         "k1",       "k2"};
   const auto isOf = [&](std::string_view letters) {
     return name.size() <= 4 && name.find_first_not_of(letters) == name.npos;
   };
@@ -137,6 +138,14 @@ std::string asProgramsSpell(std::string_view message) {
   return spelled;
 }
 
+void requireCurvature(const SnapshotNode& node, const Material& material) {
+  if (!material.shader->readsCurvature() || material.curvature.valid() || node.surface.triangles()) return;
+  throw Error(ErrorKind::Scene,
+              fmt::format("the shader '{}' reads the curvature of its surface, which material '{}' does not know",
+                          material.shader->files.front().name, material.name),
+              "give the material the surface's: Material::curvature = curvaturePattern(surface)");
+}
+
 /// 0 of what flattens space.
 Mat3 inverseOrZero(const Mat3& linear) {
   const double volume = std::abs(glm::dot(linear[0], glm::cross(linear[1], linear[2])));
@@ -147,7 +156,7 @@ Mat3 inverseOrZero(const Mat3& linear) {
 
 MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(shader)) {
   for (const MaterialShader::File& file : shader_->files)
-    if (file.name == kEntry || file.name == kPattern || file.name == kSurface ||
+    if (file.name == kEntry || file.name == kPattern || file.name == kSurface || file.name == kCurvature ||
         std::ranges::find(kShaderSources, file.name, &gpu::ShaderSource::name) != std::end(kShaderSources))
       throw Error(ErrorKind::Scene,
                   fmt::format("the shader file '{}' has the name of one of luxo's own", file.name),
@@ -392,12 +401,14 @@ std::string MaterialProgram::loads(const GivenUniforms& given, StorageOf storage
   return text;
 }
 
-std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& given,
-                                                        std::string& material) const {
+std::vector<gpu::ShaderSource> MaterialProgram::sources(const Paint& paint, std::string& material) const {
+  const GivenUniforms& given = paint.given();
+  std::vector<gpu::ShaderSource> sources;
+  if (paint.curvature().valid()) sources.push_back({kCurvature, paint.curvature().glsl()});
   if (course_) {
     material =
         course_->material(loads(given, [this](const std::string& name) { return course_->storageOf(name); }));
-    std::vector<gpu::ShaderSource> sources = course_->files();
+    for (gpu::ShaderSource& file : course_->files()) sources.push_back(file);
     sources.push_back({kEntry, material});
     return sources;
   }
@@ -414,7 +425,8 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
   constexpr std::string_view kGiven[] = {"main",         "material",        "lightCount", "light",
                                          "ambientLight", "blinnPhong",      "colorMap",   "specularMap",
                                          "glowMap",      "Point",           "Light",      "luxoStops",
-                                         "luxoRounds",   "luxoPictureSize", "Hit",        "trace"};
+                                         "luxoRounds",   "luxoPictureSize", "Hit",        "trace",
+                                         "worldVector",  "objectVector",    "worldNormal"};
   std::erase_if(names, [&](const std::string& name) {
     return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
   });
@@ -424,7 +436,7 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const GivenUniforms& giv
                           loads(given, [](const std::string& name) { return name; }));
   for (const std::string& name : names) material += fmt::format("#undef {}\n", name);
   material += "#undef uniform\n";
-  std::vector<gpu::ShaderSource> sources{{kEntry, material}};
+  sources.push_back({kEntry, material});
   for (std::size_t i = 0; i < texts_.size(); ++i)
     sources.push_back({shader_->files[i].name, texts_[i], shader_->files[i].text});
   return sources;
@@ -446,6 +458,7 @@ void MaterialPrograms::check(const Snapshot& snapshot) {
     if (!material.shader) continue;
     const MaterialProgram& program = of(material.shader);
     program.check(material);
+    requireCurvature(node, material);
     for (const std::string& message : program.unused(material))
       if (told_.insert(message).second) log(LogLevel::Warning, message);
     used.push_back(material.shader);
@@ -482,8 +495,12 @@ void appendShader(const Material& material, const SnapshotNode& node, const Vec3
   for (int column = 0; column < 3; ++column) add(objectFromWorld[column]);
   add(objectFromWorld * (origin - node.worldFromObject.translation));
   add(ambient);
+  for (int column = 0; column < 3; ++column)
+    add(node.worldFromObject.linear[column] * node.evened[column]);
   for (const UniformValue& uniform : material.uniforms)
     for (const double value : uniform.values) numbers.push_back(static_cast<float>(value));
+  for (const double parameter : material.curvatureParameters)
+    numbers.push_back(static_cast<float>(parameter));
 }
 
 }  // namespace luxo

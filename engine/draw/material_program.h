@@ -43,11 +43,10 @@ class MaterialProgram {
   /// A message for each value that the shader does not use.
   [[nodiscard]] std::vector<std::string> unused(const Material& material) const;
 
-  /// All that shaders with LUXO_SHADER include beside luxo's own, the file "material" among it, where these
-  /// uniforms are given: the others keep what the shader says, or 0. Valid as long as this and `material`,
-  /// which it fills.
-  [[nodiscard]] std::vector<gpu::ShaderSource> sources(const GivenUniforms& given,
-                                                       std::string& material) const;
+  /// All that shaders with LUXO_SHADER include beside luxo's own, the files "material" and "curvature" among
+  /// it, for a paint that has it: uniforms that are not given keep what the shader says, or 0. Valid as long
+  /// as this, the paint and `material`, which it fills.
+  [[nodiscard]] std::vector<gpu::ShaderSource> sources(const Paint& paint, std::string& material) const;
 
  private:
   /// By itself, in one of luxo's own shaders, of which it is the file "material": the files[index].
@@ -93,8 +92,9 @@ class MaterialPrograms {
 };
 
 /// What is before the uniforms: the origin of positions, what takes them to the node's axes (columns and a
-/// constant), the ambient light.
-inline constexpr std::uint32_t kShaderNumbers = 18;
+/// constant), the ambient light, what takes directions back. Behind them are the parameters of
+/// Material::curvature.
+inline constexpr std::uint32_t kShaderNumbers = 27;
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
                   std::vector<float>& numbers);
 

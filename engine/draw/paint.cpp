@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "draw/material_program.h"
 #include "shared/scene_data.h"
 
 namespace luxo {
@@ -24,6 +25,11 @@ std::string Paint::preamble() const {
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
   if (readsFrame()) lines += "#define LUXO_FRAMED\n";
   if (shader_.text) lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", first);
+  if (shader_.curvature.valid()) {
+    std::uint32_t numbers = kShaderNumbers;
+    for (const auto& [name, count] : shader_.given) numbers += count;
+    lines += fmt::format("#define LUXO_CURVATURE_NUMBERS {}u\n", numbers);
+  }
   if (shader_.text && shader_.text->traces()) lines += "#define LUXO_TRACES\n";
   if (shader_.text && shader_.text->hasOpacity()) lines += "#define LUXO_OPACITY\n";
   if (maps_.lesson) lines += "#define LUXO_LESSON\n";

@@ -35,6 +35,7 @@ class Paint {
                    .glow = material.glowMap.valid(),
                    .lesson = material.lesson};
     paint.shader_.text = material.shader;
+    if (material.shader) paint.shader_.curvature = material.curvature;
     for (const UniformValue& uniform : material.uniforms)
       paint.shader_.given.emplace_back(uniform.name, static_cast<std::uint32_t>(uniform.values.size()));
     return paint;
@@ -49,6 +50,8 @@ class Paint {
   /// Null: luxo's own light.
   [[nodiscard]] const MaterialShaderPtr& shader() const { return shader_.text; }
   [[nodiscard]] const GivenUniforms& given() const { return shader_.given; }
+  /// Of the surface, for the shader; none where that does not read it.
+  [[nodiscard]] const Pattern& curvature() const { return shader_.curvature; }
   /// Included by shaders as "pattern", with preamble() before all; requires valid().
   [[nodiscard]] std::string_view glsl() const {
     if (maps_.any) return "#include \"lib/texture.glsl\"\n";
@@ -71,6 +74,7 @@ class Paint {
   struct Shader {
     MaterialShaderPtr text;
     GivenUniforms given;
+    Pattern curvature;
 
     friend bool operator==(const Shader& a, const Shader& b) { return (a <=> b) == 0; }
     friend std::strong_ordering operator<=>(const Shader& a, const Shader& b) {
@@ -78,7 +82,8 @@ class Paint {
         if (!a.text || !b.text) return bool(a.text) <=> bool(b.text);
         if (const auto order = *a.text <=> *b.text; order != 0) return order;
       }
-      return a.given <=> b.given;
+      if (const auto order = a.given <=> b.given; order != 0) return order;
+      return a.curvature <=> b.curvature;
     }
   };
   Pattern pattern_;

@@ -416,7 +416,7 @@ void ScenePipelines::compileExactShaders(std::span<const DrawState> states) {
     if (footprint) source.add("#define LUXO_TEXTURED\n#define LUXO_FINDS_FOOTPRINT\n");
     if (frame) source.add("#define LUXO_FINDS_FRAME\n");
     std::string material;
-    if (pattern.shader()) source.add(programs_.of(pattern.shader()).sources(pattern.given(), material));
+    if (pattern.shader()) source.add(programs_.of(pattern.shader()).sources(pattern, material));
     missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
   });
   for (Missing& m : missing) {
@@ -469,7 +469,7 @@ const std::vector<std::uint32_t>& ScenePipelines::patternShader(const DrawState&
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
   std::string material;
   if (pattern.shader()) {
-    const auto own = programs_.of(pattern.shader()).sources(pattern.given(), material);
+    const auto own = programs_.of(pattern.shader()).sources(pattern, material);
     sources.insert(sources.end(), own.begin(), own.end());
   }
   const std::string preamble = pattern.preamble() + (state.tangents ? "#define LUXO_VERTEX_TANGENTS\n" : "");

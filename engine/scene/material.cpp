@@ -44,6 +44,10 @@ void validate(const Material& material) {
   if (material.patternParameters.size() != material.diffusePattern.parameterCount())
     reject(material, "the number of pattern parameters", fmt::format("{}", material.patternParameters.size()),
            fmt::format("{}", material.diffusePattern.parameterCount()));
+  if (material.curvatureParameters.size() != material.curvature.parameterCount())
+    reject(material, "the number of parameters of its surface's curvature",
+           fmt::format("{}", material.curvatureParameters.size()),
+           fmt::format("{}", material.curvature.parameterCount()));
   if (material.map.valid() && material.diffusePattern.valid())
     reject(material, "map", "given beside a pattern", "alone");
   if (material.lesson && material.diffusePattern.valid())

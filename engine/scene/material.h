@@ -79,6 +79,10 @@ struct Material {
   /// others `opacity` alone says. The ground truth cannot run it: it draws the material without.
   MaterialShaderPtr shader = nullptr;
   std::vector<UniformValue> uniforms = {};  ///< of the shader: those that are given
+  /// Of the surface that it is on, where the shader reads it (curvaturePattern() in scene/surface_names.h);
+  /// none on triangles, which are flat.
+  Pattern curvature = {};
+  std::vector<double> curvatureParameters = {};  ///< of the surface: as many as that has
 
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] Shading shadingIn(Shading picture) const {

@@ -33,7 +33,7 @@ struct MaterialBuilder::Moving {
   Animated<Vec3> diffuse = Vec3(0), specular = Vec3(0);
   std::optional<Animated<Vec3>> ambient = {};
   Animated<double> shininess = 0.0, opacity = 0.0;
-  std::vector<Animated<double>> patternParameters = {};
+  std::vector<Animated<double>> patternParameters = {}, curvatureParameters = {};
   struct Place {
     std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
     Animated<double> angle = 0.0;
@@ -50,6 +50,8 @@ struct MaterialBuilder::Moving {
     material.opacity = opacity.at(moment);
     for (const Animated<double>& parameter : patternParameters)
       material.patternParameters.push_back(parameter.at(moment));
+    for (const Animated<double>& parameter : curvatureParameters)
+      material.curvatureParameters.push_back(parameter.at(moment));
     const std::array<TextureMap*, 4> maps = material.maps();
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Place& place = places[i];
@@ -73,6 +75,7 @@ struct MaterialBuilder::Moving {
       moves = moves || number.movesWithTime();
     };
     std::ranges::for_each(patternParameters, consider);
+    std::ranges::for_each(curvatureParameters, consider);
     for (const std::vector<Animated<double>>& values : uniforms) std::ranges::for_each(values, consider);
     for (const Place& place : places)
       for (const Animated<double>& number :
@@ -92,6 +95,8 @@ Animated<Material> MaterialBuilder::build(const MaterialDesc& desc, ShapeBuilder
                             .lectureSpecular = desc.lectureSpecular}};
   material.fixed.diffusePattern = std::move(paint.pattern);
   material.patternParameters = std::move(paint.parameters);
+  material.fixed.curvature = std::move(paint.curvature);
+  material.curvatureParameters = std::move(paint.curvatureParameters);
   material.diffuse = std::move(paint.uniform);
   material.opacity = std::move(paint.opacity);
   if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
@@ -141,10 +146,24 @@ void MaterialBuilder::addLesson(const MaterialDesc& desc, Moving& material) {
         {rangeOf(desc.name.place), "what is seen through is not lit by the lesson's formula", {}});
 }
 
+std::shared_ptr<ShaderFiles> MaterialBuilder::shaderFiles() const {
+  const SceneSource& source = problems_.source();
+  return source.shaders ? source.shaders : std::make_shared<ShaderFiles>();
+}
+
+bool MaterialBuilder::readsCurvature(const MaterialDesc& desc) const {
+  if (desc.shader.empty()) return false;
+  try {
+    return shaderFiles()->get(desc.shader.text)->readsCurvature();
+  } catch (const Error&) {
+    return false;  // addShader() tells
+  }
+}
+
 void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
   if (desc.shader.empty()) return;
   const SceneSource& source = problems_.source();
-  const auto files = source.shaders ? source.shaders : std::make_shared<ShaderFiles>();
+  const auto files = shaderFiles();
   const FileName* named = &desc.shader;
   try {
     material.fixed.shader = files->get(desc.shader.text);

@@ -2,6 +2,7 @@
 // Builds the materials of a scene file: their numbers, maps and shaders.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -27,12 +28,16 @@ class MaterialBuilder {
   /// With these colours and this opacity. What is wrong is among the problems.
   [[nodiscard]] Animated<Material> build(const MaterialDesc& desc, ShapeBuilder::MovingPaint paint);
 
+  /// Whether its shader reads how its surface bends, so that it is another one on each.
+  [[nodiscard]] bool readsCurvature(const MaterialDesc& desc) const;
+
  private:
   struct Moving;
 
   void addMaps(const MaterialDesc& desc, Moving& material);
   void requireNumbers(const FileName& texture);
   void addShader(const MaterialDesc& desc, Moving& material);
+  [[nodiscard]] std::shared_ptr<ShaderFiles> shaderFiles() const;
   void addLesson(const MaterialDesc& desc, Moving& material);
 
   const SceneFile& file_;

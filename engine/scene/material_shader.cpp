@@ -34,6 +34,11 @@ bool MaterialShader::traces() const {
   return std::ranges::any_of(files, [](const File& file) { return hasWord(file.text, "trace"); });
 }
 
+bool MaterialShader::readsCurvature() const {
+  static const std::regex kField(R"(\.\s*(K|H|k1|k2)\b)");
+  return std::ranges::any_of(files, [](const File& file) { return std::regex_search(file.text, kField); });
+}
+
 bool MaterialShader::hasOpacity() const {
   static const std::regex kPragma(R"(\s*#\s*pragma\s+luxo\s+opacity\s*($|//|/\*))");
   return std::ranges::any_of(files, [](const File& file) { return hasPragma(file.text, kPragma); });

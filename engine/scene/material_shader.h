@@ -28,6 +28,8 @@ struct MaterialShader {
 
   /// Whether some point may send rays into the scene: its text has the word. Cost: reads the text.
   [[nodiscard]] bool traces() const;
+  /// Whether it reads how its surface bends: there is a .K, .H, .k1 or .k2. Cost: as of traces().
+  [[nodiscard]] bool readsCurvature() const;
   /// Whether it says how opaque its points are: a line of it is `#pragma luxo opacity`. Cost: as of traces().
   [[nodiscard]] bool hasOpacity() const;
 

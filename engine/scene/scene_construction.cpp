@@ -34,6 +34,7 @@ struct BuiltSurface {
 struct BuiltMaterial {
   const MaterialDesc* desc = nullptr;
   bool readsNames = false;  ///< of the surface's points (scene/surface_names.h): not only its range
+  bool readsCurvature = false;  ///< its shader does
   std::optional<MaterialId> everywhere = {};
   std::unordered_map<std::size_t, std::optional<MaterialId>> onSurface = {};  ///< nothing where that failed
 };
@@ -130,7 +131,9 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     const std::size_t problemsBefore = problems_.count();
     ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc);
     material.readsNames = paint.readsNames;
-    const bool known = problems_.count() > problemsBefore || !paint.readsSurface;
+    material.readsCurvature = looks_.readsCurvature(desc);
+    const bool known =
+        problems_.count() > problemsBefore || (!paint.readsSurface && !material.readsCurvature);
     if (known) material.everywhere = makeMaterial(desc, std::move(paint));
     if (warnings_ && !desc.isolines.empty() && !isOpaque(desc))
       warnings_->push_back(
@@ -155,7 +158,13 @@ std::optional<MaterialId> SceneConstruction::materialOn(const std::size_t* surfa
   std::optional<MaterialId>& made = found.first->second;
   if (found.second && (!material.readsNames || acceptNames(node, surfaces_[*surface].surface)))
     attempt(node.material.place, [&] {
-      made = makeMaterial(*material.desc, shapes_.buildPaint(*material.desc, surfaces_[*surface].surface));
+      const Surface& shape = surfaces_[*surface].surface;
+      ShapeBuilder::MovingPaint paint = shapes_.buildPaint(*material.desc, shape);
+      if (material.readsCurvature) {
+        paint.curvature = curvaturePattern(shape);
+        if (paint.curvature.valid()) paint.curvatureParameters = shape.parameters();
+      }
+      made = makeMaterial(*material.desc, std::move(paint));
     });
   return made;
 }

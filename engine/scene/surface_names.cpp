@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/surface_names.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <iterator>
 #include <map>
 
 #include "base/assert.h"
+#include "base/error.h"
 #include "formula/tape.h"
 
 namespace luxo {
@@ -86,6 +90,22 @@ std::vector<Expr> surfaceValues(Graph& graph, const Surface& surface, std::uint3
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = select(inside, here[i], values[i]);
   }
   return values;
+}
+
+Pattern curvaturePattern(const Surface& surface) {
+  if (surface.triangles()) return {};
+  if (surface.patchCount() > kMostNamedPatches)
+    throw Error(ErrorKind::Scene,
+                fmt::format("its shader reads the curvature of its surface, which has {} formulas: at most {} are "
+                            "supported",
+                            surface.patchCount(), kMostNamedPatches),
+                "give that surface a material whose shader does not");
+  Graph graph;
+  const std::vector<Expr> values = surfaceValues(graph, surface, kFirst);
+  constexpr std::size_t kBend = 6;
+  static_assert(kSurfaceNames[kBend] == "K" && kSurfaceNames.size() == kBend + 4);
+  return {graph, std::array{values[kBend], values[kBend + 1], values[kBend + 2], values[kBend + 3]},
+          surface.parameters().size()};
 }
 
 }  // namespace luxo

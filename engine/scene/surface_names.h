@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "formula/expression.h"
+#include "scene/pattern.h"
 #include "surface/surface.h"
 
 namespace luxo {
@@ -31,5 +32,10 @@ inline constexpr std::uint32_t kMostNamedPatches = 4;
 /// patches. Cost: linear in the nodes of the surface's formula.
 [[nodiscard]] std::vector<Expr> surfaceValues(Graph& graph, const Surface& surface,
                                               std::uint32_t firstParameter);
+
+/// K, H, k1 and k2 as what a material's shader is given (Material::curvature); its parameters are the
+/// surface's. Nothing of triangles, which are flat. Error(Scene): of more than kMostNamedPatches patches; too
+/// large a formula.
+[[nodiscard]] Pattern curvaturePattern(const Surface& surface);
 
 }  // namespace luxo

@@ -77,14 +77,31 @@ vec3 glowMap(vec2 uv) {
 #endif
 }
 
+vec3 worldVector(vec3 object) { return mat3(shaderNumbers3(18), shaderNumbers3(21), shaderNumbers3(24)) * object; }
+vec3 objectVector(vec3 world) { return mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)) * world; }
+vec3 worldNormal(vec3 object) { return object * mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)); }
+
 #ifdef LUXO_TRACES
 #include "lib/trace.glsl"
+#endif
+
+#ifdef LUXO_CURVATURE_NUMBERS
+// The file "curvature" is a pattern's, made from the surface's formula: K, H, k1 and k2 of u and v.
+float curvatureParameterAt(uint k) { return shaderNumber(LUXO_CURVATURE_NUMBERS + k); }
+#define parameterAt curvatureParameterAt
+#define patternPaint curvaturePaint
+#include "curvature"
+#undef patternPaint
+#undef parameterAt
 #endif
 
 vec4 normalFrame();
 
 // How the point moves on its tangent plane to the next pixel: along the ray, which moves by these.
 vec3 stepOnPlane(vec3 moved, vec3 ray, vec3 n) { return moved - ray * (dot(n, moved) / dot(n, ray)); }
+
+bool isNumber(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7f800000u; }
+float numberOr0(float x) { return isNumber(x) ? x : 0.0; }
 
 Point materialPoint(Found found) {
   vec4 frame = normalFrame(), footprint = pixelFootprint();
@@ -96,6 +113,15 @@ Point materialPoint(Found found) {
   p.tangent = frame.xyz;
   p.bitangent = frame.w < 0.0 ? cross(frame.xyz, found.normal) : cross(found.normal, frame.xyz);
   p.uv = found.parameters;
+  vec4 bend = vec4(0);
+#ifdef LUXO_CURVATURE_NUMBERS
+  vec2 parameters = mapParameters(found.parameters);
+  curvaturePaint(parameters.x, parameters.y, bend);
+#endif
+  p.K = numberOr0(bend.x);
+  p.H = numberOr0(bend.y);
+  p.k1 = numberOr0(bend.z);
+  p.k2 = numberOr0(bend.w);
   p.footprint = mat2(footprint.xy, footprint.zw);
   vec2 pixel = gl_FragCoord.xy - view.middle;
   vec3 ray = view.rayMiddle + pixel.x * view.rayRight + pixel.y * view.rayDown;
@@ -109,8 +135,6 @@ Point materialPoint(Found found) {
   }
   return p;
 }
-
-bool isNumber(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7f800000u; }
 
 void loadUniforms();
 

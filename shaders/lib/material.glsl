@@ -13,6 +13,7 @@ struct Point {
   vec3 bitangent;  // perpendicular to both, on the side that v grows to
   vec3 Su, Sv;     // how the position moves with u and v, metres; 0 where they do not say
   vec2 uv;
+  float K, H, k1, k2;  // how the surface itself bends (engine/scene/surface_names.h); 0 of triangles
   mat2 footprint;  // how uv move to the pixel at the right (first column), and to that below
 };
 
@@ -44,6 +45,11 @@ vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess);
 vec3 colorMap(vec2 uv);
 vec3 specularMap(vec2 uv);
 vec3 glowMap(vec2 uv);
+// From the axes of the point's node to those of the world, and back: of directions, which keep no length where the node is
+// scaled; and, by the inverse transposed, of normals and of gradients, which bump maps are made of.
+vec3 worldVector(vec3 object);
+vec3 objectVector(vec3 world);
+vec3 worldNormal(vec3 object);
 // A ray from the point that is lit, or onward from what another has met: into the scene, by the reference.
 Hit trace(vec3 direction);
 Hit trace(Hit from, vec3 direction);

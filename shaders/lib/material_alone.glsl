@@ -16,11 +16,15 @@ vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess) { return inAny.xyz
 vec3 colorMap(vec2 uv) { return inAny.xyz * uv.x; }
 vec3 specularMap(vec2 uv) { return inAny.xyz * uv.x; }
 vec3 glowMap(vec2 uv) { return inAny.xyz * uv.x; }
+vec3 worldVector(vec3 object) { return inAny.xyz * object.x; }
+vec3 objectVector(vec3 world) { return inAny.xyz * world.x; }
+vec3 worldNormal(vec3 object) { return inAny.xyz * object.x; }
 Hit trace(vec3 direction) { return Hit(inAny.x > 0.0, inAny.y > 0.0, inAny.z, direction, inAny.xyz, inAny.xy, inAny.xyz, 0); }
 Hit trace(Hit from, vec3 direction) { return Hit(from.found, from.inside, inAny.z, direction, from.normal, inAny.xy, inAny.xyz, 0); }
 
 #include "material"
 
 void main() {
-  outColor = material(Point(inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xy, mat2(inAny)));
+  outColor = material(Point(inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xyz, inAny.xy, inAny.x, inAny.y, inAny.z,
+                            inAny.w, mat2(inAny)));
 }

@@ -32,7 +32,8 @@ vec4 dents(vec3 place, float pixel) {
 vec4 material(Point p) {
   float pixel = 0.5 * scale * (length(p.Su * p.footprint[0].x + p.Sv * p.footprint[0].y) +
                                length(p.Su * p.footprint[1].x + p.Sv * p.footprint[1].y));
-  vec4 t = dents(scale * p.position, pixel);
+  vec4 t = dents(scale * p.object, pixel);
+  t.xyz = worldNormal(t.xyz);
   // The point moves by -dent t^sharp along the normal: what of its derivatives lies in the surface bends that.
   vec3 slope = scale * dent * sharp * pow(max(t.w, 1e-6), sharp - 1.0) * t.xyz;
   vec3 bent = normalize(p.normal + slope - dot(slope, p.normal) * p.normal);

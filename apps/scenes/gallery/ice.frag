@@ -10,7 +10,7 @@ uniform float index = 1.31;      // @slider 1.0 2.0
 uniform float bump = 0.05;       // metres @slider 0 0.3
 uniform float scale = 1.6;       // waves per metre @slider 0.2 8
 uniform vec3 flow = vec3(0.0, -0.12, 0.0);  // metres a second
-uniform vec3 middle = vec3(0.0, 0.6, 0.0);  // of the block, where air is frozen in, in the world
+uniform vec3 middle = vec3(0.0);            // of the block, where air is frozen in
 uniform float cloud = 1.0;       // how much of it @slider 0 3
 uniform vec3 absorbs = vec3(0.55, 0.16, 0.10);      // per metre
 uniform vec3 sky = vec3(0.10, 0.14, 0.20);          // @color
@@ -58,11 +58,12 @@ vec3 bentNormal(Point p) {
   float height = bump;
   float pixel = length(p.Su * p.footprint[0].x + p.Sv * p.footprint[0].y), frequency = scale;
   for (int i = 0; i < 3; ++i) {
-    vec3 place = frequency * (p.position - flow * time);
+    vec3 place = frequency * (p.object - objectVector(flow * time));
     slope += clamp(1.5 - frequency * pixel, 0.0, 1.0) * height * frequency * gradientNoise(place).xyz;
     frequency *= 2.3;
     height *= 0.25;
   }
+  slope = worldNormal(slope);
   return normalize(p.normal - slope + dot(slope, p.normal) * p.normal);
 }
 
@@ -101,7 +102,7 @@ vec4 material(Point p) {
     through = slate(p.position, 0.01) * (ambientLight() + up);
   } else {
     vec3 way = refract(-p.viewer, n, 1.0 / index);
-    float open = clear(p.position, way);
+    float open = clear(p.object, objectVector(way));
     through = exp(-absorbs) * mix(vec3(0.75, 0.85, 0.95) * (0.5 * up + 2.0 * ambientLight()), around(p.position, way), open);
   }
   return vec4(mix(through, around(p.position, toMirror), mirrored) + 2.0 * shine, 1.0);
