@@ -81,6 +81,7 @@ class DrawLister {
     shells_.listOutlines();
     if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
     shells_.placeSharedIndices();
+    if (list_.looksForCasters()) requireTexels(list_.textures);  // something to bind
     return std::move(list_);
   }
 
@@ -188,6 +189,7 @@ class DrawLister {
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
     const LightSets::Choice lights = materials_.lightLayer(batch, lightSets_, node);
+    if (batch.again && node.surface.triangles()) batch.again->tangents = readsTangents(*batch.again);
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;

@@ -145,15 +145,11 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
   if (shadows_) numberOfNode_[node] = entry->second;
   if (!isNew) return entry->second;
   shared::MaterialData data = materialData(material, snapshot_.ambient, shadeOf);
-  if (const Paint paint = Paint::of(material); paint.isTexture()) {
+  if (const Paint paint = Paint::of(material); paint.valid()) {
     data.pattern = patternNumber(paint);
-    data.firstPatternParameter = static_cast<std::uint32_t>(list_.patternParameters.size());
-    appendMaps(material, snapshot_.nodes[node], list_.textures, list_.patternParameters);
+    data.firstPatternParameter = firstPatternParameter(material, snapshot_.nodes[node], paint);
     if (material.shader)
       appendShader(material, snapshot_.nodes[node], list_.origin, snapshot_.ambient, list_.patternParameters);
-  } else if (paint.valid()) {
-    data.pattern = patternNumber(paint);
-    data.firstPatternParameter = firstPatternParameter(material);
     if (paint.readsFootprint()) requireTexels(list_.textures);
   }
   if (isDrawnAgain(material.shadingIn(options_.shading))) data.pattern = shared::kDrawnAgain;
@@ -166,10 +162,14 @@ std::uint32_t MaterialList::numberOfNode(std::uint32_t node) const {
   return known == numberOfNode_.end() ? shared::kMaxFoundMaterials : known->second;
 }
 
-std::uint32_t MaterialList::firstPatternParameter(const Material& material) {
+std::uint32_t MaterialList::firstPatternParameter(const Material& material, const SnapshotNode& node,
+                                                  const Paint& paint) {
   std::vector<float>& all = list_.patternParameters;
   const auto first = static_cast<std::uint32_t>(all.size());
-  all.insert(all.end(), material.patternParameters.begin(), material.patternParameters.end());
+  if (paint.isTexture())
+    appendMaps(material, node, list_.textures, all);
+  else
+    all.insert(all.end(), material.patternParameters.begin(), material.patternParameters.end());
   if (all.empty()) all.push_back(0);  // something to bind
   return first;
 }

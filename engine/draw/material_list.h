@@ -33,8 +33,9 @@ class MaterialList {
   /// Of a node of the snapshot, once it is listed; kMaxFoundMaterials of others.
   [[nodiscard]] std::uint32_t numberOfNode(std::uint32_t node) const;
 
-  /// Where the parameters of its pattern are in DrawList::patternParameters: they are put there.
-  [[nodiscard]] std::uint32_t firstPatternParameter(const Material& material);
+  /// Where the parameters of its paint on a node are in DrawList::patternParameters: they are put there.
+  [[nodiscard]] std::uint32_t firstPatternParameter(const Material& material, const SnapshotNode& node,
+                                                    const Paint& paint);
 
   /// Whether draws of this state leave the light to a later pass: of what light falls on per fragment, with
   /// nothing else.

@@ -20,6 +20,7 @@ std::string Paint::preamble() const {
     first += numbers;
   };
   if (maps_.color) lines += "#define LUXO_COLOR_MAP\n";
+  if (maps_.opacity) lines += "#define LUXO_MAP_OPACITY\n";
   define(maps_.normal, "LUXO_NORMAL_MAP", shared::kTextureNumbers + shared::kNormalNumbers);
   define(maps_.specular, "LUXO_SPECULAR_MAP", shared::kTextureNumbers);
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);

@@ -29,15 +29,25 @@ class Paint {
     if (!material.drawsMaps()) return paint;
     paint.maps_ = {.any = true,
                    .color = material.map.valid(),
+                   .opacity = material.mapOpacity,
                    .normal = material.normalMap.valid(),
                    .tangent = material.normalMap.valid() && material.normalSpace == NormalSpace::Tangent,
                    .specular = material.specularMap.valid(),
                    .glow = material.glowMap.valid(),
-                   .lesson = material.lesson};
+                   .lesson = material.drawsLesson()};
     paint.shader_.text = material.shader;
     if (material.shader) paint.shader_.curvature = material.curvature;
     for (const UniformValue& uniform : material.uniforms)
       paint.shader_.given.emplace_back(uniform.name, static_cast<std::uint32_t>(uniform.values.size()));
+    return paint;
+  }
+
+  /// Of what lets light through, as far as that decides how much: its opacity and, where it tints the light,
+  /// its colour.
+  [[nodiscard]] static Paint ofCaster(const Material& material) {
+    Paint paint(material.diffusePattern);
+    if (material.mapOpacity || (material.map.valid() && material.blend == Blend::Multiply))
+      paint.maps_ = {.any = true, .color = true, .opacity = material.mapOpacity};
     return paint;
   }
 
@@ -65,8 +75,8 @@ class Paint {
 
  private:
   struct Maps {
-    bool any = false, color = false, normal = false, tangent = false, specular = false, glow = false,
-         lesson = false;
+    bool any = false, color = false, opacity = false, normal = false, tangent = false, specular = false,
+         glow = false, lesson = false;
 
     friend auto operator<=>(const Maps&, const Maps&) = default;
   };

@@ -210,7 +210,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   if (!list_.patternParameters.empty())
     bindings.pattern =
         frames.descriptors().write(pipelines.patternLayout(), {uploads.patternParameters.use(*context_)});
-  if (!list_.textures.empty()) {
+  if (!list_.textures.empty() && !list_.patternParameters.empty()) {
     const VkBufferView all = texels.get(list_.textures);
     const gpu::Buffer& parameters = uploads.patternParameters.use(*context_);
     bindings.texture = frames.descriptors().write(pipelines.textureLayout(), {parameters, all});
@@ -252,7 +252,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  list_.traces ? traces_.starts() : noTraces,
                                                  list_.traces ? traces_.answers() : noTraces});
   }
-  if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, uploads);
+  if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, uploads, texels.get(list_.textures));
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);
@@ -263,7 +263,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   return bindings;
 }
 
-VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {
+VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads,
+                                        VkBufferView texels) {
   const gpu::Buffer& patterns = list_.patternParameters.empty() ? uploads.casterParameters.use(*context_)
                                                                 : uploads.patternParameters.use(*context_);
   const gpu::Buffer& shown = list_.findsPlaces ? feedback_.shown() : feedback_.doubtful();
@@ -279,7 +280,8 @@ VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& 
                                                                {depths, pipelines.texelSampler()},
                                                                uploads.closedCasters.use(*context_),
                                                                uploads.meshPlaces.use(*context_),
-                                                               shown});
+                                                               shown,
+                                                               texels});
 }
 
 VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {

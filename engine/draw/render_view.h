@@ -104,7 +104,7 @@ class RenderView {
   void upload(Uploads& uploads, bool always);
   void uploadCasters(Uploads& uploads, bool always);
   [[nodiscard]] VkDescriptorSet bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,
-                                            Uploads& uploads);
+                                            Uploads& uploads, VkBufferView texels);
   [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines,
                                            Uploads& uploads);
   [[nodiscard]] std::vector<PixelPlace> chooseProbes() const;

@@ -360,6 +360,8 @@ const gpu::DescriptorLayout& ScenePipelines::shadowLayout() {
                                                  {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
     bindings[shared::kBindingLightDepths] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
                                              VK_SHADER_STAGE_FRAGMENT_BIT};
+    bindings[shared::kBindingCasterTexels] = {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER,
+                                              VK_SHADER_STAGE_FRAGMENT_BIT};
     shadowLayout_ = gpu::DescriptorLayout(*context_, bindings);
   }
   return shadowLayout_;

@@ -235,7 +235,7 @@ class ShadowLister {
                                .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
                                .light = bit,
                                .receiver = receiver,
-                               .transmittance = Vec3f(material.lightThroughAt(0, 0))}});
+                               .transmittance = Vec3f(material.lightThrough(material.opacityAt(0, 0), material.diffuse))}});
   }
 
   /// Whether something that is seen may be in its shadow.
@@ -350,9 +350,9 @@ class ShadowLister {
       caster.flags |= material.blend == Blend::Multiply ? shared::kTintsLight : 0;
       caster.diffuse = Vec3f(material.diffuse);
       caster.opacity = static_cast<float>(material.opacity);
-      if (material.diffusePattern.valid()) {
-        draw.state.pattern = material.diffusePattern;
-        caster.firstPatternParameter = materials_.firstPatternParameter(material);
+      if (const Paint paint = Paint::ofCaster(material); paint.valid()) {
+        draw.state.pattern = paint;
+        caster.firstPatternParameter = materials_.firstPatternParameter(material, node, paint);
       }
     }
     draw.caster = casters_.add(caster);

@@ -271,7 +271,7 @@ void Caster::meet(const Beam& beam, std::uint32_t node, const Range& range, Invi
     if (!roots.nearest) return;
     const Hit hit = hitAt(beam, node, *roots.nearest);
     if (!body.transparent || invisible == Invisible::Told || material.blend == Blend::Multiply ||
-        material.opacityAt(hit.u, hit.v) > 0) {
+        opacityOf(hit) > 0) {
       sight.hits.push_back(hit);
       sight.hits.back().certified = roots.certified;
     }
@@ -309,8 +309,9 @@ bool Caster::isInFront(const Hit& a, const Hit& b) const {
   const auto looks = [this](const Hit& hit) {
     const Reflection reflection = reflectionAt(hit);
     const Material& material = materialOf(hit.node);
-    const Vec3 transmission = material.transmissionAt(hit.u, hit.v);
-    std::array<double, 17> numbers{material.opacityAt(hit.u, hit.v), reflection.exponent};
+    const double opacity = opacityOf(hit);
+    const Vec3 transmission = material.transmission(opacity, reflection.diffuse);
+    std::array<double, 17> numbers{opacity, reflection.exponent};
     auto next = numbers.begin() + 2;
     for (const Vec3& v : {reflection.diffuse, reflection.specular, material.ambientOrDiffuse(),
                           reflection.normal, transmission})
@@ -345,10 +346,12 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
     const Roots roots = walk.from(nearest);
     certified &= roots.certified;
     if (!roots.nearest) return left;
-    left *= materialOf(node).lightThroughAt(roots.nearest->u, roots.nearest->v);
+    Hit met = hitAt({ray}, node, *roots.nearest);
+    met.footprint = Footprint(0);  // light has no pixels
+    left *= materialOf(node).lightThrough(opacityOf(met), diffuseOf(met));
     // A ray leaves a plane where it meets it.
     if (left == Vec3(0) || snapshot_.nodes[node].surface.flatNormal()) return left;
-    nearest = beyond(ray, hitAt({ray}, node, *roots.nearest));
+    nearest = beyond(ray, met);
   }
   certified = false;
   return left;
@@ -429,6 +432,13 @@ Vec3 Caster::withoutLights(const Hit& hit, const Reflection& reflection) const {
 Vec3 Caster::withoutLights(const Hit& hit) const { return withoutLights(hit, reflectionAt(hit)); }
 
 Vec3 Caster::diffuseOf(const Hit& hit) const { return reflectionAt(hit).diffuse; }
+
+double Caster::opacityOf(const Hit& hit) const {
+  const Material& material = materialOf(hit.node);
+  const double own = material.opacityAt(hit.u, hit.v);
+  if (!material.mapOpacity) return own;
+  return own * std::min(material.map.at(bodies_[hit.node].maps[0], {hit.u, hit.v}, hit.footprint).w, 1.0);
+}
 
 Vec3 Caster::normalBeside(const Hit& hit, const Vec3& step) const {
   const SnapshotNode& node = snapshot_.nodes[hit.node];
@@ -560,8 +570,8 @@ Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified, double t
       color = reflected;
       continue;
     }
-    const Material& material = materialOf(hit.node);
-    color = material.opacityAt(hit.u, hit.v) * reflected + material.transmissionAt(hit.u, hit.v) * color;
+    const double opacity = opacityOf(hit);
+    color = opacity * reflected + materialOf(hit.node).transmission(opacity, diffuseOf(hit)) * color;
   }
   return color;
 }

@@ -136,6 +136,8 @@ class Caster {
   [[nodiscard]] double openness(const Hit& hit) const;
   /// The diffuse colour, of a pattern or a map where the material has one.
   [[nodiscard]] Vec3 diffuseOf(const Hit& hit) const;
+  /// With the alpha of a map, where the material has that; of a material with a shader as if it had none.
+  [[nodiscard]] double opacityOf(const Hit& hit) const;
 
   /// Whether a light would add something to a hit that sees it.
   [[nodiscard]] bool shinesOn(std::uint32_t light, const Hit& hit) const;

@@ -127,10 +127,9 @@ class Explanation {
   }
 
   [[nodiscard]] PointOnRay seen(const Hit& hit) const {
-    const Material& material = materialOf(hit.node);
     PointOnRay point = placed(hit);
     point.diffuse = caster_.diffuseOf(hit);
-    point.opacity = material.opacityAt(hit.u, hit.v);
+    point.opacity = caster_.opacityOf(hit);
     point.ambient = point.reflected = caster_.withoutLights(hit);
     point.lights = lightsOn(caster_, hit, -ray_.direction);
     for (const LightOnPoint& light : point.lights) point.reflected += light.share;

@@ -323,10 +323,16 @@ class PictureJudge {
     const bool layers = std::ranges::any_of(snapshot_.nodes, [&](const SnapshotNode& node) {
       return snapshot_.materials[node.material.index].transparent();
     });
+    otherLayer_ = std::ranges::any_of(snapshot_.materials,
+                                      [](const Material& material) {
+                                        return material.transparent() && material.readsFootprint();
+                                      })
+                      ? kOtherTexture
+                      : kOtherLight;
     // Of the ambient light the picture knows less than the truth: no colour is the same.
     const bool occluded = snapshot_.ambientOcclusion.any() && snapshot_.ambient != Vec3(0);
     const auto mayBeInShadow = [&](const JudgedPixel& pixel) {
-      return pixel.mismatch == Mismatch::None && pixel.color > kOtherLight &&
+      return pixel.mismatch == Mismatch::None && pixel.color > (layers ? otherLayer_ : kOtherLight) &&
              (layers || (shadows && pixel.position != kUnset));
     };
     const auto mayShowAnotherTexture = [&](std::size_t k) {
@@ -525,7 +531,7 @@ class PictureJudge {
       if (before.layers == last.layers) count(2.0 * last.color - before.color);
     }
     if (!certified) return false;
-    const auto slack = [](double value) { return kOtherLight * (1 + value); };
+    const auto slack = [this](double value) { return otherLayer_ * (1 + value); };
     for (int c = 0; c < 3; ++c)
       if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c])) return true;
     return false;
@@ -654,6 +660,7 @@ class PictureJudge {
   std::vector<std::uint32_t> chosen_;
   std::vector<JudgedPixel> pixels_;  // as chosen_
   bool anyShader_ = false;           // of a material
+  double otherLayer_ = kOtherLight;  // linear: what is more, where something is seen through, is looked into
   bool coarse_ = false;              // kMostTurned
 };
 

@@ -50,6 +50,8 @@ void validate(const Material& material) {
            fmt::format("{}", material.curvature.parameterCount()));
   if (material.map.valid() && material.diffusePattern.valid())
     reject(material, "map", "given beside a pattern", "alone");
+  if (material.mapOpacity && (!material.map.valid() || material.shader || material.lesson))
+    reject(material, "its opacity", "that of its map", "given with a map, without a shader or the lesson's formula");
   if (material.lesson && material.diffusePattern.valid())
     reject(material, "the lesson's formula", "given beside a pattern", "alone, or with a map");
   if (material.shader && material.diffusePattern.valid())
@@ -82,13 +84,13 @@ void validate(const Material& material) {
       reject(material, "a pattern parameter", fmt::format("{}", parameter), "finite");
 }
 
-Vec3 Material::transmissionAt(double u, double v) const {
-  return blend == Blend::Add ? Vec3(1) : lightThroughAt(u, v);
+Vec3 Material::transmission(double opacityThere, const Vec3& diffuseThere) const {
+  return blend == Blend::Add ? Vec3(1) : lightThrough(opacityThere, diffuseThere);
 }
 
-Vec3 Material::lightThroughAt(double u, double v) const {
-  const double through = 1 - opacityAt(u, v);
-  return blend == Blend::Multiply ? through * diffuseAt(u, v) : Vec3(through);
+Vec3 Material::lightThrough(double opacityThere, const Vec3& diffuseThere) const {
+  const double through = 1 - opacityThere;
+  return blend == Blend::Multiply ? through * diffuseThere : Vec3(through);
 }
 
 std::uint32_t cutToRange(Material& material) {

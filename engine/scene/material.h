@@ -59,8 +59,9 @@ struct Material {
   Pattern diffusePattern = {};
   std::vector<double> patternParameters = {};  ///< as many as the pattern has
   /// Times `diffuse`, and stands for the ambient colour unless that is given; there is none where there is a
-  /// pattern. No map of what is seen through is drawn yet.
+  /// pattern.
   TextureMap map = {};
+  bool mapOpacity = false;  ///< the alpha of `map` is how opaque the surface is, times `opacity`
   /// Bends the normal that light falls on. A light below the horizon of the surface itself adds nothing,
   /// wherever the map leads. Light between vertices (Gouraud shading) knows nothing of it.
   TextureMap normalMap = {};
@@ -97,7 +98,7 @@ struct Material {
   }
   /// Whether what is in its shadow may get some light: what is seen through, unless only a shader says so.
   [[nodiscard]] bool letsLightThrough() const {
-    return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity();
+    return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity() || mapOpacity;
   }
   /// Whether nothing is seen of it, anywhere.
   [[nodiscard]] bool invisible() const { return opacity == 0 && blend != Blend::Multiply; }
@@ -110,13 +111,14 @@ struct Material {
     return map.valid() || normalMap.valid() || specularMap.valid() || glowMap.valid();
   }
   /// Or as if there were some: the lesson's formula, a shader.
-  [[nodiscard]] bool drawsMaps() const { return shader || ((hasMaps() || lesson) && !transparent()); }
+  [[nodiscard]] bool drawsMaps() const { return hasMaps() || drawsLesson() || shader; }
   [[nodiscard]] bool drawsLines() const { return diffusePattern.hasLines() && !transparent(); }
   /// Whether what of the surface a pixel covers decides its colour.
   [[nodiscard]] bool readsFootprint() const { return drawsMaps() || drawsLines(); }
   [[nodiscard]] bool drawsLesson() const { return lesson && !transparent(); }
   /// Whether a light adds something to a surface that is turned away from it.
   [[nodiscard]] bool lightsBelowHorizon() const { return lectureSpecular || lesson || shader; }
+  /// Without the alpha of a map.
   [[nodiscard]] double opacityAt(double u, double v) const {
     return diffusePattern.hasOpacity() ? opacity * diffusePattern.opacityAt(u, v, patternParameters)
                                        : opacity;
@@ -128,10 +130,10 @@ struct Material {
   [[nodiscard]] Vec3 diffuseAt(double u, double v, const Footprint& footprint) const {
     return drawsLines() ? diffusePattern.colorAt(u, v, footprint, patternParameters) : diffuseAt(u, v);
   }
-  /// How much of what is behind a point of it is seen through it.
-  [[nodiscard]] Vec3 transmissionAt(double u, double v) const;
+  /// How much of what is behind a point is seen through it, where it is so opaque and of that colour.
+  [[nodiscard]] Vec3 transmission(double opacityThere, const Vec3& diffuseThere) const;
   /// How much of a light gets through there: in mode Add, too, 1 - opacity of it.
-  [[nodiscard]] Vec3 lightThroughAt(double u, double v) const;
+  [[nodiscard]] Vec3 lightThrough(double opacityThere, const Vec3& diffuseThere) const;
   friend bool operator==(const Material&, const Material&) = default;
 };
 

@@ -24,7 +24,8 @@ const char* painting(const Material& material) {
 }  // namespace
 
 bool isOpaque(const MaterialDesc& material) {
-  return material.opacity == Quantity(1) && material.blend == Blend::Over;
+  return material.opacity == Quantity(1) && material.blend == Blend::Over &&
+         !(material.map && material.map->alpha);
 }
 
 /// A material whose numbers may move.
@@ -110,7 +111,6 @@ Animated<Material> MaterialBuilder::build(const MaterialDesc& desc, ShapeBuilder
 
 void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
   const auto maps = desc.maps();
-  const bool opaque = isOpaque(desc);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (!maps[i]) continue;
     const MapDesc& map = *maps[i];
@@ -125,9 +125,14 @@ void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
     if (material.fixed.diffusePattern.valid())
       problems_.add(map.texture.place, fmt::format("{}, and there is a map, too", painting(material.fixed)),
                     "leave out one of them");
-    if (!opaque && warnings_)
-      warnings_->push_back(
-          {rangeOf(map.texture.place), "maps of what is seen through are not drawn yet", {}});
+  }
+  material.fixed.mapOpacity = desc.map && desc.map->alpha && material.fixed.map.valid();
+  if (material.fixed.mapOpacity && (!desc.shader.empty() || desc.lesson)) {
+    problems_.add(desc.map->texture.place,
+                  "the alpha of the map is to be how opaque the surface is, and there is a shader, or the "
+                  "lesson's formula",
+                  "leave \"alpha\" out; a shader says itself how opaque it is (shaders/MATERIALS.md)");
+    material.fixed.mapOpacity = false;
   }
   if (!desc.normalMap) return;
   material.fixed.normalSpace = desc.normalMap->space;

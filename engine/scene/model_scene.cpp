@@ -123,6 +123,7 @@ class ModelBuilder {
   [[nodiscard]] Material mapped(const ModelMaterial& from) {
     Material material = materialOf(from);
     material.map = mapOf(from.map, Codes::Srgb);
+    material.mapOpacity = from.opacityFromMap && from.cutoff == 0 && material.map.valid() && !material.lesson;
     material.normalMap = mapOf(from.normalMap, Codes::Data);
     material.specularMap = mapOf(from.specularMap, Codes::Data);
     material.glowMap = mapOf(from.glowMap, Codes::Srgb);
@@ -229,13 +230,8 @@ std::vector<std::string> notDrawn(const Model& model) {
     const std::string others = count == 1 ? "" : fmt::format(" and {} more", count - 1);
     messages.push_back(fmt::format("material '{}'{}: {} not drawn yet", first, others, what));
   };
-  tell(
-      [](const ModelMaterial& m) {
-        return m.opacity < 1 && (m.map.given() || m.normalMap.given() || m.specularMap.given() ||
-                                 m.glowMap.given() || m.glow != Vec3(0));
-      },
-      "maps and light of its own of what is seen through are");
-  tell([](const ModelMaterial& m) { return m.map.given() && m.opacityFromMap; }, "opacities from maps are");
+  tell([](const ModelMaterial& m) { return m.map.given() && m.opacityFromMap && m.cutoff > 0; },
+       "opacities from maps that are cut off at a level are");
   return messages;
 }
 

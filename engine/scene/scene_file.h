@@ -117,6 +117,7 @@ struct MapDesc {
   FileName texture = {};
   QuantityPair offset{0, 0}, scale{1, 1};
   Quantity rotate = 0;
+  bool alpha = false;  ///< Material::mapOpacity: of "map" alone
 
   friend bool operator==(const MapDesc&, const MapDesc&) = default;
 };

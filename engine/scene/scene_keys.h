@@ -43,6 +43,7 @@ inline constexpr std::array<Names, 18> kMaterialNames = {
 inline constexpr std::array<Names, 8> kIsolinesNames = {"of", "step",  "at",    "u",
                                                         "v",  "width", "color", "opacity"};
 inline constexpr std::array<Names, 4> kTextureMapNames = {"texture", "offset", "scale", "rotate"};
+inline constexpr std::array<Names, 5> kColorMapNames = {"texture", "offset", "scale", "rotate", "alpha"};
 inline constexpr std::array<Names, 5> kNormalMapNames = {"texture", "offset", "scale", "rotate", "space"};
 inline constexpr std::array<Names, 7> kFormulaNames = {"type",   "position", "u",       "v",
                                                        "closed", "let",      "segments"};
@@ -69,6 +70,7 @@ inline constexpr SceneKeys kOcclusion{"ambient occlusion", "ambient_occlusion", 
 inline constexpr SceneKeys kParameter{"a parameter", "parameter", kParameterNames, 1};
 inline constexpr SceneKeys kTexture{"a texture", "texture", kTextureNames};
 inline constexpr SceneKeys kTextureMap{"a map", "texture_map", kTextureMapNames, 1};
+inline constexpr SceneKeys kColorMap{"a map of colours", "color_map", kColorMapNames, 1};
 inline constexpr SceneKeys kNormalMap{"a map of normals", "normal_map", kNormalMapNames, 1};
 inline constexpr SceneKeys kMaterial{"a material", "material", kMaterialNames};
 inline constexpr SceneKeys kIsolines{"isolines", "isolines", kIsolinesNames};

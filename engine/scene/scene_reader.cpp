@@ -50,6 +50,7 @@ class SceneReader {
   void readTexture(const JsonValue& value, const FileName& name);
   void readMaterial(const JsonValue& value, const FileName& name);
   void readTextureMap(const JsonValue& value, MapDesc& map);
+  void readColorMap(const JsonValue& value, MapDesc& map);
   void readNormalMap(const JsonValue& value, NormalMapDesc& map);
   void readPlacedTexture(const SceneMembers& members, MapDesc& map);
   void readNodes(const JsonValue& nodes, std::uint32_t parent);
@@ -207,6 +208,17 @@ void SceneReader::readTextureMap(const JsonValue& value, MapDesc& map) {
   readPlacedTexture(SceneMembers(value, keys::kTextureMap, problems_), map);
 }
 
+/// The same; its alpha may count.
+void SceneReader::readColorMap(const JsonValue& value, MapDesc& map) {
+  if (value.kind() == JsonKind::String) {
+    values_.read(value, map.texture);
+    return;
+  }
+  const SceneMembers members(value, keys::kColorMap, problems_);
+  readPlacedTexture(members, map);
+  values_.read(members["alpha"], map.alpha);
+}
+
 void SceneReader::readNormalMap(const JsonValue& value, NormalMapDesc& map) {
   if (value.kind() == JsonKind::String) {
     values_.read(value, map.map.texture);
@@ -228,7 +240,7 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
   const SceneMembers members(value, keys::kMaterial, problems_);
   MaterialDesc material{.name = name};
   if (members["map"].exists()) {
-    readTextureMap(members["map"], material.map.emplace());
+    readColorMap(members["map"], material.map.emplace());
     material.diffuse = repeated(1);  // times what the texture says
   }
   if (members["normal_map"].exists()) readNormalMap(members["normal_map"], material.normalMap.emplace());

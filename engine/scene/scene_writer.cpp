@@ -148,6 +148,7 @@ JsonText written(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
   members.add("offset", map.offset, usual.offset);
   members.add("scale", map.scale, usual.scale);
   members.add("rotate", map.rotate, usual.rotate);
+  if (map.alpha) members.put("alpha", JsonText::boolean(true));
   members.addWord("space", space, NormalSpace::Tangent, keys::kNormalSpaces);
   return members.take();
 }

@@ -308,9 +308,9 @@ void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Mo
       require(
           caster,
           [](const Material& material) {
-            return !material.letsLightThrough() || !material.diffusePattern.valid();
+            return !material.letsLightThrough() || !(material.diffusePattern.valid() || material.map.valid());
           },
-          "it is seen through, has a pattern, and casts a planar shadow",
+          "it is seen through, has a pattern or a map, and casts a planar shadow",
           "leave it out of the light's \"casters\", or set the light's shadow to \"exact\"");
   }
 }

@@ -3,7 +3,10 @@
 // whose numbers the ground truth has in double. Where a texture's numbers start is `first`: draw/texture_list.h lists them.
 // All texels of a picture's textures are in one buffer, level after level, row after row.
 
-layout(set = kSetPattern, binding = kBindingTexels) uniform samplerBuffer texels;
+#ifndef LUXO_TEXELS_BINDING
+#define LUXO_TEXELS_BINDING kBindingTexels
+#endif
+layout(set = kSetPattern, binding = LUXO_TEXELS_BINDING) uniform samplerBuffer texels;
 
 // How u and v move from a pixel to the next: u, v to the right, u, v below. Whoever includes this knows.
 vec4 pixelFootprint();
@@ -103,7 +106,8 @@ vec4 filteredTexels(TextureNumbers numbers, vec2 place, mat2 steps) {
   return sum / len;
 }
 
-vec3 texelOfMap(uint first, vec2 parameters) {
+// With the alpha.
+vec4 wholeTexelOfMap(uint first, vec2 parameters) {
   mat2 linear = mat2(numbers2At(first + kTextureLinear), numbers2At(first + kTextureLinear + 2));
   vec2 place = linear * parameters + numbers2At(first + kTextureConstant);
   TextureNumbers numbers = textureNumbers(first);
@@ -111,17 +115,20 @@ vec3 texelOfMap(uint first, vec2 parameters) {
   vec4 color = parameterAt(first + kTextureNearest) != 0.0
                    ? nearestTexel(numbers, place)
                    : filteredTexels(numbers, place, linear * mat2(footprint.xy, footprint.zw));
-  return color.a > 0.0 ? color.rgb / color.a : vec3(0);
+  return vec4(color.a > 0.0 ? color.rgb / color.a : vec3(0), color.a);
 }
+
+vec3 texelOfMap(uint first, vec2 parameters) { return wholeTexelOfMap(first, parameters).rgb; }
 
 vec3 tintOfMap(uint first) { return numbers3At(first + kTextureTint); }
 
 void patternPaint(float u, float v, out vec4 paint) {
-  vec3 color = tintOfMap(0);
-#ifdef LUXO_COLOR_MAP
-  color *= texelOfMap(0, vec2(u, v));
+  paint = vec4(tintOfMap(0), 1.0);
+#ifdef LUXO_MAP_OPACITY
+  paint *= wholeTexelOfMap(0, vec2(u, v));
+#elif defined(LUXO_COLOR_MAP)
+  paint.rgb *= texelOfMap(0, vec2(u, v));
 #endif
-  paint = vec4(color, 1.0);
 }
 
 #ifdef LUXO_NORMAL_MAP

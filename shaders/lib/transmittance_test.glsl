@@ -9,7 +9,11 @@
 #include "lib/one_point.glsl"
 #ifdef LUXO_PATTERN
 #define LUXO_PATTERN_BINDING kBindingCasterPatterns
+#define LUXO_TEXELS_BINDING kBindingCasterTexels
 #include "lib/pattern.glsl"
+#ifdef LUXO_TEXTURED
+vec4 pixelFootprint() { return vec4(0); }  // light has no pixels
+#endif
 
 uint firstPatternParameter() { return varyingMaterial.y; }
 vec4 patternBounds() { return vec4(vec2(-3e38), vec2(3e38)); }  // parameters are within their cell

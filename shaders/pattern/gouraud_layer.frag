@@ -4,6 +4,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/gouraud_again.glsl"
 #include "lib/pattern_of_mesh.glsl"
+#ifdef LUXO_TEXTURED
+vec4 pixelFootprint() { return vec4(dFdx(inParameters), dFdy(inParameters)); }
+#define LUXO_ADDS_LIGHT kAddsLight
+#include "lib/maps.glsl"
+#endif
 #include "lib/again_layer.glsl"
 
 void main() {

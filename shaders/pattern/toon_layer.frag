@@ -5,6 +5,14 @@
 #include "lib/again.glsl"
 #include "lib/toon.glsl"
 #include "lib/pattern_of_mesh.glsl"
+#ifdef LUXO_TEXTURED
+#include "lib/mesh_footprint.glsl"
+vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
+#include "lib/maps.glsl"
+#ifdef LUXO_FRAMED
+#include "lib/mesh_frame.glsl"
+#endif
+#endif
 #include "lib/again_layer.glsl"
 
 void main() {

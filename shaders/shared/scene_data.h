@@ -78,7 +78,8 @@ LUXO_CONSTANT kBindingLightDepths = 8;
 LUXO_CONSTANT kBindingClosedCasters = 9;
 LUXO_CONSTANT kBindingMeshPlaces = 10;
 LUXO_CONSTANT kBindingShownPoints = 11;
-LUXO_CONSTANT kShadowBindings = 12;
+LUXO_CONSTANT kBindingCasterTexels = 12;  // of their textures
+LUXO_CONSTANT kShadowBindings = 13;
 
 // Bindings of kSetLayers.
 LUXO_CONSTANT kBindingLayerHeads = 0;
