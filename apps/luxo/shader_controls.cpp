@@ -13,6 +13,7 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "draw/course_style.h"
 #include "draw/shader_text.h"
 #include "option_values.h"
 
@@ -284,6 +285,7 @@ std::vector<UniformControl> uniformControls(const MaterialShader& shader,
                                             std::span<const gpu::ShaderVariable> uniforms,
                                             std::vector<std::string>* warnings) {
   const Declarations declarations = declarationsOf(shader);
+  const bool isProgram = inCourseStyle(shader);
   std::vector<UniformControl> controls;
   for (const gpu::ShaderVariable& uniform : uniforms) {
     const TypeShape shape = shapeOf(uniform.type);
@@ -295,6 +297,7 @@ std::vector<UniformControl> uniformControls(const MaterialShader& shader,
     const auto declared = declarations.find(uniform.name);
     if (declared == declarations.end()) continue;
     const Declaration& from = declared->second;
+    if (uniform.type.starts_with("sampler") && !isProgram) continue;  // textures have names of a scene's
     if (uniform.type.starts_with("sampler")) {
       control.kind = Kind::Choice;
       control.initial = {0};

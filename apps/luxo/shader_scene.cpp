@@ -97,7 +97,12 @@ void give(MaterialDesc& material, const FileName& shader, const std::vector<Unif
   material.normalMap.reset();
   material.shader = shader;
   material.vertex = {};
-  material.uniforms = uniforms;
+  if (material.map) material.map->alpha = false;
+  // Textures stay where there are no others.
+  std::erase_if(material.uniforms, [&](const UniformDesc& own) {
+    return !own.map || std::ranges::any_of(uniforms, [&](const UniformDesc& one) { return one.name == own.name; });
+  });
+  material.uniforms.insert(material.uniforms.end(), uniforms.begin(), uniforms.end());
 }
 
 std::vector<std::string> namesOf(const auto& described) {
@@ -156,6 +161,10 @@ class Parameters {
     const ParameterValue* value = valueOf(uniform.name);
     if (value) used_.insert(uniform.name);
     if (!uniform.active) return warnOf(value);
+    if (uniform.type == "sampler2D" && uniform.kind == Kind::None) {
+      if (value) addTexture(uniform.name, value->value);
+      return;
+    }
     if (!value && takesTime(uniform)) return;
     if (value || uniform.kind != Kind::None) addParameters(uniform, value);
   }
@@ -206,6 +215,14 @@ class Parameters {
       if (end == formulas.size()) return true;
       formulas.remove_prefix(end + 1);
     }
+  }
+
+  /// One of the scene's, or an image file beside it.
+  void addTexture(const std::string& uniform, const std::string& texture) {
+    const std::vector<std::string> known = namesOf(made_.description.textures);
+    if (std::ranges::find(known, texture) == known.end())
+      made_.description.textures.push_back({.name = texture, .file = texture});
+    uniforms_.push_back({.name = uniform, .map = MapDesc{.texture = texture}});
   }
 
   std::string freeName(std::string name) {

@@ -17,6 +17,7 @@
 #include "draw/shader_text.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
+#include "shared/scene_data.h"
 
 namespace luxo {
 namespace {
@@ -172,9 +173,22 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
           "leave \"vertex\" out: material() is given the point itself (shaders/MATERIALS.md)");
     for (const MaterialShader::File& file : shader_->files) texts_.push_back(withBoundedLoops(file.text));
     interface_ = compileAlone(kAlone, 0, gpu::ShaderStage::Fragment);
+    nameSamplers();
   }
   requireAffordable();
   requireSettable();
+}
+
+/// To the compiler samplers are numbers.
+void MaterialProgram::nameSamplers() {
+  for (gpu::ShaderBlock& block : interface_.blocks)
+    for (gpu::ShaderVariable& uniform : block.members) {
+      if (uniform.type != "int" || !shader_->hasSampler(uniform.name)) continue;
+      uniform.type = "sampler2D";
+      if (!uniform.array.empty())
+        refuseWord(uniform.name, fmt::format("'{}' are several samplers", uniform.name),
+                   "declare each by itself: uniform sampler2D first, second;");
+    }
 }
 
 void MaterialProgram::compileCourse() {
@@ -238,7 +252,7 @@ void MaterialProgram::requireSettable() {
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: '{}' is a {}, which scenes do not set yet", shader_->files.front().name,
                             interface().samplers.front().name, interface().samplers.front().type),
-                "give the material a \"map\", and read it with colorMap(p.uv)");
+                "images have two dimensions: uniform sampler2D");
 }
 
 void MaterialProgram::refuseWord(const std::string& word, const std::string& why,
@@ -330,6 +344,15 @@ void MaterialProgram::check(const Material& material) const {
              didYouMean(value.name, names,
                         names.empty() ? "it has none" : fmt::format("it has {}", listed(names))));
     }
+    const bool isSampler = uniform->type.starts_with("sampler");
+    if (value.map.valid() && isSampler) continue;
+    if (value.map.valid())
+      refuse(fmt::format("the uniform '{}' of '{}' is of type {}, not a texture", value.name, file,
+                         arrayText(*uniform)),
+             {});
+    if (isSampler && !course_)
+      refuse(fmt::format("the uniform '{}' of '{}' is a texture, not a number", value.name, file),
+             "give it the name of one of the scene's textures");
     const std::optional<UniformType> type = typeNamed(uniform->type);
     if (!type)
       refuse(fmt::format("the uniform '{}' of '{}' is of type {}, which scenes do not set", value.name, file,
@@ -341,7 +364,7 @@ void MaterialProgram::check(const Material& material) const {
                          arrayText(*uniform), wanted, wanted == 1 ? "" : "s", value.values.size()),
              {});
     for (const double number : value.values) {
-      if (uniform->type.starts_with("sampler") && number > 2)
+      if (isSampler && number > 2)
         refuse(fmt::format("the uniform '{}' of '{}' is a {}, and there is no map {}", value.name, file,
                            arrayText(*uniform), number),
                "0 is the material's \"map\", 1 its \"specular_map\", 2 its \"glow_map\"");
@@ -357,6 +380,16 @@ void MaterialProgram::check(const Material& material) const {
                {});
     }
   }
+  if (!course_) requireTextures(material);
+}
+
+void MaterialProgram::requireTextures(const Material& material) const {
+  for (const gpu::ShaderVariable& uniform : uniforms_)
+    if (uniform.type == "sampler2D" && uniform.active &&
+        std::ranges::find(material.uniforms, uniform.name, &UniformValue::name) == material.uniforms.end())
+      refuseWord(uniform.name,
+                 fmt::format("the sampler '{}' has no texture, in material '{}'", uniform.name, material.name),
+                 fmt::format("name one of the scene's: \"uniforms\": {{ \"{}\": \"wood\" }}", uniform.name));
 }
 
 std::vector<std::string> MaterialProgram::unused(const Material& material) const {
@@ -370,7 +403,8 @@ std::vector<std::string> MaterialProgram::unused(const Material& material) const
 }
 
 template <typename StorageOf>
-std::string MaterialProgram::loads(const GivenUniforms& given, StorageOf storageOf) const {
+std::string MaterialProgram::loads(const Paint& paint, StorageOf storageOf) const {
+  const GivenUniforms& given = paint.given();
   std::string text;
   const auto set = [&](const gpu::ShaderVariable& uniform, const auto& valueOf) {
     for (std::uint32_t i = 0; i < uniform.elements(); ++i) {
@@ -384,9 +418,14 @@ std::string MaterialProgram::loads(const GivenUniforms& given, StorageOf storage
       text += fmt::format("  {} = {};\n", element, valueOf(i));
     }
   };
-  std::uint32_t first = 0;
+  std::uint32_t first = 0, texture = paint.firstOfUniforms();
   for (const auto& [name, count] : given) {
     const gpu::ShaderVariable& uniform = *find(name);
+    if (count == 0) {
+      set(uniform, [&](std::uint32_t) { return fmt::format("{}", texture); });
+      texture += shared::kTextureNumbers;
+      continue;
+    }
     const UniformType type = *typeNamed(uniform.type);
     const std::uint32_t begin = first;
     set(uniform, [&](std::uint32_t i) { return valueAt(uniform, type, begin + i * type.numbers()); });
@@ -402,12 +441,11 @@ std::string MaterialProgram::loads(const GivenUniforms& given, StorageOf storage
 }
 
 std::vector<gpu::ShaderSource> MaterialProgram::sources(const Paint& paint, std::string& material) const {
-  const GivenUniforms& given = paint.given();
   std::vector<gpu::ShaderSource> sources;
   if (paint.curvature().valid()) sources.push_back({kCurvature, paint.curvature().glsl()});
   if (course_) {
     material =
-        course_->material(loads(given, [this](const std::string& name) { return course_->storageOf(name); }));
+        course_->material(loads(paint, [this](const std::string& name) { return course_->storageOf(name); }));
     for (gpu::ShaderSource& file : course_->files()) sources.push_back(file);
     sources.push_back({kEntry, material});
     return sources;
@@ -426,16 +464,17 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const Paint& paint, std:
                                          "ambientLight", "blinnPhong",      "colorMap",   "specularMap",
                                          "glowMap",      "Point",           "Light",      "luxoStops",
                                          "luxoRounds",   "luxoPictureSize", "Hit",        "trace",
-                                         "worldVector",  "objectVector",    "worldNormal"};
+                                         "worldVector",  "objectVector",    "worldNormal", "texture",
+                                         "textureGrad"};
   std::erase_if(names, [&](const std::string& name) {
     return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
   });
-  material = "#define uniform\n";
+  material = "#define uniform\n#define sampler2D int\n";
   for (const std::string& name : names) material += fmt::format("#define {} luxoOwn_{}\n", name, name);
   material += fmt::format("#include \"{}\"\nvoid loadUniforms() {{\n{}}}\n", shader_->files.front().name,
-                          loads(given, [](const std::string& name) { return name; }));
+                          loads(paint, [](const std::string& name) { return name; }));
   for (const std::string& name : names) material += fmt::format("#undef {}\n", name);
-  material += "#undef uniform\n";
+  material += "#undef sampler2D\n#undef uniform\n";
   sources.push_back({kEntry, material});
   for (std::size_t i = 0; i < texts_.size(); ++i)
     sources.push_back({shader_->files[i].name, texts_[i], shader_->files[i].text});

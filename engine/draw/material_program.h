@@ -62,7 +62,9 @@ class MaterialProgram {
   [[nodiscard]] bool isInitialised(const std::string& uniform) const;
   /// Statements that give uniforms their values; `storageOf` gives the variable.
   template <typename StorageOf>
-  [[nodiscard]] std::string loads(const GivenUniforms& given, StorageOf storageOf) const;
+  [[nodiscard]] std::string loads(const Paint& paint, StorageOf storageOf) const;
+  void nameSamplers();
+  void requireTextures(const Material& material) const;
   [[nodiscard]] const gpu::ShaderVariable* find(const std::string& name) const;
 
   MaterialShaderPtr shader_;

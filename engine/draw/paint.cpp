@@ -25,6 +25,8 @@ std::string Paint::preamble() const {
   define(maps_.specular, "LUXO_SPECULAR_MAP", shared::kTextureNumbers);
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
   if (readsFrame()) lines += "#define LUXO_FRAMED\n";
+  for (const auto& [name, count] : shader_.given)
+    if (count == 0) first += shared::kTextureNumbers;
   if (shader_.text) lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", first);
   if (shader_.curvature.valid()) {
     std::uint32_t numbers = kShaderNumbers;
@@ -34,8 +36,16 @@ std::string Paint::preamble() const {
   if (shader_.text && shader_.text->traces()) lines += "#define LUXO_TRACES\n";
   if (shader_.text && shader_.text->hasOpacity()) lines += "#define LUXO_OPACITY\n";
   if (maps_.lesson) lines += "#define LUXO_LESSON\n";
-  if (first > shared::kTextureNumbers || maps_.lesson) lines += "#define LUXO_MAPS\n";
+  if (firstOfUniforms() > shared::kTextureNumbers || maps_.lesson) lines += "#define LUXO_MAPS\n";
   return lines;
+}
+
+std::uint32_t Paint::firstOfUniforms() const {
+  std::uint32_t numbers = shared::kTextureNumbers;
+  if (maps_.normal) numbers += shared::kTextureNumbers + shared::kNormalNumbers;
+  for (const bool has : {maps_.specular, maps_.glow})
+    if (has) numbers += shared::kTextureNumbers;
+  return numbers;
 }
 
 }  // namespace luxo

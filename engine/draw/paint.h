@@ -15,7 +15,7 @@
 
 namespace luxo {
 
-/// Which uniforms of a material's shader are given, and of how many numbers each.
+/// Which uniforms of a material's shader are given, and of how many numbers each: 0 of a texture.
 using GivenUniforms = std::vector<std::pair<std::string, std::uint32_t>>;
 
 class Paint {
@@ -38,7 +38,8 @@ class Paint {
     paint.shader_.text = material.shader;
     if (material.shader) paint.shader_.curvature = material.curvature;
     for (const UniformValue& uniform : material.uniforms)
-      paint.shader_.given.emplace_back(uniform.name, static_cast<std::uint32_t>(uniform.values.size()));
+      paint.shader_.given.emplace_back(
+          uniform.name, uniform.map.valid() ? 0 : static_cast<std::uint32_t>(uniform.values.size()));
     return paint;
   }
 
@@ -69,6 +70,8 @@ class Paint {
   }
   /// Which maps there are, and where their numbers start, as appendMaps() (draw/texture_list.h) has them.
   [[nodiscard]] std::string preamble() const;
+  /// Where those of the textures that its shader's uniforms are given start: behind them are the shader's own.
+  [[nodiscard]] std::uint32_t firstOfUniforms() const;
 
   friend bool operator==(const Paint&, const Paint&) = default;
   friend std::strong_ordering operator<=>(const Paint&, const Paint&) = default;

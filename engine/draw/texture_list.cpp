@@ -73,6 +73,8 @@ void appendMaps(const Material& material, const SnapshotNode& node, TextureList&
   if (material.specularMap.valid())
     append(material.specularMap, material.specular, node.surface, textures, numbers);
   if (material.glowMap.valid()) append(material.glowMap, material.glow, node.surface, textures, numbers);
+  for (const UniformValue& uniform : material.uniforms)
+    if (uniform.map.valid()) append(uniform.map, Vec3(1), node.surface, textures, numbers);
   requireTexels(textures);  // the lesson's formula may have no map
 }
 

@@ -21,12 +21,34 @@ const char* painting(const Material& material) {
                                             : "the diffuse colour or opacity uses u or v";
 }
 
+/// What a sampler is given: a texture, or the name of one, which is written as formulas are.
+std::optional<MapDesc> textureOf(const UniformDesc& uniform, const MaterialShaderPtr& shader) {
+  const bool isName = !uniform.map && uniform.values.size() == 1 && uniform.values[0].isFormula();
+  if (!isName || !shader || !shader->hasSampler(uniform.name.text)) return uniform.map;
+  return MapDesc{.texture = FileName(uniform.values[0].formula(), uniform.values[0].place())};
+}
+
 }  // namespace
 
 bool isOpaque(const MaterialDesc& material) {
   return material.opacity == Quantity(1) && material.blend == Blend::Over &&
          !(material.map && material.map->alpha);
 }
+
+/// Where a texture is, as it may move.
+struct MaterialBuilder::MapPlace {
+  std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
+  Animated<double> angle = 0.0;
+
+  void put(TextureMap& map, const Moment& moment) const {
+    map.offset = {offset[0].at(moment), offset[1].at(moment)};
+    map.scale = {scale[0].at(moment), scale[1].at(moment)};
+    map.angle = angle.at(moment);
+  }
+  [[nodiscard]] std::array<Animated<double>, 5> numbers() const {
+    return {offset[0], offset[1], scale[0], scale[1], angle};
+  }
+};
 
 /// A material whose numbers may move.
 struct MaterialBuilder::Moving {
@@ -35,11 +57,8 @@ struct MaterialBuilder::Moving {
   std::optional<Animated<Vec3>> ambient = {};
   Animated<double> shininess = 0.0, opacity = 0.0;
   std::vector<Animated<double>> patternParameters = {}, curvatureParameters = {};
-  struct Place {
-    std::array<Animated<double>, 2> offset = {0.0, 0.0}, scale = {1.0, 1.0};
-    Animated<double> angle = 0.0;
-  };
-  std::array<Place, 4> places = {};                          ///< of Material::maps()
+  std::array<MapPlace, 4> places = {};                       ///< of Material::maps()
+  std::vector<MapPlace> uniformPlaces = {};                  ///< of each uniform
   std::vector<std::vector<Animated<double>>> uniforms = {};  ///< of each the values
 
   [[nodiscard]] Material at(const Moment& moment) const {
@@ -54,12 +73,8 @@ struct MaterialBuilder::Moving {
     for (const Animated<double>& parameter : curvatureParameters)
       material.curvatureParameters.push_back(parameter.at(moment));
     const std::array<TextureMap*, 4> maps = material.maps();
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const Place& place = places[i];
-      maps[i]->offset = {place.offset[0].at(moment), place.offset[1].at(moment)};
-      maps[i]->scale = {place.scale[0].at(moment), place.scale[1].at(moment)};
-      maps[i]->angle = place.angle.at(moment);
-    }
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].put(*maps[i], moment);
+    for (std::size_t i = 0; i < uniforms.size(); ++i) uniformPlaces[i].put(material.uniforms[i].map, moment);
     for (std::size_t i = 0; i < uniforms.size(); ++i)
       for (const Animated<double>& value : uniforms[i])
         material.uniforms[i].values.push_back(value.at(moment));
@@ -78,10 +93,8 @@ struct MaterialBuilder::Moving {
     std::ranges::for_each(patternParameters, consider);
     std::ranges::for_each(curvatureParameters, consider);
     for (const std::vector<Animated<double>>& values : uniforms) std::ranges::for_each(values, consider);
-    for (const Place& place : places)
-      for (const Animated<double>& number :
-           {place.offset[0], place.offset[1], place.scale[0], place.scale[1], place.angle})
-        consider(number);
+    for (const MapPlace& place : places) std::ranges::for_each(place.numbers(), consider);
+    for (const MapPlace& place : uniformPlaces) std::ranges::for_each(place.numbers(), consider);
     if (constant) return at(0);
     return {[material = std::move(*this)](const Moment& moment) { return material.at(moment); },
             moves ? DependsOn::Both : DependsOn::Parameters};
@@ -114,14 +127,7 @@ void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (!maps[i]) continue;
     const MapDesc& map = *maps[i];
-    if (const TextureMap* texture = textures_.find(map.texture, problems_))
-      *material.fixed.maps()[i] = *texture;
-    Moving::Place& place = material.places[i];
-    for (std::size_t k = 0; k < 2; ++k) {
-      place.offset[k] = formulas_.number(map.offset[k], kPlace);
-      place.scale[k] = formulas_.number(map.scale[k], kPlace);
-    }
-    place.angle = formulas_.number(map.rotate);
+    addMap(map, *material.fixed.maps()[i], material.places[i]);
     if (material.fixed.diffusePattern.valid())
       problems_.add(map.texture.place, fmt::format("{}, and there is a map, too", painting(material.fixed)),
                     "leave out one of them");
@@ -137,6 +143,15 @@ void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
   if (!desc.normalMap) return;
   material.fixed.normalSpace = desc.normalMap->space;
   requireNumbers(desc.normalMap->map.texture);
+}
+
+void MaterialBuilder::addMap(const MapDesc& desc, TextureMap& map, MapPlace& place) {
+  if (const TextureMap* texture = textures_.find(desc.texture, problems_)) map = *texture;
+  for (std::size_t k = 0; k < 2; ++k) {
+    place.offset[k] = formulas_.number(desc.offset[k], kPlace);
+    place.scale[k] = formulas_.number(desc.scale[k], kPlace);
+  }
+  place.angle = formulas_.number(desc.rotate);
 }
 
 void MaterialBuilder::addLesson(const MaterialDesc& desc, Moving& material) {
@@ -193,9 +208,13 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
                   "leave out one of them");
   for (const UniformDesc& uniform : desc.uniforms) {
     std::vector<Animated<double>>& values = material.uniforms.emplace_back();
-    for (const Quantity& value : uniform.values) values.push_back(formulas_.number(value, kPlace));
-    material.fixed.uniforms.push_back(
-        {uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
+    MapPlace& place = material.uniformPlaces.emplace_back();
+    UniformValue& value = material.fixed.uniforms.emplace_back(UniformValue{
+        uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
+    if (const std::optional<MapDesc> map = textureOf(uniform, shader))
+      addMap(*map, value.map, place);
+    else
+      for (const Quantity& number : uniform.values) values.push_back(formulas_.number(number, kPlace));
   }
 }
 

@@ -32,9 +32,11 @@ class MaterialBuilder {
   [[nodiscard]] bool readsCurvature(const MaterialDesc& desc) const;
 
  private:
+  struct MapPlace;
   struct Moving;
 
   void addMaps(const MaterialDesc& desc, Moving& material);
+  void addMap(const MapDesc& desc, TextureMap& map, MapPlace& place);
   void requireNumbers(const FileName& texture);
   void addShader(const MaterialDesc& desc, Moving& material);
   [[nodiscard]] std::shared_ptr<ShaderFiles> shaderFiles() const;

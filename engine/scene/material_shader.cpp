@@ -39,6 +39,11 @@ bool MaterialShader::readsCurvature() const {
   return std::ranges::any_of(files, [](const File& file) { return std::regex_search(file.text, kField); });
 }
 
+bool MaterialShader::hasSampler(const std::string& name) const {
+  const std::regex declared(R"(\buniform\s+sampler2D\s[^;]*\b)" + name + "\\b");
+  return std::ranges::any_of(files, [&](const File& file) { return std::regex_search(file.text, declared); });
+}
+
 bool MaterialShader::hasOpacity() const {
   static const std::regex kPragma(R"(\s*#\s*pragma\s+luxo\s+opacity\s*($|//|/\*))");
   return std::ranges::any_of(files, [](const File& file) { return hasPragma(file.text, kPragma); });

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "scene/texture_map.h"
 
 namespace luxo {
 
@@ -30,6 +31,8 @@ struct MaterialShader {
   [[nodiscard]] bool traces() const;
   /// Whether it reads how its surface bends: there is a .K, .H, .k1 or .k2. Cost: as of traces().
   [[nodiscard]] bool readsCurvature() const;
+  /// Whether it declares a uniform sampler2D of that name. Cost: as of traces().
+  [[nodiscard]] bool hasSampler(const std::string& name) const;
   /// Whether it says how opaque its points are: a line of it is `#pragma luxo opacity`. Cost: as of traces().
   [[nodiscard]] bool hasOpacity() const;
 
@@ -48,11 +51,12 @@ struct TextPlace {
   friend bool operator==(const TextPlace&, const TextPlace&) { return true; }
 };
 
-/// Of a matrix row after row; truth is 0 or 1.
+/// Of a matrix row after row; truth is 0 or 1. Of a sampler a texture, and no values.
 struct UniformValue {
   std::string name;
   std::vector<double> values;
   TextPlace place = {};
+  TextureMap map = {};
 
   friend bool operator==(const UniformValue&, const UniformValue&) = default;
 };

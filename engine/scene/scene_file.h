@@ -130,11 +130,13 @@ struct NormalMapDesc {
   friend bool operator==(const NormalMapDesc&, const NormalMapDesc&) = default;
 };
 
-/// A value for a uniform of a material's shader: a number, or some, those of matrices row after row.
+/// A value for a uniform of a material's shader: a number, or some, those of matrices row after row; or a
+/// texture, which a single formula names, too, where the uniform is a sampler.
 struct UniformDesc {
   FileName name = {};
   std::vector<Quantity> values = {};
   FilePlace place = {};
+  std::optional<MapDesc> map = {};
 
   friend bool operator==(const UniformDesc&, const UniformDesc&) = default;
 };

@@ -303,7 +303,10 @@ void SceneReader::readUniforms(const JsonValue& value, std::vector<UniformDesc>&
         values_.read(one, uniform.values.emplace_back());
       }
     };
-    add(add, v);
+    if (v.kind() == JsonKind::Object)
+      readTextureMap(v, uniform.map.emplace());
+    else
+      add(add, v);
     uniforms.push_back(std::move(uniform));
   });
 }

@@ -22,6 +22,12 @@ void visitAll(std::span<const Quantity> quantities, const Visit& visit) {
   for (const Quantity& quantity : quantities) visit(quantity);
 }
 
+void visitMap(const MapDesc& map, const Visit& visit) {
+  visitAll(map.offset, visit);
+  visitAll(map.scale, visit);
+  visit(map.rotate);
+}
+
 void visitLet(const std::vector<LetDesc>& let, const Visit& visit) {
   for (const LetDesc& entry : let) visit(entry.value);
 }
@@ -135,6 +141,17 @@ void warnOfRadius(const LightDesc& light, std::vector<Diagnostic>& warnings) {
                         "give the light a \"radius\", or leave \"shadow_samples\" out"});
 }
 
+/// The names of those that it uses.
+void addTexturesOf(const MaterialDesc& material, std::unordered_set<std::string_view>& textures) {
+  for (const MapDesc* map : material.maps())
+    if (map) textures.insert(map->texture.text);
+  for (const UniformDesc& uniform : material.uniforms) {
+    if (uniform.map) textures.insert(uniform.map->texture.text);
+    if (uniform.values.size() == 1 && uniform.values[0].isFormula())
+      textures.insert(uniform.values[0].formula());
+  }
+}
+
 }  // namespace
 
 void forEachQuantity(const SceneFile& file, const Visit& visit) {
@@ -156,16 +173,15 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
   }
   for (const MaterialDesc& material : file.materials) {
     visitAll(material.diffuse, visit);
-    for (const MapDesc* map : material.maps()) {
-      if (!map) continue;
-      visitAll(map->offset, visit);
-      visitAll(map->scale, visit);
-      visit(map->rotate);
-    }
+    for (const MapDesc* map : material.maps())
+      if (map) visitMap(*map, visit);
     if (material.ambient) visitAll(*material.ambient, visit);
     visitAll(material.specular, visit);
     visitAll({{material.shininess, material.opacity}}, visit);
-    for (const UniformDesc& uniform : material.uniforms) visitAll(uniform.values, visit);
+    for (const UniformDesc& uniform : material.uniforms) {
+      visitAll(uniform.values, visit);
+      if (uniform.map) visitMap(*uniform.map, visit);
+    }
     for (const LetDesc& entry : material.let) visit(entry.value);
     for (const IsolinesDesc& isolines : material.isolines) {
       for (const auto* quantity : {&isolines.of, &isolines.step, &isolines.u, &isolines.v})
@@ -189,9 +205,7 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
     surfaces.insert(node.surface.text);
     materials.insert(node.material.text);
   }
-  for (const MaterialDesc& material : file.materials)
-    for (const MapDesc* map : material.maps())
-      if (map) textures.insert(map->texture.text);
+  for (const MaterialDesc& material : file.materials) addTexturesOf(material, textures);
   const auto unused = [&](const auto& things, const auto& used, std::string_view kind) {
     for (const auto& thing : things)
       if (!used.contains(thing.name.text))

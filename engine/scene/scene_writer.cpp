@@ -139,10 +139,9 @@ JsonText written(const TextureDesc& texture) {
   return members.take();
 }
 
-/// A name, or, where there is more to say, an object; `space`: what a map of normals says beside.
-JsonText written(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
+/// `space`: what a map of normals says beside.
+JsonText writtenPlaced(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
   const MapDesc usual{.texture = map.texture};
-  if (map == usual && space == NormalSpace::Tangent) return JsonText::string(map.texture.text);
   Members members;
   members.put("texture", JsonText::string(map.texture.text));
   members.add("offset", map.offset, usual.offset);
@@ -153,11 +152,18 @@ JsonText written(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
   return members.take();
 }
 
+/// A name, or, where there is more to say, an object.
+JsonText written(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
+  const bool isName = map == MapDesc{.texture = map.texture} && space == NormalSpace::Tangent;
+  return isName ? JsonText::string(map.texture.text) : writtenPlaced(map, space);
+}
+
 JsonText written(const std::vector<UniformDesc>& uniforms) {
   Members members;
   for (const UniformDesc& uniform : uniforms)
-    members.put(uniform.name.text,
-                uniform.values.size() == 1 ? written(uniform.values[0]) : written(uniform.values));
+    members.put(uniform.name.text, uniform.map                  ? writtenPlaced(*uniform.map)
+                                   : uniform.values.size() == 1 ? written(uniform.values[0])
+                                                                : written(uniform.values));
   return members.take();
 }
 

@@ -77,6 +77,9 @@ vec3 glowMap(vec2 uv) {
 #endif
 }
 
+vec4 texture(int map, vec2 uv) { return wholeTexelOfMap(uint(map), uv); }
+vec4 textureGrad(int map, vec2 uv, vec2 right, vec2 below) { return wholeTexelOfMap(uint(map), uv, vec4(right, below)); }
+
 vec3 worldVector(vec3 object) { return mat3(shaderNumbers3(18), shaderNumbers3(21), shaderNumbers3(24)) * object; }
 vec3 objectVector(vec3 world) { return mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)) * world; }
 vec3 worldNormal(vec3 object) { return object * mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)); }
@@ -112,11 +115,10 @@ Point materialPoint(Found found) {
   p.viewer = found.viewer;
   p.tangent = frame.xyz;
   p.bitangent = frame.w < 0.0 ? cross(frame.xyz, found.normal) : cross(found.normal, frame.xyz);
-  p.uv = found.parameters;
+  p.uv = mapParameters(found.parameters);
   vec4 bend = vec4(0);
 #ifdef LUXO_CURVATURE_NUMBERS
-  vec2 parameters = mapParameters(found.parameters);
-  curvaturePaint(parameters.x, parameters.y, bend);
+  curvaturePaint(p.uv.x, p.uv.y, bend);
 #endif
   p.K = numberOr0(bend.x);
   p.H = numberOr0(bend.y);

@@ -45,6 +45,10 @@ vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess);
 vec3 colorMap(vec2 uv);
 vec3 specularMap(vec2 uv);
 vec3 glowMap(vec2 uv);
+// A sampler, which is the number of its map's numbers: filtered over the pixel as if uv were the surface's; or as if they
+// moved so to the pixel at the right, and to that below.
+vec4 texture(int map, vec2 uv);
+vec4 textureGrad(int map, vec2 uv, vec2 right, vec2 below);
 // From the axes of the point's node to those of the world, and back: of directions, which keep no length where the node is
 // scaled; and, by the inverse transposed, of normals and of gradients, which bump maps are made of.
 vec3 worldVector(vec3 object);

@@ -107,17 +107,17 @@ vec4 filteredTexels(TextureNumbers numbers, vec2 place, mat2 steps) {
 }
 
 // With the alpha.
-vec4 wholeTexelOfMap(uint first, vec2 parameters) {
+vec4 wholeTexelOfMap(uint first, vec2 parameters, vec4 footprint) {
   mat2 linear = mat2(numbers2At(first + kTextureLinear), numbers2At(first + kTextureLinear + 2));
   vec2 place = linear * parameters + numbers2At(first + kTextureConstant);
   TextureNumbers numbers = textureNumbers(first);
-  vec4 footprint = pixelFootprint();
   vec4 color = parameterAt(first + kTextureNearest) != 0.0
                    ? nearestTexel(numbers, place)
                    : filteredTexels(numbers, place, linear * mat2(footprint.xy, footprint.zw));
   return vec4(color.a > 0.0 ? color.rgb / color.a : vec3(0), color.a);
 }
 
+vec4 wholeTexelOfMap(uint first, vec2 parameters) { return wholeTexelOfMap(first, parameters, pixelFootprint()); }
 vec3 texelOfMap(uint first, vec2 parameters) { return wholeTexelOfMap(first, parameters).rgb; }
 
 vec3 tintOfMap(uint first) { return numbers3At(first + kTextureTint); }
