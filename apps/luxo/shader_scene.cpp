@@ -100,7 +100,8 @@ void give(MaterialDesc& material, const FileName& shader, const std::vector<Unif
   if (material.map) material.map->alpha = false;
   // Textures stay where there are no others.
   std::erase_if(material.uniforms, [&](const UniformDesc& own) {
-    return !own.map || std::ranges::any_of(uniforms, [&](const UniformDesc& one) { return one.name == own.name; });
+    return !own.map ||
+           std::ranges::any_of(uniforms, [&](const UniformDesc& one) { return one.name == own.name; });
   });
   material.uniforms.insert(material.uniforms.end(), uniforms.begin(), uniforms.end());
 }

@@ -110,7 +110,8 @@ struct Foreign {
 };
 
 constexpr Foreign kForeign[] = {
-    {"discard", "nothing is seen through a material's shader yet", "write a colour everywhere"},
+    {"discard", "a program gives every point a colour",
+     "write gl_FragColor = vec4(0.0), in a program with the line '#pragma luxo opacity'"},
     {"gl_FragDepth", "a point has the depth that it has: it is found before it is lit", "leave it out"},
     {"gl_FragData", "a program writes one colour", "write gl_FragColor"},
     {"gl_Fog", "a scene has no fog", "give its numbers as uniforms of your own"},

@@ -174,11 +174,10 @@ class DrawLister {
     entry->caster->material = number;
     entry->caster->flags |=
         (v.twoSided ? shared::kTurnsNormal : 0) | (v.hideBackFaces ? shared::kShowsFront : 0);
-    list_.layers.searches.push_back({.state = {.form = Form::Layer,
-                                               .details = list_.layers.details,
-                                               .surface = found.code},
-                                     .caster = casters_.add(*entry->caster),
-                                     .area = *area});
+    list_.layers.searches.push_back(
+        {.state = {.form = Form::Layer, .details = list_.layers.details, .surface = found.code},
+         .caster = casters_.add(*entry->caster),
+         .area = *area});
   }
 
   void listLayerMesh(const VisibleNode& v, const SnapshotNode& node, const Material& material,

@@ -48,7 +48,8 @@ void LayerLists::prepare(VkExtent2D extent, bool details) {
     details_ = {};
     points_ = make((room + 1) * sizeof(shared::LayerPoint), gpu::MemoryUse::Device, "layers");
   }
-  if (details) details_ = make((room_ + 1) * sizeof(shared::LayerDetail), gpu::MemoryUse::Device, "details of layers");
+  if (details)
+    details_ = make((room_ + 1) * sizeof(shared::LayerDetail), gpu::MemoryUse::Device, "details of layers");
 }
 
 std::vector<gpu::Buffer*> LayerLists::buffers() {

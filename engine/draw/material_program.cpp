@@ -79,11 +79,10 @@ std::string arrayText(const gpu::ShaderVariable& uniform) {
 
 /// Whether a name may follow a dot in a shader: of what it is given, or of a vector.
 bool isField(const std::string& name) {
-  constexpr std::string_view kFields[] = {"position",  "object",   "normal",   "viewer",  "tangent",
-                                          "bitangent", "Su",       "Sv",       "uv",      "footprint",
-                                          "direction", "distance", "radiance", "visible", "length",
-                                          "found",     "inside",   "color",    "number",  "K",
-                                          "H",         "k1",       "k2"};
+  constexpr std::string_view kFields[] = {
+      "position", "object",    "normal",    "viewer",   "tangent",  "bitangent", "Su",     "Sv",
+      "uv",       "footprint", "direction", "distance", "radiance", "visible",   "length", "found",
+      "inside",   "color",     "number",    "K",        "H",        "k1",        "k2"};
   const auto isOf = [&](std::string_view letters) {
     return name.size() <= 4 && name.find_first_not_of(letters) == name.npos;
   };
@@ -141,10 +140,11 @@ std::string asProgramsSpell(std::string_view message) {
 
 void requireCurvature(const SnapshotNode& node, const Material& material) {
   if (!material.shader->readsCurvature() || material.curvature.valid() || node.surface.triangles()) return;
-  throw Error(ErrorKind::Scene,
-              fmt::format("the shader '{}' reads the curvature of its surface, which material '{}' does not know",
-                          material.shader->files.front().name, material.name),
-              "give the material the surface's: Material::curvature = curvaturePattern(surface)");
+  throw Error(
+      ErrorKind::Scene,
+      fmt::format("the shader '{}' reads the curvature of its surface, which material '{}' does not know",
+                  material.shader->files.front().name, material.name),
+      "give the material the surface's: Material::curvature = curvaturePattern(surface)");
 }
 
 /// 0 of what flattens space.
@@ -273,10 +273,9 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
   const std::string& file = shader_->files.front().name;
   const bool isProgram = luxo::inCourseStyle(*shader_);
   if (interface.discards)
-    throw Error(
-        ErrorKind::Scene,
-        fmt::format("{}: there is a 'discard', and a material is a function of its point", file),
-        "return an opacity of 0, in a shader that has the line '#pragma luxo opacity'");
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: there is a 'discard', and a material is a function of its point", file),
+                "return an opacity of 0, in a shader that has the line '#pragma luxo opacity'");
   for (const std::string& global : interface.computedGlobals) {
     const std::string name = isProgram ? withoutCourseSpelling(global) : global;
     refuseWord(name,
@@ -387,9 +386,10 @@ void MaterialProgram::requireTextures(const Material& material) const {
   for (const gpu::ShaderVariable& uniform : uniforms_)
     if (uniform.type == "sampler2D" && uniform.active &&
         std::ranges::find(material.uniforms, uniform.name, &UniformValue::name) == material.uniforms.end())
-      refuseWord(uniform.name,
-                 fmt::format("the sampler '{}' has no texture, in material '{}'", uniform.name, material.name),
-                 fmt::format("name one of the scene's: \"uniforms\": {{ \"{}\": \"wood\" }}", uniform.name));
+      refuseWord(
+          uniform.name,
+          fmt::format("the sampler '{}' has no texture, in material '{}'", uniform.name, material.name),
+          fmt::format("name one of the scene's: \"uniforms\": {{ \"{}\": \"wood\" }}", uniform.name));
 }
 
 std::vector<std::string> MaterialProgram::unused(const Material& material) const {
@@ -460,12 +460,11 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const Paint& paint, std:
     for (std::string& name : constantsOf(file.text)) names.push_back(std::move(name));
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  constexpr std::string_view kGiven[] = {"main",         "material",        "lightCount", "light",
-                                         "ambientLight", "blinnPhong",      "colorMap",   "specularMap",
-                                         "glowMap",      "Point",           "Light",      "luxoStops",
-                                         "luxoRounds",   "luxoPictureSize", "Hit",        "trace",
-                                         "worldVector",  "objectVector",    "worldNormal", "texture",
-                                         "textureGrad"};
+  constexpr std::string_view kGiven[] = {
+      "main",        "material",        "lightCount", "light", "ambientLight", "blinnPhong",
+      "colorMap",    "specularMap",     "glowMap",    "Point", "Light",        "luxoStops",
+      "luxoRounds",  "luxoPictureSize", "Hit",        "trace", "worldVector",  "objectVector",
+      "worldNormal", "texture",         "textureGrad"};
   std::erase_if(names, [&](const std::string& name) {
     return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
   });
@@ -516,7 +515,8 @@ void MaterialPrograms::tellShadows(const Snapshot& snapshot) {
              (light.shade && light.shade->caster == node.id);
     });
     const std::string message = fmt::format(
-        "shadows do not know how opaque the shader '{}' says that the points of material '{}' are: these keep "
+        "shadows do not know how opaque the shader '{}' says that the points of material '{}' are: these "
+        "keep "
         "{:.4g} of a light from what is behind them, as the material's \"opacity\" says",
         material.shader->files.front().name, material.name, material.opacity);
     if (casts && told_.insert(message).second) log(LogLevel::Warning, message);
@@ -534,8 +534,7 @@ void appendShader(const Material& material, const SnapshotNode& node, const Vec3
   for (int column = 0; column < 3; ++column) add(objectFromWorld[column]);
   add(objectFromWorld * (origin - node.worldFromObject.translation));
   add(ambient);
-  for (int column = 0; column < 3; ++column)
-    add(node.worldFromObject.linear[column] * node.evened[column]);
+  for (int column = 0; column < 3; ++column) add(node.worldFromObject.linear[column] * node.evened[column]);
   for (const UniformValue& uniform : material.uniforms)
     for (const double value : uniform.values) numbers.push_back(static_cast<float>(value));
   for (const double parameter : material.curvatureParameters)

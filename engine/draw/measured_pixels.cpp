@@ -82,10 +82,11 @@ void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
                     all, measured.endless),
         "end them sooner: a loop that never ends would hang the device");
   if (measured.seenThrough > 0)
-    throw Error(ErrorKind::Scene,
-                fmt::format("{}: in {} pixels the shader gives an opacity below 1, and has not said that it may",
-                            all, measured.seenThrough),
-                "write a line '#pragma luxo opacity' into it, or return 1 as the fourth number");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("{}: in {} pixels the shader gives an opacity below 1, and has not said that it may", all,
+                    measured.seenThrough),
+        "write a line '#pragma luxo opacity' into it, or return 1 as the fourth number");
   if (measured.moved > 0)
     throw Error(
         ErrorKind::Scene,

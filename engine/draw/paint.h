@@ -70,7 +70,8 @@ class Paint {
   }
   /// Which maps there are, and where their numbers start, as appendMaps() (draw/texture_list.h) has them.
   [[nodiscard]] std::string preamble() const;
-  /// Where those of the textures that its shader's uniforms are given start: behind them are the shader's own.
+  /// Where those of the textures that its shader's uniforms are given start: behind them are the shader's
+  /// own.
   [[nodiscard]] std::uint32_t firstOfUniforms() const;
 
   friend bool operator==(const Paint&, const Paint&) = default;

@@ -330,8 +330,8 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
                                     .normal = octahedral(hit.normal),
                                     .parameters = Vec2f(inside(domain, hit)),
                                     .transmittance = light->transmittance});
-      points.layerDetails.push_back({.footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])),
-                                     .frame = Vec4f(hit.frame)});
+      points.layerDetails.push_back(
+          {.footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])), .frame = Vec4f(hit.frame)});
       ++layers.count;
     }
     points.layersUndecided += !seen[i].certified;

@@ -61,7 +61,11 @@ VkExtent2D extentOfLightMaps(const DrawList& list) {
 }  // namespace
 
 RenderView::RenderView(gpu::Context& context, Precision precision)
-    : context_(&context), targets_(context, precision), feedback_(context), layerLists_(context), traces_(context) {}
+    : context_(&context),
+      targets_(context, precision),
+      feedback_(context),
+      layerLists_(context),
+      traces_(context) {}
 
 bool RenderView::learn() {
   bool again = false;
@@ -252,7 +256,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  list_.traces ? traces_.starts() : noTraces,
                                                  list_.traces ? traces_.answers() : noTraces});
   }
-  if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, uploads, texels.get(list_.textures));
+  if (list_.looksForCasters())
+    bindings.shadow = bindCasters(frames, pipelines, uploads, texels.get(list_.textures));
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);

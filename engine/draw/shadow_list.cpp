@@ -228,14 +228,15 @@ class ShadowLister {
     relativeFromObject[3] = Vec4(transformPoint(node.worldFromObject, mesh->origin) - list_.origin, 1);
     const Material& material = materialOf(node);
     (material.letsLightThrough() ? group_->flatTransmittances : group_->flatShadows)
-        .push_back({.mesh = mesh,
-                    .shadow = {.clipFromObject =
-                                   Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
-                               .height = Vec4f(heights * relativeFromObject),
-                               .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
-                               .light = bit,
-                               .receiver = receiver,
-                               .transmittance = Vec3f(material.lightThrough(material.opacityAt(0, 0), material.diffuse))}});
+        .push_back(
+            {.mesh = mesh,
+             .shadow = {
+                 .clipFromObject = Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
+                 .height = Vec4f(heights * relativeFromObject),
+                 .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
+                 .light = bit,
+                 .receiver = receiver,
+                 .transmittance = Vec3f(material.lightThrough(material.opacityAt(0, 0), material.diffuse))}});
   }
 
   /// Whether something that is seen may be in its shadow.

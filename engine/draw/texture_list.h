@@ -18,7 +18,8 @@ using TextureList = std::vector<std::shared_ptr<const Texture>>;
 
 /// Appends the numbers by which shaders draw the material's maps on a node: for each that there is, the
 /// colour's always, those of a texture (shared::kTextureLinear and on), of that of normals with what turns
-/// its vectors; then for those that uniforms of its shader are; and its textures to the list where they are not there: texels are in its order.
+/// its vectors; then for those that uniforms of its shader are; and its textures to the list where they are
+/// not there: texels are in its order.
 void appendMaps(const Material& material, const SnapshotNode& node, TextureList& textures,
                 std::vector<float>& numbers);
 

@@ -51,7 +51,8 @@ void validate(const Material& material) {
   if (material.map.valid() && material.diffusePattern.valid())
     reject(material, "map", "given beside a pattern", "alone");
   if (material.mapOpacity && (!material.map.valid() || material.shader || material.lesson))
-    reject(material, "its opacity", "that of its map", "given with a map, without a shader or the lesson's formula");
+    reject(material, "its opacity", "that of its map",
+           "given with a map, without a shader or the lesson's formula");
   if (material.lesson && material.diffusePattern.valid())
     reject(material, "the lesson's formula", "given beside a pattern", "alone, or with a map");
   if (material.shader && material.diffusePattern.valid())

@@ -93,9 +93,7 @@ struct Material {
     return own == Shading::Gouraud ? Shading::Phong : own == Shading::Toon ? Shading::Exact : own;
   }
   /// Whether something behind it may be seen.
-  [[nodiscard]] bool transparent() const {
-    return letsLightThrough() || (shader && shader->hasOpacity());
-  }
+  [[nodiscard]] bool transparent() const { return letsLightThrough() || (shader && shader->hasOpacity()); }
   /// Whether what is in its shadow may get some light: what is seen through, unless only a shader says so.
   [[nodiscard]] bool letsLightThrough() const {
     return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity() || mapOpacity;

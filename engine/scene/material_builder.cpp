@@ -199,8 +199,9 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
                   "compute them in the shader, from uv (\"#pragma luxo opacity\")");
   const MaterialShaderPtr& shader = material.fixed.shader;
   if (shader && shader->traces() && (!isOpaque(desc) || shader->hasOpacity()))
-    problems_.add(desc.shader.place, "the material is seen through, and its shader sends rays into the scene",
-                  "leave out \"opacity\" and \"blend\", and '#pragma luxo opacity' in the shader, or trace()");
+    problems_.add(
+        desc.shader.place, "the material is seen through, and its shader sends rays into the scene",
+        "leave out \"opacity\" and \"blend\", and '#pragma luxo opacity' in the shader, or trace()");
   if (desc.normalMap)
     problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");
   if (desc.lesson)
@@ -209,8 +210,8 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
   for (const UniformDesc& uniform : desc.uniforms) {
     std::vector<Animated<double>>& values = material.uniforms.emplace_back();
     MapPlace& place = material.uniformPlaces.emplace_back();
-    UniformValue& value = material.fixed.uniforms.emplace_back(UniformValue{
-        uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
+    UniformValue& value = material.fixed.uniforms.emplace_back(
+        UniformValue{uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
     if (const std::optional<MapDesc> map = textureOf(uniform, shader))
       addMap(*map, value.map, place);
     else

@@ -21,7 +21,8 @@ bool hasWord(std::string_view text, std::string_view word) {
 bool hasPragma(std::string_view text, const std::regex& pragma) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    if (std::regex_search(text.begin() + at, text.begin() + end, pragma, std::regex_constants::match_continuous))
+    if (std::regex_search(text.begin() + at, text.begin() + end, pragma,
+                          std::regex_constants::match_continuous))
       return true;
     at = end + 1;
   }

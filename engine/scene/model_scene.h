@@ -23,7 +23,8 @@ namespace luxo {
 /// reflection here is not. Error(Scene): a node is sheared, or an image cannot be read.
 [[nodiscard]] Scene modelScene(const std::shared_ptr<const Model>& model);
 
-/// What of a model's materials no picture shows yet, a message a kind: maps of what is seen through.
+/// What of a model's materials no picture shows yet, a message a kind: opacities that maps cut
+/// off at a level.
 [[nodiscard]] std::vector<std::string> notDrawn(const Model& model);
 
 }  // namespace luxo

@@ -33,7 +33,7 @@ struct BuiltSurface {
 /// first has it there.
 struct BuiltMaterial {
   const MaterialDesc* desc = nullptr;
-  bool readsNames = false;  ///< of the surface's points (scene/surface_names.h): not only its range
+  bool readsNames = false;      ///< of the surface's points (scene/surface_names.h): not only its range
   bool readsCurvature = false;  ///< its shader does
   std::optional<MaterialId> everywhere = {};
   std::unordered_map<std::size_t, std::optional<MaterialId>> onSurface = {};  ///< nothing where that failed

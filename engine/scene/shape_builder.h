@@ -39,8 +39,8 @@ class ShapeBuilder {
     Animated<double> opacity = 1.0;                 ///< of any other opacity
     Pattern curvature = {};                         ///< of the surface, where a shader reads it
     std::vector<Animated<double>> curvatureParameters = {};
-    bool readsSurface = false;                      ///< and no surface was given: there is nothing else
-    bool readsNames = false;                        ///< with it: not only its range
+    bool readsSurface = false;  ///< and no surface was given: there is nothing else
+    bool readsNames = false;    ///< with it: not only its range
   };
   /// The diffuse colour, opacity and isolines of a material. Constants are held against kLight and kFraction.
   /// `surface`: what names of scene/surface_names.h speak of, and where a grid of u and v is.

@@ -320,7 +320,8 @@ void openShades(Snapshot& snapshot) {
   for (SnapshotLight& light : snapshot.lights) {
     if (!light.shade) continue;
     const auto node = std::ranges::find(snapshot.nodes, light.shade->caster, &SnapshotNode::id);
-    if (node == snapshot.nodes.end() || !snapshot.materials[node->material.index].letsLightThrough()) continue;
+    if (node == snapshot.nodes.end() || !snapshot.materials[node->material.index].letsLightThrough())
+      continue;
     light.casters = {light.shade->caster};
     light.shade.reset();
   }

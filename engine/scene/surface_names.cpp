@@ -95,11 +95,12 @@ std::vector<Expr> surfaceValues(Graph& graph, const Surface& surface, std::uint3
 Pattern curvaturePattern(const Surface& surface) {
   if (surface.triangles()) return {};
   if (surface.patchCount() > kMostNamedPatches)
-    throw Error(ErrorKind::Scene,
-                fmt::format("its shader reads the curvature of its surface, which has {} formulas: at most {} are "
-                            "supported",
-                            surface.patchCount(), kMostNamedPatches),
-                "give that surface a material whose shader does not");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("its shader reads the curvature of its surface, which has {} formulas: at most {} are "
+                    "supported",
+                    surface.patchCount(), kMostNamedPatches),
+        "give that surface a material whose shader does not");
   Graph graph;
   const std::vector<Expr> values = surfaceValues(graph, surface, kFirst);
   constexpr std::size_t kBend = 6;

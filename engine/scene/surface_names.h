@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What formulas of a material may say about the point of a surface that they are read at: its place, its normal
-// and how the surface bends there, all as formulas of u and v, derived from the surface's own.
+// What formulas of a material may say about the point of a surface that they are read at: its place, its
+// normal and how the surface bends there, all as formulas of u and v, derived from the surface's own.
 //
 //     x y z       place, metres
 //     nx ny nz    unit normal, outward (Surface::normal), whichever side is seen

@@ -80,7 +80,7 @@ bool gL_FrontFacing;
 #endif
 #endif
 
-// A sampler is the number of a map, as in the language it is that of a texture unit.
+// A sampler is the number of a map, as in the language it is that of a texture unit; or a texture (lib/material.glsl).
 #define sAmpler1D int
 #define sAmpler2D int
 
@@ -88,6 +88,7 @@ vec4 tExture2D(int map, vec2 uv) {
 #ifdef LUXO_ALONE
   return luxoTexels[map] * uv.x;
 #else
+  if (map > 2) return texture(map, uv);
   return vec4(map == 0 ? colorMap(uv) : map == 1 ? specularMap(uv) : glowMap(uv), 1.0);
 #endif
 }

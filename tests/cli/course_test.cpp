@@ -84,7 +84,7 @@ TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
               "m.frag: there is no function 'void main()'");
   // What there is not.
   expectError(kVertex, "void main() {\n  if (gl_Color.r < 0.5) discard;\n  gl_FragColor = gl_Color;\n}\n",
-              "m.frag:2:25: 'discard': nothing is seen through a material's shader yet");
+              "m.frag:2:25: 'discard': a program gives every point a colour");
   expectError(kVertex, "uniform sampler3D s;\nvoid main() { gl_FragColor = texture3D(s, vec3(0.0)); }\n",
               "m.frag:1:9: 'sampler3D': a material's maps are images");
   expectError("!!ARBvp1.0\nEND\n", kFragment, "m.vert:1:1: '!!ARBvp1.0': this is an assembly program");

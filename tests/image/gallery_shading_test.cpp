@@ -185,10 +185,13 @@ TEST_F(GalleryShading, RingsOfWoodWobbleByNoise) {
   EXPECT_EQ(wrongPixels(image, wanted, kOfPlaces), 0);
 }
 
+/// On the axes of the plate, which was turned about X.
+Vec3 onPlate(const Vec3& at) { return {at.x, 0, -at.y}; }
+
 /// The RenderMan shader's: |1/2 - noise| over six octaves, of noise between 0 and 1.
-double turbulence(const Vec3& place) {
+double turbulence(const Vec3& place, int octaves = 6) {
   double sum = 0;
-  for (double frequency = 1; frequency < 64; frequency *= 2)
+  for (double frequency = 1; frequency < 1 << octaves; frequency *= 2)
     sum += std::abs(0.5 * gradientNoise(4 * frequency * place)) / frequency;
   return sum;
 }
@@ -205,12 +208,13 @@ TEST_F(GalleryShading, DentsBendTheNormalAsSixOctavesOfTurbulenceDo) {
                              {"octaves", {6}},
                              {"sharp", {3}},
                              {"old", {0}},
+                             {"hole", {9}},
                              {"shininess", {kShininess}}},
                             0, toLight);
   const auto wanted = [&](int x, int y) {
     constexpr double kStep = 1e-6;
     const auto depth = [&](double right, double up) {
-      return kDent * std::pow(turbulence(kScale * (placeOf(x, y) + Vec3(right, up, kHeight))), 3);
+      return kDent * std::pow(turbulence(kScale * onPlate(placeOf(x, y) + Vec3(right, up, 0))), 3);
     };
     const Vec3 normal = glm::normalize(Vec3((depth(kStep, 0) - depth(-kStep, 0)) / (2 * kStep),
                                             (depth(0, kStep) - depth(0, -kStep)) / (2 * kStep), 1));
@@ -219,6 +223,63 @@ TEST_F(GalleryShading, DentsBendTheNormalAsSixOctavesOfTurbulenceDo) {
   };
   // At a kink, where a noise is 0, floats may be on its other side: of 1e-7, which are few pixels or none.
   EXPECT_LE(wrongPixels(image, wanted, 2e-5), 2);
+}
+
+// A hole is where turbulence is above its level: of a pixel, as much as is on that side of a straight edge.
+// Behind it is the white background.
+TEST_F(GalleryShading, DentsAreHolesWhereTheyAreDeepest) {
+  constexpr double kScale = 0.12, kHole = 0.5;
+  Scene scene;
+  scene.add(Node{
+      .translation = Vec3(0, 0, kHeight),
+      .rotation = Rotation{{1, 0, 0}, kPi / 2},
+      .surface = rectangle(4, 4),
+      .material = scene.add(shaded(
+          "dent.frag",
+          {{"metal", {0, 0, 0}}, {"scale", {kScale}}, {"octaves", {2}}, {"old", {0}}, {"hole", {kHole}}}))});
+  scene.set(RenderSettings{.background = Vec3(1), .ambient = Vec3(0)});
+  const Image image = picture(scene);
+  const auto wanted = [&](int x, int y) {
+    constexpr double kStep = 1e-6;
+    const auto deep = [&](double right, double up) {
+      return turbulence(kScale * onPlate(placeOf(x, y) + Vec3(right, up, 0)), 2);
+    };
+    const double slope =
+        std::hypot(deep(kStep, 0) - deep(-kStep, 0), deep(0, kStep) - deep(0, -kStep)) / (2 * kStep);
+    return std::clamp(0.5 + (deep(0, 0) - kHole) / (slope * kPixel), 0.0, 1.0);
+  };
+  EXPECT_LE(wrongPixels(image, wanted, 1e-3), 2);
+  double holes = 0;
+  for (int y = 0; y < kPixels; ++y)
+    for (int x = 0; x < kPixels; ++x) holes += image.pixel(x, y)[0];
+  EXPECT_GT(holes, 100);
+  EXPECT_LT(holes, kPixels * kPixels - 100);
+}
+
+// A ball, the camera and the lamp, all turned alike: the same picture.
+TEST_F(GalleryShading, DentsTurnWithTheirNode) {
+  const auto shown = [&](double angle) {
+    const Vec3 axis(1, 2, 0.5);
+    const Mat3 turn = rotation(axis, angle);
+    Scene scene;
+    scene.add(Node{.rotation = Rotation{axis, angle},
+                   .surface = sphere(0.8),
+                   .material = scene.add(shaded("dent.frag", {{"scale", {0.5}}, {"hole", {0.7}}}))});
+    scene.set(RenderSettings{.ambient = Vec3(0.1)});
+    addLight(scene, {.position = Vec4(turn * Vec3(0.5, 0.3, 0.8), 0)});
+    return draw(scene,
+                Camera{.eye = turn * Vec3(0, 0, 5),
+                       .up = turn * Vec3(0, 1, 0),
+                       .projection = Projection::Orthographic,
+                       .height = kWide},
+                {kPixels, kPixels})
+        .image;
+  };
+  const Image still = shown(0), turned = shown(0.8);
+  int different = 0;
+  for (int y = 0; y < kPixels; ++y)
+    for (int x = 0; x < kPixels; ++x) different += !near(colorAt(still, x, y), colorAt(turned, x, y), 2e-3);
+  EXPECT_LE(different, 20);  // at kinks of noise, and its outline
 }
 
 // What comes from behind is what goes through, from the front what is thrown back, by the cosine on that

@@ -39,9 +39,11 @@ Scene ringAroundBall(const Material& ring, Light::Shadow shadow = Light::Shadow:
       Node{.rotation = Rotation{{1, 0, 0.4}, 0.9}, .surface = torus(1, 0.4), .material = scene.add(ring)});
   scene.add(Node{.surface = sphere(0.5), .material = scene.add(Material{.diffuse = Vec3(0.2, 0.5, 0.3)})});
   scene.add(Node{.translation = Vec3(0, -1.2, 0), .surface = rectangle(5, 5)});
-  scene.add(Node{
-      .translation = Vec3(2, 4, 3),
-      .light = Light{.intensity = 30, .attenuation = Light::Attenuation::InverseSquare, .shadow = shadow, .casters = {bar}}});
+  scene.add(Node{.translation = Vec3(2, 4, 3),
+                 .light = Light{.intensity = 30,
+                                .attenuation = Light::Attenuation::InverseSquare,
+                                .shadow = shadow,
+                                .casters = {bar}}});
   return scene;
 }
 
@@ -56,10 +58,15 @@ class ShaderOpacity : public VerifiedPictureTest {};
 
 /// blinnPhong() with an opacity is what a material without a shader has.
 TEST_F(ShaderOpacity, IsThatOfAMaterialWithoutAShader) {
-  const std::string text = "vec4 material(Point p) { return vec4(blinnPhong(vec3(0.7, 0.3, 0.2), vec3(0.5), 40.0), ";
+  const std::string text =
+      "vec4 material(Point p) { return vec4(blinnPhong(vec3(0.7, 0.3, 0.2), vec3(0.5), 40.0), ";
   for (const Blend blend : {Blend::Over, Blend::Add, Blend::Multiply})
     for (const Light::Shadow shadow : {Light::Shadow::None, Light::Shadow::Exact}) {
-      const Material plain{.diffuse = Vec3(0.7, 0.3, 0.2), .specular = Vec3(0.5), .shininess = 40, .opacity = 0.4, .blend = blend};
+      const Material plain{.diffuse = Vec3(0.7, 0.3, 0.2),
+                           .specular = Vec3(0.5),
+                           .shininess = 40,
+                           .opacity = 0.4,
+                           .blend = blend};
       Material same = plain;
       same.opacity = 0.8;
       for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat}) {
@@ -68,9 +75,13 @@ TEST_F(ShaderOpacity, IsThatOfAMaterialWithoutAShader) {
         // By the shader, by the key, by both.
         Material opaque = plain;
         opaque.opacity = 1;
-        for (const Material& material : {litBy(kMayBeSeenThrough + text + "0.4); }", opaque), litBy(text + "1.0); }", plain),
-                                         litBy(kMayBeSeenThrough + text + "0.5); }", same)})
-          EXPECT_LE(largestDifference(draw(ringAroundBall(material, shadow), kCamera, kSize, {.shading = shading}).image, wanted), 2e-6);
+        for (const Material& material :
+             {litBy(kMayBeSeenThrough + text + "0.4); }", opaque), litBy(text + "1.0); }", plain),
+              litBy(kMayBeSeenThrough + text + "0.5); }", same)})
+          EXPECT_LE(
+              largestDifference(
+                  draw(ringAroundBall(material, shadow), kCamera, kSize, {.shading = shading}).image, wanted),
+              2e-6);
       }
     }
 }
@@ -78,20 +89,24 @@ TEST_F(ShaderOpacity, IsThatOfAMaterialWithoutAShader) {
 TEST_F(ShaderOpacity, MayBeAnotherAtEveryPoint) {
   Graph graph;
   const Expr u = graph.variable(0), v = graph.variable(1);
-  const Material plain{.specular = Vec3(0),
-                       .diffusePattern = Pattern(graph, std::array{u, v, Expr(0.5), 0.5 + 0.6 * sin(6 * kTau * u)}, 0)};
+  const Material plain{
+      .specular = Vec3(0),
+      .diffusePattern = Pattern(graph, std::array{u, v, Expr(0.5), 0.5 + 0.6 * sin(6 * kTau * u)}, 0)};
   const Material own = litBy(kMayBeSeenThrough + R"(
 vec4 material(Point p) {
   return vec4(blinnPhong(vec3(p.uv, 0.5), vec3(0), 1.0), 0.5 + 0.6 * sin(37.69911184 * p.uv.x)); })");
   for (const Shading shading : {Shading::Exact, Shading::Phong})
-    EXPECT_LE(largestDifference(draw(ringAroundBall(own), kCamera, kSize, {.shading = shading, .samples = 4}).image,
-                                draw(ringAroundBall(plain), kCamera, kSize, {.shading = shading, .samples = 4}).image),
+    EXPECT_LE(largestDifference(
+                  draw(ringAroundBall(own), kCamera, kSize, {.shading = shading, .samples = 4}).image,
+                  draw(ringAroundBall(plain), kCamera, kSize, {.shading = shading, .samples = 4}).image),
               2e-5);
 }
 
 TEST_F(ShaderOpacity, OfZeroIsAHole) {
-  const Material hole = litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(1.0, 0.5, 7.0, 0.0); }"),
-                 opaque = litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.5); }"),
+  const Material hole =
+                     litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(1.0, 0.5, 7.0, 0.0); }"),
+                 opaque = litBy(kMayBeSeenThrough +
+                                "vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.5); }"),
                  solid = litBy("vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.0); }");
   Material nothing;
   nothing.opacity = 0;
@@ -109,25 +124,36 @@ TEST_F(ShaderOpacity, OfZeroIsAHole) {
 /// What a point of what is seen through tells its shader is what an opaque one does: in exact shading, on the
 /// triangles of a formula, and on triangles of their own with tangents; found by searches and by rays.
 TEST_F(ShaderOpacity, ThePointIsThatOfAnOpaqueMaterial) {
-  const auto both = [&](const Surface& surface, const Vec3& scale, const std::string& value, Shading shading) {
+  const auto both = [&](const Surface& surface, const Vec3& scale, const std::string& value,
+                        Shading shading) {
     std::vector<Image> images;
     for (const std::string& pragma : {std::string(), kMayBeSeenThrough}) {
       Scene scene;
-      scene.add(Node{.translation = Vec3(0.2, 0.1, -0.3),
-                     .rotation = Rotation{{1, 2, 0.5}, 0.6},
-                     .scale = scale,
-                     .surface = surface,
-                     .material = scene.add(litBy(pragma + "vec4 material(Point p) { return vec4(" + value + ", 1.0); }",
-                                                 {.twoSided = TwoSided::Yes}))});
+      scene.add(Node{
+          .translation = Vec3(0.2, 0.1, -0.3),
+          .rotation = Rotation{{1, 2, 0.5}, 0.6},
+          .scale = scale,
+          .surface = surface,
+          .material = scene.add(litBy(pragma + "vec4 material(Point p) { return vec4(" + value + ", 1.0); }",
+                                      {.twoSided = TwoSided::Yes}))});
       images.push_back(draw(scene, kCamera, kSize, {.shading = shading}).image);
     }
     return largestDifference(images[0], images[1]);
   };
-  const Surface saddle = surface([](auto u, auto v) { return point(1.5 * u, 1.5 * v, u * v); }, {{-1, 1}, {-1, 1}}),
+  const Surface saddle = surface([](auto u, auto v) { return point(1.5 * u, 1.5 * v, u * v); },
+                                 {{-1, 1}, {-1, 1}}),
                 // Without bounds, so that rays find it.
-      endless = surface([](auto u, auto v) { return point(1.5 * u, 1.5 * v, log(1 - u * u - v * v)); }, {{-1, 1}, {-1, 1}});
-  const std::string values[] = {"p.position", "p.object", "p.normal", "p.tangent", "p.bitangent", "p.Su", "p.Sv",
-                                "vec3(20.0 * p.footprint[0], 0.0)", "vec3(20.0 * p.footprint[1], 0.0)"};
+      endless = surface([](auto u, auto v) { return point(1.5 * u, 1.5 * v, log(1 - u * u - v * v)); },
+                        {{-1, 1}, {-1, 1}});
+  const std::string values[] = {"p.position",
+                                "p.object",
+                                "p.normal",
+                                "p.tangent",
+                                "p.bitangent",
+                                "p.Su",
+                                "p.Sv",
+                                "vec3(20.0 * p.footprint[0], 0.0)",
+                                "vec3(20.0 * p.footprint[1], 0.0)"};
   for (const std::string& value : values) {
     SCOPED_TRACE(value);
     EXPECT_LE(both(saddle, Vec3(1), value, Shading::Exact), 1e-4);
@@ -147,18 +173,27 @@ TEST_F(ShaderOpacity, WhatIsWrongIsTold) {
     }
     return "it was drawn";
   };
-  EXPECT_THAT(refusal(litBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")), HasSubstr("#pragma luxo opacity"));
+  EXPECT_THAT(refusal(litBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")),
+              HasSubstr("#pragma luxo opacity"));
   Material glass;
   glass.opacity = 0.5;
-  EXPECT_THAT(refusal(litBy("// #pragma luxo opacity\nvec4 material(Point p) { return vec4(1, 1, 1, 0.5); }", glass)),
-              HasSubstr("opacity below 1"));
-  EXPECT_THAT(refusal(litBy(kMayBeSeenThrough + "vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
-              HasSubstr("more than 32768 times"));
-  EXPECT_THAT(refusal(litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(trace(p.normal).color, 1.0); }")),
+  EXPECT_THAT(
+      refusal(litBy("// #pragma luxo opacity\nvec4 material(Point p) { return vec4(1, 1, 1, 0.5); }", glass)),
+      HasSubstr("opacity below 1"));
+  EXPECT_THAT(
+      refusal(litBy(kMayBeSeenThrough +
+                    "vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
+      HasSubstr("more than 32768 times"));
+  EXPECT_THAT(refusal(litBy(kMayBeSeenThrough +
+                            "vec4 material(Point p) { return vec4(trace(p.normal).color, 1.0); }")),
               HasSubstr("sends rays"));
-  const Picture picture = draw(ringAroundBall(litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(sqrt(p.position.x), 0.5, 0.5, 0.3); }")), kCamera, kSize);
+  const Picture picture = draw(
+      ringAroundBall(litBy(kMayBeSeenThrough +
+                           "vec4 material(Point p) { return vec4(sqrt(p.position.x), 0.5, 0.5, 0.3); }")),
+      kCamera, kSize);
   EXPECT_GT(picture.statistics.error.nonfinitePx, 100U);
-  for (std::size_t i = 0; i < picture.image.samples().size(); ++i) ASSERT_TRUE(std::isfinite(picture.image.samples()[i]));
+  for (std::size_t i = 0; i < picture.image.samples().size(); ++i)
+    ASSERT_TRUE(std::isfinite(picture.image.samples()[i]));
 }
 
 /// As a caster it is as opaque as its key says; and that is told.
@@ -173,7 +208,8 @@ TEST_F(ShaderOpacity, ShadowsAreThoseOfTheKey) {
   std::vector<std::string> told;
   setLogSink([&](LogLevel, const std::string& message) { told.push_back(message); });
   for (const double opacity : {1.0, 0.5}) {
-    const Material own = litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(vec3(0.3), 0.0); }", {.opacity = opacity});
+    const Material own = litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(vec3(0.3), 0.0); }",
+                               {.opacity = opacity});
     const Verified found = verified(takeSnapshot(scene(own), 0, kSize, kCamera));
     EXPECT_EQ(found.verification.wrong.total(), 0U);
     const Image shown = draw(scene(own), kCamera, kSize).image;
@@ -182,7 +218,9 @@ TEST_F(ShaderOpacity, ShadowsAreThoseOfTheKey) {
     const Image id = draw(scene(veil), kCamera, kSize, {.output = Output::Id}).image;
     for (int y = 0; y < kSize.height; ++y)
       for (int x = 0; x < kSize.width; ++x)
-        if (id.pixel(x, y)[0] == 2) EXPECT_TRUE(near(colorAt(shown, x, y), colorAt(wanted, x, y), 2e-6)) << x << " " << y;
+        if (id.pixel(x, y)[0] == 2) {
+          EXPECT_TRUE(near(colorAt(shown, x, y), colorAt(wanted, x, y), 2e-6)) << x << " " << y;
+        }
   }
   setLogSink({});
   EXPECT_THAT(told, testing::Contains(HasSubstr("shadows do not know")));
