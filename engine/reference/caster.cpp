@@ -270,8 +270,8 @@ void Caster::meet(const Beam& beam, std::uint32_t node, const Range& range, Invi
     sight.certified &= roots.certified;
     if (!roots.nearest) return;
     const Hit hit = hitAt(beam, node, *roots.nearest);
-    if (!body.transparent || invisible == Invisible::Told || material.blend == Blend::Multiply ||
-        opacityOf(hit) > 0) {
+    const bool told = invisible == Invisible::Told && !material.invisible();
+    if (!body.transparent || told || material.blend == Blend::Multiply || opacityOf(hit) > 0) {
       sight.hits.push_back(hit);
       sight.hits.back().certified = roots.certified;
     }

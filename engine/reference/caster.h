@@ -64,7 +64,8 @@ class Caster {
     bool certified = true;  ///< every hit and every miss is proven
   };
   [[nodiscard]] Sight look(const Ray& ray) const { return look(ray, Invisible::Skipped); }
-  /// Points that nothing is seen of, as their opacity is 0, may be told, too.
+  /// Points that nothing is seen of, as their opacity is 0, may be told, too; not of a material of which
+  /// nothing is seen anywhere.
   enum class Invisible { Skipped, Told };
   [[nodiscard]] Sight look(const Ray& ray, Invisible invisible) const {
     return look({ray}, rangeOf(ray), invisible);

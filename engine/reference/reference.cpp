@@ -113,7 +113,8 @@ class Exposure {
     if (chosen_[i] == 0) return;
     const Vec2 at = Vec2(x, y) + 0.5 + caster_.snapshot().view.sampleOffsetPx;
     const Ray ray = caster_.rayThrough(at.x, at.y);
-    const Caster::Sight sight = caster_.look(ray);
+    // What nothing is seen of at this point, but elsewhere, is geometry, too.
+    const Caster::Sight sight = caster_.look(ray, Caster::Invisible::Told);
     bool certified = sight.certified;
     if (!sight.hits.empty()) record(i, ray, sight.hits.front());
 

@@ -87,9 +87,9 @@ inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
 /// All of them, but for named surfaces.
 inline constexpr std::array kAll = {kRoot,     kRender,   kOcclusion,  kParameter, kTexture,
-                                    kMaterial, kIsolines, kTextureMap, kNormalMap, kFormula,
-                                    kRevolve,  kTube,     kBezier,     kMesh,      kNode,
-                                    kRotation, kLight,    kMap,        kCamera};
+                                    kMaterial, kIsolines, kTextureMap, kColorMap,  kNormalMap,
+                                    kFormula,  kRevolve,  kTube,       kBezier,    kMesh,
+                                    kNode,     kRotation, kLight,      kMap,       kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};

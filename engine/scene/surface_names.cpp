@@ -102,7 +102,7 @@ Pattern curvaturePattern(const Surface& surface) {
                     surface.patchCount(), kMostNamedPatches),
         "give that surface a material whose shader does not");
   Graph graph;
-  const std::vector<Expr> values = surfaceValues(graph, surface, kFirst);
+  const std::vector<Expr> values = surfaceValues(graph, surface, kFirstParameter);
   constexpr std::size_t kBend = 6;
   static_assert(kSurfaceNames[kBend] == "K" && kSurfaceNames.size() == kBend + 4);
   return {graph, std::array{values[kBend], values[kBend + 1], values[kBend + 2], values[kBend + 3]},

@@ -22,6 +22,7 @@ layout(location = 1) flat in vec3 inPlace[3];
 layout(location = 4) flat in vec3 inRay[3];
 layout(location = 7) flat in vec2 inMiddle;
 
+#define LUXO_IN_LOOP
 #ifdef LUXO_TEXTURED
 LayerDetail layerDetail;
 vec4 pixelFootprint() { return layerDetail.footprint; }

@@ -228,7 +228,7 @@ TEST_F(GalleryShading, DentsBendTheNormalAsSixOctavesOfTurbulenceDo) {
 // A hole is where turbulence is above its level: of a pixel, as much as is on that side of a straight edge.
 // Behind it is the white background.
 TEST_F(GalleryShading, DentsAreHolesWhereTheyAreDeepest) {
-  constexpr double kScale = 0.12, kHole = 0.5;
+  constexpr double kScale = 0.12, kHole = 0.15;
   Scene scene;
   scene.add(Node{
       .translation = Vec3(0, 0, kHeight),

@@ -41,6 +41,13 @@ Scene sceneOf(const std::string& material, const std::string& surface, const std
   return buildScene(file);
 }
 
+int different(const Image& a, const Image& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) count += !near(colorAt(a, x, y), colorAt(b, x, y), 1e-3);
+  return count;
+}
+
 double largestDifference(const Image& a, const Image& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.samples().size(); ++i)
@@ -68,7 +75,8 @@ vec4 material(Point p) { return vec4(0.5 + 0.4 * tanh(p.K), 0.5 + 0.4 * tanh(p.H
       const Image wanted = draw(plain, kSize, {.shading = shading}).image;
       EXPECT_LE(largestDifference(draw(own, kSize, {.shading = shading}).image, wanted), 1e-5);
     }
-    EXPECT_LE(largestDifference(draw(veil, kSize).image, draw(plain, kSize).image), 1e-3);
+    // At the seam of the bottle, which has one side, its ends have opposite normals.
+    EXPECT_LE(different(draw(veil, kSize).image, draw(plain, kSize).image), 5);
   }
 }
 
@@ -112,7 +120,7 @@ TEST_F(ShaderCurvature, WhatIsNotKnownIsTold) {
   Scene scene;
   scene.add(Node{.surface = sphere(1), .material = scene.add(Material{.shader = shaderOf(text)})});
   EXPECT_THAT(message([&] { static_cast<void>(draw(scene, Camera{.eye = Vec3(0, 0, 5)}, kSize)); }),
-              HasSubstr("curvaturePattern"));
+              HasSubstr("which material 'material' does not know"));
 }
 
 /// Su is a direction of the node; the gradient of what is 0 on the surface is along its normal.

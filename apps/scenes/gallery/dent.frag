@@ -12,7 +12,7 @@ uniform float dent = 1.5;        // metres, where turbulence is 1 @slider 0 4
 uniform int octaves = 6;         // @slider 1 8
 uniform float sharp = 3.0;       // the power that turbulence is raised to @slider 1 4
 uniform float old = 0.5;         // how deep dents are that have a patina @slider 0 1
-uniform float hole = 0.9;        // and those that are holes @slider 0.3 2
+uniform float hole = 0.42;       // and those that are holes @slider 0.3 2
 uniform float shininess = 50.0;  // @slider 1 200
 
 // The derivatives of turbulence by the place, and it: the sum of |noise(4 f place)| / 2 f, f = 1, 2, 4 ... An octave
