@@ -166,6 +166,35 @@ TEST_F(ShadowHazards, AThousandLayers) {
   EXPECT_EQ(error.auditFailedPx, 0U);
 }
 
+/// Many nodes of a surface, each a tenth of its size, one above the other and turned.
+std::string heap(int count, const std::string& surface, const std::string& material) {
+  std::string nodes;
+  for (int i = 0; i < count; ++i)
+    nodes += R"({ "surface": ")" + surface + R"(", "material": ")" + material + R"(", "translate": [)" +
+             std::to_string(std::sin(1.7 * i)) + ", " + std::to_string(0.2 + 2.0 * i / count) + ", " +
+             std::to_string(std::cos(2.3 * i)) + R"(], "scale": [0.1, 0.1, 0.1],
+               "rotate": { "axis": [1, 0.3, 0], "angle": )" +
+             std::to_string(0.4 * std::sin(i)) + " } }, ";
+  return nodes;
+}
+
+/// The light through each of the sheets to each of the layers.
+TEST_F(ShadowHazards, SheetsOfGlassThatCast) {
+  const FrameStatistics told =
+      expectRightOrTold(sceneOf(heap(60, "floor", "glass") + lightAt("[2, 6, 3]")), {24, 18});
+  EXPECT_EQ(told.error.layersMissing + told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
+  EXPECT_GT(told.count.shadowPasses, 100U);
+  EXPECT_GT(told.count.layerPoints, 500U);
+}
+
+TEST_F(ShadowHazards, ACrowdOfCasters) {
+  const FrameStatistics told = expectRightOrTold(sceneOf(heap(100, "ball", "m") + heap(100, "torus", "m") +
+                                                         lightAt("[2, 6, 3]") + ", " + lightAt("[-3, 5, 1]")),
+                                                 kSize);
+  EXPECT_EQ(told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
+  EXPECT_GE(told.count.shadowPasses, 400U);
+}
+
 /// Depth maps are not exact, but what they show is defined.
 TEST_F(ShadowHazards, DepthMapsOfOddSizesAndBiases) {
   const std::string ball = caster("ball", R"("translate": [0, 1.2, 0])");
