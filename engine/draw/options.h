@@ -32,7 +32,7 @@ enum class Composition { Auto, Fused, Deferred };
 /// Which shadows lights have: none, those of shades in closed form, or those that have to be found, too.
 enum class ShadowKinds { None, ClosedForms, All };
 
-/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-4 (exact shading).
+/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-6 (exact shading).
 struct Skips {
   bool frustum = true;    ///< nodes outside the picture
   bool small = true;      ///< nodes that cover no sample

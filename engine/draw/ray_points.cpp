@@ -141,6 +141,25 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
   return rays;
 }
 
+std::vector<PixelPlace> CertifiedRays::confirmed(std::span<const DepthProbe> shown) {
+  static_cast<void>(prepare(shown.size(), [&](std::size_t i) { return shown[i].pixel; }));
+  std::vector<char> isFirst(shown.size());
+  forEachIndex(shown.size(), shown.size() >= kRaysForAllCores, [&](std::size_t i) {
+    if (!goesOn_() || !(shown[i].depth > 0)) return;
+    isFirst[i] = reference::showsFirst(*caster_, nodes_, sampled(shown[i].pixel),
+                                       depthOf(caster_->snapshot().view, shown[i].depth), rounding());
+  });
+  std::vector<PixelPlace> pixels;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (isFirst[i] != 0) pixels.push_back(shown[i].pixel);
+  return pixels;
+}
+
+double CertifiedRays::rounding() const {
+  const View& view = caster_->snapshot().view;
+  return rounding_ + (view.perspective() ? 0 : kDepthRounding * (view.far - view.near));
+}
+
 RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
                                  const Vec3& origin) {
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
@@ -343,7 +362,6 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const Shown
                                  std::span<const LightGroup> groups, const std::optional<Vec3>& layersFrom) {
   static_cast<void>(prepare(probes.size(), [&](std::size_t i) { return probes[i].pixel; }));
   const View& view = caster_->snapshot().view;
-  const double ofBuffer = view.perspective() ? 0 : kDepthRounding * (view.far - view.near);
   const std::vector<std::uint32_t> others = receiversBut(shown);
   const auto isFirst = [&](const Vec2& at) {
     if (others == nodes_) return true;
@@ -355,7 +373,7 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const Shown
   forEachIndex(probes.size(), probes.size() >= reference::kRaysForAllCores, [&](std::size_t i) {
     if (!goesOn_()) return;
     const Vec2 at = sampled(probes[i].pixel);
-    judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding_ + ofBuffer);
+    judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding());
     const bool showsFound = probes[i].depth > 0 && !pointOf(shown, probes[i].pixel) && isFirst(at);
     for (std::size_t g = 0; showsFound && g < groups.size(); ++g)
       for (std::size_t bit = 0; judged[i] == Right && bit < groups[g].lights.size(); ++bit)
@@ -366,7 +384,7 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const Shown
     if (judged[i] == Right && layersFrom) {
       const double originDepth = glm::dot(*layersFrom - view.eye, view.forward());
       const double count = probes[i].layers.x, depths = probes[i].layers.y + count * originDepth;
-      judged[i] = reference::judgeLayers(*caster_, layers_, at, {count, depths}, rounding_ + ofBuffer);
+      judged[i] = reference::judgeLayers(*caster_, layers_, at, {count, depths}, rounding());
     }
   });
   AuditResult result;

@@ -113,6 +113,9 @@ class CertifiedRays {
       const Snapshot& snapshot, const DrawOptions& options,
       std::function<bool()> goesOn = [] { return true; });
 
+  /// Of pixels that show a point, those where a ray proves that it is the first. Cost: as resolve().
+  [[nodiscard]] std::vector<PixelPlace> confirmed(std::span<const DepthProbe> shown);
+
   /// Cost: some 10 us a pixel and core, a hundredfold where surfaces are grazed.
   /// `origin`: what positions in shaders are relative to (DrawList::origin).
   [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
@@ -132,6 +135,8 @@ class CertifiedRays {
   [[nodiscard]] double treesMs() const { return treesMs_; }
 
  private:
+  /// Of the depths that a depth buffer tells, metres.
+  [[nodiscard]] double rounding() const;
   /// Builds what rays through the pixels are cast against, each worth so many.
   std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
   /// What of the lights of a group reaches a hit, or, of a mesh, whose normal is another one, a point that

@@ -36,6 +36,12 @@ class RenderView {
   /// The depths of found surfaces in the pixels that tell whether the picture is right (DrawOptions::audit).
   [[nodiscard]] std::vector<DepthProbe> probes();
 
+  /// Copies the depths of pixels of the last recording, which has to be complete; and what was copied.
+  void recordDepths(VkCommandBuffer commands, std::vector<PixelPlace> pixels) {
+    feedback_.recordDepths(commands, targets_.texture(Target::Depth), std::move(pixels));
+  }
+  [[nodiscard]] std::vector<DepthProbe> copiedDepths() { return feedback_.copiedDepths(); }
+
   /// The points that pixels show of meshes. Cost: a copy of 12 bytes a pixel, where there are some.
   [[nodiscard]] ShownMeshes shown();
 

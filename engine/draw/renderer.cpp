@@ -267,6 +267,19 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Fram
   statistics.error.layersMissing = statistics.error.unconvergedPx = missing;
 }
 
+bool Renderer::isCertified(PixelPlace pixel) {
+  return !(alphaAt(readback_.row(static_cast<std::uint32_t>(pixel.y)).data(), pixel.x) < 0);
+}
+
+std::vector<PixelPlace> Renderer::settled(std::span<const Doubt> doubts, FrameStatistics& statistics) {
+  std::vector<PixelPlace> shown;
+  for (const Doubt& doubt : doubts)
+    if (doubt.lost && !doubt.left && isCertified(doubt.pixel)) shown.push_back(doubt.pixel);
+  if (shown.empty()) return {};
+  submit([&](VkCommandBuffer commands) { view_.recordDepths(commands, std::move(shown)); }, statistics);
+  return rays_.confirmed(view_.copiedDepths());
+}
+
 void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, bool all,
                        FrameStatistics& statistics) {
   const Stopwatch watch;
@@ -276,15 +289,20 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
     pixels = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)},
                            {.extent = AuditExtent::All}, {});
   } else {
+    const std::vector<Doubt> doubts = view_.doubts();
+    const std::vector<PixelPlace> stays = settled(doubts, statistics);
+    auto next = stays.begin();
     // A point that is not certified matters where it is seen.
-    for (const Doubt& doubt : view_.doubts())
-      if (doubt.lost ||
-          alphaAt(readback_.row(static_cast<std::uint32_t>(doubt.pixel.y)).data(), doubt.pixel.x) < 0)
+    for (const Doubt& doubt : doubts) {
+      const bool stay = next != stays.end() && *next == doubt.pixel;
+      if (stay) ++next;
+      if (!stay && (doubt.lost || !isCertified(doubt.pixel)))
         pixels.push_back(doubt.pixel);
       else if (doubt.shadows)
         shadowed.push_back(doubt.pixel);  // and its layers, if there are
       else if (doubt.layers)
         layered.push_back(doubt.pixel);
+    }
   }
   if (pixels.empty() && shadowed.empty() && layered.empty()) return;
   const double trees = rays_.treesMs();

@@ -53,6 +53,30 @@ std::vector<bool> unionOf(std::span<const PixelRect> rects, std::int32_t width, 
   return covered;
 }
 
+/// A region for each of so many pixels takes longer than all pixels at once.
+constexpr std::size_t kMaxRegions = 4096;
+
+/// Those of the pixels one after the other, or, of none, all by rows.
+void copyTexels(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
+                std::span<const PixelPlace> pixels, gpu::Buffer& values, VkDeviceSize texelBytes,
+                VkDeviceSize offset) {
+  std::vector<VkBufferImageCopy> regions;
+  const VkImageSubresourceLayers layers{.aspectMask = aspect, .layerCount = 1};
+  if (pixels.empty())
+    regions.push_back({.bufferOffset = offset,
+                       .imageSubresource = layers,
+                       .imageExtent = {texture.extent().width, texture.extent().height, 1}});
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    regions.push_back({.bufferOffset = offset + texelBytes * i,
+                       .imageSubresource = layers,
+                       .imageOffset = {pixels[i].x, pixels[i].y, 0},
+                       .imageExtent = {1, 1, 1}});
+  gpu::use(commands, {{texture, gpu::Use::TransferSource}, {values, gpu::Use::TransferDestination}});
+  vkCmdCopyImageToBuffer(commands, texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, values,
+                         static_cast<std::uint32_t>(regions.size()), regions.data());
+  gpu::use(commands, {{values, gpu::Use::HostRead}});
+}
+
 }  // namespace
 
 void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<PixelPlace> probed) {
@@ -99,8 +123,6 @@ void SearchFeedback::prepareShown(Slot& slot) {
 }
 
 void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
-  // A region for each of many pixels takes longer than all pixels at once.
-  constexpr std::size_t kMaxRegions = 4096;
   slot.probed = std::move(probed);
   slot.probesAll = slot.probed.size() > kMaxRegions;
   const auto makeRoom = [&](gpu::Buffer& buffer, VkDeviceSize bytes, const char* name) {
@@ -140,22 +162,36 @@ void SearchFeedback::recordTransmittanceProbes(VkCommandBuffer commands, gpu::Te
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
                                   gpu::Buffer& values, VkDeviceSize texelBytes, VkDeviceSize offset) {
   const Slot& slot = slots_[current_];
-  std::vector<VkBufferImageCopy> regions;
-  const VkImageSubresourceLayers layers{.aspectMask = aspect, .layerCount = 1};
-  if (slot.probesAll)
-    regions.push_back({.bufferOffset = offset,
-                       .imageSubresource = layers,
-                       .imageExtent = {extent_.width, extent_.height, 1}});
-  else
-    for (std::size_t i = 0; i < slot.probed.size(); ++i)
-      regions.push_back({.bufferOffset = offset + texelBytes * i,
-                         .imageSubresource = layers,
-                         .imageOffset = {slot.probed[i].x, slot.probed[i].y, 0},
-                         .imageExtent = {1, 1, 1}});
-  gpu::use(commands, {{texture, gpu::Use::TransferSource}, {values, gpu::Use::TransferDestination}});
-  vkCmdCopyImageToBuffer(commands, texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, values,
-                         static_cast<std::uint32_t>(regions.size()), regions.data());
-  gpu::use(commands, {{values, gpu::Use::HostRead}});
+  copyTexels(commands, texture, aspect,
+             slot.probesAll ? std::span<const PixelPlace>() : std::span(slot.probed), values, texelBytes,
+             offset);
+}
+
+void SearchFeedback::recordDepths(VkCommandBuffer commands, gpu::Texture& depth,
+                                  std::vector<PixelPlace> pixels) {
+  copied_ = std::move(pixels);
+  const bool all = copied_.size() > kMaxRegions;
+  const VkDeviceSize bytes =
+      sizeof(float) * (all ? VkDeviceSize{extent_.width} * extent_.height : VkDeviceSize{copied_.size()});
+  if (!copiedDepths_ || copiedDepths_.size() < bytes)
+    copiedDepths_ =
+        gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = "depths"});
+  copyTexels(commands, depth, VK_IMAGE_ASPECT_DEPTH_BIT,
+             all ? std::span<const PixelPlace>() : std::span(copied_), copiedDepths_, sizeof(float), 0);
+}
+
+std::vector<DepthProbe> SearchFeedback::copiedDepths() {
+  std::vector<DepthProbe> probes;
+  const std::span<const std::byte> depths = copiedDepths_.read();
+  for (std::size_t i = 0; i < copied_.size(); ++i) {
+    const auto [x, y] = copied_[i];
+    const std::size_t place = copied_.size() > kMaxRegions
+                                  ? static_cast<std::size_t>(y) * extent_.width + static_cast<std::size_t>(x)
+                                  : i;
+    DepthProbe& probe = probes.emplace_back(DepthProbe{.pixel = copied_[i]});
+    std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
+  }
+  return probes;
 }
 
 void SearchFeedback::goOn() { slots_[current_].submission = context_->timeline().submitted() + 1; }
@@ -190,16 +226,19 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays,
   std::vector<std::uint32_t> words((pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord);
   if (slot.searches)
     std::memcpy(words.data(), slot.doubtful.read().data(), words.size() * sizeof(std::uint32_t));
-  const auto mark = [&](std::span<const PixelRect> rects, std::uint32_t doubt) {
-    if (rects.empty()) return;
-    const std::vector<bool> covered = unionOf(rects, width, height);
+  const auto coveredBy = [&](std::span<const PixelRect> rects) {
+    return rects.empty() ? std::vector<bool>() : unionOf(rects, width, height);
+  };
+  const auto mark = [&](const std::vector<bool>& covered, std::uint32_t doubt) {
+    if (covered.empty()) return;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel)
       if (covered[pixel])
         words[pixel / shared::kDoubtsPerWord] |= doubt
                                                  << shared::kDoubtBits * (pixel % shared::kDoubtsPerWord);
   };
-  mark(byRays, shared::kLostHere);
-  mark(shadowsByRays, shared::kShadowOpenHere);
+  const std::vector<bool> left = coveredBy(byRays);
+  mark(left, shared::kLostHere);
+  mark(coveredBy(shadowsByRays), shared::kShadowOpenHere);
   std::vector<Doubt> doubts;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
@@ -210,7 +249,8 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays,
       doubts.push_back({{pixel % width, pixel / width},
                         (bits & shared::kLostHere) != 0,
                         (bits & shared::kShadowOpenHere) != 0,
-                        (bits & shared::kLayersOpenHere) != 0});
+                        (bits & shared::kLayersOpenHere) != 0,
+                        !left.empty() && left[static_cast<std::size_t>(pixel)]});
     }
   return doubts;
 }

@@ -27,6 +27,7 @@ struct Doubt {
   bool lost;  ///< or left to rays
   bool shadows;
   bool layers;
+  bool left;  ///< to rays, whatever is shown
 };
 
 /// In a ring: a recording does not wait for what the one before it tells.
@@ -49,6 +50,8 @@ class SearchFeedback {
   /// And the shadows there, of a group of lights that has some; and of one that transmits how much.
   void recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows, std::size_t group);
   void recordTransmittanceProbes(VkCommandBuffer commands, gpu::Texture& transmittance, std::size_t group);
+  /// Copies the depths of other pixels of a recording that is complete.
+  void recordDepths(VkCommandBuffer commands, gpu::Texture& depth, std::vector<PixelPlace> pixels);
 
   /// The recording after the last one goes on with it.
   void goOn();
@@ -65,6 +68,8 @@ class SearchFeedback {
   [[nodiscard]] std::vector<Doubt> doubts(std::span<const PixelRect> byRays,
                                           std::span<const PixelRect> shadowsByRays);
   [[nodiscard]] std::vector<DepthProbe> depths();
+  /// As recordDepths() has copied them.
+  [[nodiscard]] std::vector<DepthProbe> copiedDepths();
   /// By rows, all.
   [[nodiscard]] std::vector<shared::ShownPoint> shownPoints();
 
@@ -98,6 +103,8 @@ class SearchFeedback {
   VkExtent2D extent_{};
   std::array<Slot, gpu::FrameRing::kFrames> slots_;
   std::size_t current_ = 0;
+  gpu::Buffer copiedDepths_;  ///< of these pixels, or of all
+  std::vector<PixelPlace> copied_;
 };
 
 }  // namespace luxo
