@@ -144,7 +144,7 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
 std::vector<PixelPlace> CertifiedRays::confirmed(std::span<const DepthProbe> shown) {
   static_cast<void>(prepare(shown.size(), [&](std::size_t i) { return shown[i].pixel; }));
   std::vector<char> isFirst(shown.size());
-  forEachIndex(shown.size(), shown.size() >= kRaysForAllCores, [&](std::size_t i) {
+  forEachIndex(shown.size(), shown.size() >= reference::kRaysForAllCores, [&](std::size_t i) {
     if (!goesOn_() || !(shown[i].depth > 0)) return;
     isFirst[i] = reference::showsFirst(*caster_, nodes_, sampled(shown[i].pixel),
                                        depthOf(caster_->snapshot().view, shown[i].depth), rounding());

@@ -76,7 +76,7 @@ Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, cons
 
 bool showsFirst(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel, double depth,
                 double rounding) {
-  return Judge(caster, nodes, depth, rounding).isFirst(pixel);
+  return SampleJudge(caster, nodes, depth, rounding).isFirst(pixel);
 }
 
 Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
