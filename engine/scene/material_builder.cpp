@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
@@ -21,11 +22,16 @@ const char* painting(const Material& material) {
                                             : "the diffuse colour or opacity uses u or v";
 }
 
-/// What a sampler is given: a texture, or the name of one, which is written as formulas are.
-std::optional<MapDesc> textureOf(const UniformDesc& uniform, const MaterialShaderPtr& shader) {
-  const bool isName = !uniform.map && uniform.values.size() == 1 && uniform.values[0].isFormula();
-  if (!isName || !shader || !shader->hasSampler(uniform.name.text)) return uniform.map;
-  return MapDesc{.texture = FileName(uniform.values[0].formula(), uniform.values[0].place())};
+/// What a sampler is given: a texture, or the name of one, which is written as formulas are. A parameter is
+/// the number of a map, as programs in the course's style have it.
+std::optional<MapDesc> textureOf(const UniformDesc& uniform, const MaterialShaderPtr& shader,
+                                 std::span<const ParameterDesc> parameters) {
+  if (uniform.map || uniform.values.size() != 1 || !uniform.values[0].isFormula()) return uniform.map;
+  const std::string& name = uniform.values[0].formula();
+  const auto isIt = [&](const ParameterDesc& parameter) { return parameter.name.text == name; };
+  if (!shader || !shader->hasSampler(uniform.name.text) || std::ranges::any_of(parameters, isIt))
+    return std::nullopt;
+  return MapDesc{.texture = FileName(name, uniform.values[0].place())};
 }
 
 }  // namespace
@@ -212,7 +218,7 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
     MapPlace& place = material.uniformPlaces.emplace_back();
     UniformValue& value = material.fixed.uniforms.emplace_back(
         UniformValue{uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
-    if (const std::optional<MapDesc> map = textureOf(uniform, shader))
+    if (const std::optional<MapDesc> map = textureOf(uniform, shader, file_.parameters))
       addMap(*map, value.map, place);
     else
       for (const Quantity& number : uniform.values) values.push_back(formulas_.number(number, kPlace));

@@ -22,13 +22,14 @@ Camera straightDown(double height) {
 
 /// Area of the pixel where `inside` holds, by 64 x 64 points: an edge passes 64 rows of cells, so it is
 /// within 64 * 2 half cells of 4096.
-constexpr int kGrid = 64;
-constexpr double kGridError = 64.0 / (kGrid * kGrid);
+constexpr int kSampleGrid = 64;
+constexpr double kGridError = 64.0 / (kSampleGrid * kSampleGrid);
 double areaOf(const auto& inside, int x, int y) {
   int hits = 0;
-  for (int j = 0; j < kGrid; ++j)
-    for (int i = 0; i < kGrid; ++i) hits += inside(Vec2(x + (i + 0.5) / kGrid, y + (j + 0.5) / kGrid));
-  return static_cast<double>(hits) / (kGrid * kGrid);
+  for (int j = 0; j < kSampleGrid; ++j)
+    for (int i = 0; i < kSampleGrid; ++i)
+      hits += inside(Vec2(x + (i + 0.5) / kSampleGrid, y + (j + 0.5) / kSampleGrid));
+  return static_cast<double>(hits) / (kSampleGrid * kSampleGrid);
 }
 
 TEST_F(Accumulation, EdgesConvergeToTheirArea) {

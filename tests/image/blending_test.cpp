@@ -13,7 +13,7 @@ namespace {
 
 using Blending = PictureTest;
 
-constexpr PixelSize kSize{48, 48};
+constexpr PixelSize kBlendingSize{48, 48};
 constexpr int kMiddle = 24;
 const Vec3 kRed(1, 0, 0), kGreen(0, 1, 0), kBlue(0, 0, 1);
 
@@ -34,7 +34,7 @@ Scene panes(std::span<const Pane> list, const Vec3& background = Vec3(0)) {
 
 TEST_F(Blending, HalfRedOverGreen) {
   const auto middle = [&](std::span<const Pane> list, const Vec3& background = Vec3(0)) {
-    return colorAt(draw(panes(list, background), kSize).image, kMiddle, kMiddle);
+    return colorAt(draw(panes(list, background), kBlendingSize).image, kMiddle, kMiddle);
   };
   // over: c = a c1 + (1 - a) c0. Halves are exact in binary.
   EXPECT_TRUE(near(middle(std::array{Pane{0, kGreen, 1}, Pane{1, kRed, 0.5}}), {0.5, 0.5, 0}, 1e-6));
@@ -60,10 +60,10 @@ TEST_F(Blending, OrderOfInsertionNeverMatters) {
   const Vec3 background(0.2, 0.1, 0.05);
   const auto smaller = [](const Pane& a, const Pane& b) { return a.z < b.z; };
   std::sort(list.begin(), list.end(), smaller);
-  const Image expected = draw(panes(list, background), camera, kSize).image;
+  const Image expected = draw(panes(list, background), camera, kBlendingSize).image;
   int permutations = 1;
   while (std::next_permutation(list.begin(), list.end(), smaller)) {
-    EXPECT_TRUE(sameBytes(draw(panes(list, background), camera, kSize).image, expected));
+    EXPECT_TRUE(sameBytes(draw(panes(list, background), camera, kBlendingSize).image, expected));
     ++permutations;
   }
   EXPECT_EQ(permutations, 24);
@@ -78,12 +78,12 @@ TEST_F(Blending, TransparentBallShowsItsBack) {
     scene.add(
         Node{.scale = Vec3(mirror, 1, 1), .surface = sphere(1), .material = scene.add(glowing(color, 0.5))});
     const Camera camera{.eye = Vec3(0, 0, 5), .fovY = radians(40)};
-    const CameraModel model(camera, kSize);
-    const Image image = draw(scene, camera, kSize).image;
+    const CameraModel model(camera, kBlendingSize);
+    const Image image = draw(scene, camera, kBlendingSize).image;
     const Vec3 expected = 0.5 * color + 0.5 * (0.5 * color + 0.5 * background);
     int inside = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kBlendingSize.height; ++y)
+      for (int x = 0; x < kBlendingSize.width; ++x) {
         // The mesh is within half a pixel of the ball.
         const auto hit =
             settled([&](const Vec2& p) { return hitSphere(model.through(p), Vec3(0), 1).has_value(); },
@@ -107,10 +107,10 @@ TEST_F(Blending, OpaqueComesFirst) {
   scene.add(Node{.surface = sphere(1), .material = glass});
   scene.add(Node{.surface = sphere(0.4), .material = scene.add(glowing(kRed))});
   const Camera camera{.eye = Vec3(0, 0, 5), .fovY = radians(40)};
-  const Image image = draw(scene, camera, kSize).image;
+  const Image image = draw(scene, camera, kBlendingSize).image;
   // Red, under the near wall and the pane; beside it white under three layers; farther out under one.
   EXPECT_TRUE(near(colorAt(image, kMiddle, kMiddle), {0.25, 0, 0.75}, 1e-6));
-  const CameraModel model(camera, kSize);
+  const CameraModel model(camera, kBlendingSize);
   const Vec2 beside = model.pixelOf({0.7, 0, 0}), outside = model.pixelOf({1.3, 0, 0});
   EXPECT_TRUE(near(colorAt(image, static_cast<int>(beside.x), kMiddle), {0.125, 0.125, 1}, 1e-6));
   EXPECT_TRUE(near(colorAt(image, static_cast<int>(outside.x), kMiddle), {0.5, 0.5, 1}, 1e-6));
@@ -126,7 +126,7 @@ TEST_F(Blending, CrossingPanesBothShow) {
     scene.add(pane);
   }
   const Camera camera{.eye = Vec3(0, 0, 5), .fovY = radians(40)};
-  const Image image = draw(scene, camera, kSize).image;
+  const Image image = draw(scene, camera, kBlendingSize).image;
   // 13 pixels a metre in the middle, and 0.8 m to either side of it: these all show both. Turned to the right
   // about y the red one is nearer on the left.
   for (int y = 16; y < 32; ++y)

@@ -21,7 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr PixelSize kSize{72, 56};
+constexpr PixelSize kCourseSize{72, 56};
 Camera cameraAt(const Vec3& place) { return {.eye = place + Vec3(1.5, 2.5, 4), .lookAt = place}; }
 const Camera kCamera = cameraAt(Vec3(0));
 
@@ -55,18 +55,11 @@ Scene ringOnPlate(const Material& material, Light::Shadow shadow, const Vec3& at
   return scene;
 }
 
-double largestDifference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.samples().size(); ++i)
-    largest = std::max(largest, std::abs(double(a.samples()[i]) - double(b.samples()[i])));
-  return largest;
-}
-
 class CoursePicture : public PictureTest {
  protected:
   [[nodiscard]] Image shown(const MaterialShaderPtr& shader, const Camera& camera = kCamera,
                             const Vec3& at = Vec3(0)) {
-    return draw(ringOnPlate({.shader = shader}, Light::Shadow::None, at), camera, kSize,
+    return draw(ringOnPlate({.shader = shader}, Light::Shadow::None, at), camera, kCourseSize,
                 {.composition = Composition::Deferred})
         .image;
   }
@@ -111,8 +104,8 @@ TEST_F(CoursePicture, LightAtVerticesAndInFragmentsIsThatOfMaterialsWithoutAShad
                           Case{"color.frag", "", Light::Shadow::Exact, Shading::Exact}}) {
     own.shader = ofTheCourse(one.fragment, one.vertex);
     const DrawOptions options{.shading = one.shading};
-    EXPECT_LE(largestDifference(draw(ringOnPlate(own, one.shadow), kCamera, kSize, options).image,
-                                draw(ringOnPlate(plain, one.shadow), kCamera, kSize, options).image),
+    EXPECT_LE(largestDifference(draw(ringOnPlate(own, one.shadow), kCamera, kCourseSize, options).image,
+                                draw(ringOnPlate(plain, one.shadow), kCamera, kCourseSize, options).image),
               3e-5)
         << one.fragment << " " << one.vertex << " " << nameOf(one.shading);
   }
@@ -127,8 +120,9 @@ TEST_F(CoursePicture, ColoursOfTheMaterialAreItsOwn) {
         programs("",
                  "void main() { gl_FragColor = gl_FrontMaterial.ambient + gl_FrontMaterial.specular + "
                  "0.01 * gl_FrontMaterial.shininess; }");
-    const Image image = draw(ringOnPlate(material, Light::Shadow::None), kCamera, kSize).image;
-    EXPECT_TRUE(near(colorAt(image, kSize.width / 2, kSize.height - 12), wanted + Vec3(0.5), 1e-6));
+    const Image image = draw(ringOnPlate(material, Light::Shadow::None), kCamera, kCourseSize).image;
+    EXPECT_TRUE(
+        near(colorAt(image, kCourseSize.width / 2, kCourseSize.height - 12), wanted + Vec3(0.5), 1e-6));
   }
 }
 
@@ -143,8 +137,9 @@ TEST_F(CoursePicture, LightsHaveTheOrderOfTheScene) {
     scene.add(Node{.surface = rectangle(9, 9), .material = scene.add(Material{.shader = shader})});
     scene.add(Node{.translation = Vec3(1, 3, 0), .light = Light{.intensity = first}});
     scene.add(Node{.translation = Vec3(-1, 3, 0), .light = Light{.intensity = 1 - first}});
-    const Image image = draw(scene, kCamera, kSize).image;
-    EXPECT_TRUE(near(colorAt(image, kSize.width / 2, kSize.height / 2), Vec3(first, 1 - first, 0), 1e-6));
+    const Image image = draw(scene, kCamera, kCourseSize).image;
+    EXPECT_TRUE(
+        near(colorAt(image, kCourseSize.width / 2, kCourseSize.height / 2), Vec3(first, 1 - first, 0), 1e-6));
   }
 }
 

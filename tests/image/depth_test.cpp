@@ -12,7 +12,7 @@ namespace {
 
 using Depth = PictureTest;
 
-const Vec3 kRed(1, 0, 0), kGreen(0, 1, 0);
+const Vec3 kNearRed(1, 0, 0), kFarGreen(0, 1, 0);
 
 /// Draws two plates, the red one nearer, either the red or the green one first. The order of draws is the
 /// renderer's, front to back: a third, nearer plate beside the picture's middle, that shares its draw with
@@ -21,7 +21,7 @@ Image plates(Renderer& renderer, const Camera& camera, PixelSize size, double de
              bool greenFirst) {
   Scene scene;
   scene.set(plainSettings());
-  Material red = glowing(kRed), green = glowing(kGreen);
+  Material red = glowing(kNearRed), green = glowing(kFarGreen);
   (greenFirst ? green : red).shading = Shading::Flat;
   const double wide = 4 * depth;
   const auto add = [&](double z, const Material& material) {
@@ -55,8 +55,8 @@ TEST_F(Depth, PlatesAMillimetreApartNeverFight) {
       const Image image = plates(renderer(), camera, kSize, c.depth, c.gap, c.tilt, greenFirst);
       for (int y = 4; y < kSize.height; ++y)
         for (int x = 4; x < kSize.width; ++x)
-          ASSERT_EQ(colorAt(image, x, y), kRed) << c.depth << " m, " << (greenFirst ? "green" : "red")
-                                                << " drawn first, (" << x << ", " << y << ")";
+          ASSERT_EQ(colorAt(image, x, y), kNearRed) << c.depth << " m, " << (greenFirst ? "green" : "red")
+                                                    << " drawn first, (" << x << ", " << y << ")";
     }
 }
 
@@ -113,10 +113,10 @@ TEST_F(Depth, WhatCrossesTheEyePlaneIsTheClippedPolygon) {
     scene.add(Node{.translation = c.center,
                    .rotation = Rotation{c.axis, c.angle},
                    .surface = rectangle(c.size.x, c.size.y),
-                   .material = scene.add(glowing(kGreen))});
+                   .material = scene.add(glowing(kFarGreen))});
     SCOPED_TRACE(testing::Message() << "center.x = " << c.center.x);
     expectAnalyticMask(draw(scene, camera, kSize).image, CameraModel(camera, kSize), camera.near.at(0),
-                       rotation(c.axis, c.angle), c.center, c.size, kGreen);
+                       rotation(c.axis, c.angle), c.center, c.size, kFarGreen);
   }
 }
 
@@ -124,7 +124,7 @@ TEST_F(Depth, AnyPictureSize) {
   for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 5}, PixelSize{641, 359}}) {
     Scene scene;
     scene.set(plainSettings());
-    scene.add(plate(Vec3(0.2, 0.1, 0), {1.6, 1.2}, scene.add(glowing(kRed))));
+    scene.add(plate(Vec3(0.2, 0.1, 0), {1.6, 1.2}, scene.add(glowing(kNearRed))));
     const Camera camera{.eye = Vec3(0, 0, 3), .fovY = radians(45)};
     const Image image = draw(scene, camera, size).image;
     ASSERT_EQ(image.width(), size.width);
@@ -140,7 +140,7 @@ TEST_F(Depth, AnyPictureSize) {
             },
             centerOf(x, y), kSnapPx);
         if (!inside) continue;
-        ASSERT_EQ(colorAt(image, x, y), *inside ? kRed : Vec3(0)) << x << ", " << y;
+        ASSERT_EQ(colorAt(image, x, y), *inside ? kNearRed : Vec3(0)) << x << ", " << y;
       }
   }
 }
@@ -148,10 +148,10 @@ TEST_F(Depth, AnyPictureSize) {
 TEST_F(Depth, NothingCloserThanTheNearPlaneIsSeen) {
   Scene scene;
   scene.set(plainSettings());
-  scene.add(plate(Vec3(0, 0, -0.999), Vec2(10), scene.add(glowing(kRed))));
-  scene.add(plate(Vec3(0, 0, -1.001), Vec2(10), scene.add(glowing(kGreen))));
+  scene.add(plate(Vec3(0, 0, -0.999), Vec2(10), scene.add(glowing(kNearRed))));
+  scene.add(plate(Vec3(0, 0, -1.001), Vec2(10), scene.add(glowing(kFarGreen))));
   const Camera camera{.eye = Vec3(0), .lookAt = Vec3(0, 0, -1), .near = 1};
-  EXPECT_EQ(colorAt(draw(scene, camera, {9, 9}).image, 4, 4), kGreen);
+  EXPECT_EQ(colorAt(draw(scene, camera, {9, 9}).image, 4, 4), kFarGreen);
 }
 
 }  // namespace

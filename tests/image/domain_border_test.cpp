@@ -15,7 +15,7 @@ namespace {
 
 using DomainBorderTest = VerifiedPictureTest;
 
-constexpr PixelSize kSize{200, 150};
+constexpr PixelSize kDomainBorderSize{200, 150};
 
 Scene plotted(const std::string& height, double half) {
   return buildScene(parseScene(R"({ "luxo": 1, "surfaces": { "s": { "type": "formula", "u": [)" +
@@ -29,7 +29,7 @@ Scene plotted(const std::string& height, double half) {
 
 TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
   const Scene scene = plotted("sqrt(1 - u^2 - v^2)", 2);
-  const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+  const Snapshot snapshot = takeSnapshot(scene, 0, kDomainBorderSize);
   const Verified found = verified(snapshot);
   EXPECT_EQ(found.verification.coverage.beyond, 0U);
   EXPECT_EQ(found.verification.coverage.undecided, 0U);
@@ -43,7 +43,7 @@ TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
   EXPECT_EQ(verified(takeSnapshot(scene, 0, {800, 600})).verification.wrong.total(), 0U);
 
   // What a ray meets of the whole ball above y = 0, but where a thousandth of a pixel makes a difference.
-  const CameraModel camera(scene.cameras()[0], kSize);
+  const CameraModel camera(scene.cameras()[0], kDomainBorderSize);
   const auto isHit = [&](const Vec2& pixel) {
     const Ray ray = camera.through(pixel);
     const auto depths = hitSphere(ray, Vec3(0), 1);
@@ -51,21 +51,21 @@ TEST_F(DomainBorderTest, HalfABallEndsInACircle) {
   };
   const Image id = renderer().render(snapshot, {.output = Output::Id}).image;
   int settledPixels = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kDomainBorderSize.height; ++y)
+    for (int x = 0; x < kDomainBorderSize.width; ++x) {
       const auto expected = settled(isHit, centerOf(x, y), 1e-3);
       if (!expected) continue;
       ++settledPixels;
       ASSERT_EQ(id.pixel(x, y)[0] > 0, *expected) << x << ", " << y;
     }
-  EXPECT_GT(settledPixels, kSize.width * kSize.height - 10);
+  EXPECT_GT(settledPixels, kDomainBorderSize.width * kDomainBorderSize.height - 10);
 }
 
 /// No shell holds what has no end, and no bounds tell where to look: rays find it, at poles as elsewhere.
 TEST_F(DomainBorderTest, WhatHasNoEndIsFound) {
   for (const char* height : {"log(1 - u^2 - v^2)", "1/u", "sin(8*sqrt(u^2 + v^2))/(8*sqrt(u^2 + v^2))",
                              "u*log(u + v)", "tan(2*u)"}) {
-    const Verified found = verified(takeSnapshot(plotted(height, 2), 0, kSize));
+    const Verified found = verified(takeSnapshot(plotted(height, 2), 0, kDomainBorderSize));
     EXPECT_EQ(found.verification.wrong.total(), 0U) << height;
     EXPECT_GT(found.verification.coverage.both, 2000U) << height;
     // Along a pole's own plane every height is met at once.
@@ -76,17 +76,18 @@ TEST_F(DomainBorderTest, WhatHasNoEndIsFound) {
 }
 
 TEST_F(DomainBorderTest, ARemovablePointIsFilled) {
-  const Snapshot snapshot = takeSnapshot(plotted("sin(sqrt(u^2 + v^2))/sqrt(u^2 + v^2)", 1), 0, kSize);
+  const Snapshot snapshot =
+      takeSnapshot(plotted("sin(sqrt(u^2 + v^2))/sqrt(u^2 + v^2)", 1), 0, kDomainBorderSize);
   const Verified found = expectTheTruth(snapshot, 5000);
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   // Of the square seen from above nothing is missing: no ray through it finds a way down.
   const Image id = renderer().render(snapshot, {.output = Output::Id}).image;
   const Camera camera{.eye = Vec3(0.01, 4, 0.02), .lookAt = Vec3(0.01, 0, 0.02), .fovY = radians(15)};
-  const Image above =
-      renderer()
-          .render(takeSnapshot(plotted("sin(sqrt(u^2 + v^2))/sqrt(u^2 + v^2)", 1), 0, kSize, camera),
-                  {.output = Output::Id})
-          .image;
+  const Image above = renderer()
+                          .render(takeSnapshot(plotted("sin(sqrt(u^2 + v^2))/sqrt(u^2 + v^2)", 1), 0,
+                                               kDomainBorderSize, camera),
+                                  {.output = Output::Id})
+                          .image;
   for (const float number : above.samples()) ASSERT_GT(number, 0);
 }
 
@@ -97,7 +98,7 @@ TEST_F(DomainBorderTest, RemovableLinesAreFilled) {
                              "(exp(u) - 1)/(2*u)", "(1 - exp(-3*(u^2 + v^2)))/(u^2 + v^2)",
                              "sin(9*sqrt(u^2 + v^2))/(9*sqrt(u^2 + v^2))"}) {
     const Scene scene = plotted(height, 1);
-    const Verified found = expectTheTruth(takeSnapshot(scene, 0, kSize), 1000);
+    const Verified found = expectTheTruth(takeSnapshot(scene, 0, kDomainBorderSize), 1000);
     EXPECT_EQ(found.verification.wrong.total(), 0U) << height;
     EXPECT_EQ(found.statistics.error.unconvergedPx, 0U) << height;
     EXPECT_LE(found.statistics.error.resolvedByRaysPx, 100U) << height;

@@ -14,7 +14,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{160, 120};
+constexpr PixelSize kEditsSize{160, 120};
 
 /// Shaders are compiled into a folder of the test's own.
 class EditsTest : public PictureTest {
@@ -26,7 +26,7 @@ class EditsTest : public PictureTest {
 
   [[nodiscard]] std::uint64_t objects() { return renderer().context().counters().objects; }
   [[nodiscard]] std::uint64_t pipelinesFor(const Scene& scene) {
-    return draw(scene, Camera{.eye = Vec3(0, 0, 6)}, kSize, {.shading = Shading::Phong})
+    return draw(scene, Camera{.eye = Vec3(0, 0, 6)}, kEditsSize, {.shading = Shading::Phong})
         .statistics.count.pipelinesCreated;
   }
 

@@ -9,7 +9,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{64, 64};
+constexpr PixelSize kExactDoubleSize{64, 64};
 constexpr double kRadius = 0.7;  // no float
 
 class ExactDouble : public PictureTest {
@@ -51,14 +51,14 @@ TEST_F(ExactDouble, OutlinesAreSharpHoweverNear) {
   for (const double height : {1e-3, 1e-5}) {
     SCOPED_TRACE(height);
     const Camera camera = telescope(onOutline(), height);
-    const CameraModel model(camera, kSize);
+    const CameraModel model(camera, kExactDoubleSize);
     const auto inside = [&](const Vec2& pixel) {
       return hitSphere(model.through(pixel), kCenter, kRadius).has_value();
     };
-    const Picture picture = draw(scene, camera, kSize);
+    const Picture picture = draw(scene, camera, kExactDoubleSize);
     int covered = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kExactDoubleSize.height; ++y)
+      for (int x = 0; x < kExactDoubleSize.width; ++x) {
         const bool shown = colorAt(picture.image, x, y).y > 0;
         covered += shown;
         if (const auto truth = settled(inside, centerOf(x, y), 0.01)) {
@@ -66,8 +66,8 @@ TEST_F(ExactDouble, OutlinesAreSharpHoweverNear) {
         }
       }
     // The outline passes through the middle.
-    EXPECT_GT(covered, kSize.width * kSize.height / 4);
-    EXPECT_LT(covered, kSize.width * kSize.height * 3 / 4);
+    EXPECT_GT(covered, kExactDoubleSize.width * kExactDoubleSize.height / 4);
+    EXPECT_LT(covered, kExactDoubleSize.width * kExactDoubleSize.height * 3 / 4);
     EXPECT_LE(picture.statistics.error.residualMaxPx.value_or(1), 1e-3);
     EXPECT_EQ(picture.statistics.error.unconvergedPx, 0u);
   }
@@ -77,10 +77,10 @@ TEST_F(ExactDouble, OutlinesAreSharpHoweverNear) {
 TEST_F(ExactDouble, DepthsAreRight) {
   const Vec3 target = kCenter + kRadius * unit(Vec3(0.3, 0.2, 1));
   const Camera camera = telescope(target, 1e-4);
-  const CameraModel model(camera, kSize);
-  const Image depth = draw(ball(glowing(Vec3(1))), camera, kSize, {.output = Output::Depth}).image;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  const CameraModel model(camera, kExactDoubleSize);
+  const Image depth = draw(ball(glowing(Vec3(1))), camera, kExactDoubleSize, {.output = Output::Depth}).image;
+  for (int y = 0; y < kExactDoubleSize.height; ++y)
+    for (int x = 0; x < kExactDoubleSize.width; ++x) {
       const double truth = hitSphere(model.through(centerOf(x, y)), kCenter, kRadius)->first;
       ASSERT_NEAR(depth.pixel(x, y)[0], truth, 2 * 0x1p-24 * truth) << x << ", " << y;
     }
@@ -90,10 +90,10 @@ TEST_F(ExactDouble, PatternsAreShown) {
   const Pattern shown = pattern([](auto u, auto v) { return point(0.1 * u, 0.3 * v + 0.5, 0.5); });
   const Scene scene = ball({.specular = Vec3(0), .diffusePattern = shown});
   const Camera camera = telescope(kCenter + kRadius * unit(Vec3(0.3, 0.2, 1)), 1e-4);
-  const Image color = draw(scene, camera, kSize).image;
-  const Image uv = draw(scene, camera, kSize, {.output = Output::Uv}).image;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  const Image color = draw(scene, camera, kExactDoubleSize).image;
+  const Image uv = draw(scene, camera, kExactDoubleSize, {.output = Output::Uv}).image;
+  for (int y = 0; y < kExactDoubleSize.height; ++y)
+    for (int x = 0; x < kExactDoubleSize.width; ++x) {
       const auto p = uv.pixel(x, y);
       // A few roundings of numbers up to 1.
       ASSERT_TRUE(near(colorAt(color, x, y), Vec3(0.1 * p[0], 0.3 * p[1] + 0.5, 0.5), 1e-6))
@@ -119,7 +119,7 @@ TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
   for (const double height : {1e-1, 1e-2, 1e-3}) {
     const Camera camera{
         .eye = eye, .lookAt = corner, .fovY = 2 * std::atan(0.5 * height / glm::length(corner - eye))};
-    const CameraModel model(camera, kSize);
+    const CameraModel model(camera, kExactDoubleSize);
     const auto inside = [&](const Vec2& pixel) {
       const Ray ray = model.through(pixel);
       const Vec3 hit = ray.at(hitPlane(ray, kCenter, Vec3(0, 1, 0)).value()) - kCenter;
@@ -127,9 +127,9 @@ TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
     };
     for (const Scene* shown : {&scene, &ofFormula}) {
       SCOPED_TRACE(testing::Message() << height << (shown == &scene ? "" : ", formula"));
-      const Picture picture = draw(*shown, camera, kSize);
-      for (int y = 0; y < kSize.height; ++y)
-        for (int x = 0; x < kSize.width; ++x) {
+      const Picture picture = draw(*shown, camera, kExactDoubleSize);
+      for (int y = 0; y < kExactDoubleSize.height; ++y)
+        for (int x = 0; x < kExactDoubleSize.width; ++x) {
           if (const auto truth = settled(inside, centerOf(x, y), 0.02)) {
             ASSERT_EQ(colorAt(picture.image, x, y).y > 0, *truth) << x << ", " << y;
           }
@@ -142,8 +142,8 @@ TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
 TEST_F(ExactDouble, WithoutItTheReportTellsOfALargerError) {
   const Scene scene = ball(glowing(Vec3(1)));
   const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-2);
-  const FrameError with = draw(scene, camera, kSize).statistics.error;
-  const FrameError without = draw(scene, camera, kSize, {.doubles = false}).statistics.error;
+  const FrameError with = draw(scene, camera, kExactDoubleSize).statistics.error;
+  const FrameError without = draw(scene, camera, kExactDoubleSize, {.doubles = false}).statistics.error;
   EXPECT_LE(with.residualMaxPx.value_or(1), 1e-5);
   // A pixel is 1.6e-4 m, of which 2^-24 of the ball's size is 3e-4.
   EXPECT_GT(without.residualMaxPx.value_or(0), 3e-5);
@@ -153,8 +153,9 @@ TEST_F(ExactDouble, WithoutItTheReportTellsOfALargerError) {
 TEST_F(ExactDouble, WithoutItWhatFloatWouldLoseAtEdgesIsFoundByRays) {
   const Scene scene = ball(glowing(Vec3(1)));
   const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-4);
-  const FrameError error = draw(scene, camera, kSize, {.doubles = false}).statistics.error;
-  EXPECT_EQ(error.resolvedByRaysPx, static_cast<std::uint64_t>(kSize.width * kSize.height));
+  const FrameError error = draw(scene, camera, kExactDoubleSize, {.doubles = false}).statistics.error;
+  EXPECT_EQ(error.resolvedByRaysPx,
+            static_cast<std::uint64_t>(kExactDoubleSize.width * kExactDoubleSize.height));
   EXPECT_EQ(error.unconvergedPx, 0u);
 }
 

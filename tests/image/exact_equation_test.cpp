@@ -24,7 +24,7 @@ class ExactEquation : public VerifiedPictureTest {
   }
 };
 
-Scene lit(const Node& node, const Camera& camera) {
+Scene litEquation(const Node& node, const Camera& camera) {
   Scene scene;
   scene.add(node);
   scene.add(Node{.translation = Vec3(2, 5, 3), .light = Light{.intensity = 0.8}});
@@ -40,7 +40,7 @@ TEST_F(ExactEquation, IsRightWhereverItIsAndFromBothSides) {
       for (const Camera& camera : {above, below, parallel}) {
         SCOPED_TRACE(fmt::format("{}, scaled by {} in y, from x = {}", name, scale.y, camera.eye.at({}).x));
         const Node node{.rotation = Rotation{{1, 2, 0.5}, 0.7}, .scale = scale, .surface = makeSurface(name)};
-        expectIsRight(lit(node, camera));
+        expectIsRight(litEquation(node, camera));
       }
 }
 
@@ -51,21 +51,21 @@ TEST_F(ExactEquation, ScaledUnevenly) {
       SCOPED_TRACE(fmt::format("{}, rolled by {}", name, roll));
       const Node node{
           .rotation = Rotation{{0, 0, 1}, roll}, .scale = Vec3(0.3, 3, 0.3), .surface = makeSurface(name)};
-      expectIsRight(lit(node, {.eye = Vec3(0.5, 1, 6)}));
+      expectIsRight(litEquation(node, {.eye = Vec3(0.5, 1, 6)}));
     }
 }
 
 // Of a cone seen along its axis, a ray's distance from the axis is the only number that matters, and near the
 // apex it is a hundredth of what its equation is made of: the normal turns with what is lost of it.
 TEST_F(ExactEquation, NormalsBesideAnApex) {
-  const Scene scene = lit({.surface = cone(1, 0, 2)}, {.eye = Vec3(0, 6, 0), .up = Vec3(0, 0, 1)});
+  const Scene scene = litEquation({.surface = cone(1, 0, 2)}, {.eye = Vec3(0, 6, 0), .up = Vec3(0, 0, 1)});
   const Verified found = verified(takeSnapshot(scene, 0, {512, 512}));
   EXPECT_LE(found.verification.normalDegrees.max, 0.01);
 }
 
 // The apex of a cone, on the ray of a pixel's centre.
 TEST_F(ExactEquation, AnApexHasAResidual) {
-  Scene scene = lit({.surface = cone(1, 0, 1)}, {.eye = Vec3(0, 5, 0), .up = Vec3(0, 0, 1)});
+  Scene scene = litEquation({.surface = cone(1, 0, 1)}, {.eye = Vec3(0, 5, 0), .up = Vec3(0, 0, 1)});
   const FrameError error =
       renderer().render(takeSnapshot(scene, 0, {65, 65}), {.shading = Shading::Exact}).statistics.error;
   EXPECT_LE(error.residualMaxPx.value(), 1e-3);
@@ -95,7 +95,8 @@ TEST_F(ExactEquation, ATorusIsMetNowhereBeforeTheRootThatIsShown) {
         Camera{.eye = Vec3(20, 30, 10), .lookAt = onTube(u, v, minor), .fovY = 0.004}};
     for (const Camera& camera : cameras) {
       SCOPED_TRACE(fmt::format("tube {}, camera {}", minor, &camera - cameras.data()));
-      const Verified found = verified(takeSnapshot(lit({.surface = torus(1, minor)}, camera), 0, {64, 48}));
+      const Verified found =
+          verified(takeSnapshot(litEquation({.surface = torus(1, minor)}, camera), 0, {64, 48}));
       EXPECT_EQ(found.verification.wrong.total(), 0U);
       EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
       seen += found.verification.coverage.both;
@@ -105,7 +106,7 @@ TEST_F(ExactEquation, ATorusIsMetNowhereBeforeTheRootThatIsShown) {
   // Beside the axis F bends many times as much: 27 and 31 pixels of narrow holes are left to rays.
   for (const auto& [minor, byRays] : {std::pair(0.97, 40U), std::pair(0.7, 40U), std::pair(0.3, 0U)}) {
     const Snapshot snapshot =
-        takeSnapshot(lit({.surface = torus(1, minor)}, {.eye = Vec3(2, 2.5, 4)}), 0, {480, 360});
+        takeSnapshot(litEquation({.surface = torus(1, minor)}, {.eye = Vec3(2, 2.5, 4)}), 0, {480, 360});
     const FrameError error = renderer().render(snapshot, {.shading = Shading::Exact}).statistics.error;
     EXPECT_LE(error.resolvedByRaysPx, byRays) << "tube " << minor;
   }
@@ -117,7 +118,7 @@ TEST_F(ExactEquation, ToriOfAllKinds) {
     for (const double turn : {0.2, 0.9, 1.4, 1.55}) {
       SCOPED_TRACE(fmt::format("tube {}, turned by {}", minor, turn));
       const Node node{.rotation = Rotation{{1, 0, 0.2}, turn}, .surface = torus(1, minor)};
-      expectIsRight(lit(node, {.eye = Vec3(0, 0, 4.5)}));
+      expectIsRight(litEquation(node, {.eye = Vec3(0, 0, 4.5)}));
     }
 }
 
@@ -133,7 +134,7 @@ TEST_F(ExactEquation, EyeBesideATorus) {
     SCOPED_TRACE(fmt::format("{}: from ({}, {}, {})", k, eye.x, eye.y, eye.z));
     const Camera camera{
         .eye = eye, .lookAt = eye + along - 0.3 * normal, .fovY = radians(45), .near = distance};
-    expectTheTruth(takeSnapshot(lit({.surface = ring}, camera), 0, {96, 72}), 400);
+    expectTheTruth(takeSnapshot(litEquation({.surface = ring}, camera), 0, {96, 72}), 400);
   }
 }
 
@@ -145,7 +146,7 @@ TEST_F(ExactEquation, AFormulaIsFoundByItsEquationToo) {
                      -(0.7 * cos(latitude) * sin(turn)));
       },
       {});
-  expectIsRight(lit({.surface = ball}, {.eye = Vec3(0, 1, 2)}));
+  expectIsRight(litEquation({.surface = ball}, {.eye = Vec3(0, 1, 2)}));
 }
 
 }  // namespace

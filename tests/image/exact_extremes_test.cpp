@@ -17,7 +17,7 @@ namespace {
 
 using ExactExtremes = VerifiedPictureTest;
 
-constexpr PixelSize kSize{128, 96};
+constexpr PixelSize kExactExtremesSize{128, 96};
 const Vec3 kGreen(0, 1, 0);
 
 Scene glowingScene(Surface surface) {
@@ -39,8 +39,8 @@ bool shows(const Image& color, int x, int y) {
 /// `relative` bounds what single precision makes of it.
 template <class DepthAt>
 void expectDepths(const Image& depth, double relative, const DepthAt& depthAt) {
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kExactExtremesSize.height; ++y)
+    for (int x = 0; x < kExactExtremesSize.width; ++x) {
       const std::optional<double> known = depthAt(centerOf(x, y));
       const double shown = depth.pixel(x, y)[0];
       const double wanted = known.value_or(std::numeric_limits<double>::infinity());
@@ -54,14 +54,15 @@ TEST_F(ExactExtremes, EyeOnABall) {
   const Camera outward{.eye = Vec3(0, 0, 1), .lookAt = Vec3(0, 0, 2), .fovY = radians(60)};
   const Scene scene = glowingScene(sphere(1));
   // A chord from the pole is 2 cos(angle) long, and the angle is at most 36 degrees.
-  expectDepths(draw(scene, inward, kSize, {.output = Output::Depth}).image, 1e-5, [&](const Vec2& pixel) {
-    const Vec3 d = CameraModel(inward, kSize).through(pixel).direction;
-    return std::optional(2 / glm::dot(d, d));
-  });
-  const Image color = draw(scene, inward, kSize).image;
-  const Image nothing = draw(scene, outward, kSize).image;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  expectDepths(draw(scene, inward, kExactExtremesSize, {.output = Output::Depth}).image, 1e-5,
+               [&](const Vec2& pixel) {
+                 const Vec3 d = CameraModel(inward, kExactExtremesSize).through(pixel).direction;
+                 return std::optional(2 / glm::dot(d, d));
+               });
+  const Image color = draw(scene, inward, kExactExtremesSize).image;
+  const Image nothing = draw(scene, outward, kExactExtremesSize).image;
+  for (int y = 0; y < kExactExtremesSize.height; ++y)
+    for (int x = 0; x < kExactExtremesSize.width; ++x) {
       ASSERT_TRUE(shows(color, x, y)) << x << ", " << y;
       ASSERT_FALSE(shows(nothing, x, y)) << x << ", " << y;
     }
@@ -72,15 +73,15 @@ TEST_F(ExactExtremes, EyeInsideTheShell) {
   for (const double height : {0.05, 4e-3, 1e-3, 2e-4, -2e-4, -1e-3, -0.05}) {
     SCOPED_TRACE(height);
     const Camera camera{.eye = Vec3(0, 0, 1 + height), .lookAt = Vec3(0), .fovY = radians(60), .near = 1e-5};
-    const CameraModel model(camera, kSize);
-    const Picture depth = draw(scene, camera, kSize, {.output = Output::Depth});
+    const CameraModel model(camera, kExactExtremesSize);
+    const Picture depth = draw(scene, camera, kExactExtremesSize, {.output = Output::Depth});
     // Points are sums of floats up to 1, each rounded by 2^-24; seen from `height` above them that counts.
     const double relative = 1e-5 + 8 * 0x1p-24 / std::abs(height);
     expectDepths(depth.image, relative, [&](const Vec2& pixel) {
       const auto [first, second] = *hitSphere(model.through(pixel), Vec3(0), 1);
       return std::optional(first > 0 ? first : second);
     });
-    EXPECT_TRUE(allFinite(draw(scene, camera, kSize).image));
+    EXPECT_TRUE(allFinite(draw(scene, camera, kExactExtremesSize).image));
   }
 }
 
@@ -92,18 +93,18 @@ TEST_F(ExactExtremes, HorizonFromInsideTheShell) {
                       .up = Vec3(0, 0, 1),
                       .fovY = radians(8),
                       .near = 1e-5};
-  const CameraModel model(camera, kSize);
-  const Picture picture = draw(scene, camera, kSize);
+  const CameraModel model(camera, kExactExtremesSize);
+  const Picture picture = draw(scene, camera, kExactExtremesSize);
   int covered = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kExactExtremesSize.height; ++y)
+    for (int x = 0; x < kExactExtremesSize.width; ++x) {
       const auto roots = hitSphere(model.through(centerOf(x, y)), Vec3(0), 1);
       const bool hit = roots && roots->first > 0;
       ASSERT_EQ(shows(picture.image, x, y), hit) << x << ", " << y;
       covered += hit;
     }
   EXPECT_GT(covered, 1000);
-  EXPECT_LT(covered, kSize.width * kSize.height - 1000);
+  EXPECT_LT(covered, kExactExtremesSize.width * kExactExtremesSize.height - 1000);
 }
 
 TEST_F(ExactExtremes, TubeSeenFromInside) {
@@ -111,9 +112,10 @@ TEST_F(ExactExtremes, TubeSeenFromInside) {
   for (const Vec3& lookAt : {Vec3(1, 0, -1), Vec3(2, 0, 0), Vec3(1, 1, 0.1), Vec3(0, 0, 0)}) {
     const Camera camera{
         .eye = Vec3(1, 0, 0), .lookAt = lookAt, .up = Vec3(0.1, 0.9, 0.2), .fovY = radians(70)};
-    const Picture picture = draw(scene, camera, kSize);
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) ASSERT_TRUE(shows(picture.image, x, y)) << x << ", " << y;
+    const Picture picture = draw(scene, camera, kExactExtremesSize);
+    for (int y = 0; y < kExactExtremesSize.height; ++y)
+      for (int x = 0; x < kExactExtremesSize.width; ++x)
+        ASSERT_TRUE(shows(picture.image, x, y)) << x << ", " << y;
     EXPECT_EQ(picture.statistics.error.unconvergedPx, 0u);
   }
 }
@@ -126,11 +128,11 @@ TEST_F(ExactExtremes, PolesAtTheSilhouette) {
                         .lookAt = Vec3(shift, 0, 0),
                         .projection = Projection::Orthographic,
                         .height = 96 / 40.0};
-    const CameraModel model(camera, kSize);
+    const CameraModel model(camera, kExactExtremesSize);
     const auto inside = [&](const Vec2& p) { return hitSphere(model.through(p), Vec3(0), 1).has_value(); };
-    const Picture picture = draw(scene, camera, kSize);
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
+    const Picture picture = draw(scene, camera, kExactExtremesSize);
+    for (int y = 0; y < kExactExtremesSize.height; ++y)
+      for (int x = 0; x < kExactExtremesSize.width; ++x)
         if (const auto known = settled(inside, centerOf(x, y), 0.01)) {
           ASSERT_EQ(shows(picture.image, x, y), *known) << x << ", " << y << ", shift " << shift;
         }
@@ -151,17 +153,17 @@ TEST_F(ExactExtremes, FormulasWithHoles) {
                      .up = Vec3(0, 0, -1),
                      .projection = Projection::Orthographic,
                      .height = 2.4};
-  const CameraModel model(above, kSize);
+  const CameraModel model(above, kExactExtremesSize);
   for (const Surface& surface : {dome, pole, half})
     for (const Camera& camera : {above, Camera{.eye = Vec3(1.5, 2, 3)}, Camera{.eye = Vec3(0, 0, 0.2)}})
-      EXPECT_TRUE(allFinite(draw(glowingScene(surface), camera, kSize).image));
+      EXPECT_TRUE(allFinite(draw(glowingScene(surface), camera, kExactExtremesSize).image));
 
   const auto nowhere = [](auto u, auto v) { return point(u, sqrt(-1 - u * u), v); };
-  EXPECT_THROW(draw(glowingScene(surface(nowhere, {{-1, 1}, {-1, 1}})), above, kSize), Error);
+  EXPECT_THROW(draw(glowingScene(surface(nowhere, {{-1, 1}, {-1, 1}})), above, kExactExtremesSize), Error);
 
-  const Image image = draw(glowingScene(dome), above, kSize).image;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  const Image image = draw(glowingScene(dome), above, kExactExtremesSize).image;
+  for (int y = 0; y < kExactExtremesSize.height; ++y)
+    for (int x = 0; x < kExactExtremesSize.width; ++x) {
       const Vec3 p = model.through(centerOf(x, y)).origin;
       const double radius = std::hypot(p.x, p.z);
       const bool shown = shows(image, x, y);
@@ -216,7 +218,7 @@ TEST_F(ExactExtremes, ScalesThatUndoTheFormulas) {
     Scene scene;
     scene.set(plainSettings());
     scene.add(Node{.rotation = Rotation{{1, 0, 0}, 0.3}, .scale = undone, .surface = flattenedTorus(undone)});
-    return draw(scene, camera, kSize, {.output = output});
+    return draw(scene, camera, kExactExtremesSize, {.output = output});
   };
   const Picture round = shown(Vec3(1), Output::Normal);
   for (const Vec3& undone : {Vec3(1e-6, 1, 1e6), Vec3(1e4, 1e-5, 3)}) {
@@ -226,8 +228,8 @@ TEST_F(ExactExtremes, ScalesThatUndoTheFormulas) {
     EXPECT_EQ(uneven.statistics.count.passes, round.statistics.count.passes);
     EXPECT_EQ(uneven.statistics.error.unconvergedPx, 0U);
     // Where a ray grazes, a thousandth of a pixel turns the normal by this.
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
+    for (int y = 0; y < kExactExtremesSize.height; ++y)
+      for (int x = 0; x < kExactExtremesSize.width; ++x)
         EXPECT_TRUE(near(colorAt(uneven.image, x, y), colorAt(round.image, x, y), 2e-4)) << x << ", " << y;
   }
 }

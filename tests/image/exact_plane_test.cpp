@@ -27,7 +27,7 @@ class ExactPlane : public VerifiedPictureTest {
   }
 };
 
-Scene lit(Node node, const Camera& camera) {
+Scene litPlane(Node node, const Camera& camera) {
   Scene scene;
   scene.add(std::move(node));
   scene.add(Node{.translation = Vec3(2, 5, 3), .light = Light{.intensity = 0.8}});
@@ -51,7 +51,7 @@ TEST_F(ExactPlane, OutToTheHorizon) {
   for (const double size : {20.0, 1e3, 1e6}) {
     SCOPED_TRACE(size);
     const Verified found =
-        expectAsRightAsFloats(lit({.surface = rectangle(size, size)}, level), {129, 97}, 3000);
+        expectAsRightAsFloats(litPlane({.surface = rectangle(size, size)}, level), {129, 97}, 3000);
     EXPECT_GE(found.verification.color.psnrLinear, 110);
   }
 }
@@ -65,8 +65,9 @@ TEST_F(ExactPlane, FromBothSidesAndMirrored) {
         for (const Surface& surface : {rectangle(2, 1), disk(1), ring(0.4, 1)})
           expectTheTruth(
               takeSnapshot(
-                  lit({.rotation = Rotation{{1, 2, 3}, 0.2}, .scale = scale, .surface = surface}, camera), 0,
-                  {160, 120}),
+                  litPlane({.rotation = Rotation{{1, 2, 3}, 0.2}, .scale = scale, .surface = surface},
+                           camera),
+                  0, {160, 120}),
               200);
       }
 }
@@ -76,7 +77,7 @@ TEST_F(ExactPlane, SeenAtAGrazingAngle) {
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
     const Camera camera{
         .eye = Vec3(3, 0.003, 4), .fovY = radians(0.5), .projection = projection, .height = 0.01};
-    expectAsRightAsFloats(lit({.surface = disk(1)}, camera), {160, 120}, 100);
+    expectAsRightAsFloats(litPlane({.surface = disk(1)}, camera), {160, 120}, 100);
   }
 }
 
@@ -146,7 +147,7 @@ TEST_F(ExactPlane, EdgesHaveTheirSamples) {
 
 // A device without doubles searches for them as for other quadrics.
 TEST_F(ExactPlane, IsFoundWithoutDoubles) {
-  const Scene scene = lit({.surface = rectangle(2, 2)}, {.eye = Vec3(1, 2, 2)});
+  const Scene scene = litPlane({.surface = rectangle(2, 2)}, {.eye = Vec3(1, 2, 2)});
   const Snapshot snapshot = takeSnapshot(scene, 0, {96, 96});
   const Image with = renderer().render(snapshot, {.shading = Shading::Exact}).image;
   const Image without = renderer().render(snapshot, {.shading = Shading::Exact, .doubles = false}).image;

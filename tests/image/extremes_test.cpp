@@ -13,7 +13,7 @@ namespace {
 
 using Extremes = PictureTest;
 
-constexpr PixelSize kSize{128, 96};
+constexpr PixelSize kExtremesSize{128, 96};
 constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Exact};
 
 TEST_F(Extremes, LightInsideABallDoesNotLeakOut) {
@@ -24,9 +24,9 @@ TEST_F(Extremes, LightInsideABallDoesNotLeakOut) {
   addLight(scene, {.position = {0.2, 0.1, -0.3, 1}, .inverseSquare = true});
   const Vec3 ambient = 0.2 * material.diffuse;
   for (const Shading shading : kShadings) {
-    const Image image = draw(scene, Camera{.eye = Vec3(1, 2, 3)}, kSize, {.shading = shading}).image;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    const Image image = draw(scene, Camera{.eye = Vec3(1, 2, 3)}, kExtremesSize, {.shading = shading}).image;
+    for (int y = 0; y < kExtremesSize.height; ++y)
+      for (int x = 0; x < kExtremesSize.width; ++x) {
         const Vec3 color = colorAt(image, x, y);
         ASSERT_TRUE(color == Vec3(0) || near(color, ambient, 1e-6)) << nameOf(shading) << x << ", " << y;
       }
@@ -44,18 +44,19 @@ TEST_F(Extremes, EyeInsideABallSeesItsWallEverywhere) {
       if (fine) node.segments = kFine;
       scene.add(node);
       const Camera camera{.eye = eye, .lookAt = Vec3(1, 0, 0), .fovY = radians(100)};
-      const Snapshot snapshot = takeSnapshot(scene, 0, kSize, camera);
+      const Snapshot snapshot = takeSnapshot(scene, 0, kExtremesSize, camera);
       for (const Shading shading : kShadings) {
         const Image color = renderer().render(snapshot, {.shading = shading}).image;
-        for (int y = 0; y < kSize.height; ++y)
-          for (int x = 0; x < kSize.width; ++x) ASSERT_TRUE(near(colorAt(color, x, y), {0, 1, 0}, 1e-6));
+        for (int y = 0; y < kExtremesSize.height; ++y)
+          for (int x = 0; x < kExtremesSize.width; ++x)
+            ASSERT_TRUE(near(colorAt(color, x, y), {0, 1, 0}, 1e-6));
       }
       if (!fine) continue;
       const Image depth = renderer().render(snapshot, {.output = Output::Depth}).image;
-      const CameraModel model(camera, kSize);
+      const CameraModel model(camera, kExtremesSize);
       const double bound = deviationBound(sphere(2), {}, kFine);
-      for (int y = 0; y < kSize.height; ++y)
-        for (int x = 0; x < kSize.width; ++x) {
+      for (int y = 0; y < kExtremesSize.height; ++y)
+        for (int x = 0; x < kExtremesSize.width; ++x) {
           const Ray ray = model.through(centerOf(x, y));
           // The wall is met at 60 degrees or more: cos of it 0.85 at least, and the ray is up to 1.9 long a
           // metre of depth; either way an error of the wall grows less than twofold.
@@ -74,9 +75,9 @@ TEST_F(Extremes, FlattenedNodesAreFinite) {
         scene.add(Node{.parent = flat, .surface = std::move(surface)});
       addLight(scene, {.position = {1, 2, 3, 1}});
       const Camera camera{.eye = Vec3(2, 3, 4)};
-      EXPECT_TRUE(allFinite(draw(scene, camera, kSize, {.shading = shading}).image))
+      EXPECT_TRUE(allFinite(draw(scene, camera, kExtremesSize, {.shading = shading}).image))
           << scale.x << scale.y << scale.z << " " << nameOf(shading);
-      EXPECT_TRUE(allFinite(draw(scene, camera, kSize, {.output = Output::Normal}).image))
+      EXPECT_TRUE(allFinite(draw(scene, camera, kExtremesSize, {.output = Output::Normal}).image))
           << scale.x << scale.y << scale.z;
     }
 }
@@ -85,11 +86,11 @@ TEST_F(Extremes, FlattenedBallIsADiskWithItsNormal) {
   Scene scene;
   scene.add(Node{.scale = Vec3(1, 0, 1), .surface = sphere(1), .segments = Segments{64, 32}});
   const Camera camera{.eye = Vec3(0, 4, 0.5), .lookAt = Vec3(0)};
-  const CameraModel model(camera, kSize);
-  const Image normal = draw(scene, camera, kSize, {.output = Output::Normal}).image;
+  const CameraModel model(camera, kExtremesSize);
+  const Image normal = draw(scene, camera, kExtremesSize, {.output = Output::Normal}).image;
   int hit = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kExtremesSize.height; ++y)
+    for (int x = 0; x < kExtremesSize.width; ++x) {
       const Ray ray = model.through(centerOf(x, y));
       const Vec3 p = ray.at(*hitPlane(ray, Vec3(0), {0, 1, 0}));
       if (glm::length(p) > 0.99) continue;
@@ -109,18 +110,18 @@ TEST_F(Extremes, NormalsOfUnevenlyScaledNodes) {
                  .rotation = turning({0, 1, 0}, glm::normalize(Vec3(1, 1, 0))),
                  .surface = rectangle(2, 2)});
   const Camera camera{.eye = Vec3(2, 4, 0.3)};
-  const Image normal = draw(scene, camera, kSize, {.output = Output::Normal}).image;
+  const Image normal = draw(scene, camera, kExtremesSize, {.output = Output::Normal}).image;
   EXPECT_TRUE(near(colorAt(normal, 64, 48), glm::normalize(Vec3(1, 2, 0)), 1e-6));
 
   // An ellipsoid with half axes 3, 1 and 1/2: its gradient.
   Scene egg;
   egg.add(Node{.scale = Vec3(3, 1, 0.5), .surface = sphere(1), .segments = Segments{512, 256}});
   const Camera from{.eye = Vec3(3, 4, 5)};
-  const Image normals = draw(egg, from, kSize, {.output = Output::Normal}).image;
-  const Image positions = draw(egg, from, kSize, {.output = Output::Position}).image;
+  const Image normals = draw(egg, from, kExtremesSize, {.output = Output::Normal}).image;
+  const Image positions = draw(egg, from, kExtremesSize, {.output = Output::Position}).image;
   int hit = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kExtremesSize.height; ++y)
+    for (int x = 0; x < kExtremesSize.width; ++x) {
       const Vec3 p = colorAt(positions, x, y);
       if (p == Vec3(0)) continue;
       ++hit;
@@ -173,11 +174,11 @@ TEST_F(Extremes, FarFromTheOriginIsTheSamePicture) {
   for (const double far : {0x1p23, 0x1p28}) {
     const Diorama there = diorama(1, Vec3(far, -far, 2 * far));
     for (const Shading shading : kShadings)
-      EXPECT_TRUE(sameBytes(draw(there.scene, there.camera, kSize, {.shading = shading}).image,
-                            draw(here.scene, here.camera, kSize, {.shading = shading}).image))
+      EXPECT_TRUE(sameBytes(draw(there.scene, there.camera, kExtremesSize, {.shading = shading}).image,
+                            draw(here.scene, here.camera, kExtremesSize, {.shading = shading}).image))
           << far << " m, " << nameOf(shading);
-    EXPECT_TRUE(sameBytes(draw(there.scene, there.camera, kSize, {.output = Output::Depth}).image,
-                          draw(here.scene, here.camera, kSize, {.output = Output::Depth}).image));
+    EXPECT_TRUE(sameBytes(draw(there.scene, there.camera, kExtremesSize, {.output = Output::Depth}).image,
+                          draw(here.scene, here.camera, kExtremesSize, {.output = Output::Depth}).image));
   }
 }
 
@@ -186,9 +187,10 @@ TEST_F(Extremes, AnySizeIsTheSamePicture) {
   for (const int power : {-20, 20}) {
     const Diorama scaled = diorama(std::ldexp(1.0, power), Vec3(0));
     for (const Shading shading : kShadings) {
-      const Image image = draw(scaled.scene, scaled.camera, kSize, {.shading = shading}).image;
+      const Image image = draw(scaled.scene, scaled.camera, kExtremesSize, {.shading = shading}).image;
       EXPECT_TRUE(allFinite(image));
-      EXPECT_TRUE(sameBytes(image, draw(normal.scene, normal.camera, kSize, {.shading = shading}).image))
+      EXPECT_TRUE(
+          sameBytes(image, draw(normal.scene, normal.camera, kExtremesSize, {.shading = shading}).image))
           << "2^" << power << ", " << nameOf(shading);
     }
   }
@@ -207,11 +209,11 @@ TEST_F(Extremes, AFarFormulaIsAsSharpAsANearOne) {
                    .segments = Segments{24, 24}});
     addLight(scene, {.position = {offset + 1, 4, 2, 1}});
     const Camera camera{.eye = Vec3(offset + 1, 2, 3), .lookAt = Vec3(offset, 0, 0)};
-    return draw(scene, camera, kSize, {.shading = Shading::Phong}).image;
+    return draw(scene, camera, kExtremesSize, {.shading = Shading::Phong}).image;
   };
   const Image near = pictureAt(0), far = pictureAt(kFar);
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x)
+  for (int y = 0; y < kExtremesSize.height; ++y)
+    for (int x = 0; x < kExtremesSize.width; ++x)
       ASSERT_LT(glm::length(colorAt(near, x, y) - colorAt(far, x, y)), 1e-4) << x << ", " << y;
 }
 

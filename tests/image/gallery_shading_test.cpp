@@ -18,9 +18,9 @@
 namespace luxo::test {
 namespace {
 
-constexpr int kPixels = 64;
-constexpr double kWide = 2;                 // metres that a picture shows
-constexpr double kPixel = kWide / kPixels;  // metres
+constexpr int kShadedPixels = 64;
+constexpr double kWide = 2;                       // metres that a picture shows
+constexpr double kPixel = kWide / kShadedPixels;  // metres
 
 /// Parts of a pixel: centres are on no lattice's lines.
 const Vec3 kAside(0.137 * kPixel, -0.291 * kPixel, 0);
@@ -55,7 +55,7 @@ class GalleryShading : public PictureTest {
                        .lookAt = kAside,
                        .projection = Projection::Orthographic,
                        .height = kWide},
-                {kPixels, kPixels})
+                {kShadedPixels, kShadedPixels})
         .image;
   }
 
@@ -73,7 +73,8 @@ class GalleryShading : public PictureTest {
   }
 
   static Vec3 placeOf(int x, int y) {
-    return kAside + Vec3((x + 0.5 - kPixels / 2.0) * kPixel, (kPixels / 2.0 - y - 0.5) * kPixel, 0);
+    return kAside +
+           Vec3((x + 0.5 - kShadedPixels / 2.0) * kPixel, (kShadedPixels / 2.0 - y - 0.5) * kPixel, 0);
   }
 };
 
@@ -145,8 +146,8 @@ double gradientNoise(const Vec3& place) {
 template <class Wanted>
 int wrongPixels(const Image& image, const Wanted& wanted, double tolerance) {
   int wrong = 0;
-  for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x)
+  for (int y = 0; y < kShadedPixels; ++y)
+    for (int x = 0; x < kShadedPixels; ++x)
       if (!(std::abs(double(image.pixel(x, y)[0]) - wanted(x, y)) <= tolerance)) ++wrong;
   return wrong;
 }
@@ -250,10 +251,10 @@ TEST_F(GalleryShading, DentsAreHolesWhereTheyAreDeepest) {
   };
   EXPECT_LE(wrongPixels(image, wanted, 1e-3), 2);
   double holes = 0;
-  for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x) holes += image.pixel(x, y)[0];
+  for (int y = 0; y < kShadedPixels; ++y)
+    for (int x = 0; x < kShadedPixels; ++x) holes += image.pixel(x, y)[0];
   EXPECT_GT(holes, 100);
-  EXPECT_LT(holes, kPixels * kPixels - 100);
+  EXPECT_LT(holes, kShadedPixels * kShadedPixels - 100);
 }
 
 // A ball, the camera and the lamp, all turned alike: the same picture.
@@ -272,13 +273,14 @@ TEST_F(GalleryShading, DentsTurnWithTheirNode) {
                        .up = turn * Vec3(0, 1, 0),
                        .projection = Projection::Orthographic,
                        .height = kWide},
-                {kPixels, kPixels})
+                {kShadedPixels, kShadedPixels})
         .image;
   };
   const Image still = shown(0), turned = shown(0.8);
   int different = 0;
-  for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x) different += !near(colorAt(still, x, y), colorAt(turned, x, y), 2e-3);
+  for (int y = 0; y < kShadedPixels; ++y)
+    for (int x = 0; x < kShadedPixels; ++x)
+      different += !near(colorAt(still, x, y), colorAt(turned, x, y), 2e-3);
   EXPECT_LE(different, 20);  // at kinks of noise, and its outline
 }
 
@@ -305,8 +307,8 @@ TEST_F(GalleryShading, ALeafShinesByTheLightBehindIt) {
   const Vec3 behind = glm::normalize(Vec3(0.4, -0.2, -0.9)), before = glm::normalize(Vec3(0.4, -0.2, 0.9));
   const Image shone = leaf(behind), lit = leaf(before);
   int dark = 0;
-  for (int y = 0; y < kPixels; ++y) {
-    for (int x = 0; x < kPixels; ++x) {
+  for (int y = 0; y < kShadedPixels; ++y) {
+    for (int x = 0; x < kShadedPixels; ++x) {
       ASSERT_TRUE(near(colorAt(lit, x, y), reflected * before.z, 1e-6)) << x << " " << y;
       const Vec3 from = placeOf(x, y) - ball;
       const double off = glm::length(from - glm::dot(from, behind) * behind);
@@ -370,11 +372,11 @@ TEST_F(GalleryShading, LightLeaksPastTheHorizonAsItDiffusesAlongARing) {
     const double kept = std::sqrt(3 * kAbsorption / (kScattering + kAbsorption)), fit = 0.0016;
     const double color = 0.5 * kScattering / (kScattering + kAbsorption) *
                          (1 + std::exp(-4.0 / 3 * (1 + fit) / (1 - fit) * kept)) * std::exp(-kept);
-    for (int x = 4; x < kPixels - 4; x += 3) {
-      const double right = placeOf(x, kPixels / 2).x, up = placeOf(x, kPixels / 2).y;
+    for (int x = 4; x < kShadedPixels - 4; x += 3) {
+      const double right = placeOf(x, kShadedPixels / 2).x, up = placeOf(x, kShadedPixels / 2).y;
       if (std::hypot(right, up) > 0.98 * kRadius) continue;
       const double wanted = color * ring(std::acos(right / kRadius), k);
-      EXPECT_NEAR(image.pixel(x, kPixels / 2)[0], wanted, 2e-5) << k << " " << x;
+      EXPECT_NEAR(image.pixel(x, kShadedPixels / 2)[0], wanted, 2e-5) << k << " " << x;
     }
   }
 }
@@ -412,8 +414,8 @@ TEST_F(GalleryShading, BumpsOfIceRunDownWithTheWater) {
   const Image first = plate("ice.frag", ice(0.1, 0.1, flow, 0), 0),
               later = plate("ice.frag", ice(0.1, 0.1, flow, 4), 0);
   double least = 1, most = 0;
-  for (int y = kPixels / 2 + 9; y < kPixels; ++y) {
-    for (int x = 0; x < kPixels; ++x) {
+  for (int y = kShadedPixels / 2 + 9; y < kShadedPixels; ++y) {
+    for (int x = 0; x < kShadedPixels; ++x) {
       const double was = first.pixel(x, y - 8)[0];
       ASSERT_NEAR(later.pixel(x, y)[0], was, 1e-4) << x << " " << y;
       least = std::min(least, was);
@@ -438,8 +440,8 @@ TEST_F(GalleryShading, FlamesHaveTheColoursOfABlackBody) {
   for (const double kelvin : {1500.0, 2400.0}) {
     const Image image = plate("fire.frag", flame(kelvin, 0.9), 0);
     int bright = 0;
-    for (int y = 0; y < kPixels; ++y) {
-      for (int x = 0; x < kPixels; ++x) {
+    for (int y = 0; y < kShadedPixels; ++y) {
+      for (int x = 0; x < kShadedPixels; ++x) {
         const Vec3 color = colorAt(image, x, y);
         if (color.x < 1e-3) continue;
         ++bright;
@@ -472,7 +474,7 @@ TEST_F(GalleryShading, AFlameIsSummedUpAlongTheWayThroughIt) {
     return sum;
   };
   EXPECT_EQ(wrongPixels(image, wanted, 3e-3), 0);
-  EXPECT_GT(image.pixel(kPixels / 2, kPixels * 3 / 4)[0], 0.3);
+  EXPECT_GT(image.pixel(kShadedPixels / 2, kShadedPixels * 3 / 4)[0], 0.3);
 }
 
 // Two that mirror all but a fifth, under a sky that is the brighter the higher: outlines, normals, and what

@@ -14,7 +14,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr int kPixels = 80;
+constexpr int kGalleryPixels = 80;
 
 class GalleryPicture : public PictureTest {
  protected:
@@ -27,21 +27,21 @@ class GalleryPicture : public PictureTest {
                    .surface = rectangle(4, 4),
                    .material = scene.add(material)});
     scene.set(RenderSettings{.ambient = Vec3(ambient)});
-    const Vec3 at(0.137 * 2 / kPixels, -0.291 * 2 / kPixels, 0);
+    const Vec3 at(0.137 * 2 / kGalleryPixels, -0.291 * 2 / kGalleryPixels, 0);
     return draw(scene,
                 Camera{.eye = at + Vec3(0, 0, 5),
                        .lookAt = at,
                        .projection = Projection::Orthographic,
                        .height = 2},
-                {kPixels, kPixels})
+                {kGalleryPixels, kGalleryPixels})
         .image;
   }
 
   static double meanOf(const Image& image) {
     double sum = 0;
-    for (int y = 0; y < kPixels; ++y)
-      for (int x = 0; x < kPixels; ++x) sum += image.pixel(x, y)[0];
-    return sum / (kPixels * kPixels);
+    for (int y = 0; y < kGalleryPixels; ++y)
+      for (int x = 0; x < kGalleryPixels; ++x) sum += image.pixel(x, y)[0];
+    return sum / (kGalleryPixels * kGalleryPixels);
   }
 };
 
@@ -60,7 +60,7 @@ TEST_F(GalleryPicture, AThinFilmReflectsLeastAtAQuarterWave) {
                                {"horizon", {1, 1, 1}},
                                {"ground", {1, 1, 1}}},
                               0);
-    return double(image.pixel(kPixels / 2, kPixels / 2)[1]);
+    return double(image.pixel(kGalleryPixels / 2, kGalleryPixels / 2)[1]);
   };
   const double least = std::pow((kBase - kFilm * kFilm) / (kBase + kFilm * kFilm), 2);
   const double bare = std::pow((1 - kBase) / (1 + kBase), 2);
@@ -82,8 +82,9 @@ TEST_F(GalleryPicture, ACheckerboardIsItsMean) {
   };
   EXPECT_NEAR(meanOf(board(8)), 0.5, 1e-5);
   const Image fine = board(800);
-  for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x) ASSERT_NEAR(fine.pixel(x, y)[0], 0.5, 0.5 / 25 + 1e-3) << x << " " << y;
+  for (int y = 0; y < kGalleryPixels; ++y)
+    for (int x = 0; x < kGalleryPixels; ++x)
+      ASSERT_NEAR(fine.pixel(x, y)[0], 0.5, 0.5 / 25 + 1e-3) << x << " " << y;
 }
 
 TEST_F(GalleryPicture, TheMeanOfHatchingIsItsTone) {

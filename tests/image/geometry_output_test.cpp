@@ -16,10 +16,10 @@ namespace {
 
 using GeometryOutput = PictureTest;
 
-constexpr PixelSize kSize{160, 120};
+constexpr PixelSize kGeometryOutputSize{160, 120};
 
 Image output(Renderer& renderer, const Scene& scene, const Camera& camera, Output what,
-             PixelSize size = kSize) {
+             PixelSize size = kGeometryOutputSize) {
   return renderer.render(takeSnapshot(scene, 0, size, camera), {.output = what}).image;
 }
 
@@ -29,7 +29,7 @@ TEST_F(GeometryOutput, PlateAt725) {
   for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
     const Camera camera{
         .eye = Vec3(0), .lookAt = Vec3(0, 0, -1), .fovY = radians(50), .projection = projection, .height = 6};
-    const CameraModel model(camera, kSize);
+    const CameraModel model(camera, kGeometryOutputSize);
     const Image depth = output(renderer(), scene, camera, Output::Depth);
     const Image position = output(renderer(), scene, camera, Output::Position);
     const Image normal = output(renderer(), scene, camera, Output::Normal);
@@ -39,8 +39,8 @@ TEST_F(GeometryOutput, PlateAt725) {
     ASSERT_EQ(position.channels(), 3);
     ASSERT_EQ(id.channels(), 1);
     int hit = 0, missed = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kGeometryOutputSize.height; ++y)
+      for (int x = 0; x < kGeometryOutputSize.width; ++x) {
         const Vec3 p = model.through(centerOf(x, y)).at(7.25);
         const auto inside = settled(
             [&](const Vec2& pixel) {
@@ -111,14 +111,14 @@ TEST_F(GeometryOutput, CurvedBodies) {
     for (const Vec3& eye : {Vec3(4, 0.3, 0.2), Vec3(-2, 1, 3), Vec3(0.1, 4, 0.2), Vec3(0.5, -3.5, -0.5)}) {
       SCOPED_TRACE(testing::Message() << body.name << " seen from x = " << eye.x << ", y = " << eye.y);
       const Camera camera{.eye = eye, .fovY = radians(50)};
-      const CameraModel model(camera, kSize);
+      const CameraModel model(camera, kGeometryOutputSize);
       const Image depth = output(renderer(), scene, camera, Output::Depth);
       const Image position = output(renderer(), scene, camera, Output::Position);
       const Image normal = output(renderer(), scene, camera, Output::Normal);
       const Image uv = output(renderer(), scene, camera, Output::Uv);
       int hit = 0;
-      for (int y = 0; y < kSize.height; ++y)
-        for (int x = 0; x < kSize.width; ++x) {
+      for (int y = 0; y < kGeometryOutputSize.height; ++y)
+        for (int x = 0; x < kGeometryOutputSize.width; ++x) {
           if (std::isinf(depth.pixel(x, y)[0])) continue;
           ++hit;
           const Vec3 p = colorAt(position, x, y), n = body.normal(p);
@@ -168,7 +168,7 @@ TEST_F(GeometryOutput, IdsCountDepthFirst) {
   scene.add(grandchild);
 
   const Camera camera{.eye = Vec3(0, 0, 10), .projection = Projection::Orthographic, .height = 12};
-  const CameraModel model(camera, kSize);
+  const CameraModel model(camera, kGeometryOutputSize);
   const Image ids = output(renderer(), scene, camera, Output::Id);
   const auto idAt = [&](const Vec3& p) {
     const Vec2 pixel = model.pixelOf(p);
@@ -180,7 +180,7 @@ TEST_F(GeometryOutput, IdsCountDepthFirst) {
   const Camera from{
       .eye = Vec3(0, -10, 0), .up = Vec3(0, 0, 1), .projection = Projection::Orthographic, .height = 12};
   const Image lower = output(renderer(), scene, from, Output::Id);
-  const CameraModel lowerModel(from, kSize);
+  const CameraModel lowerModel(from, kGeometryOutputSize);
   const auto lowerIdAt = [&](const Vec3& p) {
     const Vec2 pixel = lowerModel.pixelOf(p);
     return lower.pixel(static_cast<int>(pixel.x), static_cast<int>(pixel.y))[0];
@@ -195,8 +195,10 @@ TEST_F(GeometryOutput, DebugViews) {
   scene.add(Node{.surface = sphere(1)});
   scene.add(plate(Vec3(3, 0, -1), {2, 2}, {}));
   const Camera camera{.eye = Vec3(0, 0, 5), .fovY = radians(60)};
-  const CameraModel model(camera, kSize);
-  const auto view = [&](Shading shading) { return draw(scene, camera, kSize, {.shading = shading}).image; };
+  const CameraModel model(camera, kGeometryOutputSize);
+  const auto view = [&](Shading shading) {
+    return draw(scene, camera, kGeometryOutputSize, {.shading = shading}).image;
+  };
   const auto at = [&](const Image& image, const Vec3& p) {
     const Vec2 pixel = model.pixelOf(p);
     return colorAt(image, static_cast<int>(pixel.x), static_cast<int>(pixel.y));
@@ -233,11 +235,11 @@ TEST_F(GeometryOutput, WireframeIsTheEdges) {
   node.segments = Segments{2, 2};
   scene.add(node);
   const Camera camera{.eye = Vec3(0, 0, 3), .projection = Projection::Orthographic, .height = 3};
-  const CameraModel model(camera, kSize);
-  const Image image = draw(scene, camera, kSize, {.shading = Shading::Wireframe}).image;
+  const CameraModel model(camera, kGeometryOutputSize);
+  const Image image = draw(scene, camera, kGeometryOutputSize, {.shading = Shading::Wireframe}).image;
   int edge = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kGeometryOutputSize.height; ++y)
+    for (int x = 0; x < kGeometryOutputSize.width; ++x) {
       const Vec3 p = model.through(centerOf(x, y)).at(3);
       // The edges: x or y in {-1, 0, 1}, and each cell's diagonal from its lower left corner.
       const double metre = 1 / model.pixelsPerUnit();
@@ -288,14 +290,15 @@ TEST_F(GeometryOutput, WiresHideTheLinesBehindThem) {
     far.translation = Vec3(0.5, 0.5, -2);
     both.add(far);
     both.add(sheet(both, 0));
-    const Image alone = draw(nearSheet, above(), kSize, hiding).image;
-    EXPECT_TRUE(sameBytes(draw(both, above(), kSize, hiding).image, alone)) << samples;
-    const Image shown = draw(both, above(), kSize, showing).image;
+    const Image alone = draw(nearSheet, above(), kGeometryOutputSize, hiding).image;
+    EXPECT_TRUE(sameBytes(draw(both, above(), kGeometryOutputSize, hiding).image, alone)) << samples;
+    const Image shown = draw(both, above(), kGeometryOutputSize, showing).image;
     EXPECT_FALSE(sameBytes(shown, alone)) << samples;
     if (samples == 1) {
       EXPECT_GT(litPixels(shown, Vec3(1)), 5 * litPixels(alone, Vec3(1)) / 4);
     }
-    EXPECT_TRUE(sameBytes(draw(nearSheet, above(), kSize, showing).image, alone)) << "its own lines all show";
+    EXPECT_TRUE(sameBytes(draw(nearSheet, above(), kGeometryOutputSize, showing).image, alone))
+        << "its own lines all show";
   }
 }
 
@@ -309,8 +312,8 @@ TEST_F(GeometryOutput, SteepWiresAreWhole) {
     const DrawOptions hiding{.shading = Shading::Wireframe};
     DrawOptions showing = hiding;
     showing.hiddenLines = true;
-    EXPECT_TRUE(
-        sameBytes(draw(scene, aslant, kSize, hiding).image, draw(scene, aslant, kSize, showing).image))
+    EXPECT_TRUE(sameBytes(draw(scene, aslant, kGeometryOutputSize, hiding).image,
+                          draw(scene, aslant, kGeometryOutputSize, showing).image))
         << height;
   }
 }
@@ -321,9 +324,10 @@ TEST_F(GeometryOutput, WiresHideNothingButLines) {
   scene.add(plate(Vec3(0, 0, -1), {8, 8}, scene.add(glowing({0, 0.5, 0}))));
   scene.add(sheet(scene, 0));
   scene.add(sheet(scene, -2));
-  const Image image = draw(scene, above(), kSize, {.shading = Shading::Phong}).image;
+  const Image image = draw(scene, above(), kGeometryOutputSize, {.shading = Shading::Phong}).image;
   const int lines = litPixels(image, Vec3(1)), body = litPixels(image, {0, 0.5, 0});
-  EXPECT_EQ(lines + body, kSize.width * kSize.height) << "the solid plate is seen between the near wires";
+  EXPECT_EQ(lines + body, kGeometryOutputSize.width * kGeometryOutputSize.height)
+      << "the solid plate is seen between the near wires";
   EXPECT_GT(lines, 100);
 }
 

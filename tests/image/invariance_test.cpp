@@ -21,7 +21,7 @@ namespace {
 
 using Invariance = PictureTest;
 
-constexpr PixelSize kSize{320, 180};
+constexpr PixelSize kInvarianceSize{320, 180};
 
 /// Closed and open surfaces, hierarchy, transparency, both kinds of light; mirrored in x or not.
 Scene mixedScene(double mirror, double opacity = 0.4) {
@@ -69,19 +69,19 @@ std::vector<bool> contours(const Image& ids, const Image& normals) {
 
 TEST_F(Invariance, MirroredSceneIsTheMirroredPicture) {
   const Scene original = mixedScene(1, 1), mirrored = mixedScene(-1, 1);
-  const Image ids = flippedLeftRight(draw(original, kSize, {.output = Output::Id}).image);
-  const Image normals = flippedLeftRight(draw(original, kSize, {.output = Output::Normal}).image);
+  const Image ids = flippedLeftRight(draw(original, kInvarianceSize, {.output = Output::Id}).image);
+  const Image normals = flippedLeftRight(draw(original, kInvarianceSize, {.output = Output::Normal}).image);
   const std::vector<bool> contour = contours(ids, normals);
   const auto contourPixels = std::count(contour.begin(), contour.end(), true);
   for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud}) {
-    const Image expected = flippedLeftRight(draw(original, kSize, {.shading = shading}).image);
-    const Image image = draw(mirrored, kSize, {.shading = shading}).image;
+    const Image expected = flippedLeftRight(draw(original, kInvarianceSize, {.shading = shading}).image);
+    const Image image = draw(mirrored, kInvarianceSize, {.shading = shading}).image;
     int wrong = 0, moved = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kInvarianceSize.height; ++y)
+      for (int x = 0; x < kInvarianceSize.width; ++x) {
         if (near(colorAt(image, x, y), colorAt(expected, x, y), 1.0 / 255)) continue;
         // Single precision rounds the two differently; samples that near an edge may change sides.
-        const bool onContour = contour[static_cast<std::size_t>(y * kSize.width + x)];
+        const bool onContour = contour[static_cast<std::size_t>(y * kInvarianceSize.width + x)];
         ++(onContour || shading == Shading::Flat ? moved : wrong);
       }
     EXPECT_EQ(wrong, 0) << nameOf(shading);
@@ -107,9 +107,9 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
                                  Subject{"mirrored", mixedScene(-1), 0}})
     for (const int samples : {1, 4}) {
       const DrawOptions all{.shading = GetParam(), .samples = samples};
-      const Image expected = draw(subject.scene, kSize, all, subject.time).image;
+      const Image expected = draw(subject.scene, kInvarianceSize, all, subject.time).image;
       const auto check = [&](const char* what, const DrawOptions& options) {
-        EXPECT_TRUE(sameBytes(draw(subject.scene, kSize, options, subject.time).image, expected))
+        EXPECT_TRUE(sameBytes(draw(subject.scene, kInvarianceSize, options, subject.time).image, expected))
             << subject.name << ", " << samples << " samples, without " << what;
       };
       const auto without = [&](const char* what, bool Skips::*skip) {
@@ -129,10 +129,10 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
         for (const auto skip : {&Skips::backface, &Skips::hidden}) {
           DrawOptions options = all;
           options.skips.*skip = false;
-          const Image image = draw(subject.scene, kSize, options, subject.time).image;
+          const Image image = draw(subject.scene, kInvarianceSize, options, subject.time).image;
           int changed = 0;
-          for (int y = 0; y < kSize.height; ++y)
-            for (int x = 0; x < kSize.width; ++x)
+          for (int y = 0; y < kInvarianceSize.height; ++y)
+            for (int x = 0; x < kInvarianceSize.width; ++x)
               changed += !near(colorAt(image, x, y), colorAt(expected, x, y), 1e-5);
           EXPECT_LE(changed, skip == &Skips::backface ? 2 : 0)
               << subject.name << ", " << samples << " samples";
@@ -199,21 +199,21 @@ TEST_F(Invariance, SkipsDoSkip) {
   Scene scene = mixedScene(1);
   scene.add(Node{.translation = Vec3(0, 0, 60), .surface = sphere(1)});
   scene.add(Node{.translation = Vec3(0.31, 1.3, -1), .surface = sphere(1e-5)});
-  const FrameCounts with = draw(scene, kSize).statistics.count;
+  const FrameCounts with = draw(scene, kInvarianceSize).statistics.count;
   EXPECT_GE(with.culledFrustum, 1u);
   EXPECT_GE(with.culledSmall, 1u);
   EXPECT_EQ(with.nodes, with.drawn + with.culledFrustum + with.culledSmall + with.culledBackface);
-  const FrameCounts without = draw(scene, kSize, {.skips = Skips::none()}).statistics.count;
+  const FrameCounts without = draw(scene, kInvarianceSize, {.skips = Skips::none()}).statistics.count;
   EXPECT_EQ(without.drawn, without.nodes);
   EXPECT_EQ(without.nodes, with.nodes);
 }
 
 TEST_F(Invariance, LightThatCannotReachIsNotEvaluated) {
   // At t = 0 the shade opens upward: its light reaches nothing but the shade.
-  const Picture with = draw(luxoGrandpa(), kSize, {}, 0);
+  const Picture with = draw(luxoGrandpa(), kInvarianceSize, {}, 0);
   DrawOptions all;
   all.skips.lights = false;
-  const Picture without = draw(luxoGrandpa(), kSize, all, 0);
+  const Picture without = draw(luxoGrandpa(), kInvarianceSize, all, 0);
   EXPECT_GE(with.statistics.count.culledLights, 5u);
   EXPECT_EQ(without.statistics.count.culledLights, 0u);
   EXPECT_TRUE(sameBytes(with.image, without.image));
@@ -244,35 +244,35 @@ TEST_F(Invariance, OrderOfSiblingsDoesNotMatter) {
   };
   std::vector<int> order(19);
   std::iota(order.begin(), order.end(), 0);
-  const Image expected = draw(build(order), kSize).image;
+  const Image expected = draw(build(order), kInvarianceSize).image;
   std::uint64_t state = 7;
   for (int round = 0; round < 8; ++round) {
     for (std::size_t i = order.size(); i > 1; --i) {  // Fisher and Yates, from a linear congruence
       state = state * 6364136223846793005u + 1442695040888963407u;
       std::swap(order[i - 1], order[(state >> 33) % i]);
     }
-    EXPECT_TRUE(sameBytes(draw(build(order), kSize).image, expected)) << "round " << round;
+    EXPECT_TRUE(sameBytes(draw(build(order), kInvarianceSize).image, expected)) << "round " << round;
   }
 }
 
 TEST_F(Invariance, SeekingIsStepping) {
   const Scene lamp = luxoGrandpa();
   Image stepped;
-  for (int frame = 0; frame <= 72; ++frame) stepped = draw(lamp, kSize, {}, frame / 24.0).image;
+  for (int frame = 0; frame <= 72; ++frame) stepped = draw(lamp, kInvarianceSize, {}, frame / 24.0).image;
   Renderer fresh(context());
-  EXPECT_TRUE(sameBytes(fresh.render(takeSnapshot(lamp, 3, kSize)).image, stepped));
+  EXPECT_TRUE(sameBytes(fresh.render(takeSnapshot(lamp, 3, kInvarianceSize)).image, stepped));
 }
 
 TEST_F(Invariance, AWholePeriodLaterItIsTheSame) {
   for (const double t : {0.0, 3.0, 9.5, 21.0}) {
-    const Image now = draw(luxoGrandpa(), kSize, {}, t).image;
-    const Image later = draw(luxoGrandpa(), kSize, {}, t + 8 * kPi).image;
+    const Image now = draw(luxoGrandpa(), kInvarianceSize, {}, t).image;
+    const Image later = draw(luxoGrandpa(), kInvarianceSize, {}, t + 8 * kPi).image;
     EXPECT_LE(compare(now, later, ComparisonSpace::Srgb8).max, 1.0 / 255 + 1e-9) << t;
   }
 }
 
 TEST_F(Invariance, EveryRunIsTheSame) {
-  const Snapshot snapshot = takeSnapshot(luxoGrandpa(), 9.5, kSize);
+  const Snapshot snapshot = takeSnapshot(luxoGrandpa(), 9.5, kInvarianceSize);
   const Image expected = renderer().render(snapshot).image;
   EXPECT_TRUE(sameBytes(renderer().render(snapshot).image, expected)) << "read again";
   EXPECT_TRUE(sameBytes(renderer().render(snapshot, {.skips = {.unchanged = false}}).image, expected));

@@ -14,7 +14,7 @@ namespace luxo::test {
 namespace {
 
 // Odd: the middle of the picture is the middle of a pixel.
-constexpr PixelSize kSize{97, 73};
+constexpr PixelSize kIsolinesSize{97, 73};
 constexpr int kMiddle = 36;
 
 const char* const kPlane =
@@ -40,7 +40,7 @@ struct Covered {
 };
 Covered coveredIn(const Image& image, int y) {
   Covered sum;
-  for (int x = 0; x < kSize.width; ++x) {
+  for (int x = 0; x < kIsolinesSize.width; ++x) {
     const double covered = 1 - colorAt(image, x, y).x / colorAt(image, 0, y).x;
     sum.pixels += covered;
     sum.middle += covered * (x + 0.5);
@@ -55,7 +55,7 @@ constexpr double kExactPx = 2e-3;
 class IsolinesTest : public VerifiedPictureTest {
  protected:
   Image drawn(const Scene& scene, const DrawOptions& options = {}) {
-    return draw(scene, kSize, options).image;
+    return draw(scene, kIsolinesSize, options).image;
   }
 };
 
@@ -78,8 +78,9 @@ TEST_F(IsolinesTest, CoverTheirAreaAtAnySlope) {
     const Image image =
         drawn(lined(kPlane, fmt::format(R"({{ "of": "x + {}*y", "at": 0.013, "width": 1.2 }})", slope)));
     double pixels = 0;
-    for (int y = 0; y < kSize.height; ++y) pixels += coveredIn(image, y).pixels;
-    EXPECT_NEAR(pixels, 1.2 * kSize.height * std::sqrt(1 + slope * slope), 0.1 * kExactPx * kSize.height)
+    for (int y = 0; y < kIsolinesSize.height; ++y) pixels += coveredIn(image, y).pixels;
+    EXPECT_NEAR(pixels, 1.2 * kIsolinesSize.height * std::sqrt(1 + slope * slope),
+                0.1 * kExactPx * kIsolinesSize.height)
         << slope;
   }
 }
@@ -108,8 +109,8 @@ TEST_F(IsolinesTest, ThatAreDenseMakeNoMoire) {
   for (const double perPixel : {5.0, 50.0}) {
     const Image image = drawn(lined(kPlane, fmt::format(R"({{ "of": "x + 0.1y", "step": {}, "width": {} }})",
                                                         0.1 * std::sqrt(1.01) / perPixel, 0.25 / perPixel)));
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
+    for (int y = 0; y < kIsolinesSize.height; ++y)
+      for (int x = 0; x < kIsolinesSize.width; ++x)
         // A relative 1e-5 of float's footprint.
         ASSERT_NEAR(colorAt(image, x, y).x, 0.75, 1e-5) << x << " " << y;
   }
@@ -118,7 +119,7 @@ TEST_F(IsolinesTest, ThatAreDenseMakeNoMoire) {
 // Nor do they get brighter where they grow together.
 TEST_F(IsolinesTest, AsNearAsTheirWidthCoverAll) {
   const Image image = drawn(lined(kPlane, R"({ "of": "x", "step": 0.1, "width": 1 })"));
-  for (int x = 0; x < kSize.width; ++x) ASSERT_NEAR(colorAt(image, x, kMiddle).x, 0, 1e-5) << x;
+  for (int x = 0; x < kIsolinesSize.width; ++x) ASSERT_NEAR(colorAt(image, x, kMiddle).x, 0, 1e-5) << x;
 }
 
 TEST_F(IsolinesTest, OfAConstantAreNone) {
@@ -127,8 +128,8 @@ TEST_F(IsolinesTest, OfAConstantAreNone) {
     const Image image = drawn(lined(
         R"({ "type": "sphere", "radius": 1 })", R"([ { "of": "K", "step": 0.5 }, { "of": "3" } ])",
         fmt::format(R"({{ "type": "orthographic", "height": 1, "eye": {}, "look_at": [0, 0, 0] }})", eye)));
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) ASSERT_EQ(colorAt(image, x, y), Vec3(1)) << x << " " << y;
+    for (int y = 0; y < kIsolinesSize.height; ++y)
+      for (int x = 0; x < kIsolinesSize.width; ++x) ASSERT_EQ(colorAt(image, x, y), Vec3(1)) << x << " " << y;
   }
 }
 
@@ -137,8 +138,8 @@ TEST_F(IsolinesTest, AtAPoleAreNumbers) {
   const Image image = drawn(lined(
       R"({ "type": "sphere", "radius": 1 })", R"({ "u": 24, "of": "y", "step": 0.1 })",
       R"({ "type": "orthographic", "height": 1.5, "eye": [0, 5, 0], "look_at": [0, 0, 0], "up": [0, 0, 1] })"));
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x)
+  for (int y = 0; y < kIsolinesSize.height; ++y)
+    for (int x = 0; x < kIsolinesSize.width; ++x)
       for (int c = 0; c < 3; ++c)
         ASSERT_TRUE(colorAt(image, x, y)[c] >= 0 && colorAt(image, x, y)[c] <= 1) << x << " " << y;
 }
@@ -167,7 +168,7 @@ TEST_F(IsolinesTest, AreThoseOfTheTruth) {
        R"a([ { "of": "floor(3u) + v", "step": 0.3 }, { "of": "atan2(v, u)", "step": 0.4 }, { "of": "1/u" } ])a"}};
   for (const auto& [surface, isolines] : cases) {
     SCOPED_TRACE(surface);
-    expectTrueColors(takeSnapshot(lined(surface, isolines, camera), 0, kSize), 500);
+    expectTrueColors(takeSnapshot(lined(surface, isolines, camera), 0, kIsolinesSize), 500);
   }
 }
 

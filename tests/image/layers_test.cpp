@@ -43,7 +43,7 @@ class LayersTest : public VerifiedPictureTest {
   }
 };
 
-constexpr PixelSize kSize{240, 180};
+constexpr PixelSize kLayersSize{240, 180};
 
 std::string twelveSheets(LayersTest*) {
   const char* materials[] = {"glass", "red", "stained", "glow"};
@@ -67,7 +67,7 @@ TEST_F(LayersTest, AreTheTruth) {
           node("ball", "checks", R"(, "scale": [0.5, 0.5, 0.5])") + ", " + node("mobius", "red")};
   for (const std::string& nodes : scenes) {
     SCOPED_TRACE(nodes);
-    const Snapshot snapshot = takeSnapshot(sceneOf(nodes), 0, kSize);
+    const Snapshot snapshot = takeSnapshot(sceneOf(nodes), 0, kLayersSize);
     const Verified found = verified(snapshot);
     EXPECT_EQ(found.verification.wrong.total(), 0U);
     EXPECT_EQ(found.statistics.error.auditFailedPx, 0U);
@@ -117,7 +117,7 @@ TEST_F(LayersTest, OrderOfNodesChangesNoByte) {
   const auto shown = [&] {
     std::string all;
     for (const std::string& one : nodes) all += (all.empty() ? "" : ", ") + one;
-    return draw(sceneOf(all), kSize).image;
+    return draw(sceneOf(all), kLayersSize).image;
   };
   std::ranges::sort(nodes);
   const Image expected = shown();
@@ -168,8 +168,9 @@ TEST_F(LayersTest, GivenOrderIsWhatIsGiven) {
                     far = node("sheet", "glass");
   const auto middle = [&](const std::string& nodes, const std::string& order) {
     const Scene scene = sceneOf(nodes, R"("blend_order": ")" + order + R"(",)");
-    const Vec3 shown = colorAt(draw(scene, kSize).image, 120, 86);
-    EXPECT_TRUE(test::near(shown, colorAt(castPicture(takeSnapshot(scene, 0, kSize)).color, 120, 86), 1e-4));
+    const Vec3 shown = colorAt(draw(scene, kLayersSize).image, 120, 86);
+    EXPECT_TRUE(
+        test::near(shown, colorAt(castPicture(takeSnapshot(scene, 0, kLayersSize)).color, 120, 86), 1e-4));
     return shown;
   };
   const Vec3 right = middle(far + ", " + near, "exact");
@@ -227,29 +228,32 @@ TEST_F(LayersTest, GivenOrderIsTheSameInEveryShading) {
 
 TEST_F(LayersTest, ManySamplesAreTheirMean) {
   const Scene scene = sceneOf(node("torus", "glass") + ", " + node("mobius", "waves"));
-  const Image four = draw(scene, kSize, {.samples = 4}).image;
-  std::vector<Vec3> mean(static_cast<std::size_t>(kSize.width * kSize.height), Vec3(0));
+  const Image four = draw(scene, kLayersSize, {.samples = 4}).image;
+  std::vector<Vec3> mean(static_cast<std::size_t>(kLayersSize.width * kLayersSize.height), Vec3(0));
   for (const Vec2& offset : samplePattern(4)) {
-    Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+    Snapshot snapshot = takeSnapshot(scene, 0, kLayersSize);
     snapshot.view = sampledAt(snapshot.view, offset);
     const Image one = renderer().render(snapshot, {}).image;
     for (std::size_t i = 0; i < mean.size(); ++i)
-      mean[i] += 0.25 * colorAt(one, static_cast<int>(i) % kSize.width, static_cast<int>(i) / kSize.width);
+      mean[i] += 0.25 * colorAt(one, static_cast<int>(i) % kLayersSize.width,
+                                static_cast<int>(i) / kLayersSize.width);
   }
   for (std::size_t i = 0; i < mean.size(); ++i)
-    ASSERT_TRUE(near(colorAt(four, static_cast<int>(i) % kSize.width, static_cast<int>(i) / kSize.width),
-                     mean[i], 1e-6));
+    ASSERT_TRUE(
+        near(colorAt(four, static_cast<int>(i) % kLayersSize.width, static_cast<int>(i) / kLayersSize.width),
+             mean[i], 1e-6));
 }
 
 /// Meshes show the same layers as searches, but where they are off by the tolerance.
 TEST_F(LayersTest, MeshesShowTheSameLayers) {
   const Scene scene = sceneOf(node("torus", "glass") + ", " +
                               node("torus", "red", R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 })"));
-  const Image exact = draw(scene, kSize).image;
-  const Image mesh = draw(scene, kSize, {.shading = Shading::Phong, .tolerancePx = 0.05}).image;
+  const Image exact = draw(scene, kLayersSize).image;
+  const Image mesh = draw(scene, kLayersSize, {.shading = Shading::Phong, .tolerancePx = 0.05}).image;
   int different = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) different += !near(colorAt(exact, x, y), colorAt(mesh, x, y), 0.03);
+  for (int y = 0; y < kLayersSize.height; ++y)
+    for (int x = 0; x < kLayersSize.width; ++x)
+      different += !near(colorAt(exact, x, y), colorAt(mesh, x, y), 0.03);
   // Outlines, about 1,000 px long, move by up to 0.05 px.
   EXPECT_LT(different, 120);
 }
@@ -259,11 +263,11 @@ TEST_F(LayersTest, ShadowsFallOnEveryLayer) {
       sceneOf(node("ball", "checks",
                    R"(, "scale": [0.4, 0.4, 0.4], "translate": [0.3, 1.6, 0.3], "name": "caster")") +
               ", " + node("torus", "glass") + ", " + node("mobius", "waves") + kShadowingLight);
-  const Verified found = verified(takeSnapshot(scene, 0, kSize));
+  const Verified found = verified(takeSnapshot(scene, 0, kLayersSize));
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   EXPECT_GT(found.statistics.count.shadowPasses, 0U);
-  const Image without = draw(scene, kSize, {.shadows = ShadowKinds::None}).image;
-  EXPECT_FALSE(sameBytes(without, draw(scene, kSize).image));
+  const Image without = draw(scene, kLayersSize, {.shadows = ShadowKinds::None}).image;
+  EXPECT_FALSE(sameBytes(without, draw(scene, kLayersSize).image));
 }
 
 TEST_F(LayersTest, RoomGrowsUntilAllAreThere) {

@@ -15,7 +15,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{320, 240};
+constexpr PixelSize kLightMapSize{320, 240};
 
 class LightMapTest : public VerifiedPictureTest {
  protected:
@@ -46,12 +46,12 @@ class LightMapTest : public VerifiedPictureTest {
 
   /// Calls `check(point, colour)` for all pixels that show the floor, and gives how many these are.
   int forEachOfFloor(const Scene& scene, const auto& check) {
-    const Image image = draw(scene, kSize).image;
-    const Image id = draw(scene, kSize, {.output = Output::Id}).image;
-    const CameraModel camera(scene.cameras()[0], kSize);
+    const Image image = draw(scene, kLightMapSize).image;
+    const Image id = draw(scene, kLightMapSize, {.output = Output::Id}).image;
+    const CameraModel camera(scene.cameras()[0], kLightMapSize);
     int seen = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kLightMapSize.height; ++y)
+      for (int x = 0; x < kLightMapSize.width; ++x) {
         if (id.pixel(x, y)[0] != 1) continue;
         const Ray ray = camera.through(centerOf(x, y));
         check(ray.at(*hitPlane(ray, Vec3(0), Vec3(0, 1, 0))), colorAt(image, x, y));
@@ -61,7 +61,7 @@ class LightMapTest : public VerifiedPictureTest {
   }
 
   std::uint64_t wrongIn(const std::string& map) {
-    return verified(takeSnapshot(sceneOf(kBall, kLamp, map), 0, kSize)).verification.wrong.light;
+    return verified(takeSnapshot(sceneOf(kBall, kLamp, map), 0, kLightMapSize)).verification.wrong.light;
   }
 };
 
@@ -174,7 +174,7 @@ TEST_F(LightMapTest, OfALightAmidItsCasters) {
          { "surface": "ball", "material": "m", "translate": [-2.5, 1, 0.5] },
          { "surface": "ball", "material": "m", "translate": [0, 1, -2.5] },)",
       R"("translate": [0, 2, 0], "light": {)", R"({ "size": 1024, "slope_bias": 1.5, "bias": 0.003 })");
-  const Verified found = verified(takeSnapshot(scene, 0, kSize));
+  const Verified found = verified(takeSnapshot(scene, 0, kLightMapSize));
   // Borders of some 1,000 pixels' length, where a pixel is as wide as a texel.
   EXPECT_LT(found.verification.wrong.light, 500U);
   EXPECT_EQ(found.verification.wrong.total(), found.verification.wrong.light);
@@ -204,23 +204,24 @@ TEST_F(LightMapTest, FallsOnLayers) {
         std::string(kBall) + R"({ "surface": "pane", "material": "glass", "translate": [1.2, 0.6, 0] },)",
         kLamp, map);
   };
-  const Snapshot snapshot = takeSnapshot(scene(R"({ "size": 2048, "slope_bias": 1.5 })"), 0, kSize);
+  const Snapshot snapshot = takeSnapshot(scene(R"({ "size": 2048, "slope_bias": 1.5 })"), 0, kLightMapSize);
   const Image map = renderer().render(snapshot).image,
               exact = renderer().render(withExactShadows(snapshot)).image;
   int different = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) different += !near(colorAt(map, x, y), colorAt(exact, x, y), 0.01);
+  for (int y = 0; y < kLightMapSize.height; ++y)
+    for (int x = 0; x < kLightMapSize.width; ++x)
+      different += !near(colorAt(map, x, y), colorAt(exact, x, y), 0.01);
   EXPECT_LT(different, 250);
 }
 
 TEST_F(LightMapTest, HasMeshesOfItsCastersAndCostsNothingElse) {
   const auto counted = [&](const std::string& light) {
-    return draw(sceneOf(kBall, light, R"({ "size": 64 })"), kSize).statistics.count.shadowPasses;
+    return draw(sceneOf(kBall, light, R"({ "size": 64 })"), kLightMapSize).statistics.count.shadowPasses;
   };
   EXPECT_EQ(counted(R"("translate": [-2, 6, 1], "light": { "casters": ["ball"],)"), 1U);
   EXPECT_EQ(counted(R"("translate": [0, 2, 0], "light": { "casters": ["ball"],)"), 6U) << "six faces";
   EXPECT_EQ(counted(R"("light": { "type": "directional",)"), 2U);
-  const Snapshot snapshot = takeSnapshot(sceneOf(kBall, kLamp, R"({ "size": 64 })"), 0, kSize);
+  const Snapshot snapshot = takeSnapshot(sceneOf(kBall, kLamp, R"({ "size": 64 })"), 0, kLightMapSize);
   static_cast<void>(renderer().render(snapshot));
   DrawOptions drawn;
   drawn.skips.unchanged = false;
@@ -246,13 +247,13 @@ TEST_F(LightMapTest, OfOddLightsIsDefined) {
 TEST_F(LightMapTest, IsSeenFromTheLight) {
   const Snapshot seen = seenFromLight(takeSnapshot(
       sceneOf(kBall, R"("translate": [0, 6, 0], "light": { "casters": ["ball"],)", R"({ "size": 129 })"), 0,
-      kSize));
+      kLightMapSize));
   EXPECT_EQ(seen.view.size, (PixelSize{129, 129}));
   const Image depth = renderer().render(seen, {.output = Output::Depth}).image;
   EXPECT_NEAR(depth.pixel(64, 64)[0], 3, 1e-6);  // 6 m above the floor, 4 above the middle of the ball
   EXPECT_TRUE(std::isinf(depth.pixel(0, 0)[0]));
   const Scene dark = buildScene(parseScene(R"({ "luxo": 1, "nodes": [] })", "dark"));
-  EXPECT_THROW(static_cast<void>(seenFromLight(takeSnapshot(dark, 0, kSize))), Error);
+  EXPECT_THROW(static_cast<void>(seenFromLight(takeSnapshot(dark, 0, kLightMapSize))), Error);
 }
 
 }  // namespace

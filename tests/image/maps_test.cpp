@@ -20,7 +20,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{160, 120};
+constexpr PixelSize kMapsSize{160, 120};
 constexpr double kCode = 1.0 / 255;
 
 /// A texture of what is at a place, (0, 0) in the upper left corner of the image.
@@ -79,7 +79,7 @@ TriangleMesh withTangents(const TriangleMesh& mesh) {
   return triangleMesh(std::move(arrays), std::string(mesh.name()) + " with tangents", {.tangents = true});
 }
 
-Scene lit(Surface surface, const Material& material, const Node& place = {}) {
+Scene litMap(Surface surface, const Material& material, const Node& place = {}) {
   Scene scene;
   Node node = place;
   node.surface = std::move(surface);
@@ -122,7 +122,7 @@ TEST_F(MapPicture, OnFormulasEveryPixelIsTheTruths) {
     for (const Surface& s : surfaces)
       for (const auto& [place, height] : placesAndHeights) {
         SCOPED_TRACE(s.name() + (space == NormalSpace::Object ? " object " : " ") + std::to_string(height));
-        expectTrueColors(takeSnapshot(lit(s, mapped(space), place), 0, kSize,
+        expectTrueColors(takeSnapshot(litMap(s, mapped(space), place), 0, kMapsSize,
                                       Camera{.eye = Vec3(2, height, 3), .lookAt = Vec3(0, 0.2, 0)}),
                          1000);
       }
@@ -137,9 +137,9 @@ TEST_F(MapPicture, OnTrianglesEveryPixelIsTheTruths) {
           SCOPED_TRACE(s.name() + (space == NormalSpace::Object ? " object " : " ") +
                        std::to_string(x * eye));
           const Scene scene =
-              lit(s, mapped(space),
-                  Node{.rotation = Rotation{{1, 0.3, 0}, -1.1}, .scale = Vec3(1.2 * x, 0.9, 1)});
-          expectTrueColors(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(1, 0.8, eye)}), 2000);
+              litMap(s, mapped(space),
+                     Node{.rotation = Rotation{{1, 0.3, 0}, -1.1}, .scale = Vec3(1.2 * x, 0.9, 1)});
+          expectTrueColors(takeSnapshot(scene, 0, kMapsSize, Camera{.eye = Vec3(1, 0.8, eye)}), 2000);
         }
 }
 
@@ -159,17 +159,17 @@ TEST_F(MapPicture, WithShadowsEveryPixelIsTheTruths) {
     scene.add(
         Node{.translation = Vec3(2, 4, 3), .light = Light{.intensity = 0.9, .shadow = Light::Shadow::Exact}});
     scene.add(Node{.translation = Vec3(-2, 4, 3), .light = Light{.intensity = 0.3}});
-    expectTrueColors(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(1, 1.6, 4)}), 10000);
+    expectTrueColors(takeSnapshot(scene, 0, kMapsSize, Camera{.eye = Vec3(1, 1.6, 4)}), 10000);
   }
 }
 
 // From straight above, a relief shows the same points of (x, y) as its plate, and directions to the eye and
 // the light are the same everywhere: a map that says its normals says all.
-constexpr double kRelief = 0.05, kWaves = 9;
+constexpr double kRelief = 0.05, kMapWaves = 9;
 
 Vec3 reliefNormal(double x, double y) {
-  return unit(Vec3(-kRelief * kWaves * std::cos(kWaves * x) * std::cos(kWaves * y),
-                   kRelief * kWaves * std::sin(kWaves * x) * std::sin(kWaves * y), 1));
+  return unit(Vec3(-kRelief * kMapWaves * std::cos(kMapWaves * x) * std::cos(kMapWaves * y),
+                   kRelief * kMapWaves * std::sin(kMapWaves * x) * std::sin(kMapWaves * y), 1));
 }
 
 Scene fromAbove(Surface surface, const Material& material, const Node& place, bool shadows) {
@@ -191,7 +191,7 @@ const Camera kAbove{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic
 
 TEST_F(MapPicture, ABakedReliefIsTheFormulas) {
   const Surface relief =
-      surface([](auto x, auto y) { return point(x, y, kRelief * sin(kWaves * x) * cos(kWaves * y)); },
+      surface([](auto x, auto y) { return point(x, y, kRelief * sin(kMapWaves * x) * cos(kMapWaves * y)); },
               {{-1, 1}, {-1, 1}});
   const Material plain{.diffuse = Vec3(0.6), .specular = Vec3(0.5), .shininess = 20};
   Material bumpy = plain;

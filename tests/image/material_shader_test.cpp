@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr PixelSize kSize{72, 56};
+constexpr PixelSize kMaterialShaderSize{72, 56};
 const Camera kCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
 
 MaterialShaderPtr shaderOf(const std::string& text) {
@@ -47,7 +47,7 @@ class MaterialShaderPicture : public PictureTest {
  protected:
   std::string refusalOf(const Material& material) {
     try {
-      static_cast<void>(draw(ringOnPlate(material, {}, Light::Shadow::None), kCamera, kSize));
+      static_cast<void>(draw(ringOnPlate(material, {}, Light::Shadow::None), kCamera, kMaterialShaderSize));
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::Scene);
       return error.what();
@@ -56,13 +56,6 @@ class MaterialShaderPicture : public PictureTest {
     return {};
   }
 };
-
-double largestDifference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.samples().size(); ++i)
-    largest = std::max(largest, std::abs(double(a.samples()[i]) - double(b.samples()[i])));
-  return largest;
-}
 
 /// With a name that luxo's own shaders have, too.
 constexpr const char* kPlain = R"(
@@ -78,8 +71,9 @@ TEST_F(MaterialShaderPicture, TheLightOfMaterialsWithoutOne) {
     for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat})
       for (const Composition composition : {Composition::Auto, Composition::Deferred}) {
         const DrawOptions options{.shading = shading, .composition = composition};
-        const Image shown = draw(ringOnPlate(own, own, shadow), kCamera, kSize, options).image;
-        const Image wanted = draw(ringOnPlate(plain, plain, shadow), kCamera, kSize, options).image;
+        const Image shown = draw(ringOnPlate(own, own, shadow), kCamera, kMaterialShaderSize, options).image;
+        const Image wanted =
+            draw(ringOnPlate(plain, plain, shadow), kCamera, kMaterialShaderSize, options).image;
         EXPECT_LE(largestDifference(shown, wanted), 1e-6)
             << nameOf(shading) << (shadow == Light::Shadow::Exact ? " in shadow" : "");
       }
@@ -92,7 +86,7 @@ TEST_F(MaterialShaderPicture, AmbientOcclusionIsItsToo) {
   const auto shown = [&](const Material& material, double radius) {
     Scene scene = ringOnPlate(material, material, Light::Shadow::None);
     scene.set(RenderSettings{.ambient = Vec3(1), .ambientOcclusion = {.radius = radius}});
-    return draw(scene, kCamera, kSize).image;
+    return draw(scene, kCamera, kMaterialShaderSize).image;
   };
   EXPECT_LE(largestDifference(shown(own, 1), shown(plain, 1)), 1e-6);
   EXPECT_GT(largestDifference(shown(own, 1), shown(own, 0)), 0.1);
@@ -109,23 +103,27 @@ uniform int e = 2;
 float sum(const in vec3 x) { return x.x + x.y + x.z; }
 vec4 material(Point p) { return vec4(sum(c[0] + c[1] + d[1]) + a, b + kTiny, 0.1 * float(e), 1.0); })");
   for (const Composition composition : {Composition::Auto, Composition::Deferred}) {
-    const Image image =
-        draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition}).image;
-    EXPECT_TRUE(near(colorAt(image, kSize.width / 2, kSize.height - 12), Vec3(0, 0.75, 0.2), 1e-6));
+    const Image image = draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kMaterialShaderSize,
+                             {.composition = composition})
+                            .image;
+    EXPECT_TRUE(near(colorAt(image, kMaterialShaderSize.width / 2, kMaterialShaderSize.height - 12),
+                     Vec3(0, 0.75, 0.2), 1e-6));
   }
 }
 
 /// A node whose scale makes a thin surface round, which is drawn as another one: the place is the scene's.
 TEST_F(MaterialShaderPicture, ThePlaceInTheNodeIsOfTheScenesSurface) {
   Scene scene;
-  Node node{.surface = surface(
-                [](auto u, auto v) { return point(1e-4 * cos(v) * cos(u), sin(v), cos(v) * sin(u)); },
-                {{0, kTau}, {-1.5, 1.5}})};
+  Node node{.surface =
+                surface([](auto u, auto v) { return point(1e-4 * cos(v) * cos(u), sin(v), cos(v) * sin(u)); },
+                        {{0, kTau}, {-1.5, 1.5}})};
   node.scale = Vec3(1e4, 1, 1);
-  node.material = scene.add(litBy("vec4 material(Point p) { return vec4(0.5 + 4000.0 * p.object.x, 0.5, 0.5, 1.0); }"));
+  node.material =
+      scene.add(litBy("vec4 material(Point p) { return vec4(0.5 + 4000.0 * p.object.x, 0.5, 0.5, 1.0); }"));
   scene.add(std::move(node));
   const Camera aside{.eye = Vec3(5, 0, 0), .lookAt = Vec3(0)};
-  const Vec3 middle = colorAt(draw(scene, aside, kSize).image, kSize.width / 2, kSize.height / 2);
+  const Vec3 middle = colorAt(draw(scene, aside, kMaterialShaderSize).image, kMaterialShaderSize.width / 2,
+                              kMaterialShaderSize.height / 2);
   EXPECT_NEAR(middle.x, 0.9, 0.01);  // x is 1e-4, but for half a pixel
 }
 
@@ -141,15 +139,17 @@ vec4 material(Point p) {
   return vec4(sum, 1.0);
 })"),
                  plain{.diffuse = Vec3(0.4), .specular = Vec3(0)};
-  const Image shown = draw(ringOnPlate(own, own, Light::Shadow::Exact), kCamera, kSize).image;
-  const Image wanted = draw(ringOnPlate(plain, plain, Light::Shadow::Exact), kCamera, kSize).image;
+  const Image shown = draw(ringOnPlate(own, own, Light::Shadow::Exact), kCamera, kMaterialShaderSize).image;
+  const Image wanted =
+      draw(ringOnPlate(plain, plain, Light::Shadow::Exact), kCamera, kMaterialShaderSize).image;
   EXPECT_LE(largestDifference(shown, wanted), 1e-6);
 }
 
 TEST_F(MaterialShaderPicture, ThePointIsWhatOutputsTell) {
   const auto shown = [&](const std::string& value, Composition composition) {
     const Material own = litBy("vec4 material(Point p) { return vec4(" + value + ", 1.0); }");
-    return draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition})
+    return draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kMaterialShaderSize,
+                {.composition = composition})
         .image;
   };
   for (const Composition composition : {Composition::Auto, Composition::Deferred})
@@ -158,8 +158,8 @@ TEST_F(MaterialShaderPicture, ThePointIsWhatOutputsTell) {
                                         {"vec3(p.uv, 0.0)", Output::Uv}}) {
       const Image image = shown(value, composition);
       const Scene scene = ringOnPlate({}, {}, Light::Shadow::None);
-      const Image wanted = draw(scene, kCamera, kSize, {.output = output}).image;
-      const Image id = draw(scene, kCamera, kSize, {.output = Output::Id}).image;
+      const Image wanted = draw(scene, kCamera, kMaterialShaderSize, {.output = output}).image;
+      const Image id = draw(scene, kCamera, kMaterialShaderSize, {.output = Output::Id}).image;
       double largest = 0;
       for (std::size_t i = 0; i < id.samples().size(); ++i)
         for (std::size_t c = 0; c < 3 && id.samples()[i] > 0; ++c)
@@ -190,7 +190,7 @@ TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
                                                        rows.push_back(m[column][row]);
                                                    return rows;
                                                  }()}}))});
-    const Image image = draw(scene, Camera{.eye = Vec3(0.5, 1, 9)}, kSize).image;
+    const Image image = draw(scene, Camera{.eye = Vec3(0.5, 1, 9)}, kMaterialShaderSize).image;
     double largest = 0;
     for (const float sample : image.samples()) largest = std::max(largest, double(sample));
     return largest;
@@ -207,8 +207,8 @@ TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
 TEST_F(MaterialShaderPicture, WhatIsNoNumberIsMagentaAndCounted) {
   const Material own = litBy("vec4 material(Point p) { return vec4(sqrt(p.position.x), 0.5, 0.5, 1.0); }");
   for (const Composition composition : {Composition::Auto, Composition::Deferred}) {
-    const Picture picture =
-        draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kSize, {.composition = composition});
+    const Picture picture = draw(ringOnPlate(own, own, Light::Shadow::None), kCamera, kMaterialShaderSize,
+                                 {.composition = composition});
     std::uint64_t magenta = 0;
     for (std::size_t i = 0; i < picture.image.samples().size(); i += 3) {
       const auto pixel = picture.image.samples().subspan(i, 3);
@@ -235,7 +235,7 @@ TEST_F(MaterialShaderPicture, MaterialsOfAShaderShareItsPipeline) {
   const auto made = [&](double paint) {
     Scene scene = ringOnPlate(litBy(kPlain, {{"paint", {0.5, 0.5, 0.5}}}),
                               litBy(kPlain, {{"paint", {paint, 0, 0}}}), Light::Shadow::Exact);
-    return draw(scene, kCamera, kSize).statistics.count.pipelinesCreated;
+    return draw(scene, kCamera, kMaterialShaderSize).statistics.count.pipelinesCreated;
   };
   const std::uint64_t first = made(0.5);
   EXPECT_GT(first, 0u);

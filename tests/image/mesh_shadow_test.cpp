@@ -17,7 +17,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{160, 120};
+constexpr PixelSize kMeshShadowSize{160, 120};
 constexpr double kCoarsePx = 4;
 
 const std::string kTorus = R"({ "type": "torus", "major": 1, "minor": 0.4 })";
@@ -52,7 +52,7 @@ class MeshShadowTest : public PictureTest {
   }
 
   [[nodiscard]] Image colors(const Scene& scene, Shading shading) {
-    return draw(scene, kSize, {.shading = shading, .tolerancePx = kCoarsePx}).image;
+    return draw(scene, kMeshShadowSize, {.shading = shading, .tolerancePx = kCoarsePx}).image;
   }
 
   /// Whether the light is seen from a point of a node, and from those a little beside it in the same way.
@@ -79,18 +79,18 @@ class MeshShadowTest : public PictureTest {
   /// light.
   Counts expectTheirOwn(const std::string& body, Shading shading) {
     const Scene scene = sceneOf(body);
-    const Picture picture = draw(scene, kSize, {.shading = shading, .tolerancePx = kCoarsePx});
+    const Picture picture = draw(scene, kMeshShadowSize, {.shading = shading, .tolerancePx = kCoarsePx});
     const Image bright = colors(sceneOf(body, Sun::Shines), shading),
                 dark = colors(sceneOf(body, Sun::Dark), shading);
     DrawOptions geometry{.shading = shading, .output = Output::Id, .tolerancePx = kCoarsePx};
-    const Image id = draw(scene, kSize, geometry).image;
+    const Image id = draw(scene, kMeshShadowSize, geometry).image;
     geometry.output = Output::Uv;
-    const Image uv = draw(scene, kSize, geometry).image;
-    const Snapshot snapshot = takeSnapshot(scene, 0, kSize);
+    const Image uv = draw(scene, kMeshShadowSize, geometry).image;
+    const Snapshot snapshot = takeSnapshot(scene, 0, kMeshShadowSize);
     const reference::Caster caster(snapshot);
     Counts counts;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kMeshShadowSize.height; ++y)
+      for (int x = 0; x < kMeshShadowSize.width; ++x) {
         const float number = id.pixel(x, y)[0];
         if (number == 0) continue;
         const auto node = static_cast<std::uint32_t>(number) - 1;
@@ -164,7 +164,8 @@ TEST_F(MeshShadowTest, VerifyHoldsThemAgainstThePointsShown) {
 TEST_F(MeshShadowTest, StandBesideExactSurfaces) {
   const std::string ball = R"(, { "surface": "ball", "material": "exact", "translate": [-1.2, 0.5, -0.6] })";
   const Scene scene = sceneOf(kTorus, Sun::Shadows, ball);
-  const Picture picture = draw(scene, kSize, {.shading = Shading::Phong, .audit = {AuditExtent::All}});
+  const Picture picture =
+      draw(scene, kMeshShadowSize, {.shading = Shading::Phong, .audit = {AuditExtent::All}});
   EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
   EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
 }

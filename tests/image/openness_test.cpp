@@ -11,7 +11,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{160, 120};
+constexpr PixelSize kOpennessSize{160, 120};
 constexpr double kAmbient = 0.8;
 
 class OpennessTest : public PictureTest {
@@ -22,7 +22,7 @@ class OpennessTest : public PictureTest {
     settings.ambientOcclusion = {.radius = radius};
     settings.ambient = Vec3(kAmbient);
     scene.set(settings);
-    return draw(scene, camera_, kSize, options).image;
+    return draw(scene, camera_, kOpennessSize, options).image;
   }
 
   Camera camera_{.eye = Vec3(1, 3, 5), .lookAt = Vec3(0, 0, -0.5), .fovY = radians(40), .near = 0.1};
@@ -48,8 +48,8 @@ TEST_F(OpennessTest, OfAFloorIsOneFromEverywhere) {
   for (const Vec3& eye : {Vec3(1, 3, 5), Vec3(0, 0.4, 6), Vec3(0.1, 9, 0)}) {
     camera_.eye = eye;
     const Image image = openness(scene, 1.5);
-    for (int y = kSize.height - 20; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
+    for (int y = kOpennessSize.height - 20; y < kOpennessSize.height; ++y)
+      for (int x = 0; x < kOpennessSize.width; ++x)
         // 16 slices stand for an integral of what is smooth; single precision puts points beside their plane.
         // Measured at most 5e-6.
         ASSERT_NEAR(colorAt(image, x, y).x / kAmbient, 1, 2e-5) << x << " " << y;
@@ -63,11 +63,11 @@ TEST_F(OpennessTest, WhereAFloorMeetsAWallIsWhatIsKnown) {
   scene.add(plate(Vec3(0, 10, -2), {40, 20}, white));
   const double radius = 1;
   const Image image = openness(scene, radius);
-  const CameraModel model(camera_, kSize);
+  const CameraModel model(camera_, kOpennessSize);
   double squares = 0, largest = 0;
   int near = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 20; x < kSize.width - 20; ++x) {
+  for (int y = 0; y < kOpennessSize.height; ++y)
+    for (int x = 20; x < kOpennessSize.width - 20; ++x) {
       const Ray ray = model.through(centerOf(x, y));
       const auto onFloor = hitPlane(ray, Vec3(0), Vec3(0, 1, 0)),
                  onWall = hitPlane(ray, Vec3(0, 0, -2), Vec3(0, 0, 1));
@@ -93,10 +93,10 @@ TEST_F(OpennessTest, WhatIsFarInFrontLeavesNoHalo) {
   scene.add(
       Node{.name = "ball", .translation = Vec3(0.5, 1.7, 2), .surface = sphere(0.4), .material = white});
   const Image behind = openness(scene, 0.5);
-  const CameraModel model(camera_, kSize);
+  const CameraModel model(camera_, kOpennessSize);
   int same = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kOpennessSize.height; ++y)
+    for (int x = 0; x < kOpennessSize.width; ++x) {
       if (hitSphere(model.through(centerOf(x, y)), Vec3(0.5, 1.7, 2), 0.4)) continue;
       // But for what positions are relative to.
       ASSERT_TRUE(near(colorAt(alone, x, y), colorAt(behind, x, y), 1e-6)) << x << " " << y;
@@ -113,7 +113,7 @@ TEST_F(OpennessTest, OffCostsNothing) {
     settings.ambientOcclusion = {.radius = radius};
     settings.ambient = Vec3(ambient);
     scene.set(settings);
-    return draw(scene, camera_, kSize).statistics.count.passes;
+    return draw(scene, camera_, kOpennessSize).statistics.count.passes;
   };
   const std::uint64_t usual = passes(0, 1);
   EXPECT_EQ(passes(1, 0), usual);
@@ -127,8 +127,8 @@ TEST_F(OpennessTest, IsTheSameOfEverySampleAndInPhongShading) {
   const Image one = openness(scene, 1), four = openness(scene, 1, {.samples = 4}),
               phong = openness(scene, 1, {.shading = Shading::Phong});
   double darkest = 1, samples = 0, shading = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kOpennessSize.height; ++y)
+    for (int x = 0; x < kOpennessSize.width; ++x) {
       const double value = colorAt(one, x, y).x / kAmbient;
       darkest = std::min(darkest, value);
       samples += std::abs(value - colorAt(four, x, y).x / kAmbient);
@@ -136,8 +136,8 @@ TEST_F(OpennessTest, IsTheSameOfEverySampleAndInPhongShading) {
     }
   EXPECT_LT(darkest, 0.5);
   // Of the mean: pixels on edges, and in the contact's shade, differ.
-  EXPECT_LT(samples / (kSize.width * kSize.height), 5e-3);
-  EXPECT_LT(shading / (kSize.width * kSize.height), 5e-3);
+  EXPECT_LT(samples / (kOpennessSize.width * kOpennessSize.height), 5e-3);
+  EXPECT_LT(shading / (kOpennessSize.width * kOpennessSize.height), 5e-3);
 }
 
 TEST_F(OpennessTest, ByRaysIsTheReferences) {
@@ -145,7 +145,7 @@ TEST_F(OpennessTest, ByRaysIsTheReferences) {
   RenderSettings settings = plainSettings();
   settings.ambientOcclusion = {.method = OcclusionMethod::Rays, .radius = 1};
   scene.set(settings);
-  EXPECT_THROW(static_cast<void>(draw(scene, camera_, kSize)), Error);
+  EXPECT_THROW(static_cast<void>(draw(scene, camera_, kOpennessSize)), Error);
 }
 
 }  // namespace

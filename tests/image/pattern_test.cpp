@@ -15,7 +15,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{96, 64};
+constexpr PixelSize kPatternSize{96, 64};
 constexpr std::array kLitShadings{Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Exact,
                                   Shading::Toon};
 
@@ -56,17 +56,17 @@ Scene plateScene(Material material, const Vec2& size) {
 TEST_F(PatternTest, EveryPixelHasItsOwnColorUnderEveryShading) {
   const Scene scene = plateScene({.specular = Vec3(0), .diffusePattern = checker()}, {8, 6});
   const Camera tilted{.eye = Vec3(1, -4, 5), .lookAt = Vec3(0), .fovY = radians(50)};
-  const CameraModel model(tilted, kSize);
+  const CameraModel model(tilted, kPatternSize);
   const auto parametersAt = [&](const Vec2& pixel) {
     const Ray ray = model.through(pixel);
     const Vec3 hit = ray.at(*hitPlane(ray, Vec3(0), Vec3(0, 0, 1)));
     return Vec2(hit.x / 8 + 0.5, hit.y / 6 + 0.5);
   };
   for (const Shading shading : kLitShadings) {
-    const Image image = draw(scene, tilted, kSize, {.shading = shading}).image;
+    const Image image = draw(scene, tilted, kPatternSize, {.shading = shading}).image;
     int checked = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kPatternSize.height; ++y)
+      for (int x = 0; x < kPatternSize.width; ++x) {
         const Vec2 uv = parametersAt(centerOf(x, y));
         // Inside the plate and one tile, by more than vertices snap.
         const auto sameTile = [&](const Vec2& pixel) {
@@ -88,8 +88,8 @@ TEST_F(PatternTest, ParametersAreInterpolatedInPerspective) {
       {.specular = Vec3(0), .diffusePattern = pattern([](auto u, auto v) { return point(u, v, 0); })},
       {8, 6});
   const Camera tilted{.eye = Vec3(1, -4, 5), .lookAt = Vec3(0), .fovY = radians(50)};
-  const CameraModel model(tilted, kSize);
-  const Image image = draw(scene, tilted, kSize).image;
+  const CameraModel model(tilted, kPatternSize);
+  const Image image = draw(scene, tilted, kPatternSize).image;
   for (int i = 0; i < 100; ++i) {
     const int x = 30 + 4 * (i % 10), y = 20 + 3 * (i / 10);
     const Ray ray = model.through(centerOf(x, y));
@@ -110,7 +110,7 @@ TEST_F(PatternTest, OneColorIsThatColor) {
     scene.add(Node{.translation = Vec3(1.3, 0, 0), .surface = cylinder(0.8, 1), .material = id});
     addLight(scene, {.position = {2, 3, 4, 1}, .radiance = {0.8, 0.7, 0.6}});
     addLight(scene, {.position = {-3, 1, 2, 0}, .radiance = {0.2, 0.2, 0.4}});
-    return draw(scene, Camera{.eye = Vec3(0, 1, 5)}, kSize, {.shading = shading}).image;
+    return draw(scene, Camera{.eye = Vec3(0, 1, 5)}, kPatternSize, {.shading = shading}).image;
   };
   for (const Shading shading : kLitShadings)
     for (const bool ownAmbient : {false, true}) {
@@ -120,8 +120,8 @@ TEST_F(PatternTest, OneColorIsThatColor) {
       patterned.diffuse = Vec3(0.9);  // stands back
       patterned.diffusePattern = constant;
       const Image a = picture(plain, shading), b = picture(patterned, shading);
-      for (int y = 0; y < kSize.height; ++y)
-        for (int x = 0; x < kSize.width; ++x)  // sums of a few products in another order
+      for (int y = 0; y < kPatternSize.height; ++y)
+        for (int x = 0; x < kPatternSize.width; ++x)  // sums of a few products in another order
           ASSERT_TRUE(near(colorAt(a, x, y), colorAt(b, x, y), 2e-6))
               << nameOf(shading) << " " << x << ", " << y;
     }
@@ -146,14 +146,14 @@ TEST_F(PatternTest, ParametersChangeAndNothingIsMadeAgain) {
     return scene;
   };
   const DrawOptions meshes{.shading = Shading::Phong};
-  const Picture before = draw(sceneWith({0.5, 2}, {1, 3}), kSize, meshes);
+  const Picture before = draw(sceneWith({0.5, 2}, {1, 3}), kPatternSize, meshes);
   EXPECT_EQ(before.statistics.count.shadersCompiled, 1u);
   EXPECT_EQ(before.statistics.count.drawCalls, 1u) << "values do not keep draws apart";
   // Ten pixels a metre; the plates' centres, where u = v = 1/2, lie on the corner of four pixels.
   const double half = 0.5 / 30;
   EXPECT_TRUE(near(colorAt(before.image, 28, 31), {1 + half, 2.5 + half, 1}, 1e-5));
   EXPECT_TRUE(near(colorAt(before.image, 68, 31), {1.5 + half, 3.5 + half, 3}, 1e-5));
-  const Picture after = draw(sceneWith({0.25, 4}, {1, 3}), kSize, meshes);
+  const Picture after = draw(sceneWith({0.25, 4}, {1, 3}), kPatternSize, meshes);
   EXPECT_TRUE(near(colorAt(after.image, 28, 31), {0.75 + half, 4.5 + half, 1}, 1e-5));
   EXPECT_EQ(after.statistics.count.shadersCompiled, 0u);
   EXPECT_EQ(after.statistics.count.pipelinesCreated, 0u);
@@ -163,7 +163,7 @@ TEST_F(PatternTest, TheNextRunCompilesNothing) {
   const Scene scene = plateScene({.diffusePattern = checker()}, {8, 6});
   const auto compiledBy = [&](const Scene& s, const DrawOptions& options) {
     Renderer fresh(context());
-    return fresh.render(takeSnapshot(s, 0, kSize), options).statistics.count.shadersCompiled;
+    return fresh.render(takeSnapshot(s, 0, kPatternSize), options).statistics.count.shadersCompiled;
   };
   const DrawOptions meshes{.shading = Shading::Phong};
   EXPECT_EQ(compiledBy(scene, {}), 1u);
@@ -185,10 +185,11 @@ TEST_F(PatternTest, WithoutAValueItIsBlack) {
   const Pattern broken = pattern([](auto u, auto v) { return point(sqrt(u - 0.5), 1 / (v - v), u - 2); });
   Scene scene = plateScene({.specular = Vec3(0), .diffusePattern = broken}, {8, 6});
   scene.add(Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 6});
-  const Image image = draw(scene, kSize).image;
+  const Image image = draw(scene, kPatternSize).image;
   EXPECT_TRUE(allFinite(image));
   EXPECT_EQ(colorAt(image, 20, 32), Vec3(0));
-  EXPECT_TRUE(near(colorAt(image, 80, 32), {std::sqrt((80.5 - 48) / kSize.width * 9 / 8), 0, 0}, 1e-5));
+  EXPECT_TRUE(
+      near(colorAt(image, 80, 32), {std::sqrt((80.5 - 48) / kPatternSize.width * 9 / 8), 0, 0}, 1e-5));
 }
 
 TEST_F(PatternTest, RoundingNeverCrossesASeam) {
@@ -200,7 +201,7 @@ TEST_F(PatternTest, RoundingNeverCrossesASeam) {
       scene.set(plainSettings(Vec3(1)));
       const MaterialId id = scene.add(Material{.specular = Vec3(0), .diffusePattern = inside});
       scene.add(Node{.rotation = Rotation{{1, k - 6, 0.3 * k}, 0.9}, .surface = surface, .material = id});
-      const Image image = draw(scene, Camera{.eye = Vec3(3, 0.2 * k - 1, 0)}, kSize).image;
+      const Image image = draw(scene, Camera{.eye = Vec3(3, 0.2 * k - 1, 0)}, kPatternSize).image;
       for (const float sample : image.samples()) ASSERT_EQ(sample, 1.0f) << surface.name() << " " << k;
     }
 }
@@ -209,8 +210,8 @@ TEST_F(PatternTest, IsBlendedLikeAnyColor) {
   Scene scene = plateScene({.specular = Vec3(0), .opacity = 0.5, .diffusePattern = checker()}, {8, 6});
   scene.set(plainSettings(Vec3(0.4)));
   scene.add(Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 6});
-  EXPECT_TRUE(
-      near(colorAt(draw(scene, kSize).image, 48, 30), 0.5 * (checkerAt(0.51, 0.51) + Vec3(0.4)), 1e-6));
+  EXPECT_TRUE(near(colorAt(draw(scene, kPatternSize).image, 48, 30),
+                   0.5 * (checkerAt(0.51, 0.51) + Vec3(0.4)), 1e-6));
 }
 
 }  // namespace

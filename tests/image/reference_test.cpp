@@ -17,7 +17,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{160, 90};
+constexpr PixelSize kReferenceSize{160, 90};
 constexpr double kTolerancePx = 0.1;
 
 Scene embedded(std::string_view name) {
@@ -68,7 +68,7 @@ class Truth {
   }
 
   [[nodiscard]] static std::size_t indexOf(int x, int y) {
-    return static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * kReferenceSize.width + static_cast<std::size_t>(x);
   }
 
  private:
@@ -76,8 +76,8 @@ class Truth {
   [[nodiscard]] bool aroundHolds(int x, int y, const Condition& condition) const {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
-        if (!condition(indexOf(x, y), indexOf(std::clamp(x + dx, 0, kSize.width - 1),
-                                              std::clamp(y + dy, 0, kSize.height - 1))))
+        if (!condition(indexOf(x, y), indexOf(std::clamp(x + dx, 0, kReferenceSize.width - 1),
+                                              std::clamp(y + dy, 0, kReferenceSize.height - 1))))
           return false;
     return true;
   }
@@ -96,7 +96,7 @@ class AgainstReference : public PictureTest {
 
   /// `smallestRadiusPx`: of curvature, of what the curved part of the picture mostly shows.
   void compare(const Scene& scene, Shading shading, double time, double smallestRadiusPx) {
-    const Snapshot snapshot = takeSnapshot(scene, time, kSize);
+    const Snapshot snapshot = takeSnapshot(scene, time, kReferenceSize);
     const Truth truth(snapshot);
     EXPECT_EQ(truth->undecided, 0U);
 
@@ -106,8 +106,8 @@ class AgainstReference : public PictureTest {
                 number = drawn(snapshot, shading, Output::Id);
     std::vector<double> angles, depthErrors;
     double squares = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kReferenceSize.height; ++y)
+      for (int x = 0; x < kReferenceSize.width; ++x) {
         const std::size_t i = Truth::indexOf(x, y);
         // A mesh within 0.1 px shows another node only where the truth changes within a pixel; so does what
         // is exact.

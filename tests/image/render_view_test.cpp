@@ -16,7 +16,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{160, 120};
+constexpr PixelSize kRenderViewSize{160, 120};
 
 class RenderViewTest : public PictureTest {
  protected:
@@ -29,8 +29,8 @@ class RenderViewTest : public PictureTest {
 
   static std::vector<float> colors(gpu::Readback& readback) {
     std::vector<float> colors;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kRenderViewSize.height; ++y)
+      for (int x = 0; x < kRenderViewSize.width; ++x) {
         float texel[4];
         std::memcpy(
             texel,
@@ -42,7 +42,7 @@ class RenderViewTest : public PictureTest {
   }
 
   [[nodiscard]] gpu::Readback readback() {
-    return {context(), {kSize.width, kSize.height}, VK_FORMAT_R32G32B32A32_SFLOAT};
+    return {context(), {kRenderViewSize.width, kRenderViewSize.height}, VK_FORMAT_R32G32B32A32_SFLOAT};
   }
 };
 
@@ -57,7 +57,7 @@ TEST_F(RenderViewTest, PicturesOverlapOnTheDevice) {
       std::vector<Snapshot> snapshots;
       std::uint64_t last = 0;
       for (int k = 0; k < 6; ++k) {
-        snapshots.push_back(takeSnapshot(luxoGrandpa(), 3.0 * k, kSize));
+        snapshots.push_back(takeSnapshot(luxoGrandpa(), 3.0 * k, kRenderViewSize));
         const VkCommandBuffer commands = frames.begin();
         FrameStatistics statistics;
         view.refinement = {};
@@ -81,7 +81,8 @@ TEST_F(RenderViewTest, ViewsOfOnePainterDoNotDisturbEachOther) {
   gpu::FrameRing frames(context());
   ScenePainter painter(context());
   RenderView left(context(), Precision::Full), right(context(), Precision::Full);
-  const Snapshot a = takeSnapshot(luxoGrandpa(), 21, kSize), b = takeSnapshot(luxoGrandpa(), 4, kSize);
+  const Snapshot a = takeSnapshot(luxoGrandpa(), 21, kRenderViewSize),
+                 b = takeSnapshot(luxoGrandpa(), 4, kRenderViewSize);
   gpu::Readback ofLeft = readback(), ofRight = readback();
   const VkCommandBuffer commands = frames.begin();
   FrameStatistics statistics;

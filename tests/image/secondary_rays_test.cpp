@@ -21,11 +21,11 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr PixelSize kSize{72, 56};
+constexpr PixelSize kSecondaryRaysSize{72, 56};
 /// Colours are computed in single precision from positions some metres away: a few dozen roundings.
 constexpr double kFloat = 1e-5;
 
-Material litBy(const std::string& text) {
+Material tracedBy(const std::string& text) {
   return {.shader = std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}})};
 }
 
@@ -36,7 +36,7 @@ class SecondaryRays : public PictureTest {};
 TEST_F(SecondaryRays, ChordsOfAGlassBall) {
   constexpr double kRadius = 1.3, kIndex = 1.5;
   Scene scene;
-  const Material glass = litBy(R"(
+  const Material glass = tracedBy(R"(
 vec4 material(Point p) {
   vec3 way = refract(-p.viewer, p.normal, 1.0 / 1.5);
   Hit first = trace(way);
@@ -47,14 +47,14 @@ vec4 material(Point p) {
   const Vec3 center(0.4, -0.2, 0.1);
   scene.add(Node{.translation = center, .surface = sphere(kRadius), .material = scene.add(glass)});
   const Camera camera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
-  const Picture picture = draw(scene, camera, kSize);
-  const CameraModel model(camera, kSize);
+  const Picture picture = draw(scene, camera, kSecondaryRaysSize);
+  const CameraModel model(camera, kSecondaryRaysSize);
   // A point is within 1e-3 of a pixel, 0.074 m here: that moves 1 - c'^2 by 2 / r * 7.4e-5 / 1.5^2 at most,
   // at the outline, where c' is 0.745, so chords by 2 r * 3.4e-5.
   constexpr double kChord = 1e-4;
   std::uint64_t inside = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kSecondaryRaysSize.height; ++y)
+    for (int x = 0; x < kSecondaryRaysSize.width; ++x) {
       const Ray ray = model.through(centerOf(x, y));
       const auto roots = hitSphere(ray, center, kRadius);
       if (!roots) continue;
@@ -100,16 +100,16 @@ Camera aheadFrom(double height) { return {.eye = Vec3(0.2, height, 6), .lookAt =
 /// A level camera over a level mirror sees in it, upside down, what one as far below it sees: lights and
 /// shadows, and what is seen through.
 TEST_F(SecondaryRays, AMirrorShowsWhatTheMirroredEyeSees) {
-  const Picture direct = draw(aboveAMirror({}, false), aheadFrom(-1.2), kSize);
-  const CameraModel model(aheadFrom(1.2), kSize);
+  const Picture direct = draw(aboveAMirror({}, false), aheadFrom(-1.2), kSecondaryRaysSize);
+  const CameraModel model(aheadFrom(1.2), kSecondaryRaysSize);
   for (const Shading shading : {Shading::Exact, Shading::Phong}) {
     const Picture mirrored =
-        draw(aboveAMirror(litBy(kMirror), true), aheadFrom(1.2), kSize, {.shading = shading});
+        draw(aboveAMirror(tracedBy(kMirror), true), aheadFrom(1.2), kSecondaryRaysSize, {.shading = shading});
     int shown = 0, differ = 0;
     // Below the horizon, where nothing that stands on the plate's side hides it: the lower third.
-    for (int y = kSize.height * 2 / 3; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
-        const Vec3 wanted = colorAt(direct.image, x, kSize.height - 1 - y);
+    for (int y = kSecondaryRaysSize.height * 2 / 3; y < kSecondaryRaysSize.height; ++y)
+      for (int x = 0; x < kSecondaryRaysSize.width; ++x) {
+        const Vec3 wanted = colorAt(direct.image, x, kSecondaryRaysSize.height - 1 - y);
         shown += wanted != Vec3(0.1, 0.2, 0.4);
         differ += !near(colorAt(mirrored.image, x, y), wanted, kFloat);
       }
@@ -120,9 +120,10 @@ TEST_F(SecondaryRays, AMirrorShowsWhatTheMirroredEyeSees) {
 
 /// Samples of a pixel send rays of their own.
 TEST_F(SecondaryRays, EverySampleHasItsOwn) {
-  const Picture direct = draw(aboveAMirror({}, false), aheadFrom(-1.2), kSize, {.samples = 4});
-  const Picture one = draw(aboveAMirror(litBy(kMirror), true), aheadFrom(1.2), kSize);
-  const Picture four = draw(aboveAMirror(litBy(kMirror), true), aheadFrom(1.2), kSize, {.samples = 4});
+  const Picture direct = draw(aboveAMirror({}, false), aheadFrom(-1.2), kSecondaryRaysSize, {.samples = 4});
+  const Picture one = draw(aboveAMirror(tracedBy(kMirror), true), aheadFrom(1.2), kSecondaryRaysSize);
+  const Picture four =
+      draw(aboveAMirror(tracedBy(kMirror), true), aheadFrom(1.2), kSecondaryRaysSize, {.samples = 4});
   EXPECT_GT(four.statistics.count.tracedRays, 3 * one.statistics.count.tracedRays);
   EXPECT_LT(four.statistics.count.tracedRays, 5 * one.statistics.count.tracedRays);
   EXPECT_EQ(direct.statistics.count.tracedRays, 0U);
@@ -140,7 +141,7 @@ TEST_F(SecondaryRays, APointSendsSixteenAtMost) {
         "  hit = i % 2 == 0 ? trace(-p.normal) : trace(hit, -p.normal.yzx); }\n"
         "return vec4(n, n, n, 1.0); }";
     Scene scene;
-    scene.add(Node{.surface = torus(1, 0.4), .material = scene.add(litBy(text))});
+    scene.add(Node{.surface = torus(1, 0.4), .material = scene.add(tracedBy(text))});
     return draw(scene, Camera{.eye = Vec3(0, 2, 3)}, {24, 16});
   };
   const Picture all = count(16);
@@ -159,7 +160,7 @@ TEST_F(SecondaryRays, APointSendsSixteenAtMost) {
 TEST_F(SecondaryRays, NothingIsMet) {
   Scene scene;
   scene.set(RenderSettings{.background = Vec3(0.1, 0.2, 0.4)});
-  scene.add(Node{.surface = sphere(1), .material = scene.add(litBy(R"(
+  scene.add(Node{.surface = sphere(1), .material = scene.add(tracedBy(R"(
 uniform float zero;
 vec4 material(Point p) {
   Hit none = trace(p.normal);
@@ -186,14 +187,14 @@ TEST_F(SecondaryRays, GlassThatBendsNothingIsInvisible) {
                                       {"lamp", {0}},
                                       {"sky", sky},
                                       {"horizon", sky}}})});
-    return draw(scene, aheadFrom(1.2), kSize).image;
+    return draw(scene, aheadFrom(1.2), kSecondaryRaysSize).image;
   };
   const Image without = shown(std::nullopt), invisible = shown(1), visible = shown(1.3);
   // A point is within 1e-3 of a pixel, from one to the next of which colours change by 0.7 at most.
   constexpr double kPoint = 7e-4;
   int differ = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kSecondaryRaysSize.height; ++y)
+    for (int x = 0; x < kSecondaryRaysSize.width; ++x) {
       EXPECT_TRUE(near(colorAt(invisible, x, y), colorAt(without, x, y), kPoint)) << x << ", " << y;
       differ += !near(colorAt(visible, x, y), colorAt(without, x, y), 0.02);
     }
@@ -237,7 +238,7 @@ TEST(SecondaryRaysProtocol, AskingAgainReplacesAnswers) {
 TEST_F(SecondaryRays, WhoSendsNonePaysNothing) {
   const auto counted = [&](const std::string& text) {
     Scene scene;
-    scene.add(Node{.surface = torus(1, 0.4), .material = scene.add(litBy(text))});
+    scene.add(Node{.surface = torus(1, 0.4), .material = scene.add(tracedBy(text))});
     return draw(scene, Camera{.eye = Vec3(0, 2, 3)}, {24, 16}).statistics.count;
   };
   const FrameCounts none = counted("vec4 material(Point p) { return vec4(p.normal, 1.0); } // retrace"),

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr PixelSize kSize{80, 60};
+constexpr PixelSize kShaderCurvatureSize{80, 60};
 
 MaterialShaderPtr shaderOf(const std::string& text) {
   return std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
@@ -48,13 +48,6 @@ int different(const Image& a, const Image& b) {
   return count;
 }
 
-double largestDifference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.samples().size(); ++i)
-    largest = std::max(largest, std::abs(double(a.samples()[i]) - double(b.samples()[i])));
-  return largest;
-}
-
 using ShaderCurvature = PictureTest;
 
 /// As formulas of a material have it, of surfaces that move with a parameter, too; also where it is seen
@@ -72,11 +65,11 @@ vec4 material(Point p) { return vec4(0.5 + 0.4 * tanh(p.K), 0.5 + 0.4 * tanh(p.H
                 own = sceneOf(R"("shader": "m.frag")", surface, text),
                 veil = sceneOf(R"("shader": "m.frag")", surface, "#pragma luxo opacity\n" + text);
     for (const Shading shading : {Shading::Exact, Shading::Phong}) {
-      const Image wanted = draw(plain, kSize, {.shading = shading}).image;
-      EXPECT_LE(largestDifference(draw(own, kSize, {.shading = shading}).image, wanted), 1e-5);
+      const Image wanted = draw(plain, kShaderCurvatureSize, {.shading = shading}).image;
+      EXPECT_LE(largestDifference(draw(own, kShaderCurvatureSize, {.shading = shading}).image, wanted), 1e-5);
     }
     // At the seam of the bottle, which has one side, its ends have opposite normals.
-    EXPECT_LE(different(draw(veil, kSize).image, draw(plain, kSize).image), 5);
+    EXPECT_LE(different(draw(veil, kShaderCurvatureSize).image, draw(plain, kShaderCurvatureSize).image), 5);
   }
 }
 
@@ -89,7 +82,7 @@ TEST_F(ShaderCurvature, OfABallIsKnown) {
       .shader = shaderOf("vec4 material(Point p) { return vec4(p.K, p.H, 0.5 * (p.k1 + p.k2), 1.0); }"),
       .curvature = curvaturePattern(ball)};
   scene.add(Node{.surface = ball, .material = scene.add(material)});
-  const Image image = draw(scene, Camera{.eye = Vec3(0, 0, 9)}, kSize).image;
+  const Image image = draw(scene, Camera{.eye = Vec3(0, 0, 9)}, kShaderCurvatureSize).image;
   EXPECT_TRUE(near(colorAt(image, 40, 30), Vec3(0.25, 0.5, 0.5), 1e-4));
   EXPECT_TRUE(near(colorAt(image, 46, 22), Vec3(0.25, 0.5, 0.5), 1e-4));
 }
@@ -100,7 +93,7 @@ TEST_F(ShaderCurvature, IsNothingOfTriangles) {
   scene.add(Node{.surface = quadMesh(),
                  .material = scene.add(Material{
                      .shader = shaderOf("vec4 material(Point p) { return vec4(p.K, p.k1, 0.5, 1.0); }")})});
-  const Image image = draw(scene, Camera{.eye = Vec3(0, 0, 5)}, kSize).image;
+  const Image image = draw(scene, Camera{.eye = Vec3(0, 0, 5)}, kShaderCurvatureSize).image;
   EXPECT_TRUE(near(colorAt(image, 40, 30), Vec3(0, 0, 0.5), 0));
 }
 
@@ -119,8 +112,9 @@ TEST_F(ShaderCurvature, WhatIsNotKnownIsTold) {
       HasSubstr("at most 4 are supported"));
   Scene scene;
   scene.add(Node{.surface = sphere(1), .material = scene.add(Material{.shader = shaderOf(text)})});
-  EXPECT_THAT(message([&] { static_cast<void>(draw(scene, Camera{.eye = Vec3(0, 0, 5)}, kSize)); }),
-              HasSubstr("which material 'material' does not know"));
+  EXPECT_THAT(
+      message([&] { static_cast<void>(draw(scene, Camera{.eye = Vec3(0, 0, 5)}, kShaderCurvatureSize)); }),
+      HasSubstr("which material 'material' does not know"));
 }
 
 /// Su is a direction of the node; the gradient of what is 0 on the surface is along its normal.
@@ -137,7 +131,7 @@ TEST_F(ShaderCurvature, DirectionsTurnWithTheNode) {
              .surface = saddle,
              .material = scene.add(Material{
                  .shader = shaderOf("vec4 material(Point p) { return vec4(vec3(" + value + "), 1.0); }")})});
-    const Image image = draw(scene, Camera{.eye = Vec3(0.5, 1, 9)}, kSize).image;
+    const Image image = draw(scene, Camera{.eye = Vec3(0.5, 1, 9)}, kShaderCurvatureSize).image;
     double largest = 0;
     for (const float sample : image.samples()) largest = std::max(largest, double(sample));
     return largest;

@@ -20,11 +20,11 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr PixelSize kSize{80, 60};
-const Camera kCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
+constexpr PixelSize kShaderOpacitySize{80, 60};
+const Camera kOpacityCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
 const std::string kMayBeSeenThrough = "#pragma luxo opacity\n";
 
-Material litBy(const std::string& text, Material rest = {}) {
+Material seenThroughBy(const std::string& text, Material rest = {}) {
   rest.shader = std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
   return rest;
 }
@@ -47,13 +47,6 @@ Scene ringAroundBall(const Material& ring, Light::Shadow shadow = Light::Shadow:
   return scene;
 }
 
-double largestDifference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.samples().size(); ++i)
-    largest = std::max(largest, std::abs(double(a.samples()[i]) - double(b.samples()[i])));
-  return largest;
-}
-
 class ShaderOpacity : public VerifiedPictureTest {};
 
 /// blinnPhong() with an opacity is what a material without a shader has.
@@ -71,19 +64,31 @@ TEST_F(ShaderOpacity, IsThatOfAMaterialWithoutAShader) {
       same.opacity = 0.8;
       for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat}) {
         SCOPED_TRACE(testing::Message() << int(blend) << " " << int(shadow) << " " << nameOf(shading));
-        const Image wanted = draw(ringAroundBall(plain, shadow), kCamera, kSize, {.shading = shading}).image;
+        const Image wanted =
+            draw(ringAroundBall(plain, shadow), kOpacityCamera, kShaderOpacitySize, {.shading = shading})
+                .image;
         // By the shader, by the key, by both.
         Material opaque = plain;
         opaque.opacity = 1;
-        for (const Material& material :
-             {litBy(kMayBeSeenThrough + text + "0.4); }", opaque), litBy(text + "1.0); }", plain),
-              litBy(kMayBeSeenThrough + text + "0.5); }", same)})
-          EXPECT_LE(
-              largestDifference(
-                  draw(ringAroundBall(material, shadow), kCamera, kSize, {.shading = shading}).image, wanted),
-              2e-6);
+        for (const Material& material : {seenThroughBy(kMayBeSeenThrough + text + "0.4); }", opaque),
+                                         seenThroughBy(text + "1.0); }", plain),
+                                         seenThroughBy(kMayBeSeenThrough + text + "0.5); }", same)})
+          EXPECT_LE(largestDifference(draw(ringAroundBall(material, shadow), kOpacityCamera,
+                                           kShaderOpacitySize, {.shading = shading})
+                                          .image,
+                                      wanted),
+                    2e-6);
       }
     }
+}
+
+TEST_F(ShaderOpacity, OneThingIsTheSameInEitherOrder) {
+  const Material ring = seenThroughBy(
+      kMayBeSeenThrough + "vec4 material(Point p) { return vec4(p.uv, 0.2, fract(8 * p.uv.x)); }");
+  Scene given = ringAroundBall(ring, Light::Shadow::Exact), exact = given;
+  given.set(RenderSettings{.blendOrder = BlendOrder::Given});
+  EXPECT_TRUE(sameBytes(draw(given, kOpacityCamera, kShaderOpacitySize).image,
+                        draw(exact, kOpacityCamera, kShaderOpacitySize).image));
 }
 
 TEST_F(ShaderOpacity, MayBeAnotherAtEveryPoint) {
@@ -92,32 +97,37 @@ TEST_F(ShaderOpacity, MayBeAnotherAtEveryPoint) {
   const Material plain{
       .specular = Vec3(0),
       .diffusePattern = Pattern(graph, std::array{u, v, Expr(0.5), 0.5 + 0.6 * sin(6 * kTau * u)}, 0)};
-  const Material own = litBy(kMayBeSeenThrough + R"(
+  const Material own = seenThroughBy(kMayBeSeenThrough + R"(
 vec4 material(Point p) {
   return vec4(blinnPhong(vec3(p.uv, 0.5), vec3(0), 1.0), 0.5 + 0.6 * sin(37.69911184 * p.uv.x)); })");
   for (const Shading shading : {Shading::Exact, Shading::Phong})
-    EXPECT_LE(largestDifference(
-                  draw(ringAroundBall(own), kCamera, kSize, {.shading = shading, .samples = 4}).image,
-                  draw(ringAroundBall(plain), kCamera, kSize, {.shading = shading, .samples = 4}).image),
+    EXPECT_LE(largestDifference(draw(ringAroundBall(own), kOpacityCamera, kShaderOpacitySize,
+                                     {.shading = shading, .samples = 4})
+                                    .image,
+                                draw(ringAroundBall(plain), kOpacityCamera, kShaderOpacitySize,
+                                     {.shading = shading, .samples = 4})
+                                    .image),
               2e-5);
 }
 
 TEST_F(ShaderOpacity, OfZeroIsAHole) {
-  const Material hole =
-                     litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(1.0, 0.5, 7.0, 0.0); }"),
-                 opaque = litBy(kMayBeSeenThrough +
-                                "vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.5); }"),
-                 solid = litBy("vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.0); }");
+  const Material hole = seenThroughBy(kMayBeSeenThrough +
+                                      "vec4 material(Point p) { return vec4(1.0, 0.5, 7.0, 0.0); }"),
+                 opaque = seenThroughBy(kMayBeSeenThrough +
+                                        "vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.5); }"),
+                 solid = seenThroughBy("vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.0); }");
   Material nothing;
   nothing.opacity = 0;
   for (const Shading shading : {Shading::Exact, Shading::Phong}) {
     const auto shown = [&](const Material& ring) {
-      return draw(ringAroundBall(ring), kCamera, kSize, {.shading = shading}).image;
+      return draw(ringAroundBall(ring), kOpacityCamera, kShaderOpacitySize, {.shading = shading}).image;
     };
     EXPECT_LE(largestDifference(shown(hole), shown(nothing)), 2e-6);
     EXPECT_GT(largestDifference(shown(opaque), shown(nothing)), 0.4);
   }
-  const auto solidly = [&](const Material& ring) { return draw(ringAroundBall(ring), kCamera, kSize).image; };
+  const auto solidly = [&](const Material& ring) {
+    return draw(ringAroundBall(ring), kOpacityCamera, kShaderOpacitySize).image;
+  };
   EXPECT_LE(largestDifference(solidly(opaque), solidly(solid)), 2e-6);
 }
 
@@ -129,14 +139,14 @@ TEST_F(ShaderOpacity, ThePointIsThatOfAnOpaqueMaterial) {
     std::vector<Image> images;
     for (const std::string& pragma : {std::string(), kMayBeSeenThrough}) {
       Scene scene;
-      scene.add(Node{
-          .translation = Vec3(0.2, 0.1, -0.3),
-          .rotation = Rotation{{1, 2, 0.5}, 0.6},
-          .scale = scale,
-          .surface = surface,
-          .material = scene.add(litBy(pragma + "vec4 material(Point p) { return vec4(" + value + ", 1.0); }",
-                                      {.twoSided = TwoSided::Yes}))});
-      images.push_back(draw(scene, kCamera, kSize, {.shading = shading}).image);
+      scene.add(Node{.translation = Vec3(0.2, 0.1, -0.3),
+                     .rotation = Rotation{{1, 2, 0.5}, 0.6},
+                     .scale = scale,
+                     .surface = surface,
+                     .material = scene.add(
+                         seenThroughBy(pragma + "vec4 material(Point p) { return vec4(" + value + ", 1.0); }",
+                                       {.twoSided = TwoSided::Yes}))});
+      images.push_back(draw(scene, kOpacityCamera, kShaderOpacitySize, {.shading = shading}).image);
     }
     return largestDifference(images[0], images[1]);
   };
@@ -166,31 +176,31 @@ TEST_F(ShaderOpacity, ThePointIsThatOfAnOpaqueMaterial) {
 TEST_F(ShaderOpacity, WhatIsWrongIsTold) {
   const auto refusal = [&](const Material& material) -> std::string {
     try {
-      static_cast<void>(draw(ringAroundBall(material), kCamera, kSize));
+      static_cast<void>(draw(ringAroundBall(material), kOpacityCamera, kShaderOpacitySize));
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::Scene);
       return error.what() + std::string("\n") + error.hint();
     }
     return "it was drawn";
   };
-  EXPECT_THAT(refusal(litBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")),
+  EXPECT_THAT(refusal(seenThroughBy("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }")),
               HasSubstr("#pragma luxo opacity"));
   Material glass;
   glass.opacity = 0.5;
-  EXPECT_THAT(
-      refusal(litBy("// #pragma luxo opacity\nvec4 material(Point p) { return vec4(1, 1, 1, 0.5); }", glass)),
-      HasSubstr("opacity below 1"));
-  EXPECT_THAT(
-      refusal(litBy(kMayBeSeenThrough +
-                    "vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
-      HasSubstr("more than 32768 times"));
-  EXPECT_THAT(refusal(litBy(kMayBeSeenThrough +
-                            "vec4 material(Point p) { return vec4(trace(p.normal).color, 1.0); }")),
+  EXPECT_THAT(refusal(seenThroughBy(
+                  "// #pragma luxo opacity\nvec4 material(Point p) { return vec4(1, 1, 1, 0.5); }", glass)),
+              HasSubstr("opacity below 1"));
+  EXPECT_THAT(refusal(seenThroughBy(
+                  kMayBeSeenThrough +
+                  "vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }")),
+              HasSubstr("more than 32768 times"));
+  EXPECT_THAT(refusal(seenThroughBy(kMayBeSeenThrough +
+                                    "vec4 material(Point p) { return vec4(trace(p.normal).color, 1.0); }")),
               HasSubstr("sends rays"));
   const Picture picture = draw(
-      ringAroundBall(litBy(kMayBeSeenThrough +
-                           "vec4 material(Point p) { return vec4(sqrt(p.position.x), 0.5, 0.5, 0.3); }")),
-      kCamera, kSize);
+      ringAroundBall(seenThroughBy(
+          kMayBeSeenThrough + "vec4 material(Point p) { return vec4(sqrt(p.position.x), 0.5, 0.5, 0.3); }")),
+      kOpacityCamera, kShaderOpacitySize);
   EXPECT_GT(picture.statistics.error.nonfinitePx, 100U);
   for (std::size_t i = 0; i < picture.image.samples().size(); ++i)
     ASSERT_TRUE(std::isfinite(picture.image.samples()[i]));
@@ -208,16 +218,16 @@ TEST_F(ShaderOpacity, ShadowsAreThoseOfTheKey) {
   std::vector<std::string> told;
   setLogSink([&](LogLevel, const std::string& message) { told.push_back(message); });
   for (const double opacity : {1.0, 0.5}) {
-    const Material own = litBy(kMayBeSeenThrough + "vec4 material(Point p) { return vec4(vec3(0.3), 0.0); }",
-                               {.opacity = opacity});
-    const Verified found = verified(takeSnapshot(scene(own), 0, kSize, kCamera));
+    const Material own = seenThroughBy(
+        kMayBeSeenThrough + "vec4 material(Point p) { return vec4(vec3(0.3), 0.0); }", {.opacity = opacity});
+    const Verified found = verified(takeSnapshot(scene(own), 0, kShaderOpacitySize, kOpacityCamera));
     EXPECT_EQ(found.verification.wrong.total(), 0U);
-    const Image shown = draw(scene(own), kCamera, kSize).image;
+    const Image shown = draw(scene(own), kOpacityCamera, kShaderOpacitySize).image;
     Material veil{.opacity = opacity};
-    const Image wanted = draw(scene(veil), kCamera, kSize).image;
-    const Image id = draw(scene(veil), kCamera, kSize, {.output = Output::Id}).image;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
+    const Image wanted = draw(scene(veil), kOpacityCamera, kShaderOpacitySize).image;
+    const Image id = draw(scene(veil), kOpacityCamera, kShaderOpacitySize, {.output = Output::Id}).image;
+    for (int y = 0; y < kShaderOpacitySize.height; ++y)
+      for (int x = 0; x < kShaderOpacitySize.width; ++x)
         if (id.pixel(x, y)[0] == 2) {
           EXPECT_TRUE(near(colorAt(shown, x, y), colorAt(wanted, x, y), 2e-6)) << x << " " << y;
         }

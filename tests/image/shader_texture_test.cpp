@@ -23,8 +23,8 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr PixelSize kSize{80, 60};
-const Camera kCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
+constexpr PixelSize kShaderTextureSize{80, 60};
+const Camera kTexturedCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
 
 TextureMap tiles(int side, float alpha = 1) {
   Image image(side, side, 4);
@@ -39,7 +39,7 @@ TextureMap tiles(int side, float alpha = 1) {
   return {.texture = std::make_shared<const Texture>(makeTexture(image, "tiles"))};
 }
 
-Material litBy(const std::string& text, std::vector<UniformValue> uniforms, TextureMap map = {}) {
+Material texturedBy(const std::string& text, std::vector<UniformValue> uniforms, TextureMap map = {}) {
   return {.map = std::move(map),
           .shader = std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}}),
           .uniforms = std::move(uniforms)};
@@ -56,7 +56,7 @@ Scene ring(const Material& material) {
 class ShaderTexture : public PictureTest {
  protected:
   Image shown(const Material& material, const DrawOptions& options = {}) {
-    return draw(ring(material), kCamera, kSize, options).image;
+    return draw(ring(material), kTexturedCamera, kShaderTextureSize, options).image;
   }
   std::string refusalOf(const Material& material) {
     try {
@@ -79,28 +79,30 @@ TEST_F(ShaderTexture, IsFilteredAsMapsAre) {
     for (const Composition composition : {Composition::Auto, Composition::Deferred})
       for (const Shading shading : {Shading::Exact, Shading::Phong}) {
         const DrawOptions options{.shading = shading, .composition = composition};
-        const Image wanted =
-            shown(litBy("vec4 material(Point p) { return vec4(colorMap(p.uv), 1.0); }", {}, map), options);
+        const Image wanted = shown(
+            texturedBy("vec4 material(Point p) { return vec4(colorMap(p.uv), 1.0); }", {}, map), options);
         const std::vector<UniformValue> wood{
             {.name = "other", .map = tiles(16)}, {.name = "k", .values = {1}}, {.name = "wood", .map = map}};
         const std::string head = "uniform sampler2D wood, other; uniform float k;\n";
-        EXPECT_TRUE(sameBytes(shown(litBy(head + "vec4 material(Point p) { return vec4(k * texture(wood, "
-                                                 "p.uv).rgb, texture(other, p.uv).a); }",
-                                          wood),
-                                    options),
-                              wanted));
-        EXPECT_TRUE(sameBytes(shown(litBy(head + "vec4 look(sampler2D s, Point p) { return textureGrad(s, "
-                                                 "p.uv, p.footprint[0], p.footprint[1]); }\n"
-                                                 "vec4 material(Point p) { return vec4(look(wood, p).rgb * "
-                                                 "k, texture(other, p.uv).a); }",
-                                          wood),
-                                    options),
-                              wanted));
+        EXPECT_TRUE(
+            sameBytes(shown(texturedBy(head + "vec4 material(Point p) { return vec4(k * texture(wood, "
+                                              "p.uv).rgb, texture(other, p.uv).a); }",
+                                       wood),
+                            options),
+                      wanted));
+        EXPECT_TRUE(
+            sameBytes(shown(texturedBy(head + "vec4 look(sampler2D s, Point p) { return textureGrad(s, "
+                                              "p.uv, p.footprint[0], p.footprint[1]); }\n"
+                                              "vec4 material(Point p) { return vec4(look(wood, p).rgb * "
+                                              "k, texture(other, p.uv).a); }",
+                                       wood),
+                            options),
+                      wanted));
       }
 }
 
 TEST_F(ShaderTexture, ItsAlphaMayBeTheOpacity) {
-  const Material own = litBy(
+  const Material own = texturedBy(
       "#pragma luxo opacity\nuniform sampler2D leaf;\n"
       "vec4 material(Point p) { vec4 t = texture(leaf, p.uv); return vec4(0.8 * ambientLight() * t.rgb, "
       "t.a); }",
@@ -114,21 +116,22 @@ TEST_F(ShaderTexture, WhatIsWrongIsTold) {
   const std::string text =
       "\nuniform sampler2D wood;\nuniform float k;\nvec4 material(Point p) { return k * texture(wood, p.uv); "
       "}";
-  EXPECT_THAT(refusalOf(litBy(text, {})),
+  EXPECT_THAT(refusalOf(texturedBy(text, {})),
               testing::AllOf(HasSubstr("test.frag:2:19"), HasSubstr("the sampler 'wood' has no texture")));
-  EXPECT_THAT(refusalOf(litBy(text, {{.name = "wood", .values = {0}}})),
+  EXPECT_THAT(refusalOf(texturedBy(text, {{.name = "wood", .values = {0}}})),
               HasSubstr("is a texture, not a number"));
-  EXPECT_THAT(refusalOf(litBy(text, {{.name = "wood", .map = tiles(8)}, {.name = "k", .map = tiles(8)}})),
-              HasSubstr("is of type float, not a texture"));
   EXPECT_THAT(
-      refusalOf(
-          litBy("uniform sampler2D wood[2]; vec4 material(Point p) { return texture(wood[1], p.uv); }", {})),
+      refusalOf(texturedBy(text, {{.name = "wood", .map = tiles(8)}, {.name = "k", .map = tiles(8)}})),
+      HasSubstr("is of type float, not a texture"));
+  EXPECT_THAT(
+      refusalOf(texturedBy(
+          "uniform sampler2D wood[2]; vec4 material(Point p) { return texture(wood[1], p.uv); }", {})),
       HasSubstr("several samplers"));
-  EXPECT_THAT(refusalOf(litBy(
+  EXPECT_THAT(refusalOf(texturedBy(
                   "uniform sampler3D fog; vec4 material(Point p) { return texture(fog, p.object); }", {})),
               HasSubstr("'fog' is a sampler3D"));
   // One that nothing reads needs none.
-  EXPECT_EQ(refusalOf(litBy("uniform sampler2D wood; vec4 material(Point p) { return vec4(1.0); }", {})),
+  EXPECT_EQ(refusalOf(texturedBy("uniform sampler2D wood; vec4 material(Point p) { return vec4(1.0); }", {})),
             "it was drawn");
 }
 
@@ -149,19 +152,20 @@ TEST_F(ShaderTexture, IsNamedInAScene) {
                                              "p) { return texture(skin, p.uv); }"}}}));
     return file;
   };
-  const Image plain = draw(buildScene(fileOf(R"("skin": "squares")")), kSize).image;
+  const Image plain = draw(buildScene(fileOf(R"("skin": "squares")")), kShaderTextureSize).image;
   EXPECT_TRUE(near(colorAt(plain, 30, 20), Vec3(1, 0, 0), 1e-6) ||
               near(colorAt(plain, 30, 20), Vec3(0, 0, 1), 1e-6));
   EXPECT_GT(glm::distance(colorAt(plain, 30, 20), colorAt(plain, 50, 20)), 1.0);
-  const Image moved =
-      draw(buildScene(fileOf(R"("skin": { "texture": "squares", "offset": ["turn", 0] })")), kSize).image;
+  const Image moved = draw(buildScene(fileOf(R"("skin": { "texture": "squares", "offset": ["turn", 0] })")),
+                           kShaderTextureSize)
+                          .image;
   EXPECT_TRUE(near(colorAt(moved, 30, 20), colorAt(plain, 50, 20), 1e-6));
   const std::string written =
       writeScene(fileOf(R"("skin": { "texture": "squares", "offset": ["turn", 0] })"));
   EXPECT_THAT(written, HasSubstr("\"squares\""));
   const auto problem = [&](const std::string& uniforms) -> std::string {
     try {
-      static_cast<void>(draw(buildScene(fileOf(uniforms)), kSize));
+      static_cast<void>(draw(buildScene(fileOf(uniforms)), kShaderTextureSize));
     } catch (const Error& error) {
       return error.what();
     }

@@ -51,7 +51,7 @@ class ShadowHazards : public VerifiedPictureTest {
   }
 };
 
-constexpr PixelSize kSize{48, 36};
+constexpr PixelSize kShadowHazardsSize{48, 36};
 
 TEST_F(ShadowHazards, LightsOnCornersAndInsideOfCasters) {
   const std::string cone = caster("cone", R"("translate": [0, 0, 0])"),
@@ -63,7 +63,7 @@ TEST_F(ShadowHazards, LightsOnCornersAndInsideOfCasters) {
         torus + lightAt("[1, 1, 0]"), torus + lightAt("[1.4, 1, 0]"), torus + lightAt("[10, 0, 10]"),
         torus + lightAt("[2, 0, 1]"), torus + lightAt("[2, 1e-9, 1]")}) {
     SCOPED_TRACE(nodes);
-    expectRightOrTold(sceneOf(nodes), kSize);
+    expectRightOrTold(sceneOf(nodes), kShadowHazardsSize);
   }
 }
 
@@ -73,14 +73,15 @@ TEST_F(ShadowHazards, ACasterAroundTheCamera) {
     SCOPED_TRACE(light);
     const FrameStatistics told = expectRightOrTold(
         sceneOf(shell + R"({ "surface": "torus", "material": "m", "translate": [0, 1, 0] }, )" + light),
-        kSize);
+        kShadowHazardsSize);
     EXPECT_EQ(told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
   }
   // From outside no light gets in.
-  const Image image = draw(sceneOf(shell + lightAt("[30, 60, 40]")), kSize).image;
+  const Image image = draw(sceneOf(shell + lightAt("[30, 60, 40]")), kShadowHazardsSize).image;
   const float dark = 0.07F;  // the ambient light alone
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) ASSERT_LE(image.pixel(x, y)[0], dark + 1e-6F) << x << ", " << y;
+  for (int y = 0; y < kShadowHazardsSize.height; ++y)
+    for (int x = 0; x < kShadowHazardsSize.width; ++x)
+      ASSERT_LE(image.pixel(x, y)[0], dark + 1e-6F) << x << ", " << y;
 }
 
 TEST_F(ShadowHazards, CastersWithoutEndOrWidth) {
@@ -91,7 +92,7 @@ TEST_F(ShadowHazards, CastersWithoutEndOrWidth) {
         caster("ball", R"("translate": [0, 2, 0], "scale": [0, 0, 0])"),
         caster("ball", R"("translate": [0, -1000000003, 0], "scale": [1e9, 1e9, 1e9])")}) {
     SCOPED_TRACE(one);
-    expectRightOrTold(sceneOf(one + lightAt("[2, 6, 3]")), kSize);
+    expectRightOrTold(sceneOf(one + lightAt("[2, 6, 3]")), kShadowHazardsSize);
   }
 }
 
@@ -103,10 +104,10 @@ TEST_F(ShadowHazards, CastersThatAreNone) {
     return draw(sceneOf(ball + group + hidden +
                         R"({ "name": "lamp", "translate": [2, 6, 3], "light": { "shadow": "exact")" + light +
                         " } }"),
-                kSize, {.composition = Composition::Deferred})
+                kShadowHazardsSize, {.composition = Composition::Deferred})
         .image;
   };
-  const Image without = draw(sceneOf(ball + R"({ "translate": [2, 6, 3], "light": {} })"), kSize,
+  const Image without = draw(sceneOf(ball + R"({ "translate": [2, 6, 3], "light": {} })"), kShadowHazardsSize,
                              {.composition = Composition::Deferred})
                             .image;
   for (const char* casters :
@@ -117,7 +118,7 @@ TEST_F(ShadowHazards, CastersThatAreNone) {
   // A surface that carries its light, at its middle, is dark outside, and lets none out.
   expectRightOrTold(sceneOf(R"({ "name": "both", "surface": "ball", "material": "m", "translate": [0, 2, 0],
                    "light": { "shadow": "exact", "casters": ["both"] } })"),
-                    kSize);
+                    kShadowHazardsSize);
 }
 
 TEST_F(ShadowHazards, AsManyLightsAsOneLikes) {
@@ -147,9 +148,11 @@ TEST_F(ShadowHazards, SoftLightsOfOnePointAndOfAThousand) {
     EXPECT_EQ(told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
   }
   // One point is the middle: the hard shadow.
-  EXPECT_TRUE(sameBytes(
-      draw(sceneOf(ball + lightAt("[2, 6, 3]", R"(, "radius": 0.5, "shadow_samples": 1)")), kSize).image,
-      draw(sceneOf(ball + lightAt("[2, 6, 3]", R"(, "radius": 0)")), kSize).image));
+  EXPECT_TRUE(
+      sameBytes(draw(sceneOf(ball + lightAt("[2, 6, 3]", R"(, "radius": 0.5, "shadow_samples": 1)")),
+                     kShadowHazardsSize)
+                    .image,
+                draw(sceneOf(ball + lightAt("[2, 6, 3]", R"(, "radius": 0)")), kShadowHazardsSize).image));
 }
 
 TEST_F(ShadowHazards, AThousandLayers) {
@@ -190,7 +193,7 @@ TEST_F(ShadowHazards, SheetsOfGlassThatCast) {
 TEST_F(ShadowHazards, ACrowdOfCasters) {
   const FrameStatistics told = expectRightOrTold(sceneOf(heap(100, "ball", "m") + heap(100, "torus", "m") +
                                                          lightAt("[2, 6, 3]") + ", " + lightAt("[-3, 5, 1]")),
-                                                 kSize);
+                                                 kShadowHazardsSize);
   EXPECT_EQ(told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
   EXPECT_GE(told.count.shadowPasses, 400U);
 }
@@ -199,7 +202,8 @@ TEST_F(ShadowHazards, ACrowdOfCasters) {
 TEST_F(ShadowHazards, DepthMapsOfOddSizesAndBiases) {
   const std::string ball = caster("ball", R"("translate": [0, 1.2, 0])");
   const auto pictureOf = [&](const std::string& at, const std::string& map) {
-    const Picture picture = draw(sceneOf(ball + lightAt(at, R"(, "map": )" + map, "map")), kSize);
+    const Picture picture =
+        draw(sceneOf(ball + lightAt(at, R"(, "map": )" + map, "map")), kShadowHazardsSize);
     EXPECT_EQ(picture.statistics.error.nonfinitePx, 0U);
     EXPECT_TRUE(allFinite(picture.image));
     return picture.image;
@@ -219,10 +223,12 @@ TEST_F(ShadowHazards, DepthMapsOfOddSizesAndBiases) {
     EXPECT_NE(std::string(error.what()).find("6 faces of 8192 texels"), std::string::npos) << error.what();
   }
   // With such a bias all is nearer to the light than anything in the map.
-  const Image unshadowed = draw(sceneOf(ball + R"({ "translate": [2, 6, 3], "light": {} })"), kSize).image,
+  const Image unshadowed =
+                  draw(sceneOf(ball + R"({ "translate": [2, 6, 3], "light": {} })"), kShadowHazardsSize)
+                      .image,
               biased = pictureOf("[2, 6, 3]", R"({ "bias": 1e18 })");
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x)
+  for (int y = 0; y < kShadowHazardsSize.height; ++y)
+    for (int x = 0; x < kShadowHazardsSize.width; ++x)
       ASSERT_TRUE(near(colorAt(biased, x, y), colorAt(unshadowed, x, y), 1e-5)) << x << ", " << y;
 }
 

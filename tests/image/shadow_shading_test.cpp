@@ -15,7 +15,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{120, 90};
+constexpr PixelSize kShadowShadingSize{120, 90};
 constexpr double kFloorY = 0, kPaneY = 1;
 
 struct Sun {
@@ -64,10 +64,10 @@ class ShadowShadingTest : public PictureTest {
 
   /// Calls with every pixel that shows the floor, and not the ball.
   void forFloor(const Scene& scene, const std::function<void(const CameraModel&, int, int)>& call) {
-    const Image id = draw(scene, kSize, {.output = Output::Id}).image;
-    const CameraModel camera(scene.cameras()[0], kSize);
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
+    const Image id = draw(scene, kShadowShadingSize, {.output = Output::Id}).image;
+    const CameraModel camera(scene.cameras()[0], kShadowShadingSize);
+    for (int y = 0; y < kShadowShadingSize.height; ++y)
+      for (int x = 0; x < kShadowShadingSize.width; ++x)
         if (const float number = id.pixel(x, y)[0]; number == 1 || number == 3) call(camera, x, y);
   }
 };
@@ -92,9 +92,9 @@ TEST_F(ShadowShadingTest, GouraudIsTheSumOfWhatIsSeenOfEachLight) {
                                    std::pair(kTwo, pattern), std::pair(nine, pattern)}) {
     const DrawOptions options{.shading = Shading::Gouraud};
     const Scene scene = sceneOf(suns, true, kOpaque, false, look);
-    const Picture picture = draw(scene, kSize, options);
+    const Picture picture = draw(scene, kShadowShadingSize, options);
     const auto without = [&](std::size_t light) {
-      return draw(sceneOf(only(suns, light), false, kOpaque, false, look), kSize, options).image;
+      return draw(sceneOf(only(suns, light), false, kOpaque, false, look), kShadowShadingSize, options).image;
     };
     const Image dark = without(suns.size());
     std::vector<Image> alone;
@@ -121,7 +121,7 @@ const std::vector<Sun> kOne{{Vec3(2, 7, 1), 0.5}};
 TEST_F(ShadowShadingTest, ToonCountsTheLightThatIsSeen) {
   const DrawOptions options{.shading = Shading::Toon};
   const Scene scene = sceneOf(kOne, true, kOpaque, false);
-  const Image image = draw(scene, kSize, options).image;
+  const Image image = draw(scene, kShadowShadingSize, options).image;
   int bright = 0, dark = 0;
   forFloor(scene, [&](const CameraModel& camera, int x, int y) {
     const auto isBright = settled(
@@ -158,9 +158,12 @@ TEST_F(ShadowShadingTest, WhatComesThroughACasterCounts) {
   };
   for (const Shading shading : {Shading::Gouraud, Shading::Toon}) {
     const Scene scene = sceneOf(sun, true, stained, false);
-    const Image image = draw(scene, kSize, {.shading = shading}).image;
-    const Image all = draw(sceneOf(sun, false, stained, false), kSize, {.shading = shading}).image,
-                none = draw(sceneOf(only(sun, 1), false, stained, false), kSize, {.shading = shading}).image;
+    const Image image = draw(scene, kShadowShadingSize, {.shading = shading}).image;
+    const Image all =
+                    draw(sceneOf(sun, false, stained, false), kShadowShadingSize, {.shading = shading}).image,
+                none = draw(sceneOf(only(sun, 1), false, stained, false), kShadowShadingSize,
+                            {.shading = shading})
+                           .image;
     int below = 0;
     forFloor(scene, [&](const CameraModel& camera, int x, int y) {
       const auto visible = sees(camera, x, y, kFloorY, sun[0].at);
@@ -187,9 +190,9 @@ TEST_F(ShadowShadingTest, FallOnWhatIsSeenThrough) {
     const DrawOptions options{.shading = shading};
     const Scene scene = sceneOf(kTwo, true, kOpaque, true);
     const auto without = [&](std::size_t light, bool pane) {
-      return draw(sceneOf(only(kTwo, light), false, kOpaque, pane), kSize, options).image;
+      return draw(sceneOf(only(kTwo, light), false, kOpaque, pane), kShadowShadingSize, options).image;
     };
-    const Picture picture = draw(scene, kSize, options);
+    const Picture picture = draw(scene, kShadowShadingSize, options);
     const Image& image = picture.image;
     const Image dark = without(2, true);
     const Image both[] = {without(0, true), without(1, true)};
@@ -254,7 +257,7 @@ TEST_F(ShadowShadingTest, StartsAtTheSurfaceOfWhatIsSeenThrough) {
     DrawOptions options{.shading = shading, .tolerancePx = 6};
     const auto show = [&](double intensity, bool shadow, Output output = Output::Color) {
       options.output = output;
-      return draw(sceneWith(intensity, shadow), kSize, options).image;
+      return draw(sceneWith(intensity, shadow), kShadowShadingSize, options).image;
     };
     const Image image = show(0.7, true), lit = show(0.7, false), dark = show(0, false),
                 id = show(0.7, true, Output::Id), uv = show(0.7, true, Output::Uv),
@@ -265,8 +268,8 @@ TEST_F(ShadowShadingTest, StartsAtTheSurfaceOfWhatIsSeenThrough) {
       return b > 0 ? 1.0 : glm::length(off - b * way) - kRadius;  // in the light where it is above 0
     };
     int shadowed = 0, farFromMesh = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kShadowShadingSize.height; ++y)
+      for (int x = 0; x < kShadowShadingSize.width; ++x) {
         if (id.pixel(x, y)[0] != 1) continue;
         const double u = uv.pixel(x, y)[0], v = uv.pixel(x, y)[1];
         const double height = sees(Vec3(u, 0.3 * std::cos(2 * u) * std::cos(2 * v), -v));
@@ -289,18 +292,18 @@ TEST_F(ShadowShadingTest, GouraudHasNoLightFromBehind) {
   const std::vector<Sun>& sun = kOne;
   const Scene scene = sceneOf(sun, true, kOpaque, false);
   const DrawOptions options{.shading = Shading::Gouraud, .tolerancePx = 4};
-  const Image image = draw(scene, kSize, options).image,
-              dark = draw(sceneOf(only(sun, 1), false, kOpaque, false), kSize, options).image;
+  const Image image = draw(scene, kShadowShadingSize, options).image,
+              dark = draw(sceneOf(only(sun, 1), false, kOpaque, false), kShadowShadingSize, options).image;
   DrawOptions geometry = options;
   geometry.output = Output::Id;
-  const Image id = draw(scene, kSize, geometry).image;
+  const Image id = draw(scene, kShadowShadingSize, geometry).image;
   geometry.output = Output::Normal;
-  const Image normals = draw(scene, kSize, geometry).image;
+  const Image normals = draw(scene, kShadowShadingSize, geometry).image;
   geometry.output = Output::Position;
-  const Image positions = draw(scene, kSize, geometry).image;
+  const Image positions = draw(scene, kShadowShadingSize, geometry).image;
   int behind = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kShadowShadingSize.height; ++y)
+    for (int x = 0; x < kShadowShadingSize.width; ++x) {
       if (id.pixel(x, y)[0] != 2) continue;
       const double cosine = glm::dot(colorAt(normals, x, y), unit(sun[0].at - colorAt(positions, x, y)));
       if (cosine > -1e-5) continue;

@@ -64,7 +64,7 @@ class ShadowTest : public VerifiedPictureTest {
   }
 };
 
-constexpr PixelSize kSize{320, 240};
+constexpr PixelSize kShadowSize{320, 240};
 
 /// A ball at (0, 2, 0); where the ray to the light meets it is a quadratic equation.
 bool seesPast(const Vec3& point, const Vec3& toLight, double farthest) {
@@ -80,7 +80,7 @@ TEST_F(ShadowTest, OfABallIsAnEllipse) {
       R"({ "name": "ball", "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )";
   const Scene point = sceneOf(ball + R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact" } })");
   expectLit(
-      point, kSize,
+      point, kShadowSize,
       [](const Vec3& p) {
         const Vec3 toLight = Vec3(-2, 6, 1) - p;
         return seesPast(p, toLight, glm::length(toLight));
@@ -91,7 +91,8 @@ TEST_F(ShadowTest, OfABallIsAnEllipse) {
       R"({ "rotate": { "axis": [1, 0, 0], "angle": -1 }, "light": { "type": "directional", "shadow": "exact" } })");
   // Toward the light: (0, 0, 1) turned by -1 about x.
   expectLit(
-      sun, kSize, [](const Vec3& p) { return seesPast(p, Vec3(0, std::sin(1.0), std::cos(1.0)), 1e9); }, 400);
+      sun, kShadowSize, [](const Vec3& p) { return seesPast(p, Vec3(0, std::sin(1.0), std::cos(1.0)), 1e9); },
+      400);
 }
 
 /// What shines through the hole of a disk is a circle, and so is the disk's shadow around it.
@@ -99,7 +100,7 @@ TEST_F(ShadowTest, OfADiskWithAHoleIsARing) {
   const Scene scene = sceneOf(R"({ "surface": "ring", "material": "m", "translate": [0, 2, 0] },
                                  { "translate": [0, 5, 0], "light": { "shadow": "exact" } })");
   expectLit(
-      scene, kSize,
+      scene, kShadowSize,
       [](const Vec3& p) {
         const double radius = glm::length(Vec2(p.x, p.z)) * 3 / 5;  // where the ray passes the disk's plane
         return radius < 0.4 || radius > 1;
@@ -114,11 +115,11 @@ TEST_F(ShadowTest, OfABallOnItsEqualIsTotal) {
                                  { "surface": "ball", "material": "m", "translate": [0, 1.5, 0] },
                                  { "rotate": { "axis": [1, 0, 0], "angle": -1.5707963267948966 },
                                    "light": { "type": "directional", "shadow": "exact" } })");
-  const Picture picture = draw(scene, kSize);
-  const Image id = draw(scene, kSize, {.output = Output::Id}).image;
+  const Picture picture = draw(scene, kShadowSize);
+  const Image id = draw(scene, kShadowSize, {.output = Output::Id}).image;
   int pixels = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x)
+  for (int y = 0; y < kShadowSize.height; ++y)
+    for (int x = 0; x < kShadowSize.width; ++x)
       if (id.pixel(x, y)[0] == 3) {
         // A thousandth of a pixel from the rim, where the border of the shadow is, too, the light falls at a
         // sine of 0.01: that much of it may be seen.
@@ -138,9 +139,9 @@ constexpr const char* kCrowd = R"(
 /// How large the light's map is decides how long shadows take, and nothing else.
 TEST_F(ShadowTest, DoNotDependOnTheSizeOfTheMap) {
   const Scene scene = sceneOf(kCrowd);
-  const Picture usual = draw(scene, kSize);
+  const Picture usual = draw(scene, kShadowSize);
   for (const int size : {1, 5, 32, 256, 4096}) {
-    const Picture other = draw(scene, kSize, {.shadowGridSize = size});
+    const Picture other = draw(scene, kShadowSize, {.shadowGridSize = size});
     EXPECT_TRUE(sameBytes(usual.image, other.image)) << size;
     EXPECT_EQ(other.statistics.error.unconvergedPx, 0U);
   }
@@ -148,7 +149,7 @@ TEST_F(ShadowTest, DoNotDependOnTheSizeOfTheMap) {
 
 TEST_F(ShadowTest, AreTheTruth) {
   const Scene scene = sceneOf(kCrowd);
-  const Verified found = expectTheTruth(takeSnapshot(scene, 0, kSize), 40'000);
+  const Verified found = expectTheTruth(takeSnapshot(scene, 0, kShadowSize), 40'000);
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   // 1e-4 of the pixels, as the standard scenes may leave to rays. Here there are none: equations tell all.
   EXPECT_LE(found.statistics.error.shadowRaysPx, 7U);
@@ -185,12 +186,12 @@ TEST_F(ShadowTest, ManySamplesAreMeansOfSamples) {
 /// Meshes get the shadows of the surfaces that they stand for.
 TEST_F(ShadowTest, FallOnMeshesAsOnSurfaces) {
   const Scene scene = sceneOf(kCrowd);
-  const Image exact = draw(scene, kSize).image;
+  const Image exact = draw(scene, kShadowSize).image;
   for (const Shading shading : {Shading::Phong, Shading::Flat}) {
-    const Image mesh = draw(scene, kSize, {.shading = shading, .tolerancePx = 0.05}).image;
+    const Image mesh = draw(scene, kShadowSize, {.shading = shading, .tolerancePx = 0.05}).image;
     int different = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
+    for (int y = 0; y < kShadowSize.height; ++y)
+      for (int x = 0; x < kShadowSize.width; ++x)
         different += !near(colorAt(exact, x, y), colorAt(mesh, x, y), 0.05);
     // Outlines and borders of shadows, of which there are some 3,000 pixels' length.
     EXPECT_LT(different, 150) << nameOf(shading);
@@ -200,7 +201,7 @@ TEST_F(ShadowTest, FallOnMeshesAsOnSurfaces) {
 TEST_F(ShadowTest, CostNothingWhereThereAreNone) {
   const std::string ball = R"({ "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )";
   const auto passes = [&](const std::string& light) {
-    return draw(sceneOf(ball + light), kSize).statistics.count.shadowPasses;
+    return draw(sceneOf(ball + light), kShadowSize).statistics.count.shadowPasses;
   };
   EXPECT_EQ(passes(R"({ "translate": [-2, 6, 1], "light": {} })"), 0U);
   EXPECT_EQ(passes(R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact" } })"), 1U)
@@ -217,7 +218,7 @@ TEST_F(ShadowTest, CostNothingWhereThereAreNone) {
             1U);
   // Unchanged, nothing is made or drawn again.
   const Snapshot snapshot = takeSnapshot(
-      sceneOf(ball + R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact" } })"), 0, kSize);
+      sceneOf(ball + R"({ "translate": [-2, 6, 1], "light": { "shadow": "exact" } })"), 0, kShadowSize);
   static_cast<void>(renderer().render(snapshot));
   DrawOptions drawn;
   drawn.skips.unchanged = false;
@@ -317,12 +318,12 @@ TEST_F(ShadowTest, PlanarOnesOfABallAreTheEllipse) {
   const auto expectEllipse = [&](const std::string& light, const auto& lit) {
     const Scene scene =
         sceneOf(R"({ "surface": "ball", "material": "m", "translate": [0, 2, 0] }, )" + light);
-    const Picture picture = draw(scene, kSize);
-    const Image id = draw(scene, kSize, {.output = Output::Id}).image;
-    const CameraModel camera(scene.cameras()[0], kSize);
+    const Picture picture = draw(scene, kShadowSize);
+    const Image id = draw(scene, kShadowSize, {.output = Output::Id}).image;
+    const CameraModel camera(scene.cameras()[0], kShadowSize);
     int inShadow = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kShadowSize.height; ++y)
+      for (int x = 0; x < kShadowSize.width; ++x) {
         if (id.pixel(x, y)[0] != 1) continue;
         const auto expected = settled(
             [&](const Vec2& pixel) {
@@ -353,7 +354,8 @@ TEST_F(ShadowTest, PlanarOnesOfABallAreTheEllipse) {
 TEST_F(ShadowTest, PlanarOnesAreOfWhatIsBetweenAndOnThePlaneAlone) {
   const std::string light = R"({ "translate": [0.5, 4, 0], "light": { "shadow": ")";
   const auto pictureOf = [&](const std::string& nodes, const std::string& shadow) {
-    return draw(sceneOf(nodes + ", " + light + shadow), kSize, {.composition = Composition::Deferred}).image;
+    return draw(sceneOf(nodes + ", " + light + shadow), kShadowSize, {.composition = Composition::Deferred})
+        .image;
   };
   const std::string none = R"(none" } })", planar = R"(planar", "shadow_plane": "floor" } })",
                     exact = R"(exact" } })";
@@ -366,12 +368,13 @@ TEST_F(ShadowTest, PlanarOnesAreOfWhatIsBetweenAndOnThePlaneAlone) {
       R"({ "surface": "ball", "material": "m", "translate": [0.4, 0.5, 0], "scale": [0.5, 0.5, 0.5] },
          { "surface": "ball", "material": "m", "translate": [0.4, 2, 0], "scale": [0.5, 0.5, 0.5] }, )" +
       light + planar);
-  const Image picture = draw(scene, kSize).image, id = draw(scene, kSize, {.output = Output::Id}).image;
-  const ReferencePicture same = castPicture(takeSnapshot(scene, 0, kSize)),
-                         truth = castPicture(withExactShadows(takeSnapshot(scene, 0, kSize)));
+  const Image picture = draw(scene, kShadowSize).image,
+              id = draw(scene, kShadowSize, {.output = Output::Id}).image;
+  const ReferencePicture same = castPicture(takeSnapshot(scene, 0, kShadowSize)),
+                         truth = castPicture(withExactShadows(takeSnapshot(scene, 0, kShadowSize)));
   int others = 0, differ = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kShadowSize.height; ++y)
+    for (int x = 0; x < kShadowSize.width; ++x) {
       if (id.pixel(x, y)[0] != 2) continue;
       EXPECT_TRUE(near(colorAt(picture, x, y), colorAt(same.color, x, y), 1e-3)) << x << ", " << y;
       others += !near(colorAt(picture, x, y), colorAt(truth.color, x, y), 0.05);
@@ -383,7 +386,7 @@ TEST_F(ShadowTest, PlanarOnesAreOfWhatIsBetweenAndOnThePlaneAlone) {
 TEST_F(ShadowTest, PlanarOnesNeedAPlane) {
   const auto expectError = [](const std::string& nodes, const std::string& part) {
     try {
-      static_cast<void>(takeSnapshot(sceneOf(nodes), 0, kSize));
+      static_cast<void>(takeSnapshot(sceneOf(nodes), 0, kShadowSize));
       FAIL() << nodes;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::Scene);

@@ -13,15 +13,18 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{96, 72};
+constexpr PixelSize kSurfaceNamesSize{96, 72};
 
 /// One surface whose colour that is, under ambient light 1.
 Scene colored(const std::string& surface, const std::string& color, const std::string& node = "") {
   return buildScene(parseScene(R"({ "luxo": 1, "render": { "size": [96, 72], "ambient": 1, "background": 0 },
       "params": { "wide": { "value": 0.5, "range": [0.1, 1] } },
-      "materials": { "m": { "specular": 0, "diffuse": )" + color + R"( } },
-      "surfaces": { "s": )" + surface + R"( },
-      "nodes": [ { "surface": "s", "material": "m")" + node + R"( } ],
+      "materials": { "m": { "specular": 0, "diffuse": )" +
+                                   color + R"( } },
+      "surfaces": { "s": )" + surface +
+                                   R"( },
+      "nodes": [ { "surface": "s", "material": "m")" +
+                                   node + R"( } ],
       "camera": { "eye": [0.4, 1.5, 3], "look_at": [0, 0, 0] } })",
                                "scene"));
 }
@@ -32,11 +35,11 @@ using SurfaceNamesTest = VerifiedPictureTest;
 TEST_F(SurfaceNamesTest, ABallHasOneCurvature) {
   const Image image = draw(colored(R"({ "type": "sphere", "radius": 0.8 })", R"(["0.32K", "0.4H", "0.4k2"])",
                                    R"(, "rotate": { "axis": [1, 0, 0.3], "angle": "50deg" })"),
-                           kSize)
+                           kSurfaceNamesSize)
                           .image;
   int seen = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kSurfaceNamesSize.height; ++y)
+    for (int x = 0; x < kSurfaceNamesSize.width; ++x) {
       if (colorAt(image, x, y) == Vec3(0)) continue;
       ++seen;
       // Single precision, in second derivatives: a tenth of a code of 8 bits.
@@ -52,7 +55,7 @@ TEST_F(SurfaceNamesTest, TheTruthIsOfTheSameColors) {
     const Scene scene =
         colored(surface, R"c(["0.5 + 0.4*tanh(K)", "0.5 + 0.25*nx + 0.2*y", "0.5 + 0.3*tanh(k1 - k2)"])c");
     SCOPED_TRACE(surface);
-    expectTrueColors(takeSnapshot(scene, 0, kSize), 500);
+    expectTrueColors(takeSnapshot(scene, 0, kSurfaceNamesSize), 500);
   }
 }
 
@@ -61,7 +64,7 @@ TEST(SurfaceNames, AParameterOfThatNameIsItself) {
       "materials": { "m": { "diffuse": ["K", "K", "K"] } }, "surfaces": { "s": { "type": "teapot" } },
       "nodes": [ { "surface": "s", "material": "m" } ] })",
                                             "scene"));
-  EXPECT_EQ(takeSnapshot(scene, 0, kSize).materials.back().diffuse, Vec3(0.25));
+  EXPECT_EQ(takeSnapshot(scene, 0, kSurfaceNamesSize).materials.back().diffuse, Vec3(0.25));
 }
 
 TEST(SurfaceNames, OfTooManyFormulasAreRefusedWithTheirPlace) {

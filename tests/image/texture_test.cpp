@@ -17,7 +17,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{160, 120};
+constexpr PixelSize kTextureSize{160, 120};
 
 /// Four colours that halves hold exactly.
 TextureMap fourTexels() {
@@ -41,7 +41,7 @@ TextureMap tiles(int side, int texels) {
 
 class TexturePicture : public VerifiedPictureTest {};
 
-Scene lit(Surface surface, TextureMap map, const Node& place = {}) {
+Scene litTexture(Surface surface, TextureMap map, const Node& place = {}) {
   Scene scene;
   Node node = place;
   node.surface = std::move(surface);
@@ -98,9 +98,10 @@ TEST_F(TexturePicture, OnFormulasEveryPixelIsTheTruths) {
               {{-1.2, 1.2}, {-1, 1}})};
   for (const Surface& s : surfaces) {
     SCOPED_TRACE(s.name());
-    const Scene scene = lit(s, tiles(16, 16));
-    expectTrueColors(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(2, 1.6, 3), .lookAt = Vec3(0, 0.2, 0)}),
-                     2000);
+    const Scene scene = litTexture(s, tiles(16, 16));
+    expectTrueColors(
+        takeSnapshot(scene, 0, kTextureSize, Camera{.eye = Vec3(2, 1.6, 3), .lookAt = Vec3(0, 0.2, 0)}),
+        2000);
   }
 }
 
@@ -111,8 +112,8 @@ TEST_F(TexturePicture, OnTrianglesEveryPixelIsTheTruths) {
     map.scale = {2, 1};
     map.wrapV = TextureWrap::Mirror;
     const Scene scene =
-        lit(s, map, Node{.rotation = Rotation{{1, 0.3, 0}, -1.1}, .scale = Vec3(1.2, -0.9, 1)});
-    expectTrueColors(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(1, 0.8, 3.2)}), 2000);
+        litTexture(s, map, Node{.rotation = Rotation{{1, 0.3, 0}, -1.1}, .scale = Vec3(1.2, -0.9, 1)});
+    expectTrueColors(takeSnapshot(scene, 0, kTextureSize, Camera{.eye = Vec3(1, 0.8, 3.2)}), 2000);
   }
 }
 
@@ -129,7 +130,7 @@ TEST_F(TexturePicture, WithShadowsEveryPixelIsTheTruths) {
       Node{.translation = Vec3(-1.5, 0, 0), .scale = Vec3(0.6), .surface = quadMesh(), .material = ball});
   scene.add(
       Node{.translation = Vec3(2, 4, 3), .light = Light{.intensity = 0.9, .shadow = Light::Shadow::Exact}});
-  expectTrueColors(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(1, 1.6, 4)}), 10000);
+  expectTrueColors(takeSnapshot(scene, 0, kTextureSize, Camera{.eye = Vec3(1, 1.6, 4)}), 10000);
 }
 
 /// As the ball turns below the eye, the texture at its poles and at its seam is as the truth says; and a
@@ -137,14 +138,14 @@ TEST_F(TexturePicture, WithShadowsEveryPixelIsTheTruths) {
 TEST_F(TexturePicture, PolesSeamsAndHorizonsAreTheTruths) {
   for (const double height : {3.0, 0.4, -3.0}) {
     SCOPED_TRACE(height);
-    Scene scene = lit(sphere(1), tiles(32, 8));
-    expectTrueColors(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(0.7, height, 0.8)}), 1500);
+    Scene scene = litTexture(sphere(1), tiles(32, 8));
+    expectTrueColors(takeSnapshot(scene, 0, kTextureSize, Camera{.eye = Vec3(0.7, height, 0.8)}), 1500);
   }
   TextureMap far = tiles(2, 64);
   far.scale = Vec2(50);
-  const Scene scene = lit(rectangle(100, 100), far);
-  expectTrueColors(takeSnapshot(scene, 0, kSize, Camera{.eye = Vec3(0, 1, 40), .lookAt = Vec3(0, 0.5, 0)}),
-                   5000);
+  const Scene scene = litTexture(rectangle(100, 100), far);
+  expectTrueColors(
+      takeSnapshot(scene, 0, kTextureSize, Camera{.eye = Vec3(0, 1, 40), .lookAt = Vec3(0, 0.5, 0)}), 5000);
 }
 
 TEST_F(TexturePicture, EveryShadingShowsIt) {
@@ -171,11 +172,11 @@ TEST_F(TexturePicture, EveryShadingShowsIt) {
 }
 
 TEST_F(TexturePicture, TheSameTexturesAreUploadedOnce) {
-  Scene scene = lit(sphere(1), tiles(16, 16));
+  Scene scene = litTexture(sphere(1), tiles(16, 16));
   scene.add(Camera{.eye = Vec3(2, 1.6, 3)});
-  const std::uint64_t first = draw(scene, kSize).statistics.count.uploadBytes,
-                      second =
-                          draw(scene, kSize, {.skips = {.unchanged = false}}).statistics.count.uploadBytes;
+  const std::uint64_t first = draw(scene, kTextureSize).statistics.count.uploadBytes,
+                      second = draw(scene, kTextureSize, {.skips = {.unchanged = false}})
+                                   .statistics.count.uploadBytes;
   EXPECT_GT(first, second + 256 * 256 * 8);
 }
 

@@ -13,7 +13,7 @@
 namespace luxo::test {
 namespace {
 
-constexpr PixelSize kSize{240, 180};
+constexpr PixelSize kTransmittanceSize{240, 180};
 
 class TransmittanceTest : public VerifiedPictureTest {
  protected:
@@ -56,11 +56,11 @@ class TransmittanceTest : public VerifiedPictureTest {
   template <class Light>
   void expectFloor(const std::string& nodes, const Light& light) {
     const Scene scene = sceneOf(nodes + kNoon);
-    const Picture picture = draw(scene, kSize);
-    const CameraModel camera(scene.cameras()[0], kSize);
+    const Picture picture = draw(scene, kTransmittanceSize);
+    const CameraModel camera(scene.cameras()[0], kTransmittanceSize);
     int seen = 0;
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kTransmittanceSize.height; ++y)
+      for (int x = 0; x < kTransmittanceSize.width; ++x) {
         const Ray ray = camera.through(centerOf(x, y));
         const auto t = hitPlane(ray, Vec3(0), Vec3(0, 1, 0));
         if (!t) continue;
@@ -99,11 +99,11 @@ TEST_F(TransmittanceTest, OfAPatternIsThatOfThePointThatTheRayMeets) {
 TEST_F(TransmittanceTest, OfABallIsThatOfBothItsSides) {
   const Scene scene =
       sceneOf(R"({ "surface": "ball", "material": "half", "translate": [0, 5, 0] }, )" + std::string(kNoon));
-  const Picture picture = draw(scene, kSize);
-  const CameraModel camera(scene.cameras()[0], kSize);
+  const Picture picture = draw(scene, kTransmittanceSize);
+  const CameraModel camera(scene.cameras()[0], kTransmittanceSize);
   int below = 0;
-  for (int y = 0; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kTransmittanceSize.height; ++y)
+    for (int x = 0; x < kTransmittanceSize.width; ++x) {
       const Ray ray = camera.through(centerOf(x, y));
       const auto t = hitPlane(ray, Vec3(0), Vec3(0, 1, 0));
       const auto isBelow = settled(
@@ -120,7 +120,7 @@ TEST_F(TransmittanceTest, OfABallIsThatOfBothItsSides) {
   EXPECT_GT(below, 3000);
 }
 
-constexpr const char* kCrowd = R"(
+constexpr const char* kGlassCrowd = R"(
   { "surface": "klein", "material": "stained", "translate": [1.2, 1.6, 0], "scale": [0.4, 0.4, 0.4] },
   { "surface": "torus", "material": "half", "translate": [-1, 1.3, 0], "rotate": { "axis": [1, 0.3, 0], "angle": 0.9 } },
   { "surface": "torus", "material": "quarter", "translate": [-0.6, 1.3, 0.2] },
@@ -131,7 +131,7 @@ constexpr const char* kCrowd = R"(
 
 TEST_F(TransmittanceTest, IsTheTruth) {
   const Camera camera{.eye = Vec3(0.5, 4, 6), .lookAt = Vec3(0, 0.7, 0), .fovY = 0.7};
-  const Snapshot snapshot = takeSnapshot(sceneOf(kCrowd), 0, kSize, camera);
+  const Snapshot snapshot = takeSnapshot(sceneOf(kGlassCrowd), 0, kTransmittanceSize, camera);
   const Verified found = verified(snapshot);
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   EXPECT_EQ(found.statistics.error.auditFailedPx, 0U);
@@ -155,7 +155,7 @@ TEST_F(TransmittanceTest, OfALampShadeOfGlass) {
                { "translate": [0, 1.7, 0], "light": { "shadow": "exact" } } ],
     "camera": { "eye": [1, 4, 6], "look_at": [0, 0.7, 0], "fov_y": "40deg" } })",
                                             "shade"));
-  const Verified found = verified(takeSnapshot(scene, 0, kSize));
+  const Verified found = verified(takeSnapshot(scene, 0, kTransmittanceSize));
   EXPECT_EQ(found.verification.wrong.total(), 0U);
 }
 
@@ -166,11 +166,12 @@ TEST_F(TransmittanceTest, OrderOfNodesChangesNoByte) {
       R"({ "name": "b", "surface": "ball", "material": "half", "translate": [0.3, 5, 0] }, )",
       R"({ "name": "c", "surface": "ball", "material": "quarter", "translate": [-0.2, 8, 0.1] }, )",
       R"({ "name": "d", "surface": "klein", "material": "ramp", "translate": [0, 12, 0] }, )"};
-  const Image first = draw(sceneOf(nodes[0] + nodes[1] + nodes[2] + nodes[3] + light), kSize).image;
-  EXPECT_TRUE(
-      sameBytes(first, draw(sceneOf(nodes[3] + nodes[1] + nodes[0] + nodes[2] + light), kSize).image));
-  EXPECT_TRUE(
-      sameBytes(first, draw(sceneOf(nodes[2] + nodes[3] + nodes[1] + nodes[0] + light), kSize).image));
+  const Image first =
+      draw(sceneOf(nodes[0] + nodes[1] + nodes[2] + nodes[3] + light), kTransmittanceSize).image;
+  EXPECT_TRUE(sameBytes(
+      first, draw(sceneOf(nodes[3] + nodes[1] + nodes[0] + nodes[2] + light), kTransmittanceSize).image));
+  EXPECT_TRUE(sameBytes(
+      first, draw(sceneOf(nodes[2] + nodes[3] + nodes[1] + nodes[0] + light), kTransmittanceSize).image));
 }
 
 /// Only lights that have a transparent caster are found so.
@@ -178,7 +179,7 @@ TEST_F(TransmittanceTest, CostsNothingWhereAllIsOpaque) {
   const auto shadowPasses = [&](const std::string& material) {
     return draw(sceneOf(R"({ "surface": "ball", "material": ")" + material +
                         R"(", "translate": [0, 5, 0] }, )" + kNoon),
-                kSize)
+                kTransmittanceSize)
         .statistics.count;
   };
   const FrameCounts clay = shadowPasses("clay"), glass = shadowPasses("half");
@@ -192,10 +193,10 @@ TEST_F(TransmittanceTest, OfPlanarShadowsToo) {
       R"({ "surface": "ball", "material": "half", "translate": [0, 5, 0] },
          { "rotate": { "axis": [1, 0, 0], "angle": -1.5707963267948966 },
            "light": { "type": "directional", "shadow": "planar", "shadow_plane": "floor" } })");
-  const Picture picture = draw(scene, kSize);
-  const CameraModel camera(scene.cameras()[0], kSize);
-  for (int y = 60; y < kSize.height; ++y)
-    for (int x = 0; x < kSize.width; ++x) {
+  const Picture picture = draw(scene, kTransmittanceSize);
+  const CameraModel camera(scene.cameras()[0], kTransmittanceSize);
+  for (int y = 60; y < kTransmittanceSize.height; ++y)
+    for (int x = 0; x < kTransmittanceSize.width; ++x) {
       const Ray ray = camera.through(centerOf(x, y));
       const Vec3 at = ray.at(*hitPlane(ray, Vec3(0), Vec3(0, 1, 0)));
       const double radius = glm::length(Vec2(at.x, at.z));

@@ -137,6 +137,13 @@ Vec3 colorAt(const Image& image, int x, int y) {
          << p.y << ", " << p.z << ") and (" << q.x << ", " << q.y << ", " << q.z << ")";
 }
 
+double largestDifference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.samples().size(); ++i)
+    largest = std::max(largest, std::abs(double(a.samples()[i]) - double(b.samples()[i])));
+  return largest;
+}
+
 ::testing::AssertionResult allFinite(const Image& image) {
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)

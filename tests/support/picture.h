@@ -91,6 +91,8 @@ NodeId addLight(Scene& scene, const Shine& shine);
 [[nodiscard]] Vec3 colorAt(const Image& image, int x, int y);
 [[nodiscard]] ::testing::AssertionResult near(const Vec3& a, const Vec3& b, double tolerance);
 [[nodiscard]] ::testing::AssertionResult sameBytes(const Image& a, const Image& b);
+/// Of the numbers of two images of one size.
+[[nodiscard]] double largestDifference(const Image& a, const Image& b);
 [[nodiscard]] ::testing::AssertionResult allFinite(const Image& image);
 [[nodiscard]] Image flippedLeftRight(const Image& image);
 

@@ -127,8 +127,6 @@ TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   const auto refused = [&](const std::string& material) {
     return messageOf([&] { static_cast<void>(buildScene(sceneWith(material))); });
   };
-  EXPECT_THAT(refused(R"({ "shader": "m.frag", "opacity": 0.5 })"),
-              HasSubstr("seen through is not drawn yet"));
   EXPECT_THAT(refused(R"({ "shader": "m.frag", "diffuse": ["u", 0, 0] })"), HasSubstr("uses u or v"));
   EXPECT_THAT(refused(R"({ "shader": "none.frag" })"), HasSubstr("a.luxo.json:2:39: cannot read the shader"));
   EXPECT_THAT(refused(R"({ "shader": "../m.frag" })"), HasSubstr("outside of the scene's folder"));
