@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -223,6 +224,8 @@ struct ModelTarget {
   std::string_view name;
   Target target;
   int mutations;  ///< 1 s of each, with assertions
+
+  friend std::ostream& operator<<(std::ostream& out, const ModelTarget& reader) { return out << reader.name; }
 };
 
 class FuzzModel : public testing::TestWithParam<ModelTarget> {};
