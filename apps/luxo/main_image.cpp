@@ -11,7 +11,7 @@
 
 #include "base/diagnostic.h"
 #include "base/error.h"
-#include "draw/shader_text.h"
+#include "scene/shader_text.h"
 
 namespace luxo {
 namespace {

@@ -14,8 +14,8 @@
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "draw/course_style.h"
-#include "draw/shader_text.h"
 #include "option_values.h"
+#include "scene/shader_text.h"
 
 namespace luxo {
 namespace {

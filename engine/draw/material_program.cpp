@@ -14,9 +14,9 @@
 #include "base/suggestion.h"
 #include "draw/bounded_loops.h"
 #include "draw/course_style.h"
-#include "draw/shader_text.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
+#include "scene/shader_text.h"
 #include "shared/scene_data.h"
 
 namespace luxo {
@@ -514,12 +514,12 @@ void MaterialPrograms::tellShadows(const Snapshot& snapshot) {
       return std::ranges::find(light.casters, node.id) != light.casters.end() ||
              (light.shade && light.shade->caster == node.id);
     });
+    if (!casts) continue;
     const std::string message = fmt::format(
-        "shadows do not know how opaque the shader '{}' says that the points of material '{}' are: these "
-        "keep "
-        "{:.4g} of a light from what is behind them, as the material's \"opacity\" says",
-        material.shader->files.front().name, material.name, material.opacity);
-    if (casts && told_.insert(message).second) log(LogLevel::Warning, message);
+        "shadows do not know how opaque the shader '{}' says that the points of material '{}' are: they keep "
+        "as much of a light from what is behind them as the material's \"opacity\" says",
+        material.shader->files.front().name, material.name);
+    if (told_.insert(message).second) log(LogLevel::Warning, message);
   }
 }
 

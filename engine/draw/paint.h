@@ -47,7 +47,7 @@ class Paint {
   /// its colour.
   [[nodiscard]] static Paint ofCaster(const Material& material) {
     Paint paint(material.diffusePattern);
-    if (material.mapOpacity || (material.map.valid() && material.blend == Blend::Multiply))
+    if (material.mapSaysLightThrough())
       paint.maps_ = {.any = true, .color = true, .opacity = material.mapOpacity};
     return paint;
   }

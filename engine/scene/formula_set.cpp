@@ -10,7 +10,6 @@
 #include "scene/surface_names.h"
 
 namespace luxo {
-namespace {}  // namespace
 
 FormulaSet::FormulaSet(const FormulaSetDesc& desc, const SceneVariables& variables) {
   // First with all of the scene's variables: the time, then the parameters.

@@ -98,6 +98,10 @@ struct Material {
   [[nodiscard]] bool letsLightThrough() const {
     return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity() || mapOpacity;
   }
+  /// Whether its map says how much: by its alpha, or, where it tints the light, by its colour.
+  [[nodiscard]] bool mapSaysLightThrough() const {
+    return mapOpacity || (map.valid() && blend == Blend::Multiply);
+  }
   /// Whether nothing is seen of it, anywhere.
   [[nodiscard]] bool invisible() const { return opacity == 0 && blend != Blend::Multiply; }
   /// In the order of its members; some may be no map.

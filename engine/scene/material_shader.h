@@ -27,13 +27,15 @@ struct MaterialShader {
   /// includes is behind it. 0: none.
   std::size_t vertex = 0;
 
-  /// Whether some point may send rays into the scene: its text has the word. Cost: reads the text.
+  /// Whether some point may send rays into the scene: its text has the word. This and the others: comments do
+  /// not count, what #if leaves out does. Cost: reads the text.
   [[nodiscard]] bool traces() const;
-  /// Whether it reads how its surface bends: there is a .K, .H, .k1 or .k2. Cost: as of traces().
+  /// Whether it reads how its surface bends: there is a .K, .H, .k1 or .k2, be it of a struct of its own; a
+  /// vertex program cannot.
   [[nodiscard]] bool readsCurvature() const;
-  /// Whether it declares a uniform sampler2D of that name. Cost: as of traces().
-  [[nodiscard]] bool hasSampler(const std::string& name) const;
-  /// Whether it says how opaque its points are: a line of it is `#pragma luxo opacity`. Cost: as of traces().
+  /// Whether it declares a uniform sampler2D of that name.
+  [[nodiscard]] bool hasSampler(std::string_view name) const;
+  /// Whether it says how opaque its points are: a line of it is `#pragma luxo opacity`.
   [[nodiscard]] bool hasOpacity() const;
 
   friend auto operator<=>(const MaterialShader&, const MaterialShader&) = default;

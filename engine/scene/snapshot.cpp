@@ -308,7 +308,8 @@ void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Mo
       require(
           caster,
           [](const Material& material) {
-            return !material.letsLightThrough() || !(material.diffusePattern.valid() || material.map.valid());
+            return !material.letsLightThrough() ||
+                   !(material.diffusePattern.valid() || material.mapSaysLightThrough());
           },
           "it is seen through, has a pattern or a map, and casts a planar shadow",
           "leave it out of the light's \"casters\", or set the light's shadow to \"exact\"");

@@ -137,5 +137,33 @@ TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   EXPECT_THAT(refused(R"({ "uniforms": { "a": 1 } })"), HasSubstr("there are uniforms and no shader"));
 }
 
+MaterialShader shaderOf(const std::string& text) { return {{{"m.frag", text}}}; }
+
+TEST(ShaderText, WhatACommentSaysIsNotSaid) {
+  const MaterialShader none = shaderOf(
+      "// trace, see fig. H; a uniform sampler2D is not needed here\nuniform int octaves;\n"
+      "/*\n#pragma luxo opacity\n*/\nvec4 material(Point p) { return vec4(1.0); }\n");
+  EXPECT_FALSE(none.traces());
+  EXPECT_FALSE(none.readsCurvature());
+  EXPECT_FALSE(none.hasSampler("octaves"));
+  EXPECT_FALSE(none.hasOpacity());
+  const MaterialShader all = shaderOf(
+      "  #  pragma luxo  opacity // glass\nuniform highp sampler2D oak, ash;\nuniform sampler2D\n  elm;\n"
+      "vec4 material(Point p) { return vec4(trace(p.normal).color, p . k1); }\n");
+  EXPECT_TRUE(all.traces());
+  EXPECT_TRUE(all.readsCurvature());
+  EXPECT_TRUE(all.hasOpacity());
+  for (const char* name : {"oak", "ash", "elm"}) EXPECT_TRUE(all.hasSampler(name)) << name;
+  for (const char* name : {"oa", "p", "", ".*", "a(", "sampler2D"})
+    EXPECT_FALSE(all.hasSampler(name)) << name;
+}
+
+/// A name that is no word is unknown to the shader, and nothing worse.
+TEST_F(SceneShader, NamesOfUniformsAreOnlyNames) {
+  write("m.frag", "uniform sampler2D a;\nvec4 material(Point p) { return texture(a, p.uv); }\n");
+  const SceneFile file = sceneWith(R"({ "shader": "m.frag", "uniforms": { "a(": "k" } })");
+  EXPECT_NO_THROW(static_cast<void>(buildScene(file)));
+}
+
 }  // namespace
 }  // namespace luxo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "draw/shader_text.h"
+#include "scene/shader_text.h"
 
 #include <algorithm>
 #include <cstddef>
