@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that is seen through in a pixel, over what is not: nearest first, whatever the order in which it was found; or, in the
-// given order of nodes, the last one first, and of each its nearest point.
+// given order of nodes, the last one first, and of each its points, nearest first.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
+#include "lib/number.glsl"
 #include "lib/one_point.glsl"
 #include "lib/octahedral.glsl"
 
@@ -16,9 +17,6 @@ layout(location = 0, index = 0) out vec4 outLight;
 layout(location = 0, index = 1) out vec4 outThrough;
 
 bool isLess(vec3 a, vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
-
-bool isNumber(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7f800000u; }
-bool isColor(vec3 light) { return isNumber(light.r) && isNumber(light.g) && isNumber(light.b); }
 
 // A total order of what looks different, whatever the order of the nodes.
 bool isBefore(uint first, uint second) {

@@ -25,6 +25,7 @@ std::string Paint::preamble() const {
   define(maps_.specular, "LUXO_SPECULAR_MAP", shared::kTextureNumbers);
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
   if (readsFrame()) lines += "#define LUXO_FRAMED\n";
+  first = firstOfUniforms();
   for (const auto& [name, count] : shader_.given)
     if (count == 0) first += shared::kTextureNumbers;
   if (shader_.text) lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", first);

@@ -51,6 +51,8 @@ class MaterialReader {
       material.opacity = std::min(base.w, 1.0);
       material.opacityFromMap = material.map.given();
       if (mode == "MASK") material.cutoff = std::clamp(value["alphaCutoff"].numberOr(0.5), 0.0, 1.0);
+      // Nothing is below 0.
+      if (mode == "MASK" && material.cutoff == 0) material.opacityFromMap = false;
     }
     material.twoSided = value["doubleSided"].flagOr(false);
     return material;

@@ -2,6 +2,7 @@
 // Points that are seen through, in the list of their pixel.
 #include "lib/again.glsl"
 #include "lib/layers.glsl"
+#include "lib/number.glsl"
 #include "lib/octahedral.glsl"
 
 layout(constant_id = kConstantManyGroups) const bool kManyGroups = false;
@@ -30,7 +31,7 @@ bool findPoint(uint material, vec2 parameters, vec4 bounds) {
 }
 
 void lightPoint(vec3 light, vec4 paint) {
-  vec3 reflected_ = paint.a * light;
+  vec3 reflected_ = isColor(light) ? paint.a * light : light;  // what a shader tells instead of a colour stays
   layerPoints[ownPoint].light = kAddsLight ? together(layerPoints[ownPoint].light, reflected_) : reflected_;
   layerPoints[ownPoint].through = throughLayer(materials[layerPoints[ownPoint].material & kLayerMaterial].blend, paint.a, paint.rgb);
   if (!kManyGroups || !isLastOfGroup()) return;  // the next group has its own

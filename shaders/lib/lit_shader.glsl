@@ -9,6 +9,7 @@
 #undef material
 #include "lib/pattern.glsl"
 #include "lib/maps.glsl"
+#include "lib/number.glsl"
 #include "lib/scene.glsl"
 
 // What the picture tells whoever reads it, instead of a colour: values that are no numbers. NaN is one that the shader
@@ -103,7 +104,6 @@ vec4 normalFrame();
 // How the point moves on its tangent plane to the next pixel: along the ray, which moves by these.
 vec3 stepOnPlane(vec3 moved, vec3 ray, vec3 n) { return moved - ray * (dot(n, moved) / dot(n, ray)); }
 
-bool isNumber(float x) { return (floatBitsToUint(x) & 0x7fffffffu) < 0x7f800000u; }
 float numberOr0(float x) { return isNumber(x) ? x : 0.0; }
 
 Point materialPoint(Found found) {
@@ -156,7 +156,7 @@ vec3 lit(Found found) {
   askTraces();
   if (tracesTooOften()) return uintBitsToFloat(kTooManyTraces);
 #endif
-  bool numbers = isNumber(color.r) && isNumber(color.g) && isNumber(color.b) && isNumber(color.a);
+  bool numbers = isColor(color.rgb) && isNumber(color.a);
   if (!numbers) return vec3(uintBitsToFloat(kNotANumber));
 #ifdef LUXO_OPACITY
   litOpacity = clamp(color.a, 0.0, 1.0);

@@ -4,6 +4,7 @@
 #include "lib/carried_lights.glsl"
 #include "lib/found.glsl"
 #include "lib/layers.glsl"
+#include "lib/number.glsl"
 #include "lib/octahedral.glsl"
 
 layout(constant_id = kConstantPattern) const uint kPattern = 0;
@@ -69,7 +70,8 @@ void shadeLayers() {
     vec3 reflected_ = lit(found);
     vec4 paint = paintOf(found);
     vec3 before = kAddsLight ? point.light : vec3(0);
-    layerPoints[index].light = before + paint.a * reflected_;
+    // What a shader tells instead of a colour stays as it is, however little is seen of it.
+    layerPoints[index].light = before + (isColor(reflected_) ? paint.a * reflected_ : reflected_);
     if (kManyGroups) {  // the next group has its own
       layerPoints[index].shadows = 0;
       layerPoints[index].transmittance = vec3(1);

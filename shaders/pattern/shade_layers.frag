@@ -11,7 +11,8 @@ vec4 patternBounds() { return vec4(vec2(-3e38), vec2(3e38)); }  // what was foun
 
 vec4 paintOf(Found found) {
 #ifdef LUXO_SHADER
-  return vec4(material.diffuse, material.opacity * litOpacity);
+  vec3 tint = material.blend == kBlendMultiply ? paintAt(found.parameters).rgb : material.diffuse;
+  return vec4(tint, material.opacity * litOpacity);
 #else
   vec4 paint = paintAt(found.parameters);
   return vec4(paint.rgb, material.opacity * paint.a);
