@@ -283,6 +283,10 @@ std::vector<PixelPlace> Renderer::settled(std::span<const Doubt> doubts, FrameSt
 void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, bool all,
                        FrameStatistics& statistics) {
   const Stopwatch watch;
+  const double trees = rays_.treesMs(), drawing = statistics.ms.gpu;
+  const auto countTime = [&] {
+    statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees) - (statistics.ms.gpu - drawing);
+  };
   std::vector<PixelPlace> pixels, shadowed, layered;
   const VkExtent2D extent = view_.picture().extent();
   if (all) {
@@ -304,14 +308,13 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
         layered.push_back(doubt.pixel);
     }
   }
-  if (pixels.empty() && shadowed.empty() && layered.empty()) return;
-  const double trees = rays_.treesMs();
+  if (pixels.empty() && shadowed.empty() && layered.empty()) return countTime();
   RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
   pixels.insert(pixels.end(), shadowed.begin(), shadowed.end());
   rays_.addShadows(pixels, view_.shown(), view_.list().groups, points);
   pixels.insert(pixels.end(), layered.begin(), layered.end());
   rays_.addLayers(pixels, view_.list().layers.found, view_.list().origin, view_.list().groups, points);
-  statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
+  countTime();
   // Of a mesh that is seen through no ray tells which point it is that is shown.
   const std::size_t ofMeshes = view_.list().layers.meshes.empty() ? 0 : layered.size();
   statistics.error.resolvedByRaysPx =
