@@ -335,7 +335,7 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
   double nearest = ownReach(hit, ray.direction);
   const Body& body = bodies_[node];
   const RootQuery query{nearest, distance, Facing::Both, false};
-  if (!body.transparent) {
+  if (!materialOf(node).letsLightThrough()) {
     const Roots roots = body.shape.nearestRoot(ray, query);
     certified &= roots.certified;
     return Vec3(roots.nearest ? 0 : 1);
@@ -367,7 +367,7 @@ Vec3 Caster::reaching(const SnapshotLight& light, const Hit& hit, bool& certifie
   Vec3 left(1);
   for (const NodeId caster : light.casters)
     if (const std::optional<std::uint32_t> node = nodeOf(caster);
-        node && left != Vec3(0) && (!light.map || bodies_[*node].transparent))
+        node && left != Vec3(0) && (!light.map || materialOf(*node).letsLightThrough()))
       left *= through(*node, light, hit, certified);
   return left;
 }

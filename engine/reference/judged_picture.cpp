@@ -323,16 +323,10 @@ class PictureJudge {
     const bool layers = std::ranges::any_of(snapshot_.nodes, [&](const SnapshotNode& node) {
       return snapshot_.materials[node.material.index].transparent();
     });
-    otherLayer_ = std::ranges::any_of(snapshot_.materials,
-                                      [](const Material& material) {
-                                        return material.transparent() && material.readsFootprint();
-                                      })
-                      ? kOtherTexture
-                      : kOtherLight;
     // Of the ambient light the picture knows less than the truth: no colour is the same.
     const bool occluded = snapshot_.ambientOcclusion.any() && snapshot_.ambient != Vec3(0);
     const auto mayBeInShadow = [&](const JudgedPixel& pixel) {
-      return pixel.mismatch == Mismatch::None && pixel.color > (layers ? otherLayer_ : kOtherLight) &&
+      return pixel.mismatch == Mismatch::None && pixel.color > kOtherLight &&
              (layers || (shadows && pixel.position != kUnset));
     };
     const auto mayShowAnotherTexture = [&](std::size_t k) {
@@ -361,7 +355,7 @@ class PictureJudge {
       if (isOff) pixel.offPoint = outlineDistance(caster, i) > kSilhouettePx;
       if (pixel.byShader || measured_.color.empty() || (isOff && !isMesh(i))) return;
       if (!occluded && (layers || mayShowAnotherTexture(wrong[w])))
-        pixel.offLight = hasAnotherColor(caster, i);
+        pixel.offLight = isInAnotherColor(caster, i);
       else if (shadows && isMesh(i))
         pixel.offLight = !occluded && meshInAnotherLight(caster, i);
       else
@@ -369,8 +363,11 @@ class PictureJudge {
     });
   }
 
+  [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
+    return snapshot_.materials[snapshot_.nodes[node].material.index];
+  }
   [[nodiscard]] Shading shadingOf(std::uint32_t node) const {
-    return snapshot_.materials[snapshot_.nodes[node].material.index].shadingIn(options_.shading);
+    return materialOf(node).shadingIn(options_.shading);
   }
 
   /// Whether a pixel shows a mesh that stands for a formula.
@@ -491,17 +488,15 @@ class PictureJudge {
   /// plane of what is seen on either side of it: of what is seen through any layer may be the wrong one, and
   /// of a texture any texel. Where a layer ends on the way so does its colour, which beside a fold changes by
   /// more than kOtherLight in a hundredth of a pixel: it is followed to the end, and kPointPx beyond.
-  [[nodiscard]] bool hasAnotherColor(const Caster& caster, std::uint32_t i) const {
+  [[nodiscard]] bool hasAnotherColor(const Caster& caster, std::uint32_t i, double reach) const {
     struct Look {
       std::size_t layers;
       Vec3 color;
     };
     const Vec2 center = centerOf(i);
-    const std::optional<double> reach = reachOfColors(caster.look(caster.rayThrough(center.x, center.y)));
-    if (!reach) return false;
     const Vec3 shown = valueAt(measured_.color, i);
     Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
-    bool certified = true;
+    bool certified = true, throughTexture = false;
     const auto count = [&](const Vec3& color) {
       least = glm::min(least, color);
       most = glm::max(most, color);
@@ -509,6 +504,10 @@ class PictureJudge {
     const auto look = [&](const Vec2& offset) -> Look {
       const Ray ray = caster.rayThrough(center.x + offset.x, center.y + offset.y);
       const Caster::Sight sight = caster.look(ray);
+      throughTexture |= std::ranges::any_of(sight.hits, [&](const Hit& hit) {
+        const Material& material = materialOf(hit.node);
+        return material.transparent() && material.readsFootprint();
+      });
       Vec3 color(0);
       for (const double tilt : {-kCosineRounding, kCosineRounding})
         count(color = caster.color(ray, sight, certified, tilt));
@@ -519,7 +518,7 @@ class PictureJudge {
     for (int k = 0; k < 2 * kDirections && certified; ++k) {
       const double angle = kTau * k / kDirections;
       const Vec2 way(std::cos(angle), std::sin(angle));
-      Vec2 same(0), other = (k < kDirections ? 1 : 0.1) * *reach * way;
+      Vec2 same(0), other = (k < kDirections ? 1 : 0.1) * reach * way;
       const std::size_t others = look(other).layers;
       if (others == layers) continue;
       for (int halving = 0; halving < kHalvings && certified; ++halving) {
@@ -531,10 +530,21 @@ class PictureJudge {
       if (before.layers == last.layers) count(2.0 * last.color - before.color);
     }
     if (!certified) return false;
-    const auto slack = [this](double value) { return otherLayer_ * (1 + value); };
+    const double tolerance = throughTexture ? kOtherTexture : kOtherLight;
+    const auto slack = [&](double value) { return tolerance * (1 + value); };
     for (int c = 0; c < 3; ++c)
       if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c])) return true;
     return false;
+  }
+
+  /// Of a scene in which something is seen through: of what a pixel shows by its colour; where light is not
+  /// known that well, of a mesh with nothing before it by its lights.
+  [[nodiscard]] bool isInAnotherColor(const Caster& caster, std::uint32_t i) const {
+    const Vec2 center = centerOf(i);
+    const Caster::Sight sight = caster.look(caster.rayThrough(center.x, center.y));
+    if (const std::optional<double> reach = reachOfColors(sight)) return hasAnotherColor(caster, i, *reach);
+    const bool isOpaque = sight.hits.size() == 1 && !materialOf(sight.hits.front().node).transparent();
+    return isOpaque && isMesh(i) && meshInAnotherLight(caster, i);
   }
 
   /// Where single precision cannot tell on which side of the horizon a light is.
@@ -660,7 +670,6 @@ class PictureJudge {
   std::vector<std::uint32_t> chosen_;
   std::vector<JudgedPixel> pixels_;  // as chosen_
   bool anyShader_ = false;           // of a material
-  double otherLayer_ = kOtherLight;  // linear: what is more, where something is seen through, is looked into
   bool coarse_ = false;              // kMostTurned
 };
 
