@@ -32,9 +32,8 @@ std::uint64_t wholeNumber(const std::string& option, const std::string& text, do
 void summarize(const random::RunTotals& t) {
   printNote(fmt::format(
       "{} scenes, {} pixels, {} of them covered, {} undecided by the reference\n"
-      "{} wrong, {} of them silently, in {} scenes; {} unconverged, {} uncertified; {} scenes refused, {} "
-      "not "
-      "judged to the end\n"
+      "{} wrong, {} of them silently, in {} scenes; {} unconverged, {} uncertified; {} scenes refused, "
+      "{} not judged to the end\n"
       "{:.0f} s of CPU for pictures, {:.0f} s for the reference",
       t.scenes, t.pixels, t.hits, t.undecided, t.wrong, t.silentlyWrong, t.failedScenes, t.unconverged,
       t.uncertified, t.refusedScenes, t.slowScenes, t.pictureSeconds, t.referenceSeconds));

@@ -77,6 +77,10 @@ void describe(Json& line, const Trial& trial) {
                    {"reference", rounded(trial.referenceSeconds, 3)}};
 }
 
+void tellUnjudged(Json& line, const Trial& trial, const RunRequest& request) {
+  if (!trial.complete) line["unjudged"] = fmt::format("stopped after {} s of CPU", request.limitSeconds);
+}
+
 void add(RunTotals& totals, const Trial& trial) {
   ++totals.scenes;
   totals.slowScenes += trial.complete ? 0 : 1;
@@ -138,11 +142,13 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
         snapshot.ambientOcclusion = {};
         trial = tryScene(renderer, snapshot, trialOptions(request, sight.samples));
         describe(line, trial);
+        tellUnjudged(line, trial, request);
       } else {
         const HardScene hard = (crowd ? crowdScene : hardScene)(request.seed, index, request.options);
         line = lineOf(request, index, hard.kind, hard.camera);
         trial = tryJson(renderer, request, hard.json);
         describe(line, trial);
+        tellUnjudged(line, trial, request);
         if (!request.findings.empty() && request.goesOn()) {
           if (trial.silentlyWrong > 0) {
             request.print(line.dump() + "\n");
@@ -154,8 +160,6 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
         }
       }
       if (!request.goesOn()) break;
-      if (!trial.complete && !line.empty())
-        line["unjudged"] = fmt::format("stopped after {} s of CPU", request.limitSeconds);
       add(totals, trial);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::Scene) throw;
