@@ -10,6 +10,7 @@
 
 #include "math/sampling.h"
 #include "reference/audit.h"
+#include "reference/verification.h"
 #include "surface/spread.h"
 #include "tessellate/parallel.h"
 
@@ -101,6 +102,13 @@ std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
   return pixels;
 }
 
+std::vector<Doubt> everywhere(PixelSize size) {
+  std::vector<Doubt> doubts;
+  for (const PixelPlace pixel : auditedPixels(size, {.extent = AuditExtent::All}, {}))
+    doubts.push_back({.pixel = pixel});
+  return doubts;
+}
+
 void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
                           std::function<bool()> goesOn) {
   goesOn_ = std::move(goesOn);
@@ -141,56 +149,79 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
   return rays;
 }
 
-std::vector<PixelPlace> CertifiedRays::confirmed(std::span<const DepthProbe> shown) {
-  static_cast<void>(prepare(shown.size(), [&](std::size_t i) { return shown[i].pixel; }));
-  std::vector<char> isFirst(shown.size());
-  forEachIndex(shown.size(), shown.size() >= reference::kRaysForAllCores, [&](std::size_t i) {
-    if (!goesOn_() || !(shown[i].depth > 0)) return;
-    isFirst[i] = reference::showsFirst(*caster_, nodes_, sampled(shown[i].pixel),
-                                       depthOf(caster_->snapshot().view, shown[i].depth), rounding());
-  });
-  std::vector<PixelPlace> pixels;
-  for (std::size_t i = 0; i < shown.size(); ++i)
-    if (isFirst[i] != 0) pixels.push_back(shown[i].pixel);
-  return pixels;
-}
-
 double CertifiedRays::rounding() const {
   const View& view = caster_->snapshot().view;
   return rounding_ + (view.perspective() ? 0 : kDepthRounding * (view.far - view.near));
 }
 
-RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
-                                 const Vec3& origin) {
-  const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
-  std::vector<reference::Caster::First> seen(pixels.size());
+bool CertifiedRays::confirms(const reference::Caster::First& seen, float shown) const {
+  if (!(shown > 0) || !seen.hit || !seen.certified) return false;
+  const View& view = caster_->snapshot().view;
+  const double depth = glm::dot(seen.hit->position - view.eye, view.forward());
+  const double pixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
+  // However steep the surface is: where it is grazed another layer may be as near as its slope allows.
+  return std::abs(depthOf(view, shown) - depth) <= rounding() + kPointPx * pixel;
+}
+
+RayPoints CertifiedRays::resolve(std::span<const Doubt> doubts, const RayDraws& draws,
+                                 const ShownMeshes& shown) {
+  std::vector<Doubt> points, others;
+  for (const Doubt& doubt : doubts) (doubt.point ? points : others).push_back(doubt);
+  RayPoints found;
+  const std::vector<char> confirmed = addPoints(points, draws, found);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (confirmed[i] != 0)
+      others.push_back(points[i]);
+    else
+      found.pixels.push_back(points[i].pixel);
+  found.resolved = found.pixels.size();
+  for (const Doubt& doubt : others)
+    if (doubt.shadows) found.pixels.push_back(doubt.pixel);
+  found.shadowed = found.pixels.size() - found.resolved;
+  addShadows(found.pixels, shown, draws.groups, found);
+  for (const Doubt& doubt : others)
+    if (doubt.layers && !doubt.shadows) found.pixels.push_back(doubt.pixel);
+  found.layered = found.pixels.size() - found.resolved - found.shadowed;
+  addLayers(found.pixels, draws, found);
+  return found;
+}
+
+std::vector<char> CertifiedRays::addPoints(std::span<const Doubt> doubts, const RayDraws& draws,
+                                           RayPoints& points) {
+  const auto pixelAt = [&](std::size_t i) { return doubts[i].pixel; };
+  const std::vector<reference::Ray> rays = prepare(doubts.size(), pixelAt);
+  std::vector<reference::Caster::First> seen(doubts.size());
   const auto cast = [&](std::span<const std::size_t> chosen) {
     forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
       if (goesOn_()) seen[chosen[k]] = caster_->firstOf(nodes_, rays[chosen[k]]);
     });
   };
-  std::vector<std::size_t> chosen(pixels.size());
+  std::vector<std::size_t> chosen(doubts.size());
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
   cast(chosen);
   // What few cells leave undecided many may not.
   std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
   if (!chosen.empty()) {
     static_cast<void>(prepare(
-        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, reference::kRaysForFinestCells));
+        chosen.size(), [&](std::size_t k) { return pixelAt(chosen[k]); }, reference::kRaysForFinestCells));
     cast(chosen);
   }
 
-  RayPoints points{.resolved = pixels.size()};
+  std::vector<char> confirmed(doubts.size());
   std::vector<std::pair<std::size_t, std::size_t>> hits;  // index into found, pixel
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    points.undecided += !seen[i].certified;
-    if (!seen[i].hit) {
-      points.misses.push_back(pixels[i]);
+  for (std::size_t i = 0; i < doubts.size(); ++i) {
+    if (confirms(seen[i], doubts[i].shown)) {
+      confirmed[i] = 1;
       continue;
     }
-    const auto node = std::ranges::lower_bound(found, seen[i].hit->node, {}, &FoundNode::node);
-    if (node != found.end() && node->node == seen[i].hit->node)
-      hits.emplace_back(static_cast<std::size_t>(node - found.begin()), i);
+    points.undecided += !seen[i].certified;
+    if (!seen[i].hit) {
+      points.misses.push_back(doubts[i].pixel);
+      continue;
+    }
+    const auto node = std::ranges::lower_bound(draws.found, seen[i].hit->node, {}, &FoundNode::node);
+    if (node != draws.found.end() && node->node == seen[i].hit->node)
+      hits.emplace_back(static_cast<std::size_t>(node - draws.found.begin()), i);
     else
       ++points.unknown;
   }
@@ -198,20 +229,20 @@ RayPoints CertifiedRays::resolve(std::span<const PixelPlace> pixels, std::span<c
   const View& view = caster_->snapshot().view;
   for (const auto& [node, i] : hits) {
     const reference::Hit& hit = *seen[i].hit;
+    const PixelPlace pixel = doubts[i].pixel;
     const double depth = glm::dot(hit.position - view.eye, view.forward());
     if (points.runs.empty() || points.runs.back().found != node)
       points.runs.push_back({node, static_cast<std::uint32_t>(points.vertices.size()), 0});
     points.runs.back().vertexCount += 3;
-    points.vertices.insert(
-        points.vertices.end(), 3,
-        {.position = Vec3f(hit.position - origin),
-         .normal = Vec3f(hit.normal),
-         .parameters = Vec2f(hit.u, hit.v),
-         .place = Vec4f(pixels[i].x + 0.5, pixels[i].y + 0.5, depthInBuffer(view, depth), depth),
-         .footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])),
-         .frame = Vec4f(hit.frame)});
+    points.vertices.insert(points.vertices.end(), 3,
+                           {.position = Vec3f(hit.position - draws.origin),
+                            .normal = Vec3f(hit.normal),
+                            .parameters = Vec2f(hit.u, hit.v),
+                            .place = Vec4f(pixel.x + 0.5, pixel.y + 0.5, depthInBuffer(view, depth), depth),
+                            .footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])),
+                            .frame = Vec4f(hit.frame)});
   }
-  return points;
+  return confirmed;
 }
 
 shared::ReachingLight CertifiedRays::reaching(const reference::Hit& hit, const LightGroup& group,
@@ -295,9 +326,8 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, const ShownMe
   }
 }
 
-void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<const FoundLayer> found,
-                              const Vec3& origin, std::span<const LightGroup> groups, RayPoints& points) {
-  if (found.empty() || pixels.empty()) return;
+void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, const RayDraws& draws, RayPoints& points) {
+  if (draws.layers.empty() || pixels.empty()) return;
   const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
   struct Layered {
     reference::Caster::Sight sight;
@@ -311,7 +341,7 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
       Layered layered{.sight = caster_->look(rays[chosen[k]], reference::Caster::Invisible::Told)};
       layered.certified = layered.sight.certified;
       for (const reference::Hit& hit : layered.sight.hits)
-        for (const LightGroup& group : groups)
+        for (const LightGroup& group : draws.groups)
           layered.light.push_back(reaching(hit, group, layered.certified));
       seen[chosen[k]] = std::move(layered);
     });
@@ -330,18 +360,18 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     RayLayers layers{.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5),
                      .first = static_cast<std::uint32_t>(points.layerPoints.size()),
-                     .groups = static_cast<std::uint32_t>(groups.size())};
+                     .groups = static_cast<std::uint32_t>(draws.groups.size())};
     float last = -std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < seen[i].sight.hits.size(); ++k) {
       const reference::Hit& hit = seen[i].sight.hits[k];
-      const auto node = std::ranges::lower_bound(found, hit.node, {}, &FoundLayer::node);
-      if (node == found.end() || node->node != hit.node) continue;
+      const auto node = std::ranges::lower_bound(draws.layers, hit.node, {}, &FoundLayer::node);
+      if (node == draws.layers.end() || node->node != hit.node) continue;
       const Domain& domain = caster_->snapshot().nodes[hit.node].surface.domain();
-      const auto light = seen[i].light.begin() + static_cast<std::ptrdiff_t>(k * groups.size());
+      const auto light = seen[i].light.begin() + static_cast<std::ptrdiff_t>(k * draws.groups.size());
       points.layerLights.insert(points.layerLights.end(), light,
-                                light + static_cast<std::ptrdiff_t>(groups.size()));
+                                light + static_cast<std::ptrdiff_t>(draws.groups.size()));
       // Their order, which the ray knows, has to outlive the rounding of their depths.
-      last = std::max(static_cast<float>(glm::dot(hit.position - origin, forward)),
+      last = std::max(static_cast<float>(glm::dot(hit.position - draws.origin, forward)),
                       std::nextafter(last, std::numeric_limits<float>::infinity()));
       points.layerPoints.push_back({.depth = last,
                                     .material = node->material | shared::kLayerByRay,
@@ -358,8 +388,9 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, std::span<cons
   }
 }
 
-AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const ShownMeshes& shown,
-                                 std::span<const LightGroup> groups, const std::optional<Vec3>& layersFrom) {
+AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const RayDraws& draws,
+                                 const ShownMeshes& shown) {
+  const std::vector<LightGroup>& groups = draws.groups;
   static_cast<void>(prepare(probes.size(), [&](std::size_t i) { return probes[i].pixel; }));
   const View& view = caster_->snapshot().view;
   const std::vector<std::uint32_t> others = receiversBut(shown);
@@ -381,8 +412,8 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const Shown
           judged[i] = reference::judgeShadow(
               *caster_, nodes_, at, *light,
               (probes[i].shadows[g] >> bit & 1) != 0 ? Vec3(0) : Vec3(probes[i].transmittances[g]));
-    if (judged[i] == Right && layersFrom) {
-      const double originDepth = glm::dot(*layersFrom - view.eye, view.forward());
+    if (judged[i] == Right && draws.layersFrom) {
+      const double originDepth = glm::dot(*draws.layersFrom - view.eye, view.forward());
       const double count = probes[i].layers.x, depths = probes[i].layers.y + count * originDepth;
       judged[i] = reference::judgeLayers(*caster_, layers_, at, {count, depths}, rounding());
     }

@@ -67,8 +67,10 @@ struct RayPoints {
   std::vector<shared::LayerPoint> layerPoints;     ///< with the light of the first group
   std::vector<shared::ReachingLight> layerLights;  ///< of each all groups
   std::vector<shared::LayerDetail> layerDetails;   ///< of each; 0 where no map or shader asks for them
-  std::uint64_t resolved = 0;                      ///< pixels
-  std::uint64_t undecided = 0;  ///< of these, those whose ray proves nothing: within rounding of grazing
+  std::vector<PixelPlace> pixels;                  ///< what all that changes
+  std::uint64_t resolved = 0;                      ///< pixels whose points are these
+  std::uint64_t shadowed = 0, layered = 0;         ///< others, whose shadows are, or only layers
+  std::uint64_t undecided = 0;  ///< of those resolved: whose ray proves nothing, within rounding of grazing
   std::uint64_t shadowsUndecided = 0;  ///< pixels in which a ray to a light proves nothing
   std::uint64_t layersUndecided = 0;   ///< pixels in which some layer is not proven
   std::uint64_t unknown = 0;           ///< pixels that show a node which is not in the list
@@ -76,6 +78,35 @@ struct RayPoints {
   [[nodiscard]] bool empty() const {
     return vertices.empty() && misses.empty() && shadows.empty() && layers.empty();
   }
+};
+
+/// A pixel that searches leave in doubt.
+struct Doubt {
+  PixelPlace pixel;
+  bool point = true;     ///< in doubt is which it shows: a search was lost, or what it shows is not certified
+  bool shadows = false;  ///< or only these there
+  bool layers = false;   ///< or only what is seen through there
+  float shown = 0;       ///< the depth, as in the depth buffer, of a point that its own search has certified
+};
+
+/// All pixels are, whatever they show.
+[[nodiscard]] std::vector<Doubt> everywhere(PixelSize size);
+
+/// What the points that rays find are drawn with: of a draw list.
+struct RayDraws {
+  std::vector<FoundNode> found;
+  std::vector<FoundLayer> layers;
+  std::vector<LightGroup> groups;
+  Vec3 origin{0};  ///< what positions in shaders are relative to
+  std::optional<Vec3> layersFrom;
+
+  RayDraws() = default;
+  explicit RayDraws(const DrawList& list)
+      : found(list.found),
+        layers(list.layers.found),
+        groups(list.groups),
+        origin(list.origin),
+        layersFrom(list.layersFrom()) {}
 };
 
 /// The points that the pixels of a picture show of meshes, whose light rays start there.
@@ -113,23 +144,14 @@ class CertifiedRays {
       const Snapshot& snapshot, const DrawOptions& options,
       std::function<bool()> goesOn = [] { return true; });
 
-  /// Of pixels that show a point, those where a ray proves that it is the first. Cost: as resolve().
-  [[nodiscard]] std::vector<PixelPlace> confirmed(std::span<const DepthProbe> shown);
-
+  /// Settles what is in doubt. Where a ray proves that the certified point which is shown is the first, what
+  /// was lost is behind it: that pixel stays as it is, as if what was lost had been left out as hidden.
   /// Cost: some 10 us a pixel and core, a hundredfold where surfaces are grazed.
-  /// `origin`: what positions in shaders are relative to (DrawList::origin).
-  [[nodiscard]] RayPoints resolve(std::span<const PixelPlace> pixels, std::span<const FoundNode> found,
-                                  const Vec3& origin);
-  /// Adds the shadows in pixels, once for all of them, each of which shows a point of a mesh, or else what a
-  /// ray through it sees first.
-  void addShadows(std::span<const PixelPlace> pixels, const ShownMeshes& shown,
-                  std::span<const LightGroup> groups, RayPoints& points);
-  /// Adds all points that are seen through in pixels, with their shadows. `found`, `origin`: as of the list.
-  void addLayers(std::span<const PixelPlace> pixels, std::span<const FoundLayer> found, const Vec3& origin,
-                 std::span<const LightGroup> groups, RayPoints& points);
-  /// Shadows are looked at where no mesh stands before what is found. `layersFrom`: DrawList::layersFrom().
-  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, const ShownMeshes& shown,
-                                  std::span<const LightGroup> groups, const std::optional<Vec3>& layersFrom);
+  [[nodiscard]] RayPoints resolve(std::span<const Doubt> doubts, const RayDraws& draws,
+                                  const ShownMeshes& shown);
+  /// Shadows are looked at where no mesh stands before what is found.
+  [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, const RayDraws& draws,
+                                  const ShownMeshes& shown);
 
   /// Milliseconds spent on cells since begin().
   [[nodiscard]] double treesMs() const { return treesMs_; }
@@ -139,6 +161,17 @@ class CertifiedRays {
   [[nodiscard]] double rounding() const;
   /// Builds what rays through the pixels are cast against, each worth so many.
   std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
+  /// Whether the point that is shown at that depth is what a ray has seen.
+  [[nodiscard]] bool confirms(const reference::Caster::First& seen, float shown) const;
+  /// Adds the points of pixels, and tells which are confirmed by their rays instead.
+  [[nodiscard]] std::vector<char> addPoints(std::span<const Doubt> doubts, const RayDraws& draws,
+                                            RayPoints& points);
+  /// Adds the shadows in pixels, each of which shows a point of a mesh, or else what a ray through it sees
+  /// first.
+  void addShadows(std::span<const PixelPlace> pixels, const ShownMeshes& shown,
+                  std::span<const LightGroup> groups, RayPoints& points);
+  /// Adds all points that are seen through in pixels, with their shadows.
+  void addLayers(std::span<const PixelPlace> pixels, const RayDraws& draws, RayPoints& points);
   /// What of the lights of a group reaches a hit, or, of a mesh, whose normal is another one, a point that
   /// may face away from them.
   [[nodiscard]] shared::ReachingLight reaching(const reference::Hit& hit, const LightGroup& group,

@@ -80,6 +80,30 @@ bool RenderView::learn() {
   return again;
 }
 
+std::vector<Doubt> RenderView::doubts(const std::function<void(const Recording& record)>& submit) {
+  const std::vector<OpenPixel> open = feedback_.open(list_.byRays, list_.shadowsByRays);
+  if (open.empty()) return {};
+  std::vector<PixelPlace> pixels;
+  for (const OpenPixel& pixel : open) pixels.push_back(pixel.pixel);
+  submit([&](VkCommandBuffer commands) {
+    feedback_.recordShown(commands, targets_.texture(Target::Depth), picture(), pixels);
+  });
+  const std::vector<ShownDepth> shown = feedback_.shown(pixels);
+  std::vector<Doubt> doubts;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto& [pixel, lost, shadows, layers, left] = open[i];
+    // A point that is not certified matters where it is seen.
+    const bool point = lost || !shown[i].certified;
+    if (point || shadows || layers)
+      doubts.push_back({.pixel = pixel,
+                        .point = point,
+                        .shadows = shadows,
+                        .layers = layers,
+                        .shown = left || !shown[i].certified ? 0 : shown[i].depth});
+  }
+  return doubts;
+}
+
 std::vector<DepthProbe> RenderView::probes() {
   std::vector<DepthProbe> probes = feedback_.depths();
   if (probes.empty() || !list_.layers.any()) return probes;

@@ -3,6 +3,7 @@
 // drawn to, and what its searches have told and taught. All else is shared by views (scene_painter.h).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "draw/draw_list.h"
@@ -31,16 +32,13 @@ class RenderView {
   /// what the last one lost; not while that one is not complete.
   [[nodiscard]] bool learn();
 
-  /// Of the last recording, which has to be complete.
-  [[nodiscard]] std::vector<Doubt> doubts() { return feedback_.doubts(list_.byRays, list_.shadowsByRays); }
+  /// What the last recording, which has to be complete, leaves in doubt, by rows: a point that is lost, or
+  /// seen and not certified; shadows; layers. `submit`: runs a recording, and waits for it; where anything is
+  /// open.
+  using Recording = std::function<void(VkCommandBuffer commands)>;
+  [[nodiscard]] std::vector<Doubt> doubts(const std::function<void(const Recording& record)>& submit);
   /// The depths of found surfaces in the pixels that tell whether the picture is right (DrawOptions::audit).
   [[nodiscard]] std::vector<DepthProbe> probes();
-
-  /// Copies the depths of pixels of the last recording, which has to be complete; and what was copied.
-  void recordDepths(VkCommandBuffer commands, std::vector<PixelPlace> pixels) {
-    feedback_.recordDepths(commands, targets_.texture(Target::Depth), std::move(pixels));
-  }
-  [[nodiscard]] std::vector<DepthProbe> copiedDepths() { return feedback_.copiedDepths(); }
 
   /// The points that pixels show of meshes. Cost: a copy of 12 bytes a pixel, where there are some.
   [[nodiscard]] ShownMeshes shown();

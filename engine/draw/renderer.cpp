@@ -228,8 +228,7 @@ void Renderer::find(const Snapshot& snapshot, const DrawOptions& options, FrameS
     const Stopwatch watch;
     const double trees = rays_.treesMs();
     const std::vector<DepthProbe> probes = view_.probes();
-    const AuditResult audit =
-        rays_.audit(probes, view_.shown(), view_.list().groups, view_.list().layersFrom());
+    const AuditResult audit = rays_.audit(probes, RayDraws(view_.list()), view_.shown());
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
     statistics.ms.rayTrees += rays_.treesMs();
     failed += audit.failed;
@@ -267,19 +266,6 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Fram
   statistics.error.layersMissing = statistics.error.unconvergedPx = missing;
 }
 
-bool Renderer::isCertified(PixelPlace pixel) {
-  return !(alphaAt(readback_.row(static_cast<std::uint32_t>(pixel.y)).data(), pixel.x) < 0);
-}
-
-std::vector<PixelPlace> Renderer::settled(std::span<const Doubt> doubts, FrameStatistics& statistics) {
-  std::vector<PixelPlace> shown;
-  for (const Doubt& doubt : doubts)
-    if (doubt.lost && !doubt.left && isCertified(doubt.pixel)) shown.push_back(doubt.pixel);
-  if (shown.empty()) return {};
-  submit([&](VkCommandBuffer commands) { view_.recordDepths(commands, std::move(shown)); }, statistics);
-  return rays_.confirmed(view_.copiedDepths());
-}
-
 void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, bool all,
                        FrameStatistics& statistics) {
   const Stopwatch watch;
@@ -287,44 +273,23 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
   const auto countTime = [&] {
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees) - (statistics.ms.gpu - drawing);
   };
-  std::vector<PixelPlace> pixels, shadowed, layered;
-  const VkExtent2D extent = view_.picture().extent();
-  if (all) {
-    pixels = auditedPixels({static_cast<int>(extent.width), static_cast<int>(extent.height)},
-                           {.extent = AuditExtent::All}, {});
-  } else {
-    const std::vector<Doubt> doubts = view_.doubts();
-    const std::vector<PixelPlace> stays = settled(doubts, statistics);
-    auto next = stays.begin();
-    // A point that is not certified matters where it is seen.
-    for (const Doubt& doubt : doubts) {
-      const bool stay = next != stays.end() && *next == doubt.pixel;
-      if (stay) ++next;
-      if (!stay && (doubt.lost || !isCertified(doubt.pixel)))
-        pixels.push_back(doubt.pixel);
-      else if (doubt.shadows)
-        shadowed.push_back(doubt.pixel);  // and its layers, if there are
-      else if (doubt.layers)
-        layered.push_back(doubt.pixel);
-    }
-  }
-  if (pixels.empty() && shadowed.empty() && layered.empty()) return countTime();
-  RayPoints points = rays_.resolve(pixels, view_.list().found, view_.list().origin);
-  pixels.insert(pixels.end(), shadowed.begin(), shadowed.end());
-  rays_.addShadows(pixels, view_.shown(), view_.list().groups, points);
-  pixels.insert(pixels.end(), layered.begin(), layered.end());
-  rays_.addLayers(pixels, view_.list().layers.found, view_.list().origin, view_.list().groups, points);
+  const std::vector<Doubt> doubts =
+      all ? everywhere(snapshot.view.size)
+          : view_.doubts([&](const Recording& record) { submit(record, statistics); });
+  if (doubts.empty()) return countTime();
+  RayPoints points = rays_.resolve(doubts, RayDraws(view_.list()), view_.shown());
   countTime();
   // Of a mesh that is seen through no ray tells which point it is that is shown.
-  const std::size_t ofMeshes = view_.list().layers.meshes.empty() ? 0 : layered.size();
+  const std::size_t ofMeshes = view_.list().layers.meshes.empty() ? 0 : points.layered;
   statistics.error.resolvedByRaysPx =
-      points.resolved - points.undecided + shadowed.size() + layered.size() - ofMeshes;
-  statistics.error.shadowRaysPx = shadowed.size();
+      points.resolved - points.undecided + points.shadowed + points.layered - ofMeshes;
+  statistics.error.shadowRaysPx = points.shadowed;
   statistics.error.uncertifiedPx =
       points.undecided + points.shadowsUndecided + std::max<std::uint64_t>(points.layersUndecided, ofMeshes);
   statistics.error.unconvergedPx += points.unknown;
   if (points.empty()) return;
   resolved_ = std::move(points);
+  std::vector<PixelPlace> pixels = resolved_.pixels;
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
   const bool isAnew = view_.makeRoomFor(resolved_);
   if (isAnew) {

@@ -57,7 +57,7 @@ class Renderer {
   [[nodiscard]] gpu::Context& context() { return *context_; }
 
  private:
-  using Recording = std::function<void(VkCommandBuffer commands)>;
+  using Recording = RenderView::Recording;
 
   /// What the readback holds, and how good it is.
   struct Shown {
@@ -80,11 +80,6 @@ class Renderer {
   /// The part of find() without rays; again with more refinement where searches lost more than rays
   /// find soon.
   void search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
-  /// Whether a pixel of the last picture shows a point that its search has certified, or none.
-  [[nodiscard]] bool isCertified(PixelPlace pixel);
-  /// Of doubts, the pixels in which a search was lost that show a certified point all the same, and a ray
-  /// proves that it is the first: what was lost is behind it, and might be left out.
-  [[nodiscard]] std::vector<PixelPlace> settled(std::span<const Doubt> doubts, FrameStatistics& statistics);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
   void resolve(const Snapshot& snapshot, const DrawOptions& options, bool all, FrameStatistics& statistics);
   /// Runs what `record` records, and waits.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "draw/measured_pixels.h"
 #include "gpu/barrier.h"
 
 namespace luxo {
@@ -56,25 +57,50 @@ std::vector<bool> unionOf(std::span<const PixelRect> rects, std::int32_t width, 
 /// A region for each of so many pixels takes longer than all pixels at once.
 constexpr std::size_t kMaxRegions = 4096;
 
-/// Those of the pixels one after the other, or, of none, all by rows.
+/// How many texels copyTexels() copies of so many pixels of a picture.
+VkDeviceSize copiedTexels(std::size_t pixels, VkExtent2D extent) {
+  return pixels > kMaxRegions ? VkDeviceSize{extent.width} * extent.height : VkDeviceSize{pixels};
+}
+
+/// Which of these is that of a pixel.
+std::size_t copiedTexel(std::span<const PixelPlace> pixels, std::size_t i, VkExtent2D extent) {
+  if (pixels.size() <= kMaxRegions) return i;
+  return static_cast<std::size_t>(pixels[i].y) * extent.width + static_cast<std::size_t>(pixels[i].x);
+}
+
+/// Those of the pixels one after the other, or, of many, all by rows.
 void copyTexels(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
                 std::span<const PixelPlace> pixels, gpu::Buffer& values, VkDeviceSize texelBytes,
                 VkDeviceSize offset) {
   std::vector<VkBufferImageCopy> regions;
   const VkImageSubresourceLayers layers{.aspectMask = aspect, .layerCount = 1};
-  if (pixels.empty())
+  if (pixels.size() > kMaxRegions)
     regions.push_back({.bufferOffset = offset,
                        .imageSubresource = layers,
                        .imageExtent = {texture.extent().width, texture.extent().height, 1}});
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    regions.push_back({.bufferOffset = offset + texelBytes * i,
-                       .imageSubresource = layers,
-                       .imageOffset = {pixels[i].x, pixels[i].y, 0},
-                       .imageExtent = {1, 1, 1}});
+  else
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      regions.push_back({.bufferOffset = offset + texelBytes * i,
+                         .imageSubresource = layers,
+                         .imageOffset = {pixels[i].x, pixels[i].y, 0},
+                         .imageExtent = {1, 1, 1}});
   gpu::use(commands, {{texture, gpu::Use::TransferSource}, {values, gpu::Use::TransferDestination}});
   vkCmdCopyImageToBuffer(commands, texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, values,
                          static_cast<std::uint32_t>(regions.size()), regions.data());
   gpu::use(commands, {{values, gpu::Use::HostRead}});
+}
+
+void makeRoom(gpu::Context& context, gpu::Buffer& buffer, VkDeviceSize bytes, const char* name) {
+  if (bytes > 0 && (!buffer || buffer.size() < bytes))
+    buffer = gpu::Buffer(context, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = name});
+}
+
+/// Of a texel of four floats, of 32 or 16 bits each.
+bool hasNegativeAlpha(std::span<const std::byte> texel) {
+  if (texel.size() == kColorWords * sizeof(float)) return alphaAt(texel.data(), 0) < 0;
+  std::uint16_t half = 0;
+  std::memcpy(&half, &texel[texel.size() - sizeof half], sizeof half);
+  return half > 0x8000;  // -0 is none
 }
 
 }  // namespace
@@ -124,22 +150,16 @@ void SearchFeedback::prepareShown(Slot& slot) {
 
 void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
   slot.probed = std::move(probed);
-  slot.probesAll = slot.probed.size() > kMaxRegions;
-  const auto makeRoom = [&](gpu::Buffer& buffer, VkDeviceSize bytes, const char* name) {
-    if (bytes > 0 && (!buffer || buffer.size() < bytes))
-      buffer = gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = name});
-  };
-  makeRoom(slot.depths, probeBytes(slot), "probes");
-  makeRoom(slot.shadows, slot.shadowGroups * probeBytes(slot), "shadow probes");
+  makeRoom(*context_, slot.depths, probeBytes(slot), "probes");
+  makeRoom(*context_, slot.shadows, slot.shadowGroups * probeBytes(slot), "shadow probes");
   const bool transmits = std::ranges::find(slot.transmits, true) != slot.transmits.end();
-  makeRoom(slot.transmittances, transmits ? slot.shadowGroups * kColorWords * probeBytes(slot) : 0,
+  makeRoom(*context_, slot.transmittances, transmits ? slot.shadowGroups * kColorWords * probeBytes(slot) : 0,
            "transmittance probes");
 }
 
 /// A word each.
 VkDeviceSize SearchFeedback::probeBytes(const Slot& slot) const {
-  return sizeof(float) *
-         (slot.probesAll ? VkDeviceSize{extent_.width} * extent_.height : VkDeviceSize{slot.probed.size()});
+  return sizeof(float) * copiedTexels(slot.probed.size(), extent_);
 }
 
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& depth) {
@@ -161,37 +181,30 @@ void SearchFeedback::recordTransmittanceProbes(VkCommandBuffer commands, gpu::Te
 
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
                                   gpu::Buffer& values, VkDeviceSize texelBytes, VkDeviceSize offset) {
-  const Slot& slot = slots_[current_];
-  copyTexels(commands, texture, aspect,
-             slot.probesAll ? std::span<const PixelPlace>() : std::span(slot.probed), values, texelBytes,
-             offset);
+  copyTexels(commands, texture, aspect, slots_[current_].probed, values, texelBytes, offset);
 }
 
-void SearchFeedback::recordDepths(VkCommandBuffer commands, gpu::Texture& depth,
-                                  std::vector<PixelPlace> pixels) {
-  copied_ = std::move(pixels);
-  const bool all = copied_.size() > kMaxRegions;
-  const VkDeviceSize bytes =
-      sizeof(float) * (all ? VkDeviceSize{extent_.width} * extent_.height : VkDeviceSize{copied_.size()});
-  if (!copiedDepths_ || copiedDepths_.size() < bytes)
-    copiedDepths_ =
-        gpu::Buffer(*context_, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = "depths"});
-  copyTexels(commands, depth, VK_IMAGE_ASPECT_DEPTH_BIT,
-             all ? std::span<const PixelPlace>() : std::span(copied_), copiedDepths_, sizeof(float), 0);
+void SearchFeedback::recordShown(VkCommandBuffer commands, gpu::Texture& depth, gpu::Texture& picture,
+                                 std::span<const PixelPlace> pixels) {
+  const auto copy = [&](gpu::Texture& texture, VkImageAspectFlags aspect, gpu::Buffer& values,
+                        VkDeviceSize texelBytes, const char* name) {
+    makeRoom(*context_, values, texelBytes * copiedTexels(pixels.size(), extent_), name);
+    copyTexels(commands, texture, aspect, pixels, values, texelBytes, 0);
+  };
+  shownColorBytes_ = kColorWords * (picture.format() == VK_FORMAT_R32G32B32A32_SFLOAT ? 4 : 2);
+  copy(depth, VK_IMAGE_ASPECT_DEPTH_BIT, shownDepths_, sizeof(float), "shown depths");
+  copy(picture, VK_IMAGE_ASPECT_COLOR_BIT, shownColors_, shownColorBytes_, "shown colors");
 }
 
-std::vector<DepthProbe> SearchFeedback::copiedDepths() {
-  std::vector<DepthProbe> probes;
-  const std::span<const std::byte> depths = copiedDepths_.read();
-  for (std::size_t i = 0; i < copied_.size(); ++i) {
-    const auto [x, y] = copied_[i];
-    const std::size_t place = copied_.size() > kMaxRegions
-                                  ? static_cast<std::size_t>(y) * extent_.width + static_cast<std::size_t>(x)
-                                  : i;
-    DepthProbe& probe = probes.emplace_back(DepthProbe{.pixel = copied_[i]});
-    std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
+std::vector<ShownDepth> SearchFeedback::shown(std::span<const PixelPlace> pixels) {
+  std::vector<ShownDepth> shown(pixels.size());
+  const std::span<const std::byte> depths = shownDepths_.read(), colors = shownColors_.read();
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const std::size_t texel = copiedTexel(pixels, i, extent_);
+    std::memcpy(&shown[i].depth, depths.data() + sizeof(float) * texel, sizeof(float));
+    shown[i].certified = !hasNegativeAlpha(colors.subspan(shownColorBytes_ * texel, shownColorBytes_));
   }
-  return probes;
+  return shown;
 }
 
 void SearchFeedback::goOn() { slots_[current_].submission = context_->timeline().submitted() + 1; }
@@ -217,8 +230,8 @@ LostPixels SearchFeedback::lostIn(Slot& slot) {
   return lost;
 }
 
-std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays,
-                                          std::span<const PixelRect> shadowsByRays) {
+std::vector<OpenPixel> SearchFeedback::open(std::span<const PixelRect> byRays,
+                                            std::span<const PixelRect> shadowsByRays) {
   Slot& slot = slots_[current_];
   const auto width = static_cast<std::int32_t>(extent_.width),
              height = static_cast<std::int32_t>(extent_.height);
@@ -239,20 +252,20 @@ std::vector<Doubt> SearchFeedback::doubts(std::span<const PixelRect> byRays,
   const std::vector<bool> left = coveredBy(byRays);
   mark(left, shared::kLostHere);
   mark(coveredBy(shadowsByRays), shared::kShadowOpenHere);
-  std::vector<Doubt> doubts;
+  std::vector<OpenPixel> found;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
       constexpr std::uint32_t kAny =
           shared::kLostHere | shared::kUncertifiedHere | shared::kShadowOpenHere | shared::kLayersOpenHere;
       if ((bits & kAny) == 0) continue;
       const auto pixel = static_cast<std::int32_t>(word * shared::kDoubtsPerWord + k);
-      doubts.push_back({{pixel % width, pixel / width},
-                        (bits & shared::kLostHere) != 0,
-                        (bits & shared::kShadowOpenHere) != 0,
-                        (bits & shared::kLayersOpenHere) != 0,
-                        !left.empty() && left[static_cast<std::size_t>(pixel)]});
+      found.push_back({{pixel % width, pixel / width},
+                       (bits & shared::kLostHere) != 0,
+                       (bits & shared::kShadowOpenHere) != 0,
+                       (bits & shared::kLayersOpenHere) != 0,
+                       !left.empty() && left[static_cast<std::size_t>(pixel)]});
     }
-  return doubts;
+  return found;
 }
 
 std::vector<shared::ShownPoint> SearchFeedback::shownPoints() {
@@ -269,9 +282,7 @@ std::vector<DepthProbe> SearchFeedback::depths() {
                                    shadows = slot.shadowGroups > 0 ? slot.shadows.read() : depths,
                                    transmittances = slot.transmittances ? slot.transmittances.read() : depths;
   for (std::size_t i = 0; i < slot.probed.size(); ++i) {
-    const auto [x, y] = slot.probed[i];
-    const std::size_t place =
-        slot.probesAll ? static_cast<std::size_t>(y) * extent_.width + static_cast<std::size_t>(x) : i;
+    const std::size_t place = copiedTexel(slot.probed, i, extent_);
     DepthProbe probe{.pixel = slot.probed[i]};
     std::memcpy(&probe.depth, depths.data() + sizeof(float) * place, sizeof(float));
     probe.shadows.resize(slot.shadowGroups);

@@ -22,12 +22,18 @@ namespace luxo {
 
 /// A pixel in which searches lost a surface, or found what they could not certify, in any layer; or that is
 /// left to rays from the start; or whose shadows, or layers, are open.
-struct Doubt {
+struct OpenPixel {
   PixelPlace pixel;
   bool lost;  ///< or left to rays
   bool shadows;
   bool layers;
   bool left;  ///< to rays, whatever is shown
+};
+
+/// What a pixel shows of what searches find.
+struct ShownDepth {
+  float depth = 0;        ///< as in the depth buffer
+  bool certified = true;  ///< the point, or that there is none
 };
 
 /// In a ring: a recording does not wait for what the one before it tells.
@@ -50,8 +56,10 @@ class SearchFeedback {
   /// And the shadows there, of a group of lights that has some; and of one that transmits how much.
   void recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows, std::size_t group);
   void recordTransmittanceProbes(VkCommandBuffer commands, gpu::Texture& transmittance, std::size_t group);
-  /// Copies the depths of other pixels of a recording that is complete.
-  void recordDepths(VkCommandBuffer commands, gpu::Texture& depth, std::vector<PixelPlace> pixels);
+  /// Copies what pixels show of a recording that is complete; the picture's alphas are certificates
+  /// (shaders/lib/exact_fragment.glsl).
+  void recordShown(VkCommandBuffer commands, gpu::Texture& depth, gpu::Texture& picture,
+                   std::span<const PixelPlace> pixels);
 
   /// The recording after the last one goes on with it.
   void goOn();
@@ -65,11 +73,11 @@ class SearchFeedback {
 
   /// What follows is of the last recording, which has to be complete.
   /// By rows. `byRays`: what is left to rays; `shadowsByRays`: the shadows of which are.
-  [[nodiscard]] std::vector<Doubt> doubts(std::span<const PixelRect> byRays,
-                                          std::span<const PixelRect> shadowsByRays);
+  [[nodiscard]] std::vector<OpenPixel> open(std::span<const PixelRect> byRays,
+                                            std::span<const PixelRect> shadowsByRays);
   [[nodiscard]] std::vector<DepthProbe> depths();
-  /// As recordDepths() has copied them.
-  [[nodiscard]] std::vector<DepthProbe> copiedDepths();
+  /// As recordShown() has copied it, of each of its pixels.
+  [[nodiscard]] std::vector<ShownDepth> shown(std::span<const PixelPlace> pixels);
   /// By rows, all.
   [[nodiscard]] std::vector<shared::ShownPoint> shownPoints();
 
@@ -79,10 +87,9 @@ class SearchFeedback {
     std::vector<std::uint32_t> nodes;
     gpu::Buffer doubtful;                 ///< some bits a pixel
     gpu::Buffer shown;                    ///< shared::ShownPoint of each pixel
-    gpu::Buffer depths;                   ///< of the probed pixels, or of all
+    gpu::Buffer depths;                   ///< of the probed pixels, or of all where they are many
     gpu::Buffer shadows, transmittances;  ///< and by group of lights
     std::vector<PixelPlace> probed;
-    bool probesAll = false;
     bool searches = false;  ///< for surfaces, shadows or layers
     std::size_t shadowGroups = 0;
     std::vector<bool> transmits;  ///< which groups do
@@ -103,8 +110,9 @@ class SearchFeedback {
   VkExtent2D extent_{};
   std::array<Slot, gpu::FrameRing::kFrames> slots_;
   std::size_t current_ = 0;
-  gpu::Buffer copiedDepths_;  ///< of these pixels, or of all
-  std::vector<PixelPlace> copied_;
+  /// Of the pixels that recordShown() was given, or of all.
+  gpu::Buffer shownDepths_, shownColors_;
+  VkDeviceSize shownColorBytes_ = 0;  ///< of a pixel
 };
 
 }  // namespace luxo

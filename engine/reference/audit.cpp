@@ -40,11 +40,6 @@ class SampleJudge {
     return distance > (sameLayer ? kPointPx : kSilhouettePx) ? Judgement::Wrong : Judgement::Right;
   }
 
-  [[nodiscard]] bool isFirst(const Vec2& pixel) const {
-    const Shown truth = shownAt(pixel);
-    return truth.certified && agrees(truth, kPointPx);
-  }
-
  private:
   [[nodiscard]] Shown shownAt(const Vec2& pixel) const {
     const View& view = caster_.snapshot().view;
@@ -72,11 +67,6 @@ class SampleJudge {
 Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel, double depth,
                 double rounding) {
   return SampleJudge(caster, nodes, depth, rounding).at(pixel);
-}
-
-bool showsFirst(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel, double depth,
-                double rounding) {
-  return SampleJudge(caster, nodes, depth, rounding).isFirst(pixel);
 }
 
 Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,

@@ -25,11 +25,6 @@ enum class Judgement {
 [[nodiscard]] Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
                               double depth, double rounding);
 
-/// The same of a point that is shown, without a look around: whether it certainly is the first, within
-/// kPointPx. Cost: a ray.
-[[nodiscard]] bool showsFirst(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
-                              double depth, double rounding);
-
 /// Whether a pixel that is right tells the truth of a light (index into Snapshot::lights): how much of it
 /// reaches what is seen there. Right, too, where the light would add nothing, and where a border of the
 /// shadow passes within kSilhouettePx. Cost: two rays; some hundred where they disagree.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "background.h"
@@ -21,8 +22,9 @@ class Certifier {
   };
 
   /// Begins with what the painter has recorded last, which has to be complete. What it did before is
-  /// cancelled.
-  void begin(const Snapshot& snapshot, const DrawOptions& options, RenderView& view);
+  /// cancelled. `submit`: as of RenderView::doubts().
+  void begin(const Snapshot& snapshot, const DrawOptions& options, RenderView& view,
+             const std::function<void(const RenderView::Recording& record)>& submit);
   /// Stops soon, and forgets the outcome. Waits for a ray, or for cells that are being built.
   void cancel() { work_.cancel(); }
 

@@ -42,7 +42,11 @@ bool ProgressiveMean::find(gpu::FrameRing& frames, ScenePainter& painter, Render
       next_.emplace();
       return true;
     }
-    certifier_.begin(sampled, one, view);
+    certifier_.begin(sampled, one, view, [&](const RenderView::Recording& record) {
+      const VkCommandBuffer commands = frames.begin();
+      record(commands);
+      frames.wait(frames.submit());
+    });
   }
   next_ = certifier_.poll();
   return next_.has_value();
