@@ -537,14 +537,15 @@ class PictureJudge {
     return false;
   }
 
-  /// Of a scene in which something is seen through: of what a pixel shows by its colour; where light is not
-  /// known that well, of a mesh with nothing before it by its lights.
+  /// Of a scene in which something is seen through, or of a texture: by its colour; of a mesh with nothing
+  /// before it by its lights, which are known where it is.
   [[nodiscard]] bool isInAnotherColor(const Caster& caster, std::uint32_t i) const {
     const Vec2 center = centerOf(i);
     const Caster::Sight sight = caster.look(caster.rayThrough(center.x, center.y));
-    if (const std::optional<double> reach = reachOfColors(sight)) return hasAnotherColor(caster, i, *reach);
     const bool isOpaque = sight.hits.size() == 1 && !materialOf(sight.hits.front().node).transparent();
-    return isOpaque && isMesh(i) && meshInAnotherLight(caster, i);
+    if (isOpaque && isMesh(i)) return meshInAnotherLight(caster, i);
+    const std::optional<double> reach = reachOfColors(sight);
+    return reach && hasAnotherColor(caster, i, *reach);
   }
 
   /// Where single precision cannot tell on which side of the horizon a light is.

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "reference/caster.h"
 #include "reference/reference.h"
@@ -39,6 +41,7 @@ class MeshShadowTest : public PictureTest {
       "render": { "ambient": [0.1, 0.1, 0.1], "background": [0, 0, 0] },
       "materials": { "body": { "diffuse": [0.7, 0.6, 0.5], "specular": 0.3 },
                      "exact": { "diffuse": [0.5, 0.6, 0.7], "specular": 0, "shading": "exact" },
+                     "pane": { "diffuse": [0.2, 0.6, 0.3], "specular": 0, "opacity": 0.5, "shading": "exact" },
                      "floor": { "diffuse": [0.6, 0.6, 0.6], "specular": 0 } },
       "surfaces": { "floor": { "type": "rectangle", "size": [20, 20] }, "body": )_" +
                                      body + R"_(, "ball": { "type": "sphere", "radius": 0.5 } },
@@ -53,6 +56,41 @@ class MeshShadowTest : public PictureTest {
 
   [[nodiscard]] Image colors(const Scene& scene, Shading shading) {
     return draw(scene, kMeshShadowSize, {.shading = shading, .tolerancePx = kCoarsePx}).image;
+  }
+
+  /// How many pixels of a picture are in another light, by `luxo verify`.
+  struct JudgedLights {
+    std::uint64_t shown, withoutShadows, inShadow;
+  };
+  [[nodiscard]] JudgedLights judge(const std::string& body, const std::string& more, Shading shading) {
+    constexpr PixelSize kSmall{80, 60};
+    const auto show = [&](Output output, Sun sun = Sun::Shadows) {
+      return renderer()
+          .render(takeSnapshot(sceneOf(body, sun, more), 0, kSmall),
+                  {.shading = shading, .output = output, .tolerancePx = kCoarsePx})
+          .image;
+    };
+    MeasuredPicture measured{.color = show(Output::Color),
+                             .depth = {},
+                             .position = show(Output::Position),
+                             .normal = show(Output::Normal),
+                             .uv = show(Output::Uv),
+                             .id = show(Output::Id),
+                             .dark = show(Output::Color, Sun::Dark),
+                             .alone = {show(Output::Color, Sun::Shines)}};
+    const Snapshot snapshot = takeSnapshot(sceneOf(body, Sun::Shadows, more), 0, kSmall);
+    const ReferencePicture truth = castPicture(snapshot, {.shading = shading});
+    const auto wrong = [&] {
+      return verify(snapshot, truth, measured,
+                    {.shading = shading, .boundPx = kCoarsePx, .worst = 0, .flip = false})
+          .wrong.light;
+    };
+    JudgedLights judged{.shown = wrong()};
+    measured.color = measured.alone[0];
+    judged.withoutShadows = wrong();
+    measured.color = measured.dark;
+    judged.inShadow = wrong();
+    return judged;
   }
 
   /// Whether the light is seen from a point of a node, and from those a little beside it in the same way.
@@ -128,35 +166,20 @@ TEST_F(MeshShadowTest, OfATeapotOnATableTouchIt) {
   EXPECT_LT(counts.unsure, 20);
 }
 
+/// A picture of a scene of this body, and of those things, judged; then as if nothing had a shadow, and as if
+/// all were in shadow.
 TEST_F(MeshShadowTest, VerifyHoldsThemAgainstThePointsShown) {
-  constexpr PixelSize kSmall{80, 60};
-  for (const std::string& body : {kTorus, kWaves})
+  // Of what is behind glass, and the glass, colours are judged; of all else lights, as without it.
+  const std::string none,
+      pane = R"(, { "surface": "ball", "material": "pane", "translate": [-1.6, 0.6, 1.2] })";
+  for (const auto& [body, more] : {std::pair(kWaves, none), {kTorus, pane}})
     for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {
-      const Snapshot snapshot = takeSnapshot(sceneOf(body), 0, kSmall);
-      const auto show = [&](Output output, Sun sun = Sun::Shadows) {
-        return renderer()
-            .render(takeSnapshot(sceneOf(body, sun), 0, kSmall),
-                    {.shading = shading, .output = output, .tolerancePx = kCoarsePx})
-            .image;
-      };
-      MeasuredPicture measured{.color = show(Output::Color),
-                               .depth = {},
-                               .position = show(Output::Position),
-                               .normal = show(Output::Normal),
-                               .uv = show(Output::Uv),
-                               .id = show(Output::Id),
-                               .dark = show(Output::Color, Sun::Dark),
-                               .alone = {show(Output::Color, Sun::Shines)}};
-      const ReferencePicture truth = castPicture(snapshot, {.shading = shading});
-      const VerificationOptions options{.shading = shading, .worst = 0, .flip = false};
-      EXPECT_EQ(verify(snapshot, truth, measured, options).wrong.light, 0U) << nameOf(shading);
-      // As if nothing had a shadow; and as if all were in shadow.
-      measured.color = measured.alone[0];
+      SCOPED_TRACE(std::string(nameOf(shading)) + more);
+      const JudgedLights judged = judge(body, more, shading);
+      EXPECT_EQ(judged.shown, 0U);
       // A drawing has light where it falls in steeply alone.
-      EXPECT_GT(verify(snapshot, truth, measured, options).wrong.light, shading == Shading::Toon ? 10U : 60U)
-          << nameOf(shading);
-      measured.color = measured.dark;
-      EXPECT_GT(verify(snapshot, truth, measured, options).wrong.light, 1000U) << nameOf(shading);
+      EXPECT_GT(judged.withoutShadows, shading == Shading::Toon ? 10U : 60U);
+      EXPECT_GT(judged.inShadow, 1000U);
     }
 }
 
