@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "measured_picture.h"
+
 namespace luxo {
 namespace {
 
@@ -105,6 +107,7 @@ Json jsonOf(const ColorErrors& c) {
                {"differing_pixels", c.differing8},
                {"differing_part", c.differing8Part},
                {"by_shader", c.byShader},
+               {"unjudged", c.unjudged},
                {"flip", nullptr}};
   if (c.flipMean)
     json["flip"] = {{"mean", finite(c.flipMean)}, {"p99.9", finite(c.flipP999)}, {"max", finite(c.flipMax)}};
@@ -169,6 +172,11 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
         "before "
         "such: their colours are not judged\n",
         v.color.byShader);
+  if (v.color.unjudged > 0)
+    text += fmt::format(
+        "unjudged   {} pixels are off in a light that nothing tells enough of (curved meshes that are seen "
+        "through, or in the shadows of more than {} lights, or with ambient occlusion): they may be wrong\n",
+        v.color.unjudged, kMostAlone);
   text += fmt::format("psnr       {:.1f} dB linear, {:.1f} dB sRGB, off silhouettes\n", v.color.psnrLinear,
                       v.color.psnrSrgb);
   text += fmt::format("8 bit      {} pixels differ: {:.3g} of the covered\n", v.color.differing8,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/light_judge.h"
 #include "reference/verification.h"
 
 namespace luxo::reference {
@@ -16,7 +17,8 @@ struct JudgedPixel {
   Mismatch mismatch = Mismatch::None;
   bool compared = false, inside = false, differs8 = false, nan = false;
   bool byShader = false;  ///< its colour is a material's own shader's, of which there is no truth
-  bool offPoint = false, offLight = false;  // wrong, unless near an outline or a shadow's border
+  bool offPoint = false;  ///< wrong, unless near an outline
+  LightVerdict light = LightVerdict::Right;
   float silhouettePx = 0;
   double position = kUnset, parameter = kUnset, point = kUnset, depth = kUnset, normal = kUnset,
          color = kUnset, squares = 0, codedSquares = 0;

@@ -54,7 +54,7 @@ class Sums {
         count = &wrong.hitMiss;
       else if (away)
         count = &wrong.layer;
-      else if (pixel.offLight)
+      else if (pixel.light == reference::LightVerdict::Wrong)
         count = &wrong.light;
       else if (pixel.nan || pixel.offPoint)
         count = &wrong.point;
@@ -164,6 +164,7 @@ class Sums {
       covered += truth_.number[judged_.chosen[k]] != 0 ? 1 : 0;
       c.differing8 += pixel.differs8 ? 1 : 0;
       c.byShader += pixel.byShader ? 1 : 0;
+      c.unjudged += pixel.light == reference::LightVerdict::Unjudged ? 1 : 0;
       if (!pixel.inside) continue;
       squares += pixel.squares;
       coded += pixel.codedSquares;

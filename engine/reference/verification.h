@@ -131,6 +131,9 @@ struct ColorErrors {
   std::uint64_t differing8 = 0;  ///< of all compared pixels, those with another 8-bit code in some channel
   double differing8Part = 0;     ///< over the covered ones
   std::uint64_t byShader = 0;    ///< pixels whose colour is a material's own shader's: not compared
+  /// Pixels in whose light something may be wrong, which is not judged: of see-through meshes that are off,
+  /// of meshes where `alone` is missing or ambient occlusion is on, and where the truth proves nothing.
+  std::uint64_t unjudged = 0;
   ErrorSpread difference;        ///< largest channel's, scene-linear, same pixels as the PSNRs
   /// Of the whole picture (image/flip.h); nothing when not all pixels' colours were judged.
   std::optional<double> flipMean, flipP999, flipMax;

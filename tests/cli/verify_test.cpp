@@ -80,6 +80,22 @@ TEST_F(VerifyPictureTest, SomePixelsAreJudgedAlone) {
   EXPECT_EQ(numbersOf({"flag", "--size", "40x30", "--pixels", "1e9"})["coverage"]["compared"], 40 * 30);
 }
 
+/// The light of 40 lights on a mesh is not drawn one by one; of 2 it is.
+TEST_F(VerifyPictureTest, WhatIsNotJudgedIsTold) {
+  const auto scene = [&](int lights) {
+    writeText(folder / "soft.json", R"({ "luxo": 1, "materials": { "m": { "diffuse": [0.7, 0.6, 0.5] } },
+      "surfaces": { "ball": { "type": "sphere", "radius": 1 }, "floor": { "type": "rectangle", "size": [9, 9] } },
+      "camera": { "eye": [3, 3, 4], "look_at": [0, 0, 0] },
+      "nodes": [ { "surface": "ball", "material": "m" },
+                 { "surface": "floor", "material": "m", "translate": [0, -1, 0] },
+                 { "translate": [4, 4, 2], "light": { "shadow": "exact", "radius": 0.3, "shadow_samples": )" +
+                                        std::to_string(lights) + " } } ] }");
+    return numbersOf({"soft.json", "--size", "60x45"})["color"]["unjudged"];
+  };
+  EXPECT_GT(scene(40), 100);
+  EXPECT_EQ(scene(2), 0);
+}
+
 TEST_F(VerifyPictureTest, WritesTheHeatMapAndTheReport) {
   const Outcome outcome =
       verify({"thin-torus", "--size", "120x80", "-o", "heat.png", "--report", "r.json", "-q"});

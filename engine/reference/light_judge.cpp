@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/light_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/numbers.h"
+
+namespace luxo::reference {
+namespace {
+
+using enum LightVerdict;
+
+/// Where single precision cannot tell on which side of the horizon a light is.
+bool isOnHorizon(const Vec3& towardLight, const Vec3& normal) {
+  return std::abs(glm::dot(towardLight, normal)) <= kCosineRounding;
+}
+
+}  // namespace
+
+LightJudge::LightJudge(const ComparedPixels& pixels, const Caster& caster, bool coarse)
+    : ComparedPixels(pixels),
+      caster_(caster),
+      coarse_(coarse),
+      occluded_(snapshot_.ambientOcclusion.any() && snapshot_.ambient != Vec3(0)) {}
+
+LightVerdict LightJudge::of(std::uint32_t i, double off) const {
+  if (!occluded_ && (hasLayers_ || (off > kOtherTexture && showsTexture(i)))) return byLayers(i);
+  if (!hasShadows_ || !isMesh(i)) return ofPoint(i);
+  return occluded_ ? Unjudged : ofMesh(i);
+}
+
+/// From where light rays of a pixel that shows a mesh start, and where that is on the screen: the surface's
+/// own point that is shown; of a plane, on which its mesh lies, what is seen.
+std::pair<std::optional<Hit>, Vec2> LightJudge::litPoint(std::uint32_t i, std::uint32_t node) const {
+  const Vec2 center = centerOf(i);
+  const Ray ray = caster_.rayThrough(center.x, center.y);
+  if (snapshot_.nodes[node].surface.flatNormal()) {
+    const Caster::Sight sight = caster_.look(ray);
+    if (!seesLayerOf(i, sight, center)) return {};
+    return {sight.hits.front(), center};
+  }
+  const auto shown = shownAt(i, node);
+  if (!shown) return {};
+  return {caster_.pointAt(node, parametersAt(i), ray), shown->pixel};
+}
+
+/// Of a mesh the picture without lights, and with each one alone, tell what a light gives where it is seen;
+/// and the surface's own point, which the pixel shows, whether it is.
+LightVerdict LightJudge::ofMesh(std::uint32_t i) const {
+  if (measured_.id.samples()[i] != truth_.number[i]) return Right;  // of layers that touch the other one
+  if (measured_.normal.empty() || measured_.alone.size() != snapshot_.lights.size()) return Unjudged;
+  const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
+  const auto [hit, at] = litPoint(i, node);
+  if (!hit) return Unjudged;
+  const Vec3 normal = valueAt(measured_.normal, i), dark = valueAt(measured_.dark, i);
+  const Shading shading = shadingOf(node);
+
+  std::vector<Vec3> shares, left;
+  std::vector<std::uint32_t> shadowed;
+  bool certified = true;
+  for (std::uint32_t light = 0; light < snapshot_.lights.size(); ++light) {
+    shares.push_back(valueAt(measured_.alone[light], i) - dark);
+    left.emplace_back(1);
+    if (!snapshot_.lights[light].hasShadow() || shares.back() == Vec3(0)) continue;
+    const double cosine = glm::dot(normal, caster_.towardLight(light, *hit));
+    // What vertices receive is no light on what turns away from it.
+    if (shading == Shading::Gouraud && std::abs(cosine) <= kCosineRounding) return Unjudged;
+    left.back() =
+        shading == Shading::Gouraud && cosine < 0 ? Vec3(0) : caster_.reaching(light, *hit, certified);
+    // In steps a part of a light has a border of its own.
+    if (shading == Shading::Toon && left.back() != Vec3(0) && left.back() != Vec3(1)) return Unjudged;
+    shadowed.push_back(light);
+  }
+  if (!certified) return Unjudged;
+  // A drawing is as bright as its brightest light.
+  const auto lit = [&] {
+    Vec3 all(0);
+    for (std::size_t light = 0; light < shares.size(); ++light) {
+      const Vec3 more = left[light] * shares[light];
+      all = shading == Shading::Toon ? glm::max(all, more) : all + more;
+    }
+    return dark + all;
+  };
+  const Vec3 expected = lit();
+  std::vector<Turned> lights;
+  for (const std::uint32_t light : shadowed) {
+    const Vec3 truly = left[light];
+    const bool visible = truly != Vec3(0);
+    left[light] = Vec3(visible ? 0 : 1);
+    lights.push_back({.light = light,
+                      .visible = visible,
+                      .change = lit() - expected,
+                      .atBorder = isOnHorizon(caster_.towardLight(light, *hit), hit->normal)});
+    left[light] = truly;
+  }
+  return isTurned(i, valueAt(measured_.color, i) - expected, std::move(lights), at) ? Wrong : Right;
+}
+
+/// How far beside a pixel what it shows may be from: the width of an outline, and of drawings as far as
+/// their meshes may be off. Nothing where light is not known that well: of meshes, which are off, in all
+/// other ways.
+std::optional<double> LightJudge::reachOfColors(const Caster::Sight& sight) const {
+  double reach = kSilhouettePx;
+  for (const Hit& hit : sight.hits) {
+    const Shading shading = shadingOf(hit.node);
+    const bool isOn = onTriangles(hit.node) || snapshot_.nodes[hit.node].surface.flatNormal();
+    if (shading == Shading::Exact || (shading == Shading::Phong && isOn)) continue;
+    if (shading != Shading::Toon || !std::isfinite(options_.boundPx)) return std::nullopt;
+    reach = std::max(reach, options_.boundPx);
+  }
+  return reach;
+}
+
+/// Whether no colour is, within the reach of what is seen, as the one that is shown, with lights in the
+/// plane of what is seen on either side of it: of what is seen through any layer may be the wrong one, and
+/// of a texture any texel. Where a layer ends on the way so does its colour, which beside a fold changes by
+/// more than kOtherLight in a hundredth of a pixel: it is followed to the end, and kPointPx beyond.
+LightVerdict LightJudge::byColor(std::uint32_t i, double reach) const {
+  struct Look {
+    std::size_t layers;
+    Vec3 color;
+  };
+  const Vec2 center = centerOf(i);
+  const Vec3 shown = valueAt(measured_.color, i);
+  Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
+  bool certified = true, throughTexture = false;
+  const auto count = [&](const Vec3& color) {
+    least = glm::min(least, color);
+    most = glm::max(most, color);
+  };
+  const auto look = [&](const Vec2& offset) -> Look {
+    const Ray ray = caster_.rayThrough(center.x + offset.x, center.y + offset.y);
+    const Caster::Sight sight = caster_.look(ray);
+    throughTexture |= std::ranges::any_of(sight.hits, [&](const Hit& hit) {
+      const Material& material = materialOf(hit.node);
+      return material.transparent() && material.readsFootprint();
+    });
+    Vec3 color(0);
+    for (const double tilt : {-kCosineRounding, kCosineRounding})
+      count(color = caster_.color(ray, sight, certified, tilt));
+    return {sight.hits.size(), color};
+  };
+  const std::size_t layers = look(Vec2(0)).layers;
+  constexpr int kDirections = 8, kHalvings = 14;  // to 1e-6 px
+  for (int k = 0; k < 2 * kDirections && certified; ++k) {
+    const double angle = kTau * k / kDirections;
+    const Vec2 way(std::cos(angle), std::sin(angle));
+    Vec2 same(0), other = (k < kDirections ? 1 : 0.1) * reach * way;
+    const std::size_t others = look(other).layers;
+    if (others == layers) continue;
+    for (int halving = 0; halving < kHalvings && certified; ++halving) {
+      const Vec2 middle = 0.5 * (same + other);
+      (look(middle).layers == layers ? same : other) = middle;
+    }
+    const Look last = look(others > layers ? other : same);
+    const Look before = others > layers ? look(other + kPointPx * way) : look(same - kPointPx * way);
+    if (before.layers == last.layers) count(2.0 * last.color - before.color);
+  }
+  if (!certified) return Unjudged;
+  const double tolerance = throughTexture ? kOtherTexture : kOtherLight;
+  const auto slack = [&](double value) { return tolerance * (1 + value); };
+  for (int c = 0; c < 3; ++c)
+    if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c])) return Wrong;
+  return Right;
+}
+
+/// Of a scene in which something is seen through, or of a texture: by its colour; of a mesh with nothing
+/// before it by its lights, which are known where it is.
+LightVerdict LightJudge::byLayers(std::uint32_t i) const {
+  const Vec2 center = centerOf(i);
+  const Caster::Sight sight = caster_.look(caster_.rayThrough(center.x, center.y));
+  const bool isOpaque = sight.hits.size() == 1 && !materialOf(sight.hits.front().node).transparent();
+  if (isOpaque && isMesh(i)) return ofMesh(i);
+  const std::optional<double> reach = reachOfColors(sight);
+  return reach ? byColor(i, *reach) : Unjudged;
+}
+
+/// Finds of which lights a border, or of all of them an outline, is within kSilhouettePx of a place that
+/// shows the layer of a pixel. All are looked for at the same places, so that the points of a soft light
+/// cost what their rays do.
+void LightJudge::findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights) const {
+  if (coarse_) return findBorders(i, center, lights, {1.0}, 4);
+  // 16 places around: the last ring is as much wider as a straight border that touches the circle passes
+  // beside them.
+  findBorders(i, center, lights, {0.1, 0.2, 0.4, 0.8, 1.02}, 16);
+}
+
+/// At so many places of rings, whose radii are in kSilhouettePx.
+void LightJudge::findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights,
+                             std::initializer_list<double> radii, int directions) const {
+  auto left = std::ranges::count(lights, false, &Turned::atBorder);
+  double turn = 0;  // of every other ring by half a step
+  for (const double radius : radii) {
+    for (int k = 0; k < directions && left > 0; ++k) {
+      const double angle = kTau * (k + turn) / directions;
+      const Vec2 at = center + radius * kSilhouettePx * Vec2(std::cos(angle), std::sin(angle));
+      const auto sight = caster_.look(caster_.rayThrough(at.x, at.y));
+      const bool sameLayer = seesLayerOf(i, sight, at);
+      for (Turned& one : lights) {
+        if (one.atBorder || (sameLayer && caster_.sees(one.light, sight.hits.front()) == one.visible))
+          continue;
+        one.atBorder = true;
+        --left;
+      }
+    }
+    turn = 0.5 - turn;
+  }
+}
+
+LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
+  const Vec2 center = centerOf(i);
+  const Ray ray = caster_.rayThrough(center.x, center.y);
+  const auto sight = caster_.look(ray);
+  if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
+    return Unjudged;  // seen through: no closed form
+  const Hit& hit = sight.hits.front();
+  std::vector<Turned> lights;
+  bool certified = true;
+  for (const Caster::Shadowed& one : caster_.shadowedLights(hit, -ray.direction))
+    if (certified &= one.certified; one.certified)
+      lights.push_back({.light = one.light,
+                        .visible = one.visible,
+                        .change = one.visible ? -one.share : one.share,
+                        .atBorder = isOnHorizon(caster_.towardLight(one.light, hit), hit.normal)});
+  const Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
+  if (isTurned(i, off, std::move(lights), center)) return Wrong;
+  return certified ? Right : Unjudged;
+}
+
+/// Whether a colour that is so much off the truth, of a point which is at `center` on the screen, is nearer
+/// to that with one light's visibility turned round, and no border of that shadow, and no outline, is near.
+/// Of many lights that are as bright, the points of a soft shadow, several may explain a colour: those with
+/// a border nearby do so first.
+bool LightJudge::isTurned(std::uint32_t i, Vec3 off, std::vector<Turned> lights, const Vec2& center) const {
+  const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  std::erase_if(lights, [&](const Turned& one) { return !(size(off - one.change) < size(off)); });
+  if (!(size(off) > kOtherLight) || lights.empty()) return false;
+  findBorders(i, center, lights);
+  const auto others =
+      std::partition(lights.begin(), lights.end(), [](const Turned& one) { return one.atBorder; });
+  std::vector<Vec3> bordering;
+  for (auto one = lights.begin(); one != others; ++one) bordering.push_back(one->change);
+  while (!bordering.empty()) {
+    const auto best =
+        std::ranges::min_element(bordering, {}, [&](const Vec3& change) { return size(off - change); });
+    if (!(size(off - *best) < size(off))) break;
+    off -= *best;
+    bordering.erase(best);
+  }
+  return size(off) > kOtherLight && std::any_of(others, lights.end(), [&](const Turned& one) {
+           return size(off - one.change) < size(off);
+         });
+}
+
+}  // namespace luxo::reference

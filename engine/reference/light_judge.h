@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a pixel that shows the right point shows it in the right light: no shadow where there is none, none
+// missing, the right texel, all that is seen through.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "reference/compared_pixels.h"
+
+namespace luxo::reference {
+
+/// Linear: smaller differences are not looked into for a light's shadow.
+inline constexpr double kOtherLight = 1e-4;
+/// Linear: devices filter with few bits.
+inline constexpr double kOtherTexture = 1.0 / 255;
+
+enum class LightVerdict {
+  Right,
+  Wrong,
+  Unjudged  ///< the truth does not know it, or the picture does not tell enough
+};
+
+/// Borders of shadows are right on either side. Cost of a pixel: some hundred rays.
+class LightJudge : ComparedPixels {
+ public:
+  /// `coarse`: borders of shadows are looked for in four directions alone; what has one nearby may be wrong
+  /// then that would not be.
+  LightJudge(const ComparedPixels& pixels, const Caster& caster, bool coarse);
+
+  /// Of a pixel that shows what the truth sees, and a colour that is so much off.
+  [[nodiscard]] LightVerdict of(std::uint32_t i, double off) const;
+
+ private:
+  /// A light of which the colour shown may have it that it is seen where it is not, or the other way round.
+  struct Turned {
+    std::uint32_t light;  ///< index into Snapshot::lights
+    bool visible;         ///< in truth
+    Vec3 change;          ///< of the colour
+    bool atBorder = false;
+  };
+  [[nodiscard]] LightVerdict byLayers(std::uint32_t i) const;
+  [[nodiscard]] LightVerdict byColor(std::uint32_t i, double reach) const;
+  [[nodiscard]] LightVerdict ofMesh(std::uint32_t i) const;
+  [[nodiscard]] LightVerdict ofPoint(std::uint32_t i) const;
+  [[nodiscard]] std::pair<std::optional<Hit>, Vec2> litPoint(std::uint32_t i, std::uint32_t node) const;
+  [[nodiscard]] std::optional<double> reachOfColors(const Caster::Sight& sight) const;
+  [[nodiscard]] bool isTurned(std::uint32_t i, Vec3 off, std::vector<Turned> lights,
+                              const Vec2& center) const;
+  void findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights) const;
+  void findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights,
+                   std::initializer_list<double> radii, int directions) const;
+
+  const Caster& caster_;
+  bool coarse_;
+  bool occluded_;  ///< of the ambient light the picture knows less than the truth: no colour is the same
+};
+
+}  // namespace luxo::reference
