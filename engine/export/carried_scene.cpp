@@ -13,6 +13,7 @@ bool namesFiles(const SceneFile& file) {
              [](const SurfaceDesc& surface) { return std::holds_alternative<MeshShape>(surface.shape); }) ||
          std::ranges::any_of(file.textures,
                              [](const TextureDesc& texture) { return !texture.file.empty(); }) ||
+         std::ranges::any_of(file.nodes, [](const NodeDesc& node) { return !node.model.empty(); }) ||
          std::ranges::any_of(file.materials,
                              [](const MaterialDesc& material) { return !material.shader.empty(); });
 }

@@ -75,14 +75,38 @@ std::shared_ptr<const Texture> white() {
 
 class ModelBuilder {
  public:
-  explicit ModelBuilder(const ModelPtr& model) : model_(model) {}
+  /// Below `parent`, which may be none, by names that begin with `prefix`.
+  ModelBuilder(const ModelPtr& model, Scene& scene, NodeId parent = {}, std::string prefix = {})
+      : model_(model), scene_(scene), parent_(parent), prefix_(std::move(prefix)) {}
 
-  Scene build() {
+  /// The nodes that have a surface.
+  std::vector<NodeId> addNodes() {
     for (const ModelMaterial& material : model_->materials)
       materials_.push_back(scene_.add(mapped(material)));
     for (std::uint32_t i = 0; i < model_->nodes.size(); ++i) addNode(i);
-    if (model_->lights.empty()) addLights();
-    return std::move(scene_);
+    return std::move(shown_);
+  }
+
+  void addCameras() {
+    for (std::uint32_t i = 0; i < model_->nodes.size(); ++i)
+      if (const std::uint32_t camera = model_->nodes[i].camera; camera != kNone)
+        addCamera(i, model_->cameras[camera]);
+  }
+
+  /// From the left and above, and a weak one from the right.
+  void addLights() {
+    const double azimuth = std::atan2(1.0, 1.5);  // of the direction in which fitted cameras are
+    const auto add = [&](const char* name, double turn, double tilt, double intensity, const Vec3& color) {
+      const NodeId turned = scene_.add(Node{.name = fmt::format("{} turn", name),
+                                            .rotation = Rotation{{0, 1, 0}, azimuth + radians(turn)}});
+      scene_.add(
+          Node{.name = name,
+               .parent = turned,
+               .rotation = Rotation{{1, 0, 0}, radians(tilt)},
+               .light = Light{.type = Light::Type::Directional, .color = color, .intensity = intensity}});
+    };
+    add("key light", -49, -50, 0.9, {1, 0.97, 0.92});
+    add("fill light", 66, -10, 0.25, {0.85, 0.92, 1});
   }
 
  private:
@@ -93,7 +117,8 @@ class ModelBuilder {
           ErrorKind::Scene,
           fmt::format("{}: node '{}' is sheared, which is not supported yet", model_->name, from.name),
           "give it a translation, a rotation and a scale instead of a matrix");
-    Node node{.name = from.name, .parent = from.parent == kNone ? NodeId{} : nodes_[from.parent]};
+    Node node{.name = from.name.empty() ? std::string() : prefix_ + from.name,
+              .parent = from.parent == kNone ? parent_ : nodes_[from.parent]};
     node.translation = from.translation;
     node.rotation = rotationOf(from.rotation);
     node.scale = from.scale;
@@ -111,13 +136,14 @@ class ModelBuilder {
       node.surface = *mesh;
       node.material = materials_[mesh->groups()[0].material];
     }
+    const bool isShown = node.surface.valid();
     nodes_.push_back(scene_.add(std::move(node)));
+    if (isShown) shown_.push_back(nodes_.back());
     if (mesh && mesh->groups().size() > 1)
       for (const MeshGroup& group : mesh->groups())
-        scene_.add(Node{.parent = nodes_.back(),
-                        .surface = Surface(*mesh, group),
-                        .material = materials_[group.material]});
-    if (from.camera != kNone) addCamera(index, model_->cameras[from.camera]);
+        shown_.push_back(scene_.add(Node{.parent = nodes_.back(),
+                                         .surface = Surface(*mesh, group),
+                                         .material = materials_[group.material]}));
   }
 
   [[nodiscard]] Material mapped(const ModelMaterial& from) {
@@ -180,27 +206,14 @@ class ModelBuilder {
     scene_.add(std::move(camera));
   }
 
-  /// From the left and above, and a weak one from the right.
-  void addLights() {
-    const double azimuth = std::atan2(1.0, 1.5);  // of the direction in which fitted cameras are
-    const auto add = [&](const char* name, double turn, double tilt, double intensity, const Vec3& color) {
-      const NodeId turned = scene_.add(Node{.name = fmt::format("{} turn", name),
-                                            .rotation = Rotation{{0, 1, 0}, azimuth + radians(turn)}});
-      scene_.add(
-          Node{.name = name,
-               .parent = turned,
-               .rotation = Rotation{{1, 0, 0}, radians(tilt)},
-               .light = Light{.type = Light::Type::Directional, .color = color, .intensity = intensity}});
-    };
-    add("key light", -49, -50, 0.9, {1, 0.97, 0.92});
-    add("fill light", 66, -10, 0.25, {0.85, 0.92, 1});
-  }
-
   ModelPtr model_;
-  Scene scene_;
+  Scene& scene_;
+  NodeId parent_;
+  std::string prefix_;
   std::map<std::pair<std::uint32_t, Codes>, std::shared_ptr<const Texture>> images_;
   std::vector<MaterialId> materials_;
-  std::vector<NodeId> nodes_;
+  std::vector<NodeId> nodes_;  // as the model's
+  std::vector<NodeId> shown_;
 };
 
 }  // namespace
@@ -219,7 +232,19 @@ Surface surfaceOf(const Model& model) {
   return triangleMesh(std::move(arrays), model.name, {.tangents = tangents});
 }
 
-Scene modelScene(const ModelPtr& model) { return ModelBuilder(model).build(); }
+Scene modelScene(const ModelPtr& model) {
+  Scene scene;
+  ModelBuilder builder(model, scene);
+  builder.addNodes();
+  builder.addCameras();
+  if (model->lights.empty()) builder.addLights();
+  return scene;
+}
+
+std::vector<NodeId> addModel(Scene& scene, NodeId parent, const ModelPtr& model) {
+  const std::string& name = scene[parent].name;
+  return ModelBuilder(model, scene, parent, name.empty() ? name : name + "/").addNodes();
+}
 
 std::vector<std::string> notDrawn(const Model& model) {
   std::vector<std::string> messages;

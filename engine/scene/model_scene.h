@@ -23,6 +23,10 @@ namespace luxo {
 /// reflection here is not. Error(Scene): a node is sheared, or an image cannot be read.
 [[nodiscard]] Scene modelScene(const std::shared_ptr<const Model>& model);
 
+/// Adds a model below a node of a scene, as modelScene() has it, without cameras, and with no lights but its
+/// own. Names of nodes follow the parent's and a slash. The nodes that have a surface. Errors as modelScene().
+std::vector<NodeId> addModel(Scene& scene, NodeId parent, const std::shared_ptr<const Model>& model);
+
 /// What of a model's materials no picture shows yet, a message a kind: opacities that maps cut
 /// off at a level.
 [[nodiscard]] std::vector<std::string> notDrawn(const Model& model);

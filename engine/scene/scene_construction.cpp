@@ -12,6 +12,8 @@
 
 #include "base/error.h"
 #include "scene/material_builder.h"
+#include "scene/model_files.h"
+#include "scene/model_scene.h"
 #include "scene/moment_formulas.h"
 #include "scene/named.h"
 #include "scene/scene_variables.h"
@@ -67,6 +69,7 @@ class SceneConstruction {
     for (const MaterialDesc& material : file_.materials) addMaterial(material);
     for (const SurfaceDesc& surface : file_.surfaces) addSurface(surface);
     for (const NodeDesc& node : file_.nodes) addNode(node);
+    addModels();
     for (const BuiltMaterial& material : materials_) checkUnused(material);
     setCasters();
     if (file_.camera) addCamera(*file_.camera);
@@ -85,6 +88,7 @@ class SceneConstruction {
   void addSurface(const SurfaceDesc& desc);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
+  void addModels();
   void warnOfCutColor(const NodeDesc& desc, const Domain& domain, const Animated<Material>& moving);
   void warnOfTangents(const NodeDesc& desc, const Surface& surface);
   Light light(const LightDesc& desc);
@@ -113,6 +117,7 @@ class SceneConstruction {
   std::vector<BuiltMaterial> materials_;
   Named<std::size_t> surfaceIndices_{"surface"};
   std::vector<BuiltSurface> surfaces_;
+  std::unordered_map<std::uint32_t, std::vector<NodeId>> partsOfModels_;  // by node of the file
   Named<bool> cameras_{"camera"};
 };
 
@@ -240,6 +245,21 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
   if (problems_.count() > before) scene_.add(placeholder);  // so that the ids of the others are right
 }
 
+// After the nodes of the file, whose ids are their places in it.
+void SceneConstruction::addModels() {
+  for (std::uint32_t i = 0; i < file_.nodes.size(); ++i)
+    if (const FileName& file = file_.nodes[i].model; !file.empty())
+      attempt(file.place, [&] {
+        const std::shared_ptr<ModelFiles>& ofScene = file_.source.models;
+        const std::shared_ptr<const Model> model =
+            (ofScene ? ofScene : std::make_shared<ModelFiles>())->get(file.text, {});
+        if (warnings_)
+          for (const auto& some : {model->warnings, notDrawn(*model)})
+            for (const std::string& warning : some) warnings_->push_back({rangeOf(file.place), warning, {}});
+        partsOfModels_.emplace(i, addModel(scene_, NodeId{i}, model));
+      });
+}
+
 // A pixel cannot be infinitely bright, nor say that its colour is none: it is cut, and that is said.
 void SceneConstruction::warnOfCutColor(const NodeDesc& desc, const Domain& domain,
                                        const Animated<Material>& moving) {
@@ -310,7 +330,13 @@ void SceneConstruction::setCasters() {
     known = true;
     std::vector<NodeId> casters;
     for (const FileName& name : desc.light->casters)
-      if (const NodeId* caster = nodes.find(name, problems_)) casters.push_back(*caster);
+      if (const NodeId* caster = nodes.find(name, problems_)) {
+        const auto model = partsOfModels_.find(caster->index);
+        if (model == partsOfModels_.end())
+          casters.push_back(*caster);
+        else
+          casters.insert(casters.end(), model->second.begin(), model->second.end());
+      }
     const NodeId* plane =
         desc.light->shadowPlane.empty() ? nullptr : nodes.find(desc.light->shadowPlane, problems_);
     if (problems_.any()) continue;

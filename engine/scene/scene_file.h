@@ -301,6 +301,7 @@ struct NodeDesc {
   Quantity3 scale = repeated(1);
   Quantity visible = 1;  ///< not 0
   FileName surface = {}, material = {};
+  FileName model = {};  ///< instead of both: a file with its own, relative to the folder of the scene, and in it
   std::optional<LightDesc> light = {};
   FilePlace place = {};
 

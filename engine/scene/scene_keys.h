@@ -53,8 +53,8 @@ inline constexpr std::array<Names, 6> kTubeNames = {"type", "curve", "radius", "
 inline constexpr std::array<Names, 4> kBezierNames = {"type", "control_points", "patches", "segments"};
 inline constexpr std::array<Names, 4> kMeshNames = {"type", "file", "normals", "crease"};
 inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
-inline constexpr std::array<Names, 9> kNodeNames = {"name",    "translate", "rotate", "scale",   "visible",
-                                                    "surface", "material",  "light",  "children"};
+inline constexpr std::array<Names, 10> kNodeNames = {"name",    "translate", "rotate", "scale", "visible",
+                                                     "surface", "material",  "model",  "light", "children"};
 inline constexpr std::array<Names, 2> kRotationNames = {"axis", "angle"};
 inline constexpr std::array<Names, 10> kLightNames = {
     "type",   "color",          "intensity", "attenuation",  "shadow",

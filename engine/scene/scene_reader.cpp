@@ -346,6 +346,10 @@ void SceneReader::readNode(const JsonValue& value, std::uint32_t parent) {
   readVisible(members["visible"], node.visible);
   readReference(members["surface"], "surfaces", node.surface);
   readReference(members["material"], "materials", node.material);
+  values_.read(members["model"], node.model);
+  if (!node.model.empty() && !(node.surface.empty() && node.material.empty()))
+    problems_.add(node.model.place, "a node has a model, or a surface with its material",
+                  "give the model, or the surface, a node of its own, as one of \"children\"");
   if (members["light"].exists()) readLight(members["light"], node.light.emplace());
   readNodes(members["children"], index);  // moves `node`
 }

@@ -345,6 +345,7 @@ Members written(const NodeDesc& node) {
   members.add("visible", node.visible, usual.visible);
   if (!node.surface.empty()) members.put("surface", JsonText::string(node.surface.text));
   if (!node.material.empty()) members.put("material", JsonText::string(node.material.text));
+  if (!node.model.empty()) members.put("model", JsonText::string(node.model.text));
   if (node.light) members.put("light", written(*node.light));
   return members;
 }

@@ -6,12 +6,17 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "image/image.h"
 #include "image/png.h"
+#include "image_test_support.h"
 #include "scene/model_files.h"
 #include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
 #include "scene_test_support.h"
 #include "support/meshes.h"
 #include "surface/surface_triangles.h"
@@ -79,6 +84,74 @@ TEST(ModelScene, AShearIsRefused) {
   model.nodes[1].shear = Mat3(1);
   const auto shared = std::make_shared<const Model>(std::move(model));
   expectSceneError([&] { static_cast<void>(modelScene(shared)); }, {"lamp", "'bulb'", "sheared"});
+}
+
+TEST(AddModel, StandsBelowItsNodeWithItsOwnLightsAndNoCameras) {
+  const auto model = std::make_shared<const Model>(lampModel());
+  Scene scene;
+  const NodeId here = scene.add(Node{.name = "here", .translation = Vec3(10, 0, 0)});
+  const std::vector<NodeId> parts = addModel(scene, here, model);
+  ASSERT_EQ(parts.size(), 3U);  // two parts and the ball
+  for (const double time : {0.0, 1.0}) {
+    const Snapshot alone = takeSnapshot(modelScene(model), time, {64, 64}),
+                   below = takeSnapshot(scene, time, {64, 64});
+    ASSERT_EQ(below.nodes.size(), alone.nodes.size());
+    for (std::size_t i = 0; i < alone.nodes.size(); ++i) {
+      expectNear(below.nodes[i].worldFromObject.translation,
+                 alone.nodes[i].worldFromObject.translation + Vec3(10, 0, 0), 1e-12);
+      EXPECT_EQ(below.materials[below.nodes[i].material.index].name,
+                alone.materials[alone.nodes[i].material.index].name);
+    }
+    EXPECT_EQ(below.lights.size(), 1U);
+  }
+  EXPECT_EQ(scene[scene[parts[0]].parent].name, "here/arm");
+  EXPECT_EQ(scene[parts[2]].name, "here/bulb");
+  EXPECT_TRUE(scene.cameras().empty());
+}
+
+/// Two triangles of two materials, in a scene file's folder.
+class NodeWithAModel : public testing::Test {
+ protected:
+  NodeWithAModel() {
+    write("pair.obj",
+          "mtllib pair.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\n");
+    write("pair.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  [[nodiscard]] Scene sceneOf(const std::string& node) const {
+    return buildScene(parseScene(R"({ "luxo": 1, "surfaces": { "ball": { "type": "sphere", "radius": 1 } },
+      "nodes": [ { "translate": [0, 9, 0], "light": { "shadow": "exact", "casters": ["pair"] } }, )" +
+                                     node + R"(, { "surface": "ball" } ] })",
+                                 "pairs.json", folder_.path()));
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(NodeWithAModel, HasTheModelsMaterialsAndCastsShadowsAsAWhole) {
+  const Scene scene = sceneOf(R"({ "name": "pair", "model": "pair.obj", "scale": [2, 2, 2] })");
+  const Snapshot snapshot = takeSnapshot(scene, 0, {64, 64});
+  ASSERT_EQ(snapshot.nodes.size(), 3U);  // of the file's, then the model's
+  const auto colorOf = [&](std::size_t i) {
+    return snapshot.materials[snapshot.nodes[i].material.index].diffuse;
+  };
+  EXPECT_EQ(colorOf(1), Vec3(1, 0, 0));
+  EXPECT_EQ(colorOf(2), Vec3(0, 0, 1));
+  EXPECT_EQ(snapshot.nodes[1].worldFromObject.linear[0], Vec3(2, 0, 0));
+  ASSERT_EQ(snapshot.lights.size(), 1U);
+  EXPECT_EQ(snapshot.lights[0].casters, (std::vector{snapshot.nodes[1].id, snapshot.nodes[2].id}));
+}
+
+TEST_F(NodeWithAModel, WhatIsWrongHasItsPlace) {
+  expectSceneError([&] { static_cast<void>(sceneOf(R"({ "name": "pair", "model": "none.obj" })")); },
+                   {"none.obj", "pairs.json:2:"});
+  expectSceneError([&] { static_cast<void>(sceneOf(R"({ "name": "pair", "model": "../pair.obj" })")); },
+                   {"../pair.obj", "pairs.json:2:"});
+  expectSceneError(
+      [&] { static_cast<void>(sceneOf(R"({ "name": "pair", "model": "pair.obj", "surface": "ball" })")); },
+      {"a model, or a surface", "pairs.json:2:"});
 }
 
 TEST(ModelSurface, IsAllOfTheModelAtRest) {

@@ -249,6 +249,7 @@ class RandomScene {
     if (coin()) desc.visible = quantity();
     if (coin()) desc.surface = name("s", i);
     if (coin()) desc.material = name("m", i);
+    if (desc.surface.empty() && desc.material.empty() && coin()) desc.model = "models/a b.obj";
     if (coin()) return desc;
     desc.light = LightDesc{.type = word<Light::Type>(2),
                            .color = color(),
