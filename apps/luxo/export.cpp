@@ -172,6 +172,7 @@ int runExport(const ExportOptions& options) {
                           .thickness = request.thickness,
                           .camera = cameraOf(scene, request.scene),
                           .singlePrecision = !request.glb(),
+                          .maps = request.glb(),
                           .progress = [&](double done) { bar.show(done); }});
   }
   made.model.scene = formulasOf(request, std::move(opened.description), warnings);

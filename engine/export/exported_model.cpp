@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -13,6 +14,8 @@
 #include "base/assert.h"
 #include "base/error.h"
 #include "export/thickened.h"
+#include "image/png.h"
+#include "image/texture.h"
 #include "mesh/turn.h"
 #include "scene/snapshot.h"
 #include "tessellate/shape_cache.h"
@@ -68,6 +71,24 @@ void moveTo(const Transform& place, Mesh& mesh) {
   if (mirrors(place))
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
       std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+}
+
+/// The finest level, as a PNG of 8 bits.
+ModelImage imageOf(const Texture& texture) {
+  const TextureLevel& finest = texture.levels.front();
+  const int channels = texture.transparent ? 4 : 3;
+  Image image(finest.width, finest.height, channels);
+  for (int y = 0; y < finest.height; ++y)
+    for (int x = 0; x < finest.width; ++x)
+      std::copy_n(finest.texel(x, y).begin(), channels,
+                  &image.row(y)[static_cast<std::size_t>(channels * x)]);
+  return {.name = "map", .bytes = std::make_shared<const std::vector<std::byte>>(encodePng(image))};
+}
+
+ModelMap::Wrap wrapOf(TextureWrap wrap) {
+  return wrap == TextureWrap::Repeat  ? ModelMap::Wrap::Repeat
+         : wrap == TextureWrap::Clamp ? ModelMap::Wrap::Clamp
+                                      : ModelMap::Wrap::Mirror;
 }
 
 class Exporter {
@@ -137,7 +158,7 @@ class Exporter {
       bounds_.push_back(mesh.bound);
       const std::uint32_t number = materialOf(from, mesh);
       if (!placed) moveTo(from.worldFromObject, mesh);
-      node.mesh = addMesh(from, plate ? plateOf(from, mesh) : arraysOf(mesh), number);
+      node.mesh = addMesh(from, plate ? plateOf(from, mesh) : arraysOf(from, mesh), number);
       if (placed) meshes_.emplace(key, node.mesh);
     }
     const TriangleMesh& mesh = out_.model.meshes[node.mesh];
@@ -157,10 +178,52 @@ class Exporter {
            (desc_.singlePrecision ? kSingle : kDouble) * largestCoordinate(place, box);
   }
 
-  [[nodiscard]] static MeshArrays arraysOf(const Mesh& mesh) {
+  [[nodiscard]] MeshArrays arraysOf(const SnapshotNode& from, const Mesh& mesh) const {
     MeshArrays arrays{.positions = mesh.positions, .indices = mesh.indices};
     for (const Vec3& n : mesh.normals) arrays.normals.emplace_back(n);
+    if (!exportsMaps(from)) return arrays;
+    const TexturePlacement place = TextureMap::onceOver(from.surface);
+    for (const Vec2& uv : mesh.parameters) arrays.uvs.emplace_back(place.linear * uv + place.constant);
     return arrays;
+  }
+
+  [[nodiscard]] bool exportsMaps(const SnapshotNode& from) const {
+    const Material& material = snapshot_.materials[from.material.index];
+    const bool plate = desc_.thickness > 0 && !from.surface.closed();
+    return desc_.maps && !plate && (material.map.valid() || material.glowMap.valid());
+  }
+
+  /// Each texture is one image.
+  [[nodiscard]] ModelMap mapOf(const TextureMap& from) {
+    if (!from.valid()) return {};
+    const auto next = static_cast<std::uint32_t>(out_.model.images.size());
+    const auto [known, fresh] = images_.try_emplace(from.texture, next);
+    if (fresh) out_.model.images.push_back(imageOf(*from.texture));
+    return {.image = known->second,
+            .wrapU = wrapOf(from.wrapU),
+            .wrapV = wrapOf(from.wrapV),
+            .nearest = from.filter == TextureFilter::Nearest,
+            .offset = from.offset,
+            .scale = from.scale,
+            .angle = from.angle};
+  }
+
+  void addMaps(const SnapshotNode& from, const Material& material, ModelMaterial& made) {
+    const bool along = exportsMaps(from);
+    if (along) {
+      made.map = mapOf(material.map);
+      made.glowMap = mapOf(material.glowMap);
+      if (made.glowMap.given()) made.glow = material.glow;
+      made.opacityFromMap = material.mapOpacity;
+    }
+    const auto tell = [&](bool left, const char* map) {
+      if (left) warn(fmt::format("material '{}': its {} is not exported", material.name, map));
+    };
+    tell(material.map.valid() && !along, "map");
+    tell(material.glowMap.valid() && !along, "glow_map");
+    tell(material.normalMap.valid(), "normal_map");
+    tell(material.specularMap.valid(), "specular_map");
+    tell(material.shader != nullptr, "shader");
   }
 
   [[nodiscard]] MeshArrays plateOf(const SnapshotNode& from, const Mesh& mesh) {
@@ -209,7 +272,7 @@ class Exporter {
       made.opacity = std::clamp(opacity / double(mesh.parameters.size()), 0.0, 1.0);
       warn(fmt::format("material '{}': its colour is a formula; the mesh has the mean", material.name));
     }
-    if (material.map.valid()) warn(fmt::format("material '{}': its map is not exported", material.name));
+    addMaps(from, material, made);
     if (material.blend != Blend::Over)
       warn(fmt::format("material '{}': it blends as 'over' does", material.name));
     out_.model.materials.push_back(std::move(made));
@@ -298,6 +361,7 @@ class Exporter {
   std::map<Key, std::uint32_t> meshes_;
   std::vector<double> bounds_;  ///< of each mesh, in object space
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> materials_;
+  std::map<std::shared_ptr<const Texture>, std::uint32_t> images_;
 };
 
 }  // namespace

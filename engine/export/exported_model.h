@@ -27,6 +27,8 @@ struct ExportDesc {
   CameraId camera = {};  ///< the model's first; none: the scene's first
   /// Coordinates in the world are written in single precision: those of OBJ, PLY, STL.
   bool singlePrecision = false;
+  /// Maps of colours and of glow, and the uvs for them, go along: into a GLB. Of plates they do not.
+  bool maps = false;
   /// Called now and then, in the caller's thread, with the part that is done: 0 to 1, ascending. It may
   /// throw.
   std::function<void(double)> progress = {};
@@ -41,8 +43,9 @@ struct ExportedModel {
 /// Nodes of one surface and one material share a mesh. Those whose place is no rotation and scale, and
 /// plates, stand in the world as they are. A colour that is a formula becomes its mean; lights that do not
 /// fall off with distance are as bright as they are at the middle of the scene; soft ones shine from theirs.
-/// `segments` of nodes are not looked at: the tolerance decides. Error(Scene): what takeSnapshot() says,
-/// nothing that is visible has an area. Cost: that of tessellating each surface, and of triangleMesh().
+/// Images are of 8 bits, as large as the textures. `segments` of nodes are not looked at: the tolerance
+/// decides. Error(Scene): what takeSnapshot() says, nothing that is visible has an area. Cost: that of
+/// tessellating each surface, and of triangleMesh().
 [[nodiscard]] ExportedModel exportedModel(const Scene& scene, double timeSeconds, const ExportDesc& desc);
 
 }  // namespace luxo

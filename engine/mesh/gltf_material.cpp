@@ -23,6 +23,9 @@ class MaterialReader {
       warn(value, "its metallic and roughness map is not read: it is taken for rough and no metal");
       metallic = 0;
       roughness = std::max(roughness, 0.5);
+    } else if (metallic > 0 && pbr.has("baseColorTexture")) {
+      warn(value, "a metal whose colour is a map is not drawn as one: it is taken for no metal");
+      metallic = 0;
     }
     if (value.has("occlusionTexture")) warn(value, "its occlusion map is not read");
     const GltfValue extensions = value["extensions"], specular = extensions["KHR_materials_specular"];
@@ -72,7 +75,7 @@ class MaterialReader {
     const Vec3 dielectric = glm::min(kGltfReflectance * specular, Vec3(1));
     const Vec3 f0 = dielectric + metallic * (base - dielectric);
     material.diffuse = (1 - metallic) * base;
-    material.ambient = base;
+    if (metallic > 0) material.ambient = base;  // of others it is as diffuse light is, times the map
     material.shininess = shininess;
     material.specular = (shininess + 2) / 8 * f0;
   }

@@ -3,7 +3,8 @@
 //
 // A material is the one that gltf_material.h reads back as this: no metal, base colour = diffuse, roughness =
 // (2 / (n + 2))^(1/4), and KHR_materials_specular scales what is reflected so that the highlight is as high.
-// Colours above 1 are cut off there.
+// Colours above 1 are cut off there. Maps of colours and of glow are embedded, as they are; others are left
+// out.
 //
 // LUXO_parametric_surface, optional, at the root: { "version": 1, "scene": "..." }, the text of a scene file
 // (engine/scene/luxo-scene-1.schema.json) whose surfaces the meshes stand for. Who knows it draws the scene;
@@ -15,6 +16,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/assert.h"
 #include "base/error.h"
 #include "mesh/gltf_material.h"
 #include "mesh/model_target.h"
@@ -30,6 +32,8 @@ constexpr std::uint32_t kVertices = 34962, kIndices = 34963;  // what a view is 
 Object json(const Vec3& v) { return {v.x, v.y, v.z}; }
 Object json(const Vec4& v) { return {v.x, v.y, v.z, v.w}; }
 
+Object json(const Vec2& v) { return {v.x, v.y}; }
+
 Object materialOf(const ModelMaterial& from) {
   const double n = std::min(from.shininess, kMaxGltfShininess);
   const Vec4 base(glm::clamp(from.diffuse, 0.0, 1.0), from.opacity);
@@ -39,7 +43,7 @@ Object materialOf(const ModelMaterial& from) {
                        {"metallicFactor", 0},
                        {"roughnessFactor", std::pow(2 / (n + 2), 0.25)}}}};
   if (from.glow != Vec3(0)) material["emissiveFactor"] = json(glm::clamp(from.glow, 0.0, 1.0));
-  if (from.opacity < 1) material["alphaMode"] = "BLEND";
+  if (from.opacity < 1 || from.opacityFromMap) material["alphaMode"] = "BLEND";
   if (from.twoSided) material["doubleSided"] = true;
   material["extensions"]["KHR_materials_specular"]["specularColorFactor"] =
       json(8 / (n + 2) / kGltfReflectance * from.specular);
@@ -53,7 +57,8 @@ class GlbWriter {
   std::vector<std::byte> write() {
     root_["asset"] = {{"version", "2.0"}, {"generator", "luxo"}, {"extras", {{"luxo", claimOf()}}}};
     addScene();
-    for (const ModelMaterial& material : model_.materials) root_["materials"].push_back(materialOf(material));
+    for (const ModelMaterial& material : model_.materials) addMaterial(material);
+    for (const ModelImage& image : model_.images) addImage(image);
     for (const TriangleMesh& mesh : model_.meshes) addMesh(mesh);
     for (const ModelCamera& camera : model_.cameras) addCamera(camera);
     root_["buffers"] = {{{"byteLength", binary_.size()}}};
@@ -107,10 +112,45 @@ class GlbWriter {
     return node;
   }
 
-  /// Aligned to what floats and 32-bit indices need.
+  void addMaterial(const ModelMaterial& from) {
+    Object material = materialOf(from);
+    if (from.map.given()) material["pbrMetallicRoughness"]["baseColorTexture"] = textureOf(from.map);
+    if (from.glowMap.given()) material["emissiveTexture"] = textureOf(from.glowMap);
+    root_["materials"].push_back(std::move(material));
+  }
+
+  /// A texture of the image and a sampler for each way to read it.
+  Object textureOf(const ModelMap& map) {
+    const auto wrap = [](ModelMap::Wrap w) {
+      return w == ModelMap::Wrap::Repeat ? 10497 : w == ModelMap::Wrap::Clamp ? 33071 : 33648;
+    };
+    root_["samplers"].push_back({{"magFilter", map.nearest ? 9728 : 9729},
+                                 {"minFilter", map.nearest ? 9728 : 9987},
+                                 {"wrapS", wrap(map.wrapU)},
+                                 {"wrapT", wrap(map.wrapV)}});
+    root_["textures"].push_back({{"sampler", root_["samplers"].size() - 1}, {"source", map.image}});
+    Object texture = {{"index", root_["textures"].size() - 1}};
+    if (map.offset != Vec2(0) || map.scale != Vec2(1) || map.angle != 0) {
+      transformsTextures_ = true;
+      texture["extensions"]["KHR_texture_transform"] = {
+          {"offset", json(map.offset)}, {"rotation", -map.angle}, {"scale", json(map.scale)}};
+    }
+    return texture;
+  }
+
+  void addImage(const ModelImage& image) {
+    LUXO_REQUIRE(image.bytes != nullptr);
+    const std::size_t begin = binary_.size();
+    binary_.insert(binary_.end(), image.bytes->begin(), image.bytes->end());
+    const std::size_t view = addView(begin, 0);
+    root_["images"].push_back({{"name", image.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+  }
+
+  /// Aligned to what floats and 32-bit indices need. `target`: what it is for; 0: no vertices, no indices.
   std::size_t addView(std::size_t begin, std::uint32_t target) {
     root_["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary_.size() - begin}, {"target", target}});
+        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary_.size() - begin}});
+    if (target != 0) root_["bufferViews"].back()["target"] = target;
     while (binary_.size() % 4 != 0) binary_.push_back(std::byte(0));
     return root_["bufferViews"].size() - 1;
   }
@@ -121,10 +161,11 @@ class GlbWriter {
     return root_["accessors"].size() - 1;
   }
 
-  std::size_t addVectors(std::span<const Vec3f> vectors) {
+  template <class Vector>
+  std::size_t addVectors(std::span<const Vector> vectors, const char* type) {
     const std::size_t begin = binary_.size();
-    for (const Vec3f& v : vectors) append(binary_, v);
-    return addAccessor(addView(begin, kVertices), kFloat, vectors.size(), "VEC3");
+    for (const Vector& v : vectors) append(binary_, v);
+    return addAccessor(addView(begin, kVertices), kFloat, vectors.size(), type);
   }
 
   std::size_t addIndices(std::span<const std::uint32_t> indices, bool small) {
@@ -135,7 +176,9 @@ class GlbWriter {
   }
 
   void addMesh(const TriangleMesh& mesh) {
-    const std::size_t positions = addVectors(mesh.positions()), normals = addVectors(mesh.normals());
+    const std::size_t positions = addVectors(mesh.positions(), "VEC3");
+    Object attributes = {{"POSITION", positions}, {"NORMAL", addVectors(mesh.normals(), "VEC3")}};
+    if (!mesh.uvs().empty()) attributes["TEXCOORD_0"] = addVectors(mesh.uvs(), "VEC2");
     Vec3f low(std::numeric_limits<float>::infinity()), high = -low;
     for (const Vec3f& p : mesh.positions()) {
       low = glm::min(low, p);
@@ -147,7 +190,7 @@ class GlbWriter {
     Object primitives = Object::array();
     for (const MeshGroup& group : mesh.groups())
       primitives.push_back(
-          {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
+          {{"attributes", attributes},
            {"indices", addIndices(mesh.indices().subspan(std::size_t{3} * group.firstTriangle,
                                                          std::size_t{3} * group.triangles),
                                   small)},
@@ -168,6 +211,7 @@ class GlbWriter {
   void addExtensions() {
     Object used = Object::array();
     if (!model_.materials.empty()) used.push_back("KHR_materials_specular");
+    if (transformsTextures_) used.push_back("KHR_texture_transform");
     if (!model_.lights.empty()) {
       used.push_back("KHR_lights_punctual");
       Object& lights = root_["extensions"]["KHR_lights_punctual"]["lights"];
@@ -208,6 +252,7 @@ class GlbWriter {
   const Model& model_;
   const ModelClaim& claim_;
   Object root_ = Object::object();
+  bool transformsTextures_ = false;
   std::vector<std::byte> binary_;
 };
 

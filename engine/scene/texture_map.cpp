@@ -83,13 +83,15 @@ Axes axesOf(const Mat2& m) {
 
 }  // namespace
 
+TexturePlacement TextureMap::onceOver(const Surface& surface) {
+  if (surface.triangles()) return {};
+  const Domain& domain = surface.domain();
+  return {.linear = {1 / domain.u.width(), 0, 0, -1 / domain.v.width()},
+          .constant = {-domain.u.lo / domain.u.width(), 1 + domain.v.lo / domain.v.width()}};
+}
+
 TexturePlacement TextureMap::on(const Surface& surface) const {
-  TexturePlacement own;
-  if (!surface.triangles()) {
-    const Domain& domain = surface.domain();
-    own.linear = {1 / domain.u.width(), 0, 0, -1 / domain.v.width()};
-    own.constant = {-domain.u.lo / domain.u.width(), 1 + domain.v.lo / domain.v.width()};
-  }
+  const TexturePlacement own = onceOver(surface);
   const double cosine = std::cos(angle), sine = std::sin(angle);
   const Mat2 moved = Mat2(cosine, sine, -sine, cosine) * Mat2(scale.x, 0, 0, scale.y);
   return {moved * own.linear, moved * own.constant + offset};

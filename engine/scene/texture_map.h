@@ -45,6 +45,8 @@ struct TextureMap {
   /// Triangles have their own (u, v), v down. On a formula the image is once over the whole domain, its lower
   /// left corner where u and v are lowest.
   [[nodiscard]] TexturePlacement on(const Surface& surface) const;
+  /// Without this map's own offset, scale and angle.
+  [[nodiscard]] static TexturePlacement onceOver(const Surface& surface);
   /// Linear RGB and alpha at a surface's (u, v). A footprint without a finite value is one over all.
   ///
   /// The footprint is an ellipse in the image. Along its longer axis lie samples, one its width apart, whose

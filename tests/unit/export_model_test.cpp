@@ -9,19 +9,24 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <map>
+#include <memory>
 
 #include "export/carried_scene.h"
+#include "scene/model_scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
+#include "unit/image_test_support.h"
 #include "unit/scene_test_support.h"
 
 namespace luxo {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Scene sceneOf(const Surface& surface, Node node = {}) {
@@ -324,6 +329,56 @@ TEST(ExportedModel, AColourThatIsAFormulaBecomesItsMean) {
   test::expectNear(made.model.materials[0].diffuse, {0.5, 0.5, 0}, 1e-9);
   EXPECT_NEAR(made.model.materials[0].opacity, 0.5, 1e-12);
   EXPECT_THAT(made.warnings, Contains(HasSubstr("its colour is a formula")));
+}
+
+/// Read again, the image is the same, and lies where it lay.
+TEST(ExportedModel, MapsGoAlongIntoAGlb) {
+  const Scene scene = buildScene(parseScene(R"scene({ "luxo": 1,
+    "textures": { "tiles": { "checker": ["#ff8800", "#002244"], "squares": 4, "wrap": "mirror" } },
+    "materials": { "tiled": { "map": { "texture": "tiles", "offset": [0.2, 0.1], "scale": [3, 2], "rotate": "30deg" } } },
+    "surfaces": { "sheet": { "type": "formula", "u": [-1, 3], "v": [2, 4], "position": ["u", "0.1*u*v", "v"] } },
+    "nodes": [ { "surface": "sheet", "material": "tiled" } ] })scene",
+                                            "scene"));
+  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-2, .maps = true});
+  EXPECT_TRUE(made.warnings.empty());
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "sheet.glb";
+  const std::vector<std::byte> bytes = filesOf(made.model, file, made.claim).at(0).bytes;
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  const auto model = std::make_shared<const Model>(readModel(file));
+  const Snapshot before = takeSnapshot(scene, 0, {8, 8}), after = takeSnapshot(modelScene(model), 0, {8, 8});
+  const TextureMap &written = before.materials[before.nodes[0].material.index].map,
+                   &read = after.materials[after.nodes[0].material.index].map;
+  ASSERT_TRUE(read.valid());
+  EXPECT_EQ(read.wrapU, TextureWrap::Mirror);
+  EXPECT_FALSE(after.materials[after.nodes[0].material.index].glowMap.valid());
+  const TextureLevel &texels = written.texture->levels[0], &again = read.texture->levels[0];
+  ASSERT_EQ(again.width, texels.width);
+  // What is made of 8-bit codes becomes the same codes.
+  EXPECT_EQ(again.halves, texels.halves);
+  const TexturePlacement on = written.on(before.nodes[0].surface), onAgain = read.on(after.nodes[0].surface);
+  const TriangleMesh& mesh = model->meshes[0];
+  ASSERT_EQ(mesh.uvs().size(), mesh.positions().size());
+  for (std::uint32_t i = 0; i < mesh.positions().size(); ++i) {
+    const Vec3 point = transformPoint(
+        worldFromNodeAt(*model, static_cast<std::uint32_t>(model->nodes.size() - 1)), mesh.point(i));
+    const Vec2 expected = on.linear * Vec2(point.x, point.z) + on.constant;
+    EXPECT_LT(glm::distance(onAgain.linear * Vec2(mesh.uvs()[i]) + onAgain.constant, expected), 1e-6);
+  }
+}
+
+TEST(ExportedModel, MapsThatAreLeftOutAreTold) {
+  const Scene scene = buildScene(parseScene(R"scene({ "luxo": 1,
+    "textures": { "tiles": { "checker": [0, 1] } },
+    "materials": { "tiled": { "map": "tiles", "specular_map": "tiles" } },
+    "surfaces": { "sheet": { "type": "rectangle" } },
+    "nodes": [ { "surface": "sheet", "material": "tiled" } ] })scene",
+                                            "scene"));
+  EXPECT_THAT(exportedModel(scene, 0, {}).warnings, Contains(HasSubstr("its map is not exported")));
+  EXPECT_THAT(exportedModel(scene, 0, {.maps = true}).warnings, ElementsAre(HasSubstr("specular_map")));
+  EXPECT_THAT(exportedModel(scene, 0, {.thickness = 0.1, .maps = true}).warnings,
+              Contains(HasSubstr("its map is not exported")));
 }
 
 TEST(ExportedModel, WhatIsNotProvenIsSaid) {

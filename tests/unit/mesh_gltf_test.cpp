@@ -171,6 +171,7 @@ TEST_F(ReadGltf, MaterialsAreBlinnsOfTheSameLobe) {
   EXPECT_EQ(plastic.diffuse, Vec3(0.5, 0.25, 1));
   EXPECT_NEAR(plastic.shininess, 2 / std::pow(0.5, 4) - 2, 1e-12);  // 30
   EXPECT_LT(glm::distance(plastic.specular, Vec3(0.04 * 32 / 8)), 1e-15);
+  EXPECT_FALSE(plastic.ambient);  // as the diffuse one
   EXPECT_EQ(plastic.opacity, 0.75);
   EXPECT_TRUE(plastic.twoSided);
   EXPECT_EQ(metal.diffuse, Vec3(0));
@@ -186,7 +187,11 @@ TEST_F(ReadGltf, MaterialsAreBlinnsOfTheSameLobe) {
   EXPECT_EQ(mapped.map.wrapV, ModelMap::Wrap::Mirror);
   EXPECT_TRUE(mapped.map.nearest);
   EXPECT_FALSE(mapped.normalMap.given());
-  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("there is no image")));
+  // Its colour, the ambient one too, is the map's.
+  EXPECT_EQ(mapped.diffuse, Vec3(1));
+  EXPECT_FALSE(mapped.ambient);
+  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("materials[2]: a metal whose colour is a map"),
+                                          HasSubstr("there is no image")));
   // The extension's own example: the lower left quarter of the image, turned.
   const auto turned = [&](double u, double v) {
     const Vec2 s(u * mapped.map.scale.x, v * mapped.map.scale.y);
