@@ -68,6 +68,7 @@ std::string missingFeature(VkPhysicalDevice device) {
       {features.features.fragmentStoresAndAtomics, "fragmentStoresAndAtomics"},
       {features13.dynamicRendering, "dynamicRendering"},
       {features13.synchronization2, "synchronization2"},
+      {features13.maintenance4, "maintenance4"},
       {features12.timelineSemaphore, "timelineSemaphore"},
       {features12.scalarBlockLayout, "scalarBlockLayout"},
       {features12.hostQueryReset, "hostQueryReset"}};

@@ -110,9 +110,11 @@ Adapter Context::chooseAdapter(const ContextDesc& desc) const {
 }
 
 void Context::createDevice(bool presents) {
-  VkPhysicalDeviceVulkan13Features features13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
-                                              .synchronization2 = VK_TRUE,
-                                              .dynamicRendering = VK_TRUE};
+  VkPhysicalDeviceVulkan13Features features13{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+      .synchronization2 = VK_TRUE,
+      .dynamicRendering = VK_TRUE,
+      .maintenance4 = VK_TRUE};  // compute shaders as glslang writes them
   VkPhysicalDeviceVulkan12Features features12{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
                                               .pNext = &features13,
                                               .scalarBlockLayout = VK_TRUE,

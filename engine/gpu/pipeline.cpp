@@ -92,8 +92,10 @@ std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipel
   return states;
 }
 
-Handle<VkPipelineLayout> createLayout(Context& context, const GraphicsPipelineDesc& desc) {
-  const VkPushConstantRange constants{.stageFlags = kStages, .size = desc.pushConstantBytes};
+/// Of either kind of pipeline.
+template <class Desc>
+Handle<VkPipelineLayout> createLayout(Context& context, const Desc& desc, VkShaderStageFlags stages) {
+  const VkPushConstantRange constants{.stageFlags = stages, .size = desc.pushConstantBytes};
   const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                         .setLayoutCount = count(desc.setLayouts),
                                         .pSetLayouts = desc.setLayouts.data(),
@@ -217,7 +219,7 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
     requireConsistent(context, descs[i]);
     pipelines[i].pushConstantBytes_ = descs[i].pushConstantBytes;
     pipelines[i].depthBias_ = descs[i].depthBias;
-    pipelines[i].layout_ = createLayout(context, descs[i]);
+    pipelines[i].layout_ = createLayout(context, descs[i], kStages);
   }
   // What is counted, and named, is for one thread.
   std::vector<VkPipeline> created(descs.size(), VK_NULL_HANDLE);
@@ -253,6 +255,40 @@ void GraphicsPipeline::bindSet(VkCommandBuffer commands, std::uint32_t index, Vk
                                std::span<const std::uint32_t> dynamicOffsets) const {
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, index, 1, &set,
                           count(dynamicOffsets), dynamicOffsets.data());
+}
+
+ComputePipeline::ComputePipeline(Context& context, const ComputePipelineDesc& desc)
+    : pushConstantBytes_(desc.pushConstantBytes),
+      layout_(createLayout(context, desc, VK_SHADER_STAGE_COMPUTE_BIT)) {
+  const ShaderModule shader(context.device(), desc.shader, desc.name);
+  const VkComputePipelineCreateInfo info{
+      .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+      .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                .module = shader,
+                .pName = "main"},
+      .layout = layout_};
+  const std::string what = fmt::format("create the pipeline \"{}\"", desc.name);
+  requireRoomForShaders(what);
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateComputePipelines(context.device(), context.pipelineCache(), 1, &info, nullptr, &pipeline),
+        what);
+  pipeline_ = {context, pipeline};
+  setName(context, pipeline, desc.name);
+  context.counted().pipelinesCreated += 1;
+}
+
+void ComputePipeline::bind(VkCommandBuffer commands) const {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+}
+
+void ComputePipeline::push(VkCommandBuffer commands, std::span<const std::byte> constants) const {
+  LUXO_REQUIRE_COMPARE(constants.size(), ==, pushConstantBytes_);
+  vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, pushConstantBytes_, constants.data());
+}
+
+void ComputePipeline::bindSet(VkCommandBuffer commands, std::uint32_t index, VkDescriptorSet set) const {
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, index, 1, &set, 0, nullptr);
 }
 
 void setDepthBias(VkCommandBuffer commands, DepthBias bias) {

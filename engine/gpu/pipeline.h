@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Graphics pipelines as data: everything has a default, one struct overrides it.
+// Graphics and compute pipelines as data: everything has a default, one struct overrides it.
 #pragma once
 
 #include "gpu/descriptor.h"
@@ -95,6 +95,32 @@ class GraphicsPipeline {
  private:
   std::uint32_t pushConstantBytes_ = 0;
   DepthBias depthBias_;
+  Handle<VkPipelineLayout> layout_;
+  Handle<VkPipeline> pipeline_;
+};
+
+struct ComputePipelineDesc {
+  std::string_view name;
+  std::span<const std::uint32_t> shader;  ///< SPIR-V, entry `main`
+  std::uint32_t pushConstantBytes = 0;    ///< at most 128 everywhere
+  std::vector<VkDescriptorSetLayout> setLayouts;
+};
+
+class ComputePipeline {
+ public:
+  ComputePipeline() = default;
+  /// Some 5 to 20 ms where no cache has it. Throws Error on failure.
+  ComputePipeline(Context& context, const ComputePipelineDesc& desc);
+
+  explicit operator bool() const noexcept { return static_cast<bool>(pipeline_); }
+
+  void bind(VkCommandBuffer commands) const;
+  /// Requires pushConstantBytes bytes.
+  void push(VkCommandBuffer commands, std::span<const std::byte> constants) const;
+  void bindSet(VkCommandBuffer commands, std::uint32_t index, VkDescriptorSet set) const;
+
+ private:
+  std::uint32_t pushConstantBytes_ = 0;
   Handle<VkPipelineLayout> layout_;
   Handle<VkPipeline> pipeline_;
 };

@@ -56,6 +56,8 @@ const char* useName(Use use) noexcept {
       return "StorageRead";
     case Use::StorageWrite:
       return "StorageWrite";
+    case Use::ComputeStorage:
+      return "ComputeStorage";
     case Use::HostRead:
       return "HostRead";
     case Use::Present:
@@ -97,6 +99,10 @@ Scope scopeOf(Use use) noexcept {
       return {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
               VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
               VK_IMAGE_LAYOUT_GENERAL, true};
+    case Use::ComputeStorage:
+      return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+              VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+              VK_IMAGE_LAYOUT_UNDEFINED, true};
     case Use::HostRead:
       return {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
     case Use::Present:

@@ -10,7 +10,8 @@
 
 namespace luxo::gpu {
 
-/// How a command is about to use a resource. Shaders here are vertex and fragment shaders.
+/// How a command is about to use a resource. Shaders here are vertex and fragment shaders, unless said
+/// otherwise.
 enum class Use {
   ColorAttachment,  ///< drawn to, blended with, loaded, or the source of a resolve
   ResolveTarget,    ///< a colour resolve writes it
@@ -23,9 +24,10 @@ enum class Use {
   IndirectBuffer,
   UniformRead,
   StorageRead,
-  StorageWrite,  ///< read, written or counted in, by the fragment shader
-  HostRead,      ///< mapped memory, read by the host once the submission is complete
-  Present,       ///< handed to the window system
+  StorageWrite,    ///< read, written or counted in, by the fragment shader
+  ComputeStorage,  ///< read and written by a compute shader
+  HostRead,        ///< mapped memory, read by the host once the submission is complete
+  Present,         ///< handed to the window system
 };
 
 inline constexpr Use kLastUse = Use::Present;
