@@ -16,5 +16,6 @@
 #include "scene/scene_writer.h"
 #include "scene/snapshot.h"
 #include "surface/catalogue.h"
+#include "surface/cloth.h"
 #include "surface/library.h"
 #include "surface/surface.h"

@@ -12,6 +12,7 @@
 #include "base/assert.h"
 #include "base/error.h"
 #include "surface/bounds.h"
+#include "surface/cloth.h"
 #include "surface/holes.h"
 #include "surface/normal.h"
 #include "surface/spread.h"
@@ -159,6 +160,24 @@ Surface::Surface(const TriangleMesh& mesh, const MeshGroup& group) {
   description->triangles = std::move(triangles);
   description_ = std::move(description);
   parameters_ = std::make_shared<const std::vector<Animated<double>>>();
+}
+
+Surface::Surface(const Cloth& cloth) {
+  validate(cloth);
+  const Surface atRest = clothSurface(cloth, clothAtRest(cloth).positions);
+  auto description = std::make_shared<Description>();
+  description->traits.name = atRest.name();
+  description->topology = atRest.topology();
+  description->domain = atRest.domain();
+  description->triangles = *atRest.triangles();
+  description->triangles->cloth = std::make_shared<const Cloth>(cloth);
+  description->bounds = atRest.bounds({});
+  std::call_once(description->boundsOnce, [] {});
+  description->parameterCount = kClothNumbers;
+  description_ = std::move(description);
+  std::vector<Animated<double>> numbers;
+  for (const double number : numbersOf(cloth)) numbers.emplace_back(number);
+  parameters_ = std::make_shared<const std::vector<Animated<double>>>(std::move(numbers));
 }
 
 Surface Surface::withParameters(std::vector<Animated<double>> parameters) const {

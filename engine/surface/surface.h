@@ -40,6 +40,7 @@
 
 namespace luxo {
 
+struct Cloth;
 class TriangleMesh;
 struct MeshGroup;
 struct SurfaceTriangles;
@@ -89,6 +90,10 @@ class Surface {
   Surface(const TriangleMesh& mesh);  // NOLINT: it is a surface
   /// Some of them: those of a material. Closed where the mesh is: whoever sees it from outside sees fronts.
   Surface(const TriangleMesh& mesh, const MeshGroup& group);
+  /// A cloth, as it lies at rest; snapshots of a scene have what it is like then. Its parameters are its
+  /// numbers, in their order (surface/cloth.h), none of them a function of time. Error(Scene): what
+  /// validate() says.
+  explicit Surface(const Cloth& cloth);
 
   /// The same surface (identity, topology) with other values of its free parameters, as many as it has.
   [[nodiscard]] Surface withParameters(std::vector<Animated<double>> parameters) const;
