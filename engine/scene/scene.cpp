@@ -9,6 +9,8 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "surface/cloth_simulation.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 
@@ -80,9 +82,12 @@ bool constantParameters(const Surface& surface) {
   return std::ranges::all_of(surface.parameters(), &Animated<double>::isConstant);
 }
 
+bool isCloth(const Surface& surface) { return surface.triangles() && surface.triangles()->cloth; }
+
 bool movesWithTime(const Node& node) {
-  return node.translation.movesWithTime() || node.rotation.movesWithTime() || node.scale.movesWithTime() ||
-         node.visible.movesWithTime() || (node.light && node.light->movesWithTime()) ||
+  return isCloth(node.surface) || node.translation.movesWithTime() || node.rotation.movesWithTime() ||
+         node.scale.movesWithTime() || node.visible.movesWithTime() ||
+         (node.light && node.light->movesWithTime()) ||
          (node.surface.valid() &&
           std::ranges::any_of(node.surface.parameters(), &Animated<double>::movesWithTime));
 }
@@ -112,7 +117,9 @@ Animated<Rotation> spin(const Vec3& axis, double radiansPerSecond) {
   return [=](double t) { return Rotation{axis, angleAt(radiansPerSecond, t)}; };
 }
 
-Scene::Scene() : materials_{Animated<Material>(Material{.name = "default"})} {}
+Scene::Scene()
+    : materials_{Animated<Material>(Material{.name = "default"})},
+      clothSimulation_(std::make_shared<ClothSimulation>()) {}
 
 Scene::Entry Scene::checked(Node node, std::uint32_t index) const {
   const auto exists = [&](NodeId id) { return id.index < nodes_.size() && !nodes_[id.index].removed; };
@@ -174,6 +181,12 @@ void Scene::set(CameraId id, Camera camera) {
 void Scene::set(const RenderSettings& settings) {
   validate(settings);
   settings_ = settings;
+  ++version_;
+}
+
+void Scene::set(std::shared_ptr<ClothSimulation> simulation) {
+  LUXO_REQUIRE(simulation != nullptr);
+  clothSimulation_ = std::move(simulation);
   ++version_;
 }
 
@@ -254,6 +267,11 @@ std::vector<double> Scene::parametersAt(double timeSeconds) const {
     requireAllowed(parameter, values.back());
   }
   return values;
+}
+
+bool Scene::hasCloth() const {
+  return std::ranges::any_of(
+      nodes_, [](const Entry& entry) { return !entry.removed && isCloth(entry.node.surface); });
 }
 
 bool Scene::movesWithTime() const {

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@
 #include "surface/surface.h"
 
 namespace luxo {
+
+class ClothSimulation;
 
 /// Right-handed, about an axis of any length; a zero axis is allowed only with angle 0.
 struct Rotation {
@@ -97,6 +100,9 @@ class Scene {
   void set(MaterialId id, Animated<Material> material);
   void set(CameraId id, Camera camera);
   void set(const RenderSettings& settings);
+  /// What moves its cloth (surface/cloth_simulation.h). One that cannot unless it is set: then snapshots
+  /// after step 0 throw Error(Scene). Copies of a scene share it.
+  void set(std::shared_ptr<ClothSimulation> simulation);
   /// Nothing is rebuilt: only the version and the next snapshot change. Throws Error(Scene) for a constant
   /// out of range.
   void setParameter(ParameterId id, Animated<double> value);
@@ -130,6 +136,11 @@ class Scene {
   /// naming a parameter that is not finite or outside its range.
   [[nodiscard]] std::vector<double> parametersAt(double timeSeconds) const;
 
+  /// Whether any node is a cloth.
+  [[nodiscard]] bool hasCloth() const;
+  /// Never null. It remembers, and so changes, while the scene does not.
+  [[nodiscard]] const std::shared_ptr<ClothSimulation>& clothSimulation() const { return clothSimulation_; }
+
   /// Whether anything is a function of time: if not, one snapshot is right for all times (while no parameter
   /// is set).
   [[nodiscard]] bool movesWithTime() const;
@@ -146,6 +157,7 @@ class Scene {
   std::vector<Camera> cameras_;
   std::vector<Parameter> parameters_;
   RenderSettings settings_;
+  std::shared_ptr<ClothSimulation> clothSimulation_;
   std::uint64_t version_ = 0;
 };
 

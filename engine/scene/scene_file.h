@@ -251,10 +251,38 @@ struct MeshShape {
   friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
 
+/// What is held of a cloth: a corner or an edge by its name, or the point nearest to (u, v).
+struct ClothPinDesc {
+  FileName name = {};  ///< empty: at `point`
+  QuantityPair point{0, 0};
+
+  friend bool operator==(const ClothPinDesc&, const ClothPinDesc&) = default;
+};
+
+/// What a cloth lies on.
+struct ClothBallDesc {
+  Quantity3 center = repeated(0);
+  Quantity radius = {}, friction = 10;
+
+  friend bool operator==(const ClothBallDesc&, const ClothBallDesc&) = default;
+};
+
+/// As Cloth (surface/cloth.h). Cells and pins depend on nothing, other numbers not on time.
+struct ClothShape {
+  QuantityPair cells{24, 24}, size{1, 1};
+  Quantity density = 0.2, stretch = 60, shear = 15, bend = 1e-5, damping = 0.2, step = 0.001;
+  Quantity3 gravity{0, -9.81, 0};
+  std::vector<ClothPinDesc> pins = {};
+  std::optional<ClothBallDesc> ball = {};
+
+  friend bool operator==(const ClothShape&, const ClothShape&) = default;
+};
+
 struct SurfaceDesc {
   FileName name = {};
   /// Nothing: it could not be read (never for what parseScene() returns).
-  std::variant<std::monostate, NamedShape, FormulaShape, RevolveShape, TubeShape, BezierShape, MeshShape>
+  std::variant<std::monostate, NamedShape, FormulaShape, RevolveShape, TubeShape, BezierShape, MeshShape,
+               ClothShape>
       shape = {};
   std::optional<QuantityPair> segments = {};  ///< a uniform grid instead of the tolerance
 

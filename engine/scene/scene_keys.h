@@ -52,6 +52,10 @@ inline constexpr std::array<Names, 7> kRevolveNames = {"type", "radius", "height
 inline constexpr std::array<Names, 6> kTubeNames = {"type", "curve", "radius", "u", "let", "segments"};
 inline constexpr std::array<Names, 4> kBezierNames = {"type", "control_points", "patches", "segments"};
 inline constexpr std::array<Names, 4> kMeshNames = {"type", "file", "normals", "crease"};
+inline constexpr std::array<Names, 12> kClothNames = {"type",    "cells", "size", "density",
+                                                      "stretch", "shear", "bend", "damping",
+                                                      "gravity", "step",  "pins", "ball"};
+inline constexpr std::array<Names, 3> kClothBallNames = {"radius", "center", "friction"};
 inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
 inline constexpr std::array<Names, 10> kNodeNames = {"name",    "translate", "rotate", "scale", "visible",
                                                      "surface", "material",  "model",  "light", "children"};
@@ -79,6 +83,8 @@ inline constexpr SceneKeys kRevolve{"a surface of revolution", "surface_revolve"
 inline constexpr SceneKeys kTube{"a tube", "surface_tube", kTubeNames, 3};
 inline constexpr SceneKeys kBezier{"a Bezier surface", "surface_bezier", kBezierNames, 2};
 inline constexpr SceneKeys kMesh{"a mesh", "surface_mesh", kMeshNames, 2};
+inline constexpr SceneKeys kCloth{"a cloth", "surface_cloth", kClothNames, 1};
+inline constexpr SceneKeys kClothBall{"the ball of a cloth", "cloth_ball", kClothBallNames, 1};
 inline constexpr SceneKeys kNode{"a node", "node", kNodeNames};
 inline constexpr SceneKeys kRotation{"a rotation", "rotation", kRotationNames, 2};
 inline constexpr SceneKeys kLight{"a light", "light", kLightNames};
@@ -86,10 +92,10 @@ inline constexpr SceneKeys kMap{"a shadow map", "map", kMapNames};
 inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
 /// All of them, but for named surfaces.
-inline constexpr std::array kAll = {kRoot,     kRender,   kOcclusion,  kParameter, kTexture,
-                                    kMaterial, kIsolines, kTextureMap, kColorMap,  kNormalMap,
-                                    kFormula,  kRevolve,  kTube,       kBezier,    kMesh,
-                                    kNode,     kRotation, kLight,      kMap,       kCamera};
+inline constexpr std::array kAll = {kRoot,     kRender,     kOcclusion, kParameter, kTexture,   kMaterial,
+                                    kIsolines, kTextureMap, kColorMap,  kNormalMap, kFormula,   kRevolve,
+                                    kTube,     kBezier,     kMesh,      kCloth,     kClothBall, kNode,
+                                    kRotation, kLight,      kMap,       kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};
@@ -110,7 +116,10 @@ inline constexpr std::array<Names, 2> kBlendOrders = {"exact", "given"};
 inline constexpr std::array<Names, 2> kOcclusionMethods = {"screen", "rays"};
 inline constexpr std::array<Names, 2> kProjections = {"perspective", "orthographic"};
 /// Surfaces with a structure of their own; all other types are the catalogue's.
-inline constexpr std::array<Names, 5> kShapeTypes = {"formula", "revolve", "tube", "bezier", "mesh"};
+inline constexpr std::array<Names, 6> kShapeTypes = {"formula", "revolve", "tube", "bezier", "mesh", "cloth"};
+/// What of a cloth is held: its corners, then its edges.
+inline constexpr std::array<Names, 8> kClothPins = {"front_left", "front_right", "back_left", "back_right",
+                                                    "front",      "back",        "left",      "right"};
 inline constexpr std::array<Names, 3> kNormalRules = {"given", "smooth", "flat"};
 
 }  // namespace keys

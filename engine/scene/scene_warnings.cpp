@@ -62,6 +62,15 @@ struct ShapeVisitor {
     for (const Quantity3& point : shape.points) visitAll(point, visit);
   }
   void operator()(const MeshShape& shape) const { visit(shape.crease); }
+  void operator()(const ClothShape& shape) const {
+    visitAll(shape.size, visit);
+    visitAll({{shape.density, shape.stretch, shape.shear, shape.bend, shape.damping, shape.step}}, visit);
+    visitAll(shape.gravity, visit);
+    if (!shape.ball) return;
+    visitAll(shape.ball->center, visit);
+    visit(shape.ball->radius);
+    visit(shape.ball->friction);
+  }
 };
 
 void visitCamera(const CameraDesc& camera, const Visit& visit) {

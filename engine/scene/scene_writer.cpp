@@ -215,6 +215,15 @@ JsonText written(const MaterialDesc& material) {
   return members.take();
 }
 
+JsonText written(const ClothBallDesc& ball) {
+  const ClothBallDesc usual;
+  Members members;
+  members.put("radius", written(ball.radius));
+  members.add("center", ball.center, usual.center);
+  members.add("friction", ball.friction, usual.friction);
+  return members.take();
+}
+
 struct ShapeWriter {
   Members& members;
 
@@ -268,6 +277,26 @@ struct ShapeWriter {
     members.put("file", JsonText::string(shape.file.text));
     members.addWord("normals", shape.normals, NormalRule::Given, keys::kNormalRules);
     members.add("crease", shape.crease, MeshShape{}.crease);
+  }
+  void operator()(const ClothShape& shape) const {
+    const ClothShape usual;
+    members.put("type", JsonText::string("cloth"));
+    members.add("cells", shape.cells, usual.cells);
+    members.add("size", shape.size, usual.size);
+    members.add("density", shape.density, usual.density);
+    members.add("stretch", shape.stretch, usual.stretch);
+    members.add("shear", shape.shear, usual.shear);
+    members.add("bend", shape.bend, usual.bend);
+    members.add("damping", shape.damping, usual.damping);
+    members.add("gravity", shape.gravity, usual.gravity);
+    members.add("step", shape.step, usual.step);
+    if (!shape.pins.empty()) {
+      JsonText pins = JsonText::array();
+      for (const ClothPinDesc& pin : shape.pins)
+        pins.add(pin.name.empty() ? written(pin.point) : JsonText::string(pin.name.text));
+      members.put("pins", std::move(pins));
+    }
+    if (shape.ball) members.put("ball", written(*shape.ball));
   }
 
  private:

@@ -16,12 +16,17 @@
 #include "scene/isolines_builder.h"
 #include "scene/model_files.h"
 #include "scene/model_scene.h"
+#include "scene/scene_keys.h"
 #include "surface/bezier.h"
 #include "surface/catalogue.h"
+#include "surface/cloth.h"
 #include "surface/tube.h"
 
 namespace luxo {
 namespace {
+
+constexpr const char* kCellsInWords = "a whole number from 1 to 128";
+static_assert(kMostClothCells == 128);
 
 /// The surface of position formulas, at rest for its topology and then free to move.
 Surface assemble(const FormulaSet& formulas, const ExprPoint& position, const Moment& start,
@@ -253,6 +258,80 @@ Surface ShapeBuilder::buildShape(const std::string&, const MeshShape& shape) {
     problems_.add(shape.file.place, error.what(), error.hint());
     return {};
   }
+}
+
+Surface ShapeBuilder::buildShape(const std::string&, const ClothShape& shape) {
+  const std::size_t problemsBefore = problems_.count();
+  Cloth cloth;
+  cloth.columns = cellsOf(shape.cells[0]);
+  cloth.rows = cellsOf(shape.cells[1]);
+  for (const ClothPinDesc& pin : shape.pins) addPins(pin, cloth);
+
+  const ClothBallDesc ball = shape.ball.value_or(ClothBallDesc{.radius = 0});
+  const Quantity* quantities[kClothNumbers] = {
+      &shape.size[0],  &shape.size[1],    &shape.density,    &shape.stretch,    &shape.shear, &shape.bend,
+      &shape.damping,  &shape.gravity[0], &shape.gravity[1], &shape.gravity[2], &shape.step,  &ball.center[0],
+      &ball.center[1], &ball.center[2],   &ball.radius,      &ball.friction};
+  std::vector<Animated<double>> numbers;
+  std::array<double, kClothNumbers> atStart{};
+  for (std::size_t i = 0; i < kClothNumbers; ++i) {
+    const ClothNumber& known = clothNumbers()[i];
+    const Quantity& quantity = *quantities[i];
+    numbers.push_back(formulas_.numberAtStart(quantity, {known.range, known.words}));
+    if (numbers.back().movesWithTime())
+      problems_.add(quantity, {{0, quantity.formula().size()},
+                               "a cloth's numbers cannot depend on t: its steps all have the same",
+                               {}});
+    else
+      atStart[i] = numbers.back().at({0, *variables_.initial()});
+  }
+  if (problems_.count() > problemsBefore) return {};
+  try {
+    return Surface(withNumbers(cloth, atStart)).withParameters(std::move(numbers));
+  } catch (const Error& error) {  // of numbers that do not go together
+    const FilePlace step = shape.step.place();
+    if (step.begin == step.end) throw;
+    problems_.add(step, error.what(), error.hint());
+    return {};
+  }
+}
+
+std::uint32_t ShapeBuilder::cellsOf(const Quantity& quantity) {
+  const Allowed allowed{{1, kMostClothCells}, kCellsInWords};
+  const double cells = formulas_.fixed(quantity, allowed).value_or(1);
+  if (cells != std::floor(cells))
+    problems_.add(quantity.place(), fmt::format("this is {}; it must be {}", cells, kCellsInWords));
+  return static_cast<std::uint32_t>(cells);
+}
+
+void ShapeBuilder::addPins(const ClothPinDesc& pin, Cloth& cloth) {
+  if (pin.name.empty()) {
+    const double u = formulas_.fixed(pin.point[0], kFraction).value_or(0);
+    const double v = formulas_.fixed(pin.point[1], kFraction).value_or(0);
+    cloth.pins.emplace_back(u, v);
+    return;
+  }
+  // Corners are the ends of edges, and edges all points of them.
+  constexpr std::array<Domain, keys::kClothPins.size()> kHeld{{{{0, 0}, {0, 0}},
+                                                               {{1, 1}, {0, 0}},
+                                                               {{0, 0}, {1, 1}},
+                                                               {{1, 1}, {1, 1}},
+                                                               {{0, 1}, {0, 0}},
+                                                               {{0, 1}, {1, 1}},
+                                                               {{0, 0}, {0, 1}},
+                                                               {{1, 1}, {0, 1}}}};
+  const auto name = std::ranges::find(keys::kClothPins, pin.name.text);
+  if (name == keys::kClothPins.end())
+    throw Error(ErrorKind::Scene, fmt::format("a cloth has no corner or edge '{}'", pin.name.text));
+  const Domain& held = kHeld[static_cast<std::size_t>(name - keys::kClothPins.begin())];
+  const auto points = [](const Interval& range, std::uint32_t cells) {
+    return range.width() > 0 ? cells : 0;
+  };
+  const std::uint32_t alongU = points(held.u, cloth.columns), alongV = points(held.v, cloth.rows);
+  for (std::uint32_t j = 0; j <= alongV; ++j)
+    for (std::uint32_t i = 0; i <= alongU; ++i)
+      cloth.pins.emplace_back(alongU > 0 ? static_cast<double>(i) / alongU : held.u.lo,
+                              alongV > 0 ? static_cast<double>(j) / alongV : held.v.lo);
 }
 
 ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const MaterialDesc& material, const Surface& surface) {

@@ -15,6 +15,8 @@
 
 namespace luxo {
 
+struct Cloth;
+
 class ShapeBuilder {
  public:
   /// `warnings` may be null. `tangents`: meshes have them, where they have uvs.
@@ -55,10 +57,13 @@ class ShapeBuilder {
   Surface buildShape(const std::string& name, const TubeShape& shape);
   Surface buildShape(const std::string& name, const BezierShape& shape);
   Surface buildShape(const std::string& name, const MeshShape& shape);
+  Surface buildShape(const std::string& name, const ClothShape& shape);
   Surface buildShape(const std::string&, std::monostate) { return {}; }
 
   [[nodiscard]] bool readOpacity(const MaterialDesc& material, const Surface& surface,
                                  Animated<double>& value);
+  std::uint32_t cellsOf(const Quantity& quantity);
+  void addPins(const ClothPinDesc& pin, Cloth& cloth);
   void checkClosed(const FormulaShape& shape, const Surface& surface);
   void warn(const SurfaceDesc& desc, const Surface& surface);
 

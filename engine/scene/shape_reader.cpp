@@ -30,6 +30,9 @@ class ShapeReader {
   void readTube(const JsonValue& value);
   void readBezier(const JsonValue& value);
   void readMesh(const JsonValue& value);
+  void readCloth(const JsonValue& value);
+  bool readPins(const JsonValue& value, std::vector<ClothPinDesc>& pins);
+  bool readBall(const JsonValue& value, std::optional<ClothBallDesc>& ball);
   void readCatalogued(const JsonValue& value, const JsonValue& type, const CatalogueEntry& entry);
 
   bool readArgument(const JsonValue& value, const CatalogueArgument& argument, NamedShape& shape);
@@ -72,6 +75,7 @@ void ShapeReader::readAny(const JsonValue& value) {
   if (name == "tube") return readTube(value);
   if (name == "bezier") return readBezier(value);
   if (name == "mesh") return readMesh(value);
+  if (name == "cloth") return readCloth(value);
   if (const CatalogueEntry* entry = findCatalogueEntry(name)) return readCatalogued(value, type, *entry);
   const std::vector<std::string> types = surfaceTypes();
   problems_.add(type.where(), fmt::format("unknown surface type '{}'", name),
@@ -135,6 +139,52 @@ void ShapeReader::readMesh(const JsonValue& value) {
   good = values_.readWord(members["normals"], keys::kNormalRules, shape.normals) && good;
   good = values_.read(members["crease"], shape.crease) && good;
   if (good) surface_.shape = std::move(shape);
+}
+
+void ShapeReader::readCloth(const JsonValue& value) {
+  const SceneMembers members(value, keys::kCloth, problems_);
+  ClothShape shape;
+  bool good = members.complete();
+  good = values_.read(members["cells"], shape.cells) && good;
+  good = values_.read(members["size"], shape.size) && good;
+  good = values_.read(members["density"], shape.density) && good;
+  good = values_.read(members["stretch"], shape.stretch) && good;
+  good = values_.read(members["shear"], shape.shear) && good;
+  good = values_.read(members["bend"], shape.bend) && good;
+  good = values_.read(members["damping"], shape.damping) && good;
+  good = values_.read(members["gravity"], shape.gravity) && good;
+  good = values_.read(members["step"], shape.step) && good;
+  good = readPins(members["pins"], shape.pins) && good;
+  good = readBall(members["ball"], shape.ball) && good;
+  if (good) surface_.shape = std::move(shape);
+}
+
+bool ShapeReader::readPins(const JsonValue& value, std::vector<ClothPinDesc>& pins) {
+  if (!value.exists()) return true;
+  if (value.kind() != JsonKind::Array)
+    return values_.reject(value, "an array of corners, edges and points [u, v]",
+                          R"(write "pins": ["back_left", "back_right", [0.5, 1]])");
+  bool good = true;
+  for (JsonValue element = value.first(); element.exists(); element = element.next()) {
+    ClothPinDesc& pin = pins.emplace_back();
+    if (element.kind() != JsonKind::String) {
+      good = values_.read(element, pin.point) && good;
+      continue;
+    }
+    std::size_t word = 0;
+    good = values_.readWord(element, keys::kClothPins, word) && values_.read(element, pin.name) && good;
+  }
+  return good;
+}
+
+bool ShapeReader::readBall(const JsonValue& value, std::optional<ClothBallDesc>& ball) {
+  if (!value.exists()) return true;
+  const SceneMembers members(value, keys::kClothBall, problems_);
+  ClothBallDesc& read = ball.emplace();
+  bool good = members.complete();
+  good = values_.read(members["radius"], read.radius) && good;
+  good = values_.read(members["center"], read.center) && good;
+  return values_.read(members["friction"], read.friction) && good;
 }
 
 void ShapeReader::readCatalogued(const JsonValue& value, const JsonValue& type, const CatalogueEntry& entry) {

@@ -13,6 +13,8 @@
 #include "base/error.h"
 #include "math/sampling.h"
 #include "scene/fitted_camera.h"
+#include "surface/cloth_simulation.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 
@@ -104,6 +106,17 @@ std::vector<std::uint32_t> numberNodes(const Scene& scene) {
   return number;
 }
 
+/// What a cloth is like then.
+Surface clothThen(const NodeThen& then, const Cloth& built, std::span<const double> numbers) {
+  try {
+    const Cloth cloth = withNumbers(built, numbers);
+    return then.scene.clothSimulation()->surfaceAfter(cloth, clothSteps(cloth, then.moment.time));
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::Scene) throw;
+    then.reject(error.what(), error.hint());
+  }
+}
+
 SnapshotNode takeNode(const NodeThen& then) {
   const Scene::Entry& entry = then.scene.nodes()[then.id.index];
   const Node& node = entry.node;
@@ -113,6 +126,11 @@ SnapshotNode takeNode(const NodeThen& then) {
     if (!std::isfinite(taken.parameters.back()))
       then.reject(fmt::format("parameter {} of its surface '{}' is {}; it must be finite",
                               taken.parameters.size(), node.surface.name(), taken.parameters.back()));
+  }
+  if (const SurfaceTriangles* triangles = node.surface.triangles(); triangles && triangles->cloth) {
+    taken.surface = clothThen(then, *triangles->cloth, std::exchange(taken.parameters, {}));
+    taken.boundsObject = taken.surface.bounds({});
+    return taken;
   }
   taken.boundsObject = entry.constantBounds ? *entry.constantBounds : node.surface.bounds(taken.parameters);
   return taken;

@@ -191,7 +191,7 @@ class RandomScene {
   }
   SurfaceDesc surface(int i) {
     SurfaceDesc desc{.name = name("s", i)};
-    switch (random_.below(6)) {
+    switch (random_.below(7)) {
       case 0: {
         const CatalogueEntry& entry =
             catalogue()[static_cast<std::size_t>(random_.below(int(catalogue().size())))];
@@ -219,6 +219,17 @@ class RandomScene {
         desc.shape =
             TubeShape{.u = quantities<2>(), .let = let(), .curve = quantities<3>(), .radius = quantity()};
         break;
+      case 5: {
+        ClothShape shape{
+            .cells = quantities<2>(), .size = quantities<2>(), .density = quantity(), .bend = quantity()};
+        if (coin()) shape.gravity = quantities<3>();
+        for (int k = random_.below(3); k > 0; --k)
+          shape.pins.push_back(coin() ? ClothPinDesc{.name = "back_left"}
+                                      : ClothPinDesc{.point = quantities<2>()});
+        if (coin()) shape.ball = ClothBallDesc{.center = quantities<3>(), .radius = quantity()};
+        desc.shape = shape;
+        break;
+      }
       case 4:
         desc.shape =
             MeshShape{.file = "models/a b.obj", .normals = word<NormalRule>(3), .crease = quantity()};
@@ -232,7 +243,9 @@ class RandomScene {
         desc.shape = shape;
       }
     }
-    if (coin() && !std::holds_alternative<MeshShape>(desc.shape)) desc.segments = quantities<2>();
+    if (coin() && !std::holds_alternative<MeshShape>(desc.shape) &&
+        !std::holds_alternative<ClothShape>(desc.shape))
+      desc.segments = quantities<2>();
     return desc;
   }
   NodeDesc node(int i, const SceneFile& file) {
