@@ -115,10 +115,19 @@ Renderer::Renderer()
 Renderer::Renderer(gpu::Context& context)
     : context_(&context), frames_(context), painter_(context), view_(context, Precision::Full) {}
 
+Snapshot Renderer::snapshotOf(const Scene& scene) {
+  const RenderSettings& settings = scene.settings();
+  if (!scene.hasCloth()) return takeSnapshot(scene, settings.time, settings.size);
+  if (!cloth_) cloth_ = std::make_shared<DeviceClothSimulation>(*context_);
+  Scene moved = scene;
+  moved.set(cloth_);
+  return takeSnapshot(moved, settings.time, settings.size);
+}
+
 Picture Renderer::render(const Scene& scene) {
   const RenderSettings& settings = scene.settings();
   const auto start = std::chrono::steady_clock::now();
-  const Snapshot snapshot = takeSnapshot(scene, settings.time, settings.size);
+  const Snapshot snapshot = snapshotOf(scene);
   const double animate = millisecondsSince(start);
   Picture picture = render(snapshot, drawOptions(settings));
   picture.statistics.ms.animate = animate;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "draw/accumulation.h"
+#include "draw/device_cloth_simulation.h"
 #include "draw/options.h"
 #include "draw/ray_points.h"
 #include "draw/scene_painter.h"
@@ -42,7 +43,8 @@ class Renderer {
   /// On a device of the caller's, which must outlive the renderer.
   explicit Renderer(gpu::Context& context);
 
-  /// The scene as its own settings describe it: size, time, shading, first camera.
+  /// The scene as its own settings describe it: size, time, shading, first camera. Its cloth is moved by this
+  /// renderer's device.
   [[nodiscard]] Picture render(const Scene& scene);
   /// Asked for the same picture again it submits nothing and reads that once more; with skips.unchanged off
   /// it draws.
@@ -70,6 +72,8 @@ class Renderer {
   /// picture of its own, with its own certificates and audit: no slower, as searches run once per sample
   /// anyway.
   [[nodiscard]] bool inOnePass(const Snapshot& snapshot, const DrawOptions& options) const;
+  /// As its settings ask for, with cloth that this renderer's device moves.
+  [[nodiscard]] Snapshot snapshotOf(const Scene& scene);
   /// Draws one sample of each pixel into the view and reads that back. What searches leave in
   /// doubt is found by rays, and what an audit finds wrong is drawn anew.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
@@ -101,6 +105,7 @@ class Renderer {
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};
   std::optional<Shown> shown_;
+  std::shared_ptr<DeviceClothSimulation> cloth_;  ///< of scenes; made for the first that has some
 };
 
 }  // namespace luxo

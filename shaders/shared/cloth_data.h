@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the CPU hands to cloth.comp: one definition for C++ and GLSL, scalar block layout. Metres, seconds, kilograms.
+#ifndef LUXO_SHARED_CLOTH_DATA_H
+#define LUXO_SHARED_CLOTH_DATA_H
+
+#ifdef __cplusplus
+#include <cstdint>
+
+#include "math/vec.h"
+namespace luxo::shared {
+using vec3 = Vec3f;
+using uint = std::uint32_t;
+#define LUXO_CONSTANT inline constexpr uint
+#else
+#extension GL_EXT_scalar_block_layout : require
+#define LUXO_CONSTANT const uint
+#endif
+
+LUXO_CONSTANT kClothInvocations = 128;  // what every device has in a workgroup
+
+// Parts of the buffer of points, each as long as there are points.
+LUXO_CONSTANT kClothPlaces = 0;      // and mass, below 0 of what is pinned
+LUXO_CONSTANT kClothVelocities = 1;  // and row sum (ClothSystem)
+LUXO_CONSTANT kClothMoves = 2;       // two of them, by turns
+LUXO_CONSTANT kClothChanges = 4;     // of the moves, in the last iteration
+LUXO_CONSTANT kClothForces = 5;      // and whether the ball touches
+LUXO_CONSTANT kClothParts = 6;
+
+struct ClothData {
+  uint columns, rows;  // cells
+  uint steps;
+  uint iterations;     // of one run, of two
+  float step;
+  float damping, friction;  // per second
+  float restX, restZ, restDiagonal;
+  float stretchX, stretchZ, diagonal, bendX, bendZ;  // as in ClothSystem
+  float ballRadius;
+  vec3 ballCenter, gravity;
+};
+
+#ifdef __cplusplus
+#undef LUXO_CONSTANT
+}  // namespace luxo::shared
+#endif
+#endif
