@@ -22,16 +22,10 @@ void synchronize() {
 
 vec3 at(uint part, uint i) { return points[part * count + i].xyz; }
 
-bool isPinned(uint i) { return points[kClothPlaces * count + i].w < 0; }
-bool touches(uint i) { return points[kClothForces * count + i].w != 0; }
-
-/// Of masses: what resists a move; damping and the ball's friction resist it as more mass would.
-float inertia(uint i) {
-  float mass = points[kClothPlaces * count + i].w;
+/// What resists a move of a mass; damping does as more mass would, and where the ball touches its push and its friction.
+float inertia(float mass, bool touched) {
   float rate = 1 / cloth.step;
-  float inert = mass * rate * (rate + cloth.damping);
-  if (touches(i)) inert += mass * rate * (rate + cloth.friction);
-  return inert;
+  return mass * rate * (rate + cloth.damping + (touched ? rate + cloth.friction : 0));
 }
 
 /// What a spring to a neighbour that is `apart` pulls with.
@@ -110,9 +104,11 @@ void findMoves() {
     uint before = kClothMoves + k % 2, after = kClothMoves + (k + 1) % 2;
     for (uint i = gl_LocalInvocationIndex; i < count; i += kClothInvocations) {
       vec3 move = vec3(0), change = vec3(0);
-      if (!isPinned(i)) {
-        float inert = inertia(i);
-        vec3 residual = at(kClothForces, i);
+      float mass = points[kClothPlaces * count + i].w;
+      if (mass > 0) {  // else it is pinned
+        vec4 force = points[kClothForces * count + i];
+        float inert = inertia(mass, force.w != 0);
+        vec3 residual = force.xyz;
         if (k > 0) {
           move = at(before, i);
           residual += elastic(before, i, false) - inert * move;

@@ -5,9 +5,10 @@
 //
 // Its steps are the same bytes each time on a device; another device rounds square roots and quotients
 // otherwise. Nothing is made, no device, pipeline or buffer, before a cloth has to move. States are read
-// back, once for each time that is asked for: their triangles are a mesh like any other, for rays in double
-// as for what is drawn. Cost of a step of 25 x 25 points, 10 iterations: 0.1 ms on two cores without a GPU;
-// of reading back and making the mesh: 2 ms.
+// back, once for each time that is asked for: their triangles are a mesh like any other (triangleMesh() says
+// what it costs), for rays in double as for what is drawn. Processor time of a step without a GPU, measured
+// with the gallery's cloth: 0.2 ms of 16 x 16 cells, 0.5 ms of 24 x 24, 1 ms of 32 x 32, 3 ms of 48 x 48,
+// whose steps take more iterations. Nothing interrupts the steps to a time.
 #pragma once
 
 #include <memory>

@@ -49,7 +49,7 @@ namespace luxo {
 /// Cells along each side, steps from time 0, and iterations of a step: the most. The last bounds what a step
 /// costs; it is reached where a step is so long that sound crosses some eight cells in it.
 inline constexpr std::uint32_t kMostClothCells = 128;
-inline constexpr std::uint32_t kMostClothSteps = 1000000;
+inline constexpr std::uint32_t kMostClothSteps = 100000;
 inline constexpr std::uint32_t kMostClothIterations = 128;
 
 /// At rest it lies in the plane y = 0 as a rectangle does: u runs along +x, v along -z, both from 0 to 1.
