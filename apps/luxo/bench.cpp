@@ -105,7 +105,8 @@ std::vector<Subject> subjectsOf(RenderRequest request, std::vector<NamedFile>& i
   const std::vector<BuiltinScene> builtin = builtinScenes();
   std::vector<Subject> subjects;
   for (const std::string& name : names) {
-    const Scene scene = openScene(name, request.parameters, nullptr, &inputs);
+    Scene scene = openScene(name, request.parameters, nullptr, &inputs);
+    moveCloth(scene, request.device);
     const RenderSettings settings = settingsOf(scene, request);
     subjects.push_back({name, takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, request))});
     if (std::ranges::find(builtin, name, &BuiltinScene::name) != builtin.end())

@@ -82,7 +82,8 @@ bool drawAll(const GalleryOptions& options, const Sheet& sheet, Verbosity verbos
   const auto scenes = galleryScenes();
   for (const EmbeddedScene& embedded : scenes) {
     const int index = static_cast<int>(report.frames.size());
-    const Scene scene = buildScene(galleryDescription(embedded));
+    Scene scene = buildScene(galleryDescription(embedded));
+    moveCloth(scene, options.device);
     RenderSettings settings = scene.settings();
     settings.size = sheet.cell;
     if (options.samples) settings.samples = parseSamples(*options.samples);

@@ -12,6 +12,7 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "draw/device_cloth_simulation.h"
 #include "export/carried_scene.h"
 #include "mesh/model.h"
 #include "scene/model_files.h"
@@ -226,7 +227,13 @@ Scene buildScene(const SceneFile& file, std::span<const ParameterValue> paramete
   for (const Diagnostic& diagnostic : found)
     warnings->push_back(
         describe(file.source.name, file.source.text ? *file.source.text : std::string(), diagnostic));
+  moveCloth(scene, "auto");
   return scene;
+}
+
+void moveCloth(Scene& scene, const std::string& device) {
+  if (scene.hasCloth())
+    scene.set(std::make_shared<DeviceClothSimulation>(gpu::ContextDesc{.device = device}));
 }
 
 }  // namespace luxo

@@ -75,7 +75,11 @@ struct OpenedShader {
 /// What -P says, as descriptions take it.
 [[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);
 
-/// As openScene(), for a description that is in memory.
+/// Has a device move the scene's cloth, if it has any. It is opened once there is a step to do.
+void moveCloth(Scene& scene, const std::string& device);
+
+/// As openScene(), for a description that is in memory. Its cloth is moved by the device that is chosen
+/// automatically.
 [[nodiscard]] Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,
                                std::vector<std::string>* warnings, WarningsAbout about = WarningsAbout::All);
 

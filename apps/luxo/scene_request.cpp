@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "open_scene.h"
 
 namespace luxo {
 
@@ -61,6 +62,7 @@ ParameterId sweptParameter(const Scene& scene, const Sweep& sweep) {
 ViewedScene viewedScene(Scene scene, const RenderRequest& request) {
   const RenderSettings settings = settingsOf(scene, request);
   const CameraId camera = cameraOf(scene, request);
+  moveCloth(scene, request.device);
   return {std::move(scene), settings, camera};
 }
 

@@ -99,7 +99,8 @@ int verifyScene(const VerifyOptions& options) {
   const NamedFile outputs[] = {{"-o", options.heat},
                                {"--report", printsReport ? "" : options.report.value_or("")}};
   std::vector<NamedFile> inputs;
-  const Scene scene = openScene(render.scene, render.parameters, nullptr, &inputs);
+  Scene scene = openScene(render.scene, render.parameters, nullptr, &inputs);
+  moveCloth(scene, render.device);
   requireOutputs(outputs, inputs);
   const RenderSettings settings = settingsOf(scene, render);
   requireGroundTruth(settings.shading);

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/program.h"
+#include "draw/device_cloth_simulation.h"
 #include "draw/renderer.h"
 #include "image/format.h"
 #include "scene/scene_builder.h"
@@ -34,7 +36,8 @@ TEST_F(Gallery, ASheetHasEveryScenesOwnPicture) {
   const auto scenes = galleryScenes();
   gpu::Context context(gpu::ContextDesc{});
   for (const EmbeddedScene& embedded : scenes) {
-    const Scene scene = buildScene(galleryDescription(embedded));
+    Scene scene = buildScene(galleryDescription(embedded));
+    scene.set(std::make_shared<DeviceClothSimulation>(context));
     RenderSettings settings = scene.settings();
     settings.samples = 1;
     const Snapshot snapshot = takeSnapshot(scene, settings.time, {kCellWidth, kCellHeight});
@@ -89,6 +92,30 @@ TEST_F(Gallery, ScenesAndShadersAreKnownInAnyFolder) {
                 "gallery/steel.frag:1:40: 'none'");
   EXPECT_EQ(run(folder, {"inspect", "gallery/steel"}).code, 0)
       << "the built-in scene has the built-in shader";
+}
+
+// Of a device that is asked for by name, too; and what takes too long is refused at once.
+TEST_F(Gallery, ClothIsAsItIsThen) {
+  const auto draw = [&](const std::string& file, const std::string& time,
+                        std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"render", "gallery/cloth", "-o",    file,        "--time",
+                                       time,     "--size",        "32x18", "--samples", "1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(folder, arguments);
+  };
+  ASSERT_EQ(draw("a.png", "0.2").code, 0);
+  ASSERT_EQ(draw("b.png", "0.2", {"--device", "0", "-P", "stretch=60"}).code, 0);
+  ASSERT_EQ(draw("c.png", "0.2", {"-P", "weight=1"}).code, 0);
+  ASSERT_EQ(run(folder, {"render", "gallery/cloth", "-o", "film_#.png", "--frames", "1,5,3", "--fps", "10",
+                         "--size", "32x18", "--samples", "1"})
+                .code,
+            0);
+  EXPECT_EQ(readText(folder / "a.png"), readText(folder / "b.png"));
+  EXPECT_EQ(readText(folder / "a.png"), readText(folder / "film_3.png"));
+  EXPECT_NE(readText(folder / "a.png"), readText(folder / "c.png"));
+  expectFailure(draw("d.png", "1e9"), 3,
+                "node 'cloth' at time 1000000000: time 1000000000 s is step 500000000000 of a cloth",
+                "ask for an earlier time");
 }
 
 TEST(GalleryNames, AreSuggested) {
