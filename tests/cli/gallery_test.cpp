@@ -110,9 +110,9 @@ TEST_F(Gallery, ClothIsAsItIsThen) {
                          "--size", "32x18", "--samples", "1"})
                 .code,
             0);
-  EXPECT_EQ(readText(folder / "a.png"), readText(folder / "b.png"));
-  EXPECT_EQ(readText(folder / "a.png"), readText(folder / "film_3.png"));
-  EXPECT_NE(readText(folder / "a.png"), readText(folder / "c.png"));
+  EXPECT_EQ(textOf(folder / "a.png"), textOf(folder / "b.png"));
+  EXPECT_EQ(textOf(folder / "a.png"), textOf(folder / "film_3.png"));
+  EXPECT_NE(textOf(folder / "a.png"), textOf(folder / "c.png"));
   expectFailure(draw("d.png", "1e9"), 3,
                 "node 'cloth' at time 1000000000: time 1000000000 s is step 500000000000 of a cloth",
                 "ask for an earlier time");
