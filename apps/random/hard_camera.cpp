@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
+
+#include "surface/surface_triangles.h"
 
 namespace luxo::random {
 namespace {
@@ -33,17 +36,35 @@ Vec3 unitOr(const Vec3& v, const Vec3& other) {
   return length > 0 && std::isfinite(length) ? v / length : other;
 }
 
+/// In the object's space, with two tangents.
+struct PointOfSurface {
+  Vec3 position, du, dv;
+};
+
+PointOfSurface pointOf(const Surface& surface, std::span<const double> parameters, Numbers& n) {
+  const auto patch = static_cast<std::uint32_t>(n.whole(0, static_cast<int>(surface.patchCount()) - 1));
+  const Domain& domain = surface.patchDomain(patch);
+  const double u[] = {n.between(domain.u.lo, domain.u.hi)}, v[] = {n.between(domain.v.lo, domain.v.hi)};
+  const SurfacePoints points = surface.evaluate(patch, u, v, parameters);
+  return {points.position[0], points.du[0], points.dv[0]};
+}
+
+PointOfSurface pointOf(const SurfaceTriangles& triangles, Numbers& n) {
+  const auto [a, b, c] =
+      triangles.points(static_cast<std::uint32_t>(n.whole(0, static_cast<int>(triangles.count) - 1)));
+  const double along = n.between(0, 1), across = n.between(0, 1 - along);
+  return {a + along * (b - a) + across * (c - a), b - a, c - a};
+}
+
 std::optional<Spot> spotOf(const Snapshot& snapshot, Numbers& n) {
   if (snapshot.nodes.empty()) return std::nullopt;
   const SnapshotNode& node =
       snapshot.nodes[static_cast<std::size_t>(n.whole(0, static_cast<int>(snapshot.nodes.size()) - 1))];
-  const auto patch = static_cast<std::uint32_t>(n.whole(0, static_cast<int>(node.surface.patchCount()) - 1));
-  const Domain& domain = node.surface.patchDomain(patch);
-  const double u[] = {n.between(domain.u.lo, domain.u.hi)}, v[] = {n.between(domain.v.lo, domain.v.hi)};
-  const SurfacePoints points = node.surface.evaluate(patch, u, v, node.parameters);
+  const PointOfSurface point = node.surface.triangles() ? pointOf(*node.surface.triangles(), n)
+                                                        : pointOf(node.surface, node.parameters, n);
   const Transform& t = node.worldFromObject;
-  const Vec3 du = transformDirection(t, points.du[0]), dv = transformDirection(t, points.dv[0]);
-  const Vec3 position = transformPoint(t, points.position[0]);
+  const Vec3 du = transformDirection(t, point.du), dv = transformDirection(t, point.dv);
+  const Vec3 position = transformPoint(t, point.position);
   if (!std::isfinite(position.x + position.y + position.z)) return std::nullopt;
   const double turn = n.between(0, kTau);
   const Vec3 along = unitOr(

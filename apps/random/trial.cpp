@@ -45,6 +45,8 @@ class Samples {
     anyShader_ = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
       return snapshot.materials[node.material.index].shader != nullptr;
     });
+    anyTriangles_ = std::ranges::any_of(
+        snapshot.nodes, [](const SnapshotNode& node) { return node.surface.triangles() != nullptr; });
     const auto count = static_cast<std::size_t>(snapshot.view.size.width) *
                        static_cast<std::size_t>(snapshot.view.size.height);
     mean_.assign(count, Vec3(0));
@@ -120,7 +122,7 @@ class Samples {
     Picture color = show(Output::Color);
     measured = {.color = std::move(color.image),
                 .depth = {},
-                .position = {},
+                .position = anyTriangles_ ? show(Output::Position).image : Image(),
                 .normal = {},
                 .uv = show(Output::Uv).image,
                 .id = show(Output::Id).image};
@@ -188,6 +190,7 @@ class Samples {
   Trial& trial_;
   reference::Layers layers_;
   bool anyShader_ = false;  ///< of a material
+  bool anyTriangles_ = false;  ///< whose points are judged by where they are
   ReferenceCaster caster_;
   std::vector<Vec3> mean_;
   std::vector<std::uint8_t> right_;

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <string_view>
 
+#include "draw/device_cloth_simulation.h"
 #include "random/run.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
@@ -21,7 +23,8 @@ constexpr std::uint64_t kSeed = 2617, kCameras = 3;
 
 class RandomCameras : public PictureTest, public testing::WithParamInterface<std::string_view> {};
 
-INSTANTIATE_TEST_SUITE_P(All, RandomCameras, testing::Values("luxo-grandpa", "klein", "gallery/steel"));
+INSTANTIATE_TEST_SUITE_P(All, RandomCameras,
+                         testing::Values("luxo-grandpa", "klein", "gallery/steel", "gallery/cloth"));
 
 Scene sceneNamed(std::string_view name) {
   const auto described = [&] {
@@ -35,7 +38,8 @@ Scene sceneNamed(std::string_view name) {
 
 /// With 1 and with 4 samples, with shaders of materials (whose colours have no truth) and without.
 TEST_P(RandomCameras, SeeNoPixelSilentlyWrong) {
-  const Scene scene = sceneNamed(GetParam());
+  Scene scene = sceneNamed(GetParam());
+  scene.set(std::make_shared<DeviceClothSimulation>(context()));
   for (const int samples : {1, 4}) {
     const random::RunTotals totals = random::runRandom(
         renderer(), {.count = kCameras,
