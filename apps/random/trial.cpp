@@ -189,7 +189,7 @@ class Samples {
   const std::function<bool()>& goesOn_;
   Trial& trial_;
   reference::Layers layers_;
-  bool anyShader_ = false;  ///< of a material
+  bool anyShader_ = false;     ///< of a material
   bool anyTriangles_ = false;  ///< whose points are judged by where they are
   ReferenceCaster caster_;
   std::vector<Vec3> mean_;
