@@ -22,6 +22,12 @@ Json deviceJson(const DeviceReport& device) {
           {"sin_cos", sinCosJson(device.sinCos)}};
 }
 
+Json passesJson(std::span<const PassTime> passes) {
+  Json json = Json::object();
+  for (const PassTime& pass : passes) json[std::string(pass.name)] = pass.milliseconds;
+  return json;
+}
+
 Json frameJson(const FrameReport& frame) {
   const auto& [ms, count, error] = frame.statistics;
   // What only a drawn frame has.
@@ -43,6 +49,7 @@ Json frameJson(const FrameReport& frame) {
         {"cull", drawn(ms.cull)},
         {"upload", drawn(ms.upload)},
         {"gpu", drawn(ms.gpu)},
+        {"passes", drawn(passesJson(ms.passes))},
         {"rays", drawn(ms.rays)},
         {"ray_trees", drawn(ms.rayTrees)},
         {"readback", drawn(ms.readback)},

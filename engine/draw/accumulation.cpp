@@ -37,6 +37,16 @@ std::vector<Vec2> samplePattern(int samples) {
   return points;
 }
 
+void addPassTimes(std::vector<PassTime>& sums, std::span<const PassTime> times) {
+  for (const PassTime& time : times) {
+    const auto known = std::ranges::find(sums, time.name, &PassTime::name);
+    if (known == sums.end())
+      sums.push_back(time);
+    else
+      known->milliseconds += time.milliseconds;
+  }
+}
+
 void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
   FrameTimes& ms = picture.ms;
   ms.tessellate += pass.ms.tessellate;
@@ -45,6 +55,7 @@ void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
   ms.gpu += pass.ms.gpu;
   ms.rays += pass.ms.rays;
   ms.rayTrees += pass.ms.rayTrees;
+  addPassTimes(ms.passes, pass.ms.passes);
 
   const bool first = picture.count.passes == 0;
   FrameCounts sum = first ? pass.count : picture.count;
@@ -99,7 +110,9 @@ void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Tex
                                               VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
                                      .name = "mean"});
   }
-  const gpu::Label label(*context_, commands, "average");
+  constexpr const char* kName = "average";
+  frames.mark(kName);
+  const gpu::Label label(*context_, commands, kName);
   const VkDescriptorSet set = frames.descriptors().write(layout_, {{picture, sampler_}});
   gpu::use(commands,
            {{picture, gpu::Use::SampledFragment},

@@ -35,6 +35,7 @@ void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
   for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu,
                           &FrameTimes::rays, &FrameTimes::rayTrees})
     last.ms.*time += before.ms.*time;
+  addPassTimes(last.ms.passes, before.ms.passes);
   for (const auto count :
        {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
         &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
@@ -309,6 +310,7 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
         },
         again);
     statistics.ms.gpu += again.ms.gpu;
+    addPassTimes(statistics.ms.passes, again.ms.passes);
     statistics.count.submits += again.count.submits;
   }
   submit(
@@ -333,6 +335,7 @@ void Renderer::submit(const Recording& record, FrameStatistics& statistics) {
   frames_.wait(submission);
   ++statistics.count.submits;
   statistics.ms.gpu += frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
+  addPassTimes(statistics.ms.passes, frames_.parts(submission));
 }
 
 void Renderer::accumulate(int before, bool complete, FrameStatistics& statistics) {

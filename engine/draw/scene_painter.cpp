@@ -166,7 +166,11 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   const RenderView::Bindings bindings = view.bind(frames, pipelines_, texels_);
   if (view.list().traces && !frame.answers) view.traces().clear(commands);
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
-  for (const Pass& pass : passesOf(view.list(), frame)) recorder.record(pass);
+  for (const Pass& pass : passesOf(view.list(), frame)) {
+    frames.mark(pass.name);
+    recorder.record(pass);
+  }
+  frames.mark(gpu::FrameRing::kUnmarked);
   if (view.list().traces) gpu::use(commands, {{view.traces().questions(), gpu::Use::HostRead}});
   if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});
   if (view.list().findsPlaces) gpu::use(commands, {{view.feedback().shown(), gpu::Use::HostRead}});

@@ -4,14 +4,25 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
+
+#include "gpu/frame.h"
 
 namespace luxo {
+
+/// How long the device took for all passes of a name (Pass::name), or, as "other", for what is beside them.
+using PassTime = gpu::FrameRing::Part;
+
+/// Adds up what has the same name.
+void addPassTimes(std::vector<PassTime>& sums, std::span<const PassTime> times);
 
 /// Milliseconds of the host's clock, except gpu, which is the device's where it has timestamps.
 struct FrameTimes {
   double total = 0, animate = 0, tessellate = 0, cull = 0, upload = 0, gpu = 0, readback = 0, encode = 0;
   double rays = 0;      ///< points found by certified rays, and the audit
   double rayTrees = 0;  ///< the cells that these are cast against, where they were not there yet
+  std::vector<PassTime> passes = {};  ///< of gpu, in the order of the first ones; empty without timestamps
 };
 
 struct FrameCounts {

@@ -6,6 +6,7 @@
 #include "gpu/result.h"
 #include "gpu/transfer.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace luxo::gpu {
@@ -24,7 +25,7 @@ Handle<VkQueryPool> createTimestamps(Context& context, std::uint32_t count) {
 
 FrameRing::FrameRing(Context& context) : context_(&context), frames_{Frame(context), Frame(context)} {
   static_assert(kFrames == 2);
-  if (context.features().timestamps) timestamps_ = createTimestamps(context, 2 * kFrames);
+  if (context.features().timestamps) timestamps_ = createTimestamps(context, kQueries * kFrames);
 }
 
 FrameRing::~FrameRing() { drop(); }
@@ -48,8 +49,9 @@ VkCommandBuffer FrameRing::begin() {
   recording_ = true;
   context_->timeline().destruction().recordingBegan();
   if (timestamps_) {
-    vkResetQueryPool(context_->device(), timestamps_, firstQuery(), 2);
-    vkCmdWriteTimestamp2(frame.pool.commands, VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT, timestamps_, firstQuery());
+    frame.marks.clear();
+    vkResetQueryPool(context_->device(), timestamps_, static_cast<std::uint32_t>(slot_ * kQueries), kQueries);
+    writeTimestamp(0, VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT);
   }
   return frame.pool.commands;
 }
@@ -57,10 +59,7 @@ VkCommandBuffer FrameRing::begin() {
 std::uint64_t FrameRing::submit(std::span<const SemaphoreWait> waits, std::span<const VkSemaphore> signals) {
   LUXO_REQUIRE(recording_);
   Frame& frame = frames_[slot_];
-  if (timestamps_) {
-    vkCmdWriteTimestamp2(frame.pool.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_,
-                         firstQuery() + 1);
-  }
+  if (timestamps_) writeTimestamp(frame.marks.size() + 1, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
   check(vkEndCommandBuffer(frame.pool.commands), "end the recording of a frame");
   std::vector<VkCommandBuffer> commands;
   if (const VkCommandBuffer uploads = context_->uploads().finish()) commands.push_back(uploads);
@@ -71,19 +70,64 @@ std::uint64_t FrameRing::submit(std::span<const SemaphoreWait> waits, std::span<
   return frame.submission;
 }
 
-std::optional<double> FrameRing::milliseconds(std::uint64_t submission) {
+void FrameRing::mark(std::string_view name) {
+  LUXO_REQUIRE(recording_);
+  if (!timestamps_) return;
+  std::vector<std::string_view>& marks = frames_[slot_].marks;
+  if (marks.size() == kMaxMarks) return;
+  marks.push_back(marks.size() + 1 < kMaxMarks ? name : kUnmarked);
+  writeTimestamp(marks.size(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
+}
+
+void FrameRing::writeTimestamp(std::size_t query, VkPipelineStageFlags2 stage) {
+  vkCmdWriteTimestamp2(frames_[slot_].pool.commands, stage, timestamps_,
+                       static_cast<std::uint32_t>(slot_ * kQueries + query));
+}
+
+std::optional<std::size_t> FrameRing::completeSlotOf(std::uint64_t submission) const {
   if (!timestamps_ || submission == 0 || context_->timeline().completed() < submission) return std::nullopt;
-  for (std::size_t slot = 0; slot < kFrames; ++slot) {
-    if (frames_[slot].submission != submission) continue;
-    std::array<std::uint64_t, 2> ticks{};
-    const VkResult result =
-        vkGetQueryPoolResults(context_->device(), timestamps_, static_cast<std::uint32_t>(2 * slot), 2,
-                              sizeof(ticks), ticks.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT);
-    check(result, "read the frame timestamps");
-    if (result == VK_NOT_READY) return std::nullopt;
-    return static_cast<double>(ticks[1] - ticks[0]) * context_->limits().timestampPeriod * 1e-6;
-  }
+  for (std::size_t slot = 0; slot < kFrames; ++slot)
+    if (frames_[slot].submission == submission) return slot;
   return std::nullopt;
+}
+
+std::vector<std::uint64_t> FrameRing::ticksOf(std::size_t slot) const {
+  std::vector<std::uint64_t> ticks(frames_[slot].marks.size() + 2);
+  const VkResult result =
+      vkGetQueryPoolResults(context_->device(), timestamps_, static_cast<std::uint32_t>(slot * kQueries),
+                            static_cast<std::uint32_t>(ticks.size()), ticks.size() * sizeof(std::uint64_t),
+                            ticks.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT);
+  check(result, "read the frame timestamps");
+  return result == VK_NOT_READY ? std::vector<std::uint64_t>{} : ticks;
+}
+
+double FrameRing::millisecondsOf(std::uint64_t ticks) const {
+  return static_cast<double>(ticks) * context_->limits().timestampPeriod * 1e-6;
+}
+
+std::optional<double> FrameRing::milliseconds(std::uint64_t submission) {
+  const std::optional<std::size_t> slot = completeSlotOf(submission);
+  if (!slot) return std::nullopt;
+  const std::vector<std::uint64_t> ticks = ticksOf(*slot);
+  if (ticks.empty()) return std::nullopt;
+  return millisecondsOf(ticks.back() - ticks.front());
+}
+
+std::vector<FrameRing::Part> FrameRing::parts(std::uint64_t submission) {
+  const std::optional<std::size_t> slot = completeSlotOf(submission);
+  if (!slot) return {};
+  const std::vector<std::uint64_t> ticks = ticksOf(*slot);
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i + 1 < ticks.size(); ++i) {
+    const std::string_view name = i == 0 ? kUnmarked : frames_[*slot].marks[i - 1];
+    const double milliseconds = millisecondsOf(ticks[i + 1] - ticks[i]);
+    const auto known = std::ranges::find(parts, name, &Part::name);
+    if (known == parts.end())
+      parts.push_back({name, milliseconds});
+    else
+      known->milliseconds += milliseconds;
+  }
+  return parts;
 }
 
 }  // namespace luxo::gpu

@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace luxo::gpu {
 
@@ -41,11 +43,27 @@ class FrameRing {
   /// Ends the recording and submits it, staged buffer writes ahead of it. Returns its number on the timeline.
   std::uint64_t submit(std::span<const SemaphoreWait> waits = {}, std::span<const VkSemaphore> signals = {});
 
+  /// What is recorded from here on, until the next mark or the end of the frame, is the part of that name.
+  /// Outside of rendering. `name` outlives all frames. Nothing without timestamps.
+  void mark(std::string_view name);
+
   void wait(std::uint64_t submission) { context_->timeline().wait(submission); }
 
   /// Time the device took for a complete submission, from first to last command. Nothing without timestamps,
   /// before it is complete, or once its slot is in use again.
   [[nodiscard]] std::optional<double> milliseconds(std::uint64_t submission);
+
+  struct Part {
+    std::string_view name;
+    double milliseconds = 0;
+  };
+  /// The same by parts, in the order of their first marks; those of one name are one. Together they are
+  /// milliseconds(): what comes before the first mark is kUnmarked. What the device does at once, by no
+  /// barrier apart, counts for the part that was recorded first. Empty where milliseconds() gives nothing.
+  [[nodiscard]] std::vector<Part> parts(std::uint64_t submission);
+  static constexpr std::string_view kUnmarked = "other";
+  /// A frame has at most that many marks: what comes later is kUnmarked, too.
+  static constexpr std::size_t kMaxMarks = 126;
 
  private:
   struct Frame {
@@ -53,13 +71,20 @@ class FrameRing {
     CommandPool pool;
     DescriptorArena descriptors;
     std::uint64_t submission = 0;
+    std::vector<std::string_view> marks = {};
   };
+  static constexpr std::uint32_t kQueries = kMaxMarks + 2;  // of a frame: its first, its marks, its last
 
   void drop();
-  [[nodiscard]] std::uint32_t firstQuery() const noexcept { return static_cast<std::uint32_t>(2 * slot_); }
+  /// Into the open recording: the moment when all that was recorded before is done.
+  void writeTimestamp(std::size_t query, VkPipelineStageFlags2 stage);
+  /// Of a complete submission, and nothing otherwise: one for each timestamp of its frame.
+  [[nodiscard]] std::vector<std::uint64_t> ticksOf(std::size_t slot) const;
+  [[nodiscard]] std::optional<std::size_t> completeSlotOf(std::uint64_t submission) const;
+  [[nodiscard]] double millisecondsOf(std::uint64_t ticks) const;
 
   Context* context_;
-  Handle<VkQueryPool> timestamps_;  // first and last of each frame; empty without
+  Handle<VkQueryPool> timestamps_;  // kQueries of each frame; empty without
   std::array<Frame, kFrames> frames_;
   std::size_t slot_ = kFrames - 1;
   bool recording_ = false;

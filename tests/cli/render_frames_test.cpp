@@ -110,10 +110,26 @@ TEST_F(RenderFrames, ReportHasEveryDocumentedName) {
   expectKeys(frame["ms"], {"total", "animate", "tessellate", "cull", "upload", "gpu", "readback", "encode"});
   double parts = 0;
   for (const auto& [key, value] : frame["ms"].items()) {
+    if (key == "passes") continue;
     EXPECT_GE(value, 0) << key;
     if (key != "total" && key != "gpu") parts += value.get<double>();  // gpu is another clock
   }
   EXPECT_GE(frame["ms"]["total"].get<double>() * (1 + 1e-9), parts) << "a sum of doubles, in another order";
+}
+
+// The device's time is that of passes and of what is beside them, of all attempts and samples together.
+TEST_F(RenderFrames, ReportTellsTheTimeOfEachPass) {
+  for (const char* samples : {"1", "8"}) {
+    const Outcome outcome = render({"-o", "a.png", "--samples", samples, "--report", "report.json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json ms = Json::parse(textOf(folder / "report.json"))["frames"][0]["ms"];
+    if (ms["passes"].empty()) GTEST_SKIP() << "the device has no timestamps";
+    double sum = 0;
+    for (const auto& [name, milliseconds] : ms["passes"].items()) sum += milliseconds.get<double>();
+    EXPECT_NEAR(sum, ms["gpu"].get<double>(), 1e-6 * sum);
+    EXPECT_TRUE(ms["passes"].contains("found"));
+    EXPECT_EQ(ms["passes"].contains("average"), samples[0] == '8');
+  }
 }
 
 TEST_F(RenderFrames, ReportCountsAddUp) {

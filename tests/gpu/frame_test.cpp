@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
 #include <vector>
 
 namespace luxo::gpu {
@@ -139,6 +140,47 @@ TEST_F(FrameTest, MeasuresTheDevice) {
     frames.wait(frames.submit());
   }
   EXPECT_FALSE(frames.milliseconds(submission)) << "its slot has been used again";
+}
+
+TEST_F(FrameTest, PartsAreAllOfItsTime) {
+  if (!context().features().timestamps) GTEST_SKIP() << "the device has no timestamps";
+  FrameRing frames(context());
+  Texture texture = smallTarget(context());
+  const VkCommandBuffer commands = frames.begin();
+  for (const char* name : {"first", "second", "first"}) {
+    frames.mark(name);
+    clear(commands, texture);
+  }
+  const std::uint64_t submission = frames.submit();
+  frames.wait(submission);
+  std::vector<std::string_view> names;
+  double sum = 0;
+  for (const FrameRing::Part& part : frames.parts(submission)) {
+    names.push_back(part.name);
+    sum += part.milliseconds;
+    EXPECT_GE(part.milliseconds, 0);
+  }
+  EXPECT_EQ(names, (std::vector<std::string_view>{FrameRing::kUnmarked, "first", "second"}));
+  EXPECT_NEAR(sum, frames.milliseconds(submission).value(), 1e-9);
+  frames.begin();
+  const std::uint64_t next = frames.submit();
+  frames.wait(next);
+  ASSERT_EQ(frames.parts(next).size(), 1u) << "marks are of one frame";
+  EXPECT_EQ(frames.parts(next + 1).size(), 0u) << "there is no such frame";
+}
+
+TEST_F(FrameTest, MarksBeyondTheMostAreUnmarked) {
+  if (!context().features().timestamps) GTEST_SKIP() << "the device has no timestamps";
+  FrameRing frames(context());
+  frames.begin();
+  for (std::size_t i = 0; i < FrameRing::kMaxMarks + 5; ++i)
+    frames.mark(i + 1 < FrameRing::kMaxMarks ? "early" : "late");
+  const std::uint64_t submission = frames.submit();
+  frames.wait(submission);
+  const std::vector<FrameRing::Part> parts = frames.parts(submission);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].name, FrameRing::kUnmarked);
+  EXPECT_EQ(parts[1].name, "early");
 }
 
 }  // namespace

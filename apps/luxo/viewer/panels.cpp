@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include "draw/exact_data.h"
 #include "scene/shading.h"
@@ -32,6 +34,19 @@ std::string pictureText(const Status& status, const DrawOptions& draw) {
 std::string speedText(const FrameMeter::Reading& reading) {
   const std::string times = fmt::format("gpu {:.1f} ms, cpu {:.1f} ms", reading.gpu, reading.cpu);
   return reading.rate ? fmt::format("{:.0f} fps, {}", *reading.rate, times) : times;
+}
+
+/// As many as a panel has room for, those that take most first; the rest is one.
+std::vector<Panel::Row> passRows(std::vector<PassTime> passes) {
+  constexpr std::size_t kMost = 5;
+  std::ranges::stable_sort(passes, std::ranges::greater{}, &PassTime::milliseconds);
+  for (; passes.size() > kMost; passes.pop_back())
+    passes[kMost - 1] = {"the rest", passes[kMost - 1].milliseconds + passes.back().milliseconds};
+  std::vector<Panel::Row> rows;
+  for (const PassTime& pass : passes)
+    rows.push_back(
+        {.label = fmt::format("  {}", pass.name), .text = fmt::format("{:.2f} ms", pass.milliseconds)});
+  return rows;
 }
 
 std::string drawnText(const FrameCounts& count) {
@@ -90,6 +105,10 @@ Panel numbersPanel(const Status& status, const Controls& controls) {
       {"error", errorText(status.statistics.error)},
       {"time", fmt::format("{:.3f} s{}", status.seconds, controls.playback().playing() ? "" : ", paused")},
   };
+  if (status.tellsPasses) {
+    const std::vector<Panel::Row> passes = passRows(status.reading.passes);
+    panel.rows.insert(panel.rows.begin() + 3, passes.begin(), passes.end());
+  }
   if (status.audit.pixels > 0) panel.rows.push_back({"audit", auditText(status.audit)});
   if (controls.ownCamera()) panel.rows.push_back({"camera", "yours; R gives it back"});
   panel.rows.push_back({"H", "keys"});

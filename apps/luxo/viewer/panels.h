@@ -26,6 +26,7 @@ struct Status {
   int samples = 1;                   ///< per pixel, of the picture that is shown
   Shading shading = Shading::Exact;  ///< of the picture that is shown
   double seconds = 0;
+  bool tellsPasses = false;    ///< how long each takes
   FrameStatistics statistics;  ///< of the picture that is shown
   FrameMeter::Reading reading;
   ProgressiveMean::Audit audit;

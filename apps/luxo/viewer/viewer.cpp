@@ -103,6 +103,7 @@ class Viewer {
         presets_(options.shader),
         watch_(std::in_place, viewed_.files, [this] { window_.wake(); }) {
     status_.title = options.title;
+    status_.tellsPasses = !options.shader.empty();
     status_.device = context_.deviceInfo().name;
     painter_.setInterruption([this] { return Clock::now() >= patienceEnd_ && window_.asked(); });
     look();
@@ -450,6 +451,7 @@ class Viewer {
   }
 
   void showPanels(VkCommandBuffer commands) {
+    frames_.mark("window");
     std::vector<window::GrabArea> areas =
         presenter_.record(frames_, commands, shownPicture(), swapchain_, window_.contentScale(), panels_);
     if (areas == areas_) return;
@@ -471,7 +473,8 @@ class Viewer {
     if (unmeasured_.empty()) return;
     while (!unmeasured_.empty() && unmeasured_.front() <= context_.timeline().completed()) {
       const auto milliseconds = frames_.milliseconds(unmeasured_.front());
-      if (milliseconds && !view_.refinement.completes) meter_.addDevice(*milliseconds);
+      if (milliseconds && !view_.refinement.completes)
+        meter_.addDevice(*milliseconds, frames_.parts(unmeasured_.front()));
       unmeasured_.pop_front();
     }
     incomplete_ = view_.learn();
