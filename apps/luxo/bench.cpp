@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "bench_page.h"
 #include "bench_plot.h"
+#include "bench_reload.h"
 #include "bench_report.h"
 #include "bench_shadows.h"
 #include "console.h"
@@ -37,6 +38,7 @@ constexpr const char* kStandard = "standard";
 constexpr std::array<const char*, 8> kStandardScenes = {"sphere", "torus", "flag",       "luxo-grandpa",
                                                         "teapot", "klein", "thin-torus", "catalogue"};
 constexpr const char* kShadows = "shadows";
+constexpr const char* kReload = "reload";
 constexpr PixelSize kStandardSize = {1024, 1024};
 
 struct BenchOptions {
@@ -208,6 +210,27 @@ int runShadowBench(const BenchOptions& options, const RenderRequest& request) {
   return code;
 }
 
+int runReloadBench(const BenchOptions& options, const RenderRequest& request) {
+  ReloadPlan plan;
+  if (options.quick) plan.runs = 3;
+  if (request.size) plan.size = *request.size;
+  if (options.runs) plan.runs = parseRuns(*options.runs);
+  if (!options.folder.empty()) makeFolder(options.folder);
+  const auto log = std::make_shared<gpu::ValidationLog>();
+  std::optional<ReloadBench> bench;
+  {
+    Progress progress(request.verbosity == Verbosity::Normal, 1);
+    bench = benchReload({.device = request.device, .validation = request.validate, .validationLog = log},
+                        plan, [&](double part) { return progress(0, part); });
+  }
+  if (!bench) return exit_code::kSignal + interruptingSignal();
+  requireNoMessage(*log);
+  if (!options.folder.empty())
+    write(std::filesystem::path(options.folder) / "reload.json", reloadJson(*bench));
+  printData(reloadText(*bench));
+  return exit_code::kDone;
+}
+
 int runBench(const BenchOptions& options) {
   rememberInterruptions();
   const RenderRequest request = options.scene->request(RenderTarget::Window);
@@ -215,6 +238,7 @@ int runBench(const BenchOptions& options) {
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo bench teapot -o results; or luxo bench standard -o results");
   if (request.scene == kShadows) return runShadowBench(options, request);
+  if (request.scene == kReload) return runReloadBench(options, request);
   BenchPlan plan = options.quick ? quickPlan() : fullPlan();
   if (options.runs) {
     plan.runs = plan.leastRuns = parseRuns(*options.runs);
@@ -248,8 +272,9 @@ void addBench(CLI::App& app, Command& chosen) {
   for (const char* swept : {"--engine", "--samples", "--fps", "--tolerance", "--shading", "--skip"})
     verb->remove_option(verb->get_option(swept));
   verb->get_option("SCENE")->description(
-      "scene file, built-in name, `standard`: the standard set, or `shadows`: what shadows cost, and "
-      "what is wrong with them (shadows.html, .csv, .json, .svg)");
+      "scene file, built-in name, `standard`: the standard set, `shadows`: what shadows cost, and "
+      "what is wrong with them (shadows.html, .csv, .json, .svg), or `reload`: from a shader that is saved "
+      "to its picture (reload.json)");
   verb->get_option("--size")->description("size in pixels (1024x1024)");
   verb->add_option(
           "-o,--output", options->folder,

@@ -60,6 +60,7 @@ struct Counters {
   std::uint64_t deviceBytes = 0;        ///< in those blocks
   // Totals.
   std::uint64_t pipelinesCreated = 0;
+  double pipelineMs = 0;              ///< in which these were made, by the driver
   std::uint64_t shadersCompiled = 0;  ///< while the program ran; those read from disk do not count
   std::uint64_t submits = 0;
   std::uint64_t uploadedBytes = 0;

@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -227,6 +228,7 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
     for (std::size_t i = 0; i < descs.size(); ++i)
       if (created[i] != VK_NULL_HANDLE) pipelines[i].pipeline_ = {context, created[i]};
   };
+  const auto start = std::chrono::steady_clock::now();
   try {
     tbb::parallel_for(std::size_t{0}, descs.size(), [&](std::size_t i) {
       created[i] = createPipeline(context, descs[i], pipelines[i].layout_);
@@ -238,6 +240,8 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
   keep();
   for (std::size_t i = 0; i < descs.size(); ++i) setName(context, created[i], descs[i].name);
   context.counted().pipelinesCreated += descs.size();
+  context.counted().pipelineMs +=
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return pipelines;
 }
 

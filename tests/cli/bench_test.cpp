@@ -117,6 +117,22 @@ TEST_F(BenchFilesTest, EveryFileIsCompleteAndWellFormed) {
   EXPECT_EQ(unclosedIn(svg), Words{});
 }
 
+TEST_F(BenchFilesTest, ReloadsAreTheDriversTimeAndLuxos) {
+  const Outcome outcome = run(folder, {"bench", "reload", "--size", "64x48", "--runs", "1", "-o", "reload"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(textOf(folder / "reload/reload.json"));
+  EXPECT_EQ(json["runs"], 1);
+  EXPECT_EQ(json["size"], Json({64, 48}));
+  ASSERT_EQ(json["rows"].size(), 5u);
+  for (const Json& row : json["rows"]) {
+    const auto median = [&](const char* key) { return row[key]["median"].get<double>(); };
+    EXPECT_GT(median("driver_ms"), 0) << "each edit makes pipelines";
+    EXPECT_GT(median("own_ms"), 0);
+    EXPECT_NEAR(median("total_ms"), median("driver_ms") + median("own_ms"), 1e-9 * median("total_ms"));
+    EXPECT_TRUE(contains(outcome.out, row["shader"].get<std::string>()));
+  }
+}
+
 TEST_F(BenchFilesTest, ShadowsAreRightOrCounted) {
   const Outcome outcome =
       run(folder, {"bench", "shadows", "--size", "80x60", "--quick", "--runs", "1", "-o", "shadows"});
