@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,29 @@ TEST_F(EditsTest, WhatIsKeptHasABound) {
   // The latest are still there, the first is not.
   EXPECT_EQ(pipelinesFor(plates(2 * kMaxKept - 5, 1)), 0u);
   EXPECT_EQ(pipelinesFor(plates(0, 1)), 1u);
+}
+
+// A shader's file, saved again and again: what is on the device for the first kMaxKept is all there ever is.
+TEST_F(EditsTest, WhatIsKeptOfShadersHasABound) {
+  const auto edited = [](int edit) {
+    Scene scene;
+    scene.set(plainSettings());
+    const std::string text = "vec4 material(Point p) { return vec4(vec3(0.001 * " + std::to_string(edit + 1) +
+                             ".0) + fract(" + std::to_string(edit) + ".5 * p.uv.x), 1.0); }";
+    static const Node kPlate = plate(Vec3(0), {2, 2}, {});
+    Node node = kPlate;
+    node.material = scene.add(
+        Material{.shader = std::make_shared<const MaterialShader>(MaterialShader{{{"edited.frag", text}}})});
+    scene.add(node);
+    return scene;
+  };
+  for (int edit = 0; edit < kMaxKept; ++edit) ASSERT_EQ(pipelinesFor(edited(edit)), 1u);
+  const gpu::Counters then = renderer().context().counters();
+  for (int edit = kMaxKept; edit < kMaxKept + 8; ++edit) ASSERT_EQ(pipelinesFor(edited(edit)), 1u);
+  const gpu::Counters now = renderer().context().counters();
+  EXPECT_LE(now.objects, then.objects);
+  EXPECT_LE(now.allocations, then.allocations);
+  EXPECT_LE(now.memoryBytes, then.memoryBytes);
 }
 
 TEST_F(EditsTest, WhatAPictureUsesStays) {
