@@ -21,6 +21,7 @@
 #include "gpu/shader_reflection.h"
 #include "main_image.h"
 #include "open_scene.h"
+#include "scene/shader_files.h"
 #include "shader_scene.h"
 
 namespace luxo {
@@ -146,7 +147,10 @@ Json inspectShader(const std::string& name) {
   if (suffix == ".spv") {
     all = gpu::reflect(wordsOf(path));
   } else {
-    MaterialShaderPtr shader = openMaterialShader(name);
+    // A stage by itself, whatever is beside it.
+    MaterialShaderPtr shader = suffix == ".vert"
+                                   ? ShaderFiles(path.parent_path()).get(path.filename().string())
+                                   : openMaterialShader(name);
     inStyle = suffix != ".comp" && inCourseStyle(*shader) && !hasMainImage(*shader);
     if (inStyle && suffix == ".vert") shader = withFragmentProgram(*shader);
     isMaterial = inStyle || (!hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment);

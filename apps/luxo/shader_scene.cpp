@@ -251,7 +251,11 @@ class Parameters {
       control.parameters.push_back(name);
       if (value) made_.parameters.push_back({name, texts[i]});
     }
-    if (uniform.kind == Kind::None || (ofPicture_ && uniform.name == "iMouse")) return;
+    if (ofPicture_ && uniform.name == "iMouse") {
+      made_.mouse = std::move(control.parameters);
+      return;
+    }
+    if (uniform.kind == Kind::None) return;
     control.range = uniform.range.value_or(reachOf(uniform));
     made_.controls.push_back(std::move(control));
   }
@@ -280,11 +284,15 @@ class Parameters {
 
 bool namesMaterialShader(const std::string& path) {
   const std::string suffix = fs::path(path).extension().string();
-  return suffix == ".frag" || suffix == ".glsl";
+  return suffix == ".frag" || suffix == ".glsl" || suffix == ".vert";
 }
 
 MaterialShaderPtr shaderInFile(const fs::path& file) {
   ShaderFiles files(file.parent_path());
+  if (file.extension() == ".vert") {
+    const fs::path fragment = fs::path(file).replace_extension(".frag");
+    return files.get(fs::exists(fragment) ? fragment.filename().string() : "", file.filename().string());
+  }
   MaterialShaderPtr shader = files.get(file.filename().string());
   const fs::path vertex = fs::path(file).replace_extension(".vert");
   return vertex != file && fs::exists(vertex) && inCourseStyle(*shader)
@@ -296,7 +304,8 @@ ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
                         std::span<const ParameterValue> given, std::vector<std::string>* warnings) {
   MaterialShaderPtr text = openMaterialShader(shader);
   ShaderScene made;
-  for (const MaterialShader::File& file : text->files) made.files.emplace_back(file.name);
+  for (const MaterialShader::File& file : text->files)
+    if (file.name != kFixedFragments.name) made.files.emplace_back(file.name);
   const bool ofPicture = use.mainImage || (hasMainImage(*text) && !hasMaterial(*text));
   if (ofPicture && !(use.scene.empty() && use.material.empty()))
     throw Error(ErrorKind::Usage,

@@ -17,8 +17,9 @@
 
 namespace luxo {
 
-/// The shader in a file; of a program in the course's style the vertex program of the same name beside it,
-/// phong.vert of phong.frag, belongs to it. Error(Scene): as ShaderFiles::get().
+/// The shader in a file; of a program in the course's style what has the same name beside it, phong.vert of
+/// phong.frag and the other way round, belongs to it. A vertex program may be alone. Error(Scene): as
+/// ShaderFiles::get().
 [[nodiscard]] MaterialShaderPtr shaderInFile(const std::filesystem::path& file);
 
 /// How a shader is shown.
@@ -33,10 +34,11 @@ struct ShaderScene {
   SceneFile description;
   std::vector<ParameterValue> parameters;    ///< values that were given, as the description takes them
   std::vector<ParameterControl> controls;    ///< of the uniforms, in their order
+  std::vector<std::string> mouse;            ///< parameters that are iMouse, where the shader reads it
   std::vector<std::filesystem::path> files;  ///< of the shader
 };
 
-/// Whether a file is one that shaderScene() takes, by its suffix: .frag, .glsl.
+/// Whether a file is one that shaderScene() takes, by its suffix: .frag, .glsl, .vert.
 [[nodiscard]] bool namesMaterialShader(const std::string& path);
 
 /// One with a `mainImage` and no `material` fills the picture by itself; others are on the scene of `use`.

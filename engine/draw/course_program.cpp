@@ -301,8 +301,10 @@ std::string CourseProgram::material(const std::string& loads) const {
              color && color->active) {
     text += "  gL_Color = luxoFixedColor();\n";
   }
-  return text + fmt::format("  {}mAin();\n  return vec4(gL_FragColor.rgb, {});\n}}\n#undef uniform\n",
-                            fragment_.prefix, shader_->hasOpacity() ? "gL_FragColor.a" : "1.0");
+  return text + fmt::format(
+                    "  {}mAin();\n  return luxoDiscarded ? vec4(0.0) : vec4(gL_FragColor.rgb, {});\n}}\n"
+                    "#undef uniform\n",
+                    fragment_.prefix, shader_->saysOpacity() ? "gL_FragColor.a" : "1.0");
 }
 
 std::vector<gpu::ShaderSource> CourseProgram::files() const {

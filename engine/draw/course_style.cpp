@@ -18,10 +18,11 @@ using Names = std::set<std::string_view>;
 
 // What the language had, and has given up, or takes for itself today: the latter are names of programs' own.
 const Names& respelledWords() {
-  static const Names kWords = {
-      "main",          "varying",       "attribute",  "sampler1D", "sampler2D", "texture1D", "texture2D",
-      "texture1DProj", "texture2DProj", "ftransform", "sample",    "patch",     "buffer",    "shared",
-      "precise",       "active",        "common",     "partition", "filter",    "resource",  "subroutine"};
+  static const Names kWords = {"main",       "varying",   "attribute",     "sampler1D",     "sampler2D",
+                               "texture1D",  "texture2D", "texture1DProj", "texture2DProj", "ftransform",
+                               "sample",     "patch",     "buffer",        "shared",        "precise",
+                               "active",     "common",    "partition",     "filter",        "resource",
+                               "subroutine", "discard"};
   return kWords;
 }
 
@@ -110,8 +111,6 @@ struct Foreign {
 };
 
 constexpr Foreign kForeign[] = {
-    {"discard", "a program gives every point a colour",
-     "write gl_FragColor = vec4(0.0), in a program with the line '#pragma luxo opacity'"},
     {"gl_FragDepth", "a point has the depth that it has: it is found before it is lit", "leave it out"},
     {"gl_FragData", "a program writes one colour", "write gl_FragColor"},
     {"gl_Fog", "a scene has no fog", "give its numbers as uniforms of your own"},

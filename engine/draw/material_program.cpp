@@ -16,6 +16,7 @@
 #include "draw/course_style.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
+#include "scene/shader_files.h"
 #include "scene/shader_text.h"
 #include "shared/scene_data.h"
 
@@ -165,6 +166,11 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
   if (luxo::inCourseStyle(*shader_)) {
     compileCourse();
   } else {
+    if (shader_->files.front() == kFixedFragments)
+      throw Error(ErrorKind::Scene,
+                  fmt::format("{}: it is no vertex program in the course's style",
+                              shader_->files[shader_->vertex].name),
+                  "write void main() { gl_FrontColor = gl_Color; gl_Position = ftransform(); }");
     if (shader_->vertex > 0)
       throw Error(
           ErrorKind::Scene,

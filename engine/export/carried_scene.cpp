@@ -15,7 +15,7 @@ bool namesFiles(const SceneFile& file) {
                              [](const TextureDesc& texture) { return !texture.file.empty(); }) ||
          std::ranges::any_of(file.nodes, [](const NodeDesc& node) { return !node.model.empty(); }) ||
          std::ranges::any_of(file.materials,
-                             [](const MaterialDesc& material) { return !material.shader.empty(); });
+                             [](const MaterialDesc& material) { return material.hasShader(); });
 }
 
 std::optional<std::string> carriedScene(SceneFile file, std::span<const ParameterOverride> overrides,

@@ -139,7 +139,7 @@ void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
                     "leave out one of them");
   }
   material.fixed.mapOpacity = desc.map && desc.map->alpha && material.fixed.map.valid();
-  if (material.fixed.mapOpacity && (!desc.shader.empty() || desc.lesson)) {
+  if (material.fixed.mapOpacity && (desc.hasShader() || desc.lesson)) {
     problems_.add(desc.map->texture.place,
                   "the alpha of the map is to be how opaque the surface is, and there is a shader, or the "
                   "lesson's formula",
@@ -187,12 +187,12 @@ bool MaterialBuilder::readsCurvature(const MaterialDesc& desc) const {
 }
 
 void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
-  if (desc.shader.empty()) return;
+  if (!desc.hasShader()) return;
   const SceneSource& source = problems_.source();
   const auto files = shaderFiles();
   const FileName* named = &desc.shader;
   try {
-    material.fixed.shader = files->get(desc.shader.text);
+    if (!desc.shader.empty()) material.fixed.shader = files->get(desc.shader.text);
     if (!desc.vertex.empty()) {
       named = &desc.vertex;
       material.fixed.shader = files->get(desc.shader.text, desc.vertex.text);
@@ -200,19 +200,19 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
   } catch (const Error& error) {
     problems_.add(named->place, error.what(), error.hint());
   }
+  const FilePlace where = (desc.shader.empty() ? desc.vertex : desc.shader).place;
   if (material.fixed.diffusePattern.valid())
-    problems_.add(desc.shader.place, fmt::format("{}, and there is a shader, too", painting(material.fixed)),
+    problems_.add(where, fmt::format("{}, and there is a shader, too", painting(material.fixed)),
                   "compute them in the shader, from uv (\"#pragma luxo opacity\")");
   const MaterialShaderPtr& shader = material.fixed.shader;
   if (shader && shader->traces() && (!isOpaque(desc) || shader->hasOpacity()))
     problems_.add(
-        desc.shader.place, "the material is seen through, and its shader sends rays into the scene",
+        where, "the material is seen through, and its shader sends rays into the scene",
         "leave out \"opacity\" and \"blend\", and '#pragma luxo opacity' in the shader, or trace()");
   if (desc.normalMap)
-    problems_.add(desc.shader.place, "there is a map of normals, and a shader, too", "leave out one of them");
+    problems_.add(where, "there is a map of normals, and a shader, too", "leave out one of them");
   if (desc.lesson)
-    problems_.add(desc.shader.place, "the lesson's formula and a shader exclude each other",
-                  "leave out one of them");
+    problems_.add(where, "the lesson's formula and a shader exclude each other", "leave out one of them");
   for (const UniformDesc& uniform : desc.uniforms) {
     std::vector<Animated<double>>& values = material.uniforms.emplace_back();
     MapPlace& place = material.uniformPlaces.emplace_back();

@@ -64,7 +64,11 @@ bool MaterialShader::hasSampler(std::string_view name) const {
   return anySays(files, [&](const std::string& text) { return declaresSampler(text, name); });
 }
 
-bool MaterialShader::hasOpacity() const { return anySays(files, hasOpacityPragma); }
+bool MaterialShader::hasOpacity() const {
+  return saysOpacity() || anySays(files, [](const std::string& text) { return hasWord(text, "discard"); });
+}
+
+bool MaterialShader::saysOpacity() const { return anySays(files, hasOpacityPragma); }
 
 std::string TextPlace::describe(const std::string& message, const std::string& hint) const {
   if (text) return luxo::describe(name, *text, {where, message, hint});

@@ -35,8 +35,10 @@ struct MaterialShader {
   [[nodiscard]] bool readsCurvature() const;
   /// Whether it declares a uniform sampler2D of that name.
   [[nodiscard]] bool hasSampler(std::string_view name) const;
-  /// Whether it says how opaque its points are: a line of it is `#pragma luxo opacity`.
+  /// Whether its points may be seen through: it says how opaque they are, or has the word `discard`.
   [[nodiscard]] bool hasOpacity() const;
+  /// Whether it says how opaque its points are: a line of it is `#pragma luxo opacity`.
+  [[nodiscard]] bool saysOpacity() const;
 
   friend auto operator<=>(const MaterialShader&, const MaterialShader&) = default;
 };

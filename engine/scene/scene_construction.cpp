@@ -46,7 +46,7 @@ bool bendsAlongTangents(const MaterialDesc& material) {
 }
 
 bool knowsTangents(const MaterialDesc& material) {
-  return bendsAlongTangents(material) || !material.shader.empty();
+  return bendsAlongTangents(material) || material.hasShader();
 }
 
 class SceneConstruction {

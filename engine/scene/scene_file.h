@@ -177,8 +177,10 @@ struct MaterialDesc {
   std::optional<NormalMapDesc> normalMap = {};
   std::vector<IsolinesDesc> isolines = {};
   FileName shader = {};  ///< relative to the folder of the scene, and in it; empty: none
-  FileName vertex = {};  ///< the same, of a vertex program beside a shader in the course's style
+  FileName vertex = {};  ///< the same, of a vertex program in the course's style, beside a shader or alone
   std::vector<UniformDesc> uniforms = {};
+
+  [[nodiscard]] bool hasShader() const { return !shader.empty() || !vertex.empty(); }
 
   /// Those that there are, in the order of Material::maps(); null: none.
   [[nodiscard]] std::array<const MapDesc*, 4> maps() const {

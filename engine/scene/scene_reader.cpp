@@ -274,11 +274,8 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
   if (members["isolines"].exists()) readIsolines(members["isolines"], problems_, material.isolines);
   values_.read(members["shader"], material.shader);
   values_.read(members["vertex"], material.vertex);
-  if (material.shader.empty() && !material.vertex.empty())
-    problems_.add(members["vertex"].where(), "there is a vertex program and no shader",
-                  "name the file of the fragment program as \"shader\"");
   if (const JsonValue uniforms = members["uniforms"]; uniforms.exists()) {
-    if (material.shader.empty())
+    if (!material.hasShader())
       problems_.add(uniforms.where(), "there are uniforms and no shader", "name its file as \"shader\"");
     readUniforms(uniforms, material.uniforms);
   }

@@ -59,6 +59,9 @@ std::optional<Include> nextInclude(const std::string& text, std::size_t from) {
 
 }  // namespace
 
+const MaterialShader::File kFixedFragments = {
+    "fixed functionality", "void main() { gl_FragColor = gl_Color * texture2D(0, gl_TexCoord[0].st); }\n"};
+
 fs::path ShaderFiles::pathOf(const fs::path& folder, const std::string& name, std::string_view kind) const {
   return carried_.empty() ? fileInFolder(folder, name, kind) : folder / name;
 }
@@ -99,9 +102,10 @@ MaterialShaderPtr ShaderFiles::get(const std::string& name, const std::string& v
   const std::lock_guard lock(mutex_);
   MaterialShaderPtr& known = shaders_[{name, vertex}];
   if (known) return known;
-  const fs::path path = pathOf(folder_, name, "shader");
+  const fs::path path = name.empty() ? fs::path() : pathOf(folder_, name, "shader");
   const fs::path normal = path.lexically_normal();
-  std::vector<MaterialShader::File> files{{normal.string(), textOf(path)}};
+  std::vector<MaterialShader::File> files{name.empty() ? kFixedFragments
+                                                       : MaterialShader::File{normal.string(), textOf(path)}};
   for (std::size_t i = 0; i < files.size(); ++i) addIncluded(files, i, normal.parent_path());
   std::size_t first = 0;
   if (!vertex.empty()) {
@@ -130,7 +134,8 @@ std::vector<fs::path> ShaderFiles::files() {
   if (!carried_.empty()) return paths;
   for (const auto& [name, shader] : shaders_)
     if (shader)
-      for (const MaterialShader::File& file : shader->files) paths.emplace_back(file.name);
+      for (const MaterialShader::File& file : shader->files)
+        if (file.name != kFixedFragments.name) paths.emplace_back(file.name);
   return paths;
 }
 

@@ -20,6 +20,10 @@ namespace luxo {
 inline constexpr std::size_t kMaxShaderBytes = std::size_t{1} << 18, kMaxShaderFiles = 64;
 
 /// Safe from any thread.
+/// The fragment program of a vertex program that has none: what the fixed functionality does with one
+/// texture. Its name is no file's.
+extern const MaterialShader::File kFixedFragments;
+
 class ShaderFiles {
  public:
   /// `folder`: of the scene; empty: the current one.
@@ -31,7 +35,8 @@ class ShaderFiles {
   /// The shader in a file that is named relative to the folder, and is in it. What it includes is named
   /// relative to the including file, and is in the shader's folder or below. Error(Scene): a file leads out
   /// of these, is not there or too long; of an include with its file, line and column.
-  /// `vertex`: a vertex program's file in the same way; empty: none.
+  /// `vertex`: a vertex program's file in the same way; empty: none. With an empty `name` what the fixed
+  /// functionality does is its fragment program (shaders/MATERIALS.md).
   [[nodiscard]] MaterialShaderPtr get(const std::string& name, const std::string& vertex = {});
   /// Gives a name to a shader that is in no file of that name: get() finds it first.
   void put(const std::string& name, MaterialShaderPtr shader);

@@ -70,6 +70,9 @@ vec4 fTransform() { return gL_ModelViewProjectionMatrix * gL_Vertex; }
 #if !defined(LUXO_ALONE) || !defined(LUXO_VERTEX)
 LUXO_READ vec4 gL_FragCoord;
 LUXO_WRITTEN vec4 gL_FragColor;
+// What a program computes after it shows nowhere: it may as well go on.
+bool luxoDiscarded = false;
+#define dIscard luxoDiscarded = true
 #ifdef LUXO_ALONE
 LUXO_READ vec4 gL_Color, gL_SecondaryColor, gL_TexCoord[gL_MaxTextureCoords];
 LUXO_READ float gL_FogFragCoord;

@@ -109,6 +109,7 @@ void luxoLoadPoint(Point p) {
   gL_FrontColor = gL_BackColor = gL_Color = gL_FrontMaterial.diffuse;
   gL_FogCoord = gL_FogFragCoord = -(gL_ModelViewMatrix * gL_Vertex).z;
   gL_Position = gL_FragColor = vec4(0);
+  luxoDiscarded = false;
 }
 
 // The light that the scene's own materials have, as where no program runs at vertices.

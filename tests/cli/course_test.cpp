@@ -84,8 +84,8 @@ TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
   expectError(kVertex, "#pragma luxo course\nvec4 f() { return vec4(1.0); }\n",
               "m.frag: there is no function 'void main()'");
   // What there is not.
-  expectError(kVertex, "void main() {\n  if (gl_Color.r < 0.5) discard;\n  gl_FragColor = gl_Color;\n}\n",
-              "m.frag:2:25: 'discard': a program gives every point a colour");
+  expectError("void main() {\n  discard;\n  gl_Position = ftransform();\n}\n", kFragment,
+              "m.vert:2:3: 'discard' : undeclared identifier");
   expectError(kVertex, "uniform sampler3D s;\nvoid main() { gl_FragColor = texture3D(s, vec3(0.0)); }\n",
               "m.frag:1:9: 'sampler3D': a material's maps are images");
   expectError("!!ARBvp1.0\nEND\n", kFragment, "m.vert:1:1: '!!ARBvp1.0': this is an assembly program");
@@ -97,6 +97,30 @@ TEST_F(CourseFiles, MistakesAreAtTheirPlace) {
   EXPECT_THAT(alone.err,
               HasSubstr("m.frag:4:14: 'n' is a varying, and there is no vertex program that writes it"));
   EXPECT_THAT(alone.err, HasSubstr("m.vert"));
+}
+
+// The vertex program by itself, or either of the two, is the scene.
+TEST_F(CourseFiles, AVertexProgramStandsAsAScene) {
+  const auto picture = [&](const std::string& file, const Arguments& more = {}) {
+    Arguments arguments{"render", file, "-o", "a.png", "--size", "40x30"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder, arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return textOf(folder / "a.png");
+  };
+  const std::string vertex =
+      "uniform vec3 hue = vec3(1.0); // @color\nvoid main() { gl_FrontColor = vec4(hue * gl_Normal, 1.0); "
+      "gl_Position = ftransform(); }\n";
+  writeText(folder / "v.vert", vertex);
+  writeText(folder / "both.vert", vertex);
+  writeText(folder / "both.frag", "void main() { gl_FragColor = gl_Color; }\n");
+  EXPECT_EQ(picture("v.vert"), picture("both.frag"));
+  EXPECT_EQ(picture("both.vert"), picture("both.frag"));
+  EXPECT_EQ(picture("v.vert", {"-P", "hue=#ff8000"}), picture("both.frag", {"-P", "hue=#ff8000"}));
+  EXPECT_NE(picture("v.vert", {"-P", "hue=#ff8000"}), picture("v.vert"));
+  writeText(folder / "broken.vert", "void main() {\n  gl_FrontColor = gl_Colr;\n}\n");
+  expectFailure(run(folder, {"render", "broken.vert", "-o", "b.png"}), 3,
+                "broken.vert:2:19: 'gl_Colr' : undeclared identifier");
 }
 
 TEST_F(CourseFiles, ScenesNameBothPrograms) {
@@ -118,7 +142,10 @@ TEST_F(CourseFiles, ScenesNameBothPrograms) {
   };
   expectRefused(R"({ "shader": "m.frag", "vertex": "b.vert" })",
                 "s.luxo.json:1:68: cannot read the shader 'b.vert'");
-  expectRefused(R"({ "vertex": "a.vert" })", "there is a vertex program and no shader");
+  EXPECT_EQ(drawn(R"({ "vertex": "a.vert", "uniforms": { "time": "t" } })").code, 0);
+  expectRefused(R"({ "vertex": "own.frag" })", "own.frag: it is no vertex program in the course's style");
+  expectRefused(R"({ "vertex": "a.vert", "diffuse": ["u", 0, 0] })",
+                "s.luxo.json:1:48: the diffuse colour or opacity uses u or v, and there is a shader, too");
   expectRefused(R"({ "shader": "own.frag", "vertex": "a.vert" })", "it is no program in the course's style");
   expectRefused(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "skin": 3 } })",
                 "there is no map 3");

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "draw/material_program.h"
+#include "image/image.h"
 #include "scene/shader_files.h"
 #include "support/picture.h"
 #include "surface/library.h"
@@ -257,8 +258,64 @@ TEST_F(CoursePicture, EachProgramOfTheCourseCompiles) {
                                                                   {"flow.frag", "types.vert"},
                                                                   {"functions.frag", "types.vert"},
                                                                   {"coordinates.frag", ""},
+                                                                  {"holes.frag", ""},
                                                                   {"varying.frag", "qualifiers.vert"}})
     EXPECT_TRUE(MaterialProgram(ofTheCourse(fragment, vertex)).inCourseStyle()) << fragment;
+}
+
+// A hole is what is behind it, whatever the program goes on to compute; alpha says nothing by itself.
+TEST_F(CoursePicture, WhatIsDiscardedIsAHole) {
+  const auto picture = [&](const std::string& fragment) {
+    return draw(ringOnPlate({.shader = programs("", fragment)}, Light::Shadow::Exact), kCamera, kCourseSize)
+        .image;
+  };
+  const std::string holes = "fract(8.0 * gl_TexCoord[0].s) < 0.5",
+                    colour = "gl_FragColor = vec4(gl_Color.rgb, 0.25);";
+  const Image wanted = picture("#pragma luxo opacity\nvoid main() { " + colour +
+                               " gl_FragColor.a = " + holes + " ? 0.0 : 1.0; }");
+  EXPECT_EQ(largestDifference(picture("void main() { if (" + holes + ") discard; " + colour + " }"), wanted),
+            0);
+  EXPECT_EQ(largestDifference(
+                picture("void cut(bool is) { if (is) discard; }\nvoid main() { cut(" + holes + "); " +
+                        colour + " if (" + holes + ") gl_FragColor = vec4(log(-gl_TexCoord[0].s - 1.0)); }"),
+                wanted),
+            0);
+  EXPECT_EQ(largestDifference(
+                picture("#pragma luxo opacity\nvoid main() { " + colour + " if (" + holes + ") discard; }"),
+                picture("#pragma luxo opacity\nvoid main() { " + colour + " if (" + holes +
+                        ") gl_FragColor.a = 0.0; }")),
+            0);
+  const Image nothing = picture("void main() { gl_FragColor = gl_Color; discard; }");
+  for (std::size_t i = 3; i < nothing.samples().size(); ++i)
+    ASSERT_EQ(nothing.samples()[i], nothing.samples()[i % 3]) << "the background alone";
+}
+
+// What OpenGL does with one texture that modulates: fragments of a vertex program that has no other.
+TEST_F(CoursePicture, AVertexProgramAloneHasTheFixedFunctionalitysFragments) {
+  const std::string vertex =
+      "void main() { gl_FrontColor = vec4(0.5 + 0.5 * gl_Normal, 1.0); gl_TexCoord[0] = 2.0 * "
+      "gl_MultiTexCoord0; "
+      "gl_Position = ftransform(); }";
+  MaterialShader alone{{kFixedFragments, {"test.vert", vertex}}, 1};
+  for (const bool textured : {false, true}) {
+    TextureMap map;
+    if (textured) {
+      Image halves(4, 2, 3);
+      for (int i = 0; i < 8; ++i) halves.pixel(i % 4, i / 4)[0] = i % 2 != 0 ? 1.0f : 0.25f;
+      map.texture = std::make_shared<const Texture>(makeTexture(halves, "halves"));
+    }
+    Scene fixed = ringOnPlate({.map = map, .shader = std::make_shared<const MaterialShader>(alone)},
+                              Light::Shadow::None);
+    Scene own =
+        ringOnPlate({.map = map,
+                     .shader = programs(
+                         vertex, textured ? "uniform sampler2D map; void main() { gl_FragColor = gl_Color * "
+                                            "texture2D(map, gl_TexCoord[0].st); }"
+                                          : "void main() { gl_FragColor = gl_Color; }")},
+                    Light::Shadow::None);
+    EXPECT_EQ(
+        largestDifference(draw(fixed, kCamera, kCourseSize).image, draw(own, kCamera, kCourseSize).image), 0);
+  }
 }
 
 TEST_F(CoursePicture, LoopsWithoutEndAreRefused) {

@@ -119,6 +119,9 @@ TEST_F(SceneShader, AVertexProgramIsBehindWhatTheShaderIncludes) {
   EXPECT_EQ(files.get("m.frag")->vertex, 0u);
   EXPECT_EQ(files.get("m.frag", "look/m.vert"), shader);
   EXPECT_THAT(messageOf([&] { static_cast<void>(files.get("m.frag", "m.frag")); }), HasSubstr("two files"));
+  const MaterialShaderPtr alone = files.get("", "look/m.vert");
+  EXPECT_EQ(alone->files.front(), kFixedFragments);
+  EXPECT_EQ(alone->files.at(alone->vertex), shader->files.at(shader->vertex));
 }
 
 TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
@@ -133,7 +136,7 @@ TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   EXPECT_THAT(refused(R"({ "shader": "long.frag" })"), HasSubstr("at most 262144 are read"));
   EXPECT_THAT(refused(R"({ "shader": "m.frag", "vertex": "none.vert" })"),
               HasSubstr("a.luxo.json:2:59: cannot read the shader"));
-  EXPECT_THAT(refused(R"({ "vertex": "m.frag" })"), HasSubstr("there is a vertex program and no shader"));
+  EXPECT_THAT(refused(R"({ "vertex": "none.vert" })"), HasSubstr("a.luxo.json:2:39: cannot read the shader"));
   EXPECT_THAT(refused(R"({ "uniforms": { "a": 1 } })"), HasSubstr("there are uniforms and no shader"));
 }
 
