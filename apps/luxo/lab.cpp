@@ -56,6 +56,7 @@ int showShader(const std::string& shader, const ShaderUse& use, const RenderRequ
         openShader(shader, use, request.parameters, &warnings, &inputs, WarningsAbout::WhatIsLacking);
     ViewedScene viewed = viewedScene(std::move(opened.scene), request);
     viewed.controls = std::move(opened.controls);
+    viewed.mouse = std::move(opened.mouse);
     for (NamedFile& input : inputs) viewed.files.push_back(std::move(input.path));
     return viewed;
   };

@@ -206,7 +206,7 @@ OpenedShader openShader(const std::string& shader, const ShaderUse& use,
   Scene scene = buildScene(shown.description, shown.parameters, warnings, about);
   addInputs(shown.files, inputs);
   addFilesOf(shown.description, inputs);
-  return {std::move(scene), std::move(shown.controls)};
+  return {std::move(scene), std::move(shown.controls), std::move(shown.mouse)};
 }
 
 Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,

@@ -65,6 +65,7 @@ struct ShaderUse;
 struct OpenedShader {
   Scene scene;
   std::vector<ParameterControl> controls;
+  std::vector<std::string> mouse;  ///< parameters that follow it
 };
 [[nodiscard]] OpenedShader openShader(const std::string& shader, const ShaderUse& use,
                                       std::span<const ParameterValue> parameters = {},

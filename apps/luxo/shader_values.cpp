@@ -97,6 +97,18 @@ std::vector<std::string> componentTexts(const UniformControl& uniform, const std
   return parts;
 }
 
+std::vector<std::string> componentTexts(const ParameterControl& control, const std::string& text) {
+  using Turned = ParameterControl::Kind;
+  UniformControl uniform{.name = control.label, .type = "float", .kind = UniformControl::Kind::Plain};
+  if (control.kind == Turned::Color) uniform.type = "vec3";
+  if (control.kind == Turned::Switch) uniform.type = "bool";
+  if (control.kind == Turned::Choice) uniform.kind = UniformControl::Kind::Choice;
+  uniform.range = control.range;
+  uniform.choices = control.choices;
+  uniform.numbers = control.parameters.size();
+  return componentTexts(uniform, text, control.encoded);
+}
+
 std::string componentSuffix(const UniformControl& uniform, std::size_t component) {
   if (uniform.numbers == 1) return {};
   const std::string_view letters = uniform.kind == Kind::Color ? "rgba" : "xyzw";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shader_controls.h"
+#include "viewer.h"
 
 namespace luxo {
 
@@ -13,6 +14,10 @@ namespace luxo {
 /// Error(Usage): the text is no value of the uniform's type. Formulas are not read here.
 [[nodiscard]] std::vector<std::string> componentTexts(const UniformControl& uniform, const std::string& text,
                                                       bool encoded);
+
+/// Of what turns a uniform, in a window.
+[[nodiscard]] std::vector<std::string> componentTexts(const ParameterControl& control,
+                                                      const std::string& text);
 
 /// What its components are called, behind its name: "" of a number, "_r", "_x", "_0" of others.
 [[nodiscard]] std::string componentSuffix(const UniformControl& uniform, std::size_t component);

@@ -33,6 +33,8 @@ struct ViewedScene {
   CameraId camera = {};          ///< none: the scene's first
   std::vector<std::filesystem::path> files = {};  ///< that it is made of: all are watched
   std::vector<ParameterControl> controls = {};    ///< other parameters with a range have a slider each
+  /// Parameters that follow the mouse (viewer/picture_mouse.h): four, or none.
+  std::vector<std::string> mouse = {};
 };
 
 struct ViewerOptions {

@@ -187,8 +187,9 @@ ImVec2 toImVec(Vec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y
 
 // Where a row can be grabbed whose slider or text begins there: as high as a line, for unsteady hands.
 GrabArea areaOf(const Layout& layout, const Panel::Row& row, ImVec2 at) {
-  const float padding = row.slider ? 0 : layout.unit(kButtonPadding);
-  const float width = row.slider ? layout.trackWidth : layout.widthOf(row.text);
+  const bool isTrack = row.slider || row.swatch;
+  const float padding = isTrack ? 0 : layout.unit(kButtonPadding);
+  const float width = isTrack ? layout.trackWidth : layout.widthOf(row.text);
   const float gap = (layout.line - layout.size) / 2;
   return {row.key, {at.x - padding, at.y - gap}, {at.x + width + padding, at.y - gap + layout.line}};
 }
@@ -238,7 +239,7 @@ void draw(ImDrawList& list, const Placed& placed, std::vector<GrabArea>& areas) 
     } else if (row.key >= 0) {
       list.AddRectFilled(toImVec(area.minPx), toImVec(area.maxPx), kButton, layout.unit(kRounding) / 2);
     }
-    write(x, row.key >= 0 && !row.slider ? kTitle : kText, row.text);
+    write(x, row.key >= 0 && !row.slider && !row.swatch ? kTitle : kText, row.text);
     if (row.key >= 0) areas.push_back(area);
     y += layout.line;
   }

@@ -28,7 +28,7 @@ struct Panel {
     std::optional<double> slider = std::nullopt;
     /// A colour in the slider's place: codes of sRGB, from 0 to 1.
     std::optional<std::array<float, 3>> swatch = std::nullopt;
-    /// Of its grab area: the slider's track or else, as a button, the text. -1: none.
+    /// Of its grab area: the slider's track, the colour or else, as a button, the text. -1: none.
     int key = -1;
 
     friend bool operator==(const Row&, const Row&) = default;

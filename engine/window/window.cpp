@@ -160,8 +160,7 @@ void Window::listen() {
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { self(window).events_.damaged = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
     if (focused == GLFW_TRUE) return;
-    self(window).dragButton_ = -1;
-    self(window).held_.reset();
+    self(window).release();
   });
 }
 
@@ -264,20 +263,30 @@ void Window::onButton(int button, int action, int modifiers) {
       return;
     }
     held_ = *area;
-    hold(true);
+    hold(*area, true);
   } else if (action == GLFW_RELEASE && button == dragButton_) {
-    dragButton_ = -1;
-    held_.reset();
+    release();
   }
+}
+
+void Window::release() {
+  dragButton_ = -1;
+  if (!held_) return;
+  Grab grab = grabOf(*held_);
+  grab.released = true;
+  events_.inputs.emplace_back(grab);
+  held_.reset();
 }
 
 Grab Window::grabOf(const GrabArea& area) const {
   const double width = std::max(area.maxPx.x - area.minPx.x, 1.0);
-  return {.key = area.key, .fraction = std::clamp((cursorPx_.x - area.minPx.x) / width, 0.0, 1.0)};
+  return {.key = area.key,
+          .fraction = std::clamp((cursorPx_.x - area.minPx.x) / width, 0.0, 1.0),
+          .cursorPx = cursorPx_};
 }
 
-void Window::hold(bool pressed) {
-  Grab grab = grabOf(*held_);
+void Window::hold(const GrabArea& area, bool pressed) {
+  Grab grab = grabOf(area);
   grab.pressed = pressed;
   events_.inputs.emplace_back(grab);
 }
@@ -297,7 +306,7 @@ void Window::onCursor(Vec2 position) {
   const Vec2 moved = cursorPx - cursorPx_;
   cursorPx_ = cursorPx;
   if (held_) {
-    hold(false);
+    hold(*held_, false);
   } else if (dragButton_ != -1 && moved != Vec2(0)) {
     drag(moved);
   }

@@ -57,13 +57,15 @@ struct GrabArea {
   friend bool operator==(const GrabArea&, const GrabArea&) = default;
 };
 
-/// Where a grab area is held: once when the button goes down, then whenever the cursor moves until it is
-/// released.
+/// Where a grab area is held: once when the button goes down, then whenever the cursor moves, and once when
+/// it is released.
 struct Grab {
   int key = 0;
-  double fraction = 0;   ///< 0 at the left side of the area, 1 at the right one, and no more beyond
-  bool pressed = false;  ///< the button just went down
-  bool types = false;    ///< with Ctrl: its value is to be typed. It is not held.
+  double fraction = 0;    ///< 0 at the left side of the area, 1 at the right one, and no more beyond
+  Vec2 cursorPx{0};       ///< in the window, and beyond
+  bool pressed = false;   ///< the button just went down
+  bool released = false;  ///< ... or up; or the window is no longer the one that is used
+  bool types = false;     ///< with Ctrl: its value is to be typed. It is not held.
 };
 
 using Input = std::variant<KeyPress, Typed, Drag, Scroll, Grab>;
@@ -101,7 +103,7 @@ class Window {
   /// Ends the waiting, or the next one, at once. From any thread, while the window exists.
   void wake();
 
-  /// Replaces the grab areas. What is being held stays held.
+  /// Replaces the grab areas, of which the first ones are above the others. What is being held stays held.
   void setGrabAreas(std::vector<GrabArea> areas) { grabAreas_ = std::move(areas); }
 
   /// From the top left of the framebuffer, where it was seen last.
@@ -127,7 +129,8 @@ class Window {
   void onKey(int key, int scancode, int action, int modifiers);
   void onButton(int button, int action, int modifiers);
   void onCursor(Vec2 position);
-  void hold(bool pressed);
+  void hold(const GrabArea& area, bool pressed);
+  void release();
   [[nodiscard]] Grab grabOf(const GrabArea& area) const;
   void drag(const Vec2& movedPx);
   [[nodiscard]] Vec2 pixelsPerUnit() const;

@@ -36,7 +36,7 @@ constexpr KeyHelp kKeys[] = {
     {"I", "numbers"},
     {"S", "sliders"},
     {"U", "what is under the mouse"},
-    {"Ctrl+click", "type a slider's value"},
+    {"Ctrl+click", "type a slider's value; of a colour, click on it: #ff8000"},
     {"0", "parameters as in the scene"},
     {"F, F11", "full screen"},
     {"H", "these keys"},

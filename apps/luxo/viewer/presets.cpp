@@ -32,18 +32,6 @@ std::string valueText(const ParameterControl& control, const Scene& scene, std::
   return text;
 }
 
-/// As componentTexts() takes it.
-UniformControl uniformOf(const ParameterControl& control) {
-  UniformControl uniform{.name = control.label, .type = "float", .kind = UniformControl::Kind::Plain};
-  if (control.kind == Kind::Color) uniform.type = "vec3";
-  if (control.kind == Kind::Switch) uniform.type = "bool";
-  if (control.kind == Kind::Choice) uniform.kind = UniformControl::Kind::Choice;
-  uniform.range = control.range;
-  uniform.choices = control.choices;
-  uniform.numbers = control.parameters.size();
-  return uniform;
-}
-
 }  // namespace
 
 std::optional<std::string> Presets::obey(const window::Grab& grab, Sliders& sliders, Scene& scene,
@@ -75,7 +63,7 @@ std::string Presets::takeNext(Sliders& sliders, Scene& scene, std::span<const Pa
   for (const auto& [uniform, text] : next->second) {
     const auto control = std::ranges::find(controls, uniform, &ParameterControl::label);
     if (control == controls.end()) continue;  // of another time
-    const std::vector<std::string> texts = componentTexts(uniformOf(*control), text, control->encoded);
+    const std::vector<std::string> texts = componentTexts(*control, text);
     for (std::size_t i = 0; i < texts.size(); ++i) {
       const auto id = scene.findParameter(control->parameters[i]);
       if (id) sliders.choose(*id, parseNumber(uniform, texts[i]), scene);

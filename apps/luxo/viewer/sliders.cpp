@@ -11,12 +11,14 @@
 #include "base/error.h"
 #include "base/srgb_curve.h"
 #include "option_values.h"
+#include "shader_values.h"
 #include "slider_scale.h"
 
 namespace luxo {
 namespace {
 
-constexpr int kResetKey = std::numeric_limits<int>::max();  // other keys are indices of parameters
+// Keys are indices of parameters, and above all these, of the first of a colour's; and this.
+constexpr int kColorKeys = 1 << 20, kResetKey = std::numeric_limits<int>::max();
 
 /// Of a colour's components.
 std::array<float, 3> swatchOf(const Scene& scene, const ParameterControl& control,
@@ -28,13 +30,6 @@ std::array<float, 3> swatchOf(const Scene& scene, const ParameterControl& contro
     codes[i] = static_cast<float>(control.encoded ? value : srgbFromLinear(value));
   }
   return codes;
-}
-
-window::Panel::Row swatchRow(const std::string& label, const std::array<float, 3>& codes) {
-  const auto byte = [](float code) { return std::lround(255 * code); };
-  return {.label = label,
-          .text = fmt::format("#{:02x}{:02x}{:02x}", byte(codes[0]), byte(codes[1]), byte(codes[2])),
-          .swatch = codes};
 }
 
 bool isButton(const ParameterControl* control) {
@@ -81,21 +76,21 @@ void Sliders::adopt(Scene& scene, std::span<const ParameterControl> controls) {
 }
 
 bool Sliders::obey(const window::Grab& grab, Scene& scene) {
+  if (grab.released) return false;
   typing_.reset();
   if (grab.key == kResetKey) {
     if (grab.pressed) reset(scene);
     return grab.pressed;
   }
-  const ParameterId id{static_cast<std::uint32_t>(grab.key)};
+  const bool isColor = grab.key >= kColorKeys;
+  const ParameterId id{static_cast<std::uint32_t>(isColor ? grab.key - kColorKeys : grab.key)};
   if (id.index >= scene.parameters().size() || !rangeOf(scene[id])) return false;
   if (const ParameterControl* control = controlOf(scene[id].name); isButton(control)) {
     if (grab.pressed) choose(id, nextOf(*control, scene.parametersAt(0)[id.index]), scene);
     return grab.pressed;
   }
-  if (grab.types) {
-    typing_ = {.parameter = id, .text = {}};
-    return false;
-  }
+  if (grab.types || (isColor && grab.pressed)) typing_ = {.parameter = id, .text = {}, .isColor = isColor};
+  if (grab.types || isColor) return false;
   Parameter turned = scene[id];
   turned.range = rangeOf(turned);
   const double value = sliderValue(turned, grab.fraction);
@@ -118,9 +113,19 @@ bool Sliders::obey(const window::KeyPress& key, Scene& scene) {
   if (!typing_) return false;
   if (key.key == window::key::kBackspace && !typing_->text.empty()) typing_->text.pop_back();
   const bool takes = key.key == window::key::kEnter && !typing_->text.empty();
-  if (takes) choose(typing_->parameter, typedValue(*typing_, scene), scene);
+  if (takes) take(*typing_, scene);
   if (key.key == window::key::kEnter || key.key == window::key::kEscape) typing_.reset();
   return takes;
+}
+
+void Sliders::take(const Typing& typing, Scene& scene) {
+  const ParameterControl* control = controlOf(scene[typing.parameter].name);
+  if (!typing.isColor || !control) return choose(typing.parameter, typedValue(typing, scene), scene);
+  std::vector<double> components;
+  for (const std::string& text : componentTexts(*control, typing.text))
+    components.push_back(parseNumber(control->label, text));
+  for (std::size_t i = 0; i < components.size(); ++i)
+    if (const auto id = scene.findParameter(control->parameters[i])) choose(*id, components[i], scene);
 }
 
 double Sliders::typedValue(const Typing& typing, const Scene& scene) {
@@ -140,6 +145,18 @@ void Sliders::reset(Scene& scene) {
   chosen_.clear();
 }
 
+window::Panel::Row Sliders::swatchRow(const ParameterControl& control, ParameterId first, const Scene& scene,
+                                      std::span<const double> values) const {
+  const std::array<float, 3> codes = swatchOf(scene, control, values);
+  const auto byte = [&](std::size_t i) { return std::lround(255 * codes[i]); };
+  const bool isTyped = typing_ && typing_->isColor && typing_->parameter.index == first.index;
+  return {
+      .label = control.label,
+      .text = isTyped ? typing_->text + "_" : fmt::format("#{:02x}{:02x}{:02x}", byte(0), byte(1), byte(2)),
+      .swatch = codes,
+      .key = kColorKeys + static_cast<int>(first.index)};
+}
+
 std::optional<window::Panel> Sliders::panel(const Scene& scene, std::span<const double> values) const {
   window::Panel panel{.place = window::Panel::Place::BottomLeft, .title = {}, .rows = {}};
   for (std::uint32_t i = 0; i < values.size(); ++i) {
@@ -149,13 +166,13 @@ std::optional<window::Panel> Sliders::panel(const Scene& scene, std::span<const 
     const ParameterControl* control = controlOf(parameter.name);
     if (control && control->kind == ParameterControl::Kind::Color &&
         control->parameters.front() == parameter.name)
-      panel.rows.push_back(swatchRow(control->label, swatchOf(scene, *control, values)));
+      panel.rows.push_back(swatchRow(*control, ParameterId{i}, scene, values));
     if (isButton(control)) {
       panel.rows.push_back(
           {.label = control->label, .text = buttonText(*control, values[i]), .key = static_cast<int>(i)});
       continue;
     }
-    const bool isTyped = typing_ && typing_->parameter.index == i;
+    const bool isTyped = typing_ && !typing_->isColor && typing_->parameter.index == i;
     panel.rows.push_back({.label = parameter.labelOrName(),
                           .text = isTyped ? typing_->text + "_" : sliderText(values[i]),
                           .slider = sliderPosition(parameter, values[i]),

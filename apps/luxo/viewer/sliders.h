@@ -28,8 +28,8 @@ class Sliders {
   /// Whether a value is being typed: keys and characters belong to it then.
   [[nodiscard]] bool typing() const { return typing_.has_value(); }
   void obey(const window::Typed& typed);
-  /// Enter takes the value, a number such as 0.5 or 1/3, and Escape leaves it. True when that changed the
-  /// scene. Throws Error(Usage) for what is no value of the parameter, which goes on being typed.
+  /// Enter takes the value, a number such as 0.5 or 1/3, or of a colour #ff8000, and Escape leaves it. True
+  /// when that changed the scene. Throws Error(Usage) for what is no value of it, which goes on being typed.
   bool obey(const window::KeyPress& key, Scene& scene);
   /// Gives a parameter that value. Error(Scene): it does not take it.
   void choose(ParameterId id, double value, Scene& scene);
@@ -41,13 +41,17 @@ class Sliders {
 
  private:
   struct Typing {
-    ParameterId parameter;
+    ParameterId parameter;  ///< of a colour its first one
     std::string text;
+    bool isColor = false;
   };
 
   /// Of its slider. None: it has none.
   [[nodiscard]] std::optional<Interval> rangeOf(const Parameter& parameter) const;
   [[nodiscard]] const ParameterControl* controlOf(const std::string& parameter) const;
+  [[nodiscard]] window::Panel::Row swatchRow(const ParameterControl& control, ParameterId first,
+                                             const Scene& scene, std::span<const double> values) const;
+  void take(const Typing& typing, Scene& scene);
   [[nodiscard]] static double typedValue(const Typing& typing, const Scene& scene);
 
   std::span<const ParameterControl> controls_;

@@ -29,6 +29,7 @@
 #include "viewer/frame_meter.h"
 #include "viewer/panels.h"
 #include "viewer/photographer.h"
+#include "viewer/picture_mouse.h"
 #include "viewer/presets.h"
 #include "viewer/probe.h"
 #include "viewer/progressive_mean.h"
@@ -220,6 +221,7 @@ class Viewer {
       log(LogLevel::Debug, message_->text);
       return;
     }
+    if (mouse_.obey(grab, size(), viewed_.scene)) return;
     if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
   }
 
@@ -278,6 +280,7 @@ class Viewer {
     if (scene.cameras().empty())
       fitted_ = {takeSnapshot(scene, scene.settings().time, viewed_.settings.size, Camera{}), {0, 0}, {}};
     sliders_.adopt(viewed_.scene, viewed_.controls);
+    mouse_.adopt(viewed_.scene, viewed_.mouse);
     mostShadowSamples_ = 1;
     for (const Scene::Entry& entry : scene.nodes())
       if (const std::optional<Light>& light = entry.node.light; light && light->shadow != Light::Shadow::None)
@@ -387,6 +390,7 @@ class Viewer {
     damaged_ = false;
     if (repaint) {
       meter_.addFrame(evaluated + recorded, start);
+      noteMouse();
     }
     if (repaint || completes) {
       unmeasured_.push_back(submission);
@@ -400,6 +404,12 @@ class Viewer {
     log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
     log(LogLevel::Debug,
         fmt::format("audited {} px, {} wrong, {} by rays", audit.pixels, audit.wrong, audit.byRays));
+  }
+
+  void noteMouse() {
+    if (!mouse_.isRead()) return;
+    log(LogLevel::Debug, fmt::format("iMouse {}", fmt::join(mouse_.numbers(), ",")));
+    dirty_ |= mouse_.wasDrawn(viewed_.scene);
   }
 
   // Nothing stays black while it waits for rays; and the first picture is one of coarse meshes, while shells
@@ -454,6 +464,7 @@ class Viewer {
     frames_.mark("window");
     std::vector<window::GrabArea> areas =
         presenter_.record(frames_, commands, shownPicture(), swapchain_, window_.contentScale(), panels_);
+    if (mouse_.isRead()) areas.push_back({PictureMouse::kKey, Vec2(0), Vec2(size().width, size().height)});
     if (areas == areas_) return;
     for (const window::GrabArea& area : areas)
       log(LogLevel::Debug, fmt::format("grab {} from {},{} to {},{}", area.key, area.minPx.x, area.minPx.y,
@@ -523,6 +534,7 @@ class Viewer {
   Controls controls_;
   Sliders sliders_;
   Presets presets_;
+  PictureMouse mouse_;
   std::vector<double> parameters_;  // at the moment that is shown
   // Of a scene without a camera: what it was when it came into view, and the camera for a size of the window.
   struct Fitted {
