@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 
+#include "catalogue_names.h"
 #include "export/carried_scene.h"
 #include "scene/model_scene.h"
 #include "scene/scene_builder.h"
@@ -184,12 +185,7 @@ TEST_P(ExportedCatalogue, WhatIsOpenIsThickened) {
   }
 }
 
-std::vector<std::string> namedSurfaces() {
-  std::vector<std::string> names;
-  for (const CatalogueEntry& entry : catalogue()) names.emplace_back(entry.name);
-  return names;
-}
-INSTANTIATE_TEST_SUITE_P(All, ExportedCatalogue, testing::ValuesIn(namedSurfaces()),
+INSTANTIATE_TEST_SUITE_P(All, ExportedCatalogue, testing::ValuesIn(catalogueNames()),
                          [](const auto& test) { return test.param; });
 
 /// The volume of a surface made this thick.

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "catalogue_names.h"
 #include "shell/shell.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
@@ -128,13 +129,7 @@ TEST_P(CatalogueShell, IsClosedAndHoldsTheSurface) {
   }
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const CatalogueEntry& entry : catalogue()) all.emplace_back(entry.name);
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueShell, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueShell, testing::ValuesIn(catalogueNames()),
                          [](const auto& test) { return test.param; });
 
 TEST(TessellateShell, BoundsHowMuchDerivativesChangeOverACell) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "catalogue_names.h"
 #include "surface/catalogue.h"
 #include "tessellate/block_plan.h"
 #include "tessellate/edge_net.h"
@@ -160,13 +161,7 @@ TEST_P(CatalogueMesh, FacesTheWayItsNormalsPoint) {
   EXPECT_LE(opposed, mesh.triangleCount() / 200);
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const CatalogueEntry& entry : catalogue()) all.emplace_back(entry.name);
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueMesh, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueMesh, testing::ValuesIn(catalogueNames()),
                          [](const auto& test) { return test.param; });
 
 TEST(Teapot, TakesFewTriangles) {

@@ -10,6 +10,7 @@
 #include <random>
 #include <string>
 
+#include "catalogue_names.h"
 #include "cull/cull.h"
 #include "scene/scene.h"
 #include "surface/catalogue.h"
@@ -54,12 +55,6 @@ double largestPx(const View& view, const VisibleNode& visible, const std::vector
   return largest;
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const CatalogueEntry& entry : catalogue()) all.emplace_back(entry.name);
-  return all;
-}
-
 /// Least median of measured / bound. The bound covers triangles of any shape within a cell; where the second
 /// derivatives nearly cancel along the diagonal that the mesh happens to have, as on waves that run across
 /// the cells, it is that much above what is measured. Intervals overestimate long formulas besides.
@@ -73,7 +68,7 @@ double leastTightness(const std::string& name) {
 class Certificate : public testing::TestWithParam<std::string> {
  protected:
   static void TearDownTestSuite() {
-    if (medians_.size() < names().size() / 2) return;  // only some were asked for
+    if (medians_.size() < catalogueNames().size() / 2) return;  // only some were asked for
     std::sort(medians_.begin(), medians_.end());
     std::printf("median of all surfaces: %.3f\n", medians_[medians_.size() / 2]);
     EXPECT_GE(medians_[medians_.size() / 2], 0.4);
@@ -125,7 +120,7 @@ TEST_P(Certificate, IsNeverExceededAndTight) {
   EXPECT_GE(median, leastTightness(GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, Certificate, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Catalogue, Certificate, testing::ValuesIn(catalogueNames()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
