@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays have found in a pixel replaces what was searched for; points of triangles stay. Later, for other groups of
+// What rays have found in a pixel replaces all that they find again; points of other triangles stay. Later, for other groups of
 // lights, their shadows there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -34,7 +34,7 @@ void main() {
   uint head = 0;
   for (uint index = layerHeads[layerPixel()]; index != 0;) {
     uint next = layerPoints[index].next;
-    if ((layerPoints[index].material & kLayerOfMesh) != 0) {
+    if (isBesideRays(layerPoints[index].material)) {
       layerPoints[index].next = head;
       head = index;
     }

@@ -25,7 +25,7 @@ void main() {
   varyingPlane = caster.plane;
   varyingMaterial = uvec2(caster.material, caster.firstPatternParameter);
   varyingPaint = vec4(caster.diffuse, caster.opacity);
-  varyingOff = caster.offPixels;
+  varyingOff = vec2(caster.offPixels, caster.leastOpaque);
   for (int i = 0; i < 2; ++i)
     varyingFirstTexels[i] = uvec3(caster.firstTexel[i], caster.firstTexel[2 + i], caster.firstTexel[4 + i]);
   // As far as can be: by the depth test no fragment is where nothing was found.

@@ -15,6 +15,6 @@ vec4 patternBounds() { return inParameterBounds; }
 
 void main() {
   Found found = foundPoint();
-  addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | kLayerOfMesh, octahedral(found.normal),
-                      found.parameters));
+  addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | layerOfTriangles(inNumbers.x),
+                      octahedral(found.normal), found.parameters));
 }

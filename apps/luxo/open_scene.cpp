@@ -142,8 +142,8 @@ OpenedScene openModel(const std::string& file, std::span<const ParameterValue> p
     return openDescription(std::move(*carried), parameters, warnings, about);
   refuseParameters(file, parameters);
   if (warnings)
-    for (const auto& some : {model->warnings, notDrawn(*model)})
-      for (const std::string& warning : some) warnings->push_back(fmt::format("{}: {}", file, warning));
+    for (const std::string& warning : model->warnings)
+      warnings->push_back(fmt::format("{}: {}", file, warning));
   return {modelScene(model), std::nullopt};
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "draw/paint.h"
 #include "math/transform.h"
 #include "surface/surface_triangles.h"
 
@@ -17,6 +18,8 @@ constexpr double kRounding = 0x1p-21;
 /// Of parameters: what single precision leaves of a rectangle's middle, and of those of its halves. Without
 /// it there were gaps between cells at many turns of a coil.
 constexpr double kParameterRounding = 0x1p-22;
+/// Numbers of a triangle: its corners, and their parameters.
+constexpr std::uint32_t kCornerNumbers = 9, kCornerParameters = 6;
 constexpr float kUp = 1 + 0x1p-22F;  ///< a float that is rounded down is no bound
 
 /// How far a surface's points would move if its parameters, as shaders have them, were as large again, at
@@ -66,6 +69,7 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   const int size = triangles ? std::max(gridSize, static_cast<int>(std::sqrt(triangles->count))) : gridSize;
   const auto grid = gridThatFits(node, fromObject, size);
 
+  const std::uint32_t ofTriangle = kCornerNumbers + (readsParameters(node) ? kCornerParameters : 0);
   const Vec3 origin = inverse * (list_.origin - node.worldFromObject.translation);
   const Vec3 farthest = glm::max(glm::abs(cells.bounds.min), glm::abs(cells.bounds.max));
   Casters& all = list_.casters;
@@ -74,9 +78,9 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   };
   if (!fits(all.gridStarts, grid->starts.size()) || !fits(all.gridEntries, grid->entries.size()) ||
       !fits(all.cells, triangles ? triangles->count : cells.cells.size()) ||
-      !fits(all.parameters, triangles ? std::size_t{9} * triangles->count : 0))
+      !fits(all.parameters, triangles ? std::size_t{ofTriangle} * triangles->count : 0))
     return std::nullopt;
-  const Place& place = placeOf(entry.cells, node.surface, found);
+  const Place& place = placeOf(entry.cells, node, found);
   shared::ShadowCaster& caster = entry.caster.emplace(shared::ShadowCaster{
       .gridFromRelative = Mat3f(grid->axes * inverse),
       .gridOrigin = Vec3f(grid->axes * (origin - grid->light)),
@@ -88,8 +92,7 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       .firstEntry = static_cast<std::uint32_t>(all.gridEntries.size()),
       .firstCell = place.firstCell,
       .firstParameter = place.firstParameter,
-      .parameters =
-          triangles ? found.code->parameters : static_cast<std::uint32_t>(found.parameters[0].size()),
+      .parameters = triangles ? ofTriangle : static_cast<std::uint32_t>(found.parameters[0].size()),
       .flags = from.w == 0 ? shared::kParallelLight : 0,
       .rounding = static_cast<float>(kRounding * (glm::length(origin) + glm::length(farthest)) +
                                      kParameterRounding * spanOfParameters(node.surface, cells)),
@@ -121,28 +124,39 @@ std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& no
 }
 
 const CasterList::Place& CasterList::placeOf(const std::shared_ptr<const CasterCells>& cells,
-                                             const Surface& surface, const CasterCode& found) {
+                                             const SnapshotNode& node, const CasterCode& found) {
   Casters& all = list_.casters;
-  const auto [entry, isNew] =
-      places_.try_emplace(cells.get(), Place{cells, static_cast<std::uint32_t>(all.cells.size()),
-                                             static_cast<std::uint32_t>(all.parameters.size())});
+  const SurfaceTriangles* triangles = node.surface.triangles();
+  const bool withParameters = triangles && readsParameters(node);
+  const auto [entry, isNew] = places_.try_emplace({cells.get(), withParameters},
+                                                  Place{cells, static_cast<std::uint32_t>(all.cells.size()),
+                                                        static_cast<std::uint32_t>(all.parameters.size())});
   if (!isNew) return entry->second;
-  if (surface.triangles()) {
-    addTriangles(*surface.triangles());
+  if (triangles) {
+    addTriangles(*triangles, withParameters);
   } else {
-    addCells(*cells, surface);
+    addCells(*cells, node.surface);
     for (const std::vector<double>& parameters : found.parameters)
       all.parameters.insert(all.parameters.end(), parameters.begin(), parameters.end());
   }
   return entry->second;
 }
 
-/// Their corners are their parameters.
-void CasterList::addTriangles(const SurfaceTriangles& triangles) {
+bool CasterList::readsParameters(const SnapshotNode& node) const {
+  return Paint::ofCaster(snapshot_.materials[node.material.index]).valid();
+}
+
+void CasterList::addTriangles(const SurfaceTriangles& triangles, bool parameters) {
+  std::vector<float>& numbers = list_.casters.parameters;
+  const std::span<const Vec2f> uvs = triangles.mesh.uvs();
   for (std::uint32_t i = 0; i < triangles.count; ++i) {
     list_.casters.cells.push_back({.bend = Vec3f(0), .patch_ = i});
-    for (const Vec3& point : triangles.points(i))
-      list_.casters.parameters.insert(list_.casters.parameters.end(), &point[0], &point[0] + 3);
+    for (const Vec3& point : triangles.points(i)) numbers.insert(numbers.end(), &point[0], &point[0] + 3);
+    if (!parameters) continue;
+    for (const std::uint32_t corner : triangles.corners(i)) {
+      const Vec2f uv = uvs.empty() ? Vec2f(0) : uvs[corner];
+      numbers.insert(numbers.end(), {uv.x, uv.y});
+    }
   }
 }
 

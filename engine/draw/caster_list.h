@@ -47,10 +47,12 @@ class CasterList {
     std::shared_ptr<const CasterCells> cells;
     std::uint32_t firstCell = 0, firstParameter = 0;
   };
-  const Place& placeOf(const std::shared_ptr<const CasterCells>& cells, const Surface& surface,
+  const Place& placeOf(const std::shared_ptr<const CasterCells>& cells, const SnapshotNode& node,
                        const CasterCode& found);
   void addCells(const CasterCells& cells, const Surface& surface);
-  void addTriangles(const SurfaceTriangles& triangles);
+  void addTriangles(const SurfaceTriangles& triangles, bool parameters);
+  /// Whether where on a triangle a ray meets it decides how much light gets through.
+  [[nodiscard]] bool readsParameters(const SnapshotNode& node) const;
   /// One whose share of the room is enough: grids may be of any size, and those of a thousand lights, or of
   /// as many layers, are smaller.
   [[nodiscard]] std::shared_ptr<const LightGrid> gridThatFits(const SnapshotNode& node,
@@ -60,7 +62,7 @@ class CasterList {
   Geometry& geometry_;
   DrawList& list_;
   std::size_t share_;  ///< bytes that one entry may take of a buffer
-  std::map<const CasterCells*, Place> places_;
+  std::map<std::pair<const CasterCells*, bool>, Place> places_;  ///< of triangles, with their parameters?
 };
 
 }  // namespace luxo

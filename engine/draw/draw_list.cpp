@@ -146,7 +146,7 @@ class DrawLister {
       const Shading shading = material.shadingIn(options_.shading);
       if (shading == Shading::Wireframe)
         wires.push_back(v);
-      else if (findsLayers(snapshot_, node, options_))
+      else if (findsLayers(snapshot_, node, options_) && !node.surface.triangles())
         findLayers(v, node, material);
       else
         listLayerMesh(v, node, material, shading == Shading::Exact ? Shading::Phong : shading);
@@ -195,12 +195,18 @@ class DrawLister {
     batch.state.details = list_.layers.details;
     batch.state.tangents = batch.state.details && node.surface.triangles();
     batch.flat = node.surface.flatNormal().has_value();
+    batch.state.isSurface = findsLayers(snapshot_, node, options_);
     Item item{.lightSet = lights.index};
     item.instance.node = v.node;
     const Vec3 origin = addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
     item.instance.data = instanceData(snapshot_, node, v, list_.origin, origin, true);
     item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
     requireNumber(item.instance.data.material);
+    if (batch.state.isSurface) {
+      item.instance.data.flags |= shared::kIsSurface;
+      list_.layers.found.push_back({v.node, item.instance.data.material});
+      appendBlurred(snapshot_.view, node, v, list_.origin, list_.byRays);
+    }
     for (DrawBatch& drawn : item.batches) {
       if (drawn.indexCount == 0) continue;
       drawn.firstInstance = static_cast<std::uint32_t>(list_.instances.size());
@@ -407,7 +413,7 @@ bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const Draw
 bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Material& material = snapshot.materials[node.material.index];
   return seenThrough(snapshot, node, options) && !material.invisible() &&
-         material.shadingIn(options.shading) == Shading::Exact && !node.surface.triangles();
+         material.shadingIn(options.shading) == Shading::Exact;
 }
 
 bool DrawList::onlyFound() const {

@@ -198,7 +198,7 @@ struct LightGroup {
   [[nodiscard]] bool lightsLayers() const { return !layerShades.empty() || !layerAgain.empty(); }
 };
 
-/// A node whose layers are found in every pixel, by searches or by rays; no triangles.
+/// A node whose layers are found in every pixel, by searches, as the triangles that it is, or by rays.
 struct FoundLayer {
   std::uint32_t node = 0;      ///< index into Snapshot::nodes
   std::uint32_t material = 0;  ///< its number

@@ -28,7 +28,8 @@ shared::MaterialData materialData(const Material& material, const Vec3& ambient,
           .specular = Vec3f(material.specular),
           .flags = (material.lectureSpecular ? shared::kLectureSpecular : 0) |
                    (follows ? shared::kPatternAmbient : 0) | shadeOf << shared::kShadeShift,
-          .blend = static_cast<std::uint32_t>(material.blend)};
+          .blend = static_cast<std::uint32_t>(material.blend),
+          .leastOpaque = static_cast<float>(material.leastOpaque())};
 }
 
 static_assert(static_cast<std::uint32_t>(Blend::Over) == shared::kBlendOver &&

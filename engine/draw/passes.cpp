@@ -170,7 +170,7 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
       passes.back().reads.push_back(Target::LightDepth);
     }
     for (std::size_t k = 0; k < group.layerShades.size(); ++k)
-      add("shade layers", {.group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
+      add("shade layers", {.searches = true, .group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
     for (std::size_t k = 0; k < group.layerAgain.size(); ++k)
       add("layers again", {.batches = std::span(group.layerAgain).subspan(k, 1), .group = i});
   }

@@ -366,19 +366,21 @@ void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, const RayDraws
       const reference::Hit& hit = seen[i].sight.hits[k];
       const auto node = std::ranges::lower_bound(draws.layers, hit.node, {}, &FoundLayer::node);
       if (node == draws.layers.end() || node->node != hit.node) continue;
-      const Domain& domain = caster_->snapshot().nodes[hit.node].surface.domain();
+      const Surface& surface = caster_->snapshot().nodes[hit.node].surface;
+      const bool isHole = caster_->cutsOut(hit);
       const auto light = seen[i].light.begin() + static_cast<std::ptrdiff_t>(k * draws.groups.size());
       points.layerLights.insert(points.layerLights.end(), light,
                                 light + static_cast<std::ptrdiff_t>(draws.groups.size()));
       // Their order, which the ray knows, has to outlive the rounding of their depths.
       last = std::max(static_cast<float>(glm::dot(hit.position - draws.origin, forward)),
                       std::nextafter(last, std::numeric_limits<float>::infinity()));
-      points.layerPoints.push_back({.depth = last,
-                                    .material = node->material | shared::kLayerByRay,
-                                    .shadows = light->shadows,
-                                    .normal = octahedral(hit.normal),
-                                    .parameters = Vec2f(inside(domain, hit)),
-                                    .transmittance = light->transmittance});
+      points.layerPoints.push_back(
+          {.depth = last,
+           .material = node->material | shared::kLayerByRay | (isHole ? shared::kLayerHole : 0),
+           .shadows = light->shadows,
+           .normal = octahedral(hit.normal),
+           .parameters = Vec2f(surface.triangles() ? Vec2(hit.u, hit.v) : inside(surface.domain(), hit)),
+           .transmittance = light->transmittance});
       points.layerDetails.push_back(
           {.footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])), .frame = Vec4f(hit.frame)});
       ++layers.count;

@@ -289,8 +289,9 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
   if (doubts.empty()) return countTime();
   RayPoints points = rays_.resolve(doubts, RayDraws(view_.list()), view_.shown());
   countTime();
-  // Of a mesh that is seen through no ray tells which point it is that is shown.
-  const std::size_t ofMeshes = view_.list().layers.meshes.empty() ? 0 : points.layered;
+  // Of a mesh that is seen through, and not the surface itself, no ray tells which point it is that is shown.
+  const bool allFound = std::ranges::all_of(view_.list().layers.meshes, &DrawBatch::finds);
+  const std::size_t ofMeshes = allFound ? 0 : points.layered;
   statistics.error.resolvedByRaysPx =
       points.resolved - points.undecided + points.shadowed + points.layered - ofMeshes;
   statistics.error.shadowRaysPx = points.shadowed;

@@ -257,14 +257,12 @@ class ShadowLister {
   void list(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node) {
     const std::optional<PixelRect> area = areaOf(light, node);
     if (!area || !reachesWhatIsSeen(light, node) || addClosed(bit, light, node, *area)) return;
-    if (node.surface.triangles() && materialOf(node).letsLightThrough())
-      refuse(node, "is a mesh that is seen through, and casts an exact shadow");
     if (add(bit, light, node, *area)) return;
     if (!node.surface.triangles()) {
       list_.byRays.push_back(*area);
       return;
     }
-    if (!list_.layers.meshes.empty())
+    if (!std::ranges::all_of(list_.layers.meshes, &DrawBatch::finds))
       refuse(node, "has too many triangles to cast an exact shadow on meshes that are seen through");
     list_.shadowsByRays.push_back(*area);
   }
@@ -351,6 +349,7 @@ class ShadowLister {
       caster.flags |= material.blend == Blend::Multiply ? shared::kTintsLight : 0;
       caster.diffuse = Vec3f(material.diffuse);
       caster.opacity = static_cast<float>(material.opacity);
+      caster.leastOpaque = static_cast<float>(material.leastOpaque());
       if (const Paint paint = Paint::ofCaster(material); paint.valid()) {
         draw.state.pattern = paint;
         caster.firstPatternParameter = materials_.firstPatternParameter(material, node, paint);

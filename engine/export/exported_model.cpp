@@ -215,6 +215,7 @@ class Exporter {
       made.glowMap = mapOf(material.glowMap);
       if (made.glowMap.given()) made.glow = material.glow;
       made.opacityFromMap = material.mapOpacity;
+      made.cutoff = material.cutoff;
     }
     const auto tell = [&](bool left, const char* map) {
       if (left) warn(fmt::format("material '{}': its {} is not exported", material.name, map));

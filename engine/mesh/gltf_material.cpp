@@ -53,9 +53,7 @@ class MaterialReader {
     if (mode != "OPAQUE") {
       material.opacity = std::min(base.w, 1.0);
       material.opacityFromMap = material.map.given();
-      if (mode == "MASK") material.cutoff = std::clamp(value["alphaCutoff"].numberOr(0.5), 0.0, 1.0);
-      // Nothing is below 0.
-      if (mode == "MASK" && material.cutoff == 0) material.opacityFromMap = false;
+      if (mode == "MASK") cutOff(material, std::max(value["alphaCutoff"].numberOr(0.5), 0.0));
     }
     material.twoSided = value["doubleSided"].flagOr(false);
     return material;
@@ -66,6 +64,14 @@ class MaterialReader {
 
   void warn(const GltfValue& value, std::string_view what) {
     model_.warnings.push_back(fmt::format("{}: {}: {}", source_.name(), value.place(), what));
+  }
+
+  /// Nothing is below 0, and all is below what is above 1.
+  static void cutOff(ModelMaterial& material, double cutoff) {
+    material.cutoff = std::min(cutoff, 1.0);
+    if (cutoff > 0 && cutoff <= 1) return;
+    material.opacityFromMap = false;
+    material.opacity = cutoff > 1 ? 0 : 1;
   }
 
   static void setBlinn(ModelMaterial& material, const Vec3& base, double metallic, double roughness,

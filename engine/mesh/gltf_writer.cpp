@@ -43,7 +43,12 @@ Object materialOf(const ModelMaterial& from) {
                        {"metallicFactor", 0},
                        {"roughnessFactor", std::pow(2 / (n + 2), 0.25)}}}};
   if (from.glow != Vec3(0)) material["emissiveFactor"] = json(glm::clamp(from.glow, 0.0, 1.0));
-  if (from.opacity < 1 || from.opacityFromMap) material["alphaMode"] = "BLEND";
+  if (from.opacityFromMap && from.cutoff > 0) {
+    material["alphaMode"] = "MASK";
+    material["alphaCutoff"] = from.cutoff;
+  } else if (from.opacity < 1 || from.opacityFromMap) {
+    material["alphaMode"] = "BLEND";
+  }
   if (from.twoSided) material["doubleSided"] = true;
   material["extensions"]["KHR_materials_specular"]["specularColorFactor"] =
       json(8 / (n + 2) / kGltfReflectance * from.specular);

@@ -437,7 +437,8 @@ double Caster::opacityOf(const Hit& hit) const {
   const Material& material = materialOf(hit.node);
   const double own = material.opacityAt(hit.u, hit.v);
   if (!material.mapOpacity) return own;
-  return own * std::min(material.map.at(bodies_[hit.node].maps[0], {hit.u, hit.v}, hit.footprint).w, 1.0);
+  const double alpha = material.map.at(bodies_[hit.node].maps[0], {hit.u, hit.v}, hit.footprint).w;
+  return material.cutOut(own * std::min(alpha, 1.0));
 }
 
 Vec3 Caster::normalBeside(const Hit& hit, const Vec3& step) const {

@@ -139,6 +139,10 @@ class Caster {
   [[nodiscard]] Vec3 diffuseOf(const Hit& hit) const;
   /// With the alpha of a map, where the material has that; of a material with a shader as if it had none.
   [[nodiscard]] double opacityOf(const Hit& hit) const;
+  /// Whether there is a hole, where the material's opacity is cut off (Material::cutoff).
+  [[nodiscard]] bool cutsOut(const Hit& hit) const {
+    return materialOf(hit.node).cutoff > 0 && opacityOf(hit) == 0;
+  }
 
   /// Whether a light would add something to a hit that sees it.
   [[nodiscard]] bool shinesOn(std::uint32_t light, const Hit& hit) const;

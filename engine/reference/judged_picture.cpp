@@ -316,7 +316,10 @@ class PictureJudge : ComparedPixels {
   /// From a pixel's centre to where the truth shows another layer; not looked for far beyond kSilhouettePx.
   [[nodiscard]] double outlineDistance(const Caster& caster, std::uint32_t i) const {
     return distanceTo(
-        [&](const Vec2& at) { return !seesLayerOf(i, caster.look(caster.rayThrough(at.x, at.y)), at); },
+        [&](const Vec2& at) {
+          const Ray ray = caster.rayThrough(at.x, at.y);
+          return !seesLayerOf(i, caster.look(ray, Caster::Invisible::Told), at);
+        },
         centerOf(i), 2 * kSilhouettePx);
   }
 
@@ -332,7 +335,7 @@ class PictureJudge : ComparedPixels {
     }
     return distanceTo(
         [&](const Vec2& at) {
-          const auto sight = caster.look(caster.rayThrough(at.x, at.y));
+          const auto sight = caster.look(caster.rayThrough(at.x, at.y), Caster::Invisible::Told);
           if (mismatch == Mismatch::Missing) return sight.hits.empty();
           if (sight.hits.empty() || sight.hits.front().node != *node) return false;
           if (!shown) return true;

@@ -53,6 +53,11 @@ void validate(const Material& material) {
   if (material.mapOpacity && (!material.map.valid() || material.shader || material.lesson))
     reject(material, "its opacity", "that of its map",
            "given with a map, without a shader or the lesson's formula");
+  if (!(material.cutoff >= 0 && material.cutoff <= 1))
+    reject(material, "the cutoff of its opacity", fmt::format("{}", material.cutoff), "from 0 to 1");
+  if (material.cutoff > 0 && (!material.mapOpacity || material.blend != Blend::Over))
+    reject(material, "the cutoff of its opacity", fmt::format("{}", material.cutoff),
+           "0, but of opacities that a map has the alpha of, in mode \"over\"");
   if (material.lesson && material.diffusePattern.valid())
     reject(material, "the lesson's formula", "given beside a pattern", "alone, or with a map");
   if (material.shader && material.diffusePattern.valid())

@@ -3,6 +3,7 @@
 // (N.H)^shininess) * Le.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -42,6 +43,11 @@ enum class NormalSpace {
   Object,  ///< the surface's own axes; turned to the side that is shown
 };
 
+/// An opacity that is less than a cutoff by no more is above it: textures keep half floats, of alphas up to 1
+/// those are off by 2^-12 at most, so that a texel which a file has at the cutoff itself is no hole, however
+/// its sums are rounded. A step of 8 bits is sixteen times as much.
+inline constexpr double kCutoffSlack = 0x1p-12 + 1e-5;
+
 /// Colours are linear RGB factors.
 struct Material {
   std::string name = "material";
@@ -62,6 +68,9 @@ struct Material {
   /// pattern.
   TextureMap map = {};
   bool mapOpacity = false;  ///< the alpha of `map` is how opaque the surface is, times `opacity`
+  /// With `mapOpacity`, and of mode Over: where it is less opaque than that there is a hole, and all else is
+  /// opaque (cutOut()). 0: it is as opaque as it is.
+  double cutoff = 0;
   /// Bends the normal that light falls on. A light below the horizon of the surface itself adds nothing,
   /// wherever the map leads. Light between vertices (Gouraud shading) knows nothing of it.
   TextureMap normalMap = {};
@@ -124,6 +133,14 @@ struct Material {
   [[nodiscard]] double opacityAt(double u, double v) const {
     return diffusePattern.hasOpacity() ? opacity * diffusePattern.opacityAt(u, v, patternParameters)
                                        : opacity;
+  }
+  /// The least opacity that `cutoff` makes opaque; 0: it makes none.
+  [[nodiscard]] double leastOpaque() const {
+    return cutoff == 0 ? 0 : std::max(cutoff - kCutoffSlack, kCutoffSlack);
+  }
+  /// What that makes of an opacity.
+  [[nodiscard]] double cutOut(double opacityThere) const {
+    return cutoff == 0 ? opacityThere : opacityThere >= leastOpaque() ? 1 : 0;
   }
   [[nodiscard]] Vec3 diffuseAt(double u, double v) const {
     return diffusePattern.valid() ? diffusePattern.colorAt(u, v, patternParameters) : diffuse;

@@ -61,7 +61,7 @@ struct MaterialBuilder::Moving {
   Material fixed;
   Animated<Vec3> diffuse = Vec3(0), specular = Vec3(0);
   std::optional<Animated<Vec3>> ambient = {};
-  Animated<double> shininess = 0.0, opacity = 0.0;
+  Animated<double> shininess = 0.0, opacity = 0.0, cutoff = 0.0;
   std::vector<Animated<double>> patternParameters = {}, curvatureParameters = {};
   std::array<MapPlace, 4> places = {};                       ///< of Material::maps()
   std::vector<MapPlace> uniformPlaces = {};                  ///< of each uniform
@@ -74,6 +74,7 @@ struct MaterialBuilder::Moving {
     material.specular = specular.at(moment);
     material.shininess = shininess.at(moment);
     material.opacity = opacity.at(moment);
+    material.cutoff = cutoff.at(moment);
     for (const Animated<double>& parameter : patternParameters)
       material.patternParameters.push_back(parameter.at(moment));
     for (const Animated<double>& parameter : curvatureParameters)
@@ -89,9 +90,9 @@ struct MaterialBuilder::Moving {
 
   [[nodiscard]] Animated<Material> animated() && {
     bool constant = diffuse.isConstant() && specular.isConstant() && shininess.isConstant() &&
-                    opacity.isConstant() && (!ambient || ambient->isConstant());
+                    opacity.isConstant() && cutoff.isConstant() && (!ambient || ambient->isConstant());
     bool moves = diffuse.movesWithTime() || specular.movesWithTime() || shininess.movesWithTime() ||
-                 opacity.movesWithTime() || (ambient && ambient->movesWithTime());
+                 opacity.movesWithTime() || cutoff.movesWithTime() || (ambient && ambient->movesWithTime());
     const auto consider = [&](const Animated<double>& number) {
       constant = constant && number.isConstant();
       moves = moves || number.movesWithTime();
@@ -122,6 +123,7 @@ Animated<Material> MaterialBuilder::build(const MaterialDesc& desc, ShapeBuilder
   if (desc.ambient) material.ambient = formulas_.vector(*desc.ambient, kLight);
   material.specular = formulas_.vector(desc.specular, kLight);
   material.shininess = formulas_.number(desc.shininess, kLight);
+  material.cutoff = formulas_.number(desc.cutoff, kFraction);
   addMaps(desc, material);
   addLesson(desc, material);
   addShader(desc, material);
@@ -145,6 +147,13 @@ void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
                   "lesson's formula",
                   "leave \"alpha\" out; a shader says itself how opaque it is (shaders/MATERIALS.md)");
     material.fixed.mapOpacity = false;
+  }
+  if (desc.cutoff != Quantity(0) && (!(desc.map && desc.map->alpha) || desc.blend != Blend::Over)) {
+    problems_.add(desc.name.place,
+                  "\"cutoff\" makes holes where a map's alpha is below it, of what is seen through as "
+                  "\"over\", and the material is not such",
+                  "write \"map\": { \"texture\": .., \"alpha\": true }, without another \"blend\"");
+    material.cutoff = 0.0;
   }
   if (!desc.normalMap) return;
   material.fixed.normalSpace = desc.normalMap->space;

@@ -149,7 +149,12 @@ class ModelBuilder {
   [[nodiscard]] Material mapped(const ModelMaterial& from) {
     Material material = materialOf(from);
     material.map = mapOf(from.map, Codes::Srgb);
-    material.mapOpacity = from.opacityFromMap && from.cutoff == 0 && material.map.valid() && !material.lesson;
+    material.mapOpacity =
+        from.opacityFromMap && !material.lesson && material.map.valid() && material.map.texture->transparent;
+    if (material.mapOpacity)
+      material.cutoff = from.cutoff;
+    else if (from.cutoff > 0)
+      material.opacity = from.opacity < from.cutoff ? 0 : 1;
     material.normalMap = mapOf(from.normalMap, Codes::Data);
     material.specularMap = mapOf(from.specularMap, Codes::Data);
     material.glowMap = mapOf(from.glowMap, Codes::Srgb);
@@ -244,20 +249,6 @@ Scene modelScene(const ModelPtr& model) {
 std::vector<NodeId> addModel(Scene& scene, NodeId parent, const ModelPtr& model) {
   const std::string& name = scene[parent].name;
   return ModelBuilder(model, scene, parent, name.empty() ? name : name + "/").addNodes();
-}
-
-std::vector<std::string> notDrawn(const Model& model) {
-  std::vector<std::string> messages;
-  const auto tell = [&](auto has, std::string_view what) {
-    const auto count = std::ranges::count_if(model.materials, has);
-    if (count == 0) return;
-    const std::string& first = std::ranges::find_if(model.materials, has)->name;
-    const std::string others = count == 1 ? "" : fmt::format(" and {} more", count - 1);
-    messages.push_back(fmt::format("material '{}'{}: {} not drawn yet", first, others, what));
-  };
-  tell([](const ModelMaterial& m) { return m.map.given() && m.opacityFromMap && m.cutoff > 0; },
-       "opacities from maps that are cut off at a level are");
-  return messages;
 }
 
 }  // namespace luxo

@@ -27,8 +27,4 @@ namespace luxo {
 /// own. Names of nodes follow the parent's and a slash. The nodes that have a surface. Errors as modelScene().
 std::vector<NodeId> addModel(Scene& scene, NodeId parent, const std::shared_ptr<const Model>& model);
 
-/// What of a model's materials no picture shows yet, a message a kind: opacities that maps cut
-/// off at a level.
-[[nodiscard]] std::vector<std::string> notDrawn(const Model& model);
-
 }  // namespace luxo

@@ -254,8 +254,8 @@ void SceneConstruction::addModels() {
         const std::shared_ptr<const Model> model =
             (ofScene ? ofScene : std::make_shared<ModelFiles>())->get(file.text, {});
         if (warnings_)
-          for (const auto& some : {model->warnings, notDrawn(*model)})
-            for (const std::string& warning : some) warnings_->push_back({rangeOf(file.place), warning, {}});
+          for (const std::string& warning : model->warnings)
+            warnings_->push_back({rangeOf(file.place), warning, {}});
         partsOfModels_.emplace(i, addModel(scene_, NodeId{i}, model));
       });
 }

@@ -168,6 +168,7 @@ struct MaterialDesc {
   std::optional<Quantity3> ambient = {};
   Quantity3 specular = repeated(0.2);
   Quantity shininess = 30, opacity = 1;
+  Quantity cutoff = 0;  ///< Material::cutoff
   Blend blend = Blend::Over;
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = {};

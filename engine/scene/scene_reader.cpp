@@ -254,6 +254,7 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
   readColor(members["specular"], material.specular);
   values_.read(members["shininess"], material.shininess);
   values_.read(members["opacity"], material.opacity);
+  values_.read(members["cutoff"], material.cutoff);
   values_.readWord(members["blend"], keys::kBlends, material.blend);
   if (const JsonValue sides = members["two_sided"]; sides.exists()) {
     bool both = false;

@@ -196,6 +196,7 @@ JsonText written(const MaterialDesc& material) {
   members.addColor("specular", material.specular, material.specularMap ? repeated(1) : usual.specular);
   members.add("shininess", material.shininess, usual.shininess);
   members.add("opacity", material.opacity, usual.opacity);
+  members.add("cutoff", material.cutoff, usual.cutoff);
   members.addWord("blend", material.blend, usual.blend, keys::kBlends);
   if (material.twoSided != TwoSided::Auto)
     members.put("two_sided", JsonText::boolean(material.twoSided == TwoSided::Yes));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points that are seen through, in the list of their pixel.
 #include "lib/again.glsl"
+#include "lib/cutoff.glsl"
 #include "lib/layers.glsl"
 #include "lib/number.glsl"
 #include "lib/octahedral.glsl"
@@ -31,6 +32,7 @@ bool findPoint(uint material, vec2 parameters, vec4 bounds) {
 }
 
 void lightPoint(vec3 light, vec4 paint) {
+  paint.a = cutOut(paint.a, materials[layerPoints[ownPoint].material & kLayerMaterial].leastOpaque);
   vec3 reflected_ = isColor(light) ? paint.a * light : light;  // what a shader tells instead of a colour stays
   layerPoints[ownPoint].light = kAddsLight ? together(layerPoints[ownPoint].light, reflected_) : reflected_;
   layerPoints[ownPoint].through = throughLayer(materials[layerPoints[ownPoint].material & kLayerMaterial].blend, paint.a, paint.rgb);

@@ -14,7 +14,7 @@ vec4 patternBounds() { return inParameterBounds; }
 void addFramedLayer() {
   Found found = foundPoint();
   vec2 parameters = clamp(found.parameters, inParameterBounds.xy, inParameterBounds.zw);
-  addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | kLayerOfMesh, octahedral(found.normal),
-                      parameters),
+  addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | layerOfTriangles(inNumbers.x),
+                      octahedral(found.normal), parameters),
            LayerDetail(pixelFootprint(), normalFrame()));
 }

@@ -57,6 +57,12 @@ LayerPoint unlitPoint(float depth, float off, uint material, vec2 normal, vec2 p
   return LayerPoint(0, depth, off, material, 0, normal, parameters, vec3(0), vec3(0), vec3(1), vec3(0), 0);
 }
 
+// Of points that triangles put down, by the flags of their instance.
+uint layerOfTriangles(uint flags) { return kLayerOfMesh | ((flags & kIsSurface) != 0 ? kLayerOfSurface : 0); }
+
+// Whether rays cannot find a point again, whose number of the material that is, with its flags.
+bool isBesideRays(uint material) { return (material & (kLayerOfMesh | kLayerOfSurface)) == kLayerOfMesh; }
+
 // How much comes through from behind.
 vec3 throughLayer(uint blend, float opacity, vec3 diffuse) {
   return blend == kBlendAdd ? vec3(1) : blend == kBlendOver ? vec3(1.0 - opacity) : (1.0 - opacity) * diffuse;

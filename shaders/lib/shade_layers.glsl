@@ -32,6 +32,7 @@ vec4 normalFrame() { return layerDetail.frame; }
 #define LUXO_ADDS_LIGHT kAddsLight
 
 MaterialData material;
+uint numberHere;  // of the material, with the flags of the point
 uint shadowsHere;
 vec3 transmittanceHere;
 
@@ -56,6 +57,7 @@ void shadeLayers() {
       material = uniformMaterials[number];
     if (material.pattern != kPattern) continue;  // another draw's
     if (kAddsLight) material.ambient = vec3(0);
+    numberHere = point.material;
     Found found;
     found.position = place + point.depth * ray;
     found.normal = fromOctahedral(point.normal);

@@ -37,7 +37,7 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   CellRay ray = cellRay(from, way / max(distance_, 1e-37));
   ray.last = varyingLightObject.w != 0.0 ? distance_ : 1e30;
   ray.rounding = rounding;
-  ray.off = rounding + varyingOff * width;
+  ray.off = rounding + varyingOff.x * width;
   // What is off at the caster is off by more behind it, as the light spreads.
   ray.grain = kGrain * vec2(width, has(kParallelLight) ? 0.0 : -width / max(distance_, 1e-37));
   evaluationsLeft = kMaxEvaluations;

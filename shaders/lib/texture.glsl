@@ -127,6 +127,21 @@ vec4 wholeTexelOfMap(uint first, vec2 parameters, vec4 footprint) {
   return vec4(color.a > 0.0 ? color.rgb / color.a : vec3(0), color.a > 1.0 - kAlphaRounding ? 1.0 : color.a);
 }
 
+// What floats may make of an alpha: of parameters they are told to within a few parts of 2^22, and are kept off the ends of
+// their domain by a millionth of it, which moves the place; and of the level that a pixel takes.
+const float kPlaceRounding = 1.90734863e-6, kLevelRounding = 2e-4;
+
+float roundingOfAlpha(uint first, vec2 parameters) {
+  TextureNumbers numbers = textureNumbers(first);
+  mat2 linear = mat2(numbers2At(first + kTextureLinear), numbers2At(first + kTextureLinear + 2));
+  vec2 constant = numbers2At(first + kTextureConstant);
+  mat2 sizes = mat2(abs(linear[0]), abs(linear[1]));
+  vec2 off = kPlaceRounding * numbers.size * (sizes * (abs(parameters) + 1.0) + abs(constant));  // texels
+  if (parameterAt(first + kTextureNearest) == 0.0) return off.x + off.y + kLevelRounding;
+  vec2 at = inTexels(numbers, firstLevel(numbers), linear * parameters + constant), beside = abs(at - round(at));
+  return beside.x <= off.x || beside.y <= off.y ? 1.0 : kAlphaRounding;  // which texel it is, is open
+}
+
 vec4 wholeTexelOfMap(uint first, vec2 parameters) { return wholeTexelOfMap(first, parameters, pixelFootprint()); }
 vec3 texelOfMap(uint first, vec2 parameters) { return wholeTexelOfMap(first, parameters).rgb; }
 

@@ -19,6 +19,9 @@ float spanned(vec3 a, vec3 b) {
   return difference;
 }
 
+// Of the one that endsAt() is told of: metres along the ray, and by how much that may be off.
+float metAt, metOff;
+
 int meetsCell(CellRay ray, CasterCell cell) {
   precise vec3 a = cornerOf(ray, 0), b = cornerOf(ray, 3), c = cornerOf(ray, 6);
   float ofA = spanned(b, c), ofB = spanned(c, a), ofC = spanned(a, b);
@@ -35,6 +38,8 @@ int meetsCell(CellRay ray, CasterCell cell) {
   if (t + off <= ray.first - own || t - off >= ray.last) return kPassed;
   // Where floats are as coarse as that borders would be off.
   if (kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
+  metAt = t;
+  metOff = off;
   if (t - off > ray.first + own && t + off < ray.last)
     return endsAt(ray, cell, vec2(ofB, ofC) / area, false) ? kMet : kPassed;
   if (abs(t) + off > 2.0 * own) return kOpen;  // beside the light

@@ -180,6 +180,7 @@ LUXO_CONSTANT kTwoSided = 1;    // the normal turns toward the viewer
 LUXO_CONSTANT kPlane = 8;       // all in one plane
 LUXO_CONSTANT kShowsBack = 16;  // not only the outer side is seen
 LUXO_CONSTANT kFromAbove = 32;  // of a plane: seen from where cross(z axis, x axis) of the transform points to
+LUXO_CONSTANT kIsSurface = 64;  // the triangles are the surface itself, and rays find its points where it is seen through
 
 // Material flags, which join these.
 LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
@@ -237,6 +238,7 @@ struct MaterialData {
   uint firstPatternParameter;  // in the buffer of them all
   uint pattern;                // 1 + index among the picture's patterns; 0: none; or
   uint blend;                  // below
+  float leastOpaque;           // lib/cutoff.glsl
 };
 
 // A material whose meshes are drawn again to light the points that they have put down.
@@ -389,7 +391,7 @@ struct ShadowCaster {
   float offPixels;   // how far what is drawn may be off its surface
   uint material;     // of found texels that show the caster, and nothing else
   vec3 diffuse;      // of a caster that lets light through, as MaterialData has them
-  float opacity;
+  float opacity, leastOpaque;
   uint firstPatternParameter;
 };
 
@@ -471,6 +473,8 @@ LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of 
 LUXO_CONSTANT kLayerAtBorder = 1 << 17;  // or on a border between two cells, which may both have found it
 LUXO_CONSTANT kLayerByRay = 1 << 18;     // or found by a ray
 LUXO_CONSTANT kLayerPlaced = 1 << 19;    // of triangles, whose surface's own point is known
+LUXO_CONSTANT kLayerOfSurface = 1 << 20;  // of triangles that are the surface, whose points rays find, too
+LUXO_CONSTANT kLayerHole = 1 << 21;      // found by a ray where its material is cut out
 LUXO_CONSTANT kLayerMaterial = 0xffff;
 
 // A point of what is seen through, in the list of its pixel.
@@ -505,7 +509,7 @@ struct ReachingLight {
 #undef LUXO_CONSTANT
 #undef LUXO_NUMBER
 // All flags share one word.
-inline constexpr uint kInstanceFlags = kTwoSided | kPlane | kShowsBack | kFromAbove;
+inline constexpr uint kInstanceFlags = kTwoSided | kPlane | kShowsBack | kFromAbove | kIsSurface;
 inline constexpr uint kMaterialFlags = kLectureSpecular | kPatternAmbient;
 inline constexpr uint kShadeFlags = 0xffu << kShadeShift;
 inline constexpr uint kPatchFlags =
@@ -516,9 +520,9 @@ static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPa
               (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
 static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
-static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 60 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 336 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
+static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared

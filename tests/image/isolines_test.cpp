@@ -15,7 +15,7 @@ namespace {
 
 // Odd: the middle of the picture is the middle of a pixel.
 constexpr PixelSize kIsolinesSize{97, 73};
-constexpr int kMiddle = 36;
+constexpr int kMiddleRow = 36;
 
 const char* const kPlane =
     R"({ "type": "formula", "u": [-60, 60], "v": [-50, 50], "position": ["u", "v", 0] })";
@@ -64,7 +64,7 @@ TEST_F(IsolinesTest, AreAsWideAsIsSaidWhereverTheyAre) {
     for (const double at : {0.0, 0.013, 0.05, -0.0771}) {
       const Image image =
           drawn(lined(kPlane, fmt::format(R"({{ "of": "x", "at": {}, "width": {} }})", at, width)));
-      const Covered covered = coveredIn(image, kMiddle);
+      const Covered covered = coveredIn(image, kMiddleRow);
       EXPECT_NEAR(covered.pixels, width, kExactPx) << at;
       if (width != std::floor(width)) continue;
       EXPECT_NEAR(covered.middle, 48.5 + 10 * at, kExactPx) << width;
@@ -90,7 +90,7 @@ TEST_F(IsolinesTest, AreAsWideFarAway) {
     const Image image = drawn(lined(
         kPlane, R"({ "of": "x", "width": 1.7 })",
         fmt::format(R"({{ "eye": [0.01, 0, {}], "look_at": [0.01, 0, 0], "fov_y": "60deg" }})", distance)));
-    EXPECT_NEAR(coveredIn(image, kMiddle).pixels, 1.7, kExactPx) << distance;
+    EXPECT_NEAR(coveredIn(image, kMiddleRow).pixels, 1.7, kExactPx) << distance;
   }
 }
 
@@ -101,7 +101,7 @@ TEST_F(IsolinesTest, AreWhereASphereHasThem) {
   const Image image = drawn(
       lined(R"({ "type": "sphere", "radius": 1 })", R"({ "of": "z", "step": 0.25, "width": 1 })",
             R"({ "type": "orthographic", "height": 0.02, "eye": [0.866, 0, 5], "look_at": [0.866, 0, 0] })"));
-  EXPECT_NEAR(coveredIn(image, kMiddle).middle, 48.5 + 3650 * (std::sqrt(0.75) - 0.866), 1e-3);
+  EXPECT_NEAR(coveredIn(image, kMiddleRow).middle, 48.5 + 3650 * (std::sqrt(0.75) - 0.866), 1e-3);
 }
 
 // Five lines and fifty in a pixel, a quarter of which they are.
@@ -119,7 +119,7 @@ TEST_F(IsolinesTest, ThatAreDenseMakeNoMoire) {
 // Nor do they get brighter where they grow together.
 TEST_F(IsolinesTest, AsNearAsTheirWidthCoverAll) {
   const Image image = drawn(lined(kPlane, R"({ "of": "x", "step": 0.1, "width": 1 })"));
-  for (int x = 0; x < kIsolinesSize.width; ++x) ASSERT_NEAR(colorAt(image, x, kMiddle).x, 0, 1e-5) << x;
+  for (int x = 0; x < kIsolinesSize.width; ++x) ASSERT_NEAR(colorAt(image, x, kMiddleRow).x, 0, 1e-5) << x;
 }
 
 TEST_F(IsolinesTest, OfAConstantAreNone) {
@@ -150,10 +150,10 @@ TEST_F(IsolinesTest, AreThereInEveryShading) {
   for (const Shading shading :
        {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon})
     // Of triangles (u, v) are interpolated in float.
-    EXPECT_NEAR(coveredIn(drawn(scene, {.shading = shading}), kMiddle).pixels, expected, 1e-2)
+    EXPECT_NEAR(coveredIn(drawn(scene, {.shading = shading}), kMiddleRow).pixels, expected, 1e-2)
         << nameOf(shading);
   for (const Composition composition : {Composition::Fused, Composition::Deferred})
-    EXPECT_NEAR(coveredIn(drawn(scene, {.composition = composition}), kMiddle).pixels, expected, kExactPx);
+    EXPECT_NEAR(coveredIn(drawn(scene, {.composition = composition}), kMiddleRow).pixels, expected, kExactPx);
 }
 
 TEST_F(IsolinesTest, AreThoseOfTheTruth) {

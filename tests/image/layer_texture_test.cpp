@@ -192,6 +192,10 @@ TEST(LayerTextureScene, SaysSoInAMap) {
   const SceneFile file = parseScene(text, "scene");
   EXPECT_TRUE(takeSnapshot(buildScene(file), 0, {8, 8}).materials.back().mapOpacity);
   EXPECT_EQ(parseScene(writeScene(file), "again").materials, file.materials);
+  SceneFile cut = file;
+  cut.materials.back().cutoff = 0.25;
+  EXPECT_EQ(takeSnapshot(buildScene(cut), 0, {8, 8}).materials.back().cutoff, 0.25);
+  EXPECT_EQ(parseScene(writeScene(cut), "again").materials, cut.materials);
   const auto problem = [&](const std::string& material) -> std::string {
     try {
       static_cast<void>(takeSnapshot(
@@ -210,6 +214,13 @@ TEST(LayerTextureScene, SaysSoInAMap) {
               testing::HasSubstr("alpha"));
   EXPECT_THAT(problem(R"({ "map": { "texture": "leaf", "alpha": true }, "shading": "lesson" })"),
               testing::HasSubstr("lesson"));
+  EXPECT_EQ(problem(R"({ "map": { "texture": "leaf", "alpha": true }, "cutoff": 0.5 })"), "nothing");
+  for (const char* material :
+       {R"({ "map": "leaf", "cutoff": 0.5 })", R"({ "opacity": "u", "cutoff": 0.5 })",
+        R"({ "map": { "texture": "leaf", "alpha": true }, "cutoff": 0.5, "blend": "add" })"})
+    EXPECT_THAT(problem(material), testing::HasSubstr("\"cutoff\" makes holes")) << material;
+  EXPECT_THAT(problem(R"({ "map": { "texture": "leaf", "alpha": true }, "cutoff": 1.5 })"),
+              testing::HasSubstr("from 0 to 1"));
 }
 
 }  // namespace

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
-#include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "support/meshes.h"
 #include "support/verified_picture.h"
 #include "surface/library.h"
@@ -121,19 +119,6 @@ TEST_F(MeshPicture, SeenThroughItIsBlendedInTheOrderOfItsDepth) {
   EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
   EXPECT_EQ(found.verification.wrong.total(), 0U);
   EXPECT_GT(found.statistics.count.layerPoints, 4000U);
-}
-
-TEST_F(MeshPicture, SeenThroughItCastsNoExactShadowYet) {
-  Scene scene;
-  scene.add(Node{.surface = cubeMesh(), .material = scene.add(Material{.opacity = 0.5})});
-  scene.add(Node{.translation = Vec3(2, 4, 3), .light = Light{.shadow = Light::Shadow::Exact}});
-  try {
-    static_cast<void>(renderer().render(takeSnapshot(scene, 0, {32, 32}), {}));
-    ADD_FAILURE() << "nothing was thrown";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::Scene);
-    EXPECT_NE(std::string(error.what()).find("not supported yet"), std::string::npos);
-  }
 }
 
 }  // namespace

@@ -152,6 +152,25 @@ TEST_F(ReadGltf, CamerasAndLightsStandAtTheirNodes) {
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("lights[2]: a spot light shines as a point")));
 }
 
+/// Nothing is below a cutoff of 0, and everything below one above 1.
+TEST_F(ReadGltf, CutoffsBesideOneToZeroAreAllOrNothing) {
+  Json json = square();
+  json["materials"] = Json::parse(R"([
+    {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "baseColorFactor": [1, 1, 1, 0.5]}, "alphaMode": "MASK", "alphaCutoff": 0},
+    {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "alphaMode": "MASK", "alphaCutoff": 1.5},
+    {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "alphaMode": "MASK", "alphaCutoff": 0.25}])");
+  json["textures"] = Json::parse(R"([{"source": 0}])");
+  json["images"] = {{{"uri", "data:image/png;base64,aGVsbG8="}}};
+  json["meshes"][0]["primitives"][0]["material"] = 0;
+  const Model model = read(json);
+  EXPECT_FALSE(model.materials[0].opacityFromMap);
+  EXPECT_EQ(model.materials[0].opacity, 1);
+  EXPECT_FALSE(model.materials[1].opacityFromMap);
+  EXPECT_EQ(model.materials[1].opacity, 0);
+  EXPECT_TRUE(model.materials[2].opacityFromMap);
+  EXPECT_EQ(model.materials[2].cutoff, 0.25);
+}
+
 TEST_F(ReadGltf, MaterialsAreBlinnsOfTheSameLobe) {
   Json json = square();
   json["materials"] = Json::parse(R"([

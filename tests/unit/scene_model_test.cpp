@@ -217,23 +217,32 @@ TEST(SurfaceOfTriangles, IsFittedIntoThePicture) {
   EXPECT_NEAR(reach, 0.85, 0.02);
 }
 
-TEST(ModelScene, TellsWhatIsNotDrawn) {
-  Model model;
-  model.materials = {{.name = "plain"}};
-  EXPECT_TRUE(notDrawn(model).empty());
-  model.materials.push_back({.name = "wood"});
-  model.materials.back().map.image = 0;
-  EXPECT_TRUE(notDrawn(model).empty());
-  model.materials.back().opacityFromMap = true;
-  model.materials.push_back({.name = "leaf", .opacity = 0.5, .glow = Vec3(1)});
-  model.materials.back().specularMap.image = 0;
-  EXPECT_TRUE(notDrawn(model).empty());
-  model.materials.front().map.image = 0;
-  model.materials.front().opacityFromMap = true;
-  model.materials.front().cutoff = 0.5;
-  EXPECT_EQ(notDrawn(model),
-            (std::vector<std::string>{"material 'plain': opacities from maps that are cut off at "
-                                      "a level are not drawn yet"}));
+/// glTF's MASK: by the alpha of a map, where it has some; of a material without one all or nothing.
+TEST(ModelScene, CutsOpacitiesOff) {
+  const auto made = [](double opacity, bool mapped, float alpha) {
+    Model model = lampModel();
+    model.images = {{.name = "leaf.png",
+                     .bytes = std::make_shared<const std::vector<std::byte>>(
+                         encodePng(Image(2, 1, 4, {1, 0, 0, 1, 0, 1, 0, alpha})))}};
+    ModelMaterial& material = model.materials[0];
+    material.opacity = opacity;
+    material.cutoff = 0.5;
+    material.opacityFromMap = mapped;
+    if (mapped) material.map.image = 0;
+    const Snapshot snapshot =
+        takeSnapshot(modelScene(std::make_shared<const Model>(std::move(model))), 0, {64, 64});
+    return snapshot.materials.at(snapshot.nodes.at(0).material.index);
+  };
+  const Material leaf = made(0.8, true, 0.2f);
+  EXPECT_TRUE(leaf.mapOpacity);
+  EXPECT_EQ(leaf.cutoff, 0.5);
+  EXPECT_EQ(leaf.opacity, 0.8);
+  EXPECT_TRUE(leaf.transparent());
+  for (const Material& whole : {made(0.8, true, 1), made(0.5, false, 1)}) {
+    EXPECT_FALSE(whole.transparent());
+    EXPECT_EQ(whole.opacity, 1);
+  }
+  EXPECT_TRUE(made(0.4, false, 1).invisible());
 }
 
 TEST(ModelScene, HasTheColoursMaps) {

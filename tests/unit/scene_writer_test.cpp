@@ -184,6 +184,7 @@ class RandomScene {
     if (coin()) desc.specular = color();
     if (coin()) desc.shininess = quantity();
     if (coin()) desc.opacity = quantity();
+    if (coin()) desc.cutoff = quantity();
     desc.twoSided = word<TwoSided>(3);
     if (coin()) desc.shading = word<Shading>(kShadingNames.size());
     desc.lectureSpecular = coin();
