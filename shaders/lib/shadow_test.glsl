@@ -42,6 +42,10 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   ray.grain = kGrain * vec2(width, has(kParallelLight) ? 0.0 : -width / max(distance_, 1e-37));
   evaluationsLeft = kMaxEvaluations;
   ownMeetings = besideMeetings = 0;
+#ifdef LUXO_TRIANGLES
+  metBesideEdge = passedBesideEdge = false;
+  ownSlant = 0.0;
+#endif
   int result = kPassed;
   float behind = ahead * (1.0 + 1e-5) + 1e-30;
   for (; entry < end && result == kPassed; ++entry) {
@@ -54,6 +58,10 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   // One is the point's own, if it is a point of the caster. None is left where the ray grazes it and floats part them: then
   // they may part others, too.
   bool isSettled = ownMeetings == (isOwn ? 1 : 0);
+#ifdef LUXO_TRIANGLES
+  if (isAsNearAsBordersMove(ray, width)) return kOpen;
+  if (metBesideEdge && result == kPassed) return isSettled ? kMet : kOpen;
+#endif
   bool mayHaveTwo = isOwn && besideMeetings > 0 && abs(cosine) <= kGrazing;
   return result == kPassed && (!isSettled || mayHaveTwo) ? kOpen : result;
 }

@@ -6,6 +6,9 @@
 // "Watertight Ray/Triangle Intersection", 2013); borders are off by what rounding leaves, a small part of a pixel. How far
 // along the ray the meeting is floats tell worse the more the ray grazes the triangle: the triangle's own point, and what may
 // be nearer than that, is told from others as in lib/cell_ray.glsl.
+//
+// Where light grazes the triangle that a point is on, what rounding leaves of the ray moves the borders of shadows there by as
+// much more as the triangle is aslant: then a ray that is as near to an edge is open (isAsNearAsBordersMove()).
 
 vec3 cornerOf(CellRay ray, uint first) {
   vec3 from = vec3(casterParameterAt(first), casterParameterAt(first + 1), casterParameterAt(first + 2)) - ray.from;
@@ -22,10 +25,24 @@ float spanned(vec3 a, vec3 b) {
 // Of the one that endsAt() is told of: metres along the ray, and by how much that may be off.
 float metAt, metOff;
 
+// The ray has met, or passed, a triangle so near to an edge that floats do not tell which.
+bool metBesideEdge = false, passedBesideEdge = false;
+float ownSlant = 0.0;  // of the triangle that the point is on: 1 / the sine of the ray's height over it
+
+// `width`: of a pixel, at the point.
+bool isAsNearAsBordersMove(CellRay ray, float width) {
+  return (metBesideEdge || passedBesideEdge) && ray.rounding * ownSlant > kMostRounding * width;
+}
+
 int meetsCell(CellRay ray, CasterCell cell) {
   precise vec3 a = cornerOf(ray, 0), b = cornerOf(ray, 3), c = cornerOf(ray, 6);
   float ofA = spanned(b, c), ofB = spanned(c, a), ofC = spanned(a, b);
-  if (max(max(ofA, ofB), ofC) > 0.0 && min(min(ofA, ofB), ofC) < 0.0) return kPassed;
+  float most = max(max(ofA, ofB), ofC), least = min(min(ofA, ofB), ofC);
+  // An edge's length, or more, times how far from it the ray may be.
+  vec2 long_ = max(max(abs(b.xy - a.xy), abs(c.xy - b.xy)), abs(a.xy - c.xy));
+  float unsure = ray.rounding * (long_.x + long_.y);
+  if (most > unsure && least < -unsure) return kPassed;
+  bool passes = most > 0.0 && least < 0.0, isBeside = min(min(abs(ofA), abs(ofB)), abs(ofC)) <= unsure;
   float area = ofA + ofB + ofC;
   if (area == 0.0) return kPassed;  // edge-on: its neighbours have what the ray meets
   float t = (ofA * a.z + ofB * b.z + ofC * c.z) / area;
@@ -36,13 +53,22 @@ int meetsCell(CellRay ray, CasterCell cell) {
   float nearest = min(min(a.z, b.z), c.z), farthest = max(max(a.z, b.z), c.z);
   float off = min(ray.rounding * aslant, farthest - nearest + ray.rounding), own = 2.0 * ray.off * aslant;
   if (t + off <= ray.first - own || t - off >= ray.last) return kPassed;
+  if (passes) {
+    passedBesideEdge = true;
+    return kPassed;
+  }
   // Where floats are as coarse as that borders would be off.
   if (kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
   metAt = t;
   metOff = off;
-  if (t - off > ray.first + own && t + off < ray.last)
-    return endsAt(ray, cell, vec2(ofB, ofC) / area, false) ? kMet : kPassed;
+  if (t - off > ray.first + own && t + off < ray.last) {
+    if (!endsAt(ray, cell, vec2(ofB, ofC) / area, false)) return kPassed;
+    // Whether that matters the triangle that the point is on tells.
+    metBesideEdge = metBesideEdge || isBeside;
+    return isBeside ? kPassed : kMet;
+  }
   if (abs(t) + off > 2.0 * own) return kOpen;  // beside the light
   ++ownMeetings;
+  ownSlant = max(ownSlant, aslant);
   return kPassed;
 }
