@@ -10,11 +10,12 @@
 namespace luxo {
 namespace {
 
-/// The lights of a picture whose shadows fall on meshes of formulas; none where there are none, or too many.
+/// The lights of a picture whose shadows fall on meshes of formulas, or on triangles that are lit otherwise
+/// than at each of their points; none where there are none, or too many.
 std::vector<SnapshotLight> lightsOnMeshes(const Snapshot& snapshot, const DrawOptions& options) {
   const bool meshes = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
     const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
-    return isLitMesh(shading) && !node.surface.triangles();
+    return isLitMesh(shading) && !(node.surface.triangles() && shading == Shading::Phong);
   });
   std::vector<SnapshotLight> lights = withExactShadows(snapshot).lights;
   if (!meshes || lights.size() > kMostAlone || std::ranges::none_of(lights, &SnapshotLight::hasShadow))

@@ -34,7 +34,8 @@ Vec2 ComparedPixels::centerOf(std::uint32_t i) const {
 
 bool ComparedPixels::isMesh(std::uint32_t i) const {
   const auto node = layers_.nodeOf(truth_.number[i]);
-  return node && !onTriangles(*node) && shadingOf(*node) != Shading::Exact;
+  return node && shadingOf(*node) != Shading::Exact &&
+         !(onTriangles(*node) && shadingOf(*node) == Shading::Phong);
 }
 
 bool ComparedPixels::showsTexture(std::uint32_t i) const {

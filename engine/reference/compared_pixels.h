@@ -31,7 +31,8 @@ class ComparedPixels {
   [[nodiscard]] Shading shadingOf(std::uint32_t node) const {
     return materialOf(node).shadingIn(options_.shading);
   }
-  /// Whether a pixel shows a mesh that stands for a formula.
+  /// Whether a pixel shows a mesh whose colours the truth does not have: of a formula, whose points are off,
+  /// or triangles that are lit otherwise than at each of their points by itself.
   [[nodiscard]] bool isMesh(std::uint32_t i) const;
   /// In exact shading: other ones have colours of their own.
   [[nodiscard]] bool showsTexture(std::uint32_t i) const;

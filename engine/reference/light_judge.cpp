@@ -32,11 +32,11 @@ LightVerdict LightJudge::of(std::uint32_t i, double off) const {
 }
 
 /// From where light rays of a pixel that shows a mesh start, and where that is on the screen: the surface's
-/// own point that is shown; of a plane, on which its mesh lies, what is seen.
+/// own point that is shown; of a plane, on which its mesh lies, and of triangles, what is seen.
 std::pair<std::optional<Hit>, Vec2> LightJudge::litPoint(std::uint32_t i, std::uint32_t node) const {
   const Vec2 center = centerOf(i);
   const Ray ray = caster_.rayThrough(center.x, center.y);
-  if (snapshot_.nodes[node].surface.flatNormal()) {
+  if (onTriangles(node) || snapshot_.nodes[node].surface.flatNormal()) {
     const Caster::Sight sight = caster_.look(ray);
     if (!seesLayerOf(i, sight, center)) return {};
     return {sight.hits.front(), center};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `luxo verify`: what it says of pictures whose error is bounded otherwise, and what it refuses.
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "cli/program.h"
 
@@ -94,6 +96,41 @@ TEST_F(VerifyPictureTest, WhatIsNotJudgedIsTold) {
   };
   EXPECT_GT(scene(40), 100);
   EXPECT_EQ(scene(2), 0);
+}
+
+/// Of triangles in flat and Gouraud shading, too, whose colours the truth does not have, lights are judged:
+/// those of coarse depth maps are not the truth's.
+TEST_F(VerifyPictureTest, LightsOnTrianglesAreJudgedInEveryShading) {
+  std::string model;  // rings of a cone, one over the other
+  constexpr int kAround = 12;
+  for (int ring = 0; ring < 3; ++ring)
+    for (int i = 0; i < kAround; ++i)
+      model += "v " + std::to_string((1.2 - 0.4 * ring) * std::cos(i * 0.5236)) + " " +
+               std::to_string(0.5 * ring) + " " + std::to_string(-(1.2 - 0.4 * ring) * std::sin(i * 0.5236)) +
+               "\n";
+  for (int ring = 0; ring < 2; ++ring)
+    for (int i = 0; i < kAround; ++i) {
+      const int a = ring * kAround + i + 1, b = ring * kAround + (i + 1) % kAround + 1;
+      model += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(b + kAround) + " " +
+               std::to_string(a + kAround) + "\n";
+    }
+  writeText(folder / "cone.obj", model);
+  const auto wrongLights = [&](const std::string& shadow, const std::string& shading) {
+    writeText(folder / "cones.json", R"({ "luxo": 1, "camera": { "eye": [3, 3, 5], "look_at": [0, 0.7, 0] },
+      "nodes": [ { "model": "cone.obj" }, { "model": "cone.obj", "translate": [0.7, 1.1, 0.3] },
+                 { "translate": [3, 5, 1], "light": )" +
+                                         shadow + " } ] }");
+    const Outcome outcome = verify({"cones.json", "--size", "80x60", "--json", "--shading", shading});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out, nullptr, false);
+    EXPECT_EQ(json["color"]["unjudged"], 0) << shading;
+    return json["wrong"]["light"].get<int>();
+  };
+  for (const char* shading : {"flat", "gouraud", "phong", "exact"}) {
+    EXPECT_EQ(wrongLights(R"({ "shadow": "exact" })", shading), 0) << shading;
+    EXPECT_GT(wrongLights(R"({ "shadow": "map", "map": { "size": 32, "bias": 0.01 } })", shading), 50)
+        << shading;
+  }
 }
 
 TEST_F(VerifyPictureTest, WritesTheHeatMapAndTheReport) {
