@@ -136,17 +136,35 @@ class Inspector {
     return list;
   }
 
-  /// In file order; `depth` is that in the tree.
+  /// Nodes with their depths, each before what hangs on it, and that before the next.
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, int>> tree() const {
+    const auto& nodes = scene_.nodes();
+    std::vector<std::vector<std::uint32_t>> below(nodes.size());
+    std::vector<std::pair<std::uint32_t, int>> open, all;  // open: the next one is the last
+    for (auto i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
+      if (nodes[i].removed) continue;
+      if (const NodeId parent = nodes[i].node.parent; parent.valid())
+        below[parent.index].push_back(i);
+      else
+        open.emplace_back(i, 0);
+    }
+    while (!open.empty()) {
+      const auto [node, depth] = open.back();
+      open.pop_back();
+      all.emplace_back(node, depth);
+      for (const std::uint32_t child : below[node]) open.emplace_back(child, depth + 1);
+    }
+    return all;
+  }
+
+  /// In file order, models' below their nodes; `depth` is that in the tree.
   [[nodiscard]] Json nodesJson() const {
     Json list = Json::array();
-    std::vector<int> depths(scene_.nodes().size());
-    for (std::uint32_t i = 0; i < scene_.nodes().size(); ++i) {
+    for (const auto& [i, depth] : tree()) {
       const auto& [node, removed, bounds] = scene_.nodes()[i];
-      if (removed) continue;
-      depths[i] = node.parent.valid() ? depths[node.parent.index] + 1 : 0;
       const auto shown = shown_.find(i);
       list.push_back({{"name", node.name},
-                      {"depth", depths[i]},
+                      {"depth", depth},
                       {"surface", node.surface.valid() ? Json(node.surface.name()) : Json()},
                       {"material", node.surface.valid() ? Json(materialName(node.material)) : Json()},
                       {"light", node.light.has_value()},

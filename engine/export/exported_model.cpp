@@ -252,7 +252,8 @@ class Exporter {
     const bool varies = material.diffusePattern.valid();
     const auto next = static_cast<std::uint32_t>(out_.model.materials.size());
     if (!varies) {
-      const auto [known, fresh] = materials_.try_emplace({from.material.index, twoSided}, next);
+      const auto [known, fresh] =
+          materials_.try_emplace({from.material.index, twoSided, exportsMaps(from)}, next);
       if (!fresh) return known->second;
     }
     ModelMaterial made{.name = material.name,
@@ -361,7 +362,7 @@ class Exporter {
   ExportedModel out_;
   std::map<Key, std::uint32_t> meshes_;
   std::vector<double> bounds_;  ///< of each mesh, in object space
-  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> materials_;
+  std::map<std::tuple<std::uint32_t, bool, bool>, std::uint32_t> materials_;
   std::map<std::shared_ptr<const Texture>, std::uint32_t> images_;
 };
 

@@ -79,10 +79,15 @@ class ModelBuilder {
   ModelBuilder(const ModelPtr& model, Scene& scene, NodeId parent = {}, std::string prefix = {})
       : model_(model), scene_(scene), parent_(parent), prefix_(std::move(prefix)) {}
 
+  std::vector<MaterialId> addMaterials() {
+    std::vector<MaterialId> materials;
+    for (const ModelMaterial& material : model_->materials) materials.push_back(scene_.add(mapped(material)));
+    return materials;
+  }
+
   /// The nodes that have a surface.
-  std::vector<NodeId> addNodes() {
-    for (const ModelMaterial& material : model_->materials)
-      materials_.push_back(scene_.add(mapped(material)));
+  std::vector<NodeId> addNodes(const std::vector<MaterialId>& materials) {
+    materials_ = materials;
     for (std::uint32_t i = 0; i < model_->nodes.size(); ++i) addNode(i);
     return std::move(shown_);
   }
@@ -240,15 +245,18 @@ Surface surfaceOf(const Model& model) {
 Scene modelScene(const ModelPtr& model) {
   Scene scene;
   ModelBuilder builder(model, scene);
-  builder.addNodes();
+  builder.addNodes(builder.addMaterials());
   builder.addCameras();
   if (model->lights.empty()) builder.addLights();
   return scene;
 }
 
-std::vector<NodeId> addModel(Scene& scene, NodeId parent, const ModelPtr& model) {
+std::vector<NodeId> addModel(Scene& scene, NodeId parent, const ModelPtr& model,
+                             std::vector<MaterialId>& materials) {
   const std::string& name = scene[parent].name;
-  return ModelBuilder(model, scene, parent, name.empty() ? name : name + "/").addNodes();
+  ModelBuilder builder(model, scene, parent, name.empty() ? name : name + "/");
+  if (materials.empty()) materials = builder.addMaterials();
+  return builder.addNodes(materials);
 }
 
 }  // namespace luxo

@@ -118,6 +118,7 @@ class SceneConstruction {
   Named<std::size_t> surfaceIndices_{"surface"};
   std::vector<BuiltSurface> surfaces_;
   std::unordered_map<std::uint32_t, std::vector<NodeId>> partsOfModels_;  // by node of the file
+  std::unordered_map<std::shared_ptr<const Model>, std::vector<MaterialId>> materialsOfModels_;
   Named<bool> cameras_{"camera"};
 };
 
@@ -253,10 +254,11 @@ void SceneConstruction::addModels() {
         const std::shared_ptr<ModelFiles>& ofScene = file_.source.models;
         const std::shared_ptr<const Model> model =
             (ofScene ? ofScene : std::make_shared<ModelFiles>())->get(file.text, {});
-        if (warnings_)
+        const auto [materials, fresh] = materialsOfModels_.try_emplace(model);
+        if (warnings_ && fresh)
           for (const std::string& warning : model->warnings)
             warnings_->push_back({rangeOf(file.place), warning, {}});
-        partsOfModels_.emplace(i, addModel(scene_, NodeId{i}, model));
+        partsOfModels_.emplace(i, addModel(scene_, NodeId{i}, model, materials->second));
       });
 }
 

@@ -297,7 +297,7 @@ Box Surface::boundPosition(std::uint32_t patch, const Domain& cell,
 
 Box Surface::bounds(std::span<const double> parameters) const {
   const Description& d = *description_;
-  if (d.parameterCount > 0) return boundsOf(d.patches, parameters);
+  if (d.parameterCount > 0 && !d.triangles) return boundsOf(d.patches, parameters);
   std::call_once(d.boundsOnce, [&] { d.bounds = boundsOf(d.patches, {}); });
   return d.bounds;
 }

@@ -377,6 +377,25 @@ TEST(ExportedModel, MapsThatAreLeftOutAreTold) {
               Contains(HasSubstr("its map is not exported")));
 }
 
+/// A ball keeps its map where a plate of the same material has none, whichever comes first.
+TEST(ExportedModel, APlateDoesNotTakeTheMapFromOthers) {
+  for (const char* nodes :
+       {R"([ { "surface": "ball", "material": "tiled" }, { "surface": "sheet", "material": "tiled" } ])",
+        R"([ { "surface": "sheet", "material": "tiled" }, { "surface": "ball", "material": "tiled" } ])"}) {
+    const Scene scene = buildScene(parseScene(std::string(R"scene({ "luxo": 1,
+      "textures": { "tiles": { "checker": [0, 1] } },
+      "materials": { "tiled": { "map": "tiles", "two_sided": true } },
+      "surfaces": { "sheet": { "type": "rectangle" }, "ball": { "type": "sphere", "radius": 1 } },
+      "nodes": )scene") + nodes + "}",
+                                              "scene"));
+    const Model model = exportedModel(scene, 0, {.tolerance = 0.1, .thickness = 0.1, .maps = true}).model;
+    for (const TriangleMesh& mesh : model.meshes)
+      EXPECT_EQ(model.materials[mesh.groups()[0].material].map.given(), !mesh.uvs().empty()) << mesh.name();
+    EXPECT_EQ(
+        std::ranges::count_if(model.meshes, [](const TriangleMesh& mesh) { return mesh.uvs().empty(); }), 1);
+  }
+}
+
 TEST(ExportedModel, WhatIsNotProvenIsSaid) {
   const Scene holed = buildScene(parseScene(R"scene({ "luxo": 1,
     "surfaces": { "cap": { "type": "formula", "u": [-1, 1], "v": [-1, 1],

@@ -90,7 +90,8 @@ TEST(AddModel, StandsBelowItsNodeWithItsOwnLightsAndNoCameras) {
   const auto model = std::make_shared<const Model>(lampModel());
   Scene scene;
   const NodeId here = scene.add(Node{.name = "here", .translation = Vec3(10, 0, 0)});
-  const std::vector<NodeId> parts = addModel(scene, here, model);
+  std::vector<MaterialId> materials;
+  const std::vector<NodeId> parts = addModel(scene, here, model, materials);
   ASSERT_EQ(parts.size(), 3U);  // two parts and the ball
   for (const double time : {0.0, 1.0}) {
     const Snapshot alone = takeSnapshot(modelScene(model), time, {64, 64}),
@@ -142,6 +143,14 @@ TEST_F(NodeWithAModel, HasTheModelsMaterialsAndCastsShadowsAsAWhole) {
   EXPECT_EQ(snapshot.nodes[1].worldFromObject.linear[0], Vec3(2, 0, 0));
   ASSERT_EQ(snapshot.lights.size(), 1U);
   EXPECT_EQ(snapshot.lights[0].casters, (std::vector{snapshot.nodes[1].id, snapshot.nodes[2].id}));
+}
+
+TEST_F(NodeWithAModel, TwoOfOneModelShareItsMaterials) {
+  const Scene scene = sceneOf(R"({ "name": "pair", "model": "pair.obj" }, { "model": "pair.obj" })");
+  const Snapshot snapshot = takeSnapshot(scene, 0, {64, 64});
+  ASSERT_EQ(snapshot.nodes.size(), 5U);
+  EXPECT_EQ(snapshot.nodes[1].material.index, snapshot.nodes[3].material.index);
+  EXPECT_EQ(snapshot.nodes[2].material.index, snapshot.nodes[4].material.index);
 }
 
 TEST_F(NodeWithAModel, WhatIsWrongHasItsPlace) {
