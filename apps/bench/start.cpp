@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/temporary_folder.h"
 #include "benchmarks.h"
 #include "side_by_side.h"
 
@@ -16,22 +17,6 @@ namespace luxo::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own that goes with the object.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "luxo_bench_XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~Scratch() { fs::remove_all(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Runs the program with all caches under `caches`; whether it succeeded.
 bool renderPng(const fs::path& program, const fs::path& caches, const fs::path& png) {
@@ -58,7 +43,7 @@ bool renderPng(const fs::path& program, const fs::path& caches, const fs::path& 
 
 void startToPng(benchmark::State& state) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "luxo_grandpa";
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path full = scratch.path() / "full", empty = scratch.path() / "empty",
                  png = scratch.path() / "lamp.png";
   bool rendered = true;

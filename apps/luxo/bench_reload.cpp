@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <system_error>
 
+#include "base/temporary_folder.h"
 #include "draw/renderer.h"
 #include "image/file.h"
 #include "open_scene.h"
@@ -39,27 +37,6 @@ std::string editOf(const std::string& shader, double factor) {
       "LUXO_RENAMED\n#endif\nvec4 material(Point p) {{ return vec4(vec3({:.6f}), 1.0) * unedited(p); }}\n",
       shader, factor);
 }
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "luxo-reload-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), "cannot make the folder " + pattern);
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void save(const fs::path& file, const std::string& text) {
   writeFileAtomically(file, std::as_bytes(std::span(text)));

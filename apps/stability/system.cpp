@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -18,6 +16,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/temporary_folder.h"
 #include "image/format.h"
 #include "image/srgb.h"
 #include "luxo_grandpa/lamp.h"
@@ -31,28 +30,6 @@ namespace luxo {
 namespace {
 
 // ST-39 -----------------------------------------------------------------------------------------------------
-
-/// A folder of its own for the pictures of other processes, gone with this.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "luxo-stability-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw Error(ErrorKind::Write, fmt::format("cannot make the folder {}: {}", name, std::strerror(errno)));
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// This process's environment with a CPU device of that many threads.
 std::vector<std::string> environmentWith(int threads) {
@@ -73,7 +50,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
 
 /// A picture of the lamp by the program itself, as another process: a CPU device reads its number of threads
 /// once in the life of a process.
-Image drawnByProgram(const StressContext& context, const Folder& folder, int threads) {
+Image drawnByProgram(const StressContext& context, const TemporaryFolder& folder, int threads) {
   const std::string file = (folder / "picture.pfm").string();
   const std::string size = std::to_string(context.size().width);
   std::vector<std::string> arguments = {context.options().program,
@@ -107,7 +84,7 @@ Image drawnByProgram(const StressContext& context, const Folder& folder, int thr
 
 std::vector<Measurement> threads(StressContext& context) {
   std::vector<Measurement> result;
-  const Folder folder;
+  const TemporaryFolder folder;
   std::optional<Image> expected;
   for (const int count : {0, 1, 2, 16}) {
     std::int64_t differing = 0;

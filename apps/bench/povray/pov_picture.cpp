@@ -11,29 +11,12 @@
 #include <iterator>
 
 #include "base/error.h"
+#include "base/temporary_folder.h"
 
 namespace luxo::povray {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own that goes with the object.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "luxo_povray_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-      throw Error(ErrorKind::Write, "cannot make a temporary folder for POV-Ray");
-    path_ = pattern;
-  }
-  ~Scratch() { fs::remove_all(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string contentOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -68,7 +51,7 @@ std::vector<double> readPpm16(const fs::path& path, PixelSize size) {
 bool isInstalled() { return std::system("command -v povray > /dev/null 2>&1") == 0; }
 
 PovPicture render(const std::string& sceneText, PixelSize size, Rows rows) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   std::ofstream(scratch.path() / "scene.pov") << sceneText;
   const std::string command = fmt::format(
       "cd '{}' && povray +Iscene.pov +Oscene.ppm +W{} +H{} +SR{} +ER{} +FP16 -A -D -GA File_Gamma=1.0 > log "
