@@ -47,6 +47,15 @@ std::string buttonText(const ParameterControl& control, double value) {
   return index < control.choices.size() ? control.choices[index] : sliderText(value);
 }
 
+/// Of what is typed, one that is not allowed is a mistake of who types it.
+void refuseTyped(const Parameter& parameter, double value) {
+  try {
+    requireAllowed(parameter, value);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::Usage, error.what());
+  }
+}
+
 }  // namespace
 
 const ParameterControl* Sliders::controlOf(const std::string& parameter) const {
@@ -125,17 +134,15 @@ void Sliders::take(const Typing& typing, Scene& scene) {
   for (const std::string& text : componentTexts(*control, typing.text))
     components.push_back(parseNumber(control->label, text));
   for (std::size_t i = 0; i < components.size(); ++i)
+    if (const auto id = scene.findParameter(control->parameters[i])) refuseTyped(scene[*id], components[i]);
+  for (std::size_t i = 0; i < components.size(); ++i)
     if (const auto id = scene.findParameter(control->parameters[i])) choose(*id, components[i], scene);
 }
 
 double Sliders::typedValue(const Typing& typing, const Scene& scene) {
   const Parameter& parameter = scene[typing.parameter];
   const double value = parseNumber(parameter.labelOrName(), typing.text);
-  try {
-    requireAllowed(parameter, value);
-  } catch (const Error& error) {
-    throw Error(ErrorKind::Usage, error.what());
-  }
+  refuseTyped(parameter, value);
   return value;
 }
 
