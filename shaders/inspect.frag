@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/inspection.glsl"
+#include "lib/pixel_ray.glsl"
 
 layout(constant_id = kConstantQuantity) const uint kQuantity = kPosition;
 layout(constant_id = kConstantAsColor) const bool kAsColor = false;
@@ -19,10 +20,10 @@ layout(location = 5) sample in float inDepth;
 layout(location = 0) out vec4 outValue;
 
 void main() {
-  vec3 n = unitOrZero(inNormal);
-  if ((inFlagsId.x & kTwoSided) != 0 && !seenFromFront(n, towardViewer(view.viewer, inPosition), gl_FrontFacing)) n = -n;
+  vec3 position = seenByPixel(inPosition), n = unitOrZero(inNormal);
+  if ((inFlagsId.x & kTwoSided) != 0 && !seenFromFront(n, towardViewer(view.viewer, position), gl_FrontFacing)) n = -n;
   // Triangles are drawn where their fragments are: they have no residual.
-  Inspected inspected = Inspected(inPosition, n, inParameters, inDepth, inFlagsId.y, 0.0, kCertificateOfAll);
+  Inspected inspected = Inspected(position, n, inParameters, inDepth, inFlagsId.y, 0.0, kCertificateOfAll);
   vec4 domain = vec4(inDomain.xy, inDomain.xy + inDomain.zw);
   outValue = vec4(inspectedValue(inspected, kQuantity, kAsColor, domain), kAsColor ? 0 : 1);
 }

@@ -53,9 +53,30 @@ TEST_F(MeshPicture, EveryPixelIsTheTrianglesOwnPoint) {
     expectExact(takeSnapshot(scene, 0, {160, 120}, cameraFrom({1, 0.8, 1.5})), 1500);
     Camera parallel = cameraFrom({-1, 0.4, 0.7});
     parallel.projection = Projection::Orthographic;
-    parallel.height = 3;
+    parallel.height = 0.17;
     expectExact(takeSnapshot(scene, 0, {160, 120}, parallel), 1500);
   }
+}
+
+// What floats leave of corners and of what is interpolated between them is more than a point may be off
+// there, and less than sends the picture to rays.
+TEST_F(MeshPicture, FromAsNearAsFloatsAllowThePointsAreTheRays) {
+  std::mt19937 random(5);
+  std::uint64_t byRays = 0, pixels = 0;
+  for (const TriangleMesh& mesh : {quadMesh(), cubeMesh(), icosphere(1)})
+    for (int i = 0; i < 10; ++i) {
+      SCOPED_TRACE(mesh.name() + " " + std::to_string(i));
+      std::uniform_real_distribution<double> any(-1, 1);
+      Camera parallel =
+          cameraFrom({any(random), any(random), 1.5}, {0.1 * any(random), 0.1 * any(random), 0});
+      parallel.projection = Projection::Orthographic;
+      parallel.height = 0.17;
+      const Snapshot snapshot = takeSnapshot(sceneOf(mesh), 0, {160, 120}, parallel);
+      expectExact(snapshot, 1500);
+      byRays += renderer().render(snapshot, {}).statistics.error.resolvedByRaysPx;
+      pixels += 160 * 120;
+    }
+  EXPECT_LT(byRays, pixels / 2);
 }
 
 TEST_F(MeshPicture, MirroredTurnedAndFarFromTheOriginItIsTheSame) {
