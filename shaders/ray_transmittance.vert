@@ -5,7 +5,7 @@
 #include "lib/around_place.glsl"
 
 layout(location = 0) in vec2 inPlace;
-layout(location = 1) in vec3 inTransmittance;
+layout(location = 2) in vec3 inTransmittance;
 
 layout(location = 0) flat out vec3 outTransmittance;
 

@@ -66,7 +66,6 @@ SampleCounter::SampleCounter(gpu::Context& context, int side)
                 // Where a triangle replaces all of a 64-pixel tile, lavapipe drops those binned before, and
                 // their counts with them; where it blends it does not.
                 .blend = gpu::Blend::Color,
-                .pushConstantBytes = sizeof(Push),
                 .setLayouts = {layout_}});
 }
 

@@ -89,7 +89,6 @@ class DeviceClothSimulation::Stepper {
         layout_(context, {{.stages = VK_SHADER_STAGE_COMPUTE_BIT}, {.stages = VK_SHADER_STAGE_COMPUTE_BIT}}),
         pipeline_(context, {.name = "cloth",
                             .shader = luxo_cloth_comp,
-                            .pushConstantBytes = sizeof(shared::ClothData),
                             .setLayouts = {layout_}}),
         frames_(context) {}
 

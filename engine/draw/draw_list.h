@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cull/cull.h"
+#include "draw/draw_state.h"
 #include "draw/occlusion_culling.h"
 #include "draw/options.h"
 #include "draw/paint.h"
@@ -21,82 +22,9 @@
 #include "shadow/caster_cache.h"
 #include "shared/scene_data.h"
 #include "shell/shell_cache.h"
-#include "surface/surface_code.h"
 #include "tessellate/mesh_cache.h"
 
 namespace luxo {
-
-/// What a draw's fragments do with the points that they find: light them at once; write them down to be lit
-/// later, with their parameters or without. Or they light what was written down; or find which points of its
-/// surface a mesh has put down, be it seen through; or find whether a surface
-/// keeps a light from it, or how much of a light gets through it; or write what rays have found of that; or
-/// are a caster's mesh that is flattened onto a plane; or draw a light's depth map, or compare with it. Of
-/// what is seen through they put points in the list of their pixel; or find what light reaches those; or put
-/// there what rays have found; or light all points of a list; or blend them. Meshes whose light takes more
-/// than their points (Gouraud shading, drawings) are drawn again to light them.
-enum class Form {
-  Fused,
-  Found,
-  FoundWithParameters,
-  Openness,
-  Shade,
-  MeshPlace,
-  LayerPlace,
-  Shadow,
-  Transmittance,
-  ShadowsByRays,
-  TransmittanceByRays,
-  FlatShadow,
-  FlatTransmittance,
-  LightDepth,
-  LightMap,
-  LayerLightMap,
-  Layer,
-  LayerShadow,
-  LayerTransmittance,
-  LayersByRays,
-  ShadeLayers,
-  BlendLayers,
-  Again,
-  LayerAgain
-};
-
-/// What decides the shaders and fixed-function state of a draw. Light counts are part of it (the loops over
-/// lights unroll), and so are formulas; which lights they are and the values of parameters are data.
-struct DrawState {
-  Shading shading = Shading::Phong;
-  Output output = Output::Color;
-  Form form = Form::Fused;
-  std::uint32_t plainLights = 0, shadedLights = 0;
-  bool blended = false;
-  Paint pattern = {};       ///< where light falls on it; none for views of geometry
-  bool footprint = false;   ///< of Form::FoundWithParameters: and with the footprint of the pixel
-  bool frame = false;       ///< and with the frame of maps of normals
-  bool details = false;     ///< of Form::Layer and LayersByRays: Layers::details
-  bool tangents = false;    ///< of triangles that are drawn with such a frame: it is of their tangents
-  SurfaceCodePtr surface;   ///< what finds a surface in every pixel; null: triangles are drawn
-  bool equation = false;    ///< with it: it is an equation, no formula
-  bool grazing = false;     ///< with it: a ray may graze the surface, and meet it more than once
-  bool poles = false;       ///< with that: an edge of a patch is one point
-  bool byRays = false;      ///< points are drawn that rays have found
-  bool isSurface = false;   ///< the triangles are the surface itself, not near to it
-  bool hidesLines = false;  ///< of a wireframe: its triangles, of which only the depth is drawn
-  std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
-  bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
-  bool shadows = false;             ///< with it: some lights have shadows that were found
-  bool manyGroups = false;          ///< of Form::ShadeLayers: there are others, which light the same points
-  bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
-  bool transmits = false;           ///< with it: LightGroup::transmits
-  bool occludes = false;            ///< with it: DrawList::occludes
-  std::uint32_t closed = 0;         ///< of Form::Shadow and LayerShadow: so many casters, by their equations
-  std::uint32_t closedKind = 0;     ///< with it: shared::kClosedPlane and on
-  std::uint32_t firstLight = 0;     ///< of Form::Again, in Gouraud shading: of kVertexLights
-  std::uint32_t exactShadows = 0;   ///< and the lights, a bit each, that have exact ones
-  bool places = false;              ///< of Form::Shadow and Transmittance: DrawList::findsPlaces
-  bool givenOrder = false;          ///< of Form::BlendLayers: BlendOrder::Given
-
-  friend auto operator<=>(const DrawState&, const DrawState&) = default;
-};
 
 enum class FaceCulling { None, Back, Front };
 

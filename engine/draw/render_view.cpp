@@ -228,7 +228,7 @@ void RenderView::uploadCasters(Uploads& uploads, bool always) {
 RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines, TexelStore& texels) {
   Uploads& uploads = refinement.completes ? completion_ : uploads_;
   const auto sceneOf = [&](MirroredBuffer& instances) {
-    return frames.descriptors().write(pipelines.sceneLayout(),
+    return frames.descriptors().write(pipelines.layout(SceneSet::Scene),
                                       {uploads.view.use(*context_),
                                        instances.use(*context_),
                                        {uploads.lights.use(*context_), 0, sizeof(shared::LightSet)},
@@ -236,23 +236,23 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   };
   Bindings bindings{.scene = sceneOf(uploads.instances)};
   if (!list_.patternParameters.empty())
-    bindings.pattern =
-        frames.descriptors().write(pipelines.patternLayout(), {uploads.patternParameters.use(*context_)});
+    bindings.pattern = frames.descriptors().write(pipelines.layout(SceneSet::Pattern),
+                                                  {uploads.patternParameters.use(*context_)});
   if (!list_.textures.empty() && !list_.patternParameters.empty()) {
     const VkBufferView all = texels.get(list_.textures);
     const gpu::Buffer& parameters = uploads.patternParameters.use(*context_);
-    bindings.texture = frames.descriptors().write(pipelines.textureLayout(), {parameters, all});
+    bindings.texture = frames.descriptors().write(pipelines.layout(SceneSet::Texture), {parameters, all});
     if (list_.findsFootprints) {
       gpu::Texture& footprints = targets_.texture(Target::FoundFootprint);
       gpu::Texture& frame = list_.findsFrames ? targets_.texture(Target::FoundFrame) : footprints;
       bindings.foundTexture = frames.descriptors().write(
-          pipelines.foundTextureLayout(),
+          pipelines.layout(SceneSet::FoundTexture),
           {parameters, all, {footprints, pipelines.texelSampler()}, {frame, pipelines.texelSampler()}});
     }
   }
   if (list_.exact()) {
     bindings.exact = frames.descriptors().write(
-        pipelines.exactLayout(),
+        pipelines.layout(SceneSet::Exact),
         {uploads.exactInstances.use(*context_), uploads.exactPatches.use(*context_),
          uploads.exactParameters.use(*context_), feedback_.lost(), feedback_.doubtful()});
     if (!list_.shellIndices.empty()) bindings.shellIndices = uploads.shellIndices.use(*context_);
@@ -268,7 +268,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
         list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
     const gpu::Buffer& noTraces = uploads.materials.use(*context_);  // something to bind
-    bindings.found = frames.descriptors().write(pipelines.foundLayout(),
+    bindings.found = frames.descriptors().write(pipelines.layout(SceneSet::Found),
                                                 {{found, pipelines.texelSampler()},
                                                  {parameters, pipelines.texelSampler()},
                                                  {uploads.materials.use(*context_), 0, kUniformBytes},
@@ -298,19 +298,20 @@ VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& 
                                                                 : uploads.patternParameters.use(*context_);
   const gpu::Buffer& shown = list_.findsPlaces ? feedback_.shown() : feedback_.doubtful();
   gpu::Texture& depths = targets_.texture(list_.hasLightMaps() ? Target::LightDepth : Target::Depth);
-  return frames.descriptors().write(pipelines.shadowLayout(), {uploads.casters.use(*context_),
-                                                               uploads.gridStarts.use(*context_),
-                                                               uploads.gridEntries.use(*context_),
-                                                               uploads.casterCells.use(*context_),
-                                                               uploads.casterParameters.use(*context_),
-                                                               feedback_.doubtful(),
-                                                               patterns,
-                                                               uploads.lightMaps.use(*context_),
-                                                               {depths, pipelines.texelSampler()},
-                                                               uploads.closedCasters.use(*context_),
-                                                               uploads.meshPlaces.use(*context_),
-                                                               shown,
-                                                               texels});
+  return frames.descriptors().write(pipelines.layout(SceneSet::Shadow),
+                                    {uploads.casters.use(*context_),
+                                     uploads.gridStarts.use(*context_),
+                                     uploads.gridEntries.use(*context_),
+                                     uploads.casterCells.use(*context_),
+                                     uploads.casterParameters.use(*context_),
+                                     feedback_.doubtful(),
+                                     patterns,
+                                     uploads.lightMaps.use(*context_),
+                                     {depths, pipelines.texelSampler()},
+                                     uploads.closedCasters.use(*context_),
+                                     uploads.meshPlaces.use(*context_),
+                                     shown,
+                                     texels});
 }
 
 VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {
@@ -318,7 +319,7 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
   const gpu::Buffer& byRays = hasRays_ ? rayLayerPoints_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirLight = hasRays_ ? rayLayerLights_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirDetails = hasRays_ ? rayLayerDetails_.use(*context_) : layerLists_.points();
-  return frames.descriptors().write(pipelines.layersLayout(),
+  return frames.descriptors().write(pipelines.layout(SceneSet::Layers),
                                     {layerLists_.heads(),
                                      layerLists_.points(),
                                      layerLists_.count(),

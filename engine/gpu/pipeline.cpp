@@ -5,10 +5,12 @@
 #include "gpu/address_space.h"
 #include "gpu/debug.h"
 #include "gpu/result.h"
+#include "gpu/shader_reflection.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -93,14 +95,28 @@ std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipel
   return states;
 }
 
+/// What the shaders of a pipeline ask for.
+struct Asked {
+  std::vector<std::uint32_t> attributes;
+  std::uint32_t pushConstantBytes = 0;
+};
+
+Asked askedBy(const GraphicsPipelineDesc& desc) {
+  StageInterface vertex = stageInterface(desc.vertexShader);
+  const std::uint32_t ofFragment =
+      hasPushConstants(desc.fragmentShader) ? stageInterface(desc.fragmentShader).pushConstantBytes : 0;
+  return {std::move(vertex.inputs), std::max(vertex.pushConstantBytes, ofFragment)};
+}
+
 /// Of either kind of pipeline.
 template <class Desc>
-Handle<VkPipelineLayout> createLayout(Context& context, const Desc& desc, VkShaderStageFlags stages) {
-  const VkPushConstantRange constants{.stageFlags = stages, .size = desc.pushConstantBytes};
+Handle<VkPipelineLayout> createLayout(Context& context, const Desc& desc, std::uint32_t pushConstantBytes,
+                                      VkShaderStageFlags stages) {
+  const VkPushConstantRange constants{.stageFlags = stages, .size = pushConstantBytes};
   const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                         .setLayoutCount = count(desc.setLayouts),
                                         .pSetLayouts = desc.setLayouts.data(),
-                                        .pushConstantRangeCount = desc.pushConstantBytes > 0 ? 1u : 0u,
+                                        .pushConstantRangeCount = pushConstantBytes > 0 ? 1u : 0u,
                                         .pPushConstantRanges = &constants};
   VkPipelineLayout layout = VK_NULL_HANDLE;
   check(vkCreatePipelineLayout(context.device(), &info, nullptr, &layout),
@@ -117,7 +133,8 @@ void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc)
   LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
 }
 
-VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& desc, VkPipelineLayout layout) {
+VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& desc, const Asked& asked,
+                          VkPipelineLayout layout) {
   std::vector<VkSpecializationMapEntry> entries;
   for (std::uint32_t i = 0; i < desc.specialization.size(); ++i)
     entries.push_back({.constantID = desc.specialization[i].id,
@@ -144,12 +161,21 @@ VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& de
     stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment));
   }
 
+  auto attributes = desc.attributes;
+  std::erase_if(attributes, [&](const VkVertexInputAttributeDescription& attribute) {
+    return !std::ranges::binary_search(asked.attributes, attribute.location);
+  });
+  auto bindings = desc.bindings;
+  std::erase_if(bindings, [&](const VkVertexInputBindingDescription& binding) {
+    return std::ranges::none_of(attributes,
+                                [&](const auto& attribute) { return attribute.binding == binding.binding; });
+  });
   const VkPipelineVertexInputStateCreateInfo input{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
-      .vertexBindingDescriptionCount = count(desc.bindings),
-      .pVertexBindingDescriptions = desc.bindings.data(),
-      .vertexAttributeDescriptionCount = count(desc.attributes),
-      .pVertexAttributeDescriptions = desc.attributes.data()};
+      .vertexBindingDescriptionCount = count(bindings),
+      .pVertexBindingDescriptions = bindings.data(),
+      .vertexAttributeDescriptionCount = count(attributes),
+      .pVertexAttributeDescriptions = attributes.data()};
   const VkPipelineInputAssemblyStateCreateInfo assembly{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO, .topology = desc.topology};
   const VkPipelineViewportStateCreateInfo viewport{
@@ -216,11 +242,15 @@ GraphicsPipeline::GraphicsPipeline(Context& context, const GraphicsPipelineDesc&
 std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
                                                         std::span<const GraphicsPipelineDesc> descs) {
   std::vector<GraphicsPipeline> pipelines(descs.size());
-  for (std::size_t i = 0; i < descs.size(); ++i) {
+  std::vector<Asked> asked(descs.size());
+  tbb::parallel_for(std::size_t{0}, descs.size(), [&](std::size_t i) {
     requireConsistent(context, descs[i]);
-    pipelines[i].pushConstantBytes_ = descs[i].pushConstantBytes;
+    asked[i] = askedBy(descs[i]);
+  });
+  for (std::size_t i = 0; i < descs.size(); ++i) {
+    pipelines[i].pushConstantBytes_ = asked[i].pushConstantBytes;
     pipelines[i].depthBias_ = descs[i].depthBias;
-    pipelines[i].layout_ = createLayout(context, descs[i], kStages);
+    pipelines[i].layout_ = createLayout(context, descs[i], asked[i].pushConstantBytes, kStages);
   }
   // What is counted, and named, is for one thread.
   std::vector<VkPipeline> created(descs.size(), VK_NULL_HANDLE);
@@ -231,7 +261,7 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
   const auto start = std::chrono::steady_clock::now();
   try {
     tbb::parallel_for(std::size_t{0}, descs.size(), [&](std::size_t i) {
-      created[i] = createPipeline(context, descs[i], pipelines[i].layout_);
+      created[i] = createPipeline(context, descs[i], asked[i], pipelines[i].layout_);
     });
   } catch (...) {
     keep();
@@ -262,8 +292,8 @@ void GraphicsPipeline::bindSet(VkCommandBuffer commands, std::uint32_t index, Vk
 }
 
 ComputePipeline::ComputePipeline(Context& context, const ComputePipelineDesc& desc)
-    : pushConstantBytes_(desc.pushConstantBytes),
-      layout_(createLayout(context, desc, VK_SHADER_STAGE_COMPUTE_BIT)) {
+    : pushConstantBytes_(stageInterface(desc.shader).pushConstantBytes),
+      layout_(createLayout(context, desc, pushConstantBytes_, VK_SHADER_STAGE_COMPUTE_BIT)) {
   const ShaderModule shader(context.device(), desc.shader, desc.name);
   const VkComputePipelineCreateInfo info{
       .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Graphics and compute pipelines as data: everything has a default, one struct overrides it.
+// Graphics and compute pipelines as data: everything has a default, one struct overrides it; and what shaders
+// say themselves (attributes, push constants) is read from them.
 #pragma once
 
 #include "gpu/descriptor.h"
@@ -45,7 +46,9 @@ struct GraphicsPipelineDesc {
   std::span<const std::uint32_t> vertexShader;    ///< SPIR-V, entry `main`
   std::span<const std::uint32_t> fragmentShader;  ///< SPIR-V; empty = depth only
 
-  std::vector<VkVertexInputBindingDescription> bindings;  ///< none: the shader pulls or makes its vertices
+  /// What there is: attributes that the vertex shader does not read are left out, with bindings that have no
+  /// other.
+  std::vector<VkVertexInputBindingDescription> bindings;
   std::vector<VkVertexInputAttributeDescription> attributes;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkPolygonMode polygonMode = VK_POLYGON_MODE_FILL;  ///< others need features().fillModeNonSolid
@@ -66,7 +69,6 @@ struct GraphicsPipelineDesc {
 
   /// Of both stages; one that a shader does not have is left out of it.
   std::vector<SpecializationConstant> specialization;
-  std::uint32_t pushConstantBytes = 0;  ///< at most 128 everywhere; seen by both stages
   std::vector<VkDescriptorSetLayout> setLayouts;
 };
 
@@ -87,7 +89,7 @@ class GraphicsPipeline {
 
   /// Sets the depth bias of the description, too.
   void bind(VkCommandBuffer commands) const;
-  /// Requires pushConstantBytes bytes.
+  /// Requires as many bytes as the shaders have.
   void push(VkCommandBuffer commands, std::span<const std::byte> constants) const;
   void bindSet(VkCommandBuffer commands, std::uint32_t index, VkDescriptorSet set,
                std::span<const std::uint32_t> dynamicOffsets = {}) const;
@@ -102,7 +104,6 @@ class GraphicsPipeline {
 struct ComputePipelineDesc {
   std::string_view name;
   std::span<const std::uint32_t> shader;  ///< SPIR-V, entry `main`
-  std::uint32_t pushConstantBytes = 0;    ///< at most 128 everywhere
   std::vector<VkDescriptorSetLayout> setLayouts;
 };
 
@@ -115,7 +116,7 @@ class ComputePipeline {
   explicit operator bool() const noexcept { return static_cast<bool>(pipeline_); }
 
   void bind(VkCommandBuffer commands) const;
-  /// Requires pushConstantBytes bytes.
+  /// Requires as many bytes as the shaders have.
   void push(VkCommandBuffer commands, std::span<const std::byte> constants) const;
   void bindSet(VkCommandBuffer commands, std::uint32_t index, VkDescriptorSet set) const;
 

@@ -281,6 +281,18 @@ class Reflection {
   std::unordered_set<spirv_cross::VariableID> active_;
 };
 
+/// What `read` says of them.
+auto ofSpirv(std::span<const std::uint32_t> spirv, const auto& read) {
+  constexpr std::uint32_t kMagic = 0x07230203;
+  if (spirv.size() <= 5 || spirv.front() != kMagic)
+    throw Error(ErrorKind::Scene, "these words are no SPIR-V");
+  try {
+    return read(spirv);
+  } catch (const spirv_cross::CompilerError& error) {
+    throw Error(ErrorKind::Scene, fmt::format("this SPIR-V cannot be read: {}", error.what()));
+  }
+}
+
 }  // namespace
 
 std::uint32_t ShaderVariable::elements() const {
@@ -290,14 +302,36 @@ std::uint32_t ShaderVariable::elements() const {
 }
 
 ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
-  constexpr std::uint32_t kMagic = 0x07230203;
-  if (spirv.size() <= 5 || spirv.front() != kMagic)
-    throw Error(ErrorKind::Scene, "these words are no SPIR-V");
-  try {
-    return Reflection(spirv).interface();
-  } catch (const spirv_cross::CompilerError& error) {
-    throw Error(ErrorKind::Scene, fmt::format("this SPIR-V cannot be read: {}", error.what()));
+  return ofSpirv(spirv, [](std::span<const std::uint32_t> words) { return Reflection(words).interface(); });
+}
+
+bool hasPushConstants(std::span<const std::uint32_t> spirv) {
+  constexpr std::size_t kHeader = 5;
+  for (std::size_t at = kHeader; at < spirv.size();) {
+    const std::uint32_t length = spirv[at] >> 16, op = spirv[at] & 0xffff;
+    if (length == 0 || at + length > spirv.size()) break;
+    if (op == spv::OpVariable && length > 3 && spirv[at + 3] == spv::StorageClassPushConstant) return true;
+    at += length;
   }
+  return false;
+}
+
+StageInterface stageInterface(std::span<const std::uint32_t> spirv) {
+  return ofSpirv(spirv, [](std::span<const std::uint32_t> words) {
+    const spirv_cross::Compiler compiler(words.data(), words.size());
+    const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
+    StageInterface stage;
+    for (const spirv_cross::Resource& input : resources.stage_inputs) {
+      const std::uint32_t first = compiler.get_decoration(input.id, spv::DecorationLocation);
+      for (std::uint32_t i = 0; i < compiler.get_type(input.type_id).columns; ++i)
+        stage.inputs.push_back(first + i);
+    }
+    std::ranges::sort(stage.inputs);
+    for (const spirv_cross::Resource& block : resources.push_constant_buffers)
+      stage.pushConstantBytes = static_cast<std::uint32_t>(
+          compiler.get_declared_struct_size(compiler.get_type(block.base_type_id)));
+    return stage;
+  });
 }
 
 }  // namespace luxo::gpu

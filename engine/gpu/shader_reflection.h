@@ -53,4 +53,16 @@ struct ShaderInterface {
 /// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V. Cost: linear.
 [[nodiscard]] ShaderInterface reflect(std::span<const std::uint32_t> spirv);
 
+/// Of that only what a pipeline is made from.
+struct StageInterface {
+  std::vector<std::uint32_t> inputs;  ///< locations, ascending; a matrix has one for each column
+  std::uint32_t pushConstantBytes = 0;
+};
+
+/// Cost: some 6 us for each KB. Error(Scene) as above.
+[[nodiscard]] StageInterface stageInterface(std::span<const std::uint32_t> spirv);
+
+/// Cost: a hundredth of that.
+[[nodiscard]] bool hasPushConstants(std::span<const std::uint32_t> spirv);
+
 }  // namespace luxo::gpu

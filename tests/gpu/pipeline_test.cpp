@@ -55,8 +55,7 @@ GraphicsPipelineDesc colorPipeline() {
                           .format = VK_FORMAT_R32G32B32A32_SFLOAT,
                           .offset = offsetof(Vertex, color)}},
           .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
-          .depthFormat = VK_FORMAT_D32_SFLOAT,
-          .pushConstantBytes = sizeof(Color)};
+          .depthFormat = VK_FORMAT_D32_SFLOAT};
 }
 
 class PipelineTest : public test::GpuTest {
@@ -194,6 +193,15 @@ TEST_F(PipelineTest, DepthIsData) {
             kGreen);
   EXPECT_EQ(at(picture({{covering(kRed, 0.6f), &usual}, {covering(kGreen, 0.6f), &equal}}), 8, 8), kGreen);
   EXPECT_EQ(at(picture({{covering(kRed, 0.6f), &usual}, {covering(kGreen, 0.7f), &equal}}), 8, 8), kRed);
+}
+
+// Of a buffer that nobody binds: validation would tell.
+TEST_F(PipelineTest, AttributesThatNoShaderReadsAreLeftOut) {
+  GraphicsPipelineDesc desc = colorPipeline();
+  desc.bindings.push_back({.binding = 1, .stride = 8});
+  desc.attributes.push_back({.location = 2, .binding = 1, .format = VK_FORMAT_R32G32_SFLOAT});
+  const GraphicsPipeline more(context(), desc);
+  EXPECT_EQ(at(picture({{covering(kRed), &more}}), 8, 8), kRed);
 }
 
 TEST_F(PipelineTest, DepthBiasPullsCoplanarThingsForward) {

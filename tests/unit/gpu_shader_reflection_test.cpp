@@ -100,8 +100,25 @@ void main() {
   EXPECT_EQ(all.outputs.size(), 4u);  // gl_Position, too
 }
 
+TEST(ShaderReflection, APipelineIsToldLocationsAndPushConstants) {
+  const auto stage = stageInterface(ShaderCompiler("")
+                                        .compile({.source = {"a.vert", R"(#version 460
+layout(location = 4) in vec3 inNormal;
+layout(location = 0) in vec2 inPlace;
+layout(location = 1) in mat3 inFrame;
+layout(push_constant) uniform Draw { mat4 clip; vec3 eye; float side; vec2 size; };
+void main() {
+  gl_Position = clip * vec4(inFrame * (inNormal + side * eye) + vec3(inPlace * size, gl_VertexIndex), 1);
+})"},
+                                                  .stage = ShaderStage::Vertex})
+                                        .spirv);
+  EXPECT_THAT(stage.inputs, ElementsAre(0u, 1u, 2u, 3u, 4u));
+  EXPECT_EQ(stage.pushConstantBytes, 64u + 16 + 8);
+}
+
 TEST(ShaderReflection, WhatIsNoSpirvIsRefused) {
   EXPECT_THROW(static_cast<void>(reflect({})), Error);
+  EXPECT_THROW(static_cast<void>(stageInterface({})), Error);
   EXPECT_THROW(static_cast<void>(reflect(std::array<std::uint32_t, 8>{1, 2, 3})), Error);
 }
 
