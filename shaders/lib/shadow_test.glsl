@@ -46,14 +46,16 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   metBesideEdge = passedBesideEdge = false;
   ownSlant = 0.0;
 #endif
+  // What one cell leaves open another may settle.
   int result = kPassed;
   float behind = ahead * (1.0 + 1e-5) + 1e-30;
-  for (; entry < end && result == kPassed; ++entry) {
+  for (; entry < end && result != kMet && evaluationsLeft >= 0; ++entry) {
     GridEntry listed = gridEntries[varyingFirst.x + entry];
     if (listed.nearest > behind) break;
     CasterCell cell = casterCells[varyingFirst.y + listed.cell];
     holdPatch(cell.patch_);
-    result = meetsCell(ray, cell);
+    int met = meetsCell(ray, cell);
+    if (met != kPassed) result = met;
   }
   // One is the point's own, if it is a point of the caster. None is left where the ray grazes it and floats part them: then
   // they may part others, too.
