@@ -56,15 +56,14 @@ FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, cons
 class DrawLister {
  public:
   DrawLister(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-             Geometry& geometry, const SearchRefinement& refinement)
+             Geometry& geometry)
       : snapshot_(snapshot),
         visible_(visible),
         options_(options),
         geometry_(geometry),
-        refinement_(refinement),
         lightSets_(snapshot, options, shadingOrigin(snapshot), list_.lightSets),
         materials_(snapshot, visible, options, list_),
-        shells_(snapshot, options, geometry, refinement, list_),
+        shells_(snapshot, options, geometry, list_),
         casters_(snapshot, geometry, list_) {
     list_.view = viewData(snapshot, visible);
     list_.origin = shadingOrigin(snapshot);
@@ -326,7 +325,7 @@ class DrawLister {
     if (batch.flat && batch.state.shading != Shading::Wireframe)
       batch.mesh = clippedMesh(snapshot_.view, node, v, batch.mesh);
     batch.indexCount = static_cast<std::uint32_t>(batch.mesh->indices.size());
-    if (!refinement_.completes) item.batches.push_back(batch);
+    item.batches.push_back(batch);
     return batch.mesh->origin;
   }
 
@@ -368,7 +367,6 @@ class DrawLister {
   const VisibleList& visible_;
   const DrawOptions& options_;
   Geometry& geometry_;
-  const SearchRefinement& refinement_;
   DrawList list_;
   LightSets lightSets_;
   MaterialList materials_;
@@ -423,8 +421,8 @@ bool DrawList::onlyFound() const {
 }
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
-                   Geometry& geometry, const SearchRefinement& refinement) {
-  return DrawLister(snapshot, visible, options, geometry, refinement).list();
+                   Geometry& geometry) {
+  return DrawLister(snapshot, visible, options, geometry).list();
 }
 
 }  // namespace luxo

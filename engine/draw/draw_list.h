@@ -15,7 +15,6 @@
 #include "draw/options.h"
 #include "draw/paint.h"
 #include "draw/pixel_rows.h"
-#include "draw/search_refinement.h"
 #include "draw/statistics.h"
 #include "draw/texture_list.h"
 #include "scene/snapshot.h"
@@ -252,7 +251,6 @@ inline constexpr double kStandInTolerance = 8;
 
 /// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMaxLights).
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,
-                                 const DrawOptions& options, Geometry& geometry,
-                                 const SearchRefinement& refinement = {});
+                                 const DrawOptions& options, Geometry& geometry);
 
 }  // namespace luxo

@@ -156,7 +156,6 @@ shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const Sna
       .facing = visible.mirrored ? 1.0f : -1.0f,
       .tolerance = static_cast<float>(std::max(finest, rounding.everywhere)),
       .firstPatch = 0,
-      .firstSlot = feedbackSlot(visible.node, 0),
       .origin = Vec3f(shell.origin),
       .thickness = static_cast<float>(3 * shell.offset * visible.stretch * visible.pixelsPerUnit),
       .shellX = Vec4f(ofShell.x),
@@ -168,10 +167,6 @@ shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const Sna
 }
 
 }  // namespace
-
-std::uint32_t feedbackSlot(std::uint32_t node, std::uint32_t vertex) {
-  return (node * 0x9e3779b1U + vertex) % shared::kFeedbackSlots;
-}
 
 bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
   const Rounding rounding = roundingPx(view, node, shell, GlslNumber::Float);

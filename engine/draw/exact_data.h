@@ -22,10 +22,6 @@ inline constexpr double kExactTolerancePx = 1e-4;
 /// The same of a search in double, where a thousandth of what bends sharply turns the normal.
 inline constexpr double kDoubleTolerancePx = 1e-5;
 
-/// Where searches are counted that are lost in triangles of a node, index into Snapshot::nodes, whose first
-/// vertex is that one of the shell.
-[[nodiscard]] std::uint32_t feedbackSlot(std::uint32_t node, std::uint32_t vertex);
-
 /// Whether float would round away more of a point's place on the screen than a picture may lack, or so much
 /// that the normal there is another: of what bends sharply, most of it, and is not small.
 [[nodiscard]] bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible,

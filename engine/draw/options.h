@@ -70,6 +70,9 @@ struct DrawOptions {
   /// Exact shading, of a ScenePainter's pictures that no rays complete: coarse meshes stand in for surfaces
   /// that are left to these.
   bool standIns = false;
+  /// Exact shading, of a picture that an audit found wrong: shells four times as near, which every ray is
+  /// taken to graze, and searches in double, where they can be.
+  bool finerShells = false;
   /// Deferred, whatever this says, where exact shadows are found, or something is seen through.
   Composition composition = Composition::Auto;
   ShadowKinds shadows = ShadowKinds::All;  ///< others: the light reaches what stands behind something, too

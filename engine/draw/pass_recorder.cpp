@@ -118,7 +118,6 @@ void PassRecorder::useTargets(const Pass& pass) {
     usages.push_back({*resolved, ResolveTarget, gpu::Contents::Discard});
   if (pass.asks) usages.push_back({view_.traces().questions(), StorageWrite});
   if (pass.searches) {
-    if (pass.depth) usages.push_back({view_.feedback().lost(), StorageWrite});
     usages.push_back({view_.feedback().doubtful(), StorageWrite});
     if (view_.list().findsPlaces) usages.push_back({view_.feedback().shown(), StorageWrite});
   }

@@ -170,7 +170,8 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
       passes.back().reads.push_back(Target::LightDepth);
     }
     for (std::size_t k = 0; k < group.layerShades.size(); ++k)
-      add("shade layers", {.searches = true, .group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
+      add("shade layers",
+          {.searches = true, .group = i, .shades = std::span(group.layerShades).subspan(k, 1)});
     for (std::size_t k = 0; k < group.layerAgain.size(); ++k)
       add("layers again", {.batches = std::span(group.layerAgain).subspan(k, 1), .group = i});
   }
@@ -193,7 +194,7 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
   const bool replaces =
       frame.rays && (list.onlyFound() || onlyLater) &&
       (!list.layers.any() || (list.deferred && frame.layerBands == 1 && !list.hasLightMaps()));
-  const Begin begin = frame.completes || replaces ? Begin::Keep : Begin::Clear;
+  const Begin begin = replaces ? Begin::Keep : Begin::Clear;
   if (list.deferred)
     passes = deferredPasses(list, frame, opaque.found, begin, replaces);
   else if (replaces)

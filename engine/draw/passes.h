@@ -49,8 +49,6 @@ struct Pass {
 
 /// What kind of frame it is.
 struct FrameDesc {
-  /// Another attempt at what the last frame lost: its targets are kept.
-  bool completes = false;
   /// Points that rays have found for the last frame. Where something was drawn over what was found, that is
   /// drawn again.
   const RayPoints* rays = nullptr;

@@ -67,19 +67,6 @@ RenderView::RenderView(gpu::Context& context, Precision precision)
       layerLists_(context),
       traces_(context) {}
 
-bool RenderView::learn() {
-  bool again = false;
-  while (const auto told = feedback_.nextLost()) {
-    if (told->byLast) {
-      lacksRoom_ = list_.layers.any() && layerLists_.makeRoom();
-      again = refinement.learn(told->lost) || lacksRoom_;
-    } else {
-      refinement.remember(told->lost);
-    }
-  }
-  return again;
-}
-
 std::vector<Doubt> RenderView::doubts(const std::function<void(const Recording& record)>& submit) {
   const std::vector<OpenPixel> open = feedback_.open(list_.byRays, list_.shadowsByRays);
   if (open.empty()) return {};
@@ -145,7 +132,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   if (list_.layers.any()) layerLists_.prepare(extent, list_.layers.details);
   if (list_.traces) traces_.prepare(extent);
   feedback_.begin(list_, extent, chooseProbes());
-  upload(refinement.completes ? completion_ : uploads_, !options_.skips.unchanged);
+  upload(!options_.skips.unchanged);
 }
 
 void RenderView::goOn(const RayPoints& points) {
@@ -174,73 +161,72 @@ void RenderView::goOn(const RayPoints& points) {
   writeElements(*context_, rayLayerDetails_, points.layerDetails, "details of rays' layers", false);
 }
 
-void RenderView::upload(Uploads& uploads, bool always) {
+void RenderView::upload(bool always) {
   const auto store = [&](MirroredBuffer& buffer, const auto& elements, const char* name) {
     writeElements(*context_, buffer, elements, name, always);
   };
   const shared::ViewData view = guarded(list_.view, targets_.guard());
-  uploads.view.write(*context_, std::as_bytes(std::span(&view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                     "view", always);
-  store(uploads.instances, list_.instances, "instances");
+  uploads_.view.write(*context_, std::as_bytes(std::span(&view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                      "view", always);
+  store(uploads_.instances, list_.instances, "instances");
   // As a uniform buffer it has room for as many as shaders say.
   std::vector<shared::MaterialData> materials = list_.materials;
   materials.resize(std::max<std::size_t>(materials.size(), shared::kUniformMaterials));
-  uploads.materials.write(*context_, std::as_bytes(std::span(materials)),
-                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                          "materials", always);
+  uploads_.materials.write(*context_, std::as_bytes(std::span(materials)),
+                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                           "materials", always);
   const std::size_t stride = lightStride(*context_);
   std::vector<std::byte> lights(stride * list_.lightSets.size());
   for (std::size_t i = 0; i < list_.lightSets.size(); ++i)
     std::memcpy(lights.data() + i * stride, &list_.lightSets[i], sizeof(shared::LightSet));
-  uploads.lights.write(*context_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
+  uploads_.lights.write(*context_, lights, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "light sets", always);
   if (!list_.patternParameters.empty())
-    store(uploads.patternParameters, list_.patternParameters, "pattern parameters");
-  uploadCasters(uploads, always);
+    store(uploads_.patternParameters, list_.patternParameters, "pattern parameters");
+  uploadCasters(always);
   if (!list_.exact()) return;
   if (!list_.shellIndices.empty())
-    uploads.shellIndices.write(*context_, std::as_bytes(std::span(list_.shellIndices)),
-                               VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "shell indices", always);
-  store(uploads.exactInstances, list_.exactInstances, "exact instances");
-  store(uploads.exactPatches, list_.exactPatches, "patches");
-  store(uploads.exactParameters, inPairs(list_.exactParameters), "parameters of formulas");
+    uploads_.shellIndices.write(*context_, std::as_bytes(std::span(list_.shellIndices)),
+                                VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "shell indices", always);
+  store(uploads_.exactInstances, list_.exactInstances, "exact instances");
+  store(uploads_.exactPatches, list_.exactPatches, "patches");
+  store(uploads_.exactParameters, inPairs(list_.exactParameters), "parameters of formulas");
 }
 
-void RenderView::uploadCasters(Uploads& uploads, bool always) {
+void RenderView::uploadCasters(bool always) {
   const Casters& casters = list_.casters;
   if (!list_.looksForCasters()) return;
   const auto store = [&](MirroredBuffer& buffer, const auto& elements, const char* name) {
     writeElements(*context_, buffer, elements, name, always);
   };
-  store(uploads.casters, casters.casters, "casters");
-  store(uploads.meshPlaces, casters.meshes, "places of meshes");
-  store(uploads.closedCasters, casters.closed, "casters with equations");
-  store(uploads.gridStarts, casters.gridStarts, "texels of grids");
-  store(uploads.gridEntries, casters.gridEntries, "entries of grids");
-  store(uploads.casterCells, casters.cells, "cells of casters");
-  store(uploads.casterParameters, casters.parameters, "parameters of casters");
+  store(uploads_.casters, casters.casters, "casters");
+  store(uploads_.meshPlaces, casters.meshes, "places of meshes");
+  store(uploads_.closedCasters, casters.closed, "casters with equations");
+  store(uploads_.gridStarts, casters.gridStarts, "texels of grids");
+  store(uploads_.gridEntries, casters.gridEntries, "entries of grids");
+  store(uploads_.casterCells, casters.cells, "cells of casters");
+  store(uploads_.casterParameters, casters.parameters, "parameters of casters");
   // By group.
   std::vector<shared::LightMap> maps;
   for (const LightGroup& group : list_.groups)
     maps.push_back(group.map ? group.map->map : shared::LightMap{});
-  store(uploads.lightMaps, maps, "light maps");
+  store(uploads_.lightMaps, maps, "light maps");
 }
 
 RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pipelines, TexelStore& texels) {
-  Uploads& uploads = refinement.completes ? completion_ : uploads_;
   const auto sceneOf = [&](MirroredBuffer& instances) {
     return frames.descriptors().write(pipelines.layout(SceneSet::Scene),
-                                      {uploads.view.use(*context_),
+                                      {uploads_.view.use(*context_),
                                        instances.use(*context_),
-                                       {uploads.lights.use(*context_), 0, sizeof(shared::LightSet)},
-                                       uploads.materials.use(*context_)});
+                                       {uploads_.lights.use(*context_), 0, sizeof(shared::LightSet)},
+                                       uploads_.materials.use(*context_)});
   };
-  Bindings bindings{.scene = sceneOf(uploads.instances)};
+  Bindings bindings{.scene = sceneOf(uploads_.instances)};
   if (!list_.patternParameters.empty())
     bindings.pattern = frames.descriptors().write(pipelines.layout(SceneSet::Pattern),
-                                                  {uploads.patternParameters.use(*context_)});
+                                                  {uploads_.patternParameters.use(*context_)});
   if (!list_.textures.empty() && !list_.patternParameters.empty()) {
     const VkBufferView all = texels.get(list_.textures);
-    const gpu::Buffer& parameters = uploads.patternParameters.use(*context_);
+    const gpu::Buffer& parameters = uploads_.patternParameters.use(*context_);
     bindings.texture = frames.descriptors().write(pipelines.layout(SceneSet::Texture), {parameters, all});
     if (list_.findsFootprints) {
       gpu::Texture& footprints = targets_.texture(Target::FoundFootprint);
@@ -253,9 +239,9 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   if (list_.exact()) {
     bindings.exact = frames.descriptors().write(
         pipelines.layout(SceneSet::Exact),
-        {uploads.exactInstances.use(*context_), uploads.exactPatches.use(*context_),
-         uploads.exactParameters.use(*context_), feedback_.lost(), feedback_.doubtful()});
-    if (!list_.shellIndices.empty()) bindings.shellIndices = uploads.shellIndices.use(*context_);
+        {uploads_.exactInstances.use(*context_), uploads_.exactPatches.use(*context_),
+         uploads_.exactParameters.use(*context_), feedback_.doubtful()});
+    if (!list_.shellIndices.empty()) bindings.shellIndices = uploads_.shellIndices.use(*context_);
   }
   if (list_.deferred) {
     gpu::Texture& found = targets_.texture(Target::Found);
@@ -267,11 +253,11 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     gpu::Texture& parameters =
         list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
-    const gpu::Buffer& noTraces = uploads.materials.use(*context_);  // something to bind
+    const gpu::Buffer& noTraces = uploads_.materials.use(*context_);  // something to bind
     bindings.found = frames.descriptors().write(pipelines.layout(SceneSet::Found),
                                                 {{found, pipelines.texelSampler()},
                                                  {parameters, pipelines.texelSampler()},
-                                                 {uploads.materials.use(*context_), 0, kUniformBytes},
+                                                 {uploads_.materials.use(*context_), 0, kUniformBytes},
                                                  {shadows, pipelines.texelSampler()},
                                                  {transmittance, pipelines.texelSampler()},
                                                  {places, pipelines.texelSampler()},
@@ -280,9 +266,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  list_.traces ? traces_.starts() : noTraces,
                                                  list_.traces ? traces_.answers() : noTraces});
   }
-  if (list_.looksForCasters())
-    bindings.shadow = bindCasters(frames, pipelines, uploads, texels.get(list_.textures));
-  if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines, uploads);
+  if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, texels.get(list_.textures));
+  if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines);
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);
     bindings.rayVertices = rayVertices_.use(*context_);
@@ -292,29 +277,29 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   return bindings;
 }
 
-VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads,
+VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,
                                         VkBufferView texels) {
-  const gpu::Buffer& patterns = list_.patternParameters.empty() ? uploads.casterParameters.use(*context_)
-                                                                : uploads.patternParameters.use(*context_);
+  const gpu::Buffer& patterns = list_.patternParameters.empty() ? uploads_.casterParameters.use(*context_)
+                                                                : uploads_.patternParameters.use(*context_);
   const gpu::Buffer& shown = list_.findsPlaces ? feedback_.shown() : feedback_.doubtful();
   gpu::Texture& depths = targets_.texture(list_.hasLightMaps() ? Target::LightDepth : Target::Depth);
   return frames.descriptors().write(pipelines.layout(SceneSet::Shadow),
-                                    {uploads.casters.use(*context_),
-                                     uploads.gridStarts.use(*context_),
-                                     uploads.gridEntries.use(*context_),
-                                     uploads.casterCells.use(*context_),
-                                     uploads.casterParameters.use(*context_),
+                                    {uploads_.casters.use(*context_),
+                                     uploads_.gridStarts.use(*context_),
+                                     uploads_.gridEntries.use(*context_),
+                                     uploads_.casterCells.use(*context_),
+                                     uploads_.casterParameters.use(*context_),
                                      feedback_.doubtful(),
                                      patterns,
-                                     uploads.lightMaps.use(*context_),
+                                     uploads_.lightMaps.use(*context_),
                                      {depths, pipelines.texelSampler()},
-                                     uploads.closedCasters.use(*context_),
-                                     uploads.meshPlaces.use(*context_),
+                                     uploads_.closedCasters.use(*context_),
+                                     uploads_.meshPlaces.use(*context_),
                                      shown,
                                      texels});
 }
 
-VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, Uploads& uploads) {
+VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines) {
   constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
   const gpu::Buffer& byRays = hasRays_ ? rayLayerPoints_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirLight = hasRays_ ? rayLayerLights_.use(*context_) : layerLists_.points();
@@ -326,7 +311,7 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
                                      feedback_.doubtful(),
                                      {targets_.texture(Target::Depth), pipelines.texelSampler()},
                                      byRays,
-                                     {uploads.materials.use(*context_), 0, kUniformBytes},
+                                     {uploads_.materials.use(*context_), 0, kUniformBytes},
                                      layerLists_.sums(),
                                      theirLight,
                                      layerLists_.details(),

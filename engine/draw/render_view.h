@@ -13,7 +13,6 @@
 #include "draw/ray_points.h"
 #include "draw/scene_pipelines.h"
 #include "draw/search_feedback.h"
-#include "draw/search_refinement.h"
 #include "draw/texel_store.h"
 #include "draw/trace_buffers.h"
 #include "draw/view_targets.h"
@@ -25,12 +24,6 @@ namespace luxo {
 class RenderView {
  public:
   RenderView(gpu::Context& context, Precision precision);
-
-  /// What searches get beyond the usual, from picture to picture.
-  SearchRefinement refinement;
-  /// Lets the refinement learn from the recordings that are complete by now. Whether another attempt may find
-  /// what the last one lost; not while that one is not complete.
-  [[nodiscard]] bool learn();
 
   /// What the last recording, which has to be complete, leaves in doubt, by rows: a point that is lost, or
   /// seen and not certified; shadows; layers. `submit`: runs a recording, and waits for it; where anything is
@@ -46,11 +39,9 @@ class RenderView {
   /// Of the last recording.
   [[nodiscard]] const DrawList& list() const { return list_; }
   [[nodiscard]] const DrawOptions& options() const { return options_; }
-  /// Whether a recording that draws only what the last one lost completes the picture: nothing is seen
-  /// through.
-  [[nodiscard]] bool completable() const { return list_.transparent.empty() && !list_.layers.any(); }
-  /// Whether what is seen through had no room in the last recording, but will have in the next.
-  [[nodiscard]] bool lacksRoom() const { return lacksRoom_; }
+  /// Whether what is seen through had no room in the last recording, which has to be complete, but will have
+  /// in the next.
+  [[nodiscard]] bool makeRoom() { return list_.layers.any() && layerLists_.makeRoom(); }
   /// How many points of it there are in that, and are not, for want of room.
   [[nodiscard]] LayerLists::Found layerPoints() {
     return list_.layers.any() ? layerLists_.found() : LayerLists::Found{};
@@ -105,12 +96,11 @@ class RenderView {
         casterCells, casterParameters, lightMaps;
   };
 
-  void upload(Uploads& uploads, bool always);
-  void uploadCasters(Uploads& uploads, bool always);
+  void upload(bool always);
+  void uploadCasters(bool always);
   [[nodiscard]] VkDescriptorSet bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,
-                                            Uploads& uploads, VkBufferView texels);
-  [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines,
-                                           Uploads& uploads);
+                                            VkBufferView texels);
+  [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines);
   [[nodiscard]] std::vector<PixelPlace> chooseProbes() const;
 
   gpu::Context* context_;
@@ -118,12 +108,10 @@ class RenderView {
   SearchFeedback feedback_;
   LayerLists layerLists_;
   TraceBuffers traces_;
-  bool lacksRoom_ = false;
   DrawList list_;
   DrawOptions options_;
   VkClearColorValue background_{};
-  /// What completes a picture does not overwrite what the next begins with.
-  Uploads uploads_, completion_;
+  Uploads uploads_;
   MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerLights_,
       rayLayerDetails_;
   bool hasRays_ = false;

@@ -157,8 +157,6 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
     return picture;
   }
   shown_.reset();
-  // What one sample of a picture has taught serves the next; no picture learns from another one.
-  view_.refinement = {};
   if (inOnePass(snapshot, options)) {
     if (!goesOn(0)) return std::nullopt;
     draw(snapshot, options, statistics);
@@ -228,9 +226,7 @@ void Renderer::find(const Snapshot& snapshot, const DrawOptions& options, FrameS
   std::uint64_t failed = 0;
   for (int trial = Usual;; ++trial) {
     if (trial >= WithoutSkips) tried.skips = Skips::none();
-    view_.refinement.beginPicture();
-    if (trial == WithFinerShells)
-      for (const FoundNode& node : view_.list().found) view_.refinement.refine(node.node);
+    tried.finerShells = trial == WithFinerShells;
     if (trial != ByRays) search(snapshot, tried, statistics);
     if (!view_.searches() && !view_.list().findsShadows()) return;
     rays_.begin(snapshot, tried);
@@ -256,9 +252,6 @@ void Renderer::find(const Snapshot& snapshot, const DrawOptions& options, FrameS
 }
 
 void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
-  // Drawing all of a picture once more takes as long as rays through a sixteenth of it.
-  const std::uint64_t few = static_cast<std::uint64_t>(snapshot.view.size.width) *
-                            static_cast<std::uint64_t>(snapshot.view.size.height) / 16;
   resolved_ = {};
   do {
     FrameStatistics attempt;
@@ -270,7 +263,7 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Fram
         attempt);
     addAttempt(attempt, statistics);
     statistics = attempt;
-  } while (view_.learn() && (view_.lacksRoom() || view_.refinement.lost() > few));
+  } while (view_.makeRoom());
   const auto [points, missing] = view_.layerPoints();
   statistics.count.layerPoints = points;
   statistics.error.layersMissing = statistics.error.unconvergedPx = missing;

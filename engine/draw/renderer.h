@@ -81,8 +81,7 @@ class Renderer {
   void find(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// Answers what shaders ask of the scene, and lets them light their points anew, until they ask no more.
   void trace(const Snapshot& snapshot, FrameStatistics& statistics);
-  /// The part of find() without rays; again with more refinement where searches lost more than rays
-  /// find soon.
+  /// The part of find() without rays; again where what is seen through had no room.
   void search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// Finds pixels by rays, and draws them: those in doubt, or all.
   void resolve(const Snapshot& snapshot, const DrawOptions& options, bool all, FrameStatistics& statistics);

@@ -78,15 +78,15 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, Rend
   pipelines_.programs().check(scene);
   const DrawOptions options = possible(scene, wanted);
   const Snapshot& snapshot = scaleNormalization_.of(scene);
-  DrawList list = listed(snapshot, options, view.refinement, statistics);
+  DrawList list = listed(snapshot, options, statistics);
   Stopwatch watch;
   store_.dropUnused();
   view.begin(std::move(list), options, backgroundOf(snapshot, options.output),
              {static_cast<std::uint32_t>(snapshot.view.size.width),
               static_cast<std::uint32_t>(snapshot.view.size.height)});
-  if (!view.refinement.completes) pipelines_.beginPicture();
+  pipelines_.beginPicture();
   preparePipelines(view);
-  recordPasses(frames, commands, view, {.completes = view.refinement.completes}, statistics);
+  recordPasses(frames, commands, view, {}, statistics);
 
   context_->counted().shadersCompiled += pipelines_.programs().takeCompiled();
   const gpu::Counters after = context_->counters();
@@ -97,14 +97,14 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, Rend
 }
 
 DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& options,
-                              const SearchRefinement& refinement, FrameStatistics& statistics) {
+                              FrameStatistics& statistics) {
   geometry_.shells.resume();
   const std::uint64_t tessellatedBefore = geometry_.tessellated();
   Stopwatch watch;
   const VisibleList visible = cull(snapshot, cullOptions(options));
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();
-  DrawList list = listDraws(snapshot, visible, options, geometry_, refinement);
+  DrawList list = listDraws(snapshot, visible, options, geometry_);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.culledHidden = list.culledHidden;
   statistics.count.tooLarge = list.tooLarge;
@@ -174,9 +174,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   if (view.list().traces) gpu::use(commands, {{view.traces().questions(), gpu::Use::HostRead}});
   if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});
   if (view.list().findsPlaces) gpu::use(commands, {{view.feedback().shown(), gpu::Use::HostRead}});
-  if (view.list().searches())
-    gpu::use(commands, {{view.feedback().lost(), gpu::Use::HostRead},
-                        {view.feedback().doubtful(), gpu::Use::HostRead}});
+  if (view.list().searches()) gpu::use(commands, {{view.feedback().doubtful(), gpu::Use::HostRead}});
 }
 
 }  // namespace luxo

@@ -30,9 +30,7 @@ class ScenePainter {
   void check(const Snapshot& snapshot) { pipelines_.programs().check(snapshot); }
 
   /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
-  /// is in view.picture() once the recording has been submitted and is complete. With
-  /// view.refinement.completes only what the view's last picture lost is drawn, into that. Throws
-  /// Error(Scene).
+  /// is in view.picture() once the recording has been submitted and is complete. Throws Error(Scene).
   void record(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view, const Snapshot& scene,
               const DrawOptions& options, FrameStatistics& statistics);
 
@@ -55,7 +53,7 @@ class ScenePainter {
  private:
   [[nodiscard]] DrawOptions possible(const Snapshot& snapshot, const DrawOptions& options) const;
   [[nodiscard]] DrawList listed(const Snapshot& snapshot, const DrawOptions& options,
-                                const SearchRefinement& refinement, FrameStatistics& statistics);
+                                FrameStatistics& statistics);
   void preparePipelines(RenderView& view);
   void recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
                     const FrameDesc& frame, FrameStatistics& statistics);

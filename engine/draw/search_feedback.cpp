@@ -14,10 +14,9 @@ namespace {
 constexpr VkDeviceSize kColorWords = 4;
 
 /// A buffer of at least that many bytes which the host reads, all 0.
-void clear(gpu::Context& context, gpu::Buffer& buffer, VkDeviceSize bytes, VkDeviceSize bytesOfNew,
-           const char* name) {
+void clear(gpu::Context& context, gpu::Buffer& buffer, VkDeviceSize bytes, const char* name) {
   if (!buffer || buffer.size() < bytes)
-    buffer = gpu::Buffer(context, {.size = bytesOfNew,
+    buffer = gpu::Buffer(context, {.size = bytes,
                                    .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                    .memory = gpu::MemoryUse::Readback,
                                    .name = name});
@@ -116,21 +115,10 @@ void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<
   slot.shadowGroups = list.findsShadows() ? list.groups.size() : 0;
   slot.transmits.clear();
   for (const LightGroup& group : list.groups) slot.transmits.push_back(group.transmits);
-  slot.told = false;
   extent_ = extent;
-  slot.nodes.clear();
-  if (slot.searches) {
-    prepareLost(slot, list);
-    prepareDoubts(slot);
-  }
+  if (slot.searches) prepareDoubts(slot);
   if (list.findsPlaces) prepareShown(slot);
   prepareProbes(slot, std::move(probed));
-}
-
-void SearchFeedback::prepareLost(Slot& slot, const DrawList& list) {
-  slot.nodes = list.instanceNodes;
-  const VkDeviceSize bytes = (shared::kFeedbackSlots + slot.nodes.size()) * sizeof(std::uint32_t);
-  clear(*context_, slot.lost, bytes, 2 * bytes, "feedback");
 }
 
 void SearchFeedback::prepareDoubts(Slot& slot) {
@@ -139,13 +127,13 @@ void SearchFeedback::prepareDoubts(Slot& slot) {
       (pixels + shared::kDoubtsPerWord - 1) / shared::kDoubtsPerWord * sizeof(std::uint32_t);
   // No larger than it is: all of it is cleared.
   if (slot.doubtful && slot.doubtful.size() != bytes) slot.doubtful = {};
-  clear(*context_, slot.doubtful, bytes, bytes, "doubts");
+  clear(*context_, slot.doubtful, bytes, "doubts");
 }
 
 void SearchFeedback::prepareShown(Slot& slot) {
   const VkDeviceSize bytes = VkDeviceSize{extent_.width} * extent_.height * sizeof(shared::ShownPoint);
   if (slot.shown && slot.shown.size() != bytes) slot.shown = {};
-  clear(*context_, slot.shown, bytes, bytes, "shown points");
+  clear(*context_, slot.shown, bytes, "shown points");
 }
 
 void SearchFeedback::prepareProbes(Slot& slot, std::vector<PixelPlace> probed) {
@@ -208,27 +196,6 @@ std::vector<ShownDepth> SearchFeedback::shown(std::span<const PixelPlace> pixels
 }
 
 void SearchFeedback::goOn() { slots_[current_].submission = context_->timeline().submitted() + 1; }
-
-std::optional<SearchFeedback::Told> SearchFeedback::nextLost() {
-  for (std::size_t k = 1; k <= slots_.size(); ++k) {
-    Slot& slot = slots_[(current_ + k) % slots_.size()];
-    if (slot.told || slot.submission > context_->timeline().completed()) continue;
-    slot.told = true;
-    return Told{lostIn(slot), k == slots_.size()};
-  }
-  return std::nullopt;
-}
-
-LostPixels SearchFeedback::lostIn(Slot& slot) {
-  if (slot.nodes.empty()) return {};
-  std::vector<std::uint32_t> counts(shared::kFeedbackSlots + slot.nodes.size());
-  std::memcpy(counts.data(), slot.lost.read().data(), counts.size() * sizeof(std::uint32_t));
-  const auto firstInstance = counts.begin() + shared::kFeedbackSlots;
-  LostPixels lost{.transversal = {counts.begin(), firstInstance}, .grazing = {}};
-  for (std::size_t i = 0; i < slot.nodes.size(); ++i)
-    lost.grazing[slot.nodes[i]] += firstInstance[static_cast<std::ptrdiff_t>(i)];
-  return lost;
-}
 
 std::vector<OpenPixel> SearchFeedback::open(std::span<const PixelRect> byRays,
                                             std::span<const PixelRect> shadowsByRays) {

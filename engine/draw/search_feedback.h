@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the searches of a recording tell the host: where they lost a surface, which pixels are in doubt, and
-// how deep some pixels are, for the audit.
+// What the searches of a recording tell the host: which pixels are in doubt, and how deep some pixels are,
+// for the audit.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "draw/draw_list.h"
 #include "draw/pixel_rows.h"
 #include "draw/ray_points.h"
-#include "draw/search_refinement.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/frame.h"
@@ -45,8 +43,7 @@ class SearchFeedback {
   /// use.
   void begin(const DrawList& list, VkExtent2D extent, std::vector<PixelPlace> probed);
 
-  /// The buffers that searches write; only where the list has shells or shadows.
-  [[nodiscard]] gpu::Buffer& lost() { return slots_[current_].lost; }
+  /// What searches write; only where the list has shells or shadows.
   [[nodiscard]] gpu::Buffer& doubtful() { return slots_[current_].doubtful; }
   /// Which points pixels show of meshes; only where the list finds these.
   [[nodiscard]] gpu::Buffer& shown() { return slots_[current_].shown; }
@@ -64,13 +61,6 @@ class SearchFeedback {
   /// The recording after the last one goes on with it.
   void goOn();
 
-  /// What a recording lost, that is complete and has not told it yet: the oldest of these.
-  struct Told {
-    LostPixels lost;
-    bool byLast;  ///< by the last recording
-  };
-  [[nodiscard]] std::optional<Told> nextLost();
-
   /// What follows is of the last recording, which has to be complete.
   /// By rows. `byRays`: what is left to rays; `shadowsByRays`: the shadows of which are.
   [[nodiscard]] std::vector<OpenPixel> open(std::span<const PixelRect> byRays,
@@ -83,8 +73,6 @@ class SearchFeedback {
 
  private:
   struct Slot {
-    gpu::Buffer lost;  ///< by slot of the feedback, then by instance
-    std::vector<std::uint32_t> nodes;
     gpu::Buffer doubtful;                 ///< some bits a pixel
     gpu::Buffer shown;                    ///< shared::ShownPoint of each pixel
     gpu::Buffer depths;                   ///< of the probed pixels, or of all where they are many
@@ -93,12 +81,9 @@ class SearchFeedback {
     bool searches = false;  ///< for surfaces, shadows or layers
     std::size_t shadowGroups = 0;
     std::vector<bool> transmits;  ///< which groups do
-    bool told = true;             ///< what it lost
     std::uint64_t submission = 0;
   };
 
-  [[nodiscard]] static LostPixels lostIn(Slot& slot);
-  void prepareLost(Slot& slot, const DrawList& list);
   void prepareDoubts(Slot& slot);
   void prepareShown(Slot& slot);
   void prepareProbes(Slot& slot, std::vector<PixelPlace> probed);

@@ -54,7 +54,6 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
     return std::nullopt;
   }
   batch.shell = shellOf(node, v, pixels);
-  const int level = refinement_.level(v.node);
   const bool leavesOut = !batch.shell || (!batch.shell->proven && batch.shell->pinches.empty());
   if (leavesOut || (!options_.doubles && losesEdges(snapshot_.view, node, v, *batch.shell))) {
     list_.byRays.push_back(pixels);
@@ -64,9 +63,8 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
     list_.byRays.push_back(
         overlap(pixels, pixelsOf(snapshot_.view, transformBounds(node.worldFromObject, pinch.box()))));
   const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.shell) : std::nullopt;
-  // What a formula rounds away nobody knows but by what is lost.
-  const bool inDouble =
-      !plane && options_.doubles && (level > 0 || needsDouble(snapshot_.view, node, v, *batch.shell));
+  const bool inDouble = !plane && options_.doubles &&
+                        (options_.finerShells || needsDouble(snapshot_.view, node, v, *batch.shell));
   const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
   if (isTooLarge(geometry_.codes, node.surface, *batch.shell, node.parameters.size(), number)) {
     ++list_.tooLarge;
@@ -78,8 +76,8 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
   draws.exact = plane ? exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, *plane)
                       : exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, number);
   draws.exact.firstPatch = patchesOf(node, *batch.shell);
-  batch.shared = !inside && level == 0 && !refinement_.completes && pixels.count() <= options_.sharedPixels;
-  const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && level == 0);
+  batch.shared = !inside && !options_.finerShells && pixels.count() <= options_.sharedPixels;
+  const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && !options_.finerShells);
   for (const Shell::Part& part : batch.shell->parts) {
     batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
                                 : codeOf(geometry_.codes, node.surface, *batch.shell, part.patch,
@@ -91,15 +89,15 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
     if (inside && !(equation && equation->form() == Equation::Form::Quadric))
       addNearSection(node, *batch.shell, part);
     batch.half = Half::Near;
-    addDraws(draws.batches, batch, v.node, view, part.firstIndex, part.frontCount);
+    addDraws(draws.batches, batch, view, part.firstIndex, part.frontCount);
     batch.half = Half::Far;
     if (inside && snapshot_.view.perspective()) {
       // From inside the slab its faces are seen from behind. A ray leaves it by the bottom behind the outer
       // side, or, having dipped into that, by the top.
       if (!batch.bothSides) batch.culling = FaceCulling::Front;
-      addDraws(draws.batches, batch, v.node, view, part.firstIndex, part.count);
+      addDraws(draws.batches, batch, view, part.firstIndex, part.count);
     } else if (batch.bothSides) {
-      addDraws(draws.batches, batch, v.node, view, part.wallIndex(), part.frontCount);
+      addDraws(draws.batches, batch, view, part.wallIndex(), part.frontCount);
     }
   }
   return draws;
@@ -121,8 +119,8 @@ void ShellList::addNearSection(const SnapshotNode& node, const Shell& shell, con
 }
 
 /// Adds the draws of some of a shell's triangles: of the transversal ones, and of those that a ray may graze.
-void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, std::uint32_t node,
-                         const ShellView& view, std::uint32_t firstIndex, std::uint32_t count) {
+void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const ShellView& view,
+                         std::uint32_t firstIndex, std::uint32_t count) {
   if (batch.shared) {
     addSharedDraws(batches, std::move(batch), firstIndex, count);
     return;
@@ -133,12 +131,9 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, std::
   const std::size_t first = all.size();
   for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
     const Seen seen = view.seen(shell, i, batch.half == Half::Far ? -1 : 1);
-    const std::uint32_t slot = feedbackSlot(node, shell.indices[i]);
-    const bool lost = seen == Seen::Transversal && refinement_.lostTransversal(slot);
-    const bool again = refinement_.refined(node) || (lost && refinement_.lostJustNow(slot));
-    if (seen == Seen::Away || (refinement_.completes && !again)) continue;
+    if (seen == Seen::Away) continue;
     // By its equation a surface is found where it is grazed as it is elsewhere.
-    const bool isTransversal = seen == Seen::Transversal && !lost && !batch.state.equation;
+    const bool isTransversal = seen == Seen::Transversal && !batch.state.equation;
     const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
     std::vector<std::uint32_t>& indices =
         isTransversal ? all : grazing[!batch.state.equation && patch.hasPole()];
@@ -248,9 +243,8 @@ std::shared_ptr<const Shell> ShellList::shellOf(const SnapshotNode& node, const 
       kCoarsestShell * size > kLeastSpacing ? kCoarsestShell * size : std::numeric_limits<double>::infinity();
   const double wanted = v.toleranceObject / options_.tolerancePx * options_.shellTolerancePx;
   const double tolerance = std::min(std::max(wanted, kFinestShell * size), coarsest);
-  const int level = refinement_.level(v.node);
   const auto most = static_cast<double>(std::max(pixels.count(), kWorthRays));
-  const double refined = tolerance * std::ldexp(1.0, -2 * level);
+  const double refined = options_.finerShells ? tolerance / 4 : tolerance;
   std::shared_ptr<const Shell> shell = geometry_.shells.get(node.surface, node.parameters, refined, most);
   if (shell && pixels.count() <= options_.sharedPixels && isQuadric(*shell))
     shell = geometry_.shells.get(node.surface, node.parameters,

@@ -13,7 +13,6 @@
 #include "cull/cull.h"
 #include "draw/draw_list.h"
 #include "draw/options.h"
-#include "draw/search_refinement.h"
 #include "scene/snapshot.h"
 #include "shell/shell_view.h"
 
@@ -26,9 +25,8 @@ inline constexpr double kLeastSpacing = 1e-200;
 class ShellList {
  public:
   /// All must outlive this.
-  ShellList(const Snapshot& snapshot, const DrawOptions& options, Geometry& geometry,
-            const SearchRefinement& refinement, DrawList& list)
-      : snapshot_(snapshot), options_(options), geometry_(geometry), refinement_(refinement), list_(list) {}
+  ShellList(const Snapshot& snapshot, const DrawOptions& options, Geometry& geometry, DrawList& list)
+      : snapshot_(snapshot), options_(options), geometry_(geometry), list_(list) {}
 
   /// The draws of one node, and what they know of it.
   struct Draws {
@@ -52,7 +50,7 @@ class ShellList {
   [[nodiscard]] std::shared_ptr<const Shell> shellOf(const SnapshotNode& node, const VisibleNode& v,
                                                      const PixelRect& pixels);
   void addNearSection(const SnapshotNode& node, const Shell& shell, const Shell::Part& part);
-  void addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, std::uint32_t node, const ShellView& view,
+  void addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const ShellView& view,
                 std::uint32_t firstIndex, std::uint32_t count);
   void addSharedDraws(std::vector<DrawBatch>& batches, DrawBatch batch, std::uint32_t firstIndex,
                       std::uint32_t count);
@@ -62,7 +60,6 @@ class ShellList {
   const Snapshot& snapshot_;
   const DrawOptions& options_;
   Geometry& geometry_;
-  const SearchRefinement& refinement_;
   DrawList& list_;
   std::map<std::pair<const void*, std::vector<double>>, std::uint32_t> firstPatchOf_;
   std::map<std::pair<const Shell*, std::uint32_t>, Ranges> sharedRanges_;

@@ -57,7 +57,7 @@ struct FrameError {
   /// Shadows are found in its pixels, of meshes, too: the first four of what follows apply.
   bool shadowed = false;
   /// Of all samples: pixels whose point was not found although no miss was certain, or was found by an audit
-  /// to be wrong, after all refinement; and pixels that show a point which is not proven, neither by the
+  /// to be wrong, after all trials; and pixels that show a point which is not proven, neither by the
   /// search that found it nor by a ray.
   std::uint64_t unconvergedPx = 0, uncertifiedPx = 0;
   std::uint64_t resolvedByRaysPx = 0;  ///< pixels whose point, or miss, was found by a certified ray

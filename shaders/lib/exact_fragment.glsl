@@ -15,7 +15,6 @@
 #include "lib/inspection.glsl"
 #include "lib/show.glsl"
 
-layout(scalar, set = kSetExact, binding = kBindingFeedback) buffer Feedback { uint lost[]; } feedback;
 layout(scalar, set = kSetExact, binding = kBindingDoubts) buffer Doubts { uint ofPixels[]; } doubts;
 
 LightData lightAt(uint i) {
@@ -39,7 +38,6 @@ void doubtPixel(uint why) {
 Found foundPoint() {
   Root root;
   int result = rootOfPixel(root);
-  if (result == kLost) atomicAdd(feedback.lost[kGrazing ? kFeedbackSlots + varyingFlags.w : uint(varyingClip.w)], 1);
   if (result == kLost || result == kFound && !root.certified)
     doubtPixel(result == kLost ? kLostHere : kUncertifiedHere);
   if (result != kFound || !inDepthRange(root.depth)) discard;

@@ -26,7 +26,7 @@ layout(location = 8) flat LUXO_VARYING vec4 varyingDepth;
 layout(location = 9) flat LUXO_VARYING vec4 varyingRelative[3];   // columns of relativeFromObject; where `middle` is
 layout(location = 12) flat LUXO_VARYING vec4 varyingDomain;
 layout(location = 13) flat LUXO_VARYING vec4 varyingCellHalf;     // extent of the cells in u and v; half the picture
-layout(location = 14) flat LUXO_VARYING vec4 varyingClip;         // clipDepth; thickness; slot of the feedback
+layout(location = 14) flat LUXO_VARYING vec3 varyingClip;         // clipDepth; thickness
 
 bool has(uint flag) { return (varyingFlags.x & flag) != 0; }
 

@@ -80,7 +80,7 @@ void main() {
   for (int i = 0; i < 3; ++i) varyingRelative[i] = vec4(instance.relativeFromObject[i], exact.translation[i]);
   varyingDomain = surfacePatch.domain;
   varyingCellHalf = vec4(inCell.xy, exact.half_);
-  varyingClip = vec4(exact.clipDepth, exact.thickness, float((exact.firstSlot + gl_VertexIndex) % kFeedbackSlots));
+  varyingClip = vec3(exact.clipDepth, exact.thickness);
   if (kDouble) {
     for (uint k = 0; k < 4; ++k) {
       pack(kFirstRowLow + k, exact.xLow[k]);

@@ -49,9 +49,8 @@ LUXO_CONSTANT kBindingMaterials = 3;
 LUXO_CONSTANT kBindingExactInstances = 0;
 LUXO_CONSTANT kBindingExactPatches = 1;
 LUXO_CONSTANT kBindingExactParameters = 2;
-LUXO_CONSTANT kBindingFeedback = 3;
-LUXO_CONSTANT kBindingDoubts = 4;
-LUXO_CONSTANT kExactBindings = 5;
+LUXO_CONSTANT kBindingDoubts = 3;
+LUXO_CONSTANT kExactBindings = 4;
 
 // Bindings of kSetFound.
 LUXO_CONSTANT kBindingFound = 0;
@@ -145,10 +144,6 @@ LUXO_CONSTANT kUncertified = 3;
 LUXO_NUMBER kFarCells = 2.0;
 
 LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
-
-// Searches that lose a surface are counted: those in transversal triangles by slots that vertices of shells share, of all
-// instances, the others after these by instance.
-LUXO_CONSTANT kFeedbackSlots = 16384;
 
 // What is in doubt, some bits a pixel, row by row: a search has lost a surface there; what it has found there is not
 // certified; whether it is in shadow was not settled, or what is seen through there.
@@ -289,7 +284,6 @@ struct ExactInstance {
   float facing;    // +1 or -1: the sign of the parameters' area in the picture on the front of the surface
   float tolerance; // largest residual, pixels; see clipDepth
   uint firstPatch;
-  uint firstSlot;  // of its first vertex; kFeedbackSlots in all, after the last follows the first
   vec3 origin;     // of the shell's vertices, object space
   // Of a plane: metres of the object in a pixel (perspective: at depth 1). Else:
   float thickness; // farther from the surface than this no search looks, pixels (perspective: times depth); see mayHoldEye()
@@ -525,7 +519,7 @@ static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(M
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
-static_assert(sizeof(ExactInstance) == 276 && sizeof(ExactPatch) == 40);
+static_assert(sizeof(ExactInstance) == 272 && sizeof(ExactPatch) == 40);
 }  // namespace luxo::shared
 #endif
 #endif

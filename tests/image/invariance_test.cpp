@@ -123,9 +123,8 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
       without("unchanged", &Skips::unchanged);
       without("passes", &Skips::passes);
       if (GetParam() == Shading::Exact) {
-        // What hidden sides lose may have their node searched anew with refinement, which finds the same
-        // points to 1e-4 px: colours change by less than a hundredth of that, but change. Within rounding of
-        // the silhouette a pixel may show the hidden side.
+        // Where hidden sides are lost rays find the pixel, to 1e-4 px: colours change by less than a
+        // hundredth of that, but change. Within rounding of the silhouette a pixel may show the hidden side.
         for (const auto skip : {&Skips::backface, &Skips::hidden}) {
           DrawOptions options = all;
           options.skips.*skip = false;

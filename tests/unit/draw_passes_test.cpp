@@ -47,10 +47,6 @@ TEST(Passes, APictureClearsItsTargetsOnce) {
   EXPECT_EQ(told(passesOf(listOf(1, 0, 0), {.emptyPasses = true})), (Names{"found 1", "transparent+ 0"}));
 }
 
-TEST(Passes, WhatIsCompletedIsKept) {
-  EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {.completes = true})), (Names{"found+ 2"}));
-}
-
 TEST(Passes, PointsOfRaysReplaceWhatNothingWasDrawnOver) {
   const RayPoints points;
   EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {.rays = &points})), (Names{"rays+ 0*"}));

@@ -31,13 +31,11 @@ bool ProgressiveMean::find(gpu::FrameRing& frames, ScenePainter& painter, Render
     one.samples = 1;
     one.standIns = false;
     FrameStatistics ignored;
-    view.refinement.beginPicture();
-    // What a sample has lost rays find, and those to come learn from it; but without room there is none for
-    // rays.
+    // What a sample has lost rays find; but without room there is none for rays.
     do {
       painter.record(frames, frames.begin(), view, sampled, one, ignored);
       frames.wait(frames.submit());
-    } while (view.learn() && view.lacksRoom());
+    } while (view.makeRoom());
     if (!view.searches()) {
       next_.emplace();
       return true;

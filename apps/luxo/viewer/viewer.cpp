@@ -319,12 +319,11 @@ class Viewer {
     const bool coarser = mean_.begun() && !controls_.refines();
     const bool changed =
         interrupted_ || !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
-    const bool completes = !changed && incomplete_ && view_.completable();
-    const bool repaint = changed || (incomplete_ && !completes);
+    const bool repaint = changed || lackedRoom_;
     // What is said is said at once: a sample may take its time.
     const bool stale =
         damaged_ || swapchain_.generation() != shownGeneration_ || (!repaint && panels() != panels_);
-    const bool rests = !repaint && !completes && !stale && unmeasured_.empty();
+    const bool rests = !repaint && !stale && unmeasured_.empty();
     if (rests && shadowSamples_ < mostShadowSamples_) {
       shadowSamples_ = std::min(shadowSamples_ * kSofter, mostShadowSamples_);
       dirty_ = true;
@@ -332,7 +331,7 @@ class Viewer {
     }
     // What is not complete, or may turn out not to be, is not worth a mean.
     const bool refines = rests && controls_.refines() && !mean_.complete();
-    if (!repaint && !completes && !refines && !stale) return;
+    if (!repaint && !refines && !stale) return;
     const double evaluated = millisecondsSince(start);
 
     if (repaint) mean_.reset();
@@ -347,24 +346,16 @@ class Viewer {
     const auto recording = Clock::now();
     if (repaint) {
       status_.statistics = {};
-      if (changed) view_.refinement.beginPicture();
-      view_.refinement.completes = false;
       patienceEnd_ = start + kPatience;
       painter_.record(frames_, commands, view_, snapshot, draw, status_.statistics);
       interrupted_ = painter_.interrupted();
       if (interrupted_) log(LogLevel::Debug, "interrupted while it made shells");
       status_.statistics.error.found = view_.searches();
-      incomplete_ = false;
+      lackedRoom_ = false;
       pipelines_ += status_.statistics.count.pipelinesCreated;
       shown_ = std::move(snapshot);
       drawn_ = draw;
       ++pictures_;
-    } else if (completes) {
-      FrameStatistics more;
-      view_.refinement.completes = true;
-      painter_.record(frames_, commands, view_, shown_, *drawn_, more);
-      pipelines_ += more.count.pipelinesCreated;
-      incomplete_ = false;
     } else if (refines) {
       mean_.join(frames_, commands, painter_, view_);
     }
@@ -374,7 +365,7 @@ class Viewer {
     status_.size = size();
     panels_ = panels();
     showPanels(commands);
-    if (repaint || completes || refines) ++pictureVersion_;
+    if (repaint || refines) ++pictureVersion_;
     const bool asksColor = controls_.probes() && probe_.record(commands, shownPicture(), pictureVersion_);
     const double recorded = millisecondsSince(recording);
     const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
@@ -391,10 +382,8 @@ class Viewer {
     if (repaint) {
       meter_.addFrame(evaluated + recorded, start);
       noteMouse();
-    }
-    if (repaint || completes) {
       unmeasured_.push_back(submission);
-      dirty_ = true;  // how long it took will be known, and shown, and what it lost
+      dirty_ = true;  // how long it took will be known, and shown, and what it had no room for
     }
     dirty_ |= stale;  // what it kept from being done is next
     if (!refines) return;
@@ -478,18 +467,17 @@ class Viewer {
         std::chrono::duration<double>(1 / window_.refreshRate()));
   }
 
-  // Of pictures that are complete by now: how long they took, and what the last one lost. That will be drawn
-  // next; some of it in the pictures to come, too, where it is likely to be lost again.
+  // Of pictures that are complete by now: how long they took, and whether the last one had room for what is
+  // seen through.
   void measurePictures() {
     if (unmeasured_.empty()) return;
     while (!unmeasured_.empty() && unmeasured_.front() <= context_.timeline().completed()) {
       const auto milliseconds = frames_.milliseconds(unmeasured_.front());
-      if (milliseconds && !view_.refinement.completes)
-        meter_.addDevice(*milliseconds, frames_.parts(unmeasured_.front()));
+      if (milliseconds) meter_.addDevice(*milliseconds, frames_.parts(unmeasured_.front()));
       unmeasured_.pop_front();
     }
-    incomplete_ = view_.learn();
-    dirty_ |= incomplete_ || !unmeasured_.empty();
+    if (unmeasured_.empty()) lackedRoom_ = view_.makeRoom();
+    dirty_ |= lackedRoom_ || !unmeasured_.empty();
   }
 
   [[nodiscard]] std::vector<window::Panel> panels() {
@@ -564,7 +552,7 @@ class Viewer {
   std::uint64_t pictureVersion_ = 0;  // of what is shown, for the probe
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;
   std::deque<std::uint64_t> unmeasured_;  // submissions whose time is still to come
-  bool incomplete_ = false;               // the last picture lacks what was lost in it
+  bool lackedRoom_ = false;               // the last picture lacks some of what is seen through
   bool interrupted_ = false;              // ... or shells that input kept from being made
   Clock::time_point patienceEnd_;         // from here on input does so
 
