@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     bench::registerFrames(context, lamp, bench::Tuning::On);
     bench::registerSurfaces();
     bench::registerScenes();
+    bench::registerModels();
     bench::registerStages(lamp);
     bench::registerStart();
     bench::Report report;

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -181,6 +182,8 @@ std::vector<std::byte> readFile(const fs::path& path) {
     throw Error(ErrorKind::Scene, fmt::format("cannot read '{}': it is no regular file", path.string()),
                 "devices and pipes have no end that one could wait for");
   std::vector<std::byte> bytes;
+  // What it says is its size, unless that is too much to believe before it is read.
+  bytes.reserve(std::size_t(std::clamp<off_t>(status.st_size, 0, off_t(1) << 30)));
   std::array<std::byte, 65536> chunk;
   for (;;) {
     const ssize_t size = ::read(file.get(), chunk.data(), chunk.size());

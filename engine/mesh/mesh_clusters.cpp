@@ -2,17 +2,40 @@
 #include "mesh/mesh_clusters.h"
 
 #include <meshoptimizer.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-
-#include "base/assert.h"
 
 namespace luxo {
 namespace {
 
 constexpr std::uint32_t kRange = 65536;  // vertices that 16 bits number
 constexpr std::uint32_t kUnused = 0xffffffff;
+constexpr unsigned kCachedVertices = 16;  // what devices of any age keep
+// Pieces of work that are worth another thread: some 0.1 ms.
+constexpr std::size_t kWorthThreads = 8192, kClustersAtOnce = 16;
+
+template <class Work>
+void forEachIndex(std::size_t count, const Work& work) {
+  // This thread may hold locks of its caller's, and takes no work of others while it waits.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kClustersAtOnce),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
+                      });
+  });
+}
+
+[[nodiscard]] std::span<std::uint32_t> cornersOf(const MeshCluster& cluster,
+                                                 std::vector<std::uint32_t>& indices) {
+  return std::span(indices).subspan(3 * std::size_t(cluster.firstTriangle),
+                                    3 * std::size_t(cluster.triangles));
+}
 
 // Numbers the vertices in the order of their use, from a new range on where a cluster does not fit the last.
 std::vector<std::uint32_t> numberVertices(std::size_t vertices, std::vector<std::uint32_t>& indices,
@@ -25,8 +48,7 @@ std::vector<std::uint32_t> numberVertices(std::size_t vertices, std::vector<std:
     return numbers[vertex] == kUnused || numbers[vertex] < range;
   };
   for (MeshCluster& cluster : clusters) {
-    const auto corners =
-        std::span(indices).subspan(3 * std::size_t(cluster.firstTriangle), 3 * cluster.triangles);
+    const std::span<std::uint32_t> corners = cornersOf(cluster, indices);
     const auto most = std::size_t(std::count_if(corners.begin(), corners.end(), fresh));
     if (order.size() + most - range > kRange) range = std::uint32_t(order.size());
     cluster.firstVertex = range;
@@ -41,168 +63,122 @@ std::vector<std::uint32_t> numberVertices(std::size_t vertices, std::vector<std:
   return order;
 }
 
-/// Triangles of one group with their own numbers of vertices, so that its cost is its own, and with positions
-/// from -1 to 1, so that no product of them leaves the range of floats.
-class GroupClusters {
+/// What decides into which cluster a triangle goes.
+struct Candidate {
+  /// Its middle, and its normal, which is as long as a cluster is wide: what lies together but faces
+  /// elsewhere is as far apart as clusters are.
+  std::array<float, 6> place{};
+  std::uint32_t triangle = 0;
+};
+
+/// The triangles of a group in a tree of planes, each across what spreads most and with as many clusters on
+/// either side (Bentley, Multidimensional binary search trees used for associative searching, 1975).
+class ClusterTree {
  public:
-  GroupClusters(std::span<const Vec3f> positions, std::span<std::uint32_t> corners,
-                std::vector<std::uint32_t>& numbers)
-      : corners_(corners) {
+  ClusterTree(std::span<const Vec3f> positions, std::span<const std::uint32_t> corners)
+      : candidates_(corners.size() / 3) {
     Box box;
-    for (const std::uint32_t corner : corners) {
-      if (numbers[corner] == kUnused) {
-        numbers[corner] = std::uint32_t(vertices_.size());
-        vertices_.push_back(corner);
-        box.add(Vec3(positions[corner]));
-      }
-      local_.push_back(numbers[corner]);
-    }
+    for (const std::uint32_t corner : corners) box.add(Vec3(positions[corner]));
+    // From -1 to 1 no product leaves the range of floats.
     const Vec3 half = 0.5 * box.extent();
-    const double scale = std::max({half.x, half.y, half.z});
-    for (const std::uint32_t vertex : vertices_) {
-      points_.emplace_back((Vec3(positions[vertex]) - box.center()) / scale);
-      numbers[vertex] = kUnused;
-    }
-  }
-
-  /// Puts the corners into the order of clusters, which are added.
-  void build(const MeshGroup& group, std::vector<MeshCluster>& clusters) {
-    const std::size_t bound = meshopt_buildMeshletsBound(local_.size(), kMeshletVertices, kClusterTriangles);
-    std::vector<meshopt_Meshlet> meshlets(bound);
-    std::vector<std::uint32_t> vertices(bound * kMeshletVertices);
-    std::vector<unsigned char> triangles(bound * kClusterTriangles * 3);
-    meshlets.resize(meshopt_buildMeshlets(meshlets.data(), vertices.data(), triangles.data(), local_.data(),
-                                          local_.size(), &points_[0].x, points_.size(), sizeof(Vec3f),
-                                          kMeshletVertices, kClusterTriangles, kConeWeight));
-    std::size_t done = 0;
-    std::vector<std::uint32_t> cached;
-    for (const meshopt_Meshlet& meshlet : meshlets) {
-      const auto local = std::span(triangles).subspan(meshlet.triangle_offset, 3 * meshlet.triangle_count);
-      cached.assign(local.begin(), local.end());
-      meshopt_optimizeVertexCache(cached.data(), cached.data(), cached.size(), meshlet.vertex_count);
-      clusters.push_back({.firstTriangle = group.firstTriangle + std::uint32_t(done / 3),
-                          .triangles = meshlet.triangle_count,
-                          .material = group.material});
-      for (const std::uint32_t corner : cached)
-        corners_[done++] = vertices_[vertices[meshlet.vertex_offset + corner]];
-    }
-    LUXO_REQUIRE_COMPARE(done, ==, corners_.size());
-  }
-
- private:
-  static constexpr std::size_t kMeshletVertices = 255;  // the most that the library takes
-  // How much narrow cones count against compact clusters; what meshoptimizer's manual begins with.
-  static constexpr float kConeWeight = 0.25f;
-
-  std::span<std::uint32_t> corners_;
-  std::vector<std::uint32_t> local_, vertices_;  ///< vertices_: which each was
-  std::vector<Vec3f> points_;
-};
-
-// Where a cluster lies, and which way it faces.
-struct Place {
-  MeshCluster cluster;
-  Vec3 middle{0}, normal{0};
-};
-
-class ClusterOrder {
- public:
-  ClusterOrder(std::span<const Vec3f> positions, std::vector<std::uint32_t>& indices,
-               std::vector<MeshCluster>& clusters)
-      : indices_(indices), clusters_(clusters) {
-    for (const MeshCluster& cluster : clusters) {
-      Place place{cluster};
-      const auto corners = cornersOf(cluster);
-      const auto at = [&](std::size_t corner) { return Vec3(positions[corners[corner]]); };
-      for (std::size_t i = 0; i < corners.size(); i += 3) {
-        place.normal += unit(glm::cross(at(i + 1) - at(i), at(i + 2) - at(i)));
-        place.middle += at(i) / double(cluster.triangles);
-      }
-      place.normal = unit(place.normal);
-      box_.add(place.middle);
-      places_.push_back(place);
-    }
-  }
-
-  // Along the longest side, each material for itself: then few vertices are at the borders of two ranges.
-  void sortForLocality() {
-    const Vec3 extent = box_.extent();
-    const int axis = extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
-    std::stable_sort(places_.begin(), places_.end(), [axis](const Place& a, const Place& b) {
-      return a.cluster.material != b.cluster.material ? a.cluster.material < b.cluster.material
-                                                      : a.middle[axis] < b.middle[axis];
-    });
-    apply();
-  }
-
-  // What faces outward far from the middle hides most of the rest, so it comes first (Sander, Nehab, Barczak,
-  // Fast triangle reordering for vertex locality and reduced overdraw, 2007); within what shares a range of
-  // vertices.
-  void sortForOverdraw() {
-    for (std::size_t i = 0; i < places_.size(); ++i) places_[i].cluster = clusters_[i];
-    const auto outward = [&](const Place& place) {
-      return glm::dot(place.middle - box_.center(), place.normal);
+    const double scale = 1 / std::max({half.x, half.y, half.z});
+    const auto at = [&](std::size_t corner) {
+      return (Vec3(positions[corners[corner]]) - box.center()) * scale;
     };
-    for (auto begin = places_.begin(); begin != places_.end();) {
-      const auto end = std::find_if(begin, places_.end(), [&](const Place& place) {
-        return place.cluster.material != begin->cluster.material ||
-               place.cluster.firstVertex != begin->cluster.firstVertex;
-      });
-      std::stable_sort(begin, end, [&](const Place& a, const Place& b) { return outward(a) > outward(b); });
-      begin = end;
+    double area = 0;
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+      area += 0.5 * glm::length(glm::cross(at(i + 1) - at(i), at(i + 2) - at(i)));
+    const double width = std::sqrt(area / double(candidates_.size()) * kClusterTriangles);
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const Vec3 a = at(3 * i), b = at(3 * i + 1), c = at(3 * i + 2);
+      const Vec3f middle((a + b + c) / 3.0), normal(width * unit(glm::cross(b - a, c - a)));
+      candidates_[i] = {{middle.x, middle.y, middle.z, normal.x, normal.y, normal.z}, std::uint32_t(i)};
     }
-    apply();
+    tbb::this_task_arena::isolate([&] { split(candidates_); });
   }
+
+  /// The order of the triangles: each kClusterTriangles are a cluster, and the rest.
+  [[nodiscard]] const std::vector<Candidate>& order() const { return candidates_; }
 
  private:
-  [[nodiscard]] std::span<const std::uint32_t> cornersOf(const MeshCluster& cluster) const {
-    return std::span(indices_).subspan(3 * std::size_t(cluster.firstTriangle),
-                                       3 * std::size_t(cluster.triangles));
-  }
-  void apply() {
-    std::vector<std::uint32_t> sorted;
-    sorted.reserve(indices_.size());
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const auto corners = cornersOf(places_[i].cluster);
-      places_[i].cluster.firstTriangle = std::uint32_t(sorted.size() / 3);
-      sorted.insert(sorted.end(), corners.begin(), corners.end());
-      clusters_[i] = places_[i].cluster;
+  static void split(std::span<Candidate> candidates) {
+    if (candidates.size() <= kClusterTriangles) {
+      std::sort(candidates.begin(), candidates.end(),
+                [](const Candidate& a, const Candidate& b) { return a.triangle < b.triangle; });
+      return;
     }
-    indices_ = std::move(sorted);
+    const std::size_t clusters = (candidates.size() + kClusterTriangles - 1) / kClusterTriangles;
+    const std::size_t lower = clusters / 2 * kClusterTriangles;
+    std::nth_element(candidates.begin(), candidates.begin() + std::ptrdiff_t(lower), candidates.end(),
+                     [axis = widestAxis(candidates)](const Candidate& a, const Candidate& b) {
+                       return a.place[axis] != b.place[axis] ? a.place[axis] < b.place[axis]
+                                                             : a.triangle < b.triangle;
+                     });
+    const auto below = [&] { split(candidates.first(lower)); };
+    const auto above = [&] { split(candidates.subspan(lower)); };
+    candidates.size() >= kWorthThreads ? tbb::parallel_invoke(below, above) : (below(), above());
+  }
+  [[nodiscard]] static std::size_t widestAxis(std::span<const Candidate> candidates) {
+    std::array<float, 6> low = candidates.front().place, high = low;
+    for (const Candidate& candidate : candidates)
+      for (std::size_t axis = 0; axis < 6; ++axis) {
+        low[axis] = std::min(low[axis], candidate.place[axis]);
+        high[axis] = std::max(high[axis], candidate.place[axis]);
+      }
+    std::size_t widest = 0;
+    for (std::size_t axis = 1; axis < 6; ++axis)
+      if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
+    return widest;
   }
 
-  std::vector<std::uint32_t>& indices_;
-  std::vector<MeshCluster>& clusters_;
-  std::vector<Place> places_;
-  Box box_;
+  std::vector<Candidate> candidates_;
 };
 
-}  // namespace
-
-std::vector<MeshCluster> makeClusters(std::span<const Vec3f> positions, std::vector<std::uint32_t>& indices,
-                                      std::vector<MeshGroup>& groups, std::vector<std::uint32_t>& order) {
-  std::vector<MeshCluster> clusters;
-  {
-    std::vector<std::uint32_t> numbers(positions.size(), kUnused);
-    for (MeshGroup& group : groups) {
-      group.firstCluster = std::uint32_t(clusters.size());
-      const auto corners =
-          std::span(indices).subspan(3 * std::size_t(group.firstTriangle), 3 * std::size_t(group.triangles));
-      GroupClusters(positions, corners, numbers).build(group, clusters);
-      group.clusters = std::uint32_t(clusters.size()) - group.firstCluster;
+/// Puts the triangles of a cluster into the order of a vertex cache.
+void orderForCache(std::span<std::uint32_t> corners) {
+  // The vertices by their own numbers; more slots than a cluster has corners.
+  constexpr std::size_t kSlots = 512;
+  static_assert(kSlots > 3 * kClusterTriangles && std::has_single_bit(kSlots));
+  std::array<std::uint32_t, kSlots> numbers;
+  numbers.fill(kUnused);
+  std::array<std::uint32_t, 3 * kClusterTriangles> vertices{}, local{}, ordered{};
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    std::size_t slot = corners[i] % kSlots;
+    while (numbers[slot] != kUnused && vertices[numbers[slot]] != corners[i]) slot = (slot + 1) % kSlots;
+    if (numbers[slot] == kUnused) {
+      vertices[count] = corners[i];
+      numbers[slot] = count++;
     }
+    local[i] = numbers[slot];
   }
-  ClusterOrder sorting(positions, indices, clusters);
-  sorting.sortForLocality();
-  order = numberVertices(positions.size(), indices, clusters);
-  sorting.sortForOverdraw();
-  return clusters;
+  meshopt_optimizeVertexCacheFifo(ordered.data(), local.data(), corners.size(), count, kCachedVertices);
+  for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = vertices[ordered[i]];
 }
 
-void boundCluster(MeshCluster& cluster, std::span<const Vec3f> positions, const Vec3& origin,
-                  std::span<const std::uint32_t> indices) {
+/// Puts the corners of a group into the order of clusters, which are added.
+void clusterGroup(std::span<const Vec3f> positions, MeshGroup& group, std::vector<std::uint32_t>& indices,
+                  std::vector<MeshCluster>& clusters) {
   const auto corners =
-      indices.subspan(3 * std::size_t(cluster.firstTriangle), 3 * std::size_t(cluster.triangles));
+      std::span(indices).subspan(3 * std::size_t(group.firstTriangle), 3 * std::size_t(group.triangles));
+  {
+    const ClusterTree tree(positions, corners);
+    const std::vector<std::uint32_t> given(corners.begin(), corners.end());
+    for (std::size_t i = 0; i < tree.order().size(); ++i)
+      std::copy_n(given.begin() + 3 * std::ptrdiff_t(tree.order()[i].triangle), 3,
+                  corners.begin() + 3 * std::ptrdiff_t(i));
+  }
+  group.firstCluster = std::uint32_t(clusters.size());
+  group.clusters = (group.triangles + kClusterTriangles - 1) / kClusterTriangles;
+  for (std::uint32_t done = 0; done < group.triangles; done += kClusterTriangles)
+    clusters.push_back({.firstTriangle = group.firstTriangle + done,
+                        .triangles = std::min(kClusterTriangles, group.triangles - done),
+                        .material = group.material});
+}
+
+/// Box, sphere and cone of normals, all rounded outward.
+void boundCluster(MeshCluster& cluster, std::span<const Vec3f> positions, const Vec3& origin,
+                  std::span<const std::uint32_t> corners) {
   const auto at = [&](std::size_t corner) { return Vec3(positions[corners[corner]]); };
   for (std::size_t i = 0; i < corners.size(); ++i) cluster.bounds.add(origin + at(i));
   cluster.sphere.center = cluster.bounds.center();
@@ -235,6 +211,51 @@ void boundCluster(MeshCluster& cluster, std::span<const Vec3f> positions, const 
                       within ? glm::length(glm::cross(normals[i], cluster.axis)) + doubts[i] + 1e-15 : 1.0);
   }
   cluster.spread = spread < 1 ? spread : 1;
+}
+
+// What faces outward far from the middle hides most of the rest, so it comes first (Sander, Nehab, Barczak,
+// Fast triangle reordering for vertex locality and reduced overdraw, 2007); within what shares a range of
+// vertices.
+void sortForOverdraw(std::vector<MeshCluster>& clusters, std::vector<std::uint32_t>& indices) {
+  Box middles;
+  for (const MeshCluster& cluster : clusters) middles.add(cluster.sphere.center);
+  const auto outward = [&](const MeshCluster& cluster) {
+    return glm::dot(cluster.sphere.center - middles.center(), cluster.axis);
+  };
+  std::vector<std::uint32_t> sorted;
+  sorted.reserve(indices.size());
+  for (auto begin = clusters.begin(); begin != clusters.end();) {
+    const auto end = std::find_if(begin, clusters.end(), [&](const MeshCluster& cluster) {
+      return cluster.material != begin->material || cluster.firstVertex != begin->firstVertex;
+    });
+    std::stable_sort(begin, end,
+                     [&](const MeshCluster& a, const MeshCluster& b) { return outward(a) > outward(b); });
+    for (; begin != end; ++begin) {
+      const auto corners = cornersOf(*begin, indices);
+      begin->firstTriangle = std::uint32_t(sorted.size() / 3);
+      sorted.insert(sorted.end(), corners.begin(), corners.end());
+    }
+  }
+  indices = std::move(sorted);
+}
+
+}  // namespace
+
+std::vector<MeshCluster> makeClusters(std::span<const Vec3f> positions, std::vector<std::uint32_t>& indices,
+                                      std::vector<MeshGroup>& groups, std::vector<std::uint32_t>& order) {
+  std::vector<MeshCluster> clusters;
+  for (MeshGroup& group : groups) clusterGroup(positions, group, indices, clusters);
+  forEachIndex(clusters.size(), [&](std::size_t i) { orderForCache(cornersOf(clusters[i], indices)); });
+  order = numberVertices(positions.size(), indices, clusters);
+  return clusters;
+}
+
+void boundClusters(std::vector<MeshCluster>& clusters, std::span<const Vec3f> positions, const Vec3& origin,
+                   std::vector<std::uint32_t>& indices) {
+  forEachIndex(clusters.size(), [&](std::size_t i) {
+    boundCluster(clusters[i], positions, origin, cornersOf(clusters[i], indices));
+  });
+  sortForOverdraw(clusters, indices);
 }
 
 }  // namespace luxo

@@ -10,9 +10,8 @@ namespace luxo {
 
 std::vector<std::uint32_t> pointNumbers(std::span<const Vec3f> positions) {
   std::vector<std::uint32_t> numbers(positions.size());
-  WeldingTable table(
-      positions.size(), [&](std::uint32_t i) { return mixed(0, positions[i]); },
-      [&](std::uint32_t i, std::uint32_t j) { return positions[i] == positions[j]; });
+  WeldingTable table([&](std::uint32_t i) { return mixed(0, positions[i]); },
+                     [&](std::uint32_t i, std::uint32_t j) { return positions[i] == positions[j]; });
   for (std::uint32_t i = 0; i < positions.size(); ++i) numbers[i] = table.firstEqual(i);
   return numbers;
 }

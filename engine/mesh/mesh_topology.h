@@ -32,6 +32,7 @@ struct EdgeUse {
 /// an edge, linear in time but for the sorting at each point.
 class EdgeList {
  public:
+  EdgeList() = default;
   explicit EdgeList(std::span<const std::uint32_t> corners, std::size_t points);
 
   /// Calls action(uses) for every edge with all that use it, in a fixed order.

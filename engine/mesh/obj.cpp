@@ -10,7 +10,6 @@
 #include "mesh/mtl.h"
 #include "mesh/polygon.h"
 #include "mesh/text_lines.h"
-#include "mesh/welding.h"
 
 namespace luxo {
 namespace {
@@ -21,40 +20,6 @@ constexpr std::uint32_t kUnnumbered = 0xffffffff;
 struct Corner {
   std::uint32_t position = 0, uv = kUnnumbered, normal = kUnnumbered;
   friend bool operator==(const Corner&, const Corner&) = default;
-};
-
-/// Numbers different corners as they come: open addresses, doubled when half full.
-class CornerNumbers {
- public:
-  std::uint32_t numberOf(const Corner& corner) {
-    if (2 * corners_.size() >= slots_.size()) grow();
-    std::uint32_t& slot = slotOf(corner);
-    if (slot == kUnnumbered) {
-      slot = std::uint32_t(corners_.size());
-      corners_.push_back(corner);
-    }
-    return slot;
-  }
-  [[nodiscard]] std::vector<Corner> take() {
-    slots_ = {};
-    return std::move(corners_);
-  }
-
- private:
-  std::uint32_t& slotOf(const Corner& corner) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot =
-        mixed(mixed(0, std::uint64_t(corner.position) << 32 | corner.uv), corner.normal) & mask;
-    while (slots_[slot] != kUnnumbered && corners_[slots_[slot]] != corner) slot = (slot + 1) & mask;
-    return slots_[slot];
-  }
-  void grow() {
-    slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), kUnnumbered);
-    for (std::uint32_t i = 0; i < corners_.size(); ++i) slotOf(corners_[i]) = i;
-  }
-
-  std::vector<Corner> corners_;
-  std::vector<std::uint32_t> slots_;
 };
 
 class ObjReader {
@@ -87,7 +52,7 @@ class ObjReader {
 
   void readLine(std::string_view key) {
     if (key == "v")
-      positions_.push_back(three<Vec3>("a coordinate"));
+      readPosition();
     else if (key == "vn")
       normals_.push_back(three<Vec3f>("a normal's coordinate"));
     else if (key == "vt")
@@ -109,6 +74,11 @@ class ObjReader {
     V v;
     for (int i = 0; i < 3; ++i) v[i] = typename V::value_type(lines_.number(what));
     return v;
+  }
+
+  void readPosition() {
+    positions_.push_back(three<Vec3>("a coordinate"));
+    lastVertices_.push_back(kUnnumbered);
   }
 
   // Its v counts from the bottom of the image; a model's from the top.
@@ -152,12 +122,23 @@ class ObjReader {
     return corner;
   }
 
+  // Faces around a position mostly agree on its uv and normal. Where they do not, a vertex may come twice,
+  // until the mesh is welded.
+  std::uint32_t vertexOf(const Corner& corner) {
+    std::uint32_t& last = lastVertices_[corner.position];
+    if (last == kUnnumbered || vertices_[last] != corner) {
+      last = std::uint32_t(vertices_.size());
+      vertices_.push_back(corner);
+    }
+    return last;
+  }
+
   void readFace() {
     face_.clear();
     facePoints_.clear();
     for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word()) {
       const Corner read = corner(word);
-      face_.push_back(vertices_.numberOf(read));
+      face_.push_back(vertexOf(read));
       facePoints_.push_back(positions_[read.position]);
     }
     if (face_.size() < 3) lines_.refuse(fmt::format("a face of {} vertices", face_.size()));
@@ -263,17 +244,25 @@ class ObjReader {
   }
 
   MeshArrays arrays() {
-    const std::vector<Corner> corners = vertices_.take();
+    // What is done with goes at once: the mesh needs the room.
+    lastVertices_ = std::vector<std::uint32_t>();
+    const std::vector<Corner> corners = std::move(vertices_);
+    const std::vector<Vec3> positions = std::move(positions_);
+    const std::vector<Vec3f> normals = std::move(normals_);
+    const std::vector<Vec2f> uvs = std::move(uvs_);
     MeshArrays arrays;
     arrays.positions.reserve(corners.size());
-    for (const Corner& corner : corners) arrays.positions.push_back(positions_[corner.position]);
-    positions_ = {};
-    if (!normals_.empty())
+    for (const Corner& corner : corners) arrays.positions.push_back(positions[corner.position]);
+    if (!normals.empty()) {
+      arrays.normals.reserve(corners.size());
       for (const Corner& corner : corners)
-        arrays.normals.push_back(corner.normal == kUnnumbered ? Vec3f(0) : normals_[corner.normal]);
-    if (!uvs_.empty())
+        arrays.normals.push_back(corner.normal == kUnnumbered ? Vec3f(0) : normals[corner.normal]);
+    }
+    if (!uvs.empty()) {
+      arrays.uvs.reserve(corners.size());
       for (const Corner& corner : corners)
-        arrays.uvs.push_back(corner.uv == kUnnumbered ? Vec2f(0) : uvs_[corner.uv]);
+        arrays.uvs.push_back(corner.uv == kUnnumbered ? Vec2f(0) : uvs[corner.uv]);
+    }
     arrays.indices = std::move(triangles_);
     arrays.materials = std::move(materials_);
     arrays.smoothing = std::move(smoothings_);
@@ -287,7 +276,8 @@ class ObjReader {
   std::vector<Vec3> positions_;
   std::vector<Vec2f> uvs_;
   std::vector<Vec3f> normals_;
-  CornerNumbers vertices_;
+  std::vector<Corner> vertices_;
+  std::vector<std::uint32_t> lastVertices_;  ///< at each position, the last that came
   std::vector<std::uint32_t> face_, faceCorners_, triangles_;
   std::vector<Vec3> facePoints_;
   std::vector<std::uint32_t> materials_, smoothings_;

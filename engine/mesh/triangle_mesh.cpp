@@ -136,11 +136,11 @@ std::uint64_t dropTriangles(const std::vector<Vec3f>& positions, MeshArrays& arr
   return triangles - kept;
 }
 
-MeshEdges edgesOf(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& indices) {
+EdgeList edgesOf(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& indices) {
   const std::vector<std::uint32_t> points = pointNumbers(positions);
   std::vector<std::uint32_t> corners(indices.size());
   std::transform(indices.begin(), indices.end(), corners.begin(), [&](std::uint32_t i) { return points[i]; });
-  return EdgeList(corners, positions.size()).count();
+  return EdgeList(corners, positions.size());
 }
 
 // Sorts the triangles by their material, which keeps the order of equals.
@@ -199,20 +199,24 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   data->origin = originOf(arrays.positions);
 
   MeshVertices& vertices = data->vertices;
-  vertices.positions.reserve(arrays.positions.size());
-  for (const Vec3& position : arrays.positions)
-    vertices.positions.push_back(Vec3f(position - data->origin) + 0.0f);  // + 0: no -0
-  arrays.positions = {};
+  {
+    const std::vector<Vec3> given = std::move(arrays.positions);
+    vertices.positions.reserve(given.size());
+    for (const Vec3& position : given)
+      vertices.positions.push_back(Vec3f(position - data->origin) + 0.0f);  // + 0: no -0
+  }
   vertices.normals = std::move(arrays.normals);
   vertices.uvs = std::move(arrays.uvs);
   for (Vec2f& uv : vertices.uvs) uv += 0.0f;
 
   if (!vertices.normals.empty()) turnFronts(vertices, arrays.indices);
   // Slivers that fill the gap beside a vertex on an edge belong to the whole, so edges are counted with them.
-  data->edges = edgesOf(vertices.positions, arrays.indices);
+  EdgeList edges = edgesOf(vertices.positions, arrays.indices);
+  data->edges = edges.count();
   data->dropped = dropTriangles(vertices.positions, arrays);
   if (arrays.indices.empty()) refuse(name, "it has no triangle with an area");
-  giveNormals(vertices, arrays.indices, arrays.smoothing, options);
+  if (data->dropped > 0) edges = edgesOf(vertices.positions, arrays.indices);
+  giveNormals(vertices, arrays.indices, std::move(edges), arrays.smoothing, options);
   if (options.tangents) data->tangents = giveTangents(vertices, arrays.indices);
   data->groups = groupByMaterial(arrays.indices, arrays.materials);
 
@@ -223,10 +227,8 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   vertices.uvs = reordered(vertices.uvs, order);
   data->tangents = reordered(data->tangents, order);
   data->indices = std::move(arrays.indices);
-  for (MeshCluster& cluster : data->clusters) {
-    boundCluster(cluster, vertices.positions, data->origin, data->indices);
-    data->bounds.add(cluster.bounds);
-  }
+  boundClusters(data->clusters, vertices.positions, data->origin, data->indices);
+  for (const MeshCluster& cluster : data->clusters) data->bounds.add(cluster.bounds);
   return TriangleMesh(std::move(data));
 }
 

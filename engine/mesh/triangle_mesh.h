@@ -146,9 +146,9 @@ class TriangleMesh {
 
 /// Makes a mesh. Equal arrays give equal meshes. Error(Scene), naming the mesh, the vertex or triangle and
 /// the value: numbers that are not finite or too large, indices beyond the end, arrays whose lengths do not
-/// agree, no triangle with an area, tangents without uvs. Cost, of a
-/// closed million: about 1.1 s, 130 bytes a triangle meanwhile, and 25 of what stays, 12 more with uvs and
-/// tangents.
+/// agree, no triangle with an area, tangents without uvs. In parallel; the mesh does not depend on the number
+/// of threads. Cost, of a closed million: about 0.45 s on one core, 75 bytes a triangle meanwhile, and 25 of
+/// what stays, 12 more with uvs and tangents.
 [[nodiscard]] TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name = "mesh",
                                         const MeshOptions& options = {});
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/vertex_normals.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "math/disjoint_sets.h"
-#include "mesh/mesh_topology.h"
 #include "mesh/welding.h"
 
 namespace luxo {
@@ -15,42 +17,54 @@ constexpr Vec3f kNotGiven{0};
 // Two roundings to float of each component: off by 1e-7.
 Vec3f unitFloat(const Vec3& v) { return Vec3f(unit(v)) + 0.0f; }
 
+/// Normals by their numbers, of which every corner has one.
+struct CornerNormals {
+  std::vector<std::uint32_t> numbers;
+  std::vector<Vec3f> normals;
+};
+
 class NormalMaker {
  public:
   NormalMaker(const MeshVertices& vertices, std::span<const std::uint32_t> indices,
               std::span<const std::uint32_t> smoothing, double crease)
       : vertices_(vertices), indices_(indices), smoothing_(smoothing), cosCrease_(std::cos(crease)) {}
 
-  [[nodiscard]] std::vector<Vec3f> flat() const {
-    std::vector<Vec3f> normals(indices_.size());
-    for (std::uint32_t corner = 0; corner < indices_.size(); ++corner)
-      normals[corner] = corner % 3 == 0 ? unitFloat(triangleNormal(corner)) : normals[corner - 1];
-    return normals;
+  [[nodiscard]] CornerNormals flat() const {
+    CornerNormals flat{.numbers = std::vector<std::uint32_t>(indices_.size())};
+    for (std::uint32_t corner = 0; corner < indices_.size(); ++corner) {
+      if (corner % 3 == 0) flat.normals.push_back(unitFloat(triangleNormal(corner)));
+      flat.numbers[corner] = corner / 3;
+    }
+    return flat;
   }
 
   // The triangles around a point are one set from crease to crease; their mean is weighed by their angles
   // there (Thuermer, Wuethrich, Computing vertex normals from polygonal facets, 1998).
-  [[nodiscard]] std::vector<Vec3f> smooth() const {
-    const DisjointSets sets = smoothSets();
-    std::vector<std::uint32_t> setOf(indices_.size());
-    std::vector<Vec3> sums;
-    for (std::uint32_t corner = 0; corner < indices_.size(); ++corner) {
-      const std::uint32_t root = sets.find(corner).number;
-      if (root == corner) {
-        setOf[corner] = std::uint32_t(sums.size());
-        sums.emplace_back(0);
-      } else {
-        setOf[corner] = setOf[root];  // a root is the smallest of its set
+  [[nodiscard]] CornerNormals smooth(EdgeList edges) const {
+    CornerNormals smooth;
+    std::uint32_t count = 0;
+    {
+      const DisjointSets sets = smoothSets(std::move(edges));
+      smooth.numbers.resize(indices_.size());
+      for (std::uint32_t corner = 0; corner < indices_.size(); ++corner) {
+        const std::uint32_t root = sets.find(corner).number;  // the smallest of its set
+        smooth.numbers[corner] = root == corner ? count++ : smooth.numbers[root];
       }
-      sums[setOf[corner]] += angleAt(corner) * unit(triangleNormal(corner));
     }
-    std::vector<Vec3f> normals(indices_.size());
-    for (std::uint32_t corner = 0; corner < indices_.size(); ++corner) {
-      const Vec3& sum = sums[setOf[corner]];
-      normals[corner] =
-          unitFloat(glm::dot(sum, sum) > kCancelled * kCancelled ? sum : triangleNormal(corner));
+    std::vector<Vec3> sums(count, Vec3(0));
+    for (std::uint32_t first = 0; first < indices_.size(); first += 3) {
+      const Vec3 normal = unit(triangleNormal(first));
+      const std::array<double, 3> angles = anglesOf(first);
+      for (std::uint32_t i = 0; i < 3; ++i) sums[smooth.numbers[first + i]] += angles[i] * normal;
     }
-    return normals;
+    smooth.normals.reserve(count);
+    for (std::uint32_t corner = 0; smooth.normals.size() < count; ++corner) {
+      if (smooth.numbers[corner] != smooth.normals.size()) continue;  // not the first of its set
+      const Vec3& sum = sums[smooth.normals.size()];
+      smooth.normals.push_back(
+          unitFloat(glm::dot(sum, sum) > kCancelled * kCancelled ? sum : triangleNormal(corner)));
+    }
+    return smooth;
   }
 
  private:
@@ -61,9 +75,12 @@ class NormalMaker {
     const std::uint32_t first = corner - corner % 3;
     return glm::cross(at(first + 1) - at(first), at(first + 2) - at(first));
   }
-  [[nodiscard]] double angleAt(std::uint32_t corner) const {
-    const Vec3 a = at(nextCorner(corner)) - at(corner), b = at(previousCorner(corner)) - at(corner);
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  // They are half a turn together.
+  [[nodiscard]] std::array<double, 3> anglesOf(std::uint32_t first) const {
+    const Vec3 a = at(first + 1) - at(first), b = at(first + 2) - at(first), c = b - a;
+    const double area = glm::length(glm::cross(a, b));
+    const double atFirst = std::atan2(area, glm::dot(a, b)), atSecond = std::atan2(area, -glm::dot(a, c));
+    return {atFirst, atSecond, std::max(0.0, kPi - atFirst - atSecond)};
   }
   [[nodiscard]] bool smoothAcross(const EdgeUse& a, const EdgeUse& b) const {
     if (a.forward == b.forward) return false;
@@ -73,15 +90,9 @@ class NormalMaker {
     }
     return glm::dot(unit(triangleNormal(a.corner)), unit(triangleNormal(b.corner))) > cosCrease_;
   }
-  [[nodiscard]] DisjointSets smoothSets() const {
-    std::vector<std::uint32_t> corners = pointNumbers(vertices_.positions);
-    {
-      std::vector<std::uint32_t> cornerPoints(indices_.size());
-      for (std::size_t i = 0; i < indices_.size(); ++i) cornerPoints[i] = corners[indices_[i]];
-      corners = std::move(cornerPoints);
-    }
+  [[nodiscard]] DisjointSets smoothSets(EdgeList edges) const {
     DisjointSets sets(indices_.size());
-    EdgeList(corners, vertices_.positions.size()).forEach([&](std::span<const EdgeUse> uses) {
+    edges.forEach([&](std::span<const EdgeUse> uses) {
       if (uses.size() != 2 || !smoothAcross(uses[0], uses[1])) return;
       sets.unite(uses[0].corner, nextCorner(uses[1].corner));
       sets.unite(nextCorner(uses[0].corner), uses[1].corner);
@@ -95,63 +106,90 @@ class NormalMaker {
   double cosCrease_;
 };
 
-// Corner i is of vertex indices[i] with normal normalOf(i).
-template <class NormalOf>
-void weld(MeshVertices& vertices, std::vector<std::uint32_t>& indices, NormalOf normalOf, std::size_t records,
-          bool corners) {
-  const auto vertexOf = [&](std::uint32_t record) { return corners ? indices[record] : record; };
-  const bool hasUvs = !vertices.uvs.empty();
-  WeldingTable table(
-      records,
-      [&](std::uint32_t i) {
-        std::uint64_t hash = mixed(mixed(0, vertices.positions[vertexOf(i)]), normalOf(i));
-        return hasUvs ? mixed(hash, vertices.uvs[vertexOf(i)]) : hash;
-      },
-      [&](std::uint32_t i, std::uint32_t j) {
-        return vertices.positions[vertexOf(i)] == vertices.positions[vertexOf(j)] &&
-               normalOf(i) == normalOf(j) &&
-               (!hasUvs || vertices.uvs[vertexOf(i)] == vertices.uvs[vertexOf(j)]);
-      });
-  constexpr std::uint32_t kUnused = 0xffffffff;
-  std::vector<std::uint32_t> numberOf(records, kUnused);
-  MeshVertices welded;
-  for (std::uint32_t i = 0; i < indices.size(); ++i) {
-    const std::uint32_t record = corners ? i : indices[i], first = table.firstEqual(record);
-    if (numberOf[first] == kUnused) {
-      numberOf[first] = std::uint32_t(welded.positions.size());
-      welded.positions.push_back(vertices.positions[vertexOf(record)]);
-      welded.normals.push_back(normalOf(record));
-      if (hasUvs) welded.uvs.push_back(vertices.uvs[vertexOf(record)]);
+/// Vertices that differ, as they come.
+class WeldedVertices {
+ public:
+  explicit WeldedVertices(bool uvs) : uvs_(uvs) {}
+
+  std::uint32_t numberOf(const Vec3f& position, const Vec3f& normal, const Vec2f& uv) {
+    const auto last = std::uint32_t(vertices_.positions.size());
+    vertices_.positions.push_back(position);
+    vertices_.normals.push_back(normal);
+    if (uvs_) vertices_.uvs.push_back(uv);
+    const std::uint32_t number = table_.firstEqual(last);
+    if (number != last) {
+      vertices_.positions.pop_back();
+      vertices_.normals.pop_back();
+      if (uvs_) vertices_.uvs.pop_back();
     }
-    numberOf[record] = numberOf[first];
+    return number;
   }
-  for (std::uint32_t i = 0; i < indices.size(); ++i) indices[i] = numberOf[corners ? i : indices[i]];
-  vertices = std::move(welded);
+  [[nodiscard]] MeshVertices take() { return std::move(vertices_); }
+
+ private:
+  struct Hash {
+    const WeldedVertices& welded;
+    std::uint64_t operator()(std::uint32_t i) const {
+      const MeshVertices& vertices = welded.vertices_;
+      const std::uint64_t hash = mixed(mixed(0, vertices.positions[i]), vertices.normals[i]);
+      return welded.uvs_ ? mixed(hash, vertices.uvs[i]) : hash;
+    }
+  };
+  struct Equal {
+    const WeldedVertices& welded;
+    bool operator()(std::uint32_t i, std::uint32_t j) const {
+      const MeshVertices& vertices = welded.vertices_;
+      return vertices.positions[i] == vertices.positions[j] && vertices.normals[i] == vertices.normals[j] &&
+             (!welded.uvs_ || vertices.uvs[i] == vertices.uvs[j]);
+    }
+  };
+
+  bool uvs_;
+  MeshVertices vertices_;
+  WeldingTable<Hash, Equal> table_{Hash{*this}, Equal{*this}};
+};
+
+void weld(MeshVertices& vertices, std::vector<std::uint32_t>& indices, const CornerNormals& corners) {
+  constexpr std::uint32_t kNone = 0xffffffff;
+  WeldedVertices welded(!vertices.uvs.empty());
+  // Corners that share a normal mostly share a vertex, too: then there is nothing to search for.
+  struct Vertex {
+    std::uint32_t given = kNone, welded = kNone;
+  };
+  std::vector<Vertex> lastOf(corners.normals.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::uint32_t normal = corners.numbers[i];
+    Vertex& last = lastOf[normal];
+    if (last.given != indices[i])
+      last = {indices[i], welded.numberOf(vertices.positions[indices[i]], corners.normals[normal],
+                                          vertices.uvs.empty() ? Vec2f(0) : vertices.uvs[indices[i]])};
+    indices[i] = last.welded;
+  }
+  vertices = welded.take();
 }
 
 }  // namespace
 
-void giveNormals(MeshVertices& vertices, std::vector<std::uint32_t>& indices,
+void giveNormals(MeshVertices& vertices, std::vector<std::uint32_t>& indices, EdgeList edges,
                  std::span<const std::uint32_t> smoothing, const MeshOptions& options) {
   const bool given = options.normals == NormalRule::Given && !vertices.normals.empty();
   if (given)
     for (Vec3f& normal : vertices.normals) normal = unitFloat(Vec3(normal));
-  bool complete = given;
-  for (std::size_t i = 0; complete && i < indices.size(); ++i)
-    complete = vertices.normals[indices[i]] != kNotGiven;
-  if (complete) {
-    const std::vector<Vec3f> normals = std::move(vertices.normals);
-    weld(
-        vertices, indices, [&](std::uint32_t vertex) { return normals[vertex]; }, normals.size(), false);
-    return;
-  }
-  const NormalMaker maker(vertices, indices, smoothing, options.crease);
-  std::vector<Vec3f> normals = options.normals == NormalRule::Flat ? maker.flat() : maker.smooth();
-  if (given)
+  const auto isGiven = [&](std::uint32_t vertex) { return given && vertices.normals[vertex] != kNotGiven; };
+  CornerNormals corners;
+  if (std::all_of(indices.begin(), indices.end(), isGiven)) {
+    edges = {};
+    corners = {.numbers = indices, .normals = std::move(vertices.normals)};
+  } else {
+    const NormalMaker maker(vertices, indices, smoothing, options.crease);
+    corners = options.normals == NormalRule::Flat ? maker.flat() : maker.smooth(std::move(edges));
     for (std::size_t i = 0; i < indices.size(); ++i)
-      if (vertices.normals[indices[i]] != kNotGiven) normals[i] = vertices.normals[indices[i]];
-  weld(
-      vertices, indices, [&](std::uint32_t corner) { return normals[corner]; }, normals.size(), true);
+      if (isGiven(indices[i])) {
+        corners.numbers[i] = std::uint32_t(corners.normals.size());
+        corners.normals.push_back(vertices.normals[indices[i]]);
+      }
+  }
+  weld(vertices, indices, corners);
 }
 
 }  // namespace luxo

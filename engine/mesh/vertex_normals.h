@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/mesh_topology.h"
 #include "mesh/triangle_mesh.h"
 
 namespace luxo {
@@ -18,8 +19,9 @@ struct MeshVertices {
 
 /// Gives every corner of the triangles (three indices each) its normal by the rule, and welds: `vertices`
 /// become those that differ in position, uv or normal, in the order of their first use, and `indices` theirs.
-/// Every triangle has an area. `vertices` has normals, of any length, or none. `smoothing` as in MeshArrays.
-void giveNormals(MeshVertices& vertices, std::vector<std::uint32_t>& indices,
+/// Every triangle has an area. `vertices` has normals, of any length, or none. `edges` are those of the
+/// triangles, between points; `smoothing` as in MeshArrays.
+void giveNormals(MeshVertices& vertices, std::vector<std::uint32_t>& indices, EdgeList edges,
                  std::span<const std::uint32_t> smoothing, const MeshOptions& options);
 
 }  // namespace luxo

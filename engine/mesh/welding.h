@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,26 +27,40 @@ namespace luxo {
                std::uint64_t(std::bit_cast<std::uint32_t>(v.x)) << 32 | std::bit_cast<std::uint32_t>(v.y));
 }
 
-/// Records by their numbers, which the caller keeps: a table of open addresses.
+/// Records by their numbers, which the caller keeps: a table of open addresses, doubled when half full.
 template <class Hash, class Equal>
 class WeldingTable {
  public:
-  /// For up to `count` different records; hash(i), equal(i, j).
-  WeldingTable(std::size_t count, Hash hash, Equal equal)
-      : slots_(std::bit_ceil(2 * count + 1), kFree), hash_(hash), equal_(equal) {}
+  /// hash(i), equal(i, j).
+  WeldingTable(Hash hash, Equal equal) : slots_(64, kFree), hash_(hash), equal_(equal) {}
 
   /// The number of the record that came first of those equal to record i, which is i where there was none.
   [[nodiscard]] std::uint32_t firstEqual(std::uint32_t i) {
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash_(i) & mask;; slot = (slot + 1) & mask) {
-      if (slots_[slot] == kFree) return slots_[slot] = i;
-      if (equal_(slots_[slot], i)) return slots_[slot];
-    }
+    std::uint32_t& slot = slotOf(i);
+    if (slot != kFree) return slot;
+    slot = i;
+    if (2 * ++count_ > slots_.size()) grow();
+    return i;
   }
 
  private:
   static constexpr std::uint32_t kFree = 0xffffffff;
+
+  std::uint32_t& slotOf(std::uint32_t i) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hash_(i) & mask;
+    while (slots_[slot] != kFree && !equal_(slots_[slot], i)) slot = (slot + 1) & mask;
+    return slots_[slot];
+  }
+  void grow() {
+    std::vector<std::uint32_t> old(2 * slots_.size(), kFree);
+    old.swap(slots_);
+    for (const std::uint32_t i : old)
+      if (i != kFree) slotOf(i) = i;
+  }
+
   std::vector<std::uint32_t> slots_;
+  std::size_t count_ = 0;
   Hash hash_;
   Equal equal_;
 };

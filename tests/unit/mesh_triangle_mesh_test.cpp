@@ -282,6 +282,32 @@ TEST(TriangleMesh, OfShuffledTrianglesClustersAreNeighboursThatFaceAlike) {
   }
 }
 
+TEST(TriangleMesh, TheSidesOfAThinWallAreClustersOfTheirOwn) {
+  // Two sheets of 2 x 64 x 64 triangles, a hundredth of a square apart: by place alone both were in each
+  // cluster.
+  constexpr std::uint32_t kSquares = 64;
+  MeshArrays wall;
+  for (std::uint32_t side = 0; side < 2; ++side)
+    for (std::uint32_t y = 0; y <= kSquares; ++y)
+      for (std::uint32_t x = 0; x <= kSquares; ++x) wall.positions.emplace_back(x, y, 0.01 * side);
+  constexpr std::uint32_t kRow = kSquares + 1, kSide = kRow * kRow;
+  for (std::uint32_t y = 0; y < kSquares; ++y)
+    for (std::uint32_t x = 0; x < kSquares; ++x) {
+      const std::uint32_t a = y * kRow + x, b = a + 1, c = a + kRow, d = c + 1;
+      wall.indices.insert(wall.indices.end(), {a, d, b, a, c, d});
+      wall.indices.insert(wall.indices.end(),
+                          {kSide + a, kSide + b, kSide + d, kSide + a, kSide + d, kSide + c});
+    }
+  const TriangleMesh mesh = triangleMesh(wall);
+  expectPromises(mesh);
+  EXPECT_EQ(mesh.clusters().size(), 2 * 2 * kSquares * kSquares / kClusterTriangles);
+  for (const MeshCluster& cluster : mesh.clusters()) {
+    EXPECT_LT(cluster.spread, 1e-6);
+    // Squares of 8 x 8, if the splits are where triangles spread most.
+    EXPECT_LT(cluster.sphere.radius, 0.5 * std::hypot(10, 10));
+  }
+}
+
 TEST(TriangleMesh, ManyMaterialsCostWhatTheirTrianglesDo) {
   // 20,000 groups of a triangle each: with a pass over all vertices for each this would take minutes.
   MeshArrays arrays = ballArrays(100, 101);
