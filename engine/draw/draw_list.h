@@ -19,6 +19,7 @@
 #include "draw/texture_list.h"
 #include "scene/snapshot.h"
 #include "shadow/caster_cache.h"
+#include "shared/flat_cutout.h"
 #include "shared/scene_data.h"
 #include "shell/shell_cache.h"
 #include "tessellate/mesh_cache.h"
@@ -88,7 +89,9 @@ struct CasterDraw {
 /// One draw for each light and each caster of a planar shadow.
 struct FlatShadowDraw {
   std::shared_ptr<const Mesh> mesh;
+  Paint pattern;  ///< of a caster that is cut out: where it is opaque
   shared::FlatShadow shadow;
+  shared::FlatCutout cutout = {};
 };
 
 /// A light's depth map (shaders/lib/light_map.glsl), and the meshes in it.

@@ -228,7 +228,7 @@ std::uint32_t MaterialList::shadeLater(const DrawState& shade, LightSets& lightS
                         .patternNumber = patternNumber(shade.pattern),
                         .manyGroups = groups_.size() > 1,
                         .addsLight = i > 0,
-                        .occludes = list_.occludes && i == 0 && shade.form == Form::Shade});
+                        .occludes = list_.occludes && i == 0});
     list_.groups[i].lightSet = choice.index;
     list_.groups[i].plainLights = choice.plain;
     list_.groups[i].shadedLights = choice.shaded;

@@ -264,20 +264,26 @@ void PassRecorder::search(const CasterDraw& draw) {
 }
 
 void PassRecorder::flattenShadow(Form form, const FlatShadowDraw& draw) {
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get({.form = form}, view_.targets().format());
-  const DeviceMesh& mesh = store_.get(draw.mesh, false);
-  shared::FlatShadow shadow = draw.shadow;
+  const DrawState state{.form = form, .pattern = draw.pattern};
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
+  const bool withParameters = draw.pattern.valid();
+  const DeviceMesh& mesh = store_.get(draw.mesh, withParameters);
+  struct {
+    shared::FlatShadow shadow;
+    shared::FlatCutout cutout;
+  } pushed{draw.shadow, draw.cutout};
   for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 2; ++row) shadow.clipFromObject[column][row] /= view_.targets().guard();
+    for (int row = 0; row < 2; ++row) pushed.shadow.clipFromObject[column][row] /= view_.targets().guard();
   pipeline.bind(commands_);
+  bindPaint(pipeline, state);
   pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
-  pipeline.push(commands_, std::as_bytes(std::span(&shadow, 1)));
+  pipeline.push(commands_, std::as_bytes(std::span(&pushed, 1)));
   gpu::setDepthBias(commands_, {});
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  constexpr VkDeviceSize kOffset = 0;
-  const VkBuffer vertices = mesh.vertices;
-  vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &kOffset);
+  const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};
+  constexpr VkDeviceSize kOffsets[] = {0, 0};
+  vkCmdBindVertexBuffers(commands_, 0, withParameters ? 2 : 1, streams, kOffsets);
   vkCmdBindIndexBuffer(commands_, mesh.indices, 0, mesh.indexType);
   vkCmdDrawIndexed(commands_, mesh.indexCount, 1, 0, 0, 0);
   count(1, mesh.indexCount / 3, draw.mesh->positions.size());

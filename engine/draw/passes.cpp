@@ -137,7 +137,8 @@ std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
 /// blended over what is not.
 void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, bool replaces,
                std::vector<Pass>& passes) {
-  const std::vector<Target> reads{Target::Depth};
+  std::vector<Target> reads{Target::Depth};
+  if (list.occludes) reads.push_back(Target::Found);
   const auto add = [&](const char* name, Pass pass) {
     pass.name = name;
     pass.depth = std::nullopt;

@@ -304,6 +304,7 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
   const gpu::Buffer& byRays = hasRays_ ? rayLayerPoints_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirLight = hasRays_ ? rayLayerLights_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirDetails = hasRays_ ? rayLayerDetails_.use(*context_) : layerLists_.points();
+  gpu::Texture& found = targets_.texture(list_.occludes ? Target::Found : Target::Depth);
   return frames.descriptors().write(pipelines.layout(SceneSet::Layers),
                                     {layerLists_.heads(),
                                      layerLists_.points(),
@@ -315,7 +316,8 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
                                      layerLists_.sums(),
                                      theirLight,
                                      layerLists_.details(),
-                                     theirDetails});
+                                     theirDetails,
+                                     {found, pipelines.texelSampler()}});
 }
 
 std::uint32_t RenderView::lightOffset(std::uint32_t lightSet) const {

@@ -47,7 +47,7 @@ std::vector<DescriptorBinding> bindingsOf(SceneSet set) {
       break;
     case SceneSet::Layers:
       bindings.assign(kLayerBindings, kBuffer);
-      bindings[kBindingLayerDepth] = kImage;
+      bindings[kBindingLayerDepth] = bindings[kBindingLayersFound] = kImage;
       bindings[kBindingLayerMaterials] = {kUniforms.type, VK_SHADER_STAGE_FRAGMENT_BIT};
       break;
   }
@@ -72,13 +72,14 @@ std::vector<SceneSet> setsOf(const DrawState& state) {
     case Again:
     case Openness:
       return {Set::Scene, paint, Set::Found};
+    case FlatShadow:
+    case FlatTransmittance:
+      return {Set::Scene, state.pattern.valid() ? paint : Set::Shadow, Set::Found};
     case MeshPlace:
     case Shadow:
     case Transmittance:
     case ShadowsByRays:
     case TransmittanceByRays:
-    case FlatShadow:
-    case FlatTransmittance:
     case LightMap:
       return {Set::Scene, Set::Shadow, Set::Found};
     case LayerPlace:

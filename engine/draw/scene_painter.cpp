@@ -127,7 +127,8 @@ void ScenePainter::preparePipelines(RenderView& view) {
     for (const auto* draws :
          {&group.shadows, &group.layerShadows, &group.transmittances, &group.layerTransmittances})
       for (const CasterDraw& draw : *draws) states.push_back(draw.state);
-    if (!group.flatShadows.empty()) states.push_back({.form = Form::FlatShadow});
+    for (const FlatShadowDraw& draw : group.flatShadows)
+      states.push_back({.form = Form::FlatShadow, .pattern = draw.pattern});
     if (group.map) {
       states.push_back({.form = Form::LightDepth});
       if (group.lightsPoints()) states.push_back({.form = Form::LightMap});

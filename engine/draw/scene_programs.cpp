@@ -18,6 +18,7 @@
 #include "luxo/shaders/closed_shadow_vert.h"
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
+#include "luxo/shaders/flat_cutout_vert.h"
 #include "luxo/shaders/flat_shadow_frag.h"
 #include "luxo/shaders/flat_shadow_vert.h"
 #include "luxo/shaders/flat_transmittance_frag.h"
@@ -240,7 +241,7 @@ Shader ScenePrograms::vertexOf(const DrawState& state) const {
       return luxo_ray_layers_vert;
     case FlatShadow:
     case FlatTransmittance:
-      return luxo_flat_shadow_vert;
+      return state.pattern.valid() ? Shader(luxo_flat_cutout_vert) : luxo_flat_shadow_vert;
     case LightDepth:
       return luxo_light_depth_vert;
     case LightMap:
@@ -289,7 +290,7 @@ Shader ScenePrograms::fragmentOf(const DrawState& state) {
     case LayersByRays:
       return luxo_ray_layers_frag;
     case FlatShadow:
-      return luxo_flat_shadow_frag;
+      return withPattern(state, "pattern/flat_cutout.frag", luxo_flat_shadow_frag);
     case FlatTransmittance:
       return luxo_flat_transmittance_frag;
     case LightDepth:

@@ -12,8 +12,6 @@
 namespace luxo::reference {
 namespace {
 
-constexpr int kMaxLayers = 1024;  // of transparent surfaces behind each other
-
 // Of the distances involved: how far a hit may be off its surface. Roots are found to some 1e-13.
 constexpr double kHitRounding = 1e-11;
 constexpr double kRootRounding = 1e-12;  // and how far a root may be from where another search finds it

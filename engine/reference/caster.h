@@ -36,6 +36,7 @@ struct Hit {
 };
 
 inline constexpr int kOpennessRays = 256;
+inline constexpr int kMaxLayers = 1024;  ///< of surfaces that are seen through, behind each other
 
 /// Of drawings: edges are a pixel wide, half of which is beside them, measured over the pixels of two rows
 /// and columns, and as far off as the mesh is, a pixel at most by what normals between vertices add to that.
@@ -131,9 +132,9 @@ class Caster {
   [[nodiscard]] Lit lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const;
   /// What there is where no light reaches: of the ambient light, and glow.
   [[nodiscard]] Vec3 withoutLights(const Hit& hit) const;
-  /// How much of the ambient light gets to a hit (scene/ambient_occlusion.h): 1 of what is seen through, and
-  /// where there is no occlusion. By kOpennessRays rays, the same for every point: off by 0.5 % where an
-  /// edge halves the sky (tests/unit/openness_test.cpp), and never noise.
+  /// How much of the ambient light gets to a hit (scene/ambient_occlusion.h): 1 where there is no occlusion.
+  /// By kOpennessRays rays, the same for every point: off by 0.5 % where an edge halves the sky
+  /// (tests/unit/openness_test.cpp), and never noise.
   [[nodiscard]] double openness(const Hit& hit) const;
   /// The diffuse colour, of a pattern or a map where the material has one.
   [[nodiscard]] Vec3 diffuseOf(const Hit& hit) const;
@@ -225,6 +226,9 @@ class Caster {
   [[nodiscard]] double ownReach(const Hit& hit, const Vec3& direction) const;
   /// How much of a light gets to a hit.
   [[nodiscard]] Vec3 reaching(const SnapshotLight& light, const Hit& hit, bool& certified) const;
+  /// Whether a body is in the way of the sky's light: what is cut out where it is no hole, what is seen
+  /// through nowhere.
+  [[nodiscard]] bool occludes(std::uint32_t node, const Ray& ray, double nearest, double farthest) const;
   /// How much of it a body lets through on the way, the hit's own point apart.
   [[nodiscard]] Vec3 through(std::uint32_t node, const SnapshotLight& light, const Hit& hit,
                              bool& certified) const;

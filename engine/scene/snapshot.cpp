@@ -309,8 +309,8 @@ void cutLights(Snapshot& snapshot) {
     snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
-/// A planar shadow is one number for each face, and falls on what hides all else; a shade in closed form lets
-/// nothing through.
+/// A planar shadow is one number for each face, or has its holes, and falls on what hides all else; a shade in
+/// closed form lets nothing through.
 void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
   const auto require = [&](NodeId id, const auto& isRight, const char* what, const char* hint) {
     const auto node = std::ranges::find(snapshot.nodes, id, &SnapshotNode::id);
@@ -326,7 +326,7 @@ void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Mo
       require(
           caster,
           [](const Material& material) {
-            return !material.letsLightThrough() ||
+            return !material.letsLightThrough() || material.cutoff > 0 ||
                    !(material.diffusePattern.valid() || material.mapSaysLightThrough());
           },
           "it is seen through, has a pattern or a map, and casts a planar shadow",

@@ -23,6 +23,13 @@ layout(location = 1) flat in vec3 inPlace[3];
 layout(location = 4) flat in vec3 inRay[3];
 layout(location = 7) flat in vec2 inMiddle;
 
+layout(constant_id = kConstantOcclusion) const bool kOcclusion = false;
+layout(set = kSetLayers, binding = kBindingLayersFound) uniform sampler2D foundTexels;
+#include "lib/openness.glsl"
+float opennessHere = 1.0;
+#define LUXO_OPENNESS
+float openness() { return opennessHere; }
+
 #define LUXO_IN_LOOP
 #ifdef LUXO_TEXTURED
 LayerDetail layerDetail;
@@ -64,6 +71,10 @@ void shadeLayers() {
     found.viewer = towardViewer(inViewer, found.position);
     found.parameters = point.parameters;
     found.depth = found.residual = 0.0;  // no light asks for them
+    if (kOcclusion) {
+      opennessHere = opennessOf(ivec2(gl_FragCoord.xy), point.depth, found.position, found.normal, found.viewer);
+      material.ambient *= opennessHere;
+    }
     shadowsHere = point.shadows;
     transmittanceHere = point.transmittance;
 #ifdef LUXO_TEXTURED

@@ -93,7 +93,8 @@ LUXO_CONSTANT kBindingLayerSums = 7;
 LUXO_CONSTANT kBindingRayLayerLight = 8;
 LUXO_CONSTANT kBindingLayerDetails = 9;     // of the points, where some material asks for them
 LUXO_CONSTANT kBindingRayLayerDetails = 10;
-LUXO_CONSTANT kLayerBindings = 11;
+LUXO_CONSTANT kBindingLayersFound = 11;  // what is not seen through
+LUXO_CONSTANT kLayerBindings = 12;
 
 // Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
 // reach a draw costs nothing.

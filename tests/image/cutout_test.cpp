@@ -80,6 +80,50 @@ TEST_F(CutoutTest, ASheetOfFourTexelsCastsItsTwoSquares) {
     }
 }
 
+/// A planar shadow has the holes of its caster, where the rays of the light go through them.
+TEST_F(CutoutTest, PlanarShadowsHaveHoles) {
+  const Vec3 lamp(0.7, -0.4, 3);
+  for (const bool isMesh : {true, false})
+    for (const bool isPoint : {true, false}) {
+      SCOPED_TRACE(testing::Message() << isMesh << " " << isPoint);
+      Scene scene;
+      scene.set(RenderSettings{.ambient = Vec3(0)});
+      Material material = cutOut(mapOf(fourTexels(), TextureFilter::Nearest));
+      material.opacity = 0.9;  // times the alpha: of the texel at the code there is a hole, too
+      const MaterialId cut = scene.add(material);
+      if (isMesh)
+        scene.add(Node{.translation = Vec3(0, 0, 1), .surface = quadMesh(), .material = cut});
+      else
+        scene.add(plate(Vec3(0, 0, 1), {2, 2}, cut));
+      const NodeId ground =
+          scene.add(plate(Vec3(0), {8, 8}, scene.add(Material{.diffuse = Vec3(1), .specular = Vec3(0)})));
+      Node light{.light = Light{.type = isPoint ? Light::Type::Point : Light::Type::Directional,
+                                .shadow = Light::Shadow::Planar,
+                                .shadowPlane = ground}};
+      if (isPoint) light.translation = lamp;
+      scene.add(light);
+      constexpr int kSide = 96;
+      const Picture picture = draw(scene, lookingDown(0.5, 4), {kSide, kSide});
+      int dark = 0;
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+          const Vec2 at(4 * (x + 0.5) / kSide - 2, 2 - 4 * (y + 0.5) / kSide);
+          // Where its light passes the sheet, at a third of the way to a lamp.
+          const Vec2 passes = isPoint ? at + (Vec2(lamp) - at) / lamp.z : at;
+          const double border =
+              std::min({std::abs(passes.x), std::abs(passes.y), std::abs(std::abs(passes.x) - 1),
+                        std::abs(std::abs(passes.y) - 1)});
+          if (border < 0.01) continue;
+          const bool isBelow = std::max(std::abs(passes.x), std::abs(passes.y)) < 1;
+          // The lower right one alone is as opaque as that.
+          const bool isDark = isBelow && passes.x > 0 && (isMesh ? passes.y > 0 : passes.y < 0);
+          ASSERT_EQ(colorAt(picture.image, x, y).x < 0.01, isDark) << x << ", " << y;
+          dark += isDark;
+        }
+      EXPECT_GT(dark, 400);
+    }
+}
+
 /// What is behind a hole is seen through it as if there was nothing, and nothing through the rest.
 TEST_F(CutoutTest, HolesShowWhatIsBehind) {
   for (const bool isMesh : {true, false})

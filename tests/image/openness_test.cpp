@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "base/error.h"
 #include "support/picture.h"
@@ -103,6 +105,50 @@ TEST_F(OpennessTest, WhatIsFarInFrontLeavesNoHalo) {
       ++same;
     }
   EXPECT_GT(same, 15000);
+}
+
+/// The openness of a floor of that material, beside a wall that is opaque.
+TEST_F(OpennessTest, OfWhatIsCutOutOrSeenThroughIsThatOfWhatIsOpaque) {
+  const auto besideWall = [&](Material material, Shading shading) {
+    Scene scene;
+    const MaterialId ground = scene.add(std::move(material));
+    scene.add(Node{.name = "floor", .surface = rectangle(40, 40), .material = ground});
+    scene.add(plate(Vec3(0, 10, -2), {40, 20}, scene.add(Material{.diffuse = Vec3(1), .specular = Vec3(0)})));
+    return openness(scene, 1, {.shading = shading});
+  };
+  const Material white{.diffuse = Vec3(1), .specular = Vec3(0), .twoSided = TwoSided::Yes};
+  TextureMap map{.texture = std::make_shared<const Texture>(
+                     makeTexture(Image(2, 2, 3, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}), "white"))};
+  Material cut = white, glass = white;
+  cut.map = map;
+  cut.mapOpacity = true;
+  cut.cutoff = 0.5;
+  glass.opacity = 0.75;
+  for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat}) {
+    const Image opaque = besideWall(white, shading), cutOut = besideWall(cut, shading),
+                through = besideWall(glass, shading);
+    double darkest = 1, largest = 0, largestThrough = 0;
+    int compared = 0;
+    for (int y = 0; y < kOpennessSize.height; ++y)
+      for (int x = 0; x < kOpennessSize.width; ++x) {
+        const auto onFloor =
+            hitPlane(CameraModel(camera_, kOpennessSize).through(centerOf(x, y)), Vec3(0), Vec3(0, 1, 0));
+        const Ray ray = CameraModel(camera_, kOpennessSize).through(centerOf(x, y));
+        // Its own far parts are no part of the picture that tells the openness; near the wall's foot that
+        // wall is.
+        if (!onFloor || ray.at(*onFloor).z < -1.9) continue;
+        const double value = colorAt(opaque, x, y).x;
+        darkest = std::min(darkest, value / kAmbient);
+        largest = std::max(largest, std::abs(colorAt(cutOut, x, y).x - value));
+        // A quarter of the black behind comes through.
+        largestThrough = std::max(largestThrough, std::abs(colorAt(through, x, y).x / 0.75 - value));
+        ++compared;
+      }
+    EXPECT_GT(compared, 8000);
+    EXPECT_LT(darkest, 0.7);
+    EXPECT_LT(largest, 0.01) << nameOf(shading);
+    EXPECT_LT(largestThrough, 0.01) << nameOf(shading);
+  }
 }
 
 TEST_F(OpennessTest, OffCostsNothing) {

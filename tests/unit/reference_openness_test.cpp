@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
+#include "image/texture.h"
 #include "reference/caster.h"
 #include "surface/library.h"
 #include "unit/scene_test_support.h"
@@ -69,4 +72,55 @@ TEST(Openness, InsideIsDarkAndGlassOccludesNothing) {
 }
 
 }  // namespace
+/// White, and cut out by an image of 3 x 3 texels with that alpha in the middle and the other around it.
+Material cutOutWindow(double middle, double around) {
+  Image image(3, 3, 4);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x)
+      for (int c = 0; c < 4; ++c)
+        image.pixel(x, y)[std::size_t(c)] = c < 3 ? 1.0f : float(x == 1 && y == 1 ? middle : around);
+  TextureMap map{.texture = std::make_shared<const Texture>(makeTexture(image, "window"))};
+  map.filter = TextureFilter::Nearest;
+  return {.name = "window", .map = map, .mapOpacity = true, .cutoff = 0.5};
+}
+
+// Of a square with half the side a, seen from a small piece of a plane below its middle and parallel to it,
+// at distance 1: four times that of the rectangle above one corner (e.g. Howell's catalogue, B-4).
+double formFactorOfSquare(double a) {
+  return 4 * 2 / kTau * 2 * (a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a))) / 2;
+}
+
+// Light comes through the hole alone, or past the pane alone.
+TEST(Openness, BelowACutOutCeilingIsTheFormFactorOfItsHole) {
+  for (const double half : {0.25, 0.5, 1.0, 2.0})
+    for (const bool hole : {true, false}) {
+      Scene scene = floored(2);
+      const MaterialId window = scene.add(cutOutWindow(hole ? 0.2 : 0.8, hole ? 0.8 : 0.2));
+      scene.add(Node{.name = "ceiling",
+                     .translation = Vec3(0, 1, 0),
+                     .surface = rectangle(6 * half, 6 * half),
+                     .material = window});
+      const double square = formFactorOfSquare(half), whole = formFactorOfSquare(3 * half);
+      EXPECT_NEAR(opennessOf(scene, 50), hole ? 1 - (whole - square) : 1 - square, 3 * kOfRays)
+          << half << " " << hole;
+    }
+}
+
+TEST(Openness, OfWhatIsCutOutOrSeenThroughIsThatOfWhatIsOpaque) {
+  const auto besideWall = [](Material material) {
+    Scene scene;
+    const MaterialId ground = scene.add(std::move(material));
+    scene.add(Node{.name = "floor", .surface = rectangle(20, 20), .material = ground});
+    scene.add(Node{.name = "wall",
+                   .translation = Vec3(1, 0, 0),
+                   .rotation = Rotation{{0, 0, 1}, radians(90)},
+                   .surface = rectangle(100, 100)});
+    return opennessOf(scene, 2);
+  };
+  const double opaque = besideWall({.name = "plain"});
+  EXPECT_LT(opaque, 0.9);
+  EXPECT_EQ(besideWall(cutOutWindow(0.8, 0.8)), opaque);
+  EXPECT_EQ(besideWall({.name = "glass", .opacity = 0.5}), opaque);
+}
+
 }  // namespace luxo

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "image/texture.h"
 #include "scene_test_support.h"
 
 namespace luxo {
@@ -337,6 +339,22 @@ TEST(Snapshot, PlanarShadowsFallOnWhatIsOpaque) {
   };
   EXPECT_EQ(snap(scene(false, {})).lights.size(), 1U);
   expectSceneError([&] { (void)snap(scene(true, {})); }, {"floor", "plane of a planar shadow"});
+
+  // What a map makes seen through is refused, but not what it cuts out.
+  const TextureMap leaf{.texture = std::make_shared<const Texture>(makeTexture(Image(1, 1, 4), "leaf"))};
+  for (const double cutoff : {0.0, 0.5}) {
+    Scene mapped;
+    const NodeId floor = mapped.add(Node{.name = "floor", .surface = rectangle(1, 1)});
+    mapped.add(Node{.name = "leaf",
+                    .surface = rectangle(1, 1),
+                    .material = mapped.add(Material{.map = leaf, .mapOpacity = true, .cutoff = cutoff})});
+    mapped.add(Node{.translation = Vec3(0, 5, 0),
+                    .light = Light{.shadow = Light::Shadow::Planar, .shadowPlane = floor}});
+    if (cutoff > 0)
+      EXPECT_EQ(snap(mapped).lights.size(), 1U);
+    else
+      expectSceneError([&] { (void)snap(mapped); }, {"leaf", "casts a planar shadow"});
+  }
 }
 
 TEST(Snapshot, AShadeThatIsSeenThroughIsACasterLikeOthers) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// As flat_shadow.vert, of a caster that is cut out.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/scene_data.h"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 2) in vec2 inParameters;
+layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
+
+layout(location = 0) out float outHeight;
+layout(location = 1) out vec2 outParameters;
+
+void main() {
+  outHeight = dot(draw.height, vec4(inPosition, 1));
+  outParameters = inParameters;
+  gl_Position = draw.clipFromObject * vec4(inPosition, 1);
+}
