@@ -23,9 +23,13 @@ void registerStages(const Scene& lamp);
 /// both draw the same picture. All arguments must outlive the run.
 void registerFrames(gpu::Context& context, const Scene& lamp, Tuning tuning);
 
-/// An OBJ of a million triangles: reading it beside the parse alone of tinyobjloader, where that is installed,
-/// and what memory it takes.
+/// An OBJ of a million triangles: reading it beside the parse alone of tinyobjloader, where that is
+/// installed, and what memory it takes.
 void registerModels();
+
+/// Frames of a mesh of a million triangles beside one plain draw of the same buffers, and beside Embree's
+/// rays, where that is installed.
+void registerKnotFrames(gpu::Context& context);
 
 /// From the start of `luxo_grandpa -o` to a PNG on disk, with empty caches beside full ones.
 void registerStart();

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "benchmarks.h"
-#include "draw/renderer.h"
 #include "gpu/frame.h"
 #include "gpu/transfer.h"
 #include "image/compare.h"
 #include "luxo/process_tuning.h"
+#include "luxo_frames.h"
 #include "scene/snapshot.h"
 #include "side_by_side.h"
 #include "straightforward.h"
@@ -28,35 +28,6 @@ std::vector<double> overThePeriod() {
   for (int i = 0; i < 16; ++i) times.push_back(kPeriod * i / 16);
   return times;
 }
-
-struct FrameDesc {
-  PixelSize size;
-  DrawOptions options{.shading = Shading::Phong};
-  Precision precision = Precision::Full;
-  std::vector<double> times{kStill};
-};
-
-/// The engine's frames: everything from the scene to finished pixels.
-class LuxoFrames {
- public:
-  LuxoFrames(gpu::Context& context, const Scene& lamp, const FrameDesc& desc)
-      : lamp_(lamp), desc_(desc), frames_(context), painter_(context), view_(context, desc.precision) {}
-
-  FrameStatistics draw(double time) {
-    FrameStatistics statistics;
-    const Snapshot snapshot = takeSnapshot(lamp_, time, desc_.size);
-    painter_.record(frames_, frames_.begin(), view_, snapshot, desc_.options, statistics);
-    frames_.wait(frames_.submit());
-    return statistics;
-  }
-
- private:
-  const Scene& lamp_;
-  FrameDesc desc_;
-  gpu::FrameRing frames_;
-  ScenePainter painter_;
-  RenderView view_;
-};
 
 /// The straightforward path's frames, with the same beginning and end.
 class StraightforwardFrames {

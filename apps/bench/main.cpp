@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     bench::registerSurfaces();
     bench::registerScenes();
     bench::registerModels();
+    bench::registerKnotFrames(context);
     bench::registerStages(lamp);
     bench::registerStart();
     bench::Report report;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "knot_data.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 0) out vec3 outPosition;
+layout(location = 1) out vec3 outNormal;
+
+void main() {
+  outPosition = inPosition;
+  outNormal = inNormal;
+  gl_Position = clipFromWorld * vec4(inPosition, 1);
+}
