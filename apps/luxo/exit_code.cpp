@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "console.h"
+#include "interruption.h"
 
 namespace luxo {
 
@@ -32,6 +33,8 @@ int exitCodeOf(ErrorKind kind) {
 
 int runToExitCode(const std::function<int()>& body) {
   const auto report = [](const Error& error) {
+    if (const int signal = interruptingSignal(); signal != 0 && error.kind() == ErrorKind::Retry)
+      return exit_code::kSignal + signal;
     printError(error);
     return exitCodeOf(error.kind());
   };

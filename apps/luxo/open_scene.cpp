@@ -14,6 +14,7 @@
 #include "base/suggestion.h"
 #include "draw/device_cloth_simulation.h"
 #include "export/carried_scene.h"
+#include "interruption.h"
 #include "mesh/model.h"
 #include "scene/model_files.h"
 #include "scene/model_scene.h"
@@ -232,8 +233,10 @@ Scene buildScene(const SceneFile& file, std::span<const ParameterValue> paramete
 }
 
 void moveCloth(Scene& scene, const std::string& device) {
-  if (scene.hasCloth())
-    scene.set(std::make_shared<DeviceClothSimulation>(gpu::ContextDesc{.device = device}));
+  if (!scene.hasCloth()) return;
+  const auto simulation = std::make_shared<DeviceClothSimulation>(gpu::ContextDesc{.device = device});
+  simulation->setInterruption([] { return interruptingSignal() != 0; });
+  scene.set(simulation);
 }
 
 }  // namespace luxo

@@ -76,7 +76,8 @@ struct OpenedShader {
 /// What -P says, as descriptions take it.
 [[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);
 
-/// Has a device move the scene's cloth, if it has any. It is opened once there is a step to do.
+/// Has a device move the scene's cloth, if it has any, until a signal interrupts it (interruption.h). It is
+/// opened once there is a step to do.
 void moveCloth(Scene& scene, const std::string& device);
 
 /// As openScene(), for a description that is in memory. Its cloth is moved by the device that is chosen

@@ -24,10 +24,6 @@
 namespace luxo {
 namespace {
 
-/// Between two of the device's pauses: a step of the largest cloth takes some 10 ms, and systems end what
-/// takes seconds.
-constexpr std::uint32_t kStepsAtOnce = 64;
-
 shared::ClothData clothData(const Cloth& cloth, const ClothSystem& system) {
   const auto f = [](double number) { return static_cast<float>(number); };
   const double dx = cloth.size.x / cloth.columns, dz = cloth.size.y / cloth.rows;
@@ -100,11 +96,8 @@ class DeviceClothSimulation::Stepper {
     points_.write(0, std::as_bytes(std::span(points)));
     iterations_.write(0, std::as_bytes(std::span(system.iterations)));
     shared::ClothData data = clothData(cloth, system);
-    while (steps > 0) {
-      data.steps = std::min(steps, kStepsAtOnce);
-      steps -= data.steps;
-      submit(data, steps == 0);
-    }
+    data.steps = steps;
+    submit(data);
     std::memcpy(points.data(), read_.read().data(), points.size() * sizeof(Vec4f));
     unpack(points, state);
     requireFinite(state);
@@ -127,19 +120,17 @@ class DeviceClothSimulation::Stepper {
                                    .name = "state of a cloth"});
   }
 
-  void submit(const shared::ClothData& data, bool last) {
+  void submit(const shared::ClothData& data) {
     const VkCommandBuffer commands = frames_.begin();
     gpu::use(commands, {{points_, gpu::Use::ComputeStorage}});
     pipeline_.bind(commands);
     pipeline_.push(commands, std::as_bytes(std::span(&data, 1)));
     pipeline_.bindSet(commands, 0, frames_.descriptors().write(layout_, {points_, iterations_}));
     vkCmdDispatch(commands, 1, 1, 1);
-    if (last) {
-      gpu::use(commands, {{points_, gpu::Use::TransferSource}, {read_, gpu::Use::TransferDestination}});
-      const VkBufferCopy state{.size = read_.size()};
-      vkCmdCopyBuffer(commands, points_, read_, 1, &state);
-      gpu::use(commands, {{read_, gpu::Use::HostRead}});
-    }
+    gpu::use(commands, {{points_, gpu::Use::TransferSource}, {read_, gpu::Use::TransferDestination}});
+    const VkBufferCopy state{.size = read_.size()};
+    vkCmdCopyBuffer(commands, points_, read_, 1, &state);
+    gpu::use(commands, {{read_, gpu::Use::HostRead}});
     frames_.wait(frames_.submit());
   }
 

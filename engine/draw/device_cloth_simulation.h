@@ -8,7 +8,7 @@
 // back, once for each time that is asked for: their triangles are a mesh like any other (triangleMesh() says
 // what it costs), for rays in double as for what is drawn. Processor time of a step without a GPU, measured
 // with the gallery's cloth: 0.2 ms of 16 x 16 cells, 0.5 ms of 24 x 24, 1 ms of 32 x 32, 3 ms of 48 x 48,
-// whose steps take more iterations. Nothing interrupts the steps to a time.
+// whose steps take more iterations.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/cloth_simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -28,6 +30,11 @@ ClothState ClothSimulation::stateAfter(const Cloth& cloth, std::uint32_t steps) 
   return held(cloth, steps).state;
 }
 
+void ClothSimulation::setInterruption(std::function<bool()> asked) {
+  const std::lock_guard lock(mutex_);
+  interruption_ = std::move(asked);
+}
+
 void ClothSimulation::advance(const Cloth&, ClothState&, std::uint32_t) {
   throw Error(
       ErrorKind::Scene, "cloth moves on a device, and its scene was given none",
@@ -43,12 +50,26 @@ const ClothSimulation::Held& ClothSimulation::held(const Cloth& cloth, std::uint
     held_.splice(held_.begin(), held_, latest);
     return held_.front();
   }
-  Held next{.cloth = cloth, .steps = steps};
   const std::uint32_t from = latest == held_.end() ? 0 : latest->steps;
+  Held next{.cloth = cloth, .steps = from};
   next.state = latest == held_.end() ? clothAtRest(cloth) : latest->state;
-  if (from < steps) advance(cloth, next.state, steps - from);
-  next.surface = clothSurface(cloth, next.state.positions);
-  held_.push_front(std::move(next));
+  while (next.steps < steps) {
+    if (interruption_ && interruption_()) {
+      const std::uint32_t reached = next.steps;
+      if (reached > from) remembered(std::move(next));
+      throw Error(ErrorKind::Retry,
+                  fmt::format("interrupted after {} of the {} steps that a cloth takes", reached, steps));
+    }
+    const std::uint32_t more = std::min(steps - next.steps, kMostStepsAtOnce);
+    advance(cloth, next.state, more);
+    next.steps += more;
+  }
+  return remembered(std::move(next));
+}
+
+const ClothSimulation::Held& ClothSimulation::remembered(Held held) {
+  held.surface = clothSurface(held.cloth, held.state.positions);
+  held_.push_front(std::move(held));
   if (held_.size() > kHeldStates) held_.pop_back();
   return held_.front();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compute shader that moves cloth, against energies and steps worked out here in double from the
 // definitions of surface/cloth.h, and against what mechanics says of strips at rest and of bodies that fall.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -393,6 +394,31 @@ TEST_F(ClothSteps, AreAFunctionOfTheirNumber) {
   EXPECT_EQ(wandering.stateAfter(cloth, 1000), state);
   EXPECT_NE(wandering.stateAfter(other, 1000), state);
   EXPECT_EQ(wandering.surfaceAfter(cloth, 1000).identity(), wandering.surfaceAfter(cloth, 1000).identity());
+}
+
+// Nor does it matter that they were interrupted: what was done is not done again.
+TEST_F(ClothSteps, GoOnWhereTheyWereInterrupted) {
+  const Cloth cloth{.columns = 9, .rows = 9, .pins = {{0, 1}}};
+  DeviceClothSimulation direct(context()), interrupted(context());
+  const ClothState state = direct.stateAfter(cloth, 1000);
+  const std::uint64_t submits = context().counters().submits;
+  int asked = 0;
+  interrupted.setInterruption([&] { return ++asked % 5 == 0; });
+  for (const char* reached :
+       {"after 256 of the 1000 steps", "after 512 of the 1000", "after 768 of the 1000"}) {
+    try {
+      static_cast<void>(interrupted.stateAfter(cloth, 1000));
+      FAIL() << "not interrupted";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Retry);
+      EXPECT_THAT(error.what(), testing::HasSubstr(reached));
+    }
+  }
+  EXPECT_EQ(interrupted.stateAfter(cloth, 1000), state);
+  EXPECT_EQ(context().counters().submits - submits, 16u);
+  // What there is already takes no step.
+  interrupted.setInterruption([] { return true; });
+  EXPECT_EQ(interrupted.stateAfter(cloth, 1000), state);
 }
 
 // No point is deeper in the ball than what lies on it presses it: all its weight, on one point.

@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/error.h"
 #include "base/log.h"
 #include "draw/scene_painter.h"
 #include "exit_code.h"
@@ -23,6 +24,7 @@
 #include "process_tuning.h"
 #include "scene/fitted_camera.h"
 #include "scene/snapshot.h"
+#include "surface/cloth_simulation.h"
 #include "validation.h"
 #include "viewer/controls.h"
 #include "viewer/file_watch.h"
@@ -108,17 +110,23 @@ class Viewer {
     status_.device = context_.deviceInfo().name;
     painter_.setInterruption([this] { return Clock::now() >= patienceEnd_ && window_.asked(); });
     look();
+    endClothWithWindow(viewed_.scene);
   }
 
   void run() {
-    while (!quit_ && !window_.closing()) {
-      react(window_.wait(patience()));
-      noticeVisibility();
-      const bool shows = visible_ && Clock::now() >= nextFrame_;
-      if (shows) showNext();
-      // What is about to take a while has been said.
-      if (shows || !visible_) takePhotos();
-      tidy();
+    try {
+      while (!quit_ && !window_.closing()) {
+        react(window_.wait(patience()));
+        noticeVisibility();
+        const bool shows = visible_ && Clock::now() >= nextFrame_;
+        if (shows) showNext();
+        // What is about to take a while has been said.
+        if (shows || !visible_) takePhotos();
+        tidy();
+      }
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::Retry || !window_.closing()) throw;
+      log(LogLevel::Debug, error.what());
     }
     log(LogLevel::Debug,
         fmt::format("made {} pipelines, read the scene again {} times", pipelines_, readings_));
@@ -248,6 +256,11 @@ class Viewer {
     log(LogLevel::Debug, message_->text);
   }
 
+  // Whose steps take their time.
+  void endClothWithWindow(const Scene& scene) {
+    scene.clothSimulation()->setInterruption([this] { return window_.asked() && window_.closing(); });
+  }
+
   void tell(const Message& message) { tell(message, message.alert ? kAlertSeconds : kMessageSeconds); }
   void tell(const Message& message, double seconds) {
     message_ = message;
@@ -259,6 +272,7 @@ class Viewer {
     ++readings_;
     try {
       ViewedScene next = options_.readAgain();
+      endClothWithWindow(next.scene);
       const double seconds = controls_.playback().seconds(Clock::now());
       painter_.check(takeSnapshot(next.scene, seconds, next.settings.size, next.camera));
       controls_.adopt(viewed_, next, Clock::now());

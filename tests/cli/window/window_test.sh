@@ -188,6 +188,20 @@ case_shows() {
   wait "$program" || fail "closing it gave exit code $?"
 }
 
+# Hours of a cloth's steps end with the window.
+case_ends_cloth() {
+  open_screen
+  title=gallery/cloth
+  (cd "$folder" && exec "$bin/luxo" view gallery/cloth --time 100000 --size 320x180 --validate -v 2>"$folder/log") &
+  program=$!
+  pids+=("$program")
+  await "there is a window" find_window
+  xdotool windowfocus --sync "$window"
+  keys alt+F4
+  wait "$program" || fail "closing it gave exit code $?"
+  grep -q '^interrupted after [0-9]* of the [0-9]* steps' "$folder/log" || fail "nothing was interrupted"
+}
+
 # Searches lose pixels of this teapot when its shell is first drawn, in transversal triangles and in others: they are drawn
 # next, as in a file.
 case_completes() {
