@@ -23,6 +23,7 @@
 #include "scene_inspection.h"
 #include "scene_request.h"
 #include "shader_inspection.h"
+#include "shader_options.h"
 #include "shader_scene.h"
 #include "verbs.h"
 
@@ -33,6 +34,7 @@ using Json = nlohmann::ordered_json;
 
 struct InspectOptions {
   std::unique_ptr<RenderOptions> scene;
+  ShaderOptions shader;
   std::optional<std::string> pixel, vertex;
   bool json = false;
 };
@@ -128,12 +130,13 @@ int runInspect(const InspectOptions& options) {
     printData(options.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : textOf(json));
     return exit_code::kDone;
   };
+  const ShaderUse use = shaderUse(name, options.shader);
   const bool asScene = namesMaterialShader(name) && (options.pixel || options.vertex);
   if (isShader(name) && !asScene) {
     if (options.pixel || options.vertex)
       throw Error(ErrorKind::Usage, "a shader has no pixels and no points",
                   "give a scene whose material has it");
-    return print(inspectShader(name), shaderText);
+    return print(inspectShader(name, use), shaderText);
   }
   if (options.pixel && options.vertex)
     throw Error(ErrorKind::Usage, "--pixel and --vertex exclude each other",
@@ -144,7 +147,8 @@ int runInspect(const InspectOptions& options) {
     return print(inspectImage(name, options.pixel), imageText);
   }
   std::vector<std::string> warnings;
-  Scene scene = openScene(name, request.parameters, &warnings);
+  Scene scene = namesMaterialShader(name) ? openShader(name, use, request.parameters, &warnings).scene
+                                          : openScene(name, request.parameters, &warnings);
   const ViewedScene viewed = viewedScene(std::move(scene), request);
   if (options.pixel) {
     const auto [x, y] = parsePixel(*options.pixel, viewed.settings.size);
@@ -161,6 +165,7 @@ void addInspect(CLI::App& app, Command& chosen) {
   verb->group("Verbs");
   const auto options = std::make_shared<InspectOptions>();
   options->scene = std::make_unique<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
+  addShaderOptions(*verb, options->shader);
   verb->add_option("--pixel", options->pixel,
                    "one pixel, from the top left: of a picture its value, of a scene why it looks so")
       ->type_name("X,Y");

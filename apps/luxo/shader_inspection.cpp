@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "draw/course_style.h"
 #include "draw/material_program.h"
 #include "gpu/shader_reflection.h"
@@ -125,11 +126,25 @@ std::string lineOf(const Json& variable, int indent) {
                                    {"matrix_stride", "matrix stride"}})
     if (variable.contains(key)) line += fmt::format(" {} {:<4}", label, variable[key].get<std::uint32_t>());
   if (!variable["active"].get<bool>()) line += " not used";
+  if (variable.contains("value")) line += fmt::format(" is {}", variable["value"].get<std::string>());
   line.erase(line.find_last_not_of(' ') + 1);
   line += "\n";
   if (variable.contains("members"))
     for (const Json& member : variable["members"]) line += lineOf(member, indent + 2);
   return line;
+}
+
+void tellPreset(const std::string& shader, const std::vector<ParameterValue>& preset, Json& uniforms) {
+  for (const ParameterValue& value : preset) {
+    const auto uniform =
+        std::ranges::find(uniforms, Json(value.name), [](const Json& u) { return u["name"]; });
+    if (uniform != uniforms.end())
+      (*uniform)["value"] = value.value;
+    else
+      log(LogLevel::Warning,
+          fmt::format("the preset has a value for '{}', which the shader '{}' does not take", value.name,
+                      shader));
+  }
 }
 
 }  // namespace
@@ -139,7 +154,7 @@ bool isShader(const std::string& path) {
   return std::ranges::find(kSuffixes, fs::path(path).extension().string()) != kSuffixes.end();
 }
 
-Json inspectShader(const std::string& name) {
+Json inspectShader(const std::string& name, const ShaderUse& use) {
   const fs::path path(name);
   const std::string suffix = path.extension().string();
   gpu::ShaderInterface all;
@@ -151,10 +166,12 @@ Json inspectShader(const std::string& name) {
     MaterialShaderPtr shader = suffix == ".vert"
                                    ? ShaderFiles(path.parent_path()).get(path.filename().string())
                                    : openMaterialShader(name);
-    inStyle = suffix != ".comp" && inCourseStyle(*shader) && !hasMainImage(*shader);
+    const bool ofPicture = use.mainImage || (hasMainImage(*shader) && !hasMaterial(*shader));
+    inStyle = suffix != ".comp" && inCourseStyle(*shader) && !hasMainImage(*shader) && !ofPicture;
     if (inStyle && suffix == ".vert") shader = withFragmentProgram(*shader);
-    isMaterial = inStyle || (!hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment);
-    if (isMaterial && hasMainImage(*shader) && !hasMaterial(*shader)) shader = materialOfMainImage(shader);
+    isMaterial =
+        inStyle || use.mainImage || (!hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment);
+    if (isMaterial && ofPicture) shader = materialOfMainImage(shader);
     all = isMaterial ? MaterialProgram(shader).interface() : ofProgram(*shader, stageOf(suffix));
   }
   Json json = {{"luxo", LUXO_VERSION},
@@ -164,6 +181,7 @@ Json inspectShader(const std::string& name) {
                {"material", isMaterial}};
   if (isMaterial) {
     json["uniforms"] = all.blocks.empty() ? Json::array() : jsonOf(all.blocks.front().members, true);
+    tellPreset(name, use.preset, json["uniforms"]);
     if (inStyle) json.update({{"attributes", jsonOf(all.inputs)}, {"varyings", jsonOf(all.outputs)}});
     return json;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What render, view and lab take for a shader file beside the options of all scenes.
+// What render, view, lab and inspect take for a shader file beside the options of all scenes.
 #pragma once
 
 #include <optional>

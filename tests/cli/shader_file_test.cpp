@@ -17,6 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 constexpr int kWide = 48, kHigh = 32;
@@ -213,6 +214,21 @@ TEST_F(ShaderFile, IsTakenByTheOtherVerbs) {
   EXPECT_EQ(Json::parse(pixel.out)["points"][0]["node"], "ball");
   writeText(folder / "b.frag", "void mainImage(out vec4 c, in vec2 at) { c = vec4(iTime); }\n");
   EXPECT_THAT(run(folder, {"inspect", "b.frag"}).out, HasSubstr("iTime"));
+  // Of a file that has both, the one that is meant.
+  writeText(folder / "c.frag", kTinted + "void mainImage(out vec4 c, in vec2 at) { c = vec4(1); }\n");
+  EXPECT_THAT(run(folder, {"inspect", "c.frag"}).out, Not(HasSubstr("iTime")));
+  EXPECT_THAT(run(folder, {"inspect", "c.frag", "--shadertoy"}).out, HasSubstr("iTime"));
+  EXPECT_THAT(run(folder, {"inspect", "c.frag", "--shadertoy", "--size", "48x32", "--pixel", "0,0"}).out,
+              HasSubstr("picture"));
+  expectFailure(run(folder, {"inspect", "a.frag", "--shadertoy"}), 3, "there is no function",
+                "leave out --shadertoy");
+  expectFailure(run(folder, {"inspect", "teapot", "--shadertoy"}), 2, "'teapot' is none");
+  writeText(folder / "a.frag.presets.json", R"({ "presets": { "blue": { "tint": [0, 0, 1], "old": 1 } } })");
+  const Outcome preset = run(folder, {"inspect", "a.frag", "--preset", "blue", "--json"});
+  EXPECT_THAT(preset.err, HasSubstr("the preset has a value for 'old'"));
+  for (const Json& uniform : Json::parse(preset.out)["uniforms"])
+    EXPECT_EQ(uniform.value("value", "none"), uniform["name"] == "tint" ? "0,0,1" : "none") << uniform;
+  EXPECT_THAT(run(folder, {"inspect", "a.frag", "--preset", "blue"}).out, HasSubstr("is 0,0,1"));
 }
 
 TEST(Lab, RefusesWhatItCannotShow) {
