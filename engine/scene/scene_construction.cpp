@@ -181,16 +181,13 @@ void SceneConstruction::checkUnused(const BuiltMaterial& material) {
 }
 
 bool SceneConstruction::acceptNames(const NodeDesc& node, const Surface& surface) {
-  const std::uint32_t pieces = surface.triangles() ? 0 : surface.patchCount();
-  if (pieces > 0 && pieces <= kMostNamedPatches) return true;
+  if (!surface.triangles()) return true;
   problems_.add(
       node.material.place,
       fmt::format(
           "the colour, opacity or isolines of material '{}' use the place, normal or curvature of its "
-          "surface, and '{}' {}",
-          node.material.text, node.surface.text,
-          pieces == 0 ? std::string("is a mesh, without a formula of these")
-                      : fmt::format("has {} formulas: at most {} are supported", pieces, kMostNamedPatches)),
+          "surface, and '{}' is a mesh, without a formula of these",
+          node.material.text, node.surface.text),
       "give that node a material of u and v, or of one colour");
   return false;
 }

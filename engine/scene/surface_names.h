@@ -23,19 +23,16 @@ namespace luxo {
 
 inline constexpr std::array<std::string_view, 10> kSurfaceNames = {"x",  "y", "z", "nx", "ny",
                                                                    "nz", "K", "H", "k1", "k2"};
-/// Each piece is a branch of the same shader.
-inline constexpr std::uint32_t kMostNamedPatches = 4;
-
 /// What the names stand for, in that order. Variables 0 and 1 of the graph are u and v, the surface's
 /// parameters begin at `firstParameter`. Where an edge is a pole, that of 1/10,000 of the range beside it: an
-/// error of second order where the surface is smooth there. Required: a formula, of at most kMostNamedPatches
-/// patches. Cost: linear in the nodes of the surface's formula.
+/// error of second order where the surface is smooth there. Required: a formula. Cost: linear in the nodes of
+/// the formulas of its patches, each once, however many patches share it, and in the constants of all
+/// patches.
 [[nodiscard]] std::vector<Expr> surfaceValues(Graph& graph, const Surface& surface,
                                               std::uint32_t firstParameter);
 
 /// K, H, k1 and k2 as what a material's shader is given (Material::curvature); its parameters are the
-/// surface's. Nothing of triangles, which are flat. Error(Scene): of more than kMostNamedPatches patches; too
-/// large a formula.
+/// surface's. Nothing of triangles, which are flat. Error(Scene): too large a formula.
 [[nodiscard]] Pattern curvaturePattern(const Surface& surface);
 
 }  // namespace luxo
