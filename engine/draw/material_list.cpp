@@ -149,8 +149,6 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
   if (const Paint paint = Paint::of(material); paint.valid()) {
     data.pattern = patternNumber(paint);
     data.firstPatternParameter = firstPatternParameter(material, snapshot_.nodes[node], paint);
-    if (material.shader)
-      appendShader(material, snapshot_.nodes[node], list_.origin, snapshot_.ambient, list_.patternParameters);
     if (paint.readsFootprint()) requireTexels(list_.textures);
   }
   if (isDrawnAgain(material.shadingIn(options_.shading))) data.pattern = shared::kDrawnAgain;
@@ -171,6 +169,9 @@ std::uint32_t MaterialList::firstPatternParameter(const Material& material, cons
     appendMaps(material, node, list_.textures, all);
   else
     all.insert(all.end(), material.patternParameters.begin(), material.patternParameters.end());
+  if (paint.shader()) appendShader(material, node, list_.origin, snapshot_.ambient, all);
+  if (paint.isolines().valid())
+    all.insert(all.end(), material.isolineParameters.begin(), material.isolineParameters.end());
   if (all.empty()) all.push_back(0);  // something to bind
   return first;
 }

@@ -11,7 +11,7 @@
 namespace luxo {
 
 std::string Paint::preamble() const {
-  if (!maps_.any) return lines_ ? "#define LUXO_TEXTURED\n" : "";
+  if (!maps_.any) return isolines_.valid() ? "#define LUXO_TEXTURED\n" : "";
   std::string lines = "#define LUXO_TEXTURED\n";
   std::uint32_t first = shared::kTextureNumbers;  // the colour's are always there
   const auto define = [&](bool has, std::string_view name, std::uint32_t numbers) {
@@ -25,15 +25,10 @@ std::string Paint::preamble() const {
   define(maps_.specular, "LUXO_SPECULAR_MAP", shared::kTextureNumbers);
   define(maps_.glow, "LUXO_GLOW_MAP", shared::kTextureNumbers);
   if (readsFrame()) lines += "#define LUXO_FRAMED\n";
-  first = firstOfUniforms();
-  for (const auto& [name, count] : shader_.given)
-    if (count == 0) first += shared::kTextureNumbers;
-  if (shader_.text) lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", first);
-  if (shader_.curvature.valid()) {
-    std::uint32_t numbers = kShaderNumbers;
-    for (const auto& [name, count] : shader_.given) numbers += count;
-    lines += fmt::format("#define LUXO_CURVATURE_NUMBERS {}u\n", numbers);
-  }
+  if (shader_.text)
+    lines += fmt::format("#define LUXO_SHADER\n#define LUXO_SHADER_NUMBERS {}u\n", firstOfShader());
+  if (shader_.curvature.valid())
+    lines += fmt::format("#define LUXO_CURVATURE_NUMBERS {}u\n", firstOfCurvature() - firstOfShader());
   if (shader_.text && shader_.text->traces()) lines += "#define LUXO_TRACES\n";
   if (shader_.text && shader_.text->hasOpacity()) lines += "#define LUXO_OPACITY\n";
   if (maps_.lesson) lines += "#define LUXO_LESSON\n";
@@ -47,6 +42,33 @@ std::uint32_t Paint::firstOfUniforms() const {
   for (const bool has : {maps_.specular, maps_.glow})
     if (has) numbers += shared::kTextureNumbers;
   return numbers;
+}
+
+std::uint32_t Paint::firstOfShader() const {
+  std::uint32_t numbers = firstOfUniforms();
+  for (const auto& [name, count] : shader_.given)
+    if (count == 0) numbers += shared::kTextureNumbers;
+  return numbers;
+}
+
+std::uint32_t Paint::firstOfCurvature() const {
+  std::uint32_t numbers = firstOfShader() + kShaderNumbers;
+  for (const auto& [name, count] : shader_.given) numbers += count;
+  return numbers;
+}
+
+std::uint32_t Paint::firstOfIsolines() const {
+  if (!maps_.any) return static_cast<std::uint32_t>(pattern_.parameterCount());
+  if (!shader_.text) return firstOfShader();
+  return firstOfCurvature() + static_cast<std::uint32_t>(shader_.curvature.parameterCount());
+}
+
+std::string Paint::glsl() const {
+  std::string text = maps_.any ? "#include \"lib/texture.glsl\"\n" : pattern_.glsl();
+  if (!isolines_.valid()) return text;
+  text +=
+      fmt::format("#define LUXO_FIRST_OF_ISOLINES {}u\n#include \"lib/isolines.glsl\"\n", firstOfIsolines());
+  return text + isolines_.glsl();
 }
 
 }  // namespace luxo

@@ -6,10 +6,10 @@
 #include <compare>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "scene/isoline_set.h"
 #include "scene/material.h"
 #include "scene/pattern.h"
 
@@ -25,7 +25,7 @@ class Paint {
   /// Of a material: its maps, where it draws them, or its pattern.
   [[nodiscard]] static Paint of(const Material& material) {
     Paint paint(material.diffusePattern);
-    paint.lines_ = material.drawsLines();
+    paint.isolines_ = material.isolines;
     if (!material.drawsMaps()) return paint;
     paint.maps_ = {.any = true,
                    .color = material.map.valid(),
@@ -54,8 +54,8 @@ class Paint {
 
   [[nodiscard]] bool valid() const { return maps_.any || pattern_.valid(); }
   [[nodiscard]] bool isTexture() const { return maps_.any; }
-  /// Whether what of the surface a pixel covers decides its colour: a texture's, or that of lines.
-  [[nodiscard]] bool readsFootprint() const { return maps_.any || lines_; }
+  /// Whether what of the surface a pixel covers decides its colour: a texture's, or that of isolines.
+  [[nodiscard]] bool readsFootprint() const { return maps_.any || isolines_.valid(); }
   /// Whether a point's tangent decides its light.
   [[nodiscard]] bool readsFrame() const { return maps_.tangent || shader_.text; }
   /// Null: luxo's own light.
@@ -64,15 +64,13 @@ class Paint {
   /// Of the surface, for the shader; none where that does not read it.
   [[nodiscard]] const Pattern& curvature() const { return shader_.curvature; }
   /// Included by shaders as "pattern", with preamble() before all; requires valid().
-  [[nodiscard]] std::string_view glsl() const {
-    if (maps_.any) return "#include \"lib/texture.glsl\"\n";
-    return lines_ ? pattern_.glslWithLines() : pattern_.glsl();
-  }
+  [[nodiscard]] std::string glsl() const;
   /// Which maps there are, and where their numbers start, as appendMaps() (draw/texture_list.h) has them.
   [[nodiscard]] std::string preamble() const;
   /// Where those of the textures that its shader's uniforms are given start: behind them are the shader's
   /// own.
   [[nodiscard]] std::uint32_t firstOfUniforms() const;
+  [[nodiscard]] const IsolineSet& isolines() const { return isolines_; }
 
   friend bool operator==(const Paint&, const Paint&) = default;
   friend std::strong_ordering operator<=>(const Paint&, const Paint&) = default;
@@ -100,8 +98,15 @@ class Paint {
       return a.curvature <=> b.curvature;
     }
   };
+  /// Where the numbers of the material's shader begin, or would.
+  [[nodiscard]] std::uint32_t firstOfShader() const;
+  /// Where those of the surface's curvature do.
+  [[nodiscard]] std::uint32_t firstOfCurvature() const;
+  /// Behind all others.
+  [[nodiscard]] std::uint32_t firstOfIsolines() const;
+
   Pattern pattern_;
-  bool lines_ = false;  ///< whether those of the pattern are drawn
+  IsolineSet isolines_;
   Maps maps_;
   Shader shader_;
 };

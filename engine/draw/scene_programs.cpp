@@ -172,7 +172,7 @@ void ScenePrograms::prepare(std::span<const DrawState> states) {
       static_cast<void>(materials_.of(shader));
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     const auto& [surface, pattern, grazing, form, footprint, frame] = missing[i].key;
-    const std::string_view patternText = pattern.valid() ? pattern.glsl() : "";
+    const std::string patternText = pattern.valid() ? pattern.glsl() : "";
     const std::optional<ExactSource::Caster> caster = casterOf(form);
     const bool parameters = form == Form::FoundWithParameters;
     const auto builtIn = footprint ? std::span<const std::uint32_t>()
@@ -339,11 +339,12 @@ ScenePrograms::Shader ScenePrograms::patternShader(const DrawState& state, std::
   const std::tuple key(pattern, name, state.tangents);
   const auto found = patternShaders_.find(key);
   if (found != patternShaders_.end()) return found->second;
-  if (const auto builtIn = builtInPatternShader(name, pattern.glsl()); !builtIn.empty())
+  const std::string text = pattern.glsl();
+  if (const auto builtIn = builtInPatternShader(name, text); !builtIn.empty())
     return patternShaders_.emplace(key, std::vector<std::uint32_t>(builtIn.begin(), builtIn.end()))
         .first->second;
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
-  sources.push_back({"pattern", pattern.glsl()});
+  sources.push_back({"pattern", text});
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
   std::string material;
   if (pattern.shader()) {

@@ -163,14 +163,18 @@ Footprint Caster::footprintOf(const Beam& beam, const Hit& hit, const Vec3& su, 
 
 Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
   const Material& material = materialOf(hit.node);
-  Reflection reflection{hit.normal, material.diffuseAt(hit.u, hit.v, hit.footprint), material.specular,
-                        Vec3(0), material.shininess};
-  if (!material.drawsMaps()) return reflection;
+  Reflection reflection{hit.normal, material.diffuseAt(hit.u, hit.v), material.specular, Vec3(0),
+                        material.shininess};
+  if (!material.drawsMaps()) {
+    reflection.diffuse = material.underIsolines(reflection.diffuse, hit.u, hit.v, hit.footprint);
+    return reflection;
+  }
   const Body& body = bodies_[hit.node];
   const auto texel = [&](const TextureMap& map, const TexturePlacement& placement) {
     return map.valid() ? Vec3(map.at(placement, {hit.u, hit.v}, hit.footprint)) : Vec3(1);
   };
-  reflection.diffuse *= texel(material.map, body.maps[0]);
+  reflection.diffuse = material.underIsolines(reflection.diffuse * texel(material.map, body.maps[0]), hit.u,
+                                              hit.v, hit.footprint);
   if (material.normalMap.valid())
     reflection.normal = bentNormal(material, body.normalFromTexel, texel(material.normalMap, body.maps[1]),
                                    hit.normal, hit.frame);
@@ -499,7 +503,8 @@ Vec3 Caster::drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt)
       return glm::dot(normal,
                       unit(Vec3(light.positionWorld) - (hit.position + step) * light.positionWorld.w));
     };
-    if (light.radiance == Vec3(0) || (materialOf(hit.node).drawsMaps() && cosineOf(Vec3(0), hit.normal) <= 0))
+    if (light.radiance == Vec3(0) ||
+        (materialOf(hit.node).normalMap.valid() && cosineOf(Vec3(0), hit.normal) <= 0))
       continue;
     const double cosine = cosineOf(Vec3(0), reflection.normal), slope = gradient(cosineOf);
     const auto covered = [&](const Vec3& through) {

@@ -110,8 +110,8 @@ Expr FormulaSet::readOne(const Quantity& quantity, Scope& scope) {
   return formula.value;
 }
 
-bool FormulaSet::varies() const {
-  const std::vector<std::uint32_t> variables = variablesOf(*graph_, values_);
+bool FormulaSet::varies(std::size_t formulas) const {
+  const std::vector<std::uint32_t> variables = variablesOf(*graph_, std::span(values_).first(formulas));
   return !variables.empty() && variables.front() < kFirstParameter;
 }
 

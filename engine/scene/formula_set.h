@@ -48,8 +48,8 @@ class FormulaSet {
   [[nodiscard]] const Domain& domain() const { return domain_; }
   /// The values of variables 2, 3, ... of the graph.
   [[nodiscard]] const std::vector<Animated<double>>& parameters() const { return parameters_; }
-  /// Whether a formula reads u or v.
-  [[nodiscard]] bool varies() const;
+  /// Whether one of the first so many formulas reads u or v.
+  [[nodiscard]] bool varies(std::size_t formulas) const;
   /// Whether one uses a name of scene/surface_names.h.
   [[nodiscard]] bool readsSurface() const { return readsSurface_; }
 

@@ -44,6 +44,10 @@ void validate(const Material& material) {
   if (material.patternParameters.size() != material.diffusePattern.parameterCount())
     reject(material, "the number of pattern parameters", fmt::format("{}", material.patternParameters.size()),
            fmt::format("{}", material.diffusePattern.parameterCount()));
+  if (material.isolineParameters.size() != material.isolines.parameterCount())
+    reject(material, "the number of parameters of its isolines",
+           fmt::format("{}", material.isolineParameters.size()),
+           fmt::format("{}", material.isolines.parameterCount()));
   if (material.curvatureParameters.size() != material.curvature.parameterCount())
     reject(material, "the number of parameters of its surface's curvature",
            fmt::format("{}", material.curvatureParameters.size()),
@@ -88,6 +92,9 @@ void validate(const Material& material) {
   for (const double parameter : material.patternParameters)
     if (!std::isfinite(parameter))
       reject(material, "a pattern parameter", fmt::format("{}", parameter), "finite");
+  for (const double parameter : material.isolineParameters)
+    if (!std::isfinite(parameter))
+      reject(material, "a parameter of its isolines", fmt::format("{}", parameter), "finite");
 }
 
 Vec3 Material::transmission(double opacityThere, const Vec3& diffuseThere) const {

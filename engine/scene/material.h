@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "scene/isoline_set.h"
 #include "scene/material_shader.h"
 #include "scene/pattern.h"
 #include "scene/shading.h"
@@ -61,9 +62,13 @@ struct Material {
   std::optional<Shading> shading = std::nullopt;  ///< overrides the picture's shading, unless that shows data
   bool lectureSpecular = false;                   ///< highlights even where the light is below the horizon
   /// Stands for `diffuse`, and for the ambient colour unless that is given; times `opacity`, if it has one.
-  /// Lines of it are not drawn where something is seen through.
   Pattern diffusePattern = {};
   std::vector<double> patternParameters = {};  ///< as many as the pattern has
+  /// Lines over the colour that a pattern, a map or none of them gives; where the surface is seen through so
+  /// are they. Over what a shader gives they are lit as a material without it and without maps is. Light that
+  /// gets through, and models, know nothing of them.
+  IsolineSet isolines = {};
+  std::vector<double> isolineParameters = {};  ///< as many as they have
   /// Times `diffuse`, and stands for the ambient colour unless that is given; there is none where there is a
   /// pattern.
   TextureMap map = {};
@@ -121,11 +126,12 @@ struct Material {
   [[nodiscard]] bool hasMaps() const {
     return map.valid() || normalMap.valid() || specularMap.valid() || glowMap.valid();
   }
-  /// Or as if there were some: the lesson's formula, a shader.
-  [[nodiscard]] bool drawsMaps() const { return hasMaps() || drawsLesson() || shader; }
-  [[nodiscard]] bool drawsLines() const { return diffusePattern.hasLines() && !transparent(); }
+  /// Or as if there were some: the lesson's formula, a shader, isolines over one colour.
+  [[nodiscard]] bool drawsMaps() const {
+    return hasMaps() || drawsLesson() || shader || (isolines.valid() && !diffusePattern.valid());
+  }
   /// Whether what of the surface a pixel covers decides its colour.
-  [[nodiscard]] bool readsFootprint() const { return drawsMaps() || drawsLines(); }
+  [[nodiscard]] bool readsFootprint() const { return drawsMaps() || isolines.valid(); }
   [[nodiscard]] bool drawsLesson() const { return lesson && !transparent(); }
   /// Whether a light adds something to a surface that is turned away from it.
   [[nodiscard]] bool lightsBelowHorizon() const { return lectureSpecular || lesson || shader; }
@@ -145,9 +151,9 @@ struct Material {
   [[nodiscard]] Vec3 diffuseAt(double u, double v) const {
     return diffusePattern.valid() ? diffusePattern.colorAt(u, v, patternParameters) : diffuse;
   }
-  /// As a pixel sees it.
-  [[nodiscard]] Vec3 diffuseAt(double u, double v, const Footprint& footprint) const {
-    return drawsLines() ? diffusePattern.colorAt(u, v, footprint, patternParameters) : diffuseAt(u, v);
+  /// A colour with the isolines over it, as a pixel sees them.
+  [[nodiscard]] Vec3 underIsolines(const Vec3& color, double u, double v, const Footprint& footprint) const {
+    return isolines.valid() ? isolines.over(color, u, v, footprint, isolineParameters) : color;
   }
   /// How much of what is behind a point is seen through it, where it is so opaque and of that colour.
   [[nodiscard]] Vec3 transmission(double opacityThere, const Vec3& diffuseThere) const;

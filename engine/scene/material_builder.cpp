@@ -17,10 +17,7 @@ namespace luxo {
 namespace {
 
 /// What no map, shader or lesson is drawn beside.
-const char* painting(const Material& material) {
-  return material.diffusePattern.hasLines() ? "there are isolines"
-                                            : "the diffuse colour or opacity uses u or v";
-}
+constexpr const char* kPainting = "the diffuse colour or opacity uses u or v";
 
 /// What a sampler is given: a texture, or the name of one, which is written as formulas are. A parameter is
 /// the number of a map, as programs in the course's style have it.
@@ -62,7 +59,7 @@ struct MaterialBuilder::Moving {
   Animated<Vec3> diffuse = Vec3(0), specular = Vec3(0);
   std::optional<Animated<Vec3>> ambient = {};
   Animated<double> shininess = 0.0, opacity = 0.0, cutoff = 0.0;
-  std::vector<Animated<double>> patternParameters = {}, curvatureParameters = {};
+  std::vector<Animated<double>> patternParameters = {}, isolineParameters = {}, curvatureParameters = {};
   std::array<MapPlace, 4> places = {};                       ///< of Material::maps()
   std::vector<MapPlace> uniformPlaces = {};                  ///< of each uniform
   std::vector<std::vector<Animated<double>>> uniforms = {};  ///< of each the values
@@ -77,6 +74,8 @@ struct MaterialBuilder::Moving {
     material.cutoff = cutoff.at(moment);
     for (const Animated<double>& parameter : patternParameters)
       material.patternParameters.push_back(parameter.at(moment));
+    for (const Animated<double>& parameter : isolineParameters)
+      material.isolineParameters.push_back(parameter.at(moment));
     for (const Animated<double>& parameter : curvatureParameters)
       material.curvatureParameters.push_back(parameter.at(moment));
     const std::array<TextureMap*, 4> maps = material.maps();
@@ -98,6 +97,7 @@ struct MaterialBuilder::Moving {
       moves = moves || number.movesWithTime();
     };
     std::ranges::for_each(patternParameters, consider);
+    std::ranges::for_each(isolineParameters, consider);
     std::ranges::for_each(curvatureParameters, consider);
     for (const std::vector<Animated<double>>& values : uniforms) std::ranges::for_each(values, consider);
     for (const MapPlace& place : places) std::ranges::for_each(place.numbers(), consider);
@@ -116,6 +116,8 @@ Animated<Material> MaterialBuilder::build(const MaterialDesc& desc, ShapeBuilder
                             .lectureSpecular = desc.lectureSpecular}};
   material.fixed.diffusePattern = std::move(paint.pattern);
   material.patternParameters = std::move(paint.parameters);
+  material.fixed.isolines = std::move(paint.isolines);
+  material.isolineParameters = std::move(paint.isolineParameters);
   material.fixed.curvature = std::move(paint.curvature);
   material.curvatureParameters = std::move(paint.curvatureParameters);
   material.diffuse = std::move(paint.uniform);
@@ -137,7 +139,7 @@ void MaterialBuilder::addMaps(const MaterialDesc& desc, Moving& material) {
     const MapDesc& map = *maps[i];
     addMap(map, *material.fixed.maps()[i], material.places[i]);
     if (material.fixed.diffusePattern.valid())
-      problems_.add(map.texture.place, fmt::format("{}, and there is a map, too", painting(material.fixed)),
+      problems_.add(map.texture.place, fmt::format("{}, and there is a map, too", kPainting),
                     "leave out one of them");
   }
   material.fixed.mapOpacity = desc.map && desc.map->alpha && material.fixed.map.valid();
@@ -173,8 +175,7 @@ void MaterialBuilder::addLesson(const MaterialDesc& desc, Moving& material) {
   if (!desc.lesson) return;
   material.fixed.lesson = true;
   if (material.fixed.diffusePattern.valid())
-    problems_.add(desc.name.place,
-                  fmt::format("{}, which the lesson's formula does not know", painting(material.fixed)),
+    problems_.add(desc.name.place, fmt::format("{}, which the lesson's formula does not know", kPainting),
                   "draw it with a \"map\"");
   else if (!isOpaque(desc) && warnings_)
     warnings_->push_back(
@@ -211,7 +212,7 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
   }
   const FilePlace where = (desc.shader.empty() ? desc.vertex : desc.shader).place;
   if (material.fixed.diffusePattern.valid())
-    problems_.add(where, fmt::format("{}, and there is a shader, too", painting(material.fixed)),
+    problems_.add(where, fmt::format("{}, and there is a shader, too", kPainting),
                   "compute them in the shader, from uv (\"#pragma luxo opacity\")");
   const MaterialShaderPtr& shader = material.fixed.shader;
   if (shader && shader->traces() && (!isOpaque(desc) || shader->hasOpacity()))

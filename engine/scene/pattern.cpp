@@ -10,7 +10,6 @@
 #include "base/assert.h"
 #include "formula/glsl.h"
 #include "formula/tape.h"
-#include "scene/pattern_lines.h"
 #include "scene/ranges.h"
 
 namespace luxo {
@@ -20,7 +19,6 @@ struct Pattern::Content {
   bool hasOpacity;
   std::string glsl;
   Tape paint;
-  PatternLines lines = {};
 };
 
 namespace {
@@ -28,12 +26,6 @@ namespace {
 std::string emit(Graph& graph, const std::array<Expr, 4>& paint) {
   const GlslOutput output{"paint", paint};
   return emitGlsl(graph, "patternPaint", {&output, 1});
-}
-
-// A component that is not a positive number is none.
-Vec3 orBlack(const Vec3& color) {
-  const auto one = [](double c) { return c > 0 && std::isfinite(c) ? std::min(c, kMaxSceneNumber) : 0; };
-  return {one(color.x), one(color.y), one(color.z)};
 }
 
 }  // namespace
@@ -47,11 +39,6 @@ Pattern::Pattern(Graph& graph, const std::array<Expr, 3>& color, std::size_t par
 Pattern::Pattern(Graph& graph, const std::array<Expr, 4>& paint, std::size_t parameterCount)
     : Pattern(Content{parameterCount, true, emit(graph, paint), Tape(graph, paint)}) {}
 
-Pattern::Pattern(Graph& graph, const std::array<Expr, 3>& color, std::span<const Isolines> lines,
-                 std::size_t parameterCount)
-    : Pattern(Content{parameterCount, false, emit(graph, {color[0], color[1], color[2], 1}),
-                      Tape(graph, color), PatternLines(graph, color, lines)}) {}
-
 std::size_t Pattern::parameterCount() const { return valid() ? content_->parameterCount : 0; }
 
 bool Pattern::hasOpacity() const { return valid() && content_->hasOpacity; }
@@ -59,16 +46,7 @@ bool Pattern::hasOpacity() const { return valid() && content_->hasOpacity; }
 Vec3 Pattern::colorAt(double u, double v, std::span<const double> parameters) const {
   LUXO_REQUIRE(valid() && parameters.size() == content_->parameterCount);
   const auto value = content_->paint.evaluate({&u, 1}, {&v, 1}, parameters);
-  return orBlack({value[0][0], value[1][0], value[2][0]});
-}
-
-bool Pattern::hasLines() const { return valid() && content_->lines.any(); }
-
-Vec3 Pattern::colorAt(double u, double v, const Mat2& footprint, std::span<const double> parameters) const {
-  Vec3 color = colorAt(u, v, parameters);
-  for (const LinesOfPixel& lines : content_->lines.at(u, v, footprint, parameters))
-    color = glm::mix(color, orBlack(lines.color), lines.covered);
-  return color;
+  return colorOrBlack({value[0][0], value[1][0], value[2][0]});
 }
 
 double Pattern::opacityAt(double u, double v, std::span<const double> parameters) const {
@@ -110,17 +88,11 @@ const std::string& Pattern::glsl() const {
   return content_->glsl;
 }
 
-const std::string& Pattern::glslWithLines() const {
-  LUXO_REQUIRE(hasLines());
-  return content_->lines.glsl();
-}
-
 std::strong_ordering operator<=>(const Pattern& a, const Pattern& b) {
   if (a.content_ == b.content_) return std::strong_ordering::equal;
   if (!a.valid() || !b.valid()) return a.valid() <=> b.valid();
   if (const auto order = a.content_->parameterCount <=> b.content_->parameterCount; order != 0) return order;
-  if (const auto order = a.content_->glsl <=> b.content_->glsl; order != 0) return order;
-  return a.content_->lines.glsl() <=> b.content_->lines.glsl();
+  return a.content_->glsl <=> b.content_->glsl;
 }
 
 }  // namespace luxo

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A colour that varies over a surface: three formulas of u, v and parameters, evaluated in every pixel; with
-// a fourth, how opaque the surface is there; or with lines over it.
+// a fourth, how opaque the surface is there.
 //
 //     Material checkered{.diffusePattern = pattern([](auto u, auto v) {
 //       const Expr square = mod(floor(8 * u) + floor(8 * v), 2);
@@ -18,9 +18,7 @@
 #include <tuple>
 
 #include "formula/expression.h"
-#include "math/mat2.h"
 #include "math/vec.h"
-#include "scene/isolines.h"
 #include "surface/patch.h"
 
 namespace luxo {
@@ -36,9 +34,6 @@ class Pattern {
   Pattern(Graph& graph, const std::array<Expr, 3>& color, std::size_t parameterCount);
   /// `paint`: the color, and the opacity.
   Pattern(Graph& graph, const std::array<Expr, 4>& paint, std::size_t parameterCount);
-  /// With lines over the color, one after the other: at most kMostLineFamilies in all.
-  Pattern(Graph& graph, const std::array<Expr, 3>& color, std::span<const Isolines> lines,
-          std::size_t parameterCount);
 
   [[nodiscard]] bool valid() const { return content_ != nullptr; }
   [[nodiscard]] std::size_t parameterCount() const;
@@ -46,12 +41,6 @@ class Pattern {
   /// Linear RGB. A component that is not a positive finite number is 0: a formula without a value is black;
   /// one above kMaxSceneNumber (scene/ranges.h) is that.
   [[nodiscard]] Vec3 colorAt(double u, double v, std::span<const double> parameters = {}) const;
-
-  [[nodiscard]] bool hasLines() const;
-  /// With the lines, as a pixel sees them over which u and v move so: in columns, to the pixel at the right
-  /// and to that below.
-  [[nodiscard]] Vec3 colorAt(double u, double v, const Mat2& footprint,
-                             std::span<const double> parameters) const;
 
   /// Whether it says how opaque a surface is.
   [[nodiscard]] bool hasOpacity() const;
@@ -65,11 +54,8 @@ class Pattern {
   [[nodiscard]] std::optional<Domain> whereCut(const Domain& domain,
                                                std::span<const double> parameters) const;
 
-  /// `void patternPaint(float u, float v, out vec4 paint)`, the opacity last (formula/glsl.h), without lines.
+  /// `void patternPaint(float u, float v, out vec4 paint)`, the opacity last (formula/glsl.h).
   [[nodiscard]] const std::string& glsl() const;
-  /// The same with its lines: whoever includes it defines pixelFootprint() (shaders/lib/isolines.glsl).
-  /// Required: hasLines().
-  [[nodiscard]] const std::string& glslWithLines() const;
 
   /// By content: equal patterns are the same shader, whoever made them.
   friend bool operator==(const Pattern& a, const Pattern& b) { return (a <=> b) == 0; }

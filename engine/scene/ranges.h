@@ -3,6 +3,8 @@
 // comes from.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -42,6 +44,12 @@ inline constexpr Interval kFpsRange{1e-6, 1e6};
 [[nodiscard]] inline bool isColor(const Vec3& color, double most = kMaxSceneNumber) {
   const Interval range{0, most};
   return range.contains(color.x) && range.contains(color.y) && range.contains(color.z);
+}
+
+/// What formulas of u and v give as a colour: a component that is not a positive finite number is 0.
+[[nodiscard]] inline Vec3 colorOrBlack(const Vec3& color) {
+  const auto one = [](double c) { return c > 0 && std::isfinite(c) ? std::min(c, kMaxSceneNumber) : 0; };
+  return {one(color.x), one(color.y), one(color.z)};
 }
 
 /// What a formula gives at a moment, cut off at `most`. 1 where something was cut off; what is not

@@ -141,9 +141,6 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     const bool known =
         problems_.count() > problemsBefore || (!paint.readsSurface && !material.readsCurvature);
     if (known) material.everywhere = makeMaterial(desc, std::move(paint));
-    if (warnings_ && !desc.isolines.empty() && !isOpaque(desc))
-      warnings_->push_back(
-          {rangeOf(desc.isolines[0].place), "isolines on what is seen through are not drawn yet", {}});
     materialIndices_.add(desc.name, materials_.size(), problems_);
     materials_.push_back(std::move(material));
   });

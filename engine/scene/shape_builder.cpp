@@ -46,10 +46,11 @@ std::string shown(const Interval& range) {
 /// Whether a hole leaves nothing of a range that could be seen.
 bool covers(const Interval& hole, const Interval& range) { return hole.width() >= 0.999 * range.width(); }
 
-/// The values of three formulas that depend neither on u nor on v; what they give is judged by snapshots.
+/// The values of the first three formulas, which depend neither on u nor on v; what they give is judged by
+/// snapshots.
 Animated<Vec3> uniformOf(const FormulaSet& formulas) {
-  const auto valueOf = [tape =
-                            Tape(formulas.graph(), formulas.values())](std::span<const double> parameters) {
+  const auto valueOf = [tape = Tape(formulas.graph(), std::span(formulas.values()).first(3))](
+                           std::span<const double> parameters) {
     std::array<double, 3> c{};
     tape.evaluatePoint(0, 0, parameters, c);
     return Vec3(c[0], c[1], c[2]);
@@ -363,17 +364,20 @@ ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const MaterialDesc& material,
       material.isolines, std::span(c).subspan(ofPaint), formulas.u(), formulas.v(),
       surface.valid() && !surface.triangles() ? surface.domain() : Domain{{0, 1}, {0, 1}}, formulas_);
   if (problems_.count() > problemsBefore) return {};
+  const std::size_t parameters = formulas.parameters().size();
+  if (!lines.empty()) {
+    paint.isolines = IsolineSet(formulas.graph(), lines, parameters);
+    paint.isolineParameters = formulas.parameters();
+  }
   // What u and v are in is not always what depends on them: 0.5 + 0 * v.
-  if (!formulas.varies() && lines.empty()) {
+  if (!formulas.varies(ofPaint)) {
     const Animated<Vec3> uniform = uniformOf(formulas);
     paint.uniform = uniform.isConstant() ? uniform : formulas_.guarded(color, kLight, uniform);
     return paint;
   }
-  const std::size_t parameters = formulas.parameters().size();
   const std::array<Expr, 3> colors{c[0], c[1], c[2]};
-  paint.pattern = opacityVaries   ? Pattern(formulas.graph(), std::array{c[0], c[1], c[2], c[3]}, parameters)
-                  : lines.empty() ? Pattern(formulas.graph(), colors, parameters)
-                                  : Pattern(formulas.graph(), colors, lines, parameters);
+  paint.pattern = opacityVaries ? Pattern(formulas.graph(), std::array{c[0], c[1], c[2], c[3]}, parameters)
+                                : Pattern(formulas.graph(), colors, parameters);
   paint.parameters = formulas.parameters();
   return paint;
 }
@@ -389,7 +393,7 @@ bool ShapeBuilder::readOpacity(const MaterialDesc& material, const Surface& surf
     formula.reportTo(problems_);
     return false;
   }
-  if (formula.varies() || (formula.readsSurface() && !surface.valid())) return true;
+  if (formula.varies(1) || (formula.readsSurface() && !surface.valid())) return true;
   const Expr one = formula.values()[0];
   const Animated<Vec3> uniform = uniformOf(formula);
   if (one.isConstant())

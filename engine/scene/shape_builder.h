@@ -39,7 +39,9 @@ class ShapeBuilder {
     std::vector<Animated<double>> parameters = {};  ///< of the pattern
     Animated<Vec3> uniform = Vec3(0);               ///< of any other colour
     Animated<double> opacity = 1.0;                 ///< of any other opacity
-    Pattern curvature = {};                         ///< of the surface, where a shader reads it
+    IsolineSet isolines = {};
+    std::vector<Animated<double>> isolineParameters = {};
+    Pattern curvature = {};  ///< of the surface, where a shader reads it
     std::vector<Animated<double>> curvatureParameters = {};
     bool readsSurface = false;  ///< and no surface was given: there is nothing else
     bool readsNames = false;    ///< with it: not only its range

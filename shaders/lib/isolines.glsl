@@ -4,6 +4,11 @@
 // How u and v move from a pixel to the next: u, v to the right, u, v below. Whoever includes this knows.
 vec4 pixelFootprint();
 
+// Those of the material, behind its other numbers.
+float isolineParameterAt(uint k) { return patternParameterAt(LUXO_FIRST_OF_ISOLINES + k); }
+#undef parameterAt
+#define parameterAt isolineParameterAt
+
 const float kFieldRounding = 1e-6;  // relative
 const float kEndless = 1e30;
 const float kFewLines = 3.0, kManyLines = 4.0;  // in a pixel: between, what is shown goes over to the mean
@@ -36,8 +41,9 @@ float lineCoverage(vec4 field, float width, bool repeats) {
   return mix(sum, mean, many);
 }
 
-// The colour, linear, with an opacity, where that much is covered.
-vec3 underLine(vec3 color, vec4 line, float covered) {
-  vec3 over = vec3(colorOrBlack(line.r), colorOrBlack(line.g), colorOrBlack(line.b));
-  return mix(color, over, covered * (line.a > 0.0 ? min(line.a, 1.0) : 0.0));
+// Lines, times the part that they cover, which is last, where that much of another is over them: of a linear colour, with an
+// opacity.
+vec4 underLine(vec4 lines, vec4 line, float covered) {
+  vec3 color = vec3(colorOrBlack(line.r), colorOrBlack(line.g), colorOrBlack(line.b));
+  return mix(lines, vec4(color, 1), covered * (line.a > 0.0 ? min(line.a, 1.0) : 0.0));
 }

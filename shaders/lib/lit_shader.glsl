@@ -140,6 +140,19 @@ Point materialPoint(Found found) {
 
 void loadUniforms();
 
+#ifdef LUXO_FIRST_OF_ISOLINES
+// Lines are lit as a material without a shader is.
+vec3 underIsolines(vec3 color, vec2 parameters) {
+  parameters = patternParametersAt(parameters);
+  vec4 lines = isolinesOver(parameters.x, parameters.y);
+  if (!(lines.a > 0.0)) return color;
+  Material line = foundMaterial();
+  line.diffuse = lines.rgb / lines.a;
+  if ((line.flags & kPatternAmbient) != 0) line.ambient *= line.diffuse;
+  return (1.0 - lines.a) * color + lines.a * illuminated(line, litPoint.position, litPoint.normal, litPoint.viewer);
+}
+#endif
+
 vec3 lit(Found found) {
   litPoint = found;
   litOpacity = 1.0;
@@ -163,7 +176,11 @@ vec3 lit(Found found) {
 #else
   if (color.a < 1.0) return vec3(uintBitsToFloat(kSeenThrough));
 #endif
+#ifdef LUXO_FIRST_OF_ISOLINES
+  return underIsolines(color.rgb, found.parameters);
+#else
   return color.rgb;
+#endif
 }
 
 #define material luxoMaterial

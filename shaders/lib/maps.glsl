@@ -10,11 +10,7 @@
 #define LUXO_ADDS_LIGHT false
 #endif
 
-// As paintAt() of lib/pattern.glsl takes them.
-vec2 mapParameters(vec2 parameters) {
-  vec4 bounds = patternBounds();
-  return clamp(parameters, bounds.xy, bounds.zw);
-}
+vec2 mapParameters(vec2 parameters) { return patternParametersAt(parameters); }
 
 #ifdef LUXO_SPECULAR_MAP
 vec3 mappedSpecular(vec3 specular, vec2 parameters) {

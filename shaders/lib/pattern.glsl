@@ -24,14 +24,23 @@ float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? min(c, 1e18
 #include "pattern"
 #undef parameterAt
 
+// Rounding must not lead across the end of the domain, where a pattern may jump.
+vec2 patternParametersAt(vec2 parameters) {
+  vec4 bounds = patternBounds();
+  return clamp(parameters, bounds.xy, bounds.zw);
+}
+
 // The colour, and how opaque it is; of a pattern that does not say 1.
 vec4 paintAt(vec2 parameters) {
-  // Rounding must not lead across the end of the domain, where a pattern may jump.
-  vec4 bounds = patternBounds();
-  parameters = clamp(parameters, bounds.xy, bounds.zw);
+  parameters = patternParametersAt(parameters);
   vec4 paint;
   patternPaint(parameters.x, parameters.y, paint);
-  return vec4(colorOrBlack(paint.r), colorOrBlack(paint.g), colorOrBlack(paint.b), paint.a > 0.0 ? min(paint.a, 1.0) : 0.0);
+  paint = vec4(colorOrBlack(paint.r), colorOrBlack(paint.g), colorOrBlack(paint.b), paint.a > 0.0 ? min(paint.a, 1.0) : 0.0);
+#ifdef LUXO_FIRST_OF_ISOLINES
+  vec4 lines = isolinesOver(parameters.x, parameters.y);
+  paint.rgb = (1.0 - lines.a) * paint.rgb + lines.rgb;
+#endif
+  return paint;
 }
 
 vec3 patternAt(vec2 parameters) { return paintAt(parameters).rgb; }

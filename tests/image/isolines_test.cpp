@@ -3,12 +3,25 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "formula/expression.h"
+#include "image/image.h"
+#include "image/texture.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
+#include "support/meshes.h"
 #include "support/verified_picture.h"
+#include "surface/library.h"
 
 namespace luxo::test {
 namespace {
@@ -154,6 +167,301 @@ TEST_F(IsolinesTest, AreThereInEveryShading) {
         << nameOf(shading);
   for (const Composition composition : {Composition::Fused, Composition::Deferred})
     EXPECT_NEAR(coveredIn(drawn(scene, {.composition = composition}), kMiddleRow).pixels, expected, kExactPx);
+}
+
+/// The first material of a scene.
+Material materialOf(const Scene& scene) {
+  const Snapshot snapshot = takeSnapshot(scene, 0, kIsolinesSize);
+  return snapshot.materials[snapshot.nodes[0].material.index];
+}
+
+Material linedWith(const std::string& isolines, Material rest = {}) {
+  const Material lines = materialOf(lined(kPlane, isolines));
+  rest.isolines = lines.isolines;
+  rest.isolineParameters = lines.isolineParameters;
+  return rest;
+}
+
+TextureMap mapOf(const Image& image, TextureFilter filter = TextureFilter::Trilinear) {
+  TextureMap map{.texture = std::make_shared<const Texture>(makeTexture(image, "test"))};
+  map.filter = filter;
+  return map;
+}
+
+/// Of noise, with alphas: from 0 to 1.
+Image noise(std::mt19937& random, int size) {
+  std::vector<float> samples(static_cast<std::size_t>(4 * size * size));
+  for (float& sample : samples) sample = std::uniform_real_distribution<float>(0, 1)(random);
+  return {size, size, 4, std::move(samples)};
+}
+
+MaterialShaderPtr shaderOf(const std::string& text) {
+  return std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
+}
+
+/// A ring and a plate of that material under a lamp, and a ball that casts its shadow on them.
+Scene litScene(const Material& material) {
+  Scene scene;
+  scene.set(RenderSettings{.background = Vec3(0), .ambient = Vec3(0.2)});
+  const MaterialId id = scene.add(material);
+  scene.add(Node{.surface = torus(0.8, 0.35), .material = id});
+  scene.add(Node{.translation = Vec3(0, -0.5, 0), .surface = rectangle(4, 4), .material = id});
+  const NodeId ball = scene.add(Node{.translation = Vec3(0.5, 1, 0.5), .surface = sphere(0.25)});
+  scene.add(Node{.translation = Vec3(1.5, 3, 1.5),
+                 .light = Light{.intensity = 0.8, .shadow = Light::Shadow::Exact, .casters = {ball}}});
+  scene.add(Camera{.eye = Vec3(1, 2, 3), .lookAt = Vec3(0)});
+  return scene;
+}
+
+// What covers a part of a pixel is so much of the surface's own light, and for the rest that of a material of
+// the lines' colour.
+TEST_F(IsolinesTest, LieOverMapsFormulasAndShaders) {
+  std::mt19937 random(7);
+  const Vec3 lineColor(0.9, 0.1, 0.3);
+  const std::string grid =
+      R"({ "of": "3u + v", "step": 0.3, "width": 2.5, "color": [0.9, 0.1, 0.3], "opacity": 0.7 })";
+  const Material base{.diffuse = Vec3(0.2, 0.7, 0.5), .specular = Vec3(0.3)};
+  Material mapped = base, varied = base, shaded = base;
+  mapped.map = mapOf(noise(random, 16));
+  varied.diffusePattern =
+      pattern([](auto u, auto v) { return point(0.5 + 0.4 * sin(9 * u), 0.3, 0.4 + 0.2 * v); });
+  shaded.shader = shaderOf("vec4 material(Point p) { return vec4(0.5 + 0.5 * sin(7.0 * p.object), 1.0); }");
+  Material ofLines = base;
+  ofLines.diffuse = lineColor;
+  for (const Material& material : {base, mapped, varied, shaded})
+    for (const Shading shading :
+         {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {
+      if (material.shader && material.shadingIn(shading) != shading) continue;
+      SCOPED_TRACE(testing::Message() << nameOf(shading) << (material.shader ? " by a shader" : ""));
+      const auto picture = [&](const Material& m) { return drawn(litScene(m), {.shading = shading}); };
+      const Image shown = picture(linedWith(grid, material)), without = picture(material),
+                  lines = picture(ofLines);
+      int covered = 0, beside = 0;
+      for (int y = 0; y < kIsolinesSize.height; ++y)
+        for (int x = 0; x < kIsolinesSize.width; ++x) {
+          const Vec3 a = colorAt(without, x, y), b = colorAt(lines, x, y), c = colorAt(shown, x, y);
+          // How much they cover is the same in all three components.
+          const Vec3 way = b - a;
+          const double part = glm::dot(c - a, way) / std::max(glm::dot(way, way), 1e-12);
+          const bool differs = glm::length(way) > 0.05;
+          covered += differs && part > 0.3;
+          beside +=
+              glm::length(c - a - part * way) > 2e-5 || (differs && (part < -1e-3 || part > 0.7 + 1e-3));
+        }
+      EXPECT_GT(covered, 500);
+      EXPECT_EQ(beside, 0);
+    }
+}
+
+TEST_F(IsolinesTest, OfTheLessonAreThoseOfTheTruth) {
+  Material material =
+      linedWith(R"({ "u": 24, "v": 12, "width": 2, "color": [0.9, 0.1, 0.3], "opacity": 0.7 })",
+                {.diffuse = Vec3(0.2, 0.7, 0.5), .lesson = true});
+  expectTrueColors(takeSnapshot(litScene(material), 0, kIsolinesSize), 500);
+}
+
+/// A sheet that faces the viewer at a distance, with lines of constant u or v.
+struct Sheet {
+  double z;
+  Vec3 color, line;
+  double opacity, width, at;
+  bool alongU;
+  Blend blend;
+
+  /// What of the square of a pixel its line covers, at that place.
+  [[nodiscard]] double covered(double x, double y) const {
+    constexpr double kPerPixel = 0.1;
+    const LineField field{.level = (alongU ? x : y) - at, .repeats = false};
+    return lineCoverage(field, alongU ? Vec2(kPerPixel, 0) : Vec2(0, -kPerPixel), width);
+  }
+};
+
+// In every pixel, against the layers put together in double: who is opaque by a number, a formula, a map or a
+// shader.
+TEST_F(IsolinesTest, OnWhatIsSeenThroughAreAsOpaqueAsItIs) {
+  const Vec3 ground(0.3, 0.6, 0.9);
+  const Sheet sheets[] = {{1, {0.8, 0.2, 0.1}, {0.1, 0.9, 0.2}, 0.75, 3.3, 0.12, true, Blend::Over},
+                          {2, {0.5, 0.9, 0.4}, {0.9, 0.1, 0.8}, 0.25, 1.7, -0.4, false, Blend::Multiply},
+                          {3, {0.2, 0.3, 0.1}, {0, 0, 0}, 0.5, 2.2, 0.533, true, Blend::Add},
+                          {4, {0.9, 0.9, 0.7}, {0.2, 0.1, 0.5}, 0.5, 5.0, 0.77, true, Blend::Over}};
+  const std::string places[] = {"a number", "a formula", "a map", "a shader"};
+  for (std::size_t kind = 0; kind < std::size(places); ++kind)
+    for (const Shading shading :
+         {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {
+      SCOPED_TRACE(fmt::format("{} {}", places[kind], nameOf(shading)));
+      const bool drawing = shading == Shading::Toon && kind != 3;  // half as bright without lights
+      Scene scene;
+      scene.set(plainSettings(ground));
+      for (const Sheet& sheet : sheets) {
+        Material material = linedWith(
+            fmt::format(R"({{ "of": "{}", "at": {}, "width": {}, "color": [{}, {}, {}] }})",
+                        sheet.alongU ? "u" : "v", sheet.at, sheet.width, sheet.line.x, sheet.line.y,
+                        sheet.line.z),
+            {.diffuse = sheet.color, .specular = Vec3(0), .opacity = sheet.opacity, .blend = sheet.blend});
+        const float alpha = static_cast<float>(sheet.opacity);
+        if (kind > 0) material.opacity = 1;
+        if (kind == 1) {
+          Graph graph;
+          material.diffusePattern = Pattern(graph,
+                                            std::array<Expr, 4>{sheet.color.x, sheet.color.y, sheet.color.z,
+                                                                sheet.opacity + 1e-12 * graph.variable(0)},
+                                            0);
+        }
+        if (kind == 2) {
+          material.map = mapOf(Image(1, 1, 4, {1, 1, 1, alpha}));
+          material.mapOpacity = true;
+        }
+        if (kind == 3)
+          material.shader =
+              shaderOf(fmt::format("#pragma luxo opacity\n"
+                                   "vec4 material(Point p) {{ return vec4({}, {}, {}, {}); }}",
+                                   sheet.color.x, sheet.color.y, sheet.color.z, sheet.opacity));
+        const double z = sheet.z;
+        scene.add(
+            Node{.surface = surface([z](auto u, auto v) { return point(u, v, z); }, {{-60, 60}, {-50, 50}}),
+                 .material = scene.add(material)});
+      }
+      const Camera camera{
+          .eye = Vec3(0, 0, 9), .lookAt = Vec3(0), .projection = Projection::Orthographic, .height = 7.3};
+      const Image shown = draw(scene, camera, kIsolinesSize, {.shading = shading}).image;
+      double worst = 0;
+      for (int y = 0; y < kIsolinesSize.height; ++y)
+        for (int x = 0; x < kIsolinesSize.width; ++x) {
+          Vec3 color = ground;
+          for (const Sheet& sheet : sheets) {
+            const double part = sheet.covered(0.1 * (x - kIsolinesSize.width / 2), 0.1 * (kMiddleRow - y));
+            const Vec3 own = glm::mix(sheet.color, sheet.line, part);
+            const Vec3 through = sheet.blend == Blend::Add        ? Vec3(1)
+                                 : sheet.blend == Blend::Multiply ? (1 - sheet.opacity) * own
+                                                                  : Vec3(1 - sheet.opacity);
+            color = sheet.opacity * (drawing ? 0.5 : 1.0) * own + through * color;
+          }
+          for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(color[c] - colorAt(shown, x, y)[c]));
+        }
+      // Of triangles (u, v) are interpolated in float.
+      EXPECT_LE(worst, shading == Shading::Exact ? kExactPx : 1e-2);
+    }
+}
+
+// Of holes there are none, and what is not cut out has them.
+TEST_F(IsolinesTest, AreCutOutWithTheirSurface) {
+  Material material = linedWith(R"({ "u": 6, "v": 6, "width": 3, "color": [1, 0, 0] })",
+                                {.diffuse = Vec3(0, 0, 1), .specular = Vec3(0)});
+  // Left of the middle it is a hole.
+  material.map = mapOf(Image(2, 1, 4, {1, 1, 1, 0.2f, 1, 1, 1, 0.9f}), TextureFilter::Nearest);
+  material.mapOpacity = true;
+  material.cutoff = 0.5;
+  Material uncut = material;
+  uncut.mapOpacity = false;
+  uncut.cutoff = 0;
+  const auto picture = [&](const Material& m) {
+    Scene scene;
+    scene.set(plainSettings(Vec3(0, 1, 0)));
+    scene.add(plate(Vec3(0), {6, 6}, scene.add(m)));
+    return draw(scene, Camera{.eye = Vec3(0.1, 0.3, 9), .lookAt = Vec3(0)}, kIsolinesSize).image;
+  };
+  const Image shown = picture(material), whole = picture(uncut);
+  int red = 0;
+  for (int y = 0; y < kIsolinesSize.height; ++y)
+    for (int x = 0; x < kIsolinesSize.width; ++x) {
+      if (std::abs(x - 48) <= 1) continue;
+      const Vec3 color = colorAt(shown, x, y);
+      EXPECT_TRUE(near(color, x < 48 ? Vec3(0, 1, 0) : colorAt(whole, x, y), 1e-6)) << x << " " << y;
+      red += color.x > 0.9;
+    }
+  EXPECT_GT(red, 30);
+}
+
+/// Things of all kinds, with lines or without, under some lights.
+class LinedScene {
+ public:
+  explicit LinedScene(std::uint32_t seed) : random_(seed) {}
+
+  Scene scene() {
+    Scene scene;
+    scene.set(RenderSettings{.background = Vec3(0.1, 0.15, 0.2)});
+    scene.add(
+        Node{.translation = Vec3(0, -1.3, 0), .surface = rectangle(8, 8), .material = scene.add(material())});
+    for (int i = 0; i < 4; ++i)
+      scene.add(Node{.translation = 0.8 * direction(),
+                     .rotation = Rotation{glm::normalize(direction() + Vec3(0, 1e-3, 0)), 6 * any()},
+                     .scale = Vec3(0.5 + 0.5 * any(), 0.5 + 0.5 * any(), 0.7),
+                     .surface = surface(),
+                     .material = scene.add(material())});
+    for (int i = 0; i < 2; ++i)
+      scene.add(Node{
+          .translation = Vec3(5 * any() - 2.5, 2.5 + 2 * any(), 5 * any() - 2.5),
+          .light = Light{.intensity = 0.5, .shadow = i == 0 ? Light::Shadow::Exact : Light::Shadow::None}});
+    scene.add(Camera{.eye = Vec3(2, 1.2 + any(), 3) * (1 + 0.4 * any()), .lookAt = Vec3(0, -0.2, 0)});
+    return scene;
+  }
+
+ private:
+  double any() { return std::uniform_real_distribution<double>(0, 1)(random_); }
+  Vec3 direction() { return {2 * any() - 1, 2 * any() - 1, 2 * any() - 1}; }
+
+  Surface surface() {
+    switch (int(6 * any())) {
+      case 0:
+        return icosphere(1);
+      case 1:
+        return meshOf(torus(0.8, 0.3), 2e-2);
+      case 2:
+        return torus(0.8, 0.3);
+      case 3:
+        return rectangle(2, 2);
+      case 4:
+        return sphere(0.9);
+      default:
+        return luxo::surface([](auto u, auto v) { return point(u, 0.4 * sin(3 * u) * v, v); },
+                             {{-1, 1}, {-1, 1}});
+    }
+  }
+
+  Material material() {
+    Material material{.diffuse = Vec3(0.9, 0.6 + 0.4 * any(), 0.9), .specular = Vec3(any() < 0.5 ? 0 : 0.2)};
+    if (any() < 0.4) {
+      material.map = mapOf(noise(random_, 8));
+      material.mapOpacity = any() < 0.5;
+      if (material.mapOpacity && any() < 0.4) material.cutoff = 0.2 + 0.5 * any();
+    } else if (any() < 0.4) {
+      Graph graph;
+      const Expr u = graph.variable(0), v = graph.variable(1);
+      material.diffusePattern =
+          Pattern(graph, std::array{0.5 + 0.4 * sin(5 * u), Expr(0.7), 0.5 + 0.4 * cos(4 * v)}, 0);
+    }
+    if (material.cutoff == 0 && any() < 0.5) {
+      material.opacity = 0.3 + 0.5 * any();
+      if (any() < 0.4) material.blend = any() < 0.5 ? Blend::Multiply : Blend::Add;
+    }
+    if (any() < 0.25) return material;
+    const char* const kinds[] = {
+        R"({{ "of": "u", "step": {}, "width": {}, "color": [0.1, 0.2, {}] }})",
+        R"a({{ "of": "v + 0.3*sin(4u)", "step": {}, "width": {}, "color": [0.9, 0, {}] }})a",
+        R"([ {{ "of": "u*v", "step": {}, "width": {}, "opacity": {} }}, {{ "of": "v" }} ])"};
+    return linedWith(
+        fmt::format(fmt::runtime(kinds[int(3 * any())]), 0.05 + 0.2 * any(), 0.5 + 3 * any(), any()),
+        material);
+  }
+
+  std::mt19937 random_;
+};
+
+TEST_F(IsolinesTest, OfRandomScenesAreTheTruthInEveryPixel) {
+  std::uint64_t layers = 0;
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Verified found = verified(takeSnapshot(LinedScene(seed).scene(), 0, kIsolinesSize));
+    const Verification& v = found.verification;
+    EXPECT_EQ(v.wrong.total(), 0U) << v.wrong.hitMiss << " hit or miss, " << v.wrong.layer << " layer, "
+                                   << v.wrong.point << " point, " << v.wrong.light << " light";
+    EXPECT_EQ(v.nanPixels, 0U);
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+    EXPECT_EQ(found.statistics.error.auditFailedPx, 0U);
+    EXPECT_EQ(found.statistics.error.uncertifiedPx, 0U);
+    layers += found.statistics.count.layerPoints;
+  }
+  EXPECT_GT(layers, 10'000U);
 }
 
 TEST_F(IsolinesTest, AreThoseOfTheTruth) {

@@ -90,18 +90,23 @@ Material materialWith(const std::string& material, const std::string& surface = 
   return snapshot.materials[snapshot.nodes[0].material.index];
 }
 
+/// As a pixel sees it.
+Vec3 colorAt(const Material& material, const Vec2& uv, const Mat2& footprint) {
+  return material.underIsolines(material.diffuseAt(uv.x, uv.y), uv.x, uv.y, footprint);
+}
+
 TEST(SceneIsolines, AGridHasAsManyLinesAsIsSaid) {
   const Material material =
       materialWith(R"("diffuse": 1, "isolines": { "u": 28, "v": "4+k", "width": "2px" })");
-  ASSERT_TRUE(material.drawsLines());
+  ASSERT_TRUE(material.isolines.valid());
   const Domain domain = makeSurface("torus").domain();
   constexpr int kSteps = 2800;
   const auto count = [&](const auto& at, const Mat2& footprint) {
     int begun = 0;
-    bool was = material.diffuseAt(at(-0.5).x, at(-0.5).y, footprint).x < 0.5;
+    bool was = colorAt(material, at(-0.5), footprint).x < 0.5;
     for (int i = 0; i < kSteps; ++i) {
       const Vec2 p = at(i + 0.5);
-      const bool is = material.diffuseAt(p.x, p.y, footprint).x < 0.5;
+      const bool is = colorAt(material, p, footprint).x < 0.5;
       begun += is && !was;
       was = is;
     }
@@ -119,7 +124,7 @@ TEST(SceneIsolines, LieOverTheColourInTheirOwn) {
       R"("diffuse": ["u", 1, 0], "let": { "w": "2v" },
          "isolines": [ { "of": "w", "at": 1, "width": 1, "color": "#0000ff80" }, { "of": "k*u", "color": [1, 0, 0] } ])");
   const Mat2 footprint(0.01, 0, 0, 0.01);
-  const auto at = [&](double u, double v) { return material.diffuseAt(u, v, footprint); };
+  const auto at = [&](double u, double v) { return colorAt(material, {u, v}, footprint); };
   const double a = 128 / 255.0;
   expectNear(at(0.5, 0.25), {0.5, 1, 0}, 1e-12);
   expectNear(at(0.5, 0.5), {0.5 * (1 - a), 1 - a, a}, 1e-12);
@@ -145,8 +150,7 @@ TEST(SceneIsolines, MistakesAreToldAtTheirPlace) {
       {R"("isolines": { "u": 3, "opacity": 2 })", "from 0 to 1"},
       {R"("isolines": { "of": "u", "stop": 1 })", "did you mean"},
       {R"("isolines": [ { "of": "u", "u": 1, "v": 1 }, { "of": "u", "u": 1, "v": 1 }, { "of": "u", "u": 1, "v": 1 } ])",
-       "more than 8 families"},
-      {R"("shading": "lesson", "isolines": { "u": 3 })", "there are isolines"}};
+       "more than 8 families"}};
   for (const auto& [material, said] : cases) {
     SCOPED_TRACE(material);
     expectSceneError([&, material = material] { static_cast<void>(materialWith(material)); },
@@ -154,20 +158,28 @@ TEST(SceneIsolines, MistakesAreToldAtTheirPlace) {
   }
 }
 
-TEST(SceneIsolines, OfNamesAreRefusedWhereThereAreTooManyFormulasAndAGridIsNot) {
-  const char* const teapot = R"({ "type": "teapot" })";
-  EXPECT_TRUE(materialWith(R"("isolines": { "u": 3 })", teapot).drawsLines());
-  expectSceneError([&] { static_cast<void>(materialWith(R"("isolines": { "of": "x", "u": 3 })", teapot)); },
-                   {"scene:3:", "isolines", "at most 4"});
+// Beside a formula for the colour or the opacity, and beside neither; their parameters are their own.
+TEST(SceneIsolines, AreBesideWhateverColours) {
+  const Mat2 footprint(0.01, 0, 0, 0.01);
+  const Material plain = materialWith(R"("diffuse": [0.5, 1, 0], "isolines": { "of": "k*u", "width": 1 })");
+  EXPECT_FALSE(plain.diffusePattern.valid());
+  EXPECT_EQ(plain.isolineParameters, std::vector<double>{3});
+  expectNear(colorAt(plain, {0.5, 0.5}, footprint), {0.5, 1, 0}, 1e-12);
+  expectNear(colorAt(plain, {0, 0.5}, footprint), {0, 0, 0}, 1e-12);
+  const Material veil =
+      materialWith(R"a("opacity": "0.5+0.1*sin(k*v)", "isolines": { "of": "u", "color": [0, 0, 1] })a");
+  EXPECT_NEAR(veil.opacityAt(0, 0.5), 0.5 + 0.1 * std::sin(1.5), 1e-12);
+  expectNear(colorAt(veil, {0, 0.5}, footprint), {0, 0, 1}, 1e-12);
 }
 
-TEST(SceneIsolines, OnWhatIsSeenThroughAreLeftOutAndThatIsSaid) {
-  std::vector<Diagnostic> warnings;
-  const Scene scene = buildScene(fileWith(R"("opacity": 0.5, "isolines": { "u": 3 })"), {}, &warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].message.find("isolines on what is seen through are not drawn yet"),
-            std::string::npos);
-  EXPECT_FALSE(takeSnapshot(scene, 0, {8, 8}).materials.back().drawsLines());
+// Of equal formulas, and only of these.
+TEST(SceneIsolines, CompareByContent) {
+  const auto isolines = [](const char* formula) {
+    return materialWith(fmt::format(R"("isolines": {{ "of": "{}", "step": 0.1 }})", formula)).isolines;
+  };
+  EXPECT_EQ(isolines("u+v"), isolines("u+v"));
+  EXPECT_NE(isolines("u+v"), isolines("u-v"));
+  EXPECT_NE(isolines("u+v"), IsolineSet());
 }
 
 }  // namespace

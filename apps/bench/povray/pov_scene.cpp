@@ -59,8 +59,8 @@ std::string placement(const Transform& t) {
 }
 
 std::string finish(const Material& m, const Vec3& ambientLight) {
-  if (m.opacity != 1 || m.diffusePattern.valid() || m.hasMaps() || m.twoSided == TwoSided::No ||
-      m.lectureSpecular || m.specular != Vec3(m.specular.x) ||
+  if (m.opacity != 1 || m.diffusePattern.valid() || m.isolines.valid() || m.hasMaps() ||
+      m.twoSided == TwoSided::No || m.lectureSpecular || m.specular != Vec3(m.specular.x) ||
       !(glm::min(m.diffuse.x, glm::min(m.diffuse.y, m.diffuse.z)) > 0))
     refuse(fmt::format("the material '{}'", m.name));
   return fmt::format(
