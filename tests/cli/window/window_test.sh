@@ -188,11 +188,11 @@ case_shows() {
   wait "$program" || fail "closing it gave exit code $?"
 }
 
-# Hours of a cloth's steps end with the window.
+# A minute of a cloth's steps ends with the window.
 case_ends_cloth() {
   open_screen
   title=gallery/cloth
-  (cd "$folder" && exec "$bin/luxo" view gallery/cloth --time 100000 --size 320x180 --validate -v 2>"$folder/log") &
+  (cd "$folder" && exec "$bin/luxo" view gallery/cloth --time 199 --size 320x180 --validate -v 2>"$folder/log") &
   program=$!
   pids+=("$program")
   await "there is a window" find_window
