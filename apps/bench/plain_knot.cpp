@@ -54,8 +54,7 @@ PlainKnot::PlainKnot(gpu::Context& context, PixelSize size, const TriangleMesh& 
                                       .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
                                                      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, sizeof(Vec3f)}},
                                       .colorFormats = {kColor},
-                                      .depthFormat = VK_FORMAT_D32_SFLOAT,
-                                      .pushConstantBytes = sizeof(KnotData)});
+                                      .depthFormat = VK_FORMAT_D32_SFLOAT});
 }
 
 void PlainKnot::record(VkCommandBuffer commands, const View& view) {
