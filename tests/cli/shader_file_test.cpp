@@ -226,7 +226,9 @@ TEST_F(ShaderFile, IsTakenByTheOtherVerbs) {
   writeText(folder / "a.frag.presets.json", R"({ "presets": { "blue": { "tint": [0, 0, 1], "old": 1 } } })");
   const Outcome preset = run(folder, {"inspect", "a.frag", "--preset", "blue", "--json"});
   EXPECT_THAT(preset.err, HasSubstr("the preset has a value for 'old'"));
-  for (const Json& uniform : Json::parse(preset.out)["uniforms"])
+  const Json told = Json::parse(preset.out);
+  EXPECT_FALSE(told["uniforms"].empty());
+  for (const Json& uniform : told["uniforms"])
     EXPECT_EQ(uniform.value("value", "none"), uniform["name"] == "tint" ? "0,0,1" : "none") << uniform;
   EXPECT_THAT(run(folder, {"inspect", "a.frag", "--preset", "blue"}).out, HasSubstr("is 0,0,1"));
 }
