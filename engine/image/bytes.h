@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "image/image.h"
 
 namespace luxo {
 
 [[noreturn]] inline void throwBadImage(std::string_view name, std::string_view format, std::string_view why) {
-  throw Error(ErrorKind::Scene, fmt::format("cannot read '{}' as {}: {}", name, format, why));
+  throw Error(ErrorKind::Scene, fmt::format("cannot read '{}' as {}: {}", printable(name), format, why));
 }
 
 /// A damaged header must not ask for more memory than the largest picture luxo renders, 16384 x 16384.

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/temporary_files.h"
 
 namespace luxo {
@@ -95,7 +96,8 @@ std::string hintFor(int code, const fs::path& path) {
 }
 
 [[noreturn]] void throwWriteError(const fs::path& path, int code) {
-  throw Error(ErrorKind::Write, fmt::format("cannot write '{}': {}", path.string(), std::strerror(code)),
+  throw Error(ErrorKind::Write,
+              fmt::format("cannot write '{}': {}", printable(path.string()), std::strerror(code)),
               hintFor(code, path));
 }
 
@@ -170,7 +172,8 @@ class TemporaryFile {
 
 std::vector<std::byte> readFile(const fs::path& path) {
   const auto failed = [&](int code) {
-    return Error(ErrorKind::Scene, fmt::format("cannot read '{}': {}", path.string(), std::strerror(code)));
+    return Error(ErrorKind::Scene,
+                 fmt::format("cannot read '{}': {}", printable(path.string()), std::strerror(code)));
   };
   // Without O_NONBLOCK a pipe that nobody writes to would hold up the opening itself.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -179,7 +182,8 @@ std::vector<std::byte> readFile(const fs::path& path) {
   if (::fstat(file.get(), &status) != 0) throw failed(errno);
   if (S_ISDIR(status.st_mode)) throw failed(EISDIR);
   if (!S_ISREG(status.st_mode))
-    throw Error(ErrorKind::Scene, fmt::format("cannot read '{}': it is no regular file", path.string()),
+    throw Error(ErrorKind::Scene,
+                fmt::format("cannot read '{}': it is no regular file", printable(path.string())),
                 "devices and pipes have no end that one could wait for");
   std::vector<std::byte> bytes;
   // What it says is its size, unless that is too much to believe before it is read.

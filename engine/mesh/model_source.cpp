@@ -5,13 +5,6 @@
 
 namespace luxo {
 
-std::string printable(std::string_view text) {
-  std::string shown(text);
-  for (char& c : shown)
-    if (c < 0x20 || c > 0x7e) c = '?';
-  return shown;
-}
-
 void refuseModel(std::string_view name, const std::string& why, std::size_t line, const std::string& hint) {
   const std::string place = line == 0 ? std::string(name) : fmt::format("{}:{}", name, line);
   throw Error(ErrorKind::Scene, fmt::format("{}: {}", place, why), hint);

@@ -13,12 +13,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "mesh/model.h"
 
 namespace luxo {
-
-/// Bytes that a terminal would act on, or that are not ASCII, become '?'.
-[[nodiscard]] std::string printable(std::string_view text);
 
 /// Error(Scene): "head.obj:12: why"; line 0: none.
 [[noreturn]] void refuseModel(std::string_view name, const std::string& why, std::size_t line = 0,

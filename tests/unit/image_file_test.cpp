@@ -95,6 +95,16 @@ TEST(WriteFile, FullDiskIsNamed) {
   expectWriteError(failureOf("/dev/full", someBytes(10)), "/dev/full", "No space left on device");
 }
 
+// Names come from models, too, where any byte may stand.
+TEST(ReadFile, WhatIsNotThereIsNamedInPrintableText) {
+  try {
+    static_cast<void>(readFile("n\u00f6\xaa\x01such"));
+    FAIL() << "there is such a file";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), std::string("cannot read 'n\u00f6??such': No such file or directory"));
+  }
+}
+
 TEST(WriteFile, ImpossiblePlaces) {
   const ScratchFolder folder;
   writeFileAtomically(folder / "file", someBytes(5));
