@@ -7,6 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "gpu/spirv_instructions.h"
+
 namespace luxo::gpu {
 namespace {
 
@@ -19,13 +21,8 @@ std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return std::min(a + b, kMo
 class Costs {
  public:
   explicit Costs(std::span<const std::uint32_t> spirv) {
-    constexpr std::size_t kHeader = 5;
-    for (std::size_t at = kHeader; at < spirv.size();) {
-      const std::uint32_t length = spirv[at] >> 16;
-      if (length == 0 || at + length > spirv.size()) break;
-      read(static_cast<spv::Op>(spirv[at] & 0xffff), spirv.subspan(at + 1, length - 1));
-      at += length;
-    }
+    forEachInstruction(
+        spirv, [&](const Instruction& i) { read(static_cast<spv::Op>(i.operation), i.words.subspan(1)); });
   }
 
   ShaderCost ofEntry() {

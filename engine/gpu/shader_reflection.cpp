@@ -12,6 +12,7 @@
 #include <unordered_set>
 
 #include "base/error.h"
+#include "gpu/spirv_instructions.h"
 
 namespace luxo::gpu {
 namespace {
@@ -228,17 +229,17 @@ class Reflection {
     std::set<std::string> functions, structures, globals, computed;
     std::set<std::uint32_t> privates, constants;
     std::uint32_t entry = 0, function = 0;
-    constexpr std::size_t kHeader = 5;
-    for (std::size_t at = kHeader; at < spirv_.size();) {
-      const std::uint32_t length = spirv_[at] >> 16, op = spirv_[at] & 0xffff;
-      if (length == 0 || at + length > spirv_.size()) break;
+    forEachInstruction(spirv_, [&](const Instruction& instruction) {
+      const std::span<const std::uint32_t> words = instruction.words;
+      const std::uint32_t op = instruction.operation;
+      const std::size_t length = words.size();
       const auto nameOf = [&](std::size_t word) {
-        const auto known = names.find(spirv_[at + word]);
+        const auto known = names.find(words[word]);
         return known == names.end() ? std::string() : known->second;
       };
       if (op == spv::OpName && length > 2) {
-        const auto* text = reinterpret_cast<const char*>(&spirv_[at + 2]);
-        names[spirv_[at + 1]] = std::string(text, strnlen(text, 4 * (length - 2)));
+        const auto* text = reinterpret_cast<const char*>(&words[2]);
+        names[words[1]] = std::string(text, strnlen(text, 4 * (length - 2)));
       } else if (op == spv::OpKill || op == spv::OpTerminateInvocation ||
                  op == spv::OpDemoteToHelperInvocation) {
         all.discards = true;
@@ -248,24 +249,23 @@ class Reflection {
         const std::string mangled = nameOf(3);
         all.calls.push_back(mangled.substr(0, mangled.find('(')));
       } else if (op == spv::OpEntryPoint && length > 2) {
-        entry = spirv_[at + 2];
+        entry = words[2];
       } else if (op >= spv::OpConstantTrue && op <= spv::OpSpecConstantOp && length > 2) {
-        constants.insert(spirv_[at + 2]);
-      } else if (op == spv::OpStore && length > 2 && function == entry && privates.contains(spirv_[at + 1]) &&
-                 !constants.contains(spirv_[at + 2])) {
+        constants.insert(words[2]);
+      } else if (op == spv::OpStore && length > 2 && function == entry && privates.contains(words[1]) &&
+                 !constants.contains(words[2])) {
         computed.insert(nameOf(1));
       } else if (op == spv::OpTypeStruct) {
         structures.insert(nameOf(1));
-      } else if (op == spv::OpVariable && length > 3 && spirv_[at + 3] == spv::StorageClassPrivate) {
+      } else if (op == spv::OpVariable && length > 3 && words[3] == spv::StorageClassPrivate) {
         globals.insert(nameOf(2));
-        privates.insert(spirv_[at + 2]);
+        privates.insert(words[2]);
       } else if (op == spv::OpFunction && length > 2) {
-        function = spirv_[at + 2];
+        function = words[2];
         const std::string mangled = nameOf(2);
         functions.insert(mangled.substr(0, mangled.find('(')));
       }
-      at += length;
-    }
+    });
     const auto put = [](std::set<std::string>& from, std::vector<std::string>& to) {
       from.erase("");
       to.assign(from.begin(), from.end());
@@ -306,14 +306,12 @@ ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
 }
 
 bool hasPushConstants(std::span<const std::uint32_t> spirv) {
-  constexpr std::size_t kHeader = 5;
-  for (std::size_t at = kHeader; at < spirv.size();) {
-    const std::uint32_t length = spirv[at] >> 16, op = spirv[at] & 0xffff;
-    if (length == 0 || at + length > spirv.size()) break;
-    if (op == spv::OpVariable && length > 3 && spirv[at + 3] == spv::StorageClassPushConstant) return true;
-    at += length;
-  }
-  return false;
+  bool has = false;
+  forEachInstruction(spirv, [&](const Instruction& i) {
+    has |=
+        i.operation == spv::OpVariable && i.words.size() > 3 && i.words[3] == spv::StorageClassPushConstant;
+  });
+  return has;
 }
 
 StageInterface stageInterface(std::span<const std::uint32_t> spirv) {

@@ -7,20 +7,12 @@
 #include <set>
 #include <span>
 
+#include "gpu/spirv_instructions.h"
+
 namespace luxo::test {
 
-/// One instruction: its operation, and its words, the first of which holds that and their number.
-struct Instruction {
-  std::uint32_t operation;
-  std::span<const std::uint32_t> words;
-};
-
-template <class Action>
-void forEachInstruction(std::span<const std::uint32_t> spirv, const Action& action) {
-  constexpr std::size_t kHeaderWords = 5;
-  for (std::size_t i = kHeaderWords; i < spirv.size(); i += spirv[i] >> 16)
-    action(Instruction{spirv[i] & 0xffff, spirv.subspan(i, spirv[i] >> 16)});
-}
+using gpu::forEachInstruction;
+using gpu::Instruction;
 
 inline std::size_t countOf(std::span<const std::uint32_t> spirv, std::set<std::uint32_t> operations) {
   std::size_t count = 0;
