@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "gpu/barrier.h"
 #include "luxo/shaders/plain_knot_frag.h"
 #include "luxo/shaders/plain_knot_vert.h"
 
@@ -37,15 +36,7 @@ PlainKnot::PlainKnot(gpu::Context& context, PixelSize size, const TriangleMesh& 
   indices_ = filled(context, mesh.indices(), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "indices of a plain mesh");
   const VkExtent2D extent{std::uint32_t(size.width), std::uint32_t(size.height)};
   constexpr VkFormat kColor = VK_FORMAT_R32G32B32A32_SFLOAT;
-  color_ =
-      gpu::Texture(context, {.extent = extent,
-                             .format = kColor,
-                             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                             .name = "plain color"});
-  depth_ = gpu::Texture(context, {.extent = extent,
-                                  .format = VK_FORMAT_D32_SFLOAT,
-                                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                  .name = "plain depth"});
+  targets_ = PlainTargets(context, extent, kColor, "plain mesh");
   pipeline_ =
       gpu::GraphicsPipeline(context, {.name = "plain mesh",
                                       .vertexShader = luxo_plain_knot_vert,
@@ -54,38 +45,16 @@ PlainKnot::PlainKnot(gpu::Context& context, PixelSize size, const TriangleMesh& 
                                       .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
                                                      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, sizeof(Vec3f)}},
                                       .colorFormats = {kColor},
-                                      .depthFormat = VK_FORMAT_D32_SFLOAT});
+                                      .depthFormat = PlainTargets::kDepth});
 }
 
 void PlainKnot::record(VkCommandBuffer commands, const View& view) {
-  using enum gpu::Use;
   Mat4 eyeFromWorld(view.eyeFromWorld);
   eyeFromWorld[3] = Vec4(view.eyeFromWorld * -view.eye, 1);
   const KnotData data{.clipFromWorld = Mat4f(view.clipFromEye * eyeFromWorld),
                       .eye = Vec4f(Vec3f(view.eye), 1),
                       .towardLight = Vec4f(Vec3f(kKnotLight), 0)};
-  gpu::use(commands, {{color_, ColorAttachment, gpu::Contents::Discard},
-                      {depth_, DepthAttachment, gpu::Contents::Discard}});
-  const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = color_.view(),
-                                        .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                        .clearValue = {.color = {{0.02f, 0.025f, 0.03f, 1}}}};
-  const VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = depth_.view(),
-                                        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                        .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
-                                        .clearValue = {.depthStencil = {0, 0}}};
-  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {{0, 0}, color_.extent()},
-                                  .layerCount = 1,
-                                  .colorAttachmentCount = 1,
-                                  .pColorAttachments = &color,
-                                  .pDepthAttachment = &depth};
-  vkCmdBeginRendering(commands, &rendering);
-  gpu::setViewport(commands, color_.extent());
+  targets_.begin(commands, 0);
   pipeline_.bind(commands);
   pipeline_.push(commands, std::as_bytes(std::span(&data, 1)));
   vkCmdSetCullMode(commands, VK_CULL_MODE_BACK_BIT);

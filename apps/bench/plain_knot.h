@@ -7,9 +7,9 @@
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "gpu/pipeline.h"
-#include "gpu/texture.h"
 #include "image/image.h"
 #include "mesh/triangle_mesh.h"
+#include "plain_targets.h"
 #include "scene/view.h"
 
 namespace luxo::bench {
@@ -23,13 +23,13 @@ class PlainKnot {
 
   /// Records the mesh as the view has it. Scene-linear RGBA in target() once the recording is complete.
   void record(VkCommandBuffer commands, const View& view);
-  [[nodiscard]] gpu::Texture& target() { return color_; }
+  [[nodiscard]] gpu::Texture& target() { return targets_.color(); }
 
  private:
   std::uint32_t indexCount_;
   gpu::Buffer vertices_, indices_;
   gpu::GraphicsPipeline pipeline_;
-  gpu::Texture color_, depth_;
+  PlainTargets targets_;
 };
 
 }  // namespace luxo::bench

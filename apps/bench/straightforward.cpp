@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 
-#include "gpu/barrier.h"
 #include "luxo/shaders/straightforward_frag.h"
 #include "luxo/shaders/straightforward_vert.h"
 
@@ -45,28 +44,6 @@ ObjectData objectData(const LampState& state, const Object& object, const Pose& 
           .isShade = object.isShade};
 }
 
-void beginPass(VkCommandBuffer commands, const gpu::Texture& colorTarget, const gpu::Texture& depthTarget) {
-  const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = colorTarget.view(),
-                                        .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                        .clearValue = {.color = {{0.02f, 0.025f, 0.03f, 1}}}};
-  const VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = depthTarget.view(),
-                                        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                        .clearValue = {.depthStencil = {1.0f, 0}}};
-  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {{0, 0}, colorTarget.extent()},
-                                  .layerCount = 1,
-                                  .colorAttachmentCount = 1,
-                                  .pColorAttachments = &color,
-                                  .pDepthAttachment = &depth};
-  vkCmdBeginRendering(commands, &rendering);
-}
-
 }  // namespace
 
 Straightforward::Straightforward(gpu::Context& context, PixelSize size, VkFormat colorFormat)
@@ -89,15 +66,7 @@ Straightforward::Straightforward(gpu::Context& context, PixelSize size, VkFormat
                                    .name = "object uniforms"});
 
   const VkExtent2D extent{static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
-  color_ =
-      gpu::Texture(context, {.extent = extent,
-                             .format = colorFormat,
-                             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                             .name = "straightforward color"});
-  depth_ = gpu::Texture(context, {.extent = extent,
-                                  .format = VK_FORMAT_D32_SFLOAT,
-                                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                  .name = "straightforward depth"});
+  targets_ = PlainTargets(context, extent, colorFormat, "straightforward");
   pipeline_ = gpu::GraphicsPipeline(
       context, {.name = "straightforward",
                 .vertexShader = luxo_straightforward_vert,
@@ -108,21 +77,17 @@ Straightforward::Straightforward(gpu::Context& context, PixelSize size, VkFormat
                                {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexData, tex)}},
                 .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
                 .colorFormats = {colorFormat},
-                .depthFormat = VK_FORMAT_D32_SFLOAT,
+                .depthFormat = PlainTargets::kDepth,
                 .depthCompare = VK_COMPARE_OP_LESS,
                 .setLayouts = {layout_}});
 }
 
 void Straightforward::record(gpu::FrameRing& frames, VkCommandBuffer commands, float time) {
-  using enum gpu::Use;
   const LampState state = lampAt(time, aspect_);
   gpu::Buffer& uniforms = uniforms_[frames.slot()];
   const VkDescriptorSet set = frames.descriptors().write(layout_, {{uniforms, 0, sizeof(ObjectData)}});
 
-  gpu::use(commands, {{color_, ColorAttachment, gpu::Contents::Discard},
-                      {depth_, DepthAttachment, gpu::Contents::Discard}});
-  beginPass(commands, color_, depth_);
-  gpu::setViewport(commands, color_.extent());
+  targets_.begin(commands, 1);
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const DrawnObject& drawn = objects_[i];
     const ObjectData data = objectData(state, drawn.object, state.poses[i]);

@@ -13,7 +13,7 @@
 #include "gpu/descriptor.h"
 #include "gpu/frame.h"
 #include "gpu/pipeline.h"
-#include "gpu/texture.h"
+#include "plain_targets.h"
 #include "scene/camera.h"
 #include "textbook_lamp.h"
 
@@ -26,7 +26,7 @@ class Straightforward {
   /// Records the lamp at a time. Scene-linear RGBA in target() once the recording is complete.
   void record(gpu::FrameRing& frames, VkCommandBuffer commands, float time);
 
-  [[nodiscard]] gpu::Texture& target() { return color_; }
+  [[nodiscard]] gpu::Texture& target() { return targets_.color(); }
   [[nodiscard]] std::uint32_t triangles() const;
   [[nodiscard]] std::uint32_t drawCalls() const;
 
@@ -44,7 +44,7 @@ class Straightforward {
   std::array<gpu::Buffer, gpu::FrameRing::kFrames> uniforms_;
   gpu::DescriptorLayout layout_;
   gpu::GraphicsPipeline pipeline_;
-  gpu::Texture color_, depth_;
+  PlainTargets targets_;
 };
 
 }  // namespace luxo::bench
