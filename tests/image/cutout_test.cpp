@@ -13,6 +13,7 @@
 #include "draw/accumulation.h"
 #include "image/image.h"
 #include "support/meshes.h"
+#include "support/random_scene.h"
 #include "support/verified_picture.h"
 #include "surface/library.h"
 
@@ -188,13 +189,12 @@ Image alphas(std::mt19937& random, int side, bool noise) {
   return image;
 }
 
-class RandomScene {
+class CutoutScene : RandomScene {
  public:
-  explicit RandomScene(std::uint32_t seed) : random_(seed) {}
+  explicit CutoutScene(std::uint32_t seed) : RandomScene(seed) {}
 
   Scene scene(int lights) {
-    Scene scene;
-    scene.set(RenderSettings{.background = Vec3(0.1, 0.15, 0.2)});
+    Scene scene = emptyScene();
     scene.add(Node{.translation = Vec3(0, -1.3, 0), .surface = rectangle(8, 8)});
     const int things = 3 + int(3 * any());
     for (int i = 0; i < things; ++i)
@@ -212,17 +212,14 @@ class RandomScene {
       if (sun)
         node.rotation = Rotation{unit(Vec3(1, 0.6 * any() - 0.3, 0)), -0.6 - 0.8 * any()};
       else
-        node.translation = Vec3(5 * any() - 2.5, 2.5 + 2 * any(), 5 * any() - 2.5);
+        node.translation = above();
       scene.add(std::move(node));
     }
-    scene.add(Camera{.eye = Vec3(2, 1.2 + any(), 3) * (1 + 0.4 * any()), .lookAt = Vec3(0, -0.2, 0)});
+    scene.add(camera());
     return scene;
   }
 
  private:
-  double any() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-  Vec3 direction() { return {2 * any() - 1, 2 * any() - 1, 2 * any() - 1}; }
-
   Surface surface() {
     switch (int(7 * any())) {
       case 0:
@@ -260,8 +257,6 @@ class RandomScene {
     }
     return material;
   }
-
-  std::mt19937 random_;
 };
 
 /// Models and formulas that are cut out or seen through, in each other's light and shadow.
@@ -269,7 +264,7 @@ TEST_F(CutoutTest, RandomScenesAreTheTruthInEveryPixel) {
   std::uint64_t layers = 0;
   for (std::uint32_t seed = 23; seed < 47; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const Scene scene = RandomScene(seed).scene(1 + int(seed % 3));
+    const Scene scene = CutoutScene(seed).scene(1 + int(seed % 3));
     Snapshot snapshot = takeSnapshot(scene, 0, {96, 72});
     if (seed % 4 == 0) snapshot.view = sampledAt(snapshot.view, samplePattern(4)[seed % 3]);
     const Verified found = verified(snapshot);
@@ -287,7 +282,7 @@ TEST_F(CutoutTest, RandomScenesAreTheTruthInEveryPixel) {
 
 /// Each of which is held against the truth above.
 TEST_F(CutoutTest, FourSamplesAreTheMeanOfTheirPictures) {
-  Snapshot snapshot = takeSnapshot(RandomScene(5).scene(2), 0, {96, 72});
+  Snapshot snapshot = takeSnapshot(CutoutScene(5).scene(2), 0, {96, 72});
   const Image shown = renderer().render(snapshot, {.samples = 4}).image;
   std::vector<Image> all;
   for (const Vec2& offset : samplePattern(4)) {
@@ -305,7 +300,7 @@ TEST_F(CutoutTest, FourSamplesAreTheMeanOfTheirPictures) {
 /// Nothing that is skipped stands behind a hole.
 TEST_F(CutoutTest, SkipsChangeNothing) {
   for (const std::uint32_t seed : {2U, 7U}) {
-    const Snapshot snapshot = takeSnapshot(RandomScene(seed).scene(2), 0, {96, 72});
+    const Snapshot snapshot = takeSnapshot(CutoutScene(seed).scene(2), 0, {96, 72});
     EXPECT_TRUE(sameBytes(renderer().render(snapshot, {}).image,
                           renderer().render(snapshot, {.skips = Skips::none()}).image));
   }

@@ -20,6 +20,7 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "support/meshes.h"
+#include "support/random_scene.h"
 #include "support/verified_picture.h"
 #include "surface/library.h"
 
@@ -373,13 +374,12 @@ TEST_F(IsolinesTest, AreCutOutWithTheirSurface) {
 }
 
 /// Things of all kinds, with lines or without, under some lights.
-class LinedScene {
+class LinedScene : RandomScene {
  public:
-  explicit LinedScene(std::uint32_t seed) : random_(seed) {}
+  explicit LinedScene(std::uint32_t seed) : RandomScene(seed) {}
 
   Scene scene() {
-    Scene scene;
-    scene.set(RenderSettings{.background = Vec3(0.1, 0.15, 0.2)});
+    Scene scene = emptyScene();
     scene.add(
         Node{.translation = Vec3(0, -1.3, 0), .surface = rectangle(8, 8), .material = scene.add(material())});
     for (int i = 0; i < 4; ++i)
@@ -390,16 +390,13 @@ class LinedScene {
                      .material = scene.add(material())});
     for (int i = 0; i < 2; ++i)
       scene.add(Node{
-          .translation = Vec3(5 * any() - 2.5, 2.5 + 2 * any(), 5 * any() - 2.5),
+          .translation = above(),
           .light = Light{.intensity = 0.5, .shadow = i == 0 ? Light::Shadow::Exact : Light::Shadow::None}});
-    scene.add(Camera{.eye = Vec3(2, 1.2 + any(), 3) * (1 + 0.4 * any()), .lookAt = Vec3(0, -0.2, 0)});
+    scene.add(camera());
     return scene;
   }
 
  private:
-  double any() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-  Vec3 direction() { return {2 * any() - 1, 2 * any() - 1, 2 * any() - 1}; }
-
   Surface surface() {
     switch (int(6 * any())) {
       case 0:
@@ -443,13 +440,11 @@ class LinedScene {
         fmt::format(fmt::runtime(kinds[int(3 * any())]), 0.05 + 0.2 * any(), 0.5 + 3 * any(), any()),
         material);
   }
-
-  std::mt19937 random_;
 };
 
 TEST_F(IsolinesTest, OfRandomScenesAreTheTruthInEveryPixel) {
   std::uint64_t layers = 0;
-  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Verified found = verified(takeSnapshot(LinedScene(seed).scene(), 0, kIsolinesSize));
     const Verification& v = found.verification;
