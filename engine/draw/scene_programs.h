@@ -40,8 +40,8 @@ class ScenePrograms {
   [[nodiscard]] Shader fragmentOfTriangles(const DrawState& state);
   /// The fragment shader that finds the state's surface, or where rays meet its cells.
   [[nodiscard]] Shader exactShader(const DrawState& state) const;
-  /// Of the two names the one of the fragment shader below shaders/pattern, made for the state's pattern,
-  /// where it has one.
+  /// The fragment shader of that name below shaders/pattern, made for the state's pattern; `plain` where it
+  /// has none.
   [[nodiscard]] Shader withPattern(const DrawState& state, std::string_view name, Shader plain);
   [[nodiscard]] Shader patternShader(const DrawState& state, std::string_view name);
 
