@@ -45,6 +45,11 @@ TEST_F(ContextTest, ListsTheDeviceItTook) {
   }));
 }
 
+/// NVIDIA's driver (580) could be loaded 26 times in a process.
+TEST_F(ContextTest, OpensAgainAndAgain) {
+  for (int i = 0; i < 40; ++i) EXPECT_NO_THROW(Context(ContextDesc{})) << i;
+}
+
 TEST_F(ContextTest, OffersSupportedSampleCounts) {
   EXPECT_EQ(context().supportedSamples(0), VK_SAMPLE_COUNT_1_BIT);
   EXPECT_EQ(context().supportedSamples(1), VK_SAMPLE_COUNT_1_BIT);
