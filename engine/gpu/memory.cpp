@@ -110,12 +110,15 @@ Allocation Memory::allocate(const AllocationDesc& desc) {
                 fmt::format("cannot allocate {} bytes: the device has no fitting memory type",
                             desc.requirements.size));
   }
-  // Whole atoms, so that invalidating one allocation never touches another.
-  const VkDeviceSize size = roundUp(desc.requirements.size, atomSize_);
-  const VkDeviceSize alignment = std::max(desc.requirements.alignment, atomSize_);
+  // A dedicated allocation is no larger than what it is for
+  // (VUID-VkMemoryDedicatedAllocateInfo-buffer-01435).
+  const VkDeviceSize needed = desc.requirements.size;
   const bool dedicated = desc.dedicatedBuffer != VK_NULL_HANDLE || desc.dedicatedImage != VK_NULL_HANDLE;
+  if (dedicated || needed > kBlockSize / 2) return take(addBlock(desc, *type, needed, false), 0, needed);
 
-  if (dedicated || size > kBlockSize / 2) return take(addBlock(desc, *type, size, false), 0, size);
+  // Whole atoms, so that invalidating one allocation never touches another.
+  const VkDeviceSize size = roundUp(needed, atomSize_);
+  const VkDeviceSize alignment = std::max(desc.requirements.alignment, atomSize_);
 
   for (MemoryBlock& block : blocks_) {
     if (!block.shared || block.type != *type || block.tiling != desc.tiling) continue;
