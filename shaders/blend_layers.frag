@@ -61,6 +61,8 @@ uint sorted(uint head) {
 }
 
 void main() {
+  // To fill squares of four devices run fragments beside the picture, too: there lists are others', which these sort meanwhile.
+  if (any(greaterThanEqual(ivec2(gl_FragCoord.xy), textureSize(opaqueDepth, 0)))) return;
   uint head = layerHeads[layerPixel()];
   layerSums[layerPixel()] = vec2(0);
   if (head == 0) discard;

@@ -64,6 +64,7 @@ LayerLists::Found LayerLists::found() {
     std::uint32_t points = 0;
     std::memcpy(&points, counts_.read().data() + sizeof points * band, sizeof points);
     found.points += points;
+    found.fullest = std::max<std::uint64_t>(found.fullest, points);
     found.missing += points > room_ ? points - room_ : 0;
   }
   return found;
@@ -71,7 +72,7 @@ LayerLists::Found LayerLists::found() {
 
 bool LayerLists::makeRoom(std::uint64_t more) {
   Found all = found();
-  if (all.missing == 0 && all.points + more <= room_) return false;
+  if (all.fullest + more <= room_) return false;
   all.points += more;
   if (room_ < most_) {
     wanted_ = all.points + all.points / 8;
@@ -79,7 +80,7 @@ bool LayerLists::makeRoom(std::uint64_t more) {
   }
   // The points of a picture are not spread evenly: bands twice as many as would be enough if they were.
   const std::uint64_t enough = 2 * (all.points / most_ + 1);
-  const std::uint32_t most = std::min(kMaxLayerBands, extent_.height);
+  const std::uint32_t most = std::min(kMaxLayerBands, (extent_.height + 1) / 2);
   const auto wanted =
       static_cast<std::uint32_t>(std::min<std::uint64_t>(std::max<std::uint64_t>(enough, 2 * bands_), most));
   if (wanted <= bands_ && room_ >= most_) return false;

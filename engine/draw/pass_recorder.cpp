@@ -157,8 +157,11 @@ void PassRecorder::begin(const Pass& pass) {
   gpu::setViewport(commands_, targets.extent(), targets.guard());
   const auto width = static_cast<std::int32_t>(targets.extent().width),
              height = static_cast<std::int32_t>(targets.extent().height);
+  // Even rows: a square of four fragments is of one band.
   const auto rowOf = [&](std::uint32_t band) {
-    return static_cast<std::int32_t>(std::int64_t{height} * band / pass.band.count);
+    return band == pass.band.count
+               ? height
+               : static_cast<std::int32_t>(std::int64_t{height} * band / pass.band.count & ~std::int64_t{1});
   };
   rows_ = {{0, rowOf(pass.band.index)}, {width, rowOf(pass.band.index + 1)}};
   if (pass.band.count > 1) setScissor(rows_);

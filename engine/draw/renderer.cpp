@@ -264,9 +264,9 @@ void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, Fram
     addAttempt(attempt, statistics);
     statistics = attempt;
   } while (view_.makeRoom());
-  const auto [points, missing] = view_.layerPoints();
-  statistics.count.layerPoints = points;
-  statistics.error.layersMissing = statistics.error.unconvergedPx = missing;
+  const LayerLists::Found layers = view_.layerPoints();
+  statistics.count.layerPoints = layers.points;
+  statistics.error.layersMissing = statistics.error.unconvergedPx = layers.missing;
 }
 
 void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, bool all,

@@ -294,6 +294,8 @@ TEST_F(LayersTest, BandsTakeTurnsWhereThereIsNoRoomForAll) {
   constexpr PixelSize kLarge{320, 240};
   const Picture picture = draw(scene, kLarge);
   EXPECT_GT(picture.statistics.count.layerPoints, kMaxLayerBytes / sizeof(shared::LayerPoint));
+  // Without room, with it in four bands, and with what rays have found: 3 passes a band.
+  EXPECT_LE(picture.statistics.count.passes, 40U);
   EXPECT_EQ(picture.statistics.error.layersMissing, 0U);
   EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
   EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
