@@ -12,7 +12,8 @@ vec3 encodeSrgb(vec3 linear) {
   return mix(curve, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
 }
 
-// What is no number is magenta, as in files.
-vec3 shown(vec3 c) { return any(isnan(c)) || any(isinf(c)) ? vec3(1, 0, 1) : c; }
+// What is no number is magenta, as in files; blending may have made the largest float of an infinity.
+const float kLargest = 3.40282347e38;
+vec3 shown(vec3 c) { return any(isnan(c)) || any(greaterThanEqual(abs(c), vec3(kLargest))) ? vec3(1, 0, 1) : c; }
 
 void main() { outColor = vec4(encodeSrgb(shown(texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb)), 1); }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -37,29 +38,34 @@ void addColors(const std::byte* texels, int width, MeasuredPixels& measured) {
     std::memcpy(&bits, texels + sizeof bits * static_cast<std::size_t>(i), sizeof bits);
     return bits;
   };
-  // From infinity on a magnitude reaches the sign's place.
+  // From the largest float on a magnitude reaches the sign's place.
   std::uint32_t any = 0;
   for (int i = 0; i < 4 * width; ++i)
-    any |= (bitsAt(i) & MeasuredPixels::kMagnitude) + (0x80000000U - MeasuredPixels::kInfinity);
+    any |= (bitsAt(i) & MeasuredPixels::kMagnitude) + (0x80000000U - MeasuredPixels::kLargest);
   if ((any & ~MeasuredPixels::kMagnitude) == 0) return;
   for (int x = 0; x < width; ++x) {
     std::uint32_t largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & MeasuredPixels::kMagnitude);
-    measured.nonfinite += largest >= MeasuredPixels::kInfinity;
-    const auto are = [&](std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
-      return bitsAt(4 * x) == red && bitsAt(4 * x + 1) == green && bitsAt(4 * x + 2) == blue;
+    measured.nonfinite += largest >= MeasuredPixels::kLargest;
+    const auto infinityAt = [&](int c) {
+      const std::uint32_t bits = bitsAt(4 * x + c), magnitude = bits & MeasuredPixels::kMagnitude;
+      if (magnitude != MeasuredPixels::kInfinity && magnitude != MeasuredPixels::kLargest) return 0;
+      return bits == magnitude ? 1 : -1;
     };
-    constexpr std::uint32_t kPlus = MeasuredPixels::kInfinity, kMinus = kPlus | ~MeasuredPixels::kMagnitude;
-    measured.endless += are(kPlus, kPlus, kPlus);
-    measured.seenThrough += are(kMinus, kMinus, kMinus);
-    measured.moved += are(kPlus, kMinus, kPlus);
-    measured.manyTraces += are(kPlus, kMinus, kMinus);
+    const auto are = [&](int red, int green, int blue) {
+      return infinityAt(0) == red && infinityAt(1) == green && infinityAt(2) == blue;
+    };
+    measured.endless += are(1, 1, 1);
+    measured.seenThrough += are(-1, -1, -1);
+    measured.moved += are(1, -1, 1);
+    measured.manyTraces += are(1, -1, -1);
   }
 }
 
 void showInMagenta(std::span<float> row) {
+  const auto isNumber = [](float x) { return std::abs(x) < std::numeric_limits<float>::max(); };
   for (std::size_t i = 0; i + 2 < row.size(); i += 3)
-    if (!std::isfinite(row[i]) || !std::isfinite(row[i + 1]) || !std::isfinite(row[i + 2])) {
+    if (!isNumber(row[i]) || !isNumber(row[i + 1]) || !isNumber(row[i + 2])) {
       row[i] = row[i + 2] = 1;
       row[i + 1] = 0;
     }

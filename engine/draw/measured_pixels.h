@@ -14,9 +14,10 @@
 namespace luxo {
 
 /// What the values of pixels tell, by the bits of floats, so that a compiler may take many at once: the order
-/// of positive floats is that of their bits, and from those of infinity on they are no numbers.
+/// of positive floats is that of their bits. From the largest one on they are no numbers: devices whose
+/// blending knows no infinity (an H100's) make it of one.
 struct MeasuredPixels {
-  static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U;
+  static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U, kLargest = kInfinity - 1;
   std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
   std::uint32_t nonfinite = 0;
   std::uint32_t endless = 0, seenThrough = 0, moved = 0, manyTraces = 0;  ///< what shaders mean by infinities
