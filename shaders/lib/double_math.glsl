@@ -33,8 +33,8 @@ double nearestInteger(double x, out int n) {
   return nearest;
 }
 
-double formulaMin(double x, double y) { return x == x ? (x < y ? x : y) : x; }
-double formulaMax(double x, double y) { return x == x ? (x > y ? x : y) : x; }
+double formulaMin(double x, double y) { return x == x && y == y ? (x < y ? x : y) : x + y; }
+double formulaMax(double x, double y) { return x == x && y == y ? (x > y ? x : y) : x + y; }
 double formulaSign(double x) { return x > 0.0lf ? 1.0lf : x < 0.0lf ? -1.0lf : x; }
 
 // x * 2^n for results in range, in two steps, as 2^n alone may be out of it.

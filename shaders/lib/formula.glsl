@@ -18,9 +18,10 @@ const float kLn2Low = -2.12194440e-4;
 float formulaNan() { return uintBitsToFloat(0x7fc00000u); }
 float formulaInfinity() { return uintBitsToFloat(0x7f800000u); }
 
-// These pass on a NaN, as all formulas do.
-float formulaMin(float x, float y) { return x == x ? (x < y ? x : y) : x; }
-float formulaMax(float x, float y) { return x == x ? (x > y ? x : y) : x; }
+// These pass on a NaN, as all formulas do. Both operands are asked: devices have instructions for x < y ? x : y that leave out
+// a NaN wherever it stands.
+float formulaMin(float x, float y) { return x == x && y == y ? (x < y ? x : y) : x + y; }
+float formulaMax(float x, float y) { return x == x && y == y ? (x > y ? x : y) : x + y; }
 float formulaSign(float x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x; }
 
 // x * 2^n for results in range, in two steps, as 2^n alone may be out of it.
