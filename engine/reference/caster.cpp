@@ -535,9 +535,13 @@ Vec3 Caster::illuminated(const Ray& ray, const Hit& hit, bool& certified, double
   const Vec3 toViewer = -ray.direction;
   const Reflection reflection = reflectionAt(hit);
   Vec3 sum = withoutLights(hit, reflection);
-  for (const SnapshotLight& light : snapshot_.lights)
-    if (shareOf(light, hit, reflection, toViewer, Vec3(1), tilt) != Vec3(0))
-      sum += shareOf(light, hit, reflection, toViewer, reaching(light, hit, certified), tilt);
+  for (const SnapshotLight& light : snapshot_.lights) {
+    if (shareOf(light, hit, reflection, toViewer, Vec3(1), tilt) == Vec3(0)) continue;
+    const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
+    const bool liftsAbove = tilt > 0 && std::abs(glm::dot(hit.normal, unit(toLight))) <= tilt;
+    const Vec3 visible = liftsAbove ? Vec3(1) : reaching(light, hit, certified);
+    sum += shareOf(light, hit, reflection, toViewer, visible, tilt);
+  }
   return sum;
 }
 

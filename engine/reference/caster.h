@@ -97,7 +97,8 @@ class Caster {
 
   /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
   /// was not decided. `tilt` is added to every cosine between a normal and the direction to a light: of a
-  /// light in a surface's own plane rounding decides whether it shines there. Of drawings it moves all edges
+  /// light in a surface's own plane rounding decides whether it shines there, and whether what the plane
+  /// cuts stands before it: one that a tilt lifts above the plane shines freely. Of drawings it moves all edges
   /// by kDrawnEdgePx: with either sign, between the two colours is that of any other measure of a gradient.
   [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified, double tilt = 0) const;
 
