@@ -22,8 +22,9 @@ layout(location = 0) out vec4 outValue;
 void main() {
   vec3 position = seenByPixel(inPosition), n = unitOrZero(inNormal);
   if ((inFlagsId.x & kTwoSided) != 0 && !seenFromFront(n, towardViewer(view.viewer, position), gl_FrontFacing)) n = -n;
+  float depth = inDepth + dot(position - inPosition, view.forward.xyz);
   // Triangles are drawn where their fragments are: they have no residual.
-  Inspected inspected = Inspected(position, n, inParameters, inDepth, inFlagsId.y, 0.0, kCertificateOfAll);
+  Inspected inspected = Inspected(position, n, inParameters, depth, inFlagsId.y, 0.0, kCertificateOfAll);
   vec4 domain = vec4(inDomain.xy, inDomain.xy + inDomain.zw);
   outValue = vec4(inspectedValue(inspected, kQuantity, kAsColor, domain), kAsColor ? 0 : 1);
 }

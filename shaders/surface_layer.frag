@@ -2,6 +2,7 @@
 // Points of triangles that are seen through, to be lit later.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define LUXO_FINDS_LAYER
 #include "lib/layers.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/surface_fragment.glsl"

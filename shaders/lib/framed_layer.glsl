@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points of triangles that are seen through, to be lit later, with what maps and shaders ask for.
 #extension GL_GOOGLE_include_directive : require
+#define LUXO_FINDS_LAYER
 #define LUXO_FRAMED
 #include "lib/textured_surface.glsl"
 #include "lib/layers.glsl"

@@ -3,6 +3,7 @@
 // point of a triangle that it sees.
 #ifndef LUXO_LIB_PIXEL_RAY_GLSL
 #define LUXO_LIB_PIXEL_RAY_GLSL
+#include "lib/number.glsl"
 #include "lib/scene.glsl"
 
 vec3 pixelPlace() {
@@ -14,9 +15,17 @@ vec3 pixelRay() {
   return view.rayMiddle + pixel.x * view.rayRight + pixel.y * view.rayDown;
 }
 
-// What is interpolated between corners is beside the ray by what floats leave of corners and of the interpolation, which near
-// the eye is thousandths of a pixel: the point is on the ray, at the depth that is interpolated. (Light, which no such
-// step changes by an 8-bit code, is that of the interpolated point where a fragment finds and lights: to move it costs 4
-// samples a pixel a third more.)
-vec3 seenByPixel(vec3 interpolated) { return pixelPlace() + dot(interpolated, view.forward.xyz) * pixelRay(); }
+// Where the ray meets a triangle's plane, of a point of it that is interpolated. Devices interpolate between corners that they
+// have rounded to 1/256 of a pixel: the point is on the triangle, beside the ray by as much (and, near the eye, by what floats
+// leave of corners); at its depth the ray would be off the triangle. The plane is that of the point and its derivatives, which
+// a point that a ray has found has none of: it is where it is seen.
+//
+// Light, which no such step changes by an 8-bit code, is that of the interpolated point where a fragment finds and lights: to
+// move it costs 4 samples a pixel a third more.
+vec3 seenByPixel(vec3 interpolated) {
+  vec3 ray = pixelRay(), onRay = pixelPlace() + dot(interpolated, view.forward.xyz) * ray,
+       normal = cross(dFdx(interpolated), dFdy(interpolated));
+  float along = dot(normal, interpolated - onRay) / dot(normal, ray);
+  return isNumber(along) ? onRay + along * ray : onRay;
+}
 #endif

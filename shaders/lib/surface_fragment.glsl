@@ -6,6 +6,7 @@
 // driver may choose them among the samples that passed the depth test, so that the order of draws would show.)
 #include "lib/found.glsl"
 #include "lib/carried_lights.glsl"
+#include "lib/pixel_ray.glsl"
 #include "lib/scene.glsl"
 #include "lib/show.glsl"
 
@@ -34,9 +35,16 @@ vec3 fragmentNormal(vec3 v) {
 // Whoever includes this knows them, where there is a pattern.
 vec2 foundParameters();
 
+// What is lit later keeps its depth alone.
+#ifdef LUXO_FINDS_LAYER
+const bool kKeepsDepth = true;
+#else
+const bool kKeepsDepth = kQuantity == kFoundTexel;
+#endif
+
 Found foundPoint() {
   vec3 v = towardViewer(inViewer, inPosition);
-  return Found(inPosition, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
+  return Found(kKeepsDepth ? seenByPixel(inPosition) : inPosition, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
 }
 
 Material foundMaterial() { return Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inNumbers.x); }
