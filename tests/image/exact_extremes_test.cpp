@@ -223,8 +223,9 @@ TEST_F(ExactExtremes, ScalesThatUndoTheFormulas) {
   const Picture round = shown(Vec3(1), Output::Normal);
   for (const Vec3& undone : {Vec3(1e-6, 1, 1e6), Vec3(1e4, 1e-5, 3)}) {
     const Picture uneven = shown(undone, Output::Normal);
-    // A factor of two is left of the scale, along either direction.
-    EXPECT_LE(uneven.statistics.count.triangles, 4 * round.statistics.count.triangles);
+    // A factor of two is left of the scale, along either direction; GPUs are given what is hidden, too.
+    EXPECT_LE(static_cast<double>(uneven.statistics.count.triangles),
+              tolerance(4, 6) * static_cast<double>(round.statistics.count.triangles));
     EXPECT_EQ(uneven.statistics.count.passes, round.statistics.count.passes);
     EXPECT_EQ(uneven.statistics.error.unconvergedPx, 0U);
     // Where a ray grazes, a thousandth of a pixel turns the normal by this.

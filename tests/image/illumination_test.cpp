@@ -92,7 +92,7 @@ TEST_F(Illumination, EveryPixelIsTheFormula) {
         const Camera camera = lookingAlong(glm::normalize(v), projection);
         const Picture picture =
             draw(floorScene(d16(), Vec3(0.2), lights), camera, kSmall, {.shading = shading});
-        EXPECT_LE(worstOnFloor(picture.image, camera, d16(), Vec3(0.2), lights), 1e-5)
+        EXPECT_LE(worstOnFloor(picture.image, camera, d16(), Vec3(0.2), lights), tolerance(1e-5, 4e-5))
             << nameOf(shading) << (projection == Projection::Perspective ? " perspective" : " orthographic");
       }
 }

@@ -78,7 +78,10 @@ TEST_F(InstancesTest, LargeAndSmallOnesTogether) {
   for (std::size_t i = 0; i < whole.image.samples().size(); ++i)
     most = std::max(most, std::abs(double{whole.image.samples()[i]} - picture.image.samples()[i]));
   EXPECT_LE(most, 1e-4);
-  EXPECT_GT(picture.statistics.count.culledHidden, 0u);
+  // GPUs leave what is hidden to the depth test.
+  if (context().deviceInfo().type == gpu::DeviceType::Cpu) {
+    EXPECT_GT(picture.statistics.count.culledHidden, 0u);
+  }
 }
 
 }  // namespace

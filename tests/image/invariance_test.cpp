@@ -109,7 +109,10 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
       const DrawOptions all{.shading = GetParam(), .samples = samples};
       const Image expected = draw(subject.scene, kInvarianceSize, all, subject.time).image;
       const auto check = [&](const char* what, const DrawOptions& options) {
-        EXPECT_TRUE(sameBytes(draw(subject.scene, kInvarianceSize, options, subject.time).image, expected))
+        const Image shown = draw(subject.scene, kInvarianceSize, options, subject.time).image;
+        // Another number of lights is another program, whose sums a GPU may order and fuse in its own way.
+        const double most = options.skips.lights ? 0 : tolerance(0, 1e-7);
+        EXPECT_TRUE(most == 0 ? sameBytes(shown, expected) : nearEverywhere(shown, expected, most))
             << subject.name << ", " << samples << " samples, without " << what;
       };
       const auto without = [&](const char* what, bool Skips::*skip) {
@@ -215,7 +218,10 @@ TEST_F(Invariance, LightThatCannotReachIsNotEvaluated) {
   const Picture without = draw(luxoGrandpa(), kInvarianceSize, all, 0);
   EXPECT_GE(with.statistics.count.culledLights, 5u);
   EXPECT_EQ(without.statistics.count.culledLights, 0u);
-  EXPECT_TRUE(sameBytes(with.image, without.image));
+  // Another number of lights is another program, whose sums a GPU may order and fuse in its own way.
+  const double most = tolerance(0, 1e-7);
+  EXPECT_TRUE(most == 0 ? sameBytes(with.image, without.image)
+                        : nearEverywhere(with.image, without.image, most));
 }
 
 TEST_F(Invariance, OrderOfSiblingsDoesNotMatter) {

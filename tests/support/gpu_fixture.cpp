@@ -29,6 +29,10 @@ void GpuTest::SetUp() {
   }
 }
 
+double GpuTest::tolerance(double onCpus, double onGpus) const {
+  return context_->deviceInfo().type == gpu::DeviceType::Cpu ? onCpus : onGpus;
+}
+
 void GpuTest::TearDown() {
   context_.reset();
   for (const std::string& message : log_->messages()) ADD_FAILURE() << message;

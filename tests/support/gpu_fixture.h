@@ -24,6 +24,11 @@ class GpuTest : public ::testing::Test {
 
   [[nodiscard]] gpu::Context& context() { return *context_; }
 
+  /// Of two tolerances that of this device. CPU devices interpolate between a triangle's corners as they are
+  /// and filter textures by floats; GPUs round corners to 1/256 of a pixel and weights to 8 bits. (Those on
+  /// GPUs are twice what an H100 was off by.)
+  [[nodiscard]] double tolerance(double onCpus, double onGpus) const;
+
  private:
   std::shared_ptr<gpu::ValidationLog> log_ = std::make_shared<gpu::ValidationLog>();
   std::unique_ptr<gpu::Context> context_;

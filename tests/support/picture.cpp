@@ -144,6 +144,12 @@ double largestDifference(const Image& a, const Image& b) {
   return largest;
 }
 
+::testing::AssertionResult nearEverywhere(const Image& a, const Image& b, double most) {
+  const double largest = largestDifference(a, b);
+  if (largest <= most) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "differs by " << largest << ", more than " << most;
+}
+
 ::testing::AssertionResult allFinite(const Image& image) {
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)

@@ -93,6 +93,7 @@ NodeId addLight(Scene& scene, const Shine& shine);
 [[nodiscard]] ::testing::AssertionResult sameBytes(const Image& a, const Image& b);
 /// Of the numbers of two images of one size.
 [[nodiscard]] double largestDifference(const Image& a, const Image& b);
+[[nodiscard]] ::testing::AssertionResult nearEverywhere(const Image& a, const Image& b, double most);
 [[nodiscard]] ::testing::AssertionResult allFinite(const Image& image);
 [[nodiscard]] Image flippedLeftRight(const Image& image);
 
