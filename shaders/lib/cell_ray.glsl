@@ -61,10 +61,25 @@ float crossOf(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 int evaluationsLeft = kMaxEvaluations;
 int ownMeetings = 0;     // so many that may be the point's own
 int besideMeetings = 0;  // and so many that a neighbouring rectangle has, but for rounding
+bool mayTurnBack = false;  // one of these may be two
 
 #ifdef LUXO_TRIANGLES
 #include "lib/triangle_ray.glsl"
 #else
+
+// Whether a second meeting may be as near to a point's own as that. Over the plane that touches the surface the ray rises by
+// its sine times the way, and the surface by half its curvature times the way squared, at most: they meet again no nearer than
+// 2 sines / curvature. Own meetings are within twice `own`; `least`: the part of the sine here that is left of it anywhere in
+// the rectangle.
+bool turnsBack(CellRay ray, CasterCell cell, vec3 Su, vec3 Sv, float own, float least) {
+  vec3 across = cross(Su, Sv);
+  float perSquared = 1.0 / max(dot(across, across), 1e-37);
+  // What u and v move by in a metre along the ray, flattened.
+  vec2 way = vec2(dot(cross(ray.along, Sv), across), dot(cross(Su, ray.along), across)) * perSquared;
+  float curvature = cell.bend.x * way.x * way.x + 2.0 * cell.bend.y * abs(way.x * way.y) + cell.bend.z * way.y * way.y;
+  float sine = least * abs(dot(across, ray.along)) * sqrt(perSquared);
+  return !(sine > 1.25 * curvature * own);
+}
 
 // Rectangles are visited in order of a tree of halves, whose way back takes no memory that a device would have to index:
 // a bit for each cut tells which half this is, another whether u was cut.
@@ -113,6 +128,8 @@ int meetsCell(CellRay ray, CasterCell cell) {
     if (!passes && !isMet && isOwn) {
       if (max(abs(middle.x), abs(middle.y)) <= 1.0 + kBorder) ++ownMeetings;
       else ++besideMeetings;
+      // Both tangents together turn by 2 turn.
+      mayTurnBack = mayTurnBack || turnsBack(ray, cell, Su, Sv, own, 1.0 - 2.0 * turn * size * perArea);
     }
     if (passes || isMet || isOwn || isGrain) {
       for (; cuts > 0 && (second & 1) != 0; --cuts) {

@@ -3,7 +3,6 @@
 // light first.
 #include "lib/caster.glsl"
 
-const float kGrazing = 0.02;       // the sine of a ray's height over its own surface
 const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
 
 // Whether a point of that normal gets nothing of the light, shadow or not.
@@ -42,6 +41,7 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   ray.grain = kGrain * vec2(width, has(kParallelLight) ? 0.0 : -width / max(distance_, 1e-37));
   evaluationsLeft = kMaxEvaluations;
   ownMeetings = besideMeetings = 0;
+  mayTurnBack = false;
 #ifdef LUXO_TRIANGLES
   metBesideEdge = passedBesideEdge = false;
   ownSlant = 0.0;
@@ -64,6 +64,6 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   if (isAsNearAsBordersMove(ray, width)) return kOpen;
   if (metBesideEdge && result == kPassed) return isSettled ? kMet : kOpen;
 #endif
-  bool mayHaveTwo = isOwn && besideMeetings > 0 && abs(cosine) <= kGrazing;
+  bool mayHaveTwo = isOwn && besideMeetings > 0 && mayTurnBack;
   return result == kPassed && (!isSettled || mayHaveTwo) ? kOpen : result;
 }
