@@ -35,16 +35,16 @@ vec3 fragmentNormal(vec3 v) {
 // Whoever includes this knows them, where there is a pattern.
 vec2 foundParameters();
 
-// What is lit later keeps its depth alone.
+// What is lit later is on the pixel's ray, of which it keeps the depth.
 #ifdef LUXO_FINDS_LAYER
-const bool kKeepsDepth = true;
+bool isLitLater() { return true; }
 #else
-const bool kKeepsDepth = kQuantity == kFoundTexel;
+bool isLitLater() { return kQuantity == kFoundTexel; }
 #endif
 
 Found foundPoint() {
   vec3 v = towardViewer(inViewer, inPosition);
-  return Found(kKeepsDepth ? seenByPixel(inPosition) : inPosition, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
+  return Found(isLitLater() ? seenByPixel(inPosition) : inPosition, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
 }
 
 Material foundMaterial() { return Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inNumbers.x); }
