@@ -7,4 +7,4 @@
 
 vec2 foundParameters() { return vec2(0); }
 
-void main() { show(foundPoint(), inShininessOpacity.y); }
+void main() { show(foundPoint(), foundOpacity()); }

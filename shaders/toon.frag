@@ -4,4 +4,4 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/toon.glsl"
 
-void main() { outColor = vec4(drawn(inDiffuse), inShininessOpacity.y); }
+void main() { outColor = vec4(drawn(foundMaterial().diffuse), foundOpacity()); }

@@ -8,4 +8,4 @@
 
 layout(location = 15) flat in vec4 inParameterBounds;
 
-void main() { drawAgain(vec4(inDiffuse, inShininessOpacity.y), inParameterBounds); }
+void main() { drawAgain(vec4(foundMaterial().diffuse, foundOpacity()), inParameterBounds); }

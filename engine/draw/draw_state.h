@@ -59,6 +59,7 @@ struct DrawState {
   bool poles = false;       ///< with that: an edge of a patch is one point
   bool byRays = false;      ///< points are drawn that rays have found
   bool isSurface = false;   ///< the triangles are the surface itself, not near to it
+  bool smallTriangles = false;  ///< cover a few pixels each: their vertices carry little
   bool hidesLines = false;  ///< of a wireframe: its triangles, of which only the depth is drawn
   std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
   bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials

@@ -82,7 +82,8 @@ std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, con
           {shared::kConstantPlaces, state.places},
           {shared::kConstantOcclusion, state.occludes},
           {shared::kConstantGivenOrder, state.givenOrder},
-          {shared::kConstantLayerDetails, state.details}};
+          {shared::kConstantLayerDetails, state.details},
+          {shared::kConstantCarries, !state.smallTriangles}};
 }
 
 /// What vertices there are: of a mesh, a shell, or what rays have found.
@@ -271,7 +272,14 @@ void ScenePipelines::prepare(std::span<const DrawState> wanted, const TargetForm
   states.erase(std::unique(states.begin(), states.end()), states.end());
   programs_.prepare(states);
   std::vector<gpu::GraphicsPipelineDesc> descs;
-  for (const DrawState& state : states) descs.push_back(describe(state, format));
+  std::vector<gpu::ShaderStages> stripped(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    gpu::GraphicsPipelineDesc& desc = descs.emplace_back(describe(states[i], format));
+    if (!states[i].smallTriangles) continue;
+    stripped[i] = gpu::stripped(desc.vertexShader, desc.fragmentShader, desc.specialization);
+    desc.vertexShader = stripped[i].vertex;
+    desc.fragmentShader = stripped[i].fragment;
+  }
   std::vector<gpu::GraphicsPipeline> made = gpu::GraphicsPipeline::makeAll(*context_, descs);
   for (std::size_t i = 0; i < states.size(); ++i)
     pipelines_.emplace(std::pair{states[i], format}, Made{std::move(made[i]), bytesOf(descs[i]), picture_});

@@ -5,6 +5,7 @@
 
 #include "gpu/descriptor.h"
 #include "gpu/handle.h"
+#include "gpu/shader_optimizer.h"
 #include "gpu/vk.h"
 
 #include <cstdint>
@@ -37,10 +38,6 @@ struct DepthBias {
 
 /// For dynamic rendering. Viewport, scissor, cull mode, front face and depth bias are
 /// always dynamic (see below); so are the blend constants of Blend::Mean.
-struct SpecializationConstant {
-  std::uint32_t id = 0, bits = 0;
-};
-
 struct GraphicsPipelineDesc {
   std::string_view name;
   std::span<const std::uint32_t> vertexShader;    ///< SPIR-V, entry `main`

@@ -8,6 +8,8 @@
 #include <spirv-tools/optimizer.hpp>
 
 #include <cstddef>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace luxo::gpu {
 namespace {
@@ -52,6 +54,15 @@ void addInlining(spvtools::Optimizer& optimizer) {
       .RegisterPass(spvtools::CreateBlockMergePass());
 }
 
+std::vector<std::uint32_t> run(const spvtools::Optimizer& optimizer, std::span<const std::uint32_t> words) {
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);  // here it would know nothing of scalar layouts
+  std::vector<std::uint32_t> result;
+  if (!optimizer.Run(words.data(), words.size(), &result, options))
+    throw Error(ErrorKind::Internal, "cannot optimise a shader");
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> optimized(std::vector<std::uint32_t> words, std::string_view shared) {
@@ -71,12 +82,31 @@ std::vector<std::uint32_t> optimized(std::vector<std::uint32_t> words, std::stri
     addInlining(optimizer);
   }
   optimizer.RegisterPass(spvtools::CreateCFGCleanupPass()).RegisterPass(spvtools::CreateCompactIdsPass());
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);  // here it would know nothing of scalar layouts
-  std::vector<std::uint32_t> result;
-  if (!optimizer.Run(words.data(), words.size(), &result, options))
-    throw Error(ErrorKind::Internal, "cannot optimise a shader");
-  return result;
+  return run(optimizer, words);
+}
+
+ShaderStages stripped(std::span<const std::uint32_t> vertex, std::span<const std::uint32_t> fragment,
+                      std::span<const SpecializationConstant> constants) {
+  constexpr bool kRemovesOutputs = true;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
+  for (const SpecializationConstant& constant : constants) values[constant.id] = {constant.bits};
+  const auto addFreezing = [&](spvtools::Optimizer& optimizer) {
+    optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
+        .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
+        .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
+        .RegisterPass(spvtools::CreateDeadBranchElimPass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass(!kKeepsInterface));
+  };
+  std::unordered_set<std::uint32_t> locations, builtIns;
+  spvtools::Optimizer ofFragment(SPV_ENV_VULKAN_1_3), ofVertex(SPV_ENV_VULKAN_1_3);
+  addFreezing(ofFragment);
+  ofFragment.RegisterPass(spvtools::CreateAnalyzeLiveInputPass(&locations, &builtIns));
+  ShaderStages stages{.fragment = run(ofFragment, fragment)};
+  addFreezing(ofVertex);
+  ofVertex.RegisterPass(spvtools::CreateEliminateDeadOutputStoresPass(&locations, &builtIns))
+      .RegisterPass(spvtools::CreateAggressiveDCEPass(!kKeepsInterface, kRemovesOutputs));
+  stages.vertex = run(ofVertex, vertex);
+  return stages;
 }
 
 std::string optimizerVersion() { return fmt::format("{} {}", spvSoftwareVersionDetailsString(), kRevision); }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,22 @@ namespace luxo::gpu {
 /// word. Safe from any thread. Throws Error(Internal) for words that are no shader.
 [[nodiscard]] std::vector<std::uint32_t> optimized(std::vector<std::uint32_t> words,
                                                    std::string_view shared = {});
+
+/// A specialization constant and its value.
+struct SpecializationConstant {
+  std::uint32_t id = 0, bits = 0;
+};
+
+struct ShaderStages {
+  std::vector<std::uint32_t> vertex, fragment;
+};
+
+/// Both stages of a pipeline, which are optimized() already, with the values of their constants and without
+/// what these leave unused: what no fragment reads, the vertices do not write. Drivers that do not link
+/// stages carry all that is declared, for every vertex. Safe from any thread. Throws as above.
+[[nodiscard]] ShaderStages stripped(std::span<const std::uint32_t> vertex,
+                                    std::span<const std::uint32_t> fragment,
+                                    std::span<const SpecializationConstant> constants);
 
 /// Changes when optimized() gives other words.
 [[nodiscard]] std::string optimizerVersion();

@@ -18,13 +18,13 @@ layout(location = 17) sample in vec4 inTangent;
 
 vec4 normalFrame() {
   vec4 frame = vec4(inTangent.xyz, inTangent.w * length(inNormal));
-  return isTurned(towardViewer(inViewer, inPosition)) ? -frame : frame;
+  return isTurned(towardViewer(viewerOfDraw(), inPosition)) ? -frame : frame;
 }
 
 #else
 
 vec4 normalFrame() {
-  vec3 v = towardViewer(inViewer, inPosition), n = fragmentNormal(v);
+  vec3 v = towardViewer(viewerOfDraw(), inPosition), n = fragmentNormal(v);
   vec3 right = dFdxFine(inPosition), below = dFdyFine(inPosition);
   vec2 uvRight = dFdxFine(inDetail.xy), uvBelow = dFdyFine(inDetail.xy);
   float area = uvRight.x * uvBelow.y - uvBelow.x * uvRight.y, side = area < 0.0 ? -1.0 : 1.0;

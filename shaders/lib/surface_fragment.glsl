@@ -21,6 +21,14 @@ layout(location = 5) flat in vec2 inShininessOpacity;
 layout(location = 6) flat in uvec3 inNumbers;
 layout(location = 7) flat in vec4 inViewer;
 
+Material foundMaterial() {
+  if (kCarries) return Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inNumbers.x);
+  MaterialData data = materials[inNumbers.y];
+  return Material(data.ambient, data.diffuse, data.specular, data.shininess, inNumbers.x);
+}
+float foundOpacity() { return kCarries ? inShininessOpacity.y : materials[inNumbers.y].opacity; }
+vec4 viewerOfDraw() { return kCarries ? inViewer : view.viewer; }
+
 // The interpolated normal (Phong shading) or the facet's own (flat shading), on the side that is shown.
 vec3 fragmentNormal(vec3 v) {
   // The facet is flat, so the derivatives of its position span it; which of its sides is seen, the rasteriser knows.
@@ -43,9 +51,8 @@ bool isLitLater() { return kQuantity == kFoundTexel; }
 #endif
 
 Found foundPoint() {
-  vec3 v = towardViewer(inViewer, inPosition);
+  vec3 v = towardViewer(viewerOfDraw(), inPosition);
   return Found(isLitLater() ? seenByPixel(inPosition) : inPosition, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
 }
 
-Material foundMaterial() { return Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inNumbers.x); }
 uint foundMaterialNumber() { return inNumbers.y; }

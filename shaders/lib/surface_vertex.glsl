@@ -14,17 +14,16 @@ layout(location = 7) flat out vec4 outViewer;
 layout(location = 8) flat out vec4 outLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
 layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; reach
 
+layout(constant_id = kConstantCarries) const bool kCarries = true;  // lib/carried_lights.glsl
+
 invariant gl_Position;
 
-void writeSurfaceVertex(InstanceData instance) {
-  outPosition = positionOfVertex(instance);
-  outNormal = normalOfVertex(instance);
-  MaterialData material = materials[instance.material];
+// What is the same all over the draw, for its fragments.
+void carryDraw(MaterialData material) {
   outAmbient = material.ambient;
   outDiffuse = material.diffuse;
   outSpecular = material.specular;
   outShininessOpacity = vec2(material.shininess, material.opacity);
-  outNumbers = uvec3(instance.flags | material.flags, instance.material, material.firstPatternParameter);
   outViewer = view.viewer;
   for (uint i = 0; i < kCarriedLights; ++i) {
     outLights[2 * i] = lightSet.lights[i].position;
@@ -34,6 +33,14 @@ void writeSurfaceVertex(InstanceData instance) {
     outShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
     outShades[2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
   }
+}
+
+void writeSurfaceVertex(InstanceData instance) {
+  outPosition = positionOfVertex(instance);
+  outNormal = normalOfVertex(instance);
+  MaterialData material = materials[instance.material];
+  outNumbers = uvec3(instance.flags | material.flags, instance.material, material.firstPatternParameter);
+  if (kCarries) carryDraw(material);
   gl_Position = clipOfVertex(outPosition);
 }
 

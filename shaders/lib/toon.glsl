@@ -66,7 +66,7 @@ float outline() {
 vec2 foundParameters() { return vec2(0); }
 
 vec3 drawn(vec3 color) {
-  vec3 n = fragmentNormal(towardViewer(inViewer, inPosition));
+  vec3 n = fragmentNormal(towardViewer(viewerOfDraw(), inPosition));
 #ifdef LUXO_NORMAL_MAP
   horizonNormal = n;
   n = bentNormal(n, inDetail.xy);

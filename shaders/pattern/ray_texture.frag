@@ -7,4 +7,4 @@
 #include "lib/pattern_of_mesh.glsl"
 #include "lib/lit_pattern.glsl"
 
-void main() { show(foundPoint(), inShininessOpacity.y); }
+void main() { show(foundPoint(), foundOpacity()); }

@@ -10,4 +10,4 @@ layout(location = 14) sample in vec3 inDetail;
 
 vec2 foundParameters() { return inDetail.xy; }
 
-void main() { show(foundPoint(), inShininessOpacity.y); }
+void main() { show(foundPoint(), foundOpacity()); }

@@ -13,4 +13,4 @@ vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
 #endif
 #endif
 
-void main() { outColor = vec4(drawn(patternAt(inDetail.xy)), inShininessOpacity.y); }
+void main() { outColor = vec4(drawn(patternAt(inDetail.xy)), foundOpacity()); }

@@ -3,6 +3,9 @@
 #include "gpu/shader_optimizer.h"
 
 #include "gpu/shader_compiler.h"
+#include "luxo/shaders/surface_frag.h"
+#include "luxo/shaders/surface_vert.h"
+#include "shared/scene_data.h"
 #include "support/spirv.h"
 
 #include <gtest/gtest.h>
@@ -85,6 +88,32 @@ void main() { float z = x; for (int i = 0; i < 4; ++i) z = formula(z); y = formu
   EXPECT_EQ(countOf(words, {kFunction}), 1u);
   EXPECT_EQ(test::callsOf(words, kFract), 3u * 2u) << "part(a) once in each";
   EXPECT_EQ(test::instructionsIn(words), test::instructionsIn(compiled(body)));
+}
+
+std::size_t variablesOf(std::span<const std::uint32_t> words, std::uint32_t storage) {
+  std::size_t count = 0;
+  test::forEachInstruction(words, [&](const test::Instruction& i) {
+    count += i.operation == kVariable && i.words[3] == storage;
+  });
+  return count;
+}
+
+TEST(ShaderOptimizer, StripsWhatConstantsLeaveUnusedFromBothStages) {
+  constexpr std::uint32_t kInput = 1, kOutput = 3, kSpecConstantTrue = 48;
+  const auto strippedWith = [](std::uint32_t carries, std::uint32_t facetNormal) {
+    return stripped(luxo_surface_vert, luxo_surface_frag,
+                    std::vector<SpecializationConstant>{{shared::kConstantPlainLights, 1},
+                                                        {shared::kConstantCarries, carries},
+                                                        {shared::kConstantFacetNormal, facetNormal}});
+  };
+  const ShaderStages all = strippedWith(1, 0), few = strippedWith(0, 0), fewest = strippedWith(0, 1);
+  EXPECT_GE(variablesOf(all.fragment, kInput), 9U);
+  EXPECT_EQ(variablesOf(few.fragment, kInput), 4U) << "position, normal, numbers, which face it is";
+  EXPECT_EQ(variablesOf(few.vertex, kOutput), 4U) << "with gl_Position";
+  EXPECT_EQ(variablesOf(fewest.fragment, kInput), 3U) << "no normal";
+  EXPECT_EQ(variablesOf(fewest.vertex, kOutput), 3U);
+  EXPECT_EQ(variablesOf(few.fragment, kOutput), 1U);
+  EXPECT_EQ(countOf(few.fragment, {kSpecConstantTrue}), 0U);
 }
 
 }  // namespace
