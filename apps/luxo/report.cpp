@@ -62,6 +62,8 @@ Json frameJson(const FrameReport& frame) {
         {"culled_backface", drawn(count.culledBackface)},
         {"culled_lights", drawn(count.culledLights)},
         {"culled_hidden", drawn(count.culledHidden)},
+        {"culled_triangles_frustum", drawn(count.culledTrianglesFrustum)},
+        {"culled_triangles_backface", drawn(count.culledTrianglesBackface)},
         {"too_large", drawn(count.tooLarge)},
         {"draw_calls", drawn(count.drawCalls)},
         {"instances", drawn(count.instances)},

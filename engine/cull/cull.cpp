@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "cull/raster_slack.h"
 #include "cull/reach.h"
 #include "math/rounding.h"
 #include "math/sampling.h"
@@ -15,16 +16,6 @@
 namespace luxo {
 
 namespace {
-
-/// Single precision on the way from object to clip space: matrices and vertices rounded to 2^-24 and at most
-/// eight operations, relative to the lengths that are added up.
-constexpr double kVertexSlack = 0x1p-20;
-
-/// Vertices are snapped to the raster by at most half of 1/16 pixel: Vulkan asks for 4 subpixel bits.
-constexpr double kSnapPx = 1.0 / 32;
-
-/// Lines are drawn one pixel wide, and every implementation picks its own pixels beside the ideal line.
-constexpr double kLinePx = 1;
 
 /// Thinner triangles may turn over when their corners snap to the raster. A flat patch this thick has none
 /// even when it is cut into 128 x 128 cells.
@@ -45,12 +36,8 @@ struct Bounds {
 Bounds boundsInEyeSpace(const View& view, const SnapshotNode& node) {
   const Box& box = node.boundsObject;
   const Transform place = eyeFromObject(view, node.worldFromObject);
-  const Vec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
-  const double size = glm::length(place.linear[0]) * reach.x + glm::length(place.linear[1]) * reach.y +
-                      glm::length(place.linear[2]) * reach.z;
   Bounds bounds;
-  bounds.slack = kVertexSlack * (glm::length(place.translation) + size) +
-                 roundingGamma(16) * (glm::length(view.eye) + glm::length(node.worldFromObject.translation));
+  bounds.slack = vertexSlack(view, node);
   bounds.finite = std::isfinite(bounds.slack) && !box.empty();
   bounds.center = transformPoint(place, box.center());
   bounds.nearest = std::numeric_limits<double>::infinity();
@@ -227,9 +214,7 @@ void sortByDepth(std::vector<VisibleNode>& nodes, const Snapshot& snapshot, Dept
 
 VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
   const View& view = snapshot.view;
-  const double marginPx =
-      kSnapPx + std::max(std::abs(view.sampleOffsetPx.x), std::abs(view.sampleOffsetPx.y));
-  const Frustum filled = frustumOf(view, marginPx), outlined = frustumOf(view, marginPx + kLinePx);
+  const Frustum filled = drawnFrustum(view, false), outlined = drawnFrustum(view, true);
   VisibleList list;
   CullCounts& counts = list.counts;
   for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i) {

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
 #include "base/error.h"
 #include "draw/caster_list.h"
 #include "draw/clipped_mesh.h"
+#include "draw/cluster_draws.h"
 #include "draw/instance_data.h"
 #include "draw/light_sets.h"
 #include "draw/material_list.h"
@@ -26,6 +28,8 @@ namespace {
 // Light that is interpolated between vertices needs vertices where light changes, also on flat surfaces. An
 // outline is as wide as the slope of what is interpolated says, which long facets of a cone get wrong.
 constexpr double kVertexSpacingPx = 12;
+
+constexpr std::uint64_t kSmallTrianglePx = 8;
 
 bool needsLights(const DrawState& state) {
   return state.output == Output::Color &&
@@ -74,6 +78,9 @@ class DrawLister {
     listLayers();
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
+    dropClusters(list_, snapshot_, options_);
+    for (auto* batches : {&list_.opaque, &list_.layers.meshes})
+      for (DrawBatch& batch : *batches) batch.state.smallTriangles = hasSmallTriangles(batch);
     materials_.listShades();
     listPlaces(snapshot_, visible_, options_, geometry_, materials_, list_);
     listShadows(snapshot_, visible_, options_, geometry_, materials_, list_);
@@ -352,6 +359,19 @@ class DrawLister {
     }
   }
 
+  /// By the boxes of its instances, so that one side of a closed surface is as good as covers them.
+  [[nodiscard]] bool hasSmallTriangles(const DrawBatch& batch) const {
+    const Shading shading = batch.state.shading;
+    const bool carries = shading == Shading::Flat || shading == Shading::Phong || shading == Shading::Toon;
+    if (batch.shell || !carries || inspectionOf(batch.state)) return false;
+    std::uint64_t pixels = 0;
+    for (std::uint32_t i = 0; i < batch.instanceCount; ++i)
+      pixels +=
+          pixelsOf(snapshot_.view, snapshot_.nodes[list_.instanceNodes[batch.firstInstance + i]].boundsWorld)
+              .count();
+    return pixels < kSmallTrianglePx * batch.triangleCount() * batch.instanceCount;
+  }
+
   [[nodiscard]] bool hidesLines(const DrawState& state) const {
     return state.shading == Shading::Wireframe && state.output == Output::Color && !state.blended &&
            !options_.hiddenLines;
@@ -412,6 +432,12 @@ bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawO
   const Material& material = snapshot.materials[node.material.index];
   return seenThrough(snapshot, node, options) && !material.invisible() &&
          material.shadingIn(options.shading) == Shading::Exact;
+}
+
+std::uint64_t DrawBatch::triangleCount() const {
+  if (parts.empty()) return indexCount / 3;
+  return std::accumulate(parts.begin(), parts.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const TriangleRange& part) { return sum + part.count; });
 }
 
 bool DrawList::onlyFound() const {

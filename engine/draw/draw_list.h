@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "cull/clusters.h"
 #include "cull/cull.h"
 #include "draw/draw_state.h"
 #include "draw/occlusion_culling.h"
@@ -42,6 +43,7 @@ struct DrawBatch {
   std::shared_ptr<const Mesh> mesh;              ///< null where the surface is found in every pixel
   std::shared_ptr<const Shell> shell;            ///< then not null
   std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of DrawList::shellIndices
+  std::vector<TriangleRange> parts;  ///< of a mesh some clusters of which are left out: what is drawn
   FaceCulling culling = FaceCulling::None;
   Half half = Half::Whole;
   bool shared = false;     ///< of a shell: all of its triangles, in the draws of other nodes, too
@@ -54,6 +56,7 @@ struct DrawBatch {
 
   /// Whether its points are the surface's own.
   [[nodiscard]] bool finds() const { return shell || state.isSurface; }
+  [[nodiscard]] std::uint64_t triangleCount() const;
   [[nodiscard]] std::size_t vertexCount() const {
     return shell ? shell->positions.size() : mesh->positions.size();
   }
@@ -175,6 +178,7 @@ struct DrawList {
   std::vector<PixelPlace> outlines;    ///< some of the pixels that searches graze
   std::vector<DrawBatch> transparent;  ///< wires, in this order
   std::uint64_t culledHidden = 0;      ///< triangles of shells that are behind others, every instance counted
+  ClusterCounts clusters;              ///< triangles of meshes that are left out, every draw counted
   std::uint64_t tooLarge = 0;          ///< nodes found by rays: their formulas are too large for shaders
   /// Points are found first, and lit once each, by all lights that reach anything.
   bool deferred = false;

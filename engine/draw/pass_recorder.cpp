@@ -211,9 +211,12 @@ void PassRecorder::draw(const DrawBatch& batch) {
     vkCmdBindIndexBuffer(commands_, bindings_.shellIndices, 0, VK_INDEX_TYPE_UINT32);
   else
     vkCmdBindIndexBuffer(commands_, mesh.indices, 0, mesh.indexType);
-  vkCmdDrawIndexed(commands_, batch.indexCount, batch.instanceCount, batch.firstIndex, 0,
-                   batch.firstInstance);
-  count(batch.instanceCount, batch.indexCount / 3, batch.vertexCount());
+  const auto drawIndexed = [&](std::uint32_t first, std::uint32_t indices) {
+    vkCmdDrawIndexed(commands_, indices, batch.instanceCount, first, 0, batch.firstInstance);
+    count(batch.instanceCount, indices / 3, std::min<std::size_t>(batch.vertexCount(), indices));
+  };
+  if (batch.parts.empty()) drawIndexed(batch.firstIndex, batch.indexCount);
+  for (const TriangleRange& part : batch.parts) drawIndexed(3 * part.first, 3 * part.count);
 }
 
 void PassRecorder::count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices) {

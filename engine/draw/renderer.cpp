@@ -93,6 +93,8 @@ FrameStatistics again(const FrameStatistics& before) {
                .culledBackface = c.culledBackface,
                .culledLights = c.culledLights,
                .culledHidden = c.culledHidden,
+               .culledTrianglesFrustum = c.culledTrianglesFrustum,
+               .culledTrianglesBackface = c.culledTrianglesBackface,
                .tooLarge = c.tooLarge};
   return now;
 }

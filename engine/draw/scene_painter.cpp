@@ -12,7 +12,7 @@
 namespace luxo {
 namespace {
 
-class Stopwatch {
+class LapWatch {
  public:
   /// Milliseconds since the start or the last lap.
   double lap() {
@@ -79,7 +79,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, Rend
   const DrawOptions options = possible(scene, wanted);
   const Snapshot& snapshot = scaleNormalization_.of(scene);
   DrawList list = listed(snapshot, options, statistics);
-  Stopwatch watch;
+  LapWatch watch;
   store_.dropUnused();
   view.begin(std::move(list), options, backgroundOf(snapshot, options.output),
              {static_cast<std::uint32_t>(snapshot.view.size.width),
@@ -100,13 +100,15 @@ DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& optio
                               FrameStatistics& statistics) {
   geometry_.shells.resume();
   const std::uint64_t tessellatedBefore = geometry_.tessellated();
-  Stopwatch watch;
+  LapWatch watch;
   const VisibleList visible = cull(snapshot, cullOptions(options));
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();
   DrawList list = listDraws(snapshot, visible, options, geometry_);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.culledHidden = list.culledHidden;
+  statistics.count.culledTrianglesFrustum = list.clusters.culledFrustum;
+  statistics.count.culledTrianglesBackface = list.clusters.culledBackface;
   statistics.count.tooLarge = list.tooLarge;
   statistics.count.deferred += list.deferred;
   statistics.count.tessellated += geometry_.tessellated() - tessellatedBefore;

@@ -30,6 +30,8 @@ struct FrameCounts {
   std::uint64_t drawn = 0;
   std::uint64_t culledFrustum = 0, culledSmall = 0, culledBackface = 0, culledLights = 0;
   std::uint64_t culledHidden = 0;  ///< triangles of shells
+  /// Triangles of meshes, cluster by cluster, every draw counted.
+  std::uint64_t culledTrianglesFrustum = 0, culledTrianglesBackface = 0;
   std::uint64_t drawCalls = 0, instances = 0;
   std::uint64_t triangles = 0, vertices = 0;  ///< submitted, every instance counted
   std::uint64_t submits = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "math/frustum.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/rounding.h"
@@ -25,16 +26,33 @@ double farthestInside(const Plane& plane, const Transform& worldFromObject, cons
   return glm::dot(plane.normal, center) + plane.offset + reach + roundingGamma(16) * magnitude;
 }
 
+/// Of a sphere's middle from a plane, positive inside; and how far the sphere reaches, rounding and `slack`
+/// included.
+struct Reach {
+  double distance, radius;
+};
+
+Reach reachOf(const Plane& plane, const Sphere& sphere, double slack) {
+  const double magnitude =
+      glm::dot(glm::abs(plane.normal), glm::abs(sphere.center)) + std::abs(plane.offset) + sphere.radius;
+  return {glm::dot(plane.normal, sphere.center) + plane.offset,
+          sphere.radius + slack + roundingGamma(16) * magnitude};
+}
+
 }  // namespace
 
 bool outside(const Frustum& frustum, const Sphere& sphere, double slack) {
-  for (const Plane& plane : frustum.planes) {
-    const double magnitude =
-        glm::dot(glm::abs(plane.normal), glm::abs(sphere.center)) + std::abs(plane.offset) + sphere.radius;
-    const double distance = glm::dot(plane.normal, sphere.center) + plane.offset;
-    if (distance + sphere.radius + slack + roundingGamma(16) * magnitude < 0) return true;
-  }
-  return false;
+  return std::ranges::any_of(frustum.planes, [&](const Plane& plane) {
+    const auto [distance, radius] = reachOf(plane, sphere, slack);
+    return distance + radius < 0;
+  });
+}
+
+bool inside(const Frustum& frustum, const Sphere& sphere, double slack) {
+  return std::ranges::all_of(frustum.planes, [&](const Plane& plane) {
+    const auto [distance, radius] = reachOf(plane, sphere, slack);
+    return distance > radius;
+  });
 }
 
 bool outside(const Frustum& frustum, const Transform& worldFromObject, const Box& boundsObject,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of space a picture shows, as planes. Every test is conservative: "outside" is a proof, "not
-// outside" is not.
+// The part of space a picture shows, as planes. Every test is conservative: "outside" and "inside" are
+// proofs, "not outside" is not.
 #pragma once
 
 #include <array>
@@ -29,5 +29,8 @@ struct Frustum {
 [[nodiscard]] bool outside(const Frustum& frustum, const Sphere& sphere, double slack = 0);
 [[nodiscard]] bool outside(const Frustum& frustum, const Transform& worldFromObject, const Box& boundsObject,
                            double slack = 0);
+
+/// Whether all planes prove that all of the sphere, grown by `slack` metres, is inside. Rounded as above.
+[[nodiscard]] bool inside(const Frustum& frustum, const Sphere& sphere, double slack = 0);
 
 }  // namespace luxo

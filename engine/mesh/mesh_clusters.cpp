@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace luxo {
 namespace {
@@ -195,11 +196,16 @@ void boundCluster(MeshCluster& cluster, std::span<const Vec3f> positions, const 
   constexpr double kProducts = 4 * 1.2e-16;
   std::vector<Vec3> normals;
   std::vector<double> doubts;
+  cluster.thinnest = std::numeric_limits<double>::infinity();
   Vec3 sum(0);
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     const Vec3 a = at(i + 1) - at(i), b = at(i + 2) - at(i), normal = glm::cross(a, b);
     normals.push_back(unit(normal));
     doubts.push_back(kProducts * (glm::length(a) / glm::length(normal)) * glm::length(b));
+    // Twice the area over the longest side; what both are off by besides is below 1e-15 of it.
+    const double longest = std::max({glm::length(a), glm::length(b), glm::length(b - a)});
+    cluster.thinnest = std::min(cluster.thinnest,
+                                glm::length(normal) / longest * (1 - std::min(1.0, doubts.back() + 1e-15)));
     sum += normals.back();
   }
   cluster.axis = unit(sum);

@@ -30,17 +30,19 @@ struct TriangleMesh::Data {
   std::uint64_t dropped = 0;
 };
 
-bool MeshCluster::facesAwayFrom(const Vec3& eye) const {
-  // For all normals n within the angle a of the axis and points p within the radius r of the centre c:
-  // n.(p - e) >= n.(c - e) - r >= |c - e| cos(angle(axis, c - e) + a) - r, and that cosine is at least
-  // cos(angle) - sin(a) wherever this is positive. Rounding: each term is off by less than 1e-15 of itself.
-  const Vec3 away = sphere.center - eye;
-  const double distance = glm::length(away);
-  return spread < 1 && glm::dot(away, axis) > (spread + 4e-15) * distance + sphere.radius;
+// For all normals n within the angle a of the axis and points p within the radius r of the centre c:
+// n.(p - e) >= n.(c - e) - r >= |c - e| cos(angle(axis, c - e) + a) - r, and that cosine is at least
+// cos(angle) - sin(a) wherever this is positive. Rounding: each term is off by less than 1e-15 of itself.
+double MeshCluster::behind(const Vec4& eye) const {
+  if (!(spread < 1)) return -1;
+  const Vec3 away = eye.w * sphere.center - Vec3(eye);
+  return glm::dot(away, axis) - (spread + 4e-15) * glm::length(away) - eye.w * sphere.radius;
 }
 
-bool MeshCluster::facesAwayAlong(const Vec3& direction) const {
-  return spread < 1 && glm::dot(direction, axis) > spread + 4e-15;
+double MeshCluster::before(const Vec4& eye) const {
+  MeshCluster turned = *this;
+  turned.axis = -axis;
+  return turned.behind(eye);
 }
 
 const std::string& TriangleMesh::name() const { return data_->name; }

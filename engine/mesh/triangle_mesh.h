@@ -67,11 +67,13 @@ struct MeshCluster {
   /// over a half-space or more.
   Vec3 axis{0};
   double spread = 1;
+  double thinnest = 0;  ///< no triangle of it has a smaller height; metres
 
-  /// Whether no triangle of it shows its front to a point. Never wrongly yes; rounded to that side.
-  [[nodiscard]] bool facesAwayFrom(const Vec3& eye) const;
-  /// The same of parallel rays along a unit direction (away from the eye).
-  [[nodiscard]] bool facesAwayAlong(const Vec3& direction) const;
+  /// At least how far an eye is behind the planes of all its triangles, so that none shows its front if that
+  /// is above 0, and before them. Metres, of an eye at (xyz, 1); or the sine, times the length of xyz, of
+  /// parallel rays toward (xyz, 0). Rounded down.
+  [[nodiscard]] double behind(const Vec4& eye) const;
+  [[nodiscard]] double before(const Vec4& eye) const;
 };
 
 /// Consecutive triangles and clusters of one material; one a material, in the order of their numbers.

@@ -232,11 +232,11 @@ TEST(TriangleMesh, ClustersFaceAwayOnlyWhereNoTriangleShowsItsFront) {
         front |= glm::dot(normal, eye - a) > 0;
         frontAlong |= glm::dot(normal, direction) < 0;
       }
-      if (cluster.facesAwayFrom(eye)) {
+      if (cluster.behind(Vec4(eye, 1)) > 0) {
         EXPECT_FALSE(front);
         ++away;
       }
-      if (cluster.facesAwayAlong(direction)) {
+      if (cluster.behind(Vec4(-direction, 0)) > 0) {
         EXPECT_FALSE(frontAlong);
         ++along;
       }

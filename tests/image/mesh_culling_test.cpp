@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is left out of meshes changes no bit of a picture: closed and open, seen from outside, from within
+// and from near, mirrored, cut out, seen through, in the shadow of each other, in every shading and output.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "support/meshes.h"
+#include "support/picture.h"
+
+namespace luxo::test {
+namespace {
+
+constexpr PixelSize kCullingSize{160, 120};
+
+class MeshCulling : public PictureTest {
+ protected:
+  /// The meshes are made once: they have some thousand triangles.
+  MeshCulling() : random_(17) {
+    meshes_ = {icosphere(4), meshOf(torus(0.7, 0.25), 4e-4), soup(random_, 4000, 0.15),
+               meshOf(paraboloid(0.3, 1), 2e-4)};
+  }
+
+  double any(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  Vec3 anywhere(double half) { return {any(-half, half), any(-half, half), any(-half, half)}; }
+  bool oneIn(int n) { return random_() % static_cast<unsigned>(n) == 0; }
+
+  Material anyMaterial() {
+    Material material{.diffuse = Vec3(any(0.2, 1), any(0.2, 1), any(0.2, 1))};
+    const auto kind = random_() % 5;
+    if (kind == 0) material.twoSided = TwoSided::No;
+    if (kind == 1) material.twoSided = TwoSided::Yes;
+    if (kind == 2) material.opacity = any(0.3, 0.8);
+    if (kind == 3) material = cutOut(material);
+    return material;
+  }
+  Material cutOut(Material material) {
+    Image alpha(8, 8, 4);
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x) {
+        std::ranges::fill(alpha.pixel(x, y), 1.0f);
+        alpha.pixel(x, y)[3] = (x + y) % 3 ? 1.0f : 0.2f;
+      }
+    material.map = {.texture = std::make_shared<const Texture>(makeTexture(alpha, "holes"))};
+    material.mapOpacity = true;
+    material.cutoff = 0.5;
+    return material;
+  }
+
+  Scene anyScene(bool shadows) {
+    Scene scene;
+    const int nodes = 2 + int(random_() % 3);
+    for (int i = 0; i < nodes; ++i) {
+      const double mirror = oneIn(3) ? -1 : 1;
+      scene.add(Node{.translation = anywhere(0.8),
+                     .rotation = Rotation{anywhere(1) + Vec3(0, 0, 0.01), any(0, 6)},
+                     .scale = Vec3(mirror * any(0.3, 1.2), any(0.3, 1.2), any(0.3, 1.2)),
+                     .surface = meshes_[random_() % meshes_.size()],
+                     .material = scene.add(anyMaterial())});
+    }
+    scene.add(Node{
+        .translation = Vec3(3, 5, 4),
+        .light = Light{.intensity = 0.7, .shadow = shadows ? Light::Shadow::Exact : Light::Shadow::None}});
+    scene.add(Node{.rotation = Rotation{{1, 0.4, 0}, -0.9},
+                   .light = Light{.type = Light::Type::Directional, .intensity = 0.4}});
+    Camera camera{.eye = any(0.1, 4) * unit(anywhere(1)), .lookAt = anywhere(0.7), .near = 0.02};
+    camera.fovY = radians(any(20, 90));
+    if (oneIn(4)) {
+      camera.projection = Projection::Orthographic;
+      camera.height = any(0.5, 4);
+    }
+    scene.add(camera);
+    return scene;
+  }
+
+  std::mt19937 random_;
+  std::vector<TriangleMesh> meshes_;
+};
+
+TEST_F(MeshCulling, NoSkipChangesABit) {
+  FrameCounts left;
+  for (int i = 0; i < 48; ++i) {
+    const std::array shadings{Shading::Phong, Shading::Exact,     Shading::Flat,  Shading::Gouraud,
+                              Shading::Toon,  Shading::Wireframe, Shading::Phong, Shading::Exact};
+    const std::array outputs{Output::Position, Output::Normal, Output::Id, Output::Depth, Output::Uv};
+    DrawOptions all{.shading = shadings[std::size_t(i) % shadings.size()]};
+    if (i % 3 == 2) all.output = outputs[random_() % outputs.size()];
+    if (i % 5 == 4) all.samples = 4;
+    const Scene scene = anyScene(oneIn(4));
+    const Picture picture = draw(scene, kCullingSize, all);
+    left.culledTrianglesFrustum += picture.statistics.count.culledTrianglesFrustum;
+    left.culledTrianglesBackface += picture.statistics.count.culledTrianglesBackface;
+    DrawOptions none = all;
+    none.skips = Skips::none();
+    const Picture whole = draw(scene, kCullingSize, none);
+    EXPECT_EQ(whole.statistics.count.culledTrianglesFrustum, 0U);
+    EXPECT_EQ(whole.statistics.count.culledTrianglesBackface, 0U);
+    EXPECT_TRUE(sameBytes(picture.image, whole.image))
+        << "scene " << i << ", " << nameOf(all.shading) << ", output " << int(all.output);
+  }
+  EXPECT_GT(left.culledTrianglesFrustum, 100'000U);
+  EXPECT_GT(left.culledTrianglesBackface, 5'000U);
+}
+
+}  // namespace
+}  // namespace luxo::test
