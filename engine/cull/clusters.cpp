@@ -12,8 +12,8 @@
 namespace luxo {
 namespace {
 
-/// Triangles. A draw of its own costs a CPU device as much as two clusters.
-constexpr std::uint32_t kShortGap = 1 * kClusterTriangles;
+/// Triangles. A draw of its own costs a CPU device about as much as a cluster.
+constexpr std::uint32_t kShortGap = kClusterTriangles;
 
 /// A more uneven scale would leave the eye's place among the triangles off by more than a billionth.
 constexpr double kMostUneven = 1e3;

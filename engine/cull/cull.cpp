@@ -240,7 +240,10 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
       ++counts.culledBackface;
       continue;
     }
-    visible.closedFromOutside = options.backface && !lines && node.surface.closed() && !transparent &&
+    // Of triangles this is no skip: where both sides meet rounding decides which is nearer, but the front is
+    // what is seen.
+    const bool showsFronts = options.backface || node.surface.triangles();
+    visible.closedFromOutside = showsFronts && !lines && node.surface.closed() && !transparent &&
                                 seenFromOutside(view, node, bounds);
     appendLights(snapshot, node, bounds, options.lights, visible, list);
     ++counts.drawn;

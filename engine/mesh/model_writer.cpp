@@ -14,7 +14,7 @@
 namespace luxo {
 namespace {
 
-constexpr std::array<std::string_view, 4> kSuffixes = {".obj", ".glb", ".ply", ".stl"};
+constexpr std::array<std::string_view, 4> kWrittenSuffixes = {".obj", ".glb", ".ply", ".stl"};
 
 }  // namespace
 
@@ -54,7 +54,7 @@ std::vector<std::string> comments(const ModelClaim& claim, const LengthUnit& uni
 }
 
 bool namesWrittenModel(const std::filesystem::path& path) {
-  return std::find(kSuffixes.begin(), kSuffixes.end(), fileSuffix(path)) != kSuffixes.end();
+  return std::find(kWrittenSuffixes.begin(), kWrittenSuffixes.end(), fileSuffix(path)) != kWrittenSuffixes.end();
 }
 
 bool namesGlb(const std::filesystem::path& path) { return fileSuffix(path) == ".glb"; }

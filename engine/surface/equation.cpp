@@ -8,7 +8,9 @@
 #include <set>
 
 #include "math/sampling.h"
+#include "mesh/mesh_solid.h"
 #include "surface/surface.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 namespace {
@@ -243,6 +245,8 @@ std::vector<std::optional<Equation>> equationsOf(const Surface& surface, std::sp
 }
 
 bool boundsSolid(const Surface& surface, std::span<const double> parameters) {
+  if (const SurfaceTriangles* triangles = surface.triangles())
+    return triangles->count == triangles->mesh.triangleCount() && boundsSolid(triangles->mesh);
   if (surface.patchCount() != 1) return false;
   const std::optional<Equation> equation = equationOf(surface, 0, parameters);
   return equation &&

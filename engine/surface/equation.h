@@ -73,7 +73,8 @@ struct Equation {
 /// Whether the surface is all of an ellipsoid or of a torus (which may pass through itself): there F has one
 /// sign outside and the other behind what is seen from there. So whoever looks at it from outside sees its
 /// outer side first. Of surfaces in general that is false, closed ones too: where one passes through itself,
-/// parts of the space behind it are outside again, and turned inside out. Cost: that of equationOf().
+/// parts of the space behind it are outside again, and turned inside out. Cost: that of equationOf(). Of
+/// triangles: mesh/mesh_solid.h; those of one material among several bound nothing.
 [[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
 
 }  // namespace luxo

@@ -8,17 +8,19 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "image/compare.h"
 #include "support/meshes.h"
-#include "support/picture.h"
+#include "support/verified_picture.h"
 
 namespace luxo::test {
 namespace {
 
 constexpr PixelSize kCullingSize{160, 120};
 
-class MeshCulling : public PictureTest {
+class MeshCulling : public VerifiedPictureTest {
  protected:
   /// The meshes are made once: they have some thousand triangles.
   MeshCulling() : random_(17) {
@@ -105,6 +107,55 @@ TEST_F(MeshCulling, NoSkipChangesABit) {
   }
   EXPECT_GT(left.culledTrianglesFrustum, 100'000U);
   EXPECT_GT(left.culledTrianglesBackface, 5'000U);
+}
+
+/// A ball whose upper part comes out below, inside out: closed, but no solid.
+TriangleMesh pushedThrough(const TriangleMesh& ball) {
+  MeshArrays arrays;
+  for (std::uint32_t i = 0; i < ball.positions().size(); ++i) {
+    Vec3 p = ball.point(i);
+    if (p.y > 0.2) p = Vec3(0.6 * p.x, p.y - 2.6 * (p.y - 0.2), 0.6 * p.z);
+    arrays.positions.push_back(p);
+  }
+  arrays.indices.assign(ball.indices().begin(), ball.indices().end());
+  return triangleMesh(std::move(arrays), "pushed through");
+}
+
+/// Nodes may pass through each other.
+TEST_F(MeshCulling, BackFacesOfSolidsAreHiddenFromAnywhere) {
+  const std::array shapes{icosphere(3), meshOf(torus(0.7, 0.25), 1e-3), cubeMesh(),
+                          pushedThrough(icosphere(3)), meshOf(sphere(0.8), 1e-2)};
+  std::uint64_t fewer = 0;
+  for (int i = 0; i < 60; ++i) {
+    Scene scene;
+    for (int n = 0; n < 3; ++n)
+      scene.add(Node{.translation = anywhere(0.7),
+                     .rotation = Rotation{anywhere(1) + Vec3(0, 0, 0.01), any(0, 6)},
+                     .scale = Vec3(oneIn(2) ? -0.6 : 0.6, any(0.2, 1), any(0.2, 1)),
+                     .surface = shapes[random_() % shapes.size()],
+                     .material = scene.add(Material{.diffuse = Vec3(any(0.2, 1), any(0.2, 1), 0.5),
+                                                    .twoSided = oneIn(2) ? TwoSided::Yes : TwoSided::Auto})});
+    scene.add(Node{.translation = Vec3(3, 5, 4), .light = Light{.intensity = 0.7}});
+    scene.add(Camera{.eye = any(0, 3) * unit(anywhere(1)),
+                     .lookAt = anywhere(0.3),
+                     .fovY = radians(any(20, 100)),
+                     .near = oneIn(2) ? 1e-3 : any(0.01, 0.6)});
+    if (i % 3 == 0) {
+      const Verified exact = verified(takeSnapshot(scene, 0, kCullingSize));
+      EXPECT_EQ(exact.verification.wrong.total(), 0U) << "scene " << i;
+      EXPECT_EQ(exact.statistics.error.unconvergedPx, 0U);
+      continue;
+    }
+    const DrawOptions culled{.shading = i % 3 == 1 ? Shading::Flat : Shading::Phong};
+    DrawOptions both = culled;
+    both.cullBackFaces = false;
+    const Picture picture = draw(scene, kCullingSize, culled), whole = draw(scene, kCullingSize, both);
+    fewer += picture.statistics.count.triangles < whole.statistics.count.triangles;
+    // Where sides meet at an outline, rounding may show the other one.
+    EXPECT_LE(compare(picture.image, whole.image, ComparisonSpace::Srgb8).differingPixels8, 2)
+        << "scene " << i;
+  }
+  EXPECT_GT(fewer, 20U);
 }
 
 }  // namespace
