@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cull/cull.h"
+#include "math/frustum.h"
 #include "mesh/triangle_mesh.h"
 #include "scene/snapshot.h"
 

@@ -2,6 +2,7 @@
 // How far a device may draw what it draws from where it is: single precision, and the raster's grid.
 #pragma once
 
+#include "math/frustum.h"
 #include "scene/snapshot.h"
 
 namespace luxo {

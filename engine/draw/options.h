@@ -34,9 +34,9 @@ enum class ShadowKinds { None, ClosedForms, All };
 
 /// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-6 (exact shading).
 struct Skips {
-  bool frustum = true;    ///< nodes outside the picture
+  bool frustum = true;    ///< nodes, and clusters of meshes, outside the picture
   bool small = true;      ///< nodes that cover no sample
-  bool backface = true;   ///< faces and nodes that turn their back
+  bool backface = true;   ///< faces, nodes, and clusters of meshes that turn their back
   bool lights = true;     ///< lights that cannot reach a node
   bool unchanged = true;  ///< pictures that are still there, uploads of what the device already has
   bool passes = true;     ///< passes with nothing to draw
