@@ -92,9 +92,8 @@ void main() { float z = x; for (int i = 0; i < 4; ++i) z = formula(z); y = formu
 
 std::size_t variablesOf(std::span<const std::uint32_t> words, std::uint32_t storage) {
   std::size_t count = 0;
-  test::forEachInstruction(words, [&](const test::Instruction& i) {
-    count += i.operation == kVariable && i.words[3] == storage;
-  });
+  test::forEachInstruction(
+      words, [&](const test::Instruction& i) { count += i.operation == kVariable && i.words[3] == storage; });
   return count;
 }
 
