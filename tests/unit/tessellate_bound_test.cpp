@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTolerances[] = {1, 0.1, 0.01, 0.001};
 /// Rounding of points near 3 and of their distance to a thin triangle: what a bound of zero (a plane) leaves.
-constexpr double kRounding = 1e-14;
+constexpr double kBoundRounding = 1e-14;
 
 /// Distance from a point to a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 double distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -41,7 +41,7 @@ TEST(Bound, IsNeverExceeded) {
       const Mesh mesh = tessellate(sample.surface, sample.parameters, {.tolerance = tolerance});
       const double measured = largestDistance(pairsOf(sample.surface, sample.parameters, mesh, 8));
       EXPECT_LE(mesh.bound, tolerance) << sample.name;
-      EXPECT_LE(measured, mesh.bound + kRounding) << sample.name << " at tolerance " << tolerance;
+      EXPECT_LE(measured, mesh.bound + kBoundRounding) << sample.name << " at tolerance " << tolerance;
       std::printf("%-16s tolerance %-6g %7zu triangles, measured / bound = %.3f\n", sample.name.c_str(),
                   tolerance, mesh.triangleCount(), mesh.bound > 0 ? measured / mesh.bound : 0);
     }
@@ -51,7 +51,7 @@ TEST(Bound, HoldsForAnySegments) {
   for (const SurfaceSample& sample : surfaceSamples())
     for (const Segments& wanted : {Segments{1, 1}, {2, 9}, {31, 2}, {5, 40}}) {
       const Mesh mesh = tessellate(sample.surface, sample.parameters, {.uniform = wanted});
-      EXPECT_LE(largestDistance(pairsOf(sample.surface, sample.parameters, mesh, 8)), mesh.bound + kRounding)
+      EXPECT_LE(largestDistance(pairsOf(sample.surface, sample.parameters, mesh, 8)), mesh.bound + kBoundRounding)
           << sample.name << ", " << wanted.u << " x " << wanted.v;
       if (wanted.u >= 3 && wanted.v >= 3) {
         EXPECT_NEAR(mesh.bound, deviationBound(sample.surface, sample.parameters, wanted), 1e-8 * mesh.bound);
@@ -74,7 +74,7 @@ TEST(Bound, NoPointOfTheSurfaceIsFartherFromTheMesh) {
         nearest =
             std::min(nearest, distance(p, mesh.positions[i[0]], mesh.positions[i[1]], mesh.positions[i[2]]));
       }
-      ASSERT_LE(nearest, mesh.bound + kRounding) << sample.name;
+      ASSERT_LE(nearest, mesh.bound + kBoundRounding) << sample.name;
     }
   }
 }

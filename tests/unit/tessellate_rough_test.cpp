@@ -16,7 +16,7 @@ namespace luxo {
 namespace {
 
 /// What rounding leaves of points on planes of size 1.
-constexpr double kRounding = 1e-14;
+constexpr double kRoughRounding = 1e-14;
 
 /// A plate of 2 x 2 whose height over (u, v) in -1..1 is the formula.
 template <class Height>
@@ -47,7 +47,7 @@ TEST(Kinks, AreCutUntilTheirBoxesAreSmall) {
     for (const double tolerance : {0.1, 0.02, 0.005}) {
       const Mesh mesh = tessellate(surface, {}, {.tolerance = tolerance});
       EXPECT_LE(mesh.bound, tolerance);
-      EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRounding);
+      EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRoughRounding);
       expectFinite(mesh);
     }
 }
@@ -57,7 +57,7 @@ TEST(Kinks, BeyondTheBudgetTheBoundSaysSo) {
   const Mesh mesh = tessellate(surface, {}, {.tolerance = 1e-6});
   EXPECT_GT(mesh.bound, 1e-6);
   EXPECT_LT(mesh.bound, 0.02);
-  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRounding);
+  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRoughRounding);
   EXPECT_LT(mesh.triangleCount(), 40'000u);
 }
 
@@ -67,7 +67,7 @@ TEST(Kinks, AJumpIsAsFarOffAsItIsHigh) {
   const Mesh mesh = tessellate(surface, {}, {.tolerance = 0.01});
   EXPECT_GE(mesh.bound, 0.5);
   EXPECT_LT(mesh.bound, 0.6);
-  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRounding);
+  EXPECT_LE(largestDistance(pairsOf(surface, {}, mesh, 5)), mesh.bound + kRoughRounding);
   expectFinite(mesh);
 }
 
