@@ -51,7 +51,8 @@ TEST(Bound, HoldsForAnySegments) {
   for (const SurfaceSample& sample : surfaceSamples())
     for (const Segments& wanted : {Segments{1, 1}, {2, 9}, {31, 2}, {5, 40}}) {
       const Mesh mesh = tessellate(sample.surface, sample.parameters, {.uniform = wanted});
-      EXPECT_LE(largestDistance(pairsOf(sample.surface, sample.parameters, mesh, 8)), mesh.bound + kBoundRounding)
+      EXPECT_LE(largestDistance(pairsOf(sample.surface, sample.parameters, mesh, 8)),
+                mesh.bound + kBoundRounding)
           << sample.name << ", " << wanted.u << " x " << wanted.v;
       if (wanted.u >= 3 && wanted.v >= 3) {
         EXPECT_NEAR(mesh.bound, deviationBound(sample.surface, sample.parameters, wanted), 1e-8 * mesh.bound);
