@@ -14,7 +14,7 @@ function(luxo_shaders target)
   foreach(source IN LISTS ARGN)
     get_filename_component(file ${source} NAME)
     string(REPLACE "." "_" name ${file})
-    # Names and lines alone: the compiler of Debian 12 (11.13) crashes on some sources where it is to tell more (-gVS).
+    # Names and lines alone: the compiler of Debian 12 (12.0) crashes on some sources where it is to tell more (-gVS).
     set(compile ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${PROJECT_SOURCE_DIR}/shaders $<$<CONFIG:Debug>:-g>)
     # The compiler's list of included files names its output, so the words and the header are made apart.
     add_custom_command(
