@@ -45,14 +45,15 @@ vec2 foundParameters();
 
 // What is lit later is on the pixel's ray, of which it keeps the depth.
 #ifdef LUXO_FINDS_LAYER
-bool isLitLater() { return true; }
+#define LUXO_LIT_LATER true
 #else
-bool isLitLater() { return kQuantity == kFoundTexel; }
+#define LUXO_LIT_LATER (kQuantity == kFoundTexel)
 #endif
 
 Found foundPoint() {
-  vec3 v = towardViewer(viewerOfDraw(), inPosition);
-  return Found(isLitLater() ? seenByPixel(inPosition) : inPosition, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
+  vec3 v = towardViewer(viewerOfDraw(), inPosition), position = inPosition;
+  if (LUXO_LIT_LATER) position = seenByPixel(inPosition);
+  return Found(position, fragmentNormal(v), v, foundParameters(), 0.0, 0.0);
 }
 
 uint foundMaterialNumber() { return inNumbers.y; }
