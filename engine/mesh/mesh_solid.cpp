@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -142,11 +141,13 @@ class SolidTest {
     const std::span<const MeshCluster> clusters = mesh_.clusters();
     boxes_.resize(surfaceOf_.size());
     clusterBoxes_.resize(clusters.size());
-    for (std::size_t i = 0; i < clusters.size(); ++i)
-      for (const std::uint32_t t : trianglesOf(i)) {
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      const MeshCluster& c = clusters[i];
+      for (std::uint32_t t = c.firstTriangle; t < c.firstTriangle + c.triangles; ++t) {
         for (const Vec3& corner : cornersOf(t)) boxes_[t].add(corner);
         clusterBoxes_[i].add(boxes_[t]);
       }
+    }
     const Vec3 extent = mesh_.bounds().extent();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     std::vector<std::uint32_t> order(clusters.size());
@@ -178,15 +179,11 @@ class SolidTest {
     return {Vec3(positions[at[0]]), Vec3(positions[at[1]]), Vec3(positions[at[2]])};
   }
 
-  [[nodiscard]] std::ranges::iota_view<std::uint32_t, std::uint32_t> trianglesOf(std::size_t cluster) const {
-    const MeshCluster& c = mesh_.clusters()[cluster];
-    return {c.firstTriangle, c.firstTriangle + c.triangles};
-  }
-
   [[nodiscard]] bool clustersAreApart(std::uint32_t a, std::uint32_t b) const {
     const auto near = [&](std::uint32_t cluster, std::uint32_t other) {
       std::vector<std::uint32_t> triangles;
-      for (const std::uint32_t t : trianglesOf(cluster))
+      const MeshCluster& c = mesh_.clusters()[cluster];
+      for (std::uint32_t t = c.firstTriangle; t < c.firstTriangle + c.triangles; ++t)
         if (overlap(boxes_[t], clusterBoxes_[other])) triangles.push_back(t);
       return triangles;
     };

@@ -144,7 +144,7 @@ TEST(ClusterCulling, OfABallInFullViewAboutHalfShowsItsBack) {
   const ClusterCulling none(snapshot.view, {.frustum = false, .backface = false});
   ClusterCounts nothing;
   const auto all = none.drawn(snapshot.nodes[0], Faces::Front, false, nothing);
-  EXPECT_EQ(all, std::vector{TriangleRange(0, triangles)});
+  EXPECT_EQ(all, (std::vector{TriangleRange{0, triangles}}));
   EXPECT_EQ(nothing.culledBackface, 0U);
 }
 
