@@ -196,8 +196,7 @@ std::vector<FunctionCase> functionCases() {
   };
   const double pi = std::numbers::pi;
   std::vector<FunctionCase> cases{
-      // lavapipe's is within half a unit, an H100's within 0.94; Vulkan promises 4.5.
-      one("sqrt", sqrt, std::sqrt, {1e-30, 1e30, true}, 1),
+      one("sqrt", sqrt, std::sqrt, {1e-30, 1e30, true}, 0.8),
       one("exp", exp, std::exp, {-87, 88}, 1.5),
       one("exp near 0", exp, std::exp, {-1, 1}, 1.5),
       one("log", log, std::log, {1e-37, 1e38, true}, 2.5),
@@ -238,8 +237,7 @@ std::vector<FunctionCase> functionCases() {
                        Range u, Range v, double mostUlp) {
     cases.push_back({name, formula, truth, u, v, mostUlp});
   };
-  // 4 and what a division is off by: on an H100 4.05.
-  two("atan2", atan2, std::atan2, {-3, 3}, {-3, 3}, 5);
+  two("atan2", atan2, std::atan2, {-3, 3}, {-3, 3}, 4);
   two("atan2 far", atan2, std::atan2, {1e-20, 1e20, true}, {-1e-20, -1e20, true}, 4);
   two("x^y", pow, std::pow, {1e-6, 1e6, true}, {-6, 6}, 3);
   two("x^y near 1", pow, std::pow, {0.9, 1.1}, {-800, 800}, 3);
@@ -287,14 +285,16 @@ TEST_F(FormulaGlslTest, FunctionsAreWithinTheirUnits) {
     for (std::size_t i = 0; i < kPoints; ++i) worst.add(got[i], c.truth(points[i].x, points[i].y), points[i]);
     fmt::print("  {:<14} {:>10.2f} {:>12.2e}   {:.9g}, {:.9g}\n", c.name, worst.ulp, worst.absolute,
                worst.where.x, worst.where.y);
-    EXPECT_LE(worst.ulp, c.mostUlp) << c.name;
+    // A square root or a quotient of a GPU is not the nearest float: an H100's sqrt is off by 0.94, its atan2
+    // by 4.05.
+    EXPECT_LE(worst.ulp, c.mostUlp + tolerance(0, 0.2)) << c.name;
     EXPECT_TRUE(worst.classes) << c.name;
   }
 }
 
 TEST_F(FormulaGlslTest, FunctionsHaveTheSpecialValuesOfC) {
-  // Vulkan promises a quotient of nothing beyond 2^126: devices multiply by reciprocals, which are 0 there.
-  const double inf = kInfinity, big = 8e37;
+  // Vulkan promises a quotient of nothing beyond 2^126: GPUs multiply by reciprocals, which are 0 there.
+  const double inf = kInfinity, big = tolerance(3e38, 8e37);
   const std::vector<double> values{0.0, -0.0,  1,      -1,  0.5,  -0.5, 2,    -2,  3,
                                    -3,  1e-30, -1e-30, big, -big, inf,  -inf, kNan};
   std::vector<Vec2f> points;

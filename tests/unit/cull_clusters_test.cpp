@@ -127,12 +127,17 @@ TEST_P(ClusterCullingOf, OnlyLeavesOutWhatIsOutsideOrShowsTheOtherFace) {
   }
 }
 
-TEST(ClusterCulling, OfABallInFullViewAboutHalfShowsItsBack) {
+/// All of a ball in view, from so many metres.
+Snapshot ballFrom(double metres) {
   test::Random random(5);
   Scene scene;
   scene.add(Node{.surface = dentedBall(random, 120)});
-  const Snapshot snapshot =
-      takeSnapshot(scene, 0, kClusterView, {.eye = Vec3(0, 2, 20), .lookAt = Vec3(0), .fovY = radians(7)});
+  return takeSnapshot(scene, 0, kClusterView,
+                      {.eye = Vec3(0, 2, metres), .lookAt = Vec3(0), .fovY = radians(7)});
+}
+
+TEST(ClusterCulling, OfABallInFullViewAboutHalfShowsItsBack) {
+  const Snapshot snapshot = ballFrom(20);
   const std::uint32_t triangles = snapshot.nodes[0].surface.triangles()->count;
   ClusterCounts counts;
   const ClusterCulling culling(snapshot.view, {});
@@ -150,11 +155,7 @@ TEST(ClusterCulling, OfABallInFullViewAboutHalfShowsItsBack) {
 
 // As small as this no triangle is sure to keep its orientation on a raster of 1/16 pixel.
 TEST(ClusterCulling, TrianglesSmallerThanTheRastersGridStay) {
-  test::Random random(6);
-  Scene scene;
-  scene.add(Node{.surface = dentedBall(random, 120)});
-  const Snapshot snapshot =
-      takeSnapshot(scene, 0, kClusterView, {.eye = Vec3(0, 2, 600), .lookAt = Vec3(0), .fovY = radians(7)});
+  const Snapshot snapshot = ballFrom(600);
   ClusterCounts counts;
   static_cast<void>(ClusterCulling(snapshot.view, {}).drawn(snapshot.nodes[0], Faces::Front, false, counts));
   EXPECT_EQ(counts.culledBackface, 0U);
