@@ -14,6 +14,7 @@
 #include "base/assert.h"
 #include "base/error.h"
 #include "export/thickened.h"
+#include "image/codes.h"
 #include "image/png.h"
 #include "image/texture.h"
 #include "mesh/turn.h"
@@ -73,16 +74,16 @@ void moveTo(const Transform& place, Mesh& mesh) {
       std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
 }
 
-/// The finest level, as a PNG of 8 bits.
-ModelImage imageOf(const Texture& texture) {
+/// The finest level, as a PNG of 8 bits. Only colours have an alpha.
+ModelImage imageOf(const Texture& texture, Codes codes) {
   const TextureLevel& finest = texture.levels.front();
-  const int channels = texture.transparent ? 4 : 3;
+  const int channels = texture.transparent && codes == Codes::Srgb ? 4 : 3;
   Image image(finest.width, finest.height, channels);
   for (int y = 0; y < finest.height; ++y)
     for (int x = 0; x < finest.width; ++x)
       std::copy_n(finest.texel(x, y).begin(), channels,
                   &image.row(y)[static_cast<std::size_t>(channels * x)]);
-  return {.name = "map", .bytes = std::make_shared<const std::vector<std::byte>>(encodePng(image))};
+  return {.name = "map", .bytes = std::make_shared<const std::vector<std::byte>>(encodePng(image, codes))};
 }
 
 ModelMap::Wrap wrapOf(TextureWrap wrap) {
@@ -190,15 +191,15 @@ class Exporter {
   [[nodiscard]] bool exportsMaps(const SnapshotNode& from) const {
     const Material& material = snapshot_.materials[from.material.index];
     const bool plate = desc_.thickness > 0 && !from.surface.closed();
-    return desc_.maps && !plate && (material.map.valid() || material.glowMap.valid());
+    return desc_.maps && !plate && material.hasMaps();
   }
 
-  /// Each texture is one image.
-  [[nodiscard]] ModelMap mapOf(const TextureMap& from) {
+  /// Each texture is one image for each way to read it.
+  [[nodiscard]] ModelMap mapOf(const TextureMap& from, Codes codes) {
     if (!from.valid()) return {};
     const auto next = static_cast<std::uint32_t>(out_.model.images.size());
-    const auto [known, fresh] = images_.try_emplace(from.texture, next);
-    if (fresh) out_.model.images.push_back(imageOf(*from.texture));
+    const auto [known, fresh] = images_.try_emplace({from.texture, codes}, next);
+    if (fresh) out_.model.images.push_back(imageOf(*from.texture, codes));
     return {.image = known->second,
             .wrapU = wrapOf(from.wrapU),
             .wrapV = wrapOf(from.wrapV),
@@ -209,10 +210,14 @@ class Exporter {
   }
 
   void addMaps(const SnapshotNode& from, const Material& material, ModelMaterial& made) {
-    const bool along = exportsMaps(from);
+    const bool along = exportsMaps(from), tangential = material.normalSpace == NormalSpace::Tangent;
     if (along) {
-      made.map = mapOf(material.map);
-      made.glowMap = mapOf(material.glowMap);
+      made.map = mapOf(material.map, Codes::Srgb);
+      if (tangential) made.normalMap = mapOf(material.normalMap, Codes::Data);
+      made.normalScale = material.normalScale;
+      if (!material.lesson) made.specularMap = mapOf(material.specularMap, Codes::Srgb);
+      made.specularColors = true;
+      made.glowMap = mapOf(material.glowMap, Codes::Srgb);
       if (made.glowMap.given()) made.glow = material.glow;
       made.opacityFromMap = material.mapOpacity;
       made.cutoff = material.cutoff;
@@ -222,8 +227,10 @@ class Exporter {
     };
     tell(material.map.valid() && !along, "map");
     tell(material.glowMap.valid() && !along, "glow_map");
-    tell(material.normalMap.valid(), "normal_map");
-    tell(material.specularMap.valid(), "specular_map");
+    tell(material.normalMap.valid() && !(along && tangential),
+         tangential ? "normal_map" : "normal_map, in the axes of the object,");
+    tell(material.specularMap.valid() && !(along && !material.lesson), "specular_map");
+    tell(material.lesson, "shading \"lesson\"");
     tell(material.shader != nullptr, "shader");
   }
 
@@ -363,7 +370,7 @@ class Exporter {
   std::map<Key, std::uint32_t> meshes_;
   std::vector<double> bounds_;  ///< of each mesh, in object space
   std::map<std::tuple<std::uint32_t, bool, bool>, std::uint32_t> materials_;
-  std::map<std::shared_ptr<const Texture>, std::uint32_t> images_;
+  std::map<std::pair<std::shared_ptr<const Texture>, Codes>, std::uint32_t> images_;
 };
 
 }  // namespace

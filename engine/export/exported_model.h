@@ -27,7 +27,8 @@ struct ExportDesc {
   CameraId camera = {};  ///< the model's first; none: the scene's first
   /// Coordinates in the world are written in single precision: those of OBJ, PLY, STL.
   bool singlePrecision = false;
-  /// Maps of colours and of glow, and the uvs for them, go along: into a GLB. Of plates they do not.
+  /// Maps, and the uvs for them, go along: into a GLB. Of plates, and of normals in the axes of the object,
+  /// they do not.
   bool maps = false;
   /// Called now and then, in the caller's thread, with the part that is done: 0 to 1, ascending. It may
   /// throw.

@@ -74,14 +74,19 @@ void takeInput(png_structp png, png_bytep data, std::size_t size) {
   left = left.subspan(size);
 }
 
-void writeHeader(png_structp png, png_infop info, const Image& image) {
+void writeHeader(png_structp png, png_infop info, const Image& image, Codes codes) {
   png_set_IHDR(png, info, png_uint_32(image.width()), png_uint_32(image.height()), 8,
                image.channels() == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (codes == Codes::Srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_set_compression_level(png, 1);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_write_info(png, info);
+}
+
+void encodeRow(std::span<const float> row, int channels, Codes codes, std::span<std::uint8_t> out) {
+  if (codes == Codes::Srgb) return encodePixels8(row, channels, out);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = encodeAlpha8(row[channels == 1 ? i / 3 : i]);
 }
 
 struct Layout {
@@ -128,7 +133,7 @@ Image toLinear(const Layout& layout, const std::vector<std::uint8_t>& bytes, Cod
 
 }  // namespace
 
-std::vector<std::byte> encodePng(const Image& image) {
+std::vector<std::byte> encodePng(const Image& image, Codes codes) {
   LUXO_REQUIRE(!image.empty());
   std::vector<std::byte> out;
   std::vector<std::uint8_t> row(std::size_t(image.width()) * (image.channels() == 4 ? 4 : 3));
@@ -137,9 +142,9 @@ std::vector<std::byte> encodePng(const Image& image) {
   requireMemory(writer.png, writer.info);
   const bool done = attempt(writer.png, [&] {
     png_set_write_fn(writer.png, &out, appendOutput, [](png_structp) {});
-    writeHeader(writer.png, writer.info, image);
+    writeHeader(writer.png, writer.info, image, codes);
     for (int y = 0; y < image.height(); ++y) {
-      encodePixels8(image.row(y), image.channels(), row);
+      encodeRow(image.row(y), image.channels(), codes, row);
       png_write_row(writer.png, row.data());
     }
     png_write_end(writer.png, nullptr);

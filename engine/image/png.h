@@ -12,10 +12,10 @@
 
 namespace luxo {
 
-/// 8-bit sRGB, RGB or (four channels) RGBA; one channel is written as grey RGB. Fast rather than small: SUB
-/// filter and zlib level 1, about 15 ms for 1280 x 720. Chunks: IHDR, sRGB, IDAT, IEND; equal images give
-/// equal bytes.
-[[nodiscard]] std::vector<std::byte> encodePng(const Image& image);
+/// 8-bit codes, RGB or (four channels) RGBA; one channel is written as grey RGB. Fast rather than small: SUB
+/// filter and zlib level 1, about 15 ms for 1280 x 720. Chunks: IHDR, sRGB (not of
+/// Codes::Data), IDAT, IEND; equal images give equal bytes.
+[[nodiscard]] std::vector<std::byte> encodePng(const Image& image, Codes codes = Codes::Srgb);
 
 /// Any PNG: grey gives one channel, colour three, transparency four; 8 and 16 bit are read as `codes` says
 /// (gAMA and colour profiles are not applied) and given linear. `name` is for messages. Error(Scene):

@@ -32,7 +32,7 @@ class GltfReader {
       if (const std::string name = required[i].text();
           std::find(kExtensions.begin(), kExtensions.end(), name) == kExtensions.end())
         required[i].refuse(fmt::format("it needs {}, which is not supported", printable(name.substr(0, 60))));
-    readGltfMaterials(source_, file_, model_);
+    uvSets_ = readGltfMaterials(source_, file_, model_);
     plainMaterial_ = std::uint32_t(model_.materials.size());
     readCameras();
     readLights();
@@ -138,9 +138,8 @@ class GltfReader {
       const std::uint32_t i = left.back();
       left.pop_back();
       if (numberOf_[i] != kNone) nodes[i].refuse("it is in the scene twice");
+      ModelNode node = readNode(nodes[i], parents[i] == kNone ? kNone : numberOf_[parents[i]]);
       numberOf_[i] = std::uint32_t(model_.nodes.size());
-      ModelNode node = readNode(nodes[i]);
-      if (parents[i] != kNone) node.parent = numberOf_[parents[i]];
       model_.nodes.push_back(std::move(node));
       const GltfValue children = nodes[i]["children"];
       for (std::size_t k = children.size(); k-- > 0;)
@@ -149,11 +148,11 @@ class GltfReader {
     }
   }
 
-  ModelNode readNode(const GltfValue& value) {
+  ModelNode readNode(const GltfValue& value, std::uint32_t parent) {
     if (value.has("skin")) value["skin"].refuse("skins are not supported");
-    ModelNode node{.name = printable(value["name"].textOr("node"))};
+    ModelNode node{.name = printable(value["name"].textOr("node")), .parent = parent};
     if (value.has("matrix")) {
-      setMatrix(node, value["matrix"]);
+      setMatrix(node, matrixOf(value["matrix"]));
     } else {
       node.translation = value["translation"].vectorOr(Vec3(0));
       node.scale = value["scale"].vectorOr(Vec3(1));
@@ -171,19 +170,30 @@ class GltfReader {
   }
 
   // Columns; the last row of an affine map says nothing.
-  static void setMatrix(ModelNode& node, const GltfValue& value) {
+  static Transform matrixOf(const GltfValue& value) {
     if (value.size() != 16) value.refuse("not 16 numbers");
-    Mat3 linear;
+    Transform matrix;
     for (int column = 0; column < 3; ++column)
-      for (int row = 0; row < 3; ++row) linear[column][row] = value[std::size_t(4 * column + row)].number();
-    for (int row = 0; row < 3; ++row) node.translation[row] = value[std::size_t(12 + row)].number();
-    const auto turned = decomposed(linear);
-    if (!turned) {
-      node.shear = linear;
+      for (int row = 0; row < 3; ++row)
+        matrix.linear[column][row] = value[std::size_t(4 * column + row)].number();
+    for (int row = 0; row < 3; ++row) matrix.translation[row] = value[std::size_t(12 + row)].number();
+    return matrix;
+  }
+
+  // What is sheared or flat is scaled between two turns, and takes a node more.
+  void setMatrix(ModelNode& node, const Transform& matrix) {
+    node.translation = matrix.translation;
+    if (const std::optional<Turn> turn = decomposed(matrix.linear)) {
+      node.rotation = turn->rotation;
+      node.scale = turn->scale;
       return;
     }
-    node.rotation = turned->rotation;
-    node.scale = turned->scale;
+    const auto [outer, first] = singularValues(matrix.linear);
+    model_.nodes.push_back({.parent = node.parent,
+                            .translation = matrix.translation,
+                            .rotation = outer.rotation,
+                            .scale = outer.scale});
+    node = {.name = node.name, .parent = std::uint32_t(model_.nodes.size() - 1), .rotation = first};
   }
 
   std::uint32_t mesh(std::uint64_t number) {
@@ -194,7 +204,7 @@ class GltfReader {
     Ranges ranges;  // vertices that primitives share are read once
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const GltfValue attributes = primitives[i]["attributes"];
-      uvs = uvs || attributes.has("TEXCOORD_0");
+      uvs = uvs || attributes.has(uvsOf(primitives[i]).c_str());
       normals = normals || attributes.has("NORMAL");
     }
     for (std::size_t i = 0; i < primitives.size(); ++i)
@@ -206,6 +216,12 @@ class GltfReader {
     meshNumbers_[number] = std::uint32_t(model_.meshes.size());
     source_.addMesh(model_, std::move(arrays), printable(value["name"].textOr("mesh")));
     return meshNumbers_[number];
+  }
+
+  /// The attribute that the maps of a primitive's material use.
+  [[nodiscard]] std::string uvsOf(const GltfValue& primitive) const {
+    const GltfValue material = primitive["material"];
+    return fmt::format("TEXCOORD_{}", material.given() ? uvSets_[material.integer(uvSets_.size())] : 0);
   }
 
   /// Vertices of a mesh, by the accessors that they come from: positions, normals, uvs.
@@ -229,7 +245,7 @@ class GltfReader {
     constexpr std::uint64_t kAbsent = ~std::uint64_t(0);
     const std::array<std::uint64_t, 3> key = {attributes["POSITION"].integer(),
                                               attributes["NORMAL"].integerOr(kAbsent),
-                                              attributes["TEXCOORD_0"].integerOr(kAbsent)};
+                                              attributes[uvsOf(value).c_str()].integerOr(kAbsent)};
     const auto [found, fresh] =
         ranges.try_emplace(key, Range{.begin = std::uint32_t(arrays.positions.size())});
     const std::uint32_t begin = found->second.begin;
@@ -303,7 +319,8 @@ class GltfReader {
       Keyframes keys = keyframes(samplers[channels[i]["sampler"].integer()], path == "rotation" ? 4 : 3);
       if (number == kNone) continue;
       ModelNode& node = model_.nodes[number];
-      if (node.shear) target.refuse("a node with a matrix cannot move");
+      if (file_.list("nodes")[target["node"].integer()].has("matrix"))
+        target.refuse("a node with a matrix cannot move");
       model_.duration = std::max(model_.duration, keys.times.back());
       (path == "translation" ? node.translationKeys
        : path == "rotation"  ? node.rotationKeys
@@ -340,6 +357,7 @@ class GltfReader {
   const ModelSource& source_;
   GltfFile file_;
   Model model_;
+  std::vector<std::uint64_t> uvSets_;    ///< of each material: which uvs its maps use
   std::uint32_t plainMaterial_ = 0;      ///< the number of the material of what has none
   std::vector<std::uint32_t> numberOf_;  ///< of nodes in the model
   std::vector<std::uint32_t> meshNumbers_;

@@ -147,7 +147,7 @@ std::string_view GltfFile::view(std::uint64_t number) const {
   return buffer.substr(offset, length);
 }
 
-/// What an accessor sees: `count` elements, `stride` bytes apart.
+/// What is seen of a view: `count` elements, `stride` bytes apart; without bytes all are 0.
 struct GltfFile::Elements {
   std::string_view bytes;
   std::size_t count = 0, stride = 0, components = 0, size = 0;
@@ -156,6 +156,7 @@ struct GltfFile::Elements {
   std::string place;
 
   [[nodiscard]] double at(std::size_t element, std::size_t component) const {
+    if (bytes.empty()) return 0;
     const std::size_t offset = element * stride + component * size;
     constexpr auto kLittle = std::endian::little;
     switch (kind) {
@@ -183,80 +184,123 @@ struct GltfFile::Elements {
   }
 };
 
-GltfFile::Elements GltfFile::elements(std::uint64_t number, std::size_t components) {
-  const GltfValue accessor = list("accessors")[number];
-  if (accessor.has("sparse")) accessor.refuse("sparse accessors are not supported yet");
-  if (!accessor.has("bufferView")) accessor.refuse("it has no bufferView");
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kTypes = {
-      {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
-  const std::string type = accessor["type"].text();
-  const auto known =
-      std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.first == type; });
-  if (known == kTypes.end() || known->second != components)
-    accessor.refuse(fmt::format("its type is '{}', and {} numbers are wanted", printable(type.substr(0, 20)),
-                                components));
-  Elements elements{.bytes = view(accessor["bufferView"].integer()),
-                    .count = accessor["count"].integer(kMaxCorners),
-                    .components = components,
-                    .kind = accessor["componentType"].integer(),
-                    .normalized = accessor["normalized"].flagOr(false),
-                    .place = accessor.place()};
-  switch (elements.kind) {
+/// Elements, some of which others replace.
+struct GltfFile::Accessor {
+  Elements elements;
+  Elements places, replacements;  ///< as many of the one as of the other
+
+  /// convert(value, element, component), element by element.
+  template <class Convert>
+  [[nodiscard]] auto numbers(const Convert& convert) const {
+    std::vector<decltype(convert(0.0, std::size_t(0), std::size_t(0)))> numbers;
+    numbers.reserve(elements.count * elements.components);
+    for (std::size_t i = 0; i < elements.count; ++i)
+      for (std::size_t c = 0; c < elements.components; ++c)
+        numbers.push_back(convert(elements.at(i, c), i, c));
+    for (std::size_t k = 0; k < places.count; ++k) {
+      const auto i = static_cast<std::size_t>(places.at(k, 0));
+      for (std::size_t c = 0; c < elements.components; ++c)
+        numbers[i * elements.components + c] = convert(replacements.at(k, c), i, c);
+    }
+    return numbers;
+  }
+};
+
+namespace {
+
+std::size_t sizeOfComponent(const GltfValue& type) {
+  switch (type.integer()) {
     case 5120:
     case 5121:
-      elements.size = 1;
-      break;
+      return 1;
     case 5122:
     case 5123:
-      elements.size = 2;
-      break;
+      return 2;
     case 5125:
     case 5126:
-      elements.size = 4;
-      break;
+      return 4;
     default:
-      accessor["componentType"].refuse(fmt::format("{} is no type of numbers", elements.kind));
+      type.refuse(fmt::format("{} is no type of numbers", type.integer()));
   }
-  const std::size_t bytes = components * elements.size;
-  const GltfValue stride = list("bufferViews")[accessor["bufferView"].integer()]["byteStride"];
+}
+
+bool isUnsigned(std::uint64_t kind) { return kind == 5121 || kind == 5123 || kind == 5125; }
+
+}  // namespace
+
+GltfFile::Elements GltfFile::elementsOf(const GltfValue& array, Elements elements) const {
+  elements.bytes = view(array["bufferView"].integer());
+  const std::size_t bytes = elements.components * elements.size;
+  const GltfValue stride = list("bufferViews")[array["bufferView"].integer()]["byteStride"];
   elements.stride = stride.integerOr(bytes);
   if (elements.stride < bytes)
     stride.refuse(fmt::format("{} bytes between elements of {}", elements.stride, bytes));
-  const std::uint64_t offset = accessor["byteOffset"].integerOr(0);
+  const std::uint64_t offset = array["byteOffset"].integerOr(0);
   if (elements.count > 0 && (offset > elements.bytes.size() || bytes > elements.bytes.size() - offset ||
                              elements.count - 1 > (elements.bytes.size() - offset - bytes) / elements.stride))
-    accessor.refuse(fmt::format("{} elements of {} bytes do not fit the {} of its view", elements.count,
-                                bytes, elements.bytes.size()));
+    array.refuse(fmt::format("{} elements of {} bytes do not fit the {} of its view", elements.count, bytes,
+                             elements.bytes.size()));
   if (elements.count > 0) elements.bytes.remove_prefix(offset);
-  if (elements.count * components > allowance_)
-    accessor.refuse("so much is read of the same bytes that it cannot be meant");
-  allowance_ -= elements.count * components;
   return elements;
 }
 
-std::vector<float> GltfFile::floats(std::uint64_t accessor, std::size_t components) {
-  const Elements elements = this->elements(accessor, components);
-  std::vector<float> values;
-  values.reserve(elements.count * components);
-  for (std::size_t i = 0; i < elements.count; ++i)
-    for (std::size_t c = 0; c < components; ++c) {
-      const double value = elements.at(i, c);
-      if (!(std::abs(value) <= kMaxCoordinate))
-        refuseModel(source_.name(),
-                    fmt::format("{}: number {} of element {} is {}", elements.place, c, i, value));
-      values.push_back(float(value));
-    }
-  return values;
+GltfFile::Accessor GltfFile::accessor(std::uint64_t number, std::size_t components) {
+  const GltfValue value = list("accessors")[number];
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kTypes = {
+      {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
+  const std::string type = value["type"].text();
+  const auto known =
+      std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.first == type; });
+  if (known == kTypes.end() || known->second != components)
+    value.refuse(fmt::format("its type is '{}', and {} numbers are wanted", printable(type.substr(0, 20)),
+                             components));
+  Accessor accessor{.elements = {.count = value["count"].integer(kMaxCorners),
+                                 .components = components,
+                                 .size = sizeOfComponent(value["componentType"]),
+                                 .kind = value["componentType"].integer(),
+                                 .normalized = value["normalized"].flagOr(false),
+                                 .place = value.place()}};
+  if (value.has("bufferView"))
+    accessor.elements = elementsOf(value, accessor.elements);
+  else if (!value.has("sparse"))
+    value.refuse("it has neither a bufferView nor sparse values");
+  if (accessor.elements.count * components > allowance_)
+    value.refuse("so much is read of the same bytes that it cannot be meant");
+  allowance_ -= accessor.elements.count * components;
+  if (value.has("sparse")) readSparse(value["sparse"], accessor);
+  return accessor;
 }
 
-std::vector<std::uint32_t> GltfFile::integers(std::uint64_t accessor) {
-  const Elements elements = this->elements(accessor, 1);
-  if (elements.kind != 5121 && elements.kind != 5123 && elements.kind != 5125)
-    refuseModel(source_.name(), elements.place + ": indices are unsigned");
-  std::vector<std::uint32_t> values;
-  values.reserve(elements.count);
-  for (std::size_t i = 0; i < elements.count; ++i) values.push_back(std::uint32_t(elements.at(i, 0)));
-  return values;
+void GltfFile::readSparse(const GltfValue& sparse, Accessor& accessor) const {
+  const std::size_t count = sparse["count"].integer(accessor.elements.count + 1);
+  const GltfValue indices = sparse["indices"], type = indices["componentType"];
+  accessor.places = elementsOf(
+      indices, {.count = count, .components = 1, .size = sizeOfComponent(type), .kind = type.integer()});
+  if (!isUnsigned(accessor.places.kind)) type.refuse("indices are unsigned");
+  for (std::size_t k = 0; k < count; ++k)
+    if (!(accessor.places.at(k, 0) < double(accessor.elements.count)))
+      indices.refuse(
+          fmt::format("there is element {} of {}", accessor.places.at(k, 0), accessor.elements.count));
+  accessor.replacements = accessor.elements;
+  accessor.replacements.count = count;
+  accessor.replacements = elementsOf(sparse["values"], accessor.replacements);
+}
+
+std::vector<float> GltfFile::floats(std::uint64_t number, std::size_t components) {
+  const Accessor accessor = this->accessor(number, components);
+  return accessor.numbers([&](double value, std::size_t i, std::size_t c) {
+    if (!(std::abs(value) <= kMaxCoordinate))
+      refuseModel(source_.name(),
+                  fmt::format("{}: number {} of element {} is {}", accessor.elements.place, c, i, value));
+    return float(value);
+  });
+}
+
+std::vector<std::uint32_t> GltfFile::integers(std::uint64_t number) {
+  const Accessor accessor = this->accessor(number, 1);
+  if (!isUnsigned(accessor.elements.kind))
+    refuseModel(source_.name(), accessor.elements.place + ": indices are unsigned");
+  return accessor.numbers([](double value, std::size_t, std::size_t) { return std::uint32_t(value); });
 }
 
 std::vector<std::byte> GltfFile::decodedData(const GltfValue& uri) {

@@ -86,7 +86,11 @@ class GltfFile {
 
  private:
   struct Elements;
-  [[nodiscard]] Elements elements(std::uint64_t accessor, std::size_t components);
+  struct Accessor;
+  [[nodiscard]] Accessor accessor(std::uint64_t number, std::size_t components);
+  void readSparse(const GltfValue& sparse, Accessor& accessor) const;
+  /// Of an object with a bufferView and an offset; what they are, and how many, is known.
+  [[nodiscard]] Elements elementsOf(const GltfValue& array, Elements elements) const;
 
   const ModelSource& source_;
   Json json_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace luxo {
 namespace {
@@ -12,7 +14,9 @@ class MaterialReader {
   MaterialReader(const ModelSource& source, GltfFile& file, Model& model)
       : source_(source), file_(file), model_(model), images_(file.list("images").size(), kUnread) {}
 
-  ModelMaterial read(const GltfValue& value) {
+  /// The material, and which uvs its maps use.
+  std::pair<ModelMaterial, std::uint64_t> read(const GltfValue& value) {
+    uvSet_.reset();
     ModelMaterial material{.name = printable(value["name"].textOr("material"))};
     const GltfValue pbr = value["pbrMetallicRoughness"];
     const Vec4 base = pbr["baseColorFactor"].vectorOr(Vec4(1));
@@ -29,8 +33,7 @@ class MaterialReader {
     }
     if (value.has("occlusionTexture")) warn(value, "its occlusion map is not read");
     const GltfValue extensions = value["extensions"], specular = extensions["KHR_materials_specular"];
-    if (specular.has("specularTexture") || specular.has("specularColorTexture"))
-      warn(value, "its maps of highlights are not read");
+    if (specular.has("specularTexture")) warn(specular, "its map of how strong highlights are is not read");
     setBlinn(material, Vec3(base), metallic, roughness,
              specular["specularColorFactor"].colourOr(Vec3(1)) *
                  std::clamp(specular["specularFactor"].numberOr(1), 0.0, 1.0));
@@ -39,6 +42,11 @@ class MaterialReader {
     material.normalMap = map(value["normalTexture"]);
     material.normalScale = value["normalTexture"]["scale"].numberOr(1);
     material.glowMap = map(value["emissiveTexture"]);
+    if (metallic > 0 && specular.has("specularColorTexture"))
+      warn(specular, "its map of the colours of highlights is not read, as it is a metal");
+    else
+      material.specularMap = map(specular["specularColorTexture"]);
+    material.specularColors = true;
     material.glow =
         value["emissiveFactor"].colourOr(Vec3(0)) *
         std::max(0.0, extensions["KHR_materials_emissive_strength"]["emissiveStrength"].numberOr(1));
@@ -56,7 +64,7 @@ class MaterialReader {
       if (mode == "MASK") cutOff(material, std::max(value["alphaCutoff"].numberOr(0.5), 0.0));
     }
     material.twoSided = value["doubleSided"].flagOr(false);
-    return material;
+    return {std::move(material), uvSet_.value_or(0)};
   }
 
  private:
@@ -91,10 +99,13 @@ class MaterialReader {
     if (!info.given()) return map;
     const GltfValue texture = file_.list("textures")[info["index"].integer()];
     const GltfValue transform = info["extensions"]["KHR_texture_transform"];
-    if (transform["texCoord"].integerOr(info["texCoord"].integerOr(0)) != 0) {
-      warn(info, "it uses uvs other than the first, and is not read");
+    const std::uint64_t uvSet = transform["texCoord"].integerOr(info["texCoord"].integerOr(0));
+    if (uvSet_.value_or(uvSet) != uvSet) {
+      warn(info,
+           fmt::format("it uses uvs {}, other maps of the material {}, and is not read", uvSet, *uvSet_));
       return map;
     }
+    uvSet_ = uvSet;
     if (!texture.has("source")) {
       warn(texture, "its image is of a kind that is not supported, and is not read");
       return map;
@@ -143,18 +154,22 @@ class MaterialReader {
   GltfFile& file_;
   Model& model_;
   std::vector<std::uint32_t> images_;
+  std::optional<std::uint64_t> uvSet_;  ///< of the maps of the material that is read
 };
 
 }  // namespace
 
-void readGltfMaterials(const ModelSource& source, GltfFile& file, Model& model) {
+std::vector<std::uint64_t> readGltfMaterials(const ModelSource& source, GltfFile& file, Model& model) {
   MaterialReader reader(source, file, model);
   const GltfValue materials = file.list("materials");
+  std::vector<std::uint64_t> uvSets;
   for (std::size_t i = 0; i < materials.size(); ++i) {
     // In a statement of its own: reading adds images and warnings to the model.
-    ModelMaterial material = reader.read(materials[i]);
+    auto [material, uvSet] = reader.read(materials[i]);
     model.materials.push_back(std::move(material));
+    uvSets.push_back(uvSet);
   }
+  return uvSets;
 }
 
 }  // namespace luxo

@@ -3,8 +3,7 @@
 //
 // A material is the one that gltf_material.h reads back as this: no metal, base colour = diffuse, roughness =
 // (2 / (n + 2))^(1/4), and KHR_materials_specular scales what is reflected so that the highlight is as high.
-// Colours above 1 are cut off there. Maps of colours and of glow are embedded, as they are; others are left
-// out.
+// Colours above 1 are cut off there. Maps are embedded as they are.
 //
 // LUXO_parametric_surface, optional, at the root: { "version": 1, "scene": "..." }, the text of a scene file
 // (engine/scene/luxo-scene-1.schema.json) whose surfaces the meshes stand for. Who knows it draws the scene;
@@ -104,9 +103,6 @@ class GlbWriter {
   const Vec3& originOf(const ModelNode& node) const { return model_.meshes[node.mesh].origin(); }
 
   Object nodeOf(const ModelNode& from) const {
-    if (from.shear)
-      throw Error(ErrorKind::Scene, fmt::format("node '{}' is sheared, which glTF cannot say", from.name),
-                  "write another format, or scale it alike in all directions");
     Object node = {{"name", from.name}};
     if (from.translation != Vec3(0)) node["translation"] = json(from.translation);
     if (from.rotation != Vec4(0, 0, 0, 1)) node["rotation"] = json(from.rotation);
@@ -120,6 +116,15 @@ class GlbWriter {
   void addMaterial(const ModelMaterial& from) {
     Object material = materialOf(from);
     if (from.map.given()) material["pbrMetallicRoughness"]["baseColorTexture"] = textureOf(from.map);
+    if (from.normalMap.given()) {
+      LUXO_REQUIRE(!from.objectNormals);
+      material["normalTexture"] = textureOf(from.normalMap);
+      if (from.normalScale != 1) material["normalTexture"]["scale"] = from.normalScale;
+    }
+    if (from.specularMap.given()) {
+      LUXO_REQUIRE(from.specularColors);
+      material["extensions"]["KHR_materials_specular"]["specularColorTexture"] = textureOf(from.specularMap);
+    }
     if (from.glowMap.given()) material["emissiveTexture"] = textureOf(from.glowMap);
     root_["materials"].push_back(std::move(material));
   }

@@ -19,17 +19,12 @@ constexpr std::uint32_t kRange = 65536;  // vertices that 16 bits number
 constexpr std::uint32_t kUnused = 0xffffffff;
 constexpr unsigned kCachedVertices = 16;  // what devices of any age keep
 // Pieces of work that are worth another thread: some 0.1 ms.
-constexpr std::size_t kWorthThreads = 8192, kClustersAtOnce = 16;
+constexpr std::size_t kWorthThreads = 8192;
 
 template <class Work>
 void forEachIndex(std::size_t count, const Work& work) {
   // This thread may hold locks of its caller's, and takes no work of others while it waits.
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kClustersAtOnce),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
-                      });
-  });
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t(0), count, work); });
 }
 
 [[nodiscard]] std::span<std::uint32_t> cornersOf(const MeshCluster& cluster,

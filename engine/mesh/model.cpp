@@ -60,7 +60,6 @@ Vec3 ModelNode::scaleAt(double seconds) const {
   return scaleKeys ? Vec3(scaleKeys->at(seconds, false)) : scale;
 }
 Transform ModelNode::parentFromNodeAt(double seconds) const {
-  if (shear) return {*shear, translationAt(seconds)};
   return compose(translationAt(seconds), rotationOf(rotationAt(seconds)), scaleAt(seconds));
 }
 

@@ -57,6 +57,7 @@ struct ModelMaterial {
   bool lesson = false;          ///< for the lesson's formula (scene/lesson.h), which its maps are made for
   bool objectNormals = false;   ///< the normal map is in object space, not in that of the tangents
   double normalScale = 1;       ///< of the x and y of normal maps
+  bool specularColors = false;  ///< the specular map is of colours (sRGB)
   ModelMap map, normalMap, specularMap, glowMap;  ///< colour (sRGB), data (tangent space), data, colour
 };
 
@@ -80,7 +81,6 @@ struct ModelNode {
   Vec3 translation{0};
   Vec4 rotation{0, 0, 0, 1};  ///< unit quaternion x, y, z, w
   Vec3 scale{1};
-  std::optional<Mat3> shear = std::nullopt;  ///< instead of rotation and scale, where they cannot say it
   std::optional<Keyframes> translationKeys, rotationKeys, scaleKeys;
   std::uint32_t mesh = kNone, camera = kNone, light = kNone;
 

@@ -51,7 +51,7 @@ struct ModelFile {
 
 /// Those files. OBJ, PLY and STL round every coordinate to single precision, 2^-24 of itself, or nearer.
 /// Error(Usage): the suffix names none; a GLB in another unit. Error(Scene): nothing to write, more than the
-/// format has room for (4 GiB), a node of a GLB that is sheared.
+/// format has room for (4 GiB).
 [[nodiscard]] std::vector<ModelFile> filesOf(const Model& model, const std::filesystem::path& path,
                                              const ModelClaim& claim = {}, const LengthUnit& unit = {});
 

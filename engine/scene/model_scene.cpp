@@ -117,11 +117,6 @@ class ModelBuilder {
  private:
   void addNode(std::uint32_t index) {
     const ModelNode& from = model_->nodes[index];
-    if (from.shear)
-      throw Error(
-          ErrorKind::Scene,
-          fmt::format("{}: node '{}' is sheared, which is not supported yet", model_->name, from.name),
-          "give it a translation, a rotation and a scale instead of a matrix");
     Node node{.name = from.name.empty() ? std::string() : prefix_ + from.name,
               .parent = from.parent == kNone ? parent_ : nodes_[from.parent]};
     node.translation = from.translation;
@@ -161,7 +156,7 @@ class ModelBuilder {
     else if (from.cutoff > 0)
       material.opacity = from.opacity < from.cutoff ? 0 : 1;
     material.normalMap = mapOf(from.normalMap, Codes::Data);
-    material.specularMap = mapOf(from.specularMap, Codes::Data);
+    material.specularMap = mapOf(from.specularMap, from.specularColors ? Codes::Srgb : Codes::Data);
     material.glowMap = mapOf(from.glowMap, Codes::Srgb);
     if (!from.glowMap.given() && from.glow != Vec3(0)) material.glowMap.texture = white();
     return material;

@@ -12,10 +12,13 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <random>
 
 #include "catalogue_names.h"
 #include "export/carried_scene.h"
+#include "image/png.h"
 #include "scene/model_scene.h"
+#include "scene/normal_map.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "surface/catalogue.h"
@@ -271,7 +274,6 @@ TEST(ExportedModel, AShearedNodeStandsInTheWorld) {
   scene.add(Node{.parent = outer, .rotation = Rotation{{0, 0, 1}, 0.6}, .surface = sphere(1)});
   const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-3});
   ASSERT_EQ(made.model.nodes.size(), 1U);
-  EXPECT_FALSE(made.model.nodes[0].shear);
   EXPECT_EQ(badEdges(made.model), 0U);
   EXPECT_NEAR(volumeOf(made.model), 4 * kPi, made.claim.deviation * 40);
   // An ellipsoid: along y a third, and what is left is the sphere.
@@ -364,15 +366,68 @@ TEST(ExportedModel, MapsGoAlongIntoAGlb) {
   }
 }
 
+/// Read again, normals bend as they did, but for the triangles' tangents, and highlights have their colours.
+TEST(ExportedModel, MapsOfNormalsAndHighlightsGoAlong) {
+  const ScratchFolder folder;
+  const auto write = [](const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  };
+  Image bumps(4, 4, 3);
+  std::mt19937 random(7);
+  for (float& sample : bumps.samples()) sample = float(random() % 256) / 255;
+  write(folder / "bumps.png", encodePng(bumps, Codes::Data));
+  std::ofstream(folder / "s.luxo.json") << R"scene({ "luxo": 1,
+    "textures": { "bumps": { "file": "bumps.png", "data": true } },
+    "materials": { "rough": { "normal_map": { "texture": "bumps", "scale": [2, 1], "rotate": "90deg" },
+                              "specular_map": "bumps" } },
+    "surfaces": { "sheet": { "type": "formula", "u": [-1, 1], "v": [-1, 1],
+                             "position": ["u + 0.3*v", "0.1*u*v", "v"] } },
+    "nodes": [ { "surface": "sheet", "material": "rough" } ] })scene";
+  const Scene scene = buildScene(readSceneFile(folder / "s.luxo.json"));
+  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-4, .maps = true});
+  EXPECT_TRUE(made.warnings.empty());
+  write(folder / "s.glb", filesOf(made.model, "s.glb", made.claim).at(0).bytes);
+  const auto model = std::make_shared<const Model>(readModel(folder / "s.glb"));
+  const Snapshot before = takeSnapshot(scene, 0, {8, 8}), after = takeSnapshot(modelScene(model), 0, {8, 8});
+  const Material &written = before.materials[before.nodes[0].material.index],
+                 &read = after.materials[after.nodes[0].material.index];
+  EXPECT_EQ(read.normalMap.texture->levels[0].halves, written.normalMap.texture->levels[0].halves);
+
+  // The highlight's colours went through sRGB codes of 8 bits: half a code where the curve is flattest.
+  for (int i = 0; i < 16; ++i)
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(read.specularMap.texture->levels[0].texel(i % 4, i / 4)[std::size_t(c)],
+                  written.specularMap.texture->levels[0].texel(i % 4, i / 4)[std::size_t(c)],
+                  0.5 * 2.28 / 255 + 1e-3);
+
+  const TriangleMesh& mesh = model->meshes[0];
+  ASSERT_EQ(mesh.tangents().size(), mesh.positions().size());
+  for (std::uint32_t i = 0; i < mesh.positions().size(); ++i) {
+    const Vec3 p = mesh.point(i);
+    const double v = p.z, u = p.x - 0.3 * v;
+    const Vec3 su(1, 0.1 * v, 0), sv(0.3, 0.1 * u, 1), normal = unit(glm::cross(su, sv));
+    const NormalFrame exact = normalFrame(su, sv, normal, false);
+    const Vec4f& tangent = mesh.tangents()[i];
+    const Vec3 texel(0.9, 0.3, 0.7);
+    const Vec3 expected = bentNormal(written, normalFromTexel(written, Mat3(1)), texel, normal, exact);
+    const Vec3 bent = bentNormal(read, normalFromTexel(read, Mat3(1)), texel, Vec3(mesh.normals()[i]),
+                                 NormalFrame(tangent));
+    // The directions of its edges differ from the surface's by their length times its twist.
+    EXPECT_LT(glm::distance(bent, expected), 0.001) << i;
+  }
+}
+
 TEST(ExportedModel, MapsThatAreLeftOutAreTold) {
   const Scene scene = buildScene(parseScene(R"scene({ "luxo": 1,
     "textures": { "tiles": { "checker": [0, 1] } },
-    "materials": { "tiled": { "map": "tiles", "specular_map": "tiles" } },
+    "materials": { "tiled": { "map": "tiles", "normal_map": { "texture": "tiles", "space": "object" } } },
     "surfaces": { "sheet": { "type": "rectangle" } },
     "nodes": [ { "surface": "sheet", "material": "tiled" } ] })scene",
                                             "scene"));
   EXPECT_THAT(exportedModel(scene, 0, {}).warnings, Contains(HasSubstr("its map is not exported")));
-  EXPECT_THAT(exportedModel(scene, 0, {.maps = true}).warnings, ElementsAre(HasSubstr("specular_map")));
+  EXPECT_THAT(exportedModel(scene, 0, {.maps = true}).warnings,
+              ElementsAre(HasSubstr("normal_map, in the axes of the object,")));
   EXPECT_THAT(exportedModel(scene, 0, {.thickness = 0.1, .maps = true}).warnings,
               Contains(HasSubstr("its map is not exported")));
 }

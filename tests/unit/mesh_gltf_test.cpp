@@ -2,14 +2,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 
+#include "math/transform.h"
+#include "mesh/turn.h"
 #include "unit/mesh_model_support.h"
 
 namespace luxo {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
@@ -98,10 +104,9 @@ TEST_F(ReadGltf, BuffersMayBeEmbeddedBesideOrWithin) {
 TEST_F(ReadGltf, NodesHangOnEachOtherParentsFirst) {
   Json json = square();
   json["nodes"].push_back({{"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1}}, {"mesh", 0}});
-  json["nodes"].push_back({{"matrix", {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}, {"mesh", 0}});
-  json["scenes"][0]["nodes"] = {1, 2, 3};
+  json["scenes"][0]["nodes"] = {1, 2};
   const Model model = read(json);
-  ASSERT_EQ(model.nodes.size(), 4u);
+  ASSERT_EQ(model.nodes.size(), 3u);
   EXPECT_EQ(model.meshes.size(), 1u);
   EXPECT_EQ(model.nodes[0].name, "root");
   EXPECT_EQ(model.nodes[0].parent, kNone);
@@ -109,12 +114,45 @@ TEST_F(ReadGltf, NodesHangOnEachOtherParentsFirst) {
   EXPECT_EQ(model.nodes[1].parent, 0u);
   EXPECT_EQ(model.nodes[1].translationAt(0), Vec3(1, 2, 3));
   // A quarter turn about z and a scale of 2: x goes to 2y.
-  EXPECT_FALSE(model.nodes[2].shear);
   EXPECT_LT(
       glm::distance(transformPoint(model.nodes[2].parentFromNodeAt(0), {1, 2, 3}), Vec3(5 - 4, 6 + 2, 7 + 6)),
       1e-14);
-  EXPECT_TRUE(model.nodes[3].shear);
-  EXPECT_EQ(transformPoint(model.nodes[3].parentFromNodeAt(0), {1, 2, 3}), Vec3(3, 2, 3));
+}
+
+TEST_F(ReadGltf, MatricesThatShearMirrorOrFlattenStandAsTheySay) {
+  for (const Mat3& linear : {Mat3(1, 0, 0, 1, 1, 0, 0, 0, 1), Mat3(1, 2, 3, -4, 5, 6, 7, 8, -9),
+                             Mat3(1, 0, 0, 0.5, 1, 0, 0, 0, -2), Mat3(1, 1, 0, 1, 0, 0, 0, 0, 0),
+                             Mat3(1, 2, 3, 2, 4, 6, 1, 2, 3), Mat3(0)}) {
+    Json json = square();
+    json["nodes"].push_back({{"name", "sheared"}, {"mesh", 0}, {"children", {3}}});
+    json["nodes"].push_back({{"name", "below"}, {"translation", {0, 0, 1}}});
+    for (int i = 0; i < 16; ++i)
+      json["nodes"][2]["matrix"].push_back(i % 4 == 3 ? i / 15 : i >= 12 ? i : linear[i / 4][i % 4]);
+    json["scenes"][0]["nodes"] = {2};
+    const Model model = read(json);
+    ASSERT_EQ(model.nodes.size(), 3u);
+    EXPECT_EQ(model.nodes[1].name, "sheared");
+    EXPECT_EQ(model.nodes[1].mesh, 0u);
+    const Transform worldFromSheared = worldFromNodeAt(model, 1), worldFromBelow = worldFromNodeAt(model, 2);
+    for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(worldFromSheared.linear[i], linear[i]), 2e-13) << i;
+    EXPECT_EQ(worldFromSheared.translation, Vec3(12, 13, 14));
+    EXPECT_LT(glm::distance(worldFromBelow.translation, Vec3(12, 13, 14) + linear[2]), 2e-13);
+  }
+}
+
+TEST(SingularValues, OfRandomMapsTurnAndScaleAreTheMap) {
+  std::mt19937_64 random(20);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 10'000; ++k) {
+    Mat3 linear;
+    for (int i = 0; i < 9; ++i) linear[i / 3][i % 3] = normal(random) * std::exp(4 * normal(random));
+    const SingularValues values = singularValues(linear);
+    const Mat3 made = compose(Vec3(0), rotationOf(values.turn.rotation), values.turn.scale).linear *
+                      rotationOf(values.first);
+    double largest = 0;
+    for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(linear[i / 3][i % 3]));
+    for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(made[i], linear[i]), 1e-14 * largest) << k;
+  }
 }
 
 TEST_F(ReadGltf, AnimationsAreSampledAtTheirKeys) {
@@ -263,7 +301,7 @@ TEST_F(ReadGltf, BadFilesAreRefused) {
   EXPECT_THAT(with("/accessors/0/count", 2'000'000'000), HasSubstr("do not fit"));
   EXPECT_THAT(with("/accessors/0/byteOffset", 1), HasSubstr("do not fit"));
   EXPECT_THAT(with("/accessors/0/type", "VEC2"), HasSubstr("3 numbers are wanted"));
-  EXPECT_THAT(with("/accessors/0/sparse", Json::object()), HasSubstr("sparse accessors are not supported"));
+  EXPECT_THAT(with("/accessors/0/sparse", {{"count", 5}}), HasSubstr("5 is not a whole number from 0 to 4"));
   EXPECT_THAT(with("/accessors/1/byteOffset", -2), HasSubstr("-2 is not a whole number"));
   EXPECT_THAT(with("/accessors/0/count", 3), HasSubstr("there is vertex 3 of 3"));
   EXPECT_THAT(with("/bufferViews/0/byteStride", 4), HasSubstr("4 bytes between elements of 12"));
@@ -275,6 +313,73 @@ TEST_F(ReadGltf, BadFilesAreRefused) {
   bytes.replace(0, 4, std::string("\0\0\xc0\x7f", 4));
   nan["buffers"][0]["uri"] = dataOf(bytes);
   EXPECT_THAT(folder_.refusal("b.gltf", nan.dump()), HasSubstr("accessors[0]: number 0 of element 0 is nan"));
+}
+
+// The last point is moved, and of indices that are 0 where nothing says more, the middle four are given.
+TEST_F(ReadGltf, SparseAccessorsReplaceSomeElements) {
+  const std::string points = bytesOf({1, 3, 0}), places = std::string("\3\0\0\0", 4);
+  const std::string numbers = std::string("\1\2\3\4", 4), corners = std::string("\1\0\2\0\2\0\3\0", 8);
+  Json json = square();
+  json["buffers"].push_back({{"uri", dataOf(points + places + numbers + corners)}, {"byteLength", 28}});
+  const auto view = [&](int offset, int length) {
+    json["bufferViews"].push_back({{"buffer", 1}, {"byteOffset", offset}, {"byteLength", length}});
+    return json["bufferViews"].size() - 1;
+  };
+  json["accessors"][0]["sparse"] = {{"count", 1},
+                                    {"indices", {{"bufferView", view(12, 4)}, {"componentType", 5125}}},
+                                    {"values", {{"bufferView", view(0, 12)}}}};
+  json["accessors"][1].erase("bufferView");
+  json["accessors"][1]["sparse"] = {{"count", 4},
+                                    {"indices", {{"bufferView", view(16, 4)}, {"componentType", 5121}}},
+                                    {"values", {{"bufferView", view(20, 8)}}}};
+  const TriangleMesh mesh = read(json).meshes.at(0);  // 0 1 2, 2 3 0
+  EXPECT_EQ(mesh.triangleCount(), 2u);
+  EXPECT_EQ(mesh.bounds(), (Box{Vec3(0), Vec3(1, 3, 0)}));
+  Json wrong = json;
+  wrong["accessors"][0]["sparse"]["indices"]["componentType"] = 5123;
+  wrong["accessors"][0]["sparse"]["indices"]["byteOffset"] = 2;
+  EXPECT_EQ(read(wrong).meshes.at(0).bounds().max.y, 3);  // element 0
+  wrong = json;
+  wrong["accessors"][0]["sparse"]["indices"]["bufferView"] = 5;  // 1, 2, 3, 4
+  EXPECT_THAT(refusal(wrong), HasSubstr("accessors[0].sparse.indices: there is element 67305985 of 4"));
+  wrong["accessors"][0]["sparse"]["indices"]["componentType"] = 5120;
+  EXPECT_THAT(refusal(wrong), HasSubstr("indices are unsigned"));
+  wrong = json;
+  wrong["accessors"][0]["sparse"]["values"]["bufferView"] = 3;
+  EXPECT_THAT(refusal(wrong),
+              HasSubstr("accessors[0].sparse.values: 1 elements of 12 bytes do not fit the 4"));
+}
+
+// Of two pairs of uvs the maps' own.
+TEST_F(ReadGltf, MapsUseTheUvsThatTheySay) {
+  Json json = square();
+  json["images"] = {{{"uri", "a.png"}}};
+  json["textures"] = {{{"source", 0}}};
+  json["materials"] =
+      Json::parse(R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}},
+                                       "normalTexture": {"index": 0},
+                                       "emissiveTexture": {"index": 0, "texCoord": 0, "extensions":
+                                                           {"KHR_texture_transform": {"texCoord": 1}}}}])");
+  json["accessors"].push_back(
+      {{"bufferView", 0}, {"byteOffset", 0}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
+  json["accessors"].push_back(
+      {{"bufferView", 0}, {"byteOffset", 16}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
+  Json& primitive = json["meshes"][0]["primitives"][0];
+  primitive["material"] = 0;
+  primitive["attributes"]["TEXCOORD_0"] = 4;
+  primitive["attributes"]["TEXCOORD_1"] = 5;
+  folder_.write("a.png", "");
+  const Model model = read(json);
+  const TriangleMesh& mesh = model.meshes.at(0);
+  ASSERT_EQ(mesh.uvs().size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3f& at = mesh.positions()[i];
+    const std::size_t given = at.x == 0 ? (at.y == 0 ? 0 : 3) : (at.y == 0 ? 1 : 2);
+    EXPECT_EQ(mesh.uvs()[i], Vec2f(kPoints[4 + 2 * given], kPoints[5 + 2 * given])) << i;
+  }
+  EXPECT_TRUE(model.materials[0].map.given() && model.materials[0].glowMap.given());
+  EXPECT_FALSE(model.materials[0].normalMap.given());
+  EXPECT_THAT(model.warnings, Contains(HasSubstr("it uses uvs 0, other maps of the material 1")));
 }
 
 TEST_F(ReadGltf, AGlbCutShortIsRefused) {

@@ -79,13 +79,6 @@ TEST(ModelScene, WithoutLightsHasTwoThatLightWhatAFittedCameraSees) {
     EXPECT_GT(glm::dot(Vec3(light.positionWorld), unit(Vec3(1, 0.8, 1.5))), 0.3);
 }
 
-TEST(ModelScene, AShearIsRefused) {
-  Model model = lampModel();
-  model.nodes[1].shear = Mat3(1);
-  const auto shared = std::make_shared<const Model>(std::move(model));
-  expectSceneError([&] { static_cast<void>(modelScene(shared)); }, {"lamp", "'bulb'", "sheared"});
-}
-
 TEST(AddModel, StandsBelowItsNodeWithItsOwnLightsAndNoCameras) {
   const auto model = std::make_shared<const Model>(lampModel());
   Scene scene;
