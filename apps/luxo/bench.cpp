@@ -107,7 +107,8 @@ std::vector<Subject> subjectsOf(RenderRequest request, std::vector<NamedFile>& i
   const std::vector<BuiltinScene> builtin = builtinScenes();
   std::vector<Subject> subjects;
   for (const std::string& name : names) {
-    Scene scene = openScene(name, request.parameters, nullptr, &inputs);
+    Scene scene = openScene(
+        name, {.parameters = request.parameters, .inputs = &inputs, .allowOutside = request.allowOutside});
     moveCloth(scene, request.device);
     const RenderSettings settings = settingsOf(scene, request);
     subjects.push_back({name, takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, request))});

@@ -51,8 +51,7 @@ void reload(Renderer& renderer, const fs::path& file, const std::string& text, P
   const auto start = std::chrono::steady_clock::now();
   const double before = renderer.context().counters().pipelineMs;
   save(file, text);
-  const OpenedShader opened =
-      openShader(file.string(), {}, {}, nullptr, nullptr, WarningsAbout::WhatIsLacking);
+  const OpenedShader opened = openShader(file.string(), {}, {.about = WarningsAbout::WhatIsLacking});
   const Snapshot snapshot = takeSnapshot(opened.scene, 0, size);
   DrawOptions options{.audit = {.extent = AuditExtent::None}};
   options.skips.unchanged = false;

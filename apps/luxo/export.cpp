@@ -156,7 +156,12 @@ int runExport(const ExportOptions& options) {
   showLog(request.scene.verbosity);
   std::vector<std::string> warnings;
   std::vector<NamedFile> inputs;
-  OpenedScene opened = openDescribedScene(request.scene.scene, request.scene.parameters, &warnings, &inputs);
+  OpenedScene opened = openDescribedScene(request.scene.scene,
+                                          {.parameters = request.scene.parameters,
+                                           .warnings = &warnings,
+                                           .inputs = &inputs,
+                                           .allowOutside = request.scene.allowOutside,
+                                           .showsProgress = request.scene.verbosity == Verbosity::Normal});
   if (!request.printed) {
     std::vector<NamedFile> outputs;
     for (const std::filesystem::path& file : namesOf(request.output)) outputs.push_back({"-o", file});
@@ -172,7 +177,7 @@ int runExport(const ExportOptions& options) {
                           .thickness = request.thickness,
                           .camera = cameraOf(scene, request.scene),
                           .singlePrecision = !request.glb(),
-                          .maps = request.glb(),
+                          .glb = request.glb(),
                           .progress = [&](double done) { bar.show(done); }});
   }
   made.model.scene = formulasOf(request, std::move(opened.description), warnings);

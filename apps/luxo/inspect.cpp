@@ -147,8 +147,11 @@ int runInspect(const InspectOptions& options) {
     return print(inspectImage(name, options.pixel), imageText);
   }
   std::vector<std::string> warnings;
-  Scene scene = namesMaterialShader(name) ? openShader(name, use, request.parameters, &warnings).scene
-                                          : openScene(name, request.parameters, &warnings);
+  const Opening opening{.parameters = request.parameters,
+                        .warnings = &warnings,
+                        .allowOutside = request.allowOutside,
+                        .showsProgress = request.verbosity == Verbosity::Normal};
+  Scene scene = namesMaterialShader(name) ? openShader(name, use, opening).scene : openScene(name, opening);
   const ViewedScene viewed = viewedScene(std::move(scene), request);
   if (options.pixel) {
     const auto [x, y] = parsePixel(*options.pixel, viewed.settings.size);

@@ -52,8 +52,12 @@ int showShader(const std::string& shader, const ShaderUse& use, const RenderRequ
   const auto read = [shader, use, request, &warnings] {
     std::vector<NamedFile> inputs;
     warnings.clear();
-    OpenedShader opened =
-        openShader(shader, use, request.parameters, &warnings, &inputs, WarningsAbout::WhatIsLacking);
+    OpenedShader opened = openShader(shader, use,
+                                     {.parameters = request.parameters,
+                                      .warnings = &warnings,
+                                      .about = WarningsAbout::WhatIsLacking,
+                                      .inputs = &inputs,
+                                      .allowOutside = request.allowOutside});
     ViewedScene viewed = viewedScene(std::move(opened.scene), request);
     viewed.controls = std::move(opened.controls);
     viewed.mouse = std::move(opened.mouse);

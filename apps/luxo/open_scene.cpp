@@ -16,6 +16,7 @@
 #include "export/carried_scene.h"
 #include "interruption.h"
 #include "mesh/model.h"
+#include "progress_bar.h"
 #include "scene/model_files.h"
 #include "scene/model_scene.h"
 #include "scene/scene_builder.h"
@@ -104,9 +105,8 @@ void refuseParameters(const std::string& scene, std::span<const ParameterValue> 
                 fmt::format("{} has no parameters", scene));
 }
 
-OpenedScene openDescription(SceneFile file, std::span<const ParameterValue> parameters,
-                            std::vector<std::string>* warnings, WarningsAbout about) {
-  Scene scene = buildScene(file, parameters, warnings, about);
+OpenedScene openDescription(SceneFile file, const Opening& opening) {
+  Scene scene = buildScene(file, opening.parameters, opening.warnings, opening.about);
   return {std::move(scene), std::move(file)};
 }
 
@@ -134,17 +134,23 @@ std::optional<SceneFile> carriedDescription(const Model& model, const std::strin
   return std::nullopt;
 }
 
-OpenedScene openModel(const std::string& file, std::span<const ParameterValue> parameters,
-                      std::vector<std::string>* warnings, std::vector<NamedFile>* inputs,
-                      WarningsAbout about) {
-  const auto model = std::make_shared<const Model>(readModel(file));
-  addInputs(model->files, inputs);
-  if (auto carried = carriedDescription(*model, file, warnings))
-    return openDescription(std::move(*carried), parameters, warnings, about);
-  refuseParameters(file, parameters);
-  if (warnings)
+/// Descriptions keep them; the bar is shown while it is there.
+FileOptions fileOptionsOf(const Opening& opening, const std::weak_ptr<ProgressBar>& bar) {
+  return {.allowOutside = opening.allowOutside, .progress = [bar](double done) {
+            if (const auto shown = bar.lock()) shown->show(done);
+          }};
+}
+
+OpenedScene openModel(const std::string& file, const Opening& opening, const FileOptions& files) {
+  const auto model = std::make_shared<const Model>(
+      readModel(file, {.allowOutside = files.allowOutside, .progress = files.progress}));
+  addInputs(model->files, opening.inputs);
+  if (auto carried = carriedDescription(*model, file, opening.warnings))
+    return openDescription(std::move(*carried), opening);
+  refuseParameters(file, opening.parameters);
+  if (opening.warnings)
     for (const std::string& warning : model->warnings)
-      warnings->push_back(fmt::format("{}: {}", file, warning));
+      opening.warnings->push_back(fmt::format("{}: {}", file, warning));
   return {modelScene(model), std::nullopt};
 }
 
@@ -161,25 +167,24 @@ std::vector<BuiltinScene> builtinScenes() {
   return scenes;
 }
 
-OpenedScene openDescribedScene(const std::string& scene, std::span<const ParameterValue> parameters,
-                               std::vector<std::string>* warnings, std::vector<NamedFile>* inputs,
-                               WarningsAbout about) {
+OpenedScene openDescribedScene(const std::string& scene, const Opening& opening) {
   const bool isFile = !isBuiltin(scene);
-  if (isFile && namesMaterialShader(scene))
-    return {openShader(scene, {}, parameters, warnings, inputs, about).scene, std::nullopt};
-  if (inputs && isFile && scene != kStandardInput) inputs->push_back({"the scene", scene});
-  if (isFile && namesModel(scene)) return openModel(scene, parameters, warnings, inputs, about);
-  std::optional<SceneFile> description = sceneDescription(scene);
+  if (isFile && namesMaterialShader(scene)) return {openShader(scene, {}, opening).scene, std::nullopt};
+  if (opening.inputs && isFile && scene != kStandardInput) opening.inputs->push_back({"the scene", scene});
+  const auto bar = std::make_shared<ProgressBar>(opening.showsProgress);
+  const FileOptions files = fileOptionsOf(opening, bar);
+  if (isFile && namesModel(scene)) return openModel(scene, opening, files);
+  std::optional<SceneFile> description = sceneDescription(scene, files);
   if (!description) {
-    refuseParameters(scene, parameters);
+    refuseParameters(scene, opening.parameters);
     return {primitives(), std::nullopt};
   }
-  OpenedScene opened = openDescription(std::move(*description), parameters, warnings, about);
-  addFilesOf(*opened.description, inputs);
+  OpenedScene opened = openDescription(std::move(*description), opening);
+  addFilesOf(*opened.description, opening.inputs);
   return opened;
 }
 
-std::optional<SceneFile> sceneDescription(const std::string& scene) {
+std::optional<SceneFile> sceneDescription(const std::string& scene, const FileOptions& files) {
   if (const EmbeddedScene* embedded = sceneNamed(scene, embeddedScenes()))
     return parseScene(std::string(embedded->text), scene);
   if (const EmbeddedScene* ofGallery = sceneNamed(scene, galleryScenes()))
@@ -187,7 +192,7 @@ std::optional<SceneFile> sceneDescription(const std::string& scene) {
   if (scene == kPrimitives) return std::nullopt;
   if (scene == kStandardInput) return readScene(std::cin, "standard input");
   requireKnown(scene);
-  return readSceneFile(scene);
+  return readSceneFile(scene, files);
 }
 
 MaterialShaderPtr openMaterialShader(const std::string& shader) {
@@ -198,21 +203,20 @@ MaterialShaderPtr openMaterialShader(const std::string& shader) {
              : shaderInFile(path);
 }
 
-OpenedShader openShader(const std::string& shader, const ShaderUse& use,
-                        std::span<const ParameterValue> parameters, std::vector<std::string>* warnings,
-                        std::vector<NamedFile>* inputs, WarningsAbout about) {
+OpenedShader openShader(const std::string& shader, const ShaderUse& use, const Opening& opening) {
+  std::vector<NamedFile>* const inputs = opening.inputs;
   if (inputs) inputs->push_back({"the shader", shader});
   if (inputs && !use.scene.empty() && !isBuiltin(use.scene)) inputs->push_back({"the scene", use.scene});
-  ShaderScene shown = shaderScene(shader, use, parameters, warnings);
-  Scene scene = buildScene(shown.description, shown.parameters, warnings, about);
+  ShaderScene shown =
+      shaderScene(shader, use, opening.parameters, opening.warnings, {.allowOutside = opening.allowOutside});
+  Scene scene = buildScene(shown.description, shown.parameters, opening.warnings, opening.about);
   addInputs(shown.files, inputs);
   addFilesOf(shown.description, inputs);
   return {std::move(scene), std::move(shown.controls), std::move(shown.mouse)};
 }
 
-Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters,
-                std::vector<std::string>* warnings, std::vector<NamedFile>* inputs, WarningsAbout about) {
-  return openDescribedScene(scene, parameters, warnings, inputs, about).scene;
+Scene openScene(const std::string& scene, const Opening& opening) {
+  return openDescribedScene(scene, opening).scene;
 }
 
 std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters) {

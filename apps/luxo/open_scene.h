@@ -14,6 +14,7 @@
 #include "scene/scene.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_file.h"
+#include "scene/scene_folder.h"
 #include "viewer.h"
 
 namespace luxo {
@@ -25,6 +26,18 @@ struct BuiltinScene {
 /// By name. They are carried as text, so they work from any folder.
 [[nodiscard]] std::vector<BuiltinScene> builtinScenes();
 
+/// How a scene is opened, and who is told of it.
+struct Opening {
+  std::span<const ParameterValue> parameters = {};  ///< they replace values of the scene's
+  /// Takes what is allowed but probably not meant (scene/scene_builder.h), as people read it.
+  std::vector<std::string>* warnings = nullptr;
+  WarningsAbout about = WarningsAbout::All;
+  /// Takes the files that it is made of, so that none is overwritten.
+  std::vector<NamedFile>* inputs = nullptr;
+  bool allowOutside = false;   ///< images and models may be outside of the folder of who names them
+  bool showsProgress = false;  ///< of the reading of models that take a while (progress_bar.h)
+};
+
 struct OpenedScene {
   Scene scene;
   std::optional<SceneFile>
@@ -33,26 +46,16 @@ struct OpenedScene {
 
 /// The scene of that name: built-in ones first, then files (so ./teapot is the file), a model (mesh/model.h),
 /// the shader of a material (shader_scene.h) or a description; - is standard input. A GLB that carries its
-/// formulas (export/carried_scene.h) is these. `parameters` replace values of the scene's. Error(Scene):
-/// there is none of that name; it cannot be read or has errors. Error(Usage): it has no such parameter, or
-/// not with that value.
-///
-/// `warnings`, where given, takes what is allowed but probably not meant (scene/scene_builder.h), as people
-/// read it. `inputs`, where given, takes the files that it is made of, so that none is overwritten.
-[[nodiscard]] OpenedScene openDescribedScene(const std::string& scene,
-                                             std::span<const ParameterValue> parameters = {},
-                                             std::vector<std::string>* warnings = nullptr,
-                                             std::vector<NamedFile>* inputs = nullptr,
-                                             WarningsAbout about = WarningsAbout::All);
+/// formulas (export/carried_scene.h) is these. Error(Scene): there is none of that name; it cannot be read or
+/// has errors. Error(Usage): it has no such parameter, or not with that value.
+[[nodiscard]] OpenedScene openDescribedScene(const std::string& scene, const Opening& opening = {});
 /// As above, where nobody asks what it was built from.
-[[nodiscard]] Scene openScene(const std::string& scene, std::span<const ParameterValue> parameters = {},
-                              std::vector<std::string>* warnings = nullptr,
-                              std::vector<NamedFile>* inputs = nullptr,
-                              WarningsAbout about = WarningsAbout::All);
+[[nodiscard]] Scene openScene(const std::string& scene, const Opening& opening = {});
 
 /// The description of a scene that is built in, in a file, or on standard input. Nothing: it is made by a
 /// program. Error(Scene): there is none of that name, it cannot be read, or is none.
-[[nodiscard]] std::optional<SceneFile> sceneDescription(const std::string& scene);
+[[nodiscard]] std::optional<SceneFile> sceneDescription(const std::string& scene,
+                                                        const FileOptions& files = {});
 
 /// The material's shader in a file; where there is none of that name, the gallery's: gallery/steel.frag.
 /// Error(Scene): there is neither, or what ShaderFiles::get() says.
@@ -68,10 +71,7 @@ struct OpenedShader {
   std::vector<std::string> mouse;  ///< parameters that follow it
 };
 [[nodiscard]] OpenedShader openShader(const std::string& shader, const ShaderUse& use,
-                                      std::span<const ParameterValue> parameters = {},
-                                      std::vector<std::string>* warnings = nullptr,
-                                      std::vector<NamedFile>* inputs = nullptr,
-                                      WarningsAbout about = WarningsAbout::All);
+                                      const Opening& opening = {});
 
 /// What -P says, as descriptions take it.
 [[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);

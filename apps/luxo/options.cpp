@@ -18,7 +18,8 @@ struct RenderOptions::Texts {
       composition, audit, sample, requireError, sweep, report;
   std::vector<std::string> parameters;
   std::string device = "auto";
-  bool hiddenLines = false, validate = false, list = false, quiet = false, verbose = false;
+  bool hiddenLines = false, validate = false, list = false, allowOutside = false, quiet = false,
+       verbose = false;
 };
 
 RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarget destination)
@@ -83,6 +84,8 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   add("--device", t.device, "auto, cpu, gpu, a number or a part of the name", "DEVICE");
   command.add_flag("--validate", t.validate, "run Vulkan's validation; any message fails the run");
   if (files && scene == SceneArgument::Taken) command.add_flag("--list", t.list, "list the built-in scenes");
+  command.add_flag("--allow-outside", t.allowOutside,
+                   "images and models may be outside of the folder of the file that names them");
   command.add_flag("-q,--quiet", t.quiet, "errors only");
   command.add_flag("-v,--verbose", t.verbose, "more about what is done");
 }
@@ -132,6 +135,7 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   request.listScenes = t.list;
   if (t.list) return request;
   request.verbosity = verbosityOf(t.quiet, t.verbose);
+  request.allowOutside = t.allowOutside;
   if (t.time && t.frames)
     refuse("--time and --frames exclude each other", "frame n is at (n-1)/fps; see --fps");
   if (t.sweep && t.frames)

@@ -44,6 +44,7 @@ struct RenderRequest {
   std::string device = "auto";
   bool validate = false;  ///< Vulkan validation layers on; any message fails the run
   bool listScenes = false;
+  bool allowOutside = false;  ///< what scenes and models name may be outside of their folders
   Verbosity verbosity = Verbosity::Normal;
 };
 

@@ -349,11 +349,15 @@ int renderScene(const RenderRequest& request, const ShaderOptions& shader) {
       request.verbosity == Verbosity::Verbose ? WarningsAbout::All : WarningsAbout::WhatIsLacking;
   std::vector<std::string> warnings;
   std::vector<NamedFile> inputs;
-  std::vector<std::string>* const told = warn ? &warnings : nullptr;
+  const Opening opening{.parameters = request.parameters,
+                        .warnings = warn ? &warnings : nullptr,
+                        .about = about,
+                        .inputs = &inputs,
+                        .allowOutside = request.allowOutside,
+                        .showsProgress = warn};
   const ShaderUse use = shaderUse(request.scene, shader);
-  Scene scene = namesMaterialShader(request.scene)
-                    ? openShader(request.scene, use, request.parameters, told, &inputs, about).scene
-                    : openScene(request.scene, request.parameters, told, &inputs, about);
+  Scene scene = namesMaterialShader(request.scene) ? openShader(request.scene, use, opening).scene
+                                                   : openScene(request.scene, opening);
   for (const std::string& warning : warnings) printWarning(warning);
   return renderToFiles(std::move(scene), request, inputs);
 }

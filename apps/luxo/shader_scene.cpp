@@ -59,20 +59,21 @@ constexpr const char* kOfModel = R"({ "luxo": 1,
       "light": { "type": "directional", "intensity": 0.4 } } ] })";
 
 /// One of luxo's own, of which no message shows the text.
-SceneFile ownScene(const char* text, const std::string& name, const fs::path& folder = {}) {
-  SceneFile file = parseScene(text, name, folder);
+SceneFile ownScene(const char* text, const std::string& name, const fs::path& folder = {},
+                   const FileOptions& files = {}) {
+  SceneFile file = parseScene(text, name, folder, files);
   file.source.text.reset();
   return file;
 }
 
-SceneFile sceneOf(const std::string& shader, const std::string& scene) {
+SceneFile sceneOf(const std::string& shader, const std::string& scene, const FileOptions& files) {
   if (scene.empty()) return ownScene(kBallAndRing, shader);
   if (namesModel(scene)) {
-    SceneFile file = ownScene(kOfModel, scene, fs::path(scene).parent_path());
+    SceneFile file = ownScene(kOfModel, scene, fs::path(scene).parent_path(), files);
     file.surfaces.front().shape = MeshShape{.file = fs::path(scene).filename().string()};
     return file;
   }
-  std::optional<SceneFile> file = sceneDescription(scene);
+  std::optional<SceneFile> file = sceneDescription(scene, files);
   if (!file)
     throw Error(ErrorKind::Usage,
                 fmt::format("'{}' is made by a program: its materials are not replaced", scene),
@@ -301,7 +302,8 @@ MaterialShaderPtr shaderInFile(const fs::path& file) {
 }
 
 ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
-                        std::span<const ParameterValue> given, std::vector<std::string>* warnings) {
+                        std::span<const ParameterValue> given, std::vector<std::string>* warnings,
+                        const FileOptions& files) {
   MaterialShaderPtr text = openMaterialShader(shader);
   ShaderScene made;
   for (const MaterialShader::File& file : text->files)
@@ -313,7 +315,7 @@ ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
                 "leave the scene out, or write a function 'vec4 material(Point p)' (shaders/MATERIALS.md)");
   if (ofPicture) text = materialOfMainImage(text);
   const MaterialProgram program(text);
-  made.description = ofPicture ? ownScene(kMainImageScene, shader) : sceneOf(shader, use.scene);
+  made.description = ofPicture ? ownScene(kMainImageScene, shader) : sceneOf(shader, use.scene, files);
   Parameters parameters(made, given, use.preset, ofPicture, warnings);
   for (const UniformControl& uniform : uniformControls(*text, program.uniforms(), warnings))
     parameters.add(uniform);

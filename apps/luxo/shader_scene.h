@@ -12,6 +12,7 @@
 #include "scene/material_shader.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_file.h"
+#include "scene/scene_folder.h"
 #include "shader_controls.h"
 #include "viewer.h"
 
@@ -52,6 +53,7 @@ struct ShaderScene {
 /// read from the cache.
 [[nodiscard]] ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
                                       std::span<const ParameterValue> given,
-                                      std::vector<std::string>* warnings = nullptr);
+                                      std::vector<std::string>* warnings = nullptr,
+                                      const FileOptions& files = {});
 
 }  // namespace luxo

@@ -99,7 +99,10 @@ int verifyScene(const VerifyOptions& options) {
   const NamedFile outputs[] = {{"-o", options.heat},
                                {"--report", printsReport ? "" : options.report.value_or("")}};
   std::vector<NamedFile> inputs;
-  Scene scene = openScene(render.scene, render.parameters, nullptr, &inputs);
+  Scene scene = openScene(render.scene, {.parameters = render.parameters,
+                                         .inputs = &inputs,
+                                         .allowOutside = render.allowOutside,
+                                         .showsProgress = render.verbosity == Verbosity::Normal});
   moveCloth(scene, render.device);
   requireOutputs(outputs, inputs);
   const RenderSettings settings = settingsOf(scene, render);

@@ -90,7 +90,9 @@ int RandomOptions::run(const RenderRequest& render, const std::string& findings)
   }
   if (!texts_->audit.empty()) request.audit = parseAudit(texts_->audit);
   std::optional<Scene> scene;
-  if (!render.scene.empty()) request.scene = &scene.emplace(openScene(render.scene, render.parameters));
+  if (!render.scene.empty())
+    request.scene = &scene.emplace(
+        openScene(render.scene, {.parameters = render.parameters, .allowOutside = render.allowOutside}));
 
   const auto log = std::make_shared<gpu::ValidationLog>();
   random::RunTotals totals;

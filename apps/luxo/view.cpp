@@ -29,7 +29,12 @@ void addView(CLI::App& app, Command& chosen) {
       if (namesMaterialShader(name)) return showShader(name, use, request);
       const auto read = [name, request] {
         std::vector<NamedFile> inputs;
-        ViewedScene viewed = viewedScene(openScene(name, request.parameters, nullptr, &inputs), request);
+        ViewedScene viewed =
+            viewedScene(openScene(name, {.parameters = request.parameters,
+                                         .inputs = &inputs,
+                                         .allowOutside = request.allowOutside,
+                                         .showsProgress = request.verbosity == Verbosity::Normal}),
+                        request);
         for (NamedFile& input : inputs) viewed.files.push_back(std::move(input.path));
         return viewed;
       };

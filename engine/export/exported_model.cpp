@@ -17,6 +17,7 @@
 #include "image/codes.h"
 #include "image/png.h"
 #include "image/texture.h"
+#include "mesh/gltf_material.h"
 #include "mesh/turn.h"
 #include "scene/snapshot.h"
 #include "tessellate/shape_cache.h"
@@ -116,6 +117,7 @@ class Exporter {
                   "see luxo inspect; is everything invisible at that time?");
     addCameras();
     addLights();
+    if (desc_.glb) addSurroundings();
     return std::move(out_);
   }
 
@@ -191,7 +193,7 @@ class Exporter {
   [[nodiscard]] bool exportsMaps(const SnapshotNode& from) const {
     const Material& material = snapshot_.materials[from.material.index];
     const bool plate = desc_.thickness > 0 && !from.surface.closed();
-    return desc_.maps && !plate && material.hasMaps();
+    return desc_.glb && !plate && material.hasMaps();
   }
 
   /// Each texture is one image for each way to read it.
@@ -230,7 +232,14 @@ class Exporter {
     tell(material.normalMap.valid() && !(along && tangential),
          tangential ? "normal_map" : "normal_map, in the axes of the object,");
     tell(material.specularMap.valid() && !(along && !material.lesson), "specular_map");
-    tell(material.lesson, "shading \"lesson\"");
+    if (desc_.glb) {
+      tell(material.lesson || material.shading, "shading");
+      tell(material.isolines.valid(), "isolines");
+      tell(material.lectureSpecular, "lecture_specular");
+      const double strongest = std::max({material.specular.x, material.specular.y, material.specular.z});
+      if (strongest > strongestGltfSpecular(material.shininess) || material.shininess > kMaxGltfShininess)
+        warn(fmt::format("material '{}': its highlights are weaker there, or wider", material.name));
+    }
     tell(material.shader != nullptr, "shader");
   }
 
@@ -310,6 +319,18 @@ class Exporter {
                                     .near = view.near,
                                     .far = view.far});
     }
+  }
+
+  /// What no other program reads: see mesh/gltf_writer.cpp.
+  void addSurroundings() {
+    const RenderSettings& settings = scene_.settings();
+    out_.model.ambient = snapshot_.ambient;
+    out_.model.background = snapshot_.background;
+    if (settings.shading != Shading::Exact)
+      warn(fmt::format("the scene's shading, {}, is not exported", luxo::nameOf(settings.shading)));
+    if (settings.ambientOcclusion.any()) warn("ambient occlusion is not exported");
+    for (const SnapshotLight& light : snapshot_.lights)
+      if (light.hasShadow()) warn(fmt::format("light '{}': its shadow is not exported", nameOf(light.id)));
   }
 
   void addLights() {

@@ -27,9 +27,9 @@ struct ExportDesc {
   CameraId camera = {};  ///< the model's first; none: the scene's first
   /// Coordinates in the world are written in single precision: those of OBJ, PLY, STL.
   bool singlePrecision = false;
-  /// Maps, and the uvs for them, go along: into a GLB. Of plates, and of normals in the axes of the object,
-  /// they do not.
-  bool maps = false;
+  /// Into a GLB: it has maps, and the uvs for them (not of plates, nor of normals in the axes of the object),
+  /// light and background; and what it has no word for is told.
+  bool glb = false;
   /// Called now and then, in the caller's thread, with the part that is done: 0 to 1, ascending. It may
   /// throw.
   std::function<void(double)> progress = {};
@@ -44,7 +44,7 @@ struct ExportedModel {
 /// Nodes of one surface and one material share a mesh. Those whose place is no rotation and scale, and
 /// plates, stand in the world as they are. A colour that is a formula becomes its mean; lights that do not
 /// fall off with distance are as bright as they are at the middle of the scene; soft ones shine from theirs.
-/// Images are of 8 bits, as large as the textures. `segments` of nodes are not looked at: the tolerance
+/// Images are of 8 bits, as large as the textures; between vertices uvs are linear. `segments` of nodes are not looked at: the tolerance
 /// decides. Error(Scene): what takeSnapshot() says, nothing that is visible has an area. Cost: that of
 /// tessellating each surface, and of triangleMesh().
 [[nodiscard]] ExportedModel exportedModel(const Scene& scene, double timeSeconds, const ExportDesc& desc);

@@ -39,6 +39,7 @@ class GltfReader {
     readNodes();
     readAnimation();
     if (model_.materials.empty()) model_.materials.push_back({.name = "default"});
+    readSurroundings();
     readFormulas();
     if (model_.meshes.empty()) refuseModel(source_.name(), "it has no triangles");
     source_.tellProgress(1);
@@ -52,6 +53,14 @@ class GltfReader {
   static double positive(const GltfValue& value) {
     if (const double number = value.number(); number > 0) return number;
     value.refuse("it is not above 0");
+  }
+
+  void readSurroundings() {
+    const GltfValue scenes = file_.list("scenes");
+    if (scenes.size() == 0) return;
+    const GltfValue ours = scenes[file_.root()["scene"].integerOr(0)]["extras"]["luxo"];
+    if (ours.has("ambient")) model_.ambient = ours["ambient"].colourOr(Vec3(0));
+    if (ours.has("background")) model_.background = ours["background"].colourOr(Vec3(0));
   }
 
   void readFormulas() {

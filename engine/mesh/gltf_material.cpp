@@ -64,6 +64,8 @@ class MaterialReader {
       if (mode == "MASK") cutOff(material, std::max(value["alphaCutoff"].numberOr(0.5), 0.0));
     }
     material.twoSided = value["doubleSided"].flagOr(false);
+    const GltfValue ours = value["extras"]["luxo"];
+    if (ours.has("ambient")) material.ambient = ours["ambient"].colourOr(Vec3(0));
     return {std::move(material), uvSet_.value_or(0)};
   }
 

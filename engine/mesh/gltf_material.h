@@ -11,6 +11,9 @@ inline constexpr double kMaxGltfShininess = 1000;
 /// What is reflected of light that falls straight on what is no metal.
 inline constexpr double kGltfReflectance = 0.04;
 
+/// The strongest specular colour that glTF can say: all light that falls straight on it is reflected.
+[[nodiscard]] inline double strongestGltfSpecular(double shininess) { return (shininess + 2) / 8; }
+
 /// Reads materials, their maps and images. Of metallic-roughness, m and r, with base colour c: diffuse = (1 -
 /// m) c; ambient = c, since surroundings are seen in metal, too; shininess n = 2 / r^4 - 2, at most
 /// kMaxGltfShininess, whose lobe (N.H)^n is Beckmann's of alpha = r^2 (Walter et al., Microfacet models for

@@ -3,7 +3,9 @@
 //
 // A material is the one that gltf_material.h reads back as this: no metal, base colour = diffuse, roughness =
 // (2 / (n + 2))^(1/4), and KHR_materials_specular scales what is reflected so that the highlight is as high.
-// Colours above 1 are cut off there. Maps are embedded as they are.
+// Colours above 1 are cut off there. Other programs reflect light from everywhere as they please: an ambient
+// colour that is not the diffuse one, the light itself and the background are "extras", {"luxo": {"ambient":
+// ..., "background": ...}}, of materials and of the scene. Maps are embedded as they are.
 //
 // LUXO_parametric_surface, optional, at the root: { "version": 1, "scene": "..." }, the text of a scene file
 // (engine/scene/luxo-scene-1.schema.json) whose surfaces the meshes stand for. Who knows it draws the scene;
@@ -49,6 +51,7 @@ Object materialOf(const ModelMaterial& from) {
     material["alphaMode"] = "BLEND";
   }
   if (from.twoSided) material["doubleSided"] = true;
+  if (from.ambient) material["extras"]["luxo"]["ambient"] = json(*from.ambient);
   material["extensions"]["KHR_materials_specular"]["specularColorFactor"] =
       json(8 / (n + 2) / kGltfReflectance * from.specular);
   return material;
@@ -97,6 +100,10 @@ class GlbWriter {
           {{"name", node.name}, {"translation", json(originOf(node))}, {"mesh", node.mesh}});
     }
     root_["scenes"] = {{{"nodes", roots}}};
+    Object surroundings = Object::object();
+    if (model_.ambient) surroundings["ambient"] = json(*model_.ambient);
+    if (model_.background) surroundings["background"] = json(*model_.background);
+    if (!surroundings.empty()) root_["scenes"][0]["extras"]["luxo"] = surroundings;
     root_["scene"] = 0;
   }
 

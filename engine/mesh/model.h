@@ -120,6 +120,8 @@ struct Model {
   std::vector<ModelNode> nodes;  ///< parents first; each mesh is at one node at least
   std::vector<ModelCamera> cameras;
   std::vector<ModelLight> lights;
+  /// Linear, of what luxo itself wrote: light from everywhere, and what is behind all.
+  std::optional<Vec3> ambient = std::nullopt, background = std::nullopt;
   /// The scene (scene/scene_reader.h) whose surfaces the meshes stand for, as a text: what a GLB carries as
   /// LUXO_parametric_surface (mesh/gltf_writer.cpp). Empty: none.
   std::string scene;

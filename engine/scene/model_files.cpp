@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/model_files.h"
 
-#include "scene/scene_folder.h"
-
 namespace luxo {
 
 std::shared_ptr<const Model> ModelFiles::get(const std::string& name, const MeshOptions& options) {
   const std::lock_guard lock(mutex_);
   std::shared_ptr<const Model>& model = models_[{name, options.normals, options.crease, options.tangents}];
   if (!model)
-    model = std::make_shared<const Model>(readModel(fileInFolder(folder_, name, "model"), {.mesh = options}));
+    model = std::make_shared<const Model>(
+        readModel(fileInFolder(folder_, name, "model", options_.allowOutside),
+                  {.mesh = options, .allowOutside = options_.allowOutside, .progress = options_.progress}));
   return model;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mesh/model.h"
+#include "scene/scene_folder.h"
 
 namespace luxo {
 
@@ -18,16 +19,18 @@ namespace luxo {
 class ModelFiles {
  public:
   /// `folder`: of the scene; empty: the current one.
-  explicit ModelFiles(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
+  explicit ModelFiles(std::filesystem::path folder = {}, FileOptions options = {})
+      : folder_(std::move(folder)), options_(std::move(options)) {}
 
-  /// The model in a file that is named relative to the folder, and is in it. Error(Scene): it leads out of
-  /// the folder, or what readModel() says.
+  /// The model in a file that is named relative to the folder, and is in it, unless
+  /// it may be outside. Error(Scene): it leads out of the folder, or what readModel() says.
   [[nodiscard]] std::shared_ptr<const Model> get(const std::string& name, const MeshOptions& options);
   /// Of all models so far (mesh/model.h).
   [[nodiscard]] std::vector<std::filesystem::path> files();
 
  private:
   std::filesystem::path folder_;
+  FileOptions options_;
   std::mutex mutex_;
   std::map<std::tuple<std::string, NormalRule, double, bool>, std::shared_ptr<const Model>> models_;
 };

@@ -18,9 +18,9 @@ namespace luxo {
 [[nodiscard]] Surface surfaceOf(const Model& model);
 
 /// The scene of a model: its nodes with their movements, a node below for each material of a mesh that has
-/// several; materials with their maps, cameras and lights. One without lights gets two, of a picture
-/// from (1, 0.8, 1.5), where a camera that is fitted looks from. Candela and lux are divided by pi:
-/// reflection here is not. Error(Scene): an image cannot be read.
+/// several; materials with their maps, cameras and lights. One without lights, unless it says how much
+/// ambient light there is, gets two, of a picture from (1, 0.8, 1.5), where a camera that is fitted looks
+/// from. Candela and lux are divided by pi: reflection here is not. Error(Scene): an image cannot be read.
 [[nodiscard]] Scene modelScene(const std::shared_ptr<const Model>& model);
 
 /// Adds a model below a node of a scene, as modelScene() has it, without cameras, and with no lights but its

@@ -19,18 +19,21 @@ bool isInside(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-fs::path fileInFolder(const fs::path& folder, const std::string& name, std::string_view kind) {
+fs::path fileInFolder(const fs::path& folder, const std::string& name, std::string_view kind,
+                      bool allowOutside) {
   const auto refuse = [&](const char* why, const char* hint) {
     throw Error(ErrorKind::Scene, fmt::format("the {} '{}' {}", kind, name, why), hint);
   };
   if (name.empty()) refuse("has no name", "name a file beside the scene");
+  if (allowOutside) return folder / name;
   if (fs::path(name).is_absolute())
-    refuse("is named from the root", "name it relative to the folder of the scene");
+    refuse("is named from the root", "name it relative to the folder of the scene, or --allow-outside");
   std::error_code failure;
   const fs::path inside = fs::weakly_canonical(folder.empty() ? "." : folder, failure);
   const fs::path file = fs::weakly_canonical(inside / name, failure);
   if (failure || !isInside(file, inside))
-    refuse("is outside of the scene's folder", "put it into the folder of the scene, or into one below");
+    refuse("is outside of the scene's folder",
+           "put it into the folder of the scene or into one below, or --allow-outside");
   return folder / name;
 }
 

@@ -530,11 +530,12 @@ std::string readText(const std::filesystem::path& path) {
 
 }  // namespace
 
-SceneFile parseScene(std::string text, std::string name, const std::filesystem::path& folder) {
+SceneFile parseScene(std::string text, std::string name, const std::filesystem::path& folder,
+                     const FileOptions& files) {
   SceneFile file;
-  file.source = {name, std::make_shared<const std::string>(std::move(text)),
-                 std::make_shared<ModelFiles>(folder), std::make_shared<TextureFiles>(folder),
-                 std::make_shared<ShaderFiles>(folder)};
+  file.source = {
+      name, std::make_shared<const std::string>(std::move(text)), std::make_shared<ModelFiles>(folder, files),
+      std::make_shared<TextureFiles>(folder, files.allowOutside), std::make_shared<ShaderFiles>(folder)};
   SceneProblems problems(file.source);
   {
     const JsonDocument document(file.source.text);
@@ -552,8 +553,8 @@ SceneFile readScene(std::istream& stream, std::string name) {
   return parseScene(textIn(stream, std::size_t{1} << 16), std::move(name));
 }
 
-SceneFile readSceneFile(const std::filesystem::path& path) {
-  return parseScene(readText(path), path.string(), path.parent_path());
+SceneFile readSceneFile(const std::filesystem::path& path, const FileOptions& files) {
+  return parseScene(readText(path), path.string(), path.parent_path(), files);
 }
 
 }  // namespace luxo

@@ -6,7 +6,7 @@
 namespace luxo {
 
 std::shared_ptr<const Texture> TextureFiles::get(const std::string& name, Codes codes) {
-  const std::filesystem::path file = fileInFolder(folder_, name, "texture");
+  const std::filesystem::path file = fileInFolder(folder_, name, "texture", allowOutside_);
   std::error_code failure;
   if (!std::filesystem::exists(file, failure)) return nullptr;
   const std::lock_guard lock(mutex_);

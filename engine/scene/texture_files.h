@@ -19,16 +19,19 @@ namespace luxo {
 class TextureFiles {
  public:
   /// `folder`: of the scene; empty: the current one.
-  explicit TextureFiles(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
+  explicit TextureFiles(std::filesystem::path folder = {}, bool allowOutside = false)
+      : folder_(std::move(folder)), allowOutside_(allowOutside) {}
 
-  /// The image in a file that is named relative to the folder, and is in it; null where there is no such
-  /// file. Error(Scene): it leads out of the folder, or what loadTexture() says.
+  /// The image in a file that is named relative to the folder, and is in it, unless it may be
+  /// outside; null where there is no such file. Error(Scene): it leads out of the folder, or what
+  /// loadTexture() says.
   [[nodiscard]] std::shared_ptr<const Texture> get(const std::string& name, Codes codes);
   /// Of all textures so far.
   [[nodiscard]] std::vector<std::filesystem::path> files();
 
  private:
   std::filesystem::path folder_;
+  bool allowOutside_;
   std::mutex mutex_;
   std::map<std::pair<std::string, Codes>, std::shared_ptr<const Texture>> textures_;
 };

@@ -108,6 +108,26 @@ TEST_F(Export, TrianglesGiveTheSamePictureWithinTheTolerance) {
   EXPECT_LT(sum / double(lit.samples().size()), 2e-3);
 }
 
+/// Light from everywhere, colours of it, and what is behind all.
+TEST_F(Export, TrianglesHaveTheScenesSurroundings) {
+  writeText(folder / "s.luxo.json", R"({ "luxo": 1,
+    "render": { "ambient": [0.6, 0.3, 0.5], "background": [0.1, 0.2, 0.05] },
+    "materials": { "m": { "diffuse": [0.2, 0.3, 0.4], "ambient": [0.9, 0.1, 0.1] } },
+    "surfaces": { "s": { "type": "sphere" } }, "nodes": [ { "surface": "s", "material": "m" } ],
+    "camera": { "eye": [0, 0, 4], "look_at": [0, 0, 0], "fov_y": "40deg" } })");
+  expectExported({"s.luxo.json", "-o", "a.glb", "--no-formulas", "--tolerance", "0.1mm"});
+  static_cast<void>(pictureOf("a.glb", "a.pfm"));
+  static_cast<void>(pictureOf("s.luxo.json", "b.pfm"));
+  const Image triangles = loadImage(folder / "a.pfm"), formulas = loadImage(folder / "b.pfm");
+  int different = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c)
+        different += std::abs(triangles.pixel(x, y)[c] - formulas.pixel(x, y)[c]) > 1e-5;
+  EXPECT_LE(different, 3);  // a pixel of the outline
+  EXPECT_NEAR(triangles.pixel(kWidth / 2, kHeight / 2)[0], 0.54, 1e-6);
+}
+
 TEST_F(Export, EveryFormatIsRead) {
   for (const std::string file : {"a.glb", "a.obj", "a.ply", "a.stl"}) {
     SCOPED_TRACE(file);

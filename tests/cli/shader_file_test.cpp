@@ -273,7 +273,7 @@ TEST(Lab, GivesTheShaderToMaterialsOfAScene) {
   EXPECT_EQ(shadersOf(openShader(shader, {.scene = scene, .material = "seen"}).scene), "ynn");
   writeText(model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::vector<NamedFile> inputs;
-  const OpenedShader opened = openShader(shader, {.scene = model}, {}, nullptr, &inputs);
+  const OpenedShader opened = openShader(shader, {.scene = model}, {.inputs = &inputs});
   EXPECT_EQ(opened.scene.parameters().size(), 5);  // three of the tint, gain, mode
   EXPECT_EQ(opened.controls.size(), 3);
   EXPECT_TRUE(std::ranges::any_of(inputs, [&](const NamedFile& file) { return file.path == model; }));

@@ -337,7 +337,7 @@ TEST(ExportedModel, MapsGoAlongIntoAGlb) {
     "surfaces": { "sheet": { "type": "formula", "u": [-1, 3], "v": [2, 4], "position": ["u", "0.1*u*v", "v"] } },
     "nodes": [ { "surface": "sheet", "material": "tiled" } ] })scene",
                                             "scene"));
-  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-2, .maps = true});
+  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-2, .glb = true});
   EXPECT_TRUE(made.warnings.empty());
   const ScratchFolder folder;
   const std::filesystem::path file = folder / "sheet.glb";
@@ -385,7 +385,7 @@ TEST(ExportedModel, MapsOfNormalsAndHighlightsGoAlong) {
                              "position": ["u + 0.3*v", "0.1*u*v", "v"] } },
     "nodes": [ { "surface": "sheet", "material": "rough" } ] })scene";
   const Scene scene = buildScene(readSceneFile(folder / "s.luxo.json"));
-  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-4, .maps = true});
+  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-4, .glb = true});
   EXPECT_TRUE(made.warnings.empty());
   write(folder / "s.glb", filesOf(made.model, "s.glb", made.claim).at(0).bytes);
   const auto model = std::make_shared<const Model>(readModel(folder / "s.glb"));
@@ -426,10 +426,25 @@ TEST(ExportedModel, MapsThatAreLeftOutAreTold) {
     "nodes": [ { "surface": "sheet", "material": "tiled" } ] })scene",
                                             "scene"));
   EXPECT_THAT(exportedModel(scene, 0, {}).warnings, Contains(HasSubstr("its map is not exported")));
-  EXPECT_THAT(exportedModel(scene, 0, {.maps = true}).warnings,
+  EXPECT_THAT(exportedModel(scene, 0, {.glb = true}).warnings,
               ElementsAre(HasSubstr("normal_map, in the axes of the object,")));
-  EXPECT_THAT(exportedModel(scene, 0, {.thickness = 0.1, .maps = true}).warnings,
+  EXPECT_THAT(exportedModel(scene, 0, {.thickness = 0.1, .glb = true}).warnings,
               Contains(HasSubstr("its map is not exported")));
+}
+
+TEST(ExportedModel, WhatAGlbHasNoWordForIsTold) {
+  const Scene scene = buildScene(parseScene(R"scene({ "luxo": 1,
+    "render": { "shading": "flat", "ambient_occlusion": { "radius": 1 } },
+    "materials": { "m": { "specular": 1, "shininess": 2, "lecture_specular": true, "shading": "toon",
+                          "isolines": [ { "of": "u", "step": 0.1 } ] } },
+    "surfaces": { "s": { "type": "sphere" } },
+    "nodes": [ { "surface": "s", "material": "m" },
+               { "name": "sun", "light": { "type": "directional", "shadow": "exact" } } ] })scene",
+                                            "scene"));
+  const std::vector<std::string> told = exportedModel(scene, 0, {.glb = true}).warnings;
+  for (const char* what : {"its shading", "its isolines", "its lecture_specular", "its highlights are weaker",
+                           "the scene's shading, flat,", "ambient occlusion", "light 'sun': its shadow"})
+    EXPECT_THAT(told, Contains(HasSubstr(what)));
 }
 
 /// A ball keeps its map where a plate of the same material has none, whichever comes first.
@@ -443,7 +458,7 @@ TEST(ExportedModel, APlateDoesNotTakeTheMapFromOthers) {
       "surfaces": { "sheet": { "type": "rectangle" }, "ball": { "type": "sphere", "radius": 1 } },
       "nodes": )scene") + nodes + "}",
                                               "scene"));
-    const Model model = exportedModel(scene, 0, {.tolerance = 0.1, .thickness = 0.1, .maps = true}).model;
+    const Model model = exportedModel(scene, 0, {.tolerance = 0.1, .thickness = 0.1, .glb = true}).model;
     for (const TriangleMesh& mesh : model.meshes)
       EXPECT_EQ(model.materials[mesh.groups()[0].material].map.given(), !mesh.uvs().empty()) << mesh.name();
     EXPECT_EQ(

@@ -183,6 +183,23 @@ TEST(ModelFiles, LeadNowhereElse) {
                      {"the model '" + std::string(name) + "'"});
 }
 
+TEST(ModelFiles, MayBeOutsideWhereThatIsAllowed) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "inner");
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n";
+  std::ofstream(folder / "a.obj") << triangle;
+  std::ofstream(folder / "inner/b.obj") << "mtllib ../a.mtl\n" << triangle;
+  std::ofstream(folder / "a.mtl") << "newmtl a\n";
+  double told = 0;
+  ModelFiles files(folder / "inner", {.allowOutside = true, .progress = [&](double done) { told = done; }});
+  EXPECT_EQ(files.get("../a.obj", {})->triangleCount(), 1U);
+  EXPECT_EQ(files.get((folder / "a.obj").string(), {})->triangleCount(), 1U);
+  EXPECT_TRUE(files.get("b.obj", {})->warnings.empty());
+  EXPECT_EQ(told, 1);
+  ModelFiles inside(folder / "inner");
+  expectSceneError([&] { static_cast<void>(inside.get("b.obj", {})); }, {"outside"});
+}
+
 TEST(ModelFiles, ProblemsHaveThePlaceInTheScene) {
   SceneFile file;
   file.surfaces = {{.name = "s", .shape = MeshShape{.file = "missing.obj"}}};
