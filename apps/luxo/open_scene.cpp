@@ -142,9 +142,7 @@ OpenedScene openModel(const std::string& file, std::span<const ParameterValue> p
   if (auto carried = carriedDescription(*model, file, warnings))
     return openDescription(std::move(*carried), parameters, warnings, about);
   refuseParameters(file, parameters);
-  if (warnings)
-    for (const std::string& warning : model->warnings)
-      warnings->push_back(fmt::format("{}: {}", file, warning));
+  if (warnings) warnings->insert(warnings->end(), model->warnings.begin(), model->warnings.end());
   return {modelScene(model), std::nullopt};
 }
 
