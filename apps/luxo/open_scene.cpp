@@ -149,8 +149,7 @@ OpenedScene openModel(const std::string& file, const Opening& opening, const Fil
     return openDescription(std::move(*carried), opening);
   refuseParameters(file, opening.parameters);
   if (opening.warnings)
-    for (const std::string& warning : model->warnings)
-      opening.warnings->push_back(fmt::format("{}: {}", file, warning));
+    opening.warnings->insert(opening.warnings->end(), model->warnings.begin(), model->warnings.end());
   return {modelScene(model), std::nullopt};
 }
 

@@ -116,7 +116,9 @@ Texture decodeTexture(std::span<const std::byte> bytes, std::string_view name, C
   };
   if (begins({0x89, 'P', 'N', 'G'})) return makeTexture(decodePng(bytes, name, codes), name, codes);
   if (begins({0xff, 0xd8, 0xff})) return makeTexture(decodeJpeg(bytes, name, codes), name, codes);
-  return makeTexture(decodeTga(bytes, name, codes), name, codes);
+  if (mayBeTga(bytes)) return makeTexture(decodeTga(bytes, name, codes), name, codes);
+  throw Error(ErrorKind::Scene,
+              fmt::format("cannot read '{}': it is neither PNG, JPEG nor TGA", printable(name)));
 }
 
 Texture loadTexture(const std::filesystem::path& path, Codes codes) {

@@ -41,8 +41,7 @@ struct Texture {
 /// kMaxTextureSide.
 [[nodiscard]] Texture makeTexture(const Image& image, std::string_view name, Codes codes = Codes::Srgb);
 
-/// PNG, JPEG or TGA, told by its first bytes; TGA is what is neither of the others. Error(Scene): damaged, or
-/// too large.
+/// PNG, JPEG or TGA, told by its first bytes. Error(Scene): none of them, damaged, or too large.
 [[nodiscard]] Texture decodeTexture(std::span<const std::byte> bytes, std::string_view name, Codes codes);
 [[nodiscard]] Texture loadTexture(const std::filesystem::path& path, Codes codes);
 

@@ -118,6 +118,15 @@ std::vector<std::byte> encodeTga(const Image& image) {
   return out;
 }
 
+bool mayBeTga(std::span<const std::byte> bytes) {
+  constexpr std::array<int, 6> kKinds = {1, 2, 3, 9, 10, 11};
+  constexpr std::array<int, 5> kBits = {8, 15, 16, 24, 32};
+  if (bytes.size() < kHeaderBytes) return false;
+  const Header header(bytes);
+  return header.paletteKind <= 1 && std::ranges::find(kKinds, header.kind) != kKinds.end() &&
+         std::ranges::find(kBits, header.bitsPerPixel) != kBits.end();
+}
+
 Image decodeTga(std::span<const std::byte> bytes, std::string_view name, Codes codes) {
   if (bytes.size() < kHeaderBytes) throwBadImage(name, "TGA", "it is shorter than a header");
   const Header header(bytes);

@@ -16,6 +16,10 @@ namespace luxo {
 /// grey.
 [[nodiscard]] std::vector<std::byte> encodeTga(const Image& image);
 
+/// Whether the bytes may be a TGA, which has no mark of its own: they begin with a header that one could
+/// have, of a kind that is read or not.
+[[nodiscard]] bool mayBeTga(std::span<const std::byte> bytes);
+
 /// Grey (8 bit: one channel) or true colour (24, 32 bit: three or four channels), uncompressed or run-length
 /// encoded, in any of the four orders of rows and columns; read as `codes` says and given linear. `name`
 /// is for messages. Error(Scene): damaged, or a kind not named here (palettes, 15 and 16 bit).

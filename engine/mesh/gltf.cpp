@@ -41,7 +41,7 @@ class GltfReader {
     if (model_.materials.empty()) model_.materials.push_back({.name = "default"});
     readSurroundings();
     readFormulas();
-    if (model_.meshes.empty()) refuseModel(source_.name(), "it has no triangles");
+    if (model_.meshes.empty()) refuseModel(source_.name(), "it has no triangles with an area");
     source_.tellProgress(1);
     return std::move(model_);
   }
@@ -218,13 +218,11 @@ class GltfReader {
     }
     for (std::size_t i = 0; i < primitives.size(); ++i)
       readPrimitive(primitives[i], arrays, ranges, normals, uvs);
-    if (arrays.indices.empty()) {
-      warn(value, "it has no triangles and is left out");
-      return meshNumbers_[number] = kNone;
-    }
-    meshNumbers_[number] = std::uint32_t(model_.meshes.size());
-    source_.addMesh(model_, std::move(arrays), printable(value["name"].textOr("mesh")));
-    return meshNumbers_[number];
+    const auto fresh = std::uint32_t(model_.meshes.size());
+    if (source_.addMesh(model_, std::move(arrays), printable(value["name"].textOr("mesh"))))
+      return meshNumbers_[number] = fresh;
+    warn(value, "it has no triangle with an area and is left out");
+    return meshNumbers_[number] = kNone;
   }
 
   /// The attribute that the maps of a primitive's material use.
@@ -294,6 +292,13 @@ class GltfReader {
       material = std::uint32_t(value["material"].integer(plainMaterial_));
     } else if (model_.materials.size() == plainMaterial_) {
       model_.materials.push_back({.name = "default"});
+    }
+    if (model_.materials[material].hasMaps() && !attributes.has(uvsOf(value).c_str()))
+      warn(value, fmt::format("it has no {}, which the maps of its material '{}' need", uvsOf(value),
+                              model_.materials[material].name));
+    if (!coloured_ && attributes.has("COLOR_0")) {
+      coloured_ = true;
+      warn(value, "colours of vertices are not read");
     }
     const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
       for (const std::size_t i : {a, b, c}) arrays.indices.push_back(begin + indices[i]);
@@ -370,6 +375,7 @@ class GltfReader {
   std::uint32_t plainMaterial_ = 0;      ///< the number of the material of what has none
   std::vector<std::uint32_t> numberOf_;  ///< of nodes in the model
   std::vector<std::uint32_t> meshNumbers_;
+  bool coloured_ = false;
 };
 
 }  // namespace

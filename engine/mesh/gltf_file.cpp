@@ -107,6 +107,10 @@ GltfFile::GltfFile(const ModelSource& source, std::string_view bytes) : source_(
   if (const std::string version = root()["asset"]["version"].textOr(""); !version.starts_with("2."))
     refuseModel(source.name(), fmt::format("version '{}' of glTF is not supported; 2.0 is",
                                            printable(version.substr(0, 20))));
+  if (const std::string needed = root()["asset"]["minVersion"].textOr("2.0");
+      needed != "2.0" && !needed.starts_with("1."))
+    refuseModel(source.name(), fmt::format("it needs version '{}' of glTF, which is not supported; 2.0 is",
+                                           printable(needed.substr(0, 20))));
 
   allowance_ = bytes.size();
   const GltfValue buffers = list("buffers");
@@ -260,10 +264,7 @@ GltfFile::Accessor GltfFile::accessor(std::uint64_t number, std::size_t componen
                                  .kind = value["componentType"].integer(),
                                  .normalized = value["normalized"].flagOr(false),
                                  .place = value.place()}};
-  if (value.has("bufferView"))
-    accessor.elements = elementsOf(value, accessor.elements);
-  else if (!value.has("sparse"))
-    value.refuse("it has neither a bufferView nor sparse values");
+  if (value.has("bufferView")) accessor.elements = elementsOf(value, accessor.elements);
   if (accessor.elements.count * components > allowance_)
     value.refuse("so much is read of the same bytes that it cannot be meant");
   allowance_ -= accessor.elements.count * components;
@@ -277,10 +278,13 @@ void GltfFile::readSparse(const GltfValue& sparse, Accessor& accessor) const {
   accessor.places = elementsOf(
       indices, {.count = count, .components = 1, .size = sizeOfComponent(type), .kind = type.integer()});
   if (!isUnsigned(accessor.places.kind)) type.refuse("indices are unsigned");
-  for (std::size_t k = 0; k < count; ++k)
-    if (!(accessor.places.at(k, 0) < double(accessor.elements.count)))
-      indices.refuse(
-          fmt::format("there is element {} of {}", accessor.places.at(k, 0), accessor.elements.count));
+  for (std::size_t k = 0; k < count; ++k) {
+    const double place = accessor.places.at(k, 0);
+    if (!(place < double(accessor.elements.count)))
+      indices.refuse(fmt::format("there is element {} of {}", place, accessor.elements.count));
+    if (k > 0 && !(accessor.places.at(k - 1, 0) < place))
+      indices.refuse(fmt::format("element {} does not come after {}", place, accessor.places.at(k - 1, 0)));
+  }
   accessor.replacements = accessor.elements;
   accessor.replacements.count = count;
   accessor.replacements = elementsOf(sparse["values"], accessor.replacements);

@@ -58,6 +58,8 @@ class MaterialReader {
     }
 
     const std::string mode = value["alphaMode"].textOr("OPAQUE");
+    if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
+      value["alphaMode"].refuse("it is none of OPAQUE, MASK and BLEND");
     if (mode != "OPAQUE") {
       material.opacity = std::min(base.w, 1.0);
       material.opacityFromMap = material.map.given();
@@ -134,10 +136,11 @@ class MaterialReader {
   std::uint32_t image(std::uint64_t number) {
     if (images_[number] != kUnread) return images_[number];
     const GltfValue image = file_.list("images")[number], uri = image["uri"];
-    const std::string name = printable(image["name"].textOr("image"));
+    const std::string name = printable(image["name"].textOr("image")),
+                      place = fmt::format("{}: {}", source_.name(), image.place());
     std::uint32_t& read = images_[number];
     if (uri.given() && !GltfFile::isData(uri.text())) {
-      return read = source_.image(model_, GltfFile::decodedName(uri.text()), source_.name(), 0);
+      return read = source_.image(model_, GltfFile::decodedName(uri.text()), place, 0);
     }
     std::vector<std::byte> bytes;
     if (uri.given()) {
@@ -147,8 +150,9 @@ class MaterialReader {
       bytes.assign(view.begin(), view.end());
     }
     read = std::uint32_t(model_.images.size());
-    model_.images.push_back(
-        {.name = name, .bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes))});
+    model_.images.push_back({.name = name,
+                             .place = place,
+                             .bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes))});
     return read;
   }
 

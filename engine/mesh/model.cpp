@@ -64,9 +64,22 @@ Transform ModelNode::parentFromNodeAt(double seconds) const {
 }
 
 Transform worldFromNodeAt(const Model& model, std::uint32_t node, double seconds) {
-  const ModelNode& n = model.nodes[node];
-  const Transform local = n.parentFromNodeAt(seconds);
-  return n.parent == kNone ? local : worldFromNodeAt(model, n.parent, seconds) * local;
+  std::vector<std::uint32_t> path;  // files nest nodes as deep as they like: no recursion
+  for (std::uint32_t i = node; i != kNone; i = model.nodes[i].parent) path.push_back(i);
+  Transform worldFromNode = model.nodes[path.back()].parentFromNodeAt(seconds);
+  for (std::size_t i = path.size() - 1; i-- > 0;)
+    worldFromNode = worldFromNode * model.nodes[path[i]].parentFromNodeAt(seconds);
+  return worldFromNode;
+}
+
+std::vector<Transform> worldFromNodesAt(const Model& model, double seconds) {
+  std::vector<Transform> worldFromNode;
+  worldFromNode.reserve(model.nodes.size());
+  for (const ModelNode& node : model.nodes) {
+    const Transform local = node.parentFromNodeAt(seconds);
+    worldFromNode.push_back(node.parent == kNone ? local : worldFromNode[node.parent] * local);
+  }
+  return worldFromNode;
 }
 
 std::uint64_t Model::triangleCount() const {

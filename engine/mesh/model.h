@@ -24,6 +24,7 @@ inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max()
 /// The bytes of an image file as they are, or where they lie.
 struct ModelImage {
   std::string name;
+  std::string place = {};  ///< what names it first, for messages: "cube.mtl:4", "lamp.glb: images[3]"
   std::filesystem::path file = {};  ///< exists and is inside the model's folder, unless it may be outside
   std::shared_ptr<const std::vector<std::byte>> bytes = nullptr;  ///< instead of a file: embedded
 };
@@ -59,6 +60,10 @@ struct ModelMaterial {
   double normalScale = 1;       ///< of the x and y of normal maps
   bool specularColors = false;  ///< the specular map is of colours (sRGB)
   ModelMap map, normalMap, specularMap, glowMap;  ///< colour (sRGB), data (tangent space), data, colour
+
+  [[nodiscard]] bool hasMaps() const {
+    return map.given() || normalMap.given() || specularMap.given() || glowMap.given();
+  }
 };
 
 /// Values at times, and what is between them.
@@ -134,6 +139,8 @@ struct Model {
 
 /// Where a node is at a time. Cost: that of its ancestors.
 [[nodiscard]] Transform worldFromNodeAt(const Model& model, std::uint32_t node, double seconds = 0);
+/// Where all nodes are, to the same bits. Cost: that of the nodes, however deep they hang.
+[[nodiscard]] std::vector<Transform> worldFromNodesAt(const Model& model, double seconds = 0);
 
 struct ModelOptions {
   MeshOptions mesh = {};      ///< tangents are made wherever a material has a normal map

@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,15 +27,14 @@ namespace luxo {
 /// A model file that is being read.
 class ModelSource {
  public:
-  ModelSource(const std::filesystem::path& path, const ModelOptions& options)
-      : path_(path), name_(printable(path.string())), options_(options), files_{path} {}
+  ModelSource(const std::filesystem::path& path, const ModelOptions& options);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const ModelOptions& options() const { return options_; }
 
   /// A file that the model names, whether there is one or not. Backslashes are slashes. Error(Scene) where
-  /// the name leads out of the model's folder, unless that is allowed.
+  /// the name, or a link, leads out of the model's folder, unless that is allowed.
   [[nodiscard]] std::filesystem::path besides(std::string_view name, std::string_view inFile,
                                               std::size_t line) const;
   /// The number of an image of the model, taken in where it is new; where there is no such file, kNone, and
@@ -48,15 +49,21 @@ class ModelSource {
     if (options_.progress) options_.progress(part);
   }
 
-  /// A mesh of what was read, with its warnings; tangents where a material with a normal map has uvs.
-  void addMesh(Model& model, MeshArrays arrays, std::string_view name,
-               NormalRule given = NormalRule::Given) const;
+  /// A mesh of what was read, with its warnings; tangents where one of its materials has a normal map, and it
+  /// uvs. False, and nothing is added: none of its triangles has an area.
+  [[nodiscard]] bool addMesh(Model& model, MeshArrays arrays, std::string_view name,
+                             NormalRule given = NormalRule::Given) const;
+  /// That of a format that has one, at one node, both by the name of the model. Error(Scene): no area.
+  void addOnlyMesh(Model& model, MeshArrays arrays, NormalRule given = NormalRule::Given) const;
 
  private:
   std::filesystem::path path_;
   std::string name_;
   const ModelOptions& options_;
+  std::filesystem::path folder_;  ///< with all links followed
   mutable std::vector<std::filesystem::path> files_;
+  mutable std::set<std::filesystem::path> named_;                        ///< files_, to be found
+  mutable std::map<std::filesystem::path, std::uint32_t> imageNumbers_;  ///< kNone: there is no such file
 };
 
 /// Readers of one format each; the bytes are those of the source's file. One mesh at one node, but for glTF.

@@ -33,7 +33,7 @@ inline void appendText(std::vector<std::byte>& bytes, std::string_view text) {
 /// A mesh where a node stands, in the units of the file.
 class PlacedMesh {
  public:
-  PlacedMesh(const Model& model, std::uint32_t node, const LengthUnit& unit);
+  PlacedMesh(const Model& model, std::uint32_t node, const Transform& place, const LengthUnit& unit);
 
   [[nodiscard]] const ModelNode& node() const { return *node_; }
   [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }

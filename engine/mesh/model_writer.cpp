@@ -18,10 +18,10 @@ constexpr std::array<std::string_view, 4> kWrittenSuffixes = {".obj", ".glb", ".
 
 }  // namespace
 
-PlacedMesh::PlacedMesh(const Model& model, std::uint32_t node, const LengthUnit& unit)
+PlacedMesh::PlacedMesh(const Model& model, std::uint32_t node, const Transform& place, const LengthUnit& unit)
     : node_(&model.nodes[node]),
       mesh_(&model.meshes[node_->mesh]),
-      place_(worldFromNodeAt(model, node)),
+      place_(place),
       normals_(normalMatrix(place_.linear)),
       turned_(mirrors(place_)),
       metres_(unit.metres) {}
@@ -32,9 +32,10 @@ std::array<std::uint32_t, 3> PlacedMesh::corners(std::uint32_t triangle) const {
 }
 
 std::vector<PlacedMesh> placedMeshes(const Model& model, const LengthUnit& unit) {
+  const std::vector<Transform> places = worldFromNodesAt(model);
   std::vector<PlacedMesh> placed;
   for (std::uint32_t i = 0; i < model.nodes.size(); ++i)
-    if (model.nodes[i].mesh != kNone) placed.emplace_back(model, i, unit);
+    if (model.nodes[i].mesh != kNone) placed.emplace_back(model, i, places[i], unit);
   return placed;
 }
 
@@ -54,7 +55,8 @@ std::vector<std::string> comments(const ModelClaim& claim, const LengthUnit& uni
 }
 
 bool namesWrittenModel(const std::filesystem::path& path) {
-  return std::find(kWrittenSuffixes.begin(), kWrittenSuffixes.end(), fileSuffix(path)) != kWrittenSuffixes.end();
+  return std::find(kWrittenSuffixes.begin(), kWrittenSuffixes.end(), fileSuffix(path)) !=
+         kWrittenSuffixes.end();
 }
 
 bool namesGlb(const std::filesystem::path& path) { return fileSuffix(path) == ".glb"; }

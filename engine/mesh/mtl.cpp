@@ -57,6 +57,16 @@ class MtlReader {
       readBump();
     else if (key == "map_d")
       alphaMap_ = map(), alphaLine_ = lines_.line();
+    else if (key.starts_with("map_") || key == "disp" || key == "decal" || key == "refl")
+      ignore(key);
+  }
+
+  // Of words that are no maps nothing is said: most files have illum, Ni, Tf, Ka whatever the material is.
+  void ignore(std::string_view key) {
+    if (ignored_.size() >= 8 || std::find(ignored_.begin(), ignored_.end(), key) != ignored_.end()) return;
+    ignored_.emplace_back(key);
+    model_.warnings.push_back(
+        fmt::format("{}:{}: '{}' is not read", lines_.name(), lines_.line(), TextLines::shown(key)));
   }
 
   double atLeast0(double value, std::string_view what) const {
@@ -158,6 +168,7 @@ class MtlReader {
   ModelMaterial material_;
   ModelMap alphaMap_;
   std::size_t alphaLine_ = 0;
+  std::vector<std::string> ignored_;
   bool named_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <unordered_map>
 
 #include "image/file.h"
@@ -40,9 +41,7 @@ class ObjReader {
     if (triangles_.empty()) refuseModel(source_.name(), "it has no faces");
     finishMaterials();
     source_.tellProgress(kReadingPart);
-    source_.addMesh(model_, arrays(), model_.name);
-    model_.nodes.push_back({.name = model_.name, .mesh = 0});
-    source_.tellProgress(1);
+    source_.addOnlyMesh(model_, arrays());
     return std::move(model_);
   }
 
@@ -79,6 +78,11 @@ class ObjReader {
   void readPosition() {
     positions_.push_back(three<Vec3>("a coordinate"));
     lastVertices_.push_back(kUnnumbered);
+    // A fourth number is a weight; three or four more are a colour.
+    if (!coloured_ && !lines_.word().empty() && !lines_.word().empty()) {
+      coloured_ = true;
+      warn("colours of vertices are not read");
+    }
   }
 
   // Its v counts from the bottom of the image; a model's from the top.
@@ -136,10 +140,12 @@ class ObjReader {
   void readFace() {
     face_.clear();
     facePoints_.clear();
+    bool withoutUv = false;
     for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word()) {
       const Corner read = corner(word);
       face_.push_back(vertexOf(read));
       facePoints_.push_back(positions_[read.position]);
+      withoutUv = withoutUv || read.uv == kUnnumbered;
     }
     if (face_.size() < 3) lines_.refuse(fmt::format("a face of {} vertices", face_.size()));
     faceCorners_.clear();
@@ -150,6 +156,7 @@ class ObjReader {
       material_ = 0;
       model_.materials.push_back({.name = "default"});
     }
+    if (withoutUv) withoutUvs_.try_emplace(material_, lines_.line());
     if (material_ != 0 && materials_.empty()) materials_.resize(triangles_.size() / 3);  // until now all 0
     for (const std::uint32_t i : faceCorners_) triangles_.push_back(face_[i]);
     const std::size_t count = triangles_.size() / 3;
@@ -186,9 +193,7 @@ class ObjReader {
     for (const std::string_view name : names) {
       const std::filesystem::path file = source_.besides(name, source_.name(), lines_.line());
       if (!exists(name)) {
-        model_.warnings.push_back(
-            fmt::format("{}:{}: there is no material file '{}'; its materials are plain", source_.name(),
-                        lines_.line(), printable(file.string())));
+        warn(fmt::format("there is no material file '{}'; its materials are plain", printable(name)));
         continue;
       }
       if (std::find(libraries_.begin(), libraries_.end(), file) != libraries_.end()) continue;
@@ -202,9 +207,13 @@ class ObjReader {
   void ignore(std::string_view key) {
     if (ignored_.size() < 8 && std::find(ignored_.begin(), ignored_.end(), key) == ignored_.end()) {
       ignored_.emplace_back(key);
-      model_.warnings.push_back(fmt::format("{}:{}: '{}' is not read: luxo takes polygons", source_.name(),
-                                            lines_.line(), TextLines::shown(key)));
+      warn(fmt::format("'{}' is not read: luxo takes polygons", TextLines::shown(key)));
     }
+  }
+
+  void warn(std::string_view what) { warn(lines_.line(), what); }
+  void warn(std::size_t line, std::string_view what) {
+    model_.warnings.push_back(fmt::format("{}:{}: {}", source_.name(), line, what));
   }
 
   void finishMaterials() {
@@ -214,10 +223,13 @@ class ObjReader {
       if (found != library_.end())
         material = found->second;
       else if (!libraries_.empty())
-        model_.warnings.push_back(fmt::format("{}:{}: no file has the material '{}'; it is plain",
-                                              source_.name(), line, material.name));
+        warn(line, fmt::format("no file has the material '{}'; it is plain", material.name));
     }
     if (libraries_.empty() && model_.materials.size() == 1) findLessonMaps();
+    for (const auto& [number, line] : withoutUvs_)
+      if (const ModelMaterial& material = model_.materials[number]; material.hasMaps())
+        warn(line,
+             fmt::format("this face has no uvs, which the maps of its material '{}' need", material.name));
   }
 
   // A lesson's model names no files: its maps lie beside it, by their names.
@@ -282,7 +294,8 @@ class ObjReader {
   std::vector<Vec3> facePoints_;
   std::vector<std::uint32_t> materials_, smoothings_;
   std::uint32_t material_ = kUnnumbered, smoothing_ = 0;
-  bool smoothingGiven_ = false;
+  bool smoothingGiven_ = false, coloured_ = false;
+  std::map<std::uint32_t, std::size_t> withoutUvs_;  ///< of materials, the line of the first face without uvs
   std::unordered_map<std::string, std::uint32_t> materialNumbers_;
   std::vector<std::pair<std::string, std::size_t>> materialLines_;
   MtlLibrary library_;

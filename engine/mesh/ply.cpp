@@ -124,21 +124,21 @@ class PlyReader {
     for (const Element& element : elements_) {
       if (element.name == "vertex")
         readVertices(element, values);
-      else if (element.name == "face")
+      else if (isMadeOfVertices(element) && hasVertices_)
         readFaces(element, values);
-      else
-        for (std::size_t i = 0; i < element.count; ++i)
-          for (const Property& property : element.properties) skip(property, values);
+      else {
+        if (isMadeOfVertices(element)) facesBefore_.emplace_back(&element, values);
+        skip(element, values);
+      }
     }
+    for (auto& [element, where] : facesBefore_) readFaces(*element, where);
     if (arrays_.indices.empty()) refuseModel(source_.name(), "it has no faces");
     source_.tellProgress(0.4);
     Model model{.name = printable(source_.path().stem().string())};
     model.materials.push_back({.name = "default"});
     if (coloured_)
       model.warnings.push_back(fmt::format("{}: colours of vertices are not read", source_.name()));
-    source_.addMesh(model, std::move(arrays_), model.name);
-    model.nodes.push_back({.name = model.name, .mesh = 0});
-    source_.tellProgress(1);
+    source_.addOnlyMesh(model, std::move(arrays_));
     return model;
   }
 
@@ -175,7 +175,10 @@ class PlyReader {
       }
     }
     if (!formatGiven) refuseModel(source_.name(), "its header has no format");
-    bodyBegin_ = std::min(bytes_.find('\n', lines.offset()), bytes_.size() - 1) + 1;
+    // What ends the first line ends the header, too: bytes after it may be those of a line's end.
+    const std::size_t first = bytes_.find_first_of("\r\n");
+    const char end = bytes_[first] == '\r' && !bytes_.substr(first + 1).starts_with('\n') ? '\r' : '\n';
+    bodyBegin_ = std::min(bytes_.find(end, lines.offset()), bytes_.size() - 1) + 1;
     headerLines_ = lines.line();
     requireRoom();
   }
@@ -230,7 +233,17 @@ class PlyReader {
     for (std::size_t i = 0; i < count; ++i) (void)values.next(property.kind);
   }
 
+  void skip(const Element& element, Values& values) const {
+    for (std::size_t i = 0; i < element.count; ++i)
+      for (const Property& property : element.properties) skip(property, values);
+  }
+
+  static bool isMadeOfVertices(const Element& element) {
+    return element.name == "face" || element.name == "tristrips";
+  }
+
   void readVertices(const Element& element, Values& values) {
+    hasVertices_ = true;
     // Where each property goes: x y z, nx ny nz, u v.
     constexpr std::array<std::array<std::string_view, 4>, 8> kNames = {
         {{"x"},
@@ -274,32 +287,53 @@ class PlyReader {
     }
   }
 
+  /// Polygons, or strips of triangles, once the vertices are known.
   void readFaces(const Element& element, Values& values) {
-    std::vector<std::uint32_t> face, corners;
-    std::vector<Vec3> points;
+    const bool strips = element.name == "tristrips";
+    std::vector<std::uint32_t> vertices;
     for (std::size_t i = 0; i < element.count; ++i)
       for (const Property& property : element.properties) {
         if (!property.count || (property.name != "vertex_indices" && property.name != "vertex_index")) {
           skip(property, values);
           continue;
         }
-        face.clear();
-        points.clear();
-        corners.clear();
+        vertices.clear();
         const std::size_t length = listLength(property, values);
         for (std::size_t k = 0; k < length; ++k) {
           const double index = values.next(property.kind);
+          if (strips && index == -1) {  // the next strip
+            addStrip(vertices);
+            vertices.clear();
+            continue;
+          }
           if (!(index >= 0 && index < double(arrays_.positions.size()) && index == std::floor(index)))
-            values.refuse(fmt::format("face {} has vertex {} of {}", i, index, arrays_.positions.size()));
-          face.push_back(std::uint32_t(index));
-          points.push_back(arrays_.positions[face.back()]);
+            values.refuse(fmt::format("{} {} has vertex {} of {}", strips ? "strip" : "face", i, index,
+                                      arrays_.positions.size()));
+          vertices.push_back(std::uint32_t(index));
         }
-        if (length < 3) values.refuse(fmt::format("face {} has {} vertices", i, length));
-        if (!addTriangles(points, corners))
-          values.refuse(fmt::format("face {} of {} vertices is not convex; luxo takes {}", i, length,
-                                    kMaxConcaveCorners));
-        for (const std::uint32_t corner : corners) arrays_.indices.push_back(face[corner]);
+        if (strips)
+          addStrip(vertices);
+        else
+          addFace(vertices, i, values);
       }
+  }
+
+  void addFace(const std::vector<std::uint32_t>& face, std::size_t number, const Values& values) {
+    if (face.size() < 3) values.refuse(fmt::format("face {} has {} vertices", number, face.size()));
+    points_.clear();
+    corners_.clear();
+    for (const std::uint32_t vertex : face) points_.push_back(arrays_.positions[vertex]);
+    if (!addTriangles(points_, corners_))
+      values.refuse(fmt::format("face {} of {} vertices is not convex; luxo takes {}", number, face.size(),
+                                kMaxConcaveCorners));
+    for (const std::uint32_t corner : corners_) arrays_.indices.push_back(face[corner]);
+  }
+
+  /// Every other triangle is turned, so that all have one front.
+  void addStrip(const std::vector<std::uint32_t>& strip) {
+    for (std::size_t i = 0; i + 3 <= strip.size(); ++i)
+      for (const std::size_t corner : {i, i + 1 + i % 2, i + 2 - i % 2})
+        arrays_.indices.push_back(strip[corner]);
   }
 
   const ModelSource& source_;
@@ -308,7 +342,10 @@ class PlyReader {
   std::optional<std::endian> order_;  ///< none: text
   std::size_t bodyBegin_ = 0, headerLines_ = 0;
   MeshArrays arrays_;
-  bool coloured_ = false;
+  bool coloured_ = false, hasVertices_ = false;
+  std::vector<std::pair<const Element*, Values>> facesBefore_;  ///< of what comes before its vertices
+  std::vector<Vec3> points_;                                    ///< of a face
+  std::vector<std::uint32_t> corners_;                          ///< of the triangles that it becomes
 };
 
 }  // namespace

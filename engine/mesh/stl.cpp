@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // STL, as 3D Systems defined it: triangles, as text or as 50 bytes each. Coordinates are taken for metres;
 // the normals of facets are made anew.
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <string>
 
 #include "mesh/binary.h"
 #include "mesh/text_lines.h"
@@ -32,12 +34,25 @@ MeshArrays readBinary(const ModelSource& source, std::string_view bytes) {
   return arrays;
 }
 
+/// Some programs write STL's words in capitals.
+std::string lowered(std::string_view word) {
+  std::string low(word);
+  std::transform(low.begin(), low.end(), low.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  return low;
+}
+
+bool beginsWithSolid(std::string_view bytes) {
+  if (bytes.starts_with(TextLines::kByteOrderMark)) bytes.remove_prefix(TextLines::kByteOrderMark.size());
+  return lowered(bytes.substr(0, 5)) == "solid";
+}
+
 MeshArrays readText(const ModelSource& source, std::string_view text) {
   MeshArrays arrays;
   TextLines lines(source.name(), text);
   std::size_t corners = 0;
   while (lines.nextLine()) {
-    const std::string_view key = lines.word();
+    const std::string key = lowered(lines.word());
     if (key == "vertex") {
       if (++corners > 3) lines.refuse("a facet of more than three vertices");
       Vec3 point;
@@ -62,8 +77,9 @@ Model readStl(const ModelSource& source, std::string_view bytes) {
   const bool counted = bytes.size() >= kHeaderBytes + 4;
   const std::size_t told = counted ? readNumber<std::uint32_t>(bytes, kHeaderBytes, std::endian::little) : 0,
                     whole = kHeaderBytes + 4 + kFacetBytes * told;
-  // Binary headers may begin with "solid", too: the length decides.
-  const bool text = bytes.starts_with("solid") && !(counted && bytes.size() == whole);
+  // Binary headers may begin with "solid", too: the length decides. Four characters of a text are a count of
+  // at least 0x09090909 facets, which no text is as long as (7 GB); some programs write more than the facets.
+  const bool text = beginsWithSolid(bytes) && !(told > 0 && bytes.size() >= whole);
   if (!text && !counted) refuseModel(source.name(), "it is no STL: neither 'solid' nor a header of 84 bytes");
   if (!text && bytes.size() < whole)
     refuseModel(source.name(), fmt::format("{} facets need {} bytes, and it has {}; is it cut short?", told,
@@ -73,9 +89,7 @@ Model readStl(const ModelSource& source, std::string_view bytes) {
   MeshArrays arrays = text ? readText(source, bytes) : readBinary(source, bytes);
   if (arrays.indices.empty()) refuseModel(source.name(), "it has no facets");
   source.tellProgress(0.4);
-  source.addMesh(model, std::move(arrays), model.name, NormalRule::Flat);
-  model.nodes.push_back({.name = model.name, .mesh = 0});
-  source.tellProgress(1);
+  source.addOnlyMesh(model, std::move(arrays), NormalRule::Flat);
   return model;
 }
 

@@ -14,12 +14,16 @@
 
 namespace luxo {
 
-/// Reads line by line and word by word; its errors name the file and the line.
+/// Reads line by line and word by word; its errors name the file and the line. Lines end as those of Unix,
+/// Windows or old Macintoshes do; a byte order mark before the first is none of its text.
 class TextLines {
  public:
   /// `name` and `text` must outlive it. A backslash at the end of a line continues it, if that is asked for.
   TextLines(std::string_view name, std::string_view text, bool continuations = false)
-      : name_(name), text_(text), continuations_(continuations) {}
+      : name_(name),
+        text_(text),
+        continuations_(continuations),
+        at_(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0) {}
 
   /// To the next line that has a word; false at the end.
   bool nextLine() {
@@ -29,7 +33,7 @@ class TextLines {
       ++line_;
       inLine_ = true;
       skipBlanks();
-      if (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '#') return true;
+      if (!atLineEnd() && text_[at_] != '#') return true;
     }
   }
 
@@ -39,7 +43,7 @@ class TextLines {
     const std::size_t begin = at_;
     while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != '\n' && !continues()) ++at_;
     if (begin < at_ && text_[begin] == '#') {
-      while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+      while (!atLineEnd()) ++at_;
       return {};
     }
     return text_.substr(begin, at_ - begin);
@@ -49,7 +53,7 @@ class TextLines {
   std::string_view rest() {
     skipBlanks();
     const std::size_t begin = at_;
-    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    while (!atLineEnd()) ++at_;
     std::string_view rest = text_.substr(begin, at_ - begin);
     while (!rest.empty() && isBlank(rest.back())) rest.remove_suffix(1);
     return rest;
@@ -97,17 +101,25 @@ class TextLines {
   /// What a message shows of a word: its beginning, printable.
   [[nodiscard]] static std::string shown(std::string_view word) { return printable(word.substr(0, 40)); }
 
+  /// U+FEFF in UTF-8, which some programs begin texts with.
+  static constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
  private:
   static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\0'; }
   [[nodiscard]] bool continues() const {
     if (!continuations_ || text_[at_] != '\\') return false;
-    const std::string_view after = text_.substr(at_ + 1, 2);
-    return after.starts_with('\n') || after == "\r\n";
+    const std::string_view after = text_.substr(at_ + 1, 1);
+    return after == "\n" || after == "\r";
+  }
+  /// A carriage return ends a line unless a line feed does after it.
+  [[nodiscard]] bool atLineEnd() const {
+    return at_ == text_.size() || text_[at_] == '\n' ||
+           (text_[at_] == '\r' && !text_.substr(at_ + 1).starts_with('\n'));
   }
   void skipBlanks() {
-    for (; at_ < text_.size(); ++at_) {
+    for (; !atLineEnd(); ++at_) {
       if (continues()) {
-        at_ += text_[at_ + 1] == '\r' ? 2 : 1;
+        at_ += text_.substr(at_ + 1).starts_with("\r\n") ? 2 : 1;
         ++line_;
       } else if (!isBlank(text_[at_])) {
         return;
@@ -116,14 +128,14 @@ class TextLines {
   }
   void skipLine() {
     if (!inLine_) return;
-    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    while (!atLineEnd()) ++at_;
     if (at_ < text_.size()) ++at_;
     inLine_ = false;
   }
 
   std::string_view name_, text_;
   bool continuations_;
-  std::size_t at_ = 0, line_ = 0;
+  std::size_t at_, line_ = 0;
   bool inLine_ = false;
 };
 

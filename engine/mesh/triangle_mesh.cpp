@@ -118,14 +118,20 @@ Vec3 originOf(const std::vector<Vec3>& positions) {
   return far > std::max({extent.x, extent.y, extent.z}) ? center : Vec3(0);
 }
 
+// As a mesh stores it; + 0: no -0.
+Vec3f stored(const Vec3& position, const Vec3& origin) { return Vec3f(position - origin) + 0.0f; }
+
+bool hasArea(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+  return glm::cross(Vec3(b) - Vec3(a), Vec3(c) - Vec3(a)) != Vec3(0);
+}
+
 // Triangles without an area go, and what is said of them; gives how many. The order of the others stays.
 std::uint64_t dropTriangles(const std::vector<Vec3f>& positions, MeshArrays& arrays) {
   std::size_t kept = 0;
   const std::size_t triangles = arrays.indices.size() / 3;
   for (std::size_t i = 0; i < triangles; ++i) {
-    const auto at = [&](std::size_t corner) { return Vec3(positions[arrays.indices[3 * i + corner]]); };
-    const Vec3 area = glm::cross(at(1) - at(0), at(2) - at(0));
-    if (area == Vec3(0)) continue;
+    const auto at = [&](std::size_t corner) { return positions[arrays.indices[3 * i + corner]]; };
+    if (!hasArea(at(0), at(1), at(2))) continue;
     std::copy_n(arrays.indices.begin() + std::ptrdiff_t(3 * i), 3,
                 arrays.indices.begin() + std::ptrdiff_t(3 * kept));
     if (!arrays.materials.empty()) arrays.materials[kept] = arrays.materials[i];
@@ -194,6 +200,17 @@ void turnFronts(const MeshVertices& vertices, std::vector<std::uint32_t>& indice
 
 }  // namespace
 
+bool hasArea(const MeshArrays& arrays) {
+  const Vec3 origin = originOf(arrays.positions);
+  for (std::size_t i = 0; i + 3 <= arrays.indices.size(); i += 3) {
+    const auto at = [&](std::size_t corner) {
+      return stored(arrays.positions[arrays.indices[i + corner]], origin);
+    };
+    if (hasArea(at(0), at(1), at(2))) return true;
+  }
+  return false;
+}
+
 TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOptions& options) {
   validate(arrays, name, options);
   auto data = std::make_shared<TriangleMesh::Data>();
@@ -204,8 +221,7 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   {
     const std::vector<Vec3> given = std::move(arrays.positions);
     vertices.positions.reserve(given.size());
-    for (const Vec3& position : given)
-      vertices.positions.push_back(Vec3f(position - data->origin) + 0.0f);  // + 0: no -0
+    for (const Vec3& position : given) vertices.positions.push_back(stored(position, data->origin));
   }
   vertices.normals = std::move(arrays.normals);
   vertices.uvs = std::move(arrays.uvs);

@@ -146,6 +146,10 @@ class TriangleMesh {
   std::shared_ptr<const Data> data_;
 };
 
+/// Whether a mesh of these has a triangle with an area: one without is refused. Required: indices below
+/// positions.size(). Cost: the positions, and the triangles up to the first that has one.
+[[nodiscard]] bool hasArea(const MeshArrays& arrays);
+
 /// Makes a mesh. Equal arrays give equal meshes. Error(Scene), naming the mesh, the vertex or triangle and
 /// the value: numbers that are not finite or too large, indices beyond the end, arrays whose lengths do not
 /// agree, no triangle with an area, tangents without uvs. In parallel; the mesh does not depend on the number

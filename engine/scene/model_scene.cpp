@@ -20,10 +20,13 @@ namespace {
 
 using ModelPtr = std::shared_ptr<const Model>;
 
-/// Whether the node, or one that it hangs on, does.
-bool moves(const Model& model, std::uint32_t node) {
-  const ModelNode& n = model.nodes[node];
-  return n.moves() || (n.parent != kNone && moves(model, n.parent));
+/// Of each node: whether it, or one that it hangs on, moves.
+std::vector<bool> movesInWorld(const Model& model) {
+  std::vector<bool> moves;
+  moves.reserve(model.nodes.size());
+  for (const ModelNode& node : model.nodes)
+    moves.push_back(node.moves() || (node.parent != kNone && moves[node.parent]));
+  return moves;
 }
 
 bool isIdentity(const Transform& t) { return t.linear == Mat3(1) && t.translation == Vec3(0); }
@@ -64,8 +67,11 @@ Material materialOf(const ModelMaterial& from) {
           .lesson = from.lesson};
 }
 
-Texture textureOf(const ModelImage& image, Codes codes) {
+Texture textureOf(const ModelImage& image, Codes codes) try {
   return image.bytes ? decodeTexture(*image.bytes, image.name, codes) : loadTexture(image.file, codes);
+} catch (const Error& error) {
+  if (image.place.empty()) throw;
+  throw Error(error.kind(), fmt::format("{}: {}", image.place, error.what()), error.hint());
 }
 
 /// Of light of its own without a map.
@@ -93,9 +99,12 @@ class ModelBuilder {
   }
 
   void addCameras() {
+    const std::vector<bool> moves = movesInWorld(*model_);
+    const std::vector<Transform> places = worldFromNodesAt(*model_);
     for (std::uint32_t i = 0; i < model_->nodes.size(); ++i)
       if (const std::uint32_t camera = model_->nodes[i].camera; camera != kNone)
-        addCamera(i, model_->cameras[camera]);
+        scene_.add(moves[i] ? movingCamera(i, model_->cameras[camera])
+                            : stillCamera(places[i], model_->cameras[camera]));
   }
 
   /// From the left and above, and a weak one from the right.
@@ -187,29 +196,39 @@ class ModelBuilder {
             .attenuation = Light::Attenuation::InverseSquare};
   }
 
-  void addCamera(std::uint32_t node, const ModelCamera& from) {
-    const auto placed = [&](const Vec3& point) -> Animated<Vec3> {
-      const auto at = [model = model_, node, point](double t) {
+  [[nodiscard]] static Camera lensOf(const ModelCamera& from) {
+    return {.name = from.name.empty() ? "camera" : from.name,
+            .fovY = from.fovY,
+            .near = from.near,
+            .projection = from.perspective ? Projection::Perspective : Projection::Orthographic,
+            .height = from.height};
+  }
+
+  [[nodiscard]] static Camera stillCamera(const Transform& place, const ModelCamera& from) {
+    Camera camera = lensOf(from);
+    camera.eye = transformPoint(place, kEye);
+    camera.lookAt = transformPoint(place, kAhead);
+    camera.up = transformDirection(place, kUp);
+    return camera;
+  }
+
+  [[nodiscard]] Camera movingCamera(std::uint32_t node, const ModelCamera& from) const {
+    const auto placed = [&](const Vec3& point) {
+      return [model = model_, node, point](double t) {
         return transformPoint(worldFromNodeAt(*model, node, t), point);
       };
-      return moves(*model_, node) ? Animated<Vec3>(at) : Animated<Vec3>(at(0));
     };
-    const auto directed = [&](const Vec3& direction) -> Animated<Vec3> {
-      const auto at = [model = model_, node, direction](double t) {
-        return transformDirection(worldFromNodeAt(*model, node, t), direction);
-      };
-      return moves(*model_, node) ? Animated<Vec3>(at) : Animated<Vec3>(at(0));
+    Camera camera = lensOf(from);
+    camera.eye = placed(kEye);
+    camera.lookAt = placed(kAhead);
+    camera.up = [model = model_, node](double t) {
+      return transformDirection(worldFromNodeAt(*model, node, t), kUp);
     };
-    Camera camera{.name = from.name.empty() ? "camera" : from.name,
-                  .eye = placed(Vec3(0)),
-                  .lookAt = placed(Vec3(0, 0, -1)),
-                  .up = directed(Vec3(0, 1, 0)),
-                  .fovY = from.fovY,
-                  .near = from.near,
-                  .projection = from.perspective ? Projection::Perspective : Projection::Orthographic,
-                  .height = from.height};
-    scene_.add(std::move(camera));
+    return camera;
   }
+
+  // Of a camera, in the axes of its node.
+  static constexpr Vec3 kEye{0, 0, 0}, kAhead{0, 0, -1}, kUp{0, 1, 0};
 
   ModelPtr model_;
   Scene& scene_;
@@ -224,9 +243,10 @@ class ModelBuilder {
 }  // namespace
 
 Surface surfaceOf(const Model& model) {
+  const std::vector<Transform> places = worldFromNodesAt(model);
   std::vector<std::pair<std::uint32_t, Transform>> shown;  // meshes, and where they are
   for (std::uint32_t i = 0; i < model.nodes.size(); ++i)
-    if (model.nodes[i].mesh != kNone) shown.emplace_back(model.nodes[i].mesh, worldFromNodeAt(model, i, 0));
+    if (model.nodes[i].mesh != kNone) shown.emplace_back(model.nodes[i].mesh, places[i]);
   if (shown.empty())
     throw Error(ErrorKind::Scene, fmt::format("the model '{}' has no triangles", model.name));
   if (shown.size() == 1 && isIdentity(shown[0].second)) return model.meshes[shown[0].first];

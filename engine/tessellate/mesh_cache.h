@@ -35,6 +35,8 @@ class MeshCache {
   [[nodiscard]] std::size_t bytes() const { return meshes_.bytes(); }
   /// Meshes made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return meshes_.made(); }
+  /// Meshes looked at so far for what may be forgotten.
+  [[nodiscard]] std::uint64_t lookedAt() const { return meshes_.lookedAt(); }
 
  private:
   struct Key {

@@ -67,8 +67,8 @@ class ShapeTable {
   std::uint64_t uses_ = 0;
 };
 
-/// Large things by a key with a shape: those that are in use elsewhere and, within a budget of bytes for all,
-/// the others that were used most recently. Not thread-safe.
+/// Large things by a key with a shape: those that are in use elsewhere and, within a budget of bytes for all
+/// (or a quarter more than those in use take), the others that were used most recently. Not thread-safe.
 template <class Key, class Value>
 class ShapeCache {
  public:
@@ -96,6 +96,8 @@ class ShapeCache {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   /// How many were inserted so far.
   [[nodiscard]] std::uint64_t made() const { return made_; }
+  /// How many entries were looked at so far for what may be forgotten: a few for each that was inserted.
+  [[nodiscard]] std::uint64_t lookedAt() const { return lookedAt_; }
 
  private:
   /// What comes with any mesh: the surface with its compiled formulas, and what a device has of it. Measured:
@@ -111,7 +113,9 @@ class ShapeCache {
 
   /// Forgets what is not in use, the oldest first, until so many more bytes fit.
   void makeRoom(std::size_t bytes) {
-    if (bytes_ + bytes <= mostBytes_) return;
+    if (bytes_ + bytes <= std::max(mostBytes_, crowd_)) return;
+    lookedAt_ += entries_.size();
+    crowd_ = 0;
     std::vector<typename std::map<Key, Entry>::iterator> idle;
     for (auto entry = entries_.begin(); entry != entries_.end(); ++entry)
       if (entry->second.value.use_count() == 1) idle.push_back(entry);
@@ -121,11 +125,14 @@ class ShapeCache {
       bytes_ -= entry->second.bytes;
       entries_.erase(entry);
     }
+    if (bytes_ + bytes > mostBytes_) crowd_ = bytes_ + bytes_ / 4;
   }
 
   std::map<Key, Entry> entries_;
   std::size_t mostBytes_, bytes_ = 0;
-  std::uint64_t uses_ = 0, made_ = 0;
+  /// Where all is in use that is left, room is looked for again only after a quarter more: the look costs all.
+  std::size_t crowd_ = 0;
+  std::uint64_t uses_ = 0, made_ = 0, lookedAt_ = 0;
 };
 
 /// Bytes in vectors.

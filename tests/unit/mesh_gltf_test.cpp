@@ -17,7 +17,10 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 std::string bytesOf(const std::vector<float>& values) {
@@ -248,7 +251,7 @@ TEST_F(ReadGltf, MaterialsAreBlinnsOfTheSameLobe) {
   EXPECT_EQ(mapped.diffuse, Vec3(1));
   EXPECT_FALSE(mapped.ambient);
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("materials[2]: a metal whose colour is a map"),
-                                          HasSubstr("there is no image")));
+                                          HasSubstr("there is no image"), HasSubstr("it has no TEXCOORD_0")));
   // The extension's own example: the lower left quarter of the image, turned.
   const auto turned = [&](double u, double v) {
     const Vec2 s(u * mapped.map.scale.x, v * mapped.map.scale.y);
@@ -282,6 +285,10 @@ TEST_F(ReadGltf, BadFilesAreRefused) {
   EXPECT_THAT(folder_.refusal("a.gltf", "{\n\"asset\": }"), HasSubstr("a.gltf:2: it is no JSON at byte"));
   EXPECT_THAT(folder_.refusal("a.gltf", "[1]"), HasSubstr("its JSON is no object"));
   EXPECT_THAT(with("/asset/version", "1.0"), HasSubstr("version '1.0' of glTF is not supported"));
+  EXPECT_THAT(with("/asset/minVersion", "2.1"), HasSubstr("it needs version '2.1' of glTF"));
+  EXPECT_EQ(with("/asset/minVersion", "2.0"), "");
+  EXPECT_THAT(with("/materials", {{{"alphaMode", "FOO"}}}),
+              HasSubstr("materials[0].alphaMode: it is none of OPAQUE, MASK and BLEND"));
   EXPECT_THAT(with("/extensionsRequired", {"KHR_draco_mesh_compression"}),
               HasSubstr("which is not supported"));
   EXPECT_THAT(with("/nodes/0/children", {1}), HasSubstr("its own ancestor"));
@@ -342,6 +349,13 @@ TEST_F(ReadGltf, SparseAccessorsReplaceSomeElements) {
   wrong = json;
   wrong["accessors"][0]["sparse"]["indices"]["bufferView"] = 5;  // 1, 2, 3, 4
   EXPECT_THAT(refusal(wrong), HasSubstr("accessors[0].sparse.indices: there is element 67305985 of 4"));
+  for (const char* order : {"\1\2\2\3", "\1\3\2\4"}) {
+    Json unsorted = json;
+    unsorted["accessors"][1]["sparse"]["indices"]["bufferView"] = json["bufferViews"].size();
+    unsorted["buffers"].push_back({{"uri", dataOf(std::string(order, 4))}, {"byteLength", 4}});
+    unsorted["bufferViews"].push_back({{"buffer", 2}, {"byteLength", 4}});
+    EXPECT_THAT(refusal(unsorted), HasSubstr("accessors[1].sparse.indices: element 2 does not come after"));
+  }
   wrong["accessors"][0]["sparse"]["indices"]["componentType"] = 5120;
   EXPECT_THAT(refusal(wrong), HasSubstr("indices are unsigned"));
   wrong = json;
@@ -404,6 +418,76 @@ TEST_F(ReadGltf, WhatIsReadOverAndOverIsRefused) {
     if (accessor["type"] == "VEC3" && accessor["bufferView"] == 0) accessor["count"] = 5000;
   json["buffers"][0]["uri"] = dataOf(buffer() + std::string(60000, '\0'));
   EXPECT_THAT(folder_.refusal("a.gltf", json.dump()), HasSubstr("cannot be meant"));
+}
+
+// Accessors without bytes are zeros.
+TEST_F(ReadGltf, MeshesWithoutAreaAreLeftOutUnlessNothingIsLeft) {
+  Json json = square();
+  json["accessors"].push_back({{"componentType", 5126}, {"count", 4}, {"type", "VEC3"}});
+  json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", 4}}}, {"indices", 1}}}}});
+  json["meshes"].push_back({{"primitives", Json::array()}});
+  json["nodes"][0]["mesh"] = 1;
+  json["nodes"][1]["mesh"] = 0;
+  json["nodes"].push_back({{"mesh", 2}});
+  json["scenes"][0]["nodes"] = {1, 2};
+  const Model model = read(json);
+  EXPECT_EQ(model.meshes.size(), 1u);
+  EXPECT_EQ(model.nodes.size(), 3u);
+  EXPECT_EQ(model.nodes[1].mesh, kNone);
+  EXPECT_THAT(model.warnings,
+              ElementsAre(HasSubstr("a.gltf: meshes[1]: it has no triangle with an area and is left out"),
+                          HasSubstr("a.gltf: meshes[2]: it has no triangle with an area and is left out")));
+  json["nodes"][1]["mesh"] = 1;
+  EXPECT_THAT(refusal(json), HasSubstr("a.gltf: it has no triangles with an area"));
+}
+
+TEST_F(ReadGltf, UvsThatMapsNeedAndColoursOfVerticesAreMissed) {
+  Json json = square();
+  json["images"] = {{{"uri", "a.png"}}};
+  json["textures"] = {{{"source", 0}}};
+  json["materials"] = Json::parse(R"([
+    {"name": "plain"}, {"name": "bent", "normalTexture": {"index": 0, "texCoord": 1}},
+    {"name": "mapped", "pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}])");
+  json["accessors"].push_back({{"bufferView", 0}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
+  const Json primitive = json["meshes"][0]["primitives"][0];
+  const auto with = [&](int material, const std::vector<const char*>& attributes) {
+    Json& made = json["meshes"][0]["primitives"].emplace_back(primitive);
+    made["material"] = material;
+    for (const char* attribute : attributes) made["attributes"][attribute] = 4;
+  };
+  folder_.write("a.png", "");
+  json["meshes"][0]["primitives"] = Json::array();
+  with(0, {"COLOR_0"});
+  EXPECT_THAT(read(json).warnings,
+              ElementsAre(HasSubstr("meshes[0].primitives[0]: colours of vertices are not read")));
+  EXPECT_TRUE(read(json).meshes[0].tangents().empty());  // its material has no map of normals
+  json["meshes"][0]["primitives"] = Json::array();
+  with(1, {"TEXCOORD_1"});
+  with(2, {"TEXCOORD_0"});
+  EXPECT_THAT(read(json).warnings, Not(Contains(HasSubstr("TEXCOORD"))));
+  EXPECT_FALSE(read(json).meshes[0].tangents().empty());
+  json["meshes"][0]["primitives"] = Json::array();
+  with(1, {"TEXCOORD_0"});
+  with(2, {});
+  EXPECT_THAT(
+      read(json).warnings,
+      IsSupersetOf(
+          {HasSubstr("primitives[0]: it has no TEXCOORD_1, which the maps of its material 'bent' need"),
+           HasSubstr("primitives[1]: it has no TEXCOORD_0, which the maps of its material 'mapped' need")}));
+}
+
+TEST_F(ReadGltf, ImagesAreNamedByTheirPlace) {
+  Json json = square();
+  json["images"] =
+      Json::parse(R"([{"uri": "https://a.org/b.png"}, {"uri": "data:image/png;base64,aGVsbG8="}])");
+  json["textures"] = Json::parse(R"([{"source": 1}, {"source": 0}, {"source": 0}])");
+  json["materials"] = Json::parse(
+      R"([{"normalTexture": {"index": 0}, "emissiveTexture": {"index": 1}, "occlusionTexture": {"index": 2}}])");
+  const Model model = read(json);
+  ASSERT_EQ(model.images.size(), 1u);
+  EXPECT_THAT(model.images[0].place, EndsWith("a.gltf: images[1]"));
+  EXPECT_THAT(model.warnings,
+              Contains(HasSubstr("a.gltf: images[0]: there is no image 'https://a.org/b.png'")));
 }
 
 }  // namespace

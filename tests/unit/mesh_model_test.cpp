@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace luxo {
 namespace {
@@ -51,6 +52,40 @@ TEST(ModelNode, ScalesThenTurnsThenMoves) {
   node.scaleKeys = Keyframes{.times = {0, 2}, .values = {Vec4(1), Vec4(3)}};
   EXPECT_TRUE(node.moves());
   EXPECT_LT(glm::distance(transformPoint(node.parentFromNodeAt(1), {1, 0, 0}), Vec3(1, 2 + 2, 3)), 1e-14);
+}
+
+TEST(ModelNode, AreWhereTheirAncestorsTakeThem) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> some(-1, 1);
+  Model model;
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    ModelNode node{.parent = i == 0 ? kNone : std::uint32_t(random() % i)};
+    node.translation = {some(random), some(random), some(random)};
+    node.rotation = turnAboutZ(3 * some(random));
+    node.scale = {1 + 0.5 * some(random), 1, -1};
+    if (i % 7 == 0) node.translationKeys = Keyframes{.times = {0, 1}, .values = {Vec4(0), Vec4(1)}};
+    model.nodes.push_back(node);
+  }
+  for (const double time : {0.0, 0.5}) {
+    const std::vector<Transform> places = worldFromNodesAt(model, time);
+    for (std::uint32_t i = 0; i < model.nodes.size(); ++i) {
+      // A point goes up the tree, parent by parent.
+      Vec3 point(1, 2, 3);
+      for (std::uint32_t k = i; k != kNone; k = model.nodes[k].parent)
+        point = transformPoint(model.nodes[k].parentFromNodeAt(time), point);
+      EXPECT_LT(glm::distance(transformPoint(places[i], Vec3(1, 2, 3)), point), 1e-9) << i;
+      EXPECT_EQ(places[i].linear, worldFromNodeAt(model, i, time).linear);
+      EXPECT_EQ(places[i].translation, worldFromNodeAt(model, i, time).translation);
+    }
+  }
+}
+
+TEST(ModelNode, HangAsDeepAsTheyLike) {
+  Model model;
+  for (std::uint32_t i = 0; i < 1'000'000; ++i)
+    model.nodes.push_back({.parent = i == 0 ? kNone : i - 1, .translation = {1, 0, 0}});
+  EXPECT_EQ(worldFromNodeAt(model, 999'999).translation, Vec3(1e6, 0, 0));
+  EXPECT_EQ(worldFromNodesAt(model).back().translation, Vec3(1e6, 0, 0));
 }
 
 }  // namespace

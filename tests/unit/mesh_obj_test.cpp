@@ -9,6 +9,7 @@ namespace luxo {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -153,7 +154,7 @@ TEST(ReadObj, BadFilesAreRefusedWithTheirLine) {
   EXPECT_THAT(refusal("v 1 2\n"), HasSubstr("a coordinate is missing"));
   EXPECT_THAT(refusal("v 1 2 x\n"), HasSubstr("which is no number"));
   EXPECT_THAT(refusal(""), HasSubstr("a.obj: it has no faces"));
-  EXPECT_THAT(refusal("f 1 1 2\n"), HasSubstr("no triangle with an area"));
+  EXPECT_THAT(refusal("f 1 1 2\n"), HasSubstr("a.obj: it has no triangle with an area"));
   EXPECT_THAT(refusal("mtllib ../a.mtl\n"),
               HasSubstr("a.obj:5: '../a.mtl' is outside of the model's folder"));
   EXPECT_THAT(refusal("mtllib /etc/passwd\n"), HasSubstr("outside of the model's folder"));
@@ -162,6 +163,80 @@ TEST(ReadObj, BadFilesAreRefusedWithTheirLine) {
   EXPECT_THAT(refusal("mtllib b.mtl\n"), HasSubstr("b.mtl:2: 'a/../../b.png' is outside"));
   folder.write("b.mtl", "Kd 1 1 1\n");
   EXPECT_THAT(refusal("mtllib b.mtl\n"), HasSubstr("b.mtl:1: 'Kd' before any newmtl"));
+}
+
+TEST(ReadObj, PartsWithoutAreaAreLeftOut) {
+  ModelFolder folder;
+  const Model model =
+      folder.read("a.obj", std::string(kQuad) + "o flat\nusemtl a\nf 1 4 4\no whole\nusemtl b\nf 1 2 3\n");
+  EXPECT_EQ(model.triangleCount(), 1u);
+  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("a.obj: 1 triangles of 'a' have no area")));
+}
+
+TEST(ReadObj, LinesEndAsTheyDoAnywhere) {
+  ModelFolder folder;
+  const std::string unix = "# by a test\nmtllib a.mtl\n" + std::string(kQuad) + "usemtl m\nf 1 2 \\\n3 4\n";
+  const auto ending = [](std::string text, const std::string& end) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + end.size()))
+      text.replace(at, 1, end);
+    return text;
+  };
+  const TriangleMesh expected = [&] {
+    folder.write("a.mtl", "newmtl m\nKd 0.5\n");
+    return folder.read("a.obj", unix).meshes[0];
+  }();
+  for (const char* mark : {"", "\xef\xbb\xbf"})
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+      folder.write("a.mtl", mark + ending("newmtl m\nKd 0.5\n", end));
+      const Model model = folder.read("a.obj", mark + ending(unix, end));
+      EXPECT_EQ(trianglesOf(model.meshes[0]), trianglesOf(expected));
+      EXPECT_EQ(model.materials[0].diffuse, Vec3(0.5));
+      EXPECT_THAT(model.warnings, IsEmpty());
+      EXPECT_THAT(folder.refusal("a.obj", mark + ending(unix + "\nf 1 2 9\n", end)),
+                  HasSubstr("a.obj:11: there is no vertex 9"));
+    }
+}
+
+TEST(ReadObj, WhatIsNotReadIsOneWarningEach) {
+  ModelFolder folder;
+  folder.write("a.png", "");
+  folder.write("a.mtl",
+               "newmtl m\nKa 1 1 1\nillum 2\nmap_Ka a.png\ndisp a.png\nrefl -type sphere a.png\n"
+               "newmtl n\nmap_Ka a.png\nmap_Kd a.png\n");
+  const Model model =
+      folder.read("a.obj",
+                  "mtllib a.mtl\nv 0 0 0 1\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                  "usemtl n\nf 1/1 2/2 3/3\nf 1 2/2 3/3\nf 1 2 3\nusemtl m\nf 1 2 3\n");
+  EXPECT_THAT(
+      model.warnings,
+      ElementsAre(HasSubstr("a.mtl:4: 'map_Ka' is not read"), HasSubstr("a.mtl:5: 'disp' is not read"),
+                  HasSubstr("a.mtl:6: 'refl' is not read"),
+                  HasSubstr("a.obj:3: colours of vertices are not read"),
+                  HasSubstr("a.obj:10: this face has no uvs, which the maps of its material 'n' need"),
+                  HasSubstr("edges of 'a'")));
+  EXPECT_THAT(model.images.at(0).place, EndsWith("a.mtl:9"));
+  EXPECT_FALSE(model.materials[0].ambient);
+}
+
+TEST(ReadObj, LinksMayLeadOutsideOnlyWhereThatIsAllowed) {
+  ModelFolder folder;
+  std::filesystem::create_directories(folder / "in/deep");
+  folder.write("out.mtl", "newmtl m\nKd 0.5\n");
+  folder.write("in/deep/in.mtl", "newmtl m\nKd 0.5\n");
+  std::filesystem::create_symlink(folder / "out.mtl", folder / "in/out.mtl");
+  std::filesystem::create_symlink("deep/in.mtl", folder / "in/in.mtl");
+  std::filesystem::create_directory_symlink(folder / "in", folder / "link");
+  const auto text = [](const char* library) {
+    return "mtllib " + std::string(library) + "\n" + kQuad + "usemtl m\nf 1 2 3\n";
+  };
+  EXPECT_THAT(folder.refusal("in/a.obj", text("out.mtl")),
+              HasSubstr("'out.mtl' is outside of the model's folder"));
+  EXPECT_EQ(folder.read("in/a.obj", text("out.mtl"), {.allowOutside = true}).materials[0].diffuse, Vec3(0.5));
+  EXPECT_EQ(folder.read("in/a.obj", text("in.mtl")).materials[0].diffuse, Vec3(0.5));
+  EXPECT_EQ(folder.read("link/a.obj", text("in.mtl")).materials[0].diffuse, Vec3(0.5));
+  const std::string longName(5000, 'x');
+  EXPECT_THAT(folder.read("in/a.obj", text(longName.c_str())).warnings,
+              ElementsAre(HasSubstr("there is no material file")));
 }
 
 TEST(ReadObj, FilesOutsideMayBeAllowed) {

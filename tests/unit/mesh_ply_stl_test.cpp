@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cctype>
+#include <string>
 
 #include "unit/mesh_model_support.h"
 
@@ -72,6 +75,64 @@ TEST(ReadPly, NormalsAndUvsAreRead) {
   }
 }
 
+TEST(ReadPly, FacesMayComeBeforeTheirVertices) {
+  ModelFolder folder;
+  const TriangleMesh expected = folder.read("a.ply", textPly()).meshes[0];
+  std::string text =
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+      "4 0 1 2 3\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0.5\n";
+  EXPECT_EQ(trianglesOf(folder.read("b.ply", text).meshes[0]), trianglesOf(expected));
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  EXPECT_EQ(trianglesOf(folder.read("b.ply", text).meshes[0]), trianglesOf(expected));
+  text.replace(text.find("4 0 1 2 3"), 9, "4 0 1 2 4");
+  EXPECT_THAT(folder.refusal("b.ply", text), HasSubstr("b.ply:10: face 0 has vertex 4 of 4"));
+}
+
+TEST(ReadPly, BytesBeginWhereTheHeaderEnds) {
+  ModelFolder folder;
+  const TriangleMesh expected = folder.read("a.ply", textPly()).meshes[0];
+  const std::string body = [] {
+    std::string bytes;
+    for (const auto& p : kSquare)
+      for (const double x : p) put(bytes, float(x), std::endian::little);
+    for (const int corners : {4, 0, 1, 2, 3}) put(bytes, std::uint8_t(corners), std::endian::little);
+    return bytes;
+  }();
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string ply = "ply" + end + "format binary_little_endian 1.0" + end;
+    // A byte of 10, which is a line feed, comes first.
+    for (const char* line :
+         {"element mark 1", "property uchar ten", "element vertex 4", "property float x", "property float y",
+          "property float z", "element face 1", "property list uchar uchar vertex_index", "end_header"})
+      ply += line + end;
+    EXPECT_EQ(trianglesOf(folder.read("b.ply", ply + "\n" + body).meshes[0]), trianglesOf(expected));
+  }
+}
+
+// Two strips: the square, and a triangle that ends it.
+TEST(ReadPly, StripsAreTrianglesThatAllTurnAlike) {
+  ModelFolder folder;
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n9 0 1 2 3 4 -1 3 5 4\n";
+  const TriangleMesh mesh = folder.read("a.ply", text).meshes[0];
+  EXPECT_EQ(mesh.triangleCount(), 4u);
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.indices().size(); i += 3) {
+    const Vec3 a = mesh.point(mesh.indices()[i]), b = mesh.point(mesh.indices()[i + 1]),
+               c = mesh.point(mesh.indices()[i + 2]);
+    EXPECT_GT(glm::cross(b - a, c - a).z, 0);
+    area += glm::cross(b - a, c - a).z / 2;
+  }
+  EXPECT_EQ(area, 2);
+  EXPECT_EQ(mesh.edges().border, 6u);
+  std::string bad = text;
+  bad.replace(bad.find("-1 3"), 2, "-2");
+  EXPECT_THAT(folder.refusal("a.ply", bad), HasSubstr("a.ply:16: strip 0 has vertex -2 of 6"));
+}
+
 TEST(ReadPly, BadFilesAreRefused) {
   ModelFolder folder;
   const auto refusal = [&](const std::string& text) { return folder.refusal("a.ply", text); };
@@ -131,6 +192,12 @@ TEST(ReadStl, TextAndBinaryAreTheSame) {
   EXPECT_EQ(trianglesOf(folder.read("b.stl", binaryStl()).meshes[0]), trianglesOf(text.meshes[0]));
   EXPECT_EQ(trianglesOf(folder.read("b.stl", binaryStl("solid liar")).meshes[0]),
             trianglesOf(text.meshes[0]));
+  EXPECT_EQ(trianglesOf(folder.read("b.stl", binaryStl("solid liar") + "and more").meshes[0]),
+            trianglesOf(text.meshes[0]));
+  std::string other = textStl();
+  std::transform(other.begin(), other.end(), other.begin(),
+                 [](char c) { return c == '\n' ? '\r' : char(std::toupper(c)); });
+  EXPECT_EQ(trianglesOf(folder.read("b.stl", "\xef\xbb\xbf" + other).meshes[0]), trianglesOf(text.meshes[0]));
 }
 
 TEST(ReadStl, BadFilesAreRefused) {

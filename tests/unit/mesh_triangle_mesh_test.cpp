@@ -334,6 +334,7 @@ TEST(TriangleMesh, RefusesWhatIsNoMesh) {
   arrays.indices = {0, 1, 1};
   EXPECT_THAT(refusalOf(arrays), HasSubstr("no triangle with an area"));
   EXPECT_THAT(refusalOf({}), HasSubstr("no triangle with an area"));
+  EXPECT_FALSE(hasArea({}));
 
   for (const double bad : {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN(), 1.1e18}) {
     arrays = oneTriangle();

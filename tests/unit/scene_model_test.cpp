@@ -289,5 +289,29 @@ TEST(ModelScene, HasTheColoursMaps) {
   EXPECT_EQ(drawn.angle, 1);
 }
 
+TEST(ModelScene, NodesHangAsDeepAsTheyLike) {
+  Model model = lampModel();
+  model.nodes.resize(1);
+  for (std::uint32_t i = 1; i < 200'000; ++i)
+    model.nodes.push_back({.parent = i - 1, .translation = {0, 0, 1}, .camera = i < 199'999 ? kNone : 0});
+  const auto deep = std::make_shared<const Model>(std::move(model));
+  const Snapshot still = takeSnapshot(modelScene(deep), 0, {64, 64});
+  expectNear(still.view.eye, {0, 2, 199'999}, 1e-6);
+  expectNear(takeSnapshot(modelScene(deep), 1, {64, 64}).view.up(), {-1, 0, 0}, 1e-6);
+  EXPECT_EQ(surfaceOf(*deep).triangles()->mesh.triangleCount(), 2U);
+}
+
+TEST(ModelScene, RefusesImagesByWhatNamesThem) {
+  Model model = lampModel();
+  const std::string text = "this is no image";
+  const auto bytes = std::as_bytes(std::span(text));
+  model.images = {{.name = "leaf",
+                   .place = "lamp.glb: images[3]",
+                   .bytes = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end())}};
+  model.materials[0].map.image = 0;
+  expectSceneError([&] { static_cast<void>(modelScene(std::make_shared<const Model>(model))); },
+                   {"lamp.glb: images[3]: cannot read 'leaf': it is neither PNG, JPEG nor TGA"});
+}
+
 }  // namespace
 }  // namespace luxo

@@ -158,5 +158,18 @@ TEST(MeshCache, NeverMistakesANewSurfaceForADeadOne) {
   EXPECT_EQ(cache.tessellated(), 50u);
 }
 
+TEST(MeshCache, WhatIsAllInUseIsNotLookedThroughForEachMore) {
+  MeshCache cache(0);
+  const Surface plate = rectangle(1, 1);
+  std::vector<std::shared_ptr<const Mesh>> used;
+  for (std::uint32_t n = 1; n <= 1000; ++n) used.push_back(cache.get(plate, {}, grid(n, 1)));
+  // A look through all at 1, 5/4, 25/16 ... of all: five times as many in sum, if all were as large.
+  EXPECT_LT(cache.lookedAt(), 10u * 1000u);
+  const std::size_t bytes = cache.bytes();
+  used.clear();
+  for (std::uint32_t n = 1; n <= 1000; ++n) static_cast<void>(cache.get(plate, {}, grid(n, 2)));
+  EXPECT_LT(cache.bytes(), bytes / 100);  // and what is idle then goes
+}
+
 }  // namespace
 }  // namespace luxo
