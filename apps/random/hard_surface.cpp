@@ -128,6 +128,20 @@ Json fold(Numbers& n) {
   return formula(u, someRange(n), p);
 }
 
+/// Corrugated board: waves straight along v, or nearly, up to a thousand of them, as steep as one looks down
+/// on them.
+Json corrugated(Numbers& n) {
+  const double waves = n.magnitude(4, 1200), slope = n.magnitude(0.35, 3), k = 6.2832 * waves;
+  Text height = Written{"{}*cos({}*u)", number(slope / k), number(k)};
+  if (n.chance(0.25)) height += "+" + Written{"{}*cos({}*u)", number(0.3 * slope / k), number(3 * k)};
+  if (n.chance(0.25)) height += "+" + Wave{n, number(n.magnitude(0.001, 0.1)), number(n.between(1, 6)) + "*v"};
+  if (n.chance(0.2)) {
+    const Json let = {{"r", Text(number(0.5)) + "+" + height}};
+    return formula(range(0, 1), aroundZero(n, 0.1, 1), {"r*cos(6.2832*u)", "v", "r*sin(6.2832*u)"}, let);
+  }
+  return formula(range(0, 1), aroundZero(n, 0.1, 1), {"u-0.5", height, n.chance(0.5) ? "v" : "-v"});
+}
+
 /// A sheet with displacements of all sizes, smaller where they are finer.
 Json crumple(Numbers& n) {
   Point p = {"u", "0", "v"};
@@ -372,6 +386,7 @@ std::span<const SurfaceKind> surfaceKinds() {
       SurfaceKind{"knot", "tubes about knots, that touch and pass through themselves", knot},
       SurfaceKind{"coil", "turns of a wire that touch", coil},
       SurfaceKind{"ruled", "straight lines between two curves", ruled},
+      SurfaceKind{"corrugated", "waves straight along one parameter, down to parts of a pixel", corrugated},
   };
   return kKinds;
 }

@@ -197,28 +197,34 @@ void ShellList::placeSharedIndices() {
 
 /// Evenly chosen of all grazing triangles, so that where outlines are dense many are.
 void ShellList::listOutlines() {
-  std::size_t grazing = 0;
-  const auto forEachGrazing = [&](const auto& action) {
-    for (const DrawBatch& batch : list_.opaque)
-      if (batch.shell && batch.state.grazing && !batch.shared)
-        for (std::uint32_t i = batch.firstIndex; i < batch.firstIndex + batch.indexCount; i += 3)
-          action(batch, i);
+  const auto trianglesOf = [](const DrawBatch& batch) -> std::size_t {
+    return batch.shell && batch.state.grazing ? batch.indexCount / 3 : 0;
   };
-  forEachGrazing([&](const DrawBatch&, std::uint32_t) { ++grazing; });
+  std::size_t grazing = 0;
+  for (const DrawBatch& batch : list_.opaque) grazing += trianglesOf(batch) * batch.instanceCount;
   const std::size_t stride = std::max<std::size_t>(grazing / kMaxOutlines, 1);
-  std::size_t number = 0;
-  forEachGrazing([&](const DrawBatch& batch, std::uint32_t i) {
-    if (number++ % stride != 0) return;
-    const SnapshotNode& node = snapshot_.nodes[list_.instanceNodes[batch.firstInstance]];
-    Vec3 middle(0);
-    for (std::uint32_t k = 0; k < 3; ++k) middle += batch.shell->positions[list_.shellIndices[i + k]] / 3.0;
-    const Vec3 eye = eyeFromWorldPoint(snapshot_.view, transformPoint(node.worldFromObject, middle));
-    if (snapshot_.view.perspective() && !(-eye.z > snapshot_.view.near)) return;
-    const Vec2 pixel = glm::floor(pixelFromEye(snapshot_.view, eye));
-    const PixelSize& size = snapshot_.view.size;
-    if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height)
-      list_.outlines.push_back({static_cast<std::int32_t>(pixel.x), static_cast<std::int32_t>(pixel.y)});
-  });
+  std::size_t passed = 0, next = 0;
+  for (const DrawBatch& batch : list_.opaque) {
+    const std::size_t triangles = trianglesOf(batch), end = passed + triangles * batch.instanceCount;
+    for (; next < end; next += stride)
+      listOutline(batch, batch.firstInstance + static_cast<std::uint32_t>((next - passed) / triangles),
+                  batch.firstIndex + 3 * static_cast<std::uint32_t>((next - passed) % triangles));
+    passed = end;
+  }
+}
+
+/// The pixel that the middle of a triangle is in.
+void ShellList::listOutline(const DrawBatch& batch, std::uint32_t instance, std::uint32_t index) {
+  const SnapshotNode& node = snapshot_.nodes[list_.instanceNodes[instance]];
+  Vec3 middle(0);
+  for (std::uint32_t k = 0; k < 3; ++k)
+    middle += batch.shell->positions[list_.shellIndices[index + k]] / 3.0;
+  const Vec3 eye = eyeFromWorldPoint(snapshot_.view, transformPoint(node.worldFromObject, middle));
+  if (snapshot_.view.perspective() && !(-eye.z > snapshot_.view.near)) return;
+  const Vec2 pixel = glm::floor(pixelFromEye(snapshot_.view, eye));
+  const PixelSize& size = snapshot_.view.size;
+  if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height)
+    list_.outlines.push_back({static_cast<std::int32_t>(pixel.x), static_cast<std::int32_t>(pixel.y)});
 }
 
 /// Where the patches of a surface start; nodes with the same surface and parameters share them.

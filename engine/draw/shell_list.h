@@ -40,6 +40,7 @@ class ShellList {
 
   /// Of all nodes' draws, which are in the list by now: some of the pixels that rays graze.
   void listOutlines();
+  void listOutline(const DrawBatch& batch, std::uint32_t instance, std::uint32_t index);
   /// After what is hidden has been dropped: the indices that nodes share follow all others.
   void placeSharedIndices();
 

@@ -17,12 +17,12 @@ const float kSteady = 0.1;      // of the offset: what the slopes at both ends o
 const int kTraceSteps = 42;     // of a trace, both ways
 const float kBehind = 0.7;      // cells: so far it looks against the ray, if at all
 const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
-const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
 const float kBesideEdge = 2e-4;  // cells: a trace begins no nearer to an edge; some 0.005 pixels
 const int kAttempts = 3;        // to find a root, all but the first by a trace; one more takes what is held
 const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
+const float kAtBorder = 0.02;   // cells: what begins no farther inside has come in past the border
 const int kWalkSteps = 32;      // from where a search began to its root: half of them leave 20 pixels more of the teapot to rays
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
@@ -170,6 +170,14 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
   return moved(p, delta, at, most);
 }
 
+// Whether the root at p is the only one within that many cells of it: there J cannot vanish, |1/J| K r < 1, so that the offset
+// is one to one.
+bool aloneWithin(Ray ray, Probe at, real cells) {
+  real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
+  real det = ju.x * jv.y - ju.y * jv.x, k = changeOfOffset(ray);
+  return 2.0 * (dot(ju, ju) + dot(jv, jv)) * k * k * cells * cells <= det * det;
+}
+
 // The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
   p = startAtEntry().xy;
@@ -180,7 +188,7 @@ int findPlainRoot(Ray ray, out real2 p, out Probe at) {
     p += newtonStep(at, area(at));
   }
   bool root = cellsFromStart(p) <= kFarCells && converged(at) && area(at) * shellSide() > 0.0;
-  return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
+  return !root ? kLost : inDomain(p, at) ? kFound : aloneWithin(ray, at, cellsFromStart(p) + 1.0) ? kMissed : kLost;
 }
 
 // A place on the curve along which a trace looks for roots: the points of the surface to which those of the ray are
@@ -189,41 +197,47 @@ struct Sample {
   real2 p;
   real g, slope;  // how far behind the surface the ray is, as the shell's side sees it, and how that grows along the curve,
                   // per cell
-  real depth;
+  real depth, reached;  // of the place, and of the ray's own point, whose nearest it is
   real2 way;      // unit, along the curve, cells
   real across, tilt;  // how fast, per cell across the curve, the offset along the fold grows; and by what part of that g does
+  real slack;     // what g may be off by, as the curve is a Newton step away that knows the slopes alone
 };
 
 // Which way along the curve leads away from the viewer.
 real senseOf(Ray ray) { return dot(rowDepth.xyz, cross(ray.across1, ray.across2)) < 0.0 ? 1.0 : -1.0; }
 
 // The sample next to p, a Newton step away: there the offset along the fold, across the normal on the screen, vanishes.
-Sample sampleAt(Ray ray, real2 p, Probe at, real sense) {
+Sample sampleAt(Ray ray, real2 p, Probe at, real sense, real k) {
   real3 n = cross(at.Su, at.Sv);
   real2 normal = real2(dot(ray.across1, n), dot(ray.across2, n));
   real largest = max(abs(normal.x), abs(normal.y));
+  real onScreen = largest * length(normal / max(largest, kSmallest));
   normal = largest > 0.0 ? normalize(normal / largest) : real2(0, 1);
   real2 along = real2(normal.y, -normal.x), across = normal * (shellSide() * sense);
   real2 a = at.fu * varyingCellHalf.x, b = at.fv * varyingCellHalf.y;
   real2 rate = real2(dot(along, a), dot(along, b));
   real perRate = inversesqrt(max(dot(rate, rate), kSmallest));
   real2 correction = rate * (-dot(along, at.f) * perRate * perRate);
-  correction *= min(1.0, 0.5 / max(length(correction), kSmallest));
+  real size = length(correction);
+  correction *= min(1.0, 0.5 / max(size, kSmallest));
   Sample s;
   s.way = real2(-rate.y, rate.x) * (perRate * sense);
   s.p = p + correction * varyingCellHalf.xy;
   s.g = dot(across, at.f + a * correction.x + b * correction.y);
   s.slope = dot(across, a * s.way.x + b * s.way.y);
   s.depth = at.depth;
+  s.reached = at.depth - s.g * shellSide() * sense * dot(rowDepth.xyz, n) / max(onScreen, kSmallest);
   s.across = 1.0 / perRate;
   s.tilt = abs(dot(across, a * rate.x + b * rate.y)) * perRate * perRate;
+  // A step of c cells is off by K c^2 / 2, and the curve that far beside it: by that over 3/4 a, in which g grows by tilt a.
+  s.slack = size > 0.5 ? 1e30 : 1.2 * k * size * size * (1.0 + s.tilt);
   return s;
 }
 
 // How many cells along the curve, ahead of a sample (`sense` 1) or before it (-1), the ray certainly does not meet the
 // surface: until a parabola with the height and the slope there and the theorem's second derivative (at `certified`) is 0.
 real clearance(Sample s, real sense, real k) {
-  real height = abs(s.g), rise = s.g > 0.0 ? sense * s.slope : -sense * s.slope, bend = 1.5 * k * (1.0 + s.tilt);
+  real height = max(abs(s.g) - s.slack, 0.0), rise = s.g > 0.0 ? sense * s.slope : -sense * s.slope, bend = 1.5 * k * (1.0 + s.tilt);
   real root = sqrt(rise * rise + 2.0 * bend * height);
   real way = rise > 0.0 ? (rise + root) / max(bend, kSmallest) : 2.0 * height / max(root - rise, kSmallest);
   return min(way, 0.25 * s.across / max(k, kSmallest));
@@ -245,25 +259,25 @@ real ahead(Sample s, real way) {
 // Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a
 // root that a trace has found is `polished`: it stays near, and what it does not find is not there. But where the ray has
 // `crossed` the surface between two places of the trace a root is there, if not the patch's: one that is not found is lost.
-int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) {
+// A root that is `doubted`, as it only seems to be none, makes a miss of the whole search none.
+int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at, inout bool doubted) {
   // The gradient is that of det, per unit of u and v, along the last step that was long enough to tell.
   real2 way = real2(0), gradient = real2(0);
-  real det = 0.0, first = 0.0;
+  real det = 0.0;
   bool missed = false, wasGood = false;
   int misses = 0, outside = 0, result = kLost;
   for (int i = 0;; ++i) {
     at = probeAt(ray, p);
     real before = det, length2 = dot(way, way);
     det = area(at);
-    if (i == 0) first = det;
     if (length2 > 1e-6) gradient = (det - before) / length2 * way / varyingCellHalf.xy;
     bool inside = inDomain(p, at), root = converged(at) && det * wantedSide > 0.0;
     misses = missed && length2 < kSettled * kSettled ? misses + 1 : 0;
     outside = inside || i == 0 ? 0 : outside + 1;
     bool last = i == (polished ? kPolishSteps : kNearSteps), good = root && inside;
     if (ends(good, offset(at) <= kFine * tolerance(at), wasGood) || (good && last)) result = kFound;
-    else if (polished && !good && (root || misses == 2 && !crossed)) result = kMissed;
-    else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
+    else if (polished && !good && (root || misses == 2 && !crossed)) result = kMissed, doubted = doubted || !root;
+    else if (root && !inside && aloneWithin(ray, at, cellsFromStart(p) + 1.0)) result = kMissed;
     if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
     real2 next = nearDomain(foldStep(p, at, det, polished ? kTraceStep : kBoldCells, gradient, missed), 1.0);
     way = (next - p) / varyingCellHalf.xy;
@@ -271,7 +285,14 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
   }
   // What had seemed to be a root and is not even near the ray, or the patch, is none.
   bool isFar = !(offset(at) <= kNearPixels * widthAt(at.depth)) || cellsBeyond(p) > kNearCells;
-  return polished && !crossed && result == kLost && isFar ? kMissed : result;
+  if (polished && !crossed && result == kLost && isFar) result = kMissed, doubted = true;
+  return result;
+}
+
+// Where the ray enters the shell.
+real entryDepth() {
+  real z = gl_FragCoord.z;
+  return has(kPerspective) ? varyingClip.x / z : (z - varyingClip.x) / varyingClip.y;
 }
 
 // Walks along the points of the surface to which the ray's are nearest, first against the ray, then along it, and ends
@@ -282,6 +303,14 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) 
 // clear ahead of its start and what is clear before its end are all of it. Else it is lost, as is what has not left the shell,
 // or the patch, when the trace is over.
 //
+// A miss is one of all that the ray does from where it enters the shell to where it leaves it. The places of the trace are
+// those p at which S + h n, h the height of the ray above S(p), is on the ray, and p has `reached` a depth of the ray: it has to
+// begin no farther than the entry, and what is beyond the slab leaves it only behind the entry. As the ray goes on so does p,
+// and never back, while h is less than the radius of curvature there: the derivative of p along the ray is (1 - h k)^-1 times
+// the part of the ray's direction along the surface. So where the trace turns back within the slab, that is thicker than the
+// surface is curved, the ray goes on beside another part of the surface, and a miss is lost: as on corrugated sheets that are
+// seen along their flanks. And K holds 3 cells around a start: what leads farther is lost, too.
+//
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well and are proven to pass nothing.
 int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
@@ -289,18 +318,21 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
   real nearest = 1e30, length_ = kTraceStep, behind = 0.0;
   real sense = senseOf(ray), k = changeOfOffset(ray);
   Sample first, last;
-  bool hasLeft = false, passedBorder = false, back = true, explained = true, blind = false;
+  bool hasLeft = false, fromEntry = !gl_FrontFacing, passedBorder = false, back = true, explained = true, blind = false;
   best = p;
   crossed = false;
   for (int steps = 0; steps <= kTraceSteps; ++steps) {
     Probe at = probeAt(ray, p);
-    Sample now = sampleAt(ray, p, at, sense);
+    Sample now = sampleAt(ray, p, at, sense, k);
     bool again = false, turned = false;
+    bool beforeEntry = gl_FrontFacing && inDepthBuffer(now.reached) >= gl_FragCoord.z;
+    fromEntry = fromEntry || beforeEntry;
+    bool leavesSlab = steps > 0 && !beforeEntry && abs(now.g) - now.slack > max(abs(last.g), varyingClip.z);
     real shorter = 0.0;
     if (steps == 0) {
       first = now;
       // Behind the surface it begins where it has come in past a border, or where the root is behind the start.
-      explained = now.g <= 0.0 || cellsBeyond(p) > -kNearCells;
+      explained = now.g <= 0.0 || cellsBeyond(p) > -kAtBorder;
       passedBorder = now.g > 0.0 && seesPastBorder();
       // Where the trace begins beside the edge it sees nothing between, s cells wide: there f is at least |f| - |J| s - K s^2,
       // and f + J x is 0 within |1/J| K s^2 of a root. If there may be one on this side of the edge, a miss is lost.
@@ -311,11 +343,15 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
         real2 root = p + varyingCellHalf.xy * real2(jv.x * at.f.y - jv.y * at.f.x, ju.y * at.f.x - ju.x * at.f.y) * perArea;
         blind = !(length(at.f) > size * strip + bend) && !(cellsBeyond(root) > size * abs(perArea) * bend);
       }
+      // What is clear before a start that is a little behind the entry reaches to it.
+      real perCell = dot(rowDepth.xyz, at.Su * (now.way.x * varyingCellHalf.x) + at.Sv * (now.way.y * varyingCellHalf.y));
+      fromEntry = fromEntry || 2.0 * (now.reached - entryDepth()) <= clearance(now, -1.0, k) * perCell;
       // Where the ray begins outside and nears the surface, nothing is behind.
-      back = !(now.g < 0.0 && now.slope > 0.0);
+      back = !fromEntry || !(now.g < 0.0 && now.slope > 0.0);
     } else {
-      // Where the curve turns back it ends: the surface begins to face away from the ray.
-      turned = !back && dot(now.way, last.way) < 0.0;
+      turned = dot(now.way, last.way) < 0.0;
+      blind = blind || (turned && !(leavesSlab && now.g * last.g > 0.0)) || cellsFromStart(now.p) > kFarCells + 1.0;
+      turned = turned && !back;
       Sample from = back ? now : last, to = back ? last : now;
       bool rises = !turned && from.g <= 0.0 && to.g > 0.0, falls = !turned && !back && passedBorder && from.g > 0.0 && to.g <= 0.0;
       // Where both ends leave some of the step open it may touch 0 there.
@@ -340,11 +376,10 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
         passedBorder = seesPastBorder();
         explained = true;
       }
-      blind = blind || (unsure && !again && !back);
+      blind = blind || (unsure && !again);
     }
     // Beyond the shell and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
-    bool leavesSlab = abs(now.g) > max(abs(last.g), varyingClip.z);
-    bool leaves = !back && !again && steps > 0 && (leavesSlab || turned || cellsBeyond(now.p) > kBeyond);
+    bool leaves = !back && !again && steps > 0 && (leavesSlab || turned || (!beforeEntry && cellsBeyond(now.p) > kBeyond));
     hasLeft = leaves;
     bool steady = !back && steps > 0 && abs(now.g - last.g - 0.5 * length_ * (now.slope + last.slope)) < kSteady * abs(now.g);
     if (back && !again && steps > 0) behind += length_;
@@ -359,7 +394,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
     p = last.p + (back ? -length_ : length_) * last.way * varyingCellHalf.xy;
   }
   after = nearest;
-  return nearest < 1e30 ? kFound : hasLeft && explained && !blind ? kMissed : kLost;
+  return nearest < 1e30 ? kFound : hasLeft && fromEntry && explained && !blind ? kMissed : kLost;
 }
 
 // The point where rays may graze the surface.
@@ -378,14 +413,14 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   wantedSide = shellSide();
   real after = -1e30, heldDepth = 1e30;
   real2 held = p;
-  bool passed = false, takesHeld = false, crossed = false;
+  bool passed = false, takesHeld = false, crossed = false, doubted = false;
   for (int attempt = 0; attempt <= kAttempts; ++attempt) {
-    result = approach(ray, attempt > 0, crossed, p, at);
+    result = approach(ray, attempt > 0, crossed, p, at, doubted);
     bool holds = attempt == 0 && result == kFound && cellsFromStart(p) > kFarCells;
     if (holds) held = p, heldDepth = at.depth;
-    // What is past a border, or farther away than a root that is none, is mostly another fragment's.
+    // What is past a border, or farther away than a root that is none, is mostly another fragment's: the search goes on.
     passed = passed || result == kMissed;
-    if (result == kLost && passed && !crossed) result = kMissed;
+    if (result == kLost && passed && !crossed) result = kMissed, doubted = true;
     bool ended = result == kFound ? !holds : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
     if (ended || takesHeld) break;
     if (attempt > 0) after = max(after, at.depth);
@@ -394,7 +429,7 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
     if (takesHeld) p = held, wantedSide = shellSide(), crossed = false;
     else if (result != kFound) break;
   }
-  return result;
+  return result == kMissed && doubted ? kLost : result;
 }
 
 // Finds the point; p and at are its own when found.
@@ -426,12 +461,12 @@ bool certified(Ray ray, real2 p, Probe at) {
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
   if (kGrazing) {
     bool nearer = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
-    bool first = nearer || 2.0 * squares * k * k * r * r <= det * det;
+    bool first = nearer || aloneWithin(ray, at, r);
     real side = det * shellSide() > 0.0 ? 1.0 : -1.0, left = r;
     for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
       real2 q = mix(p, startAtEntry().xy, left / r);
-      Sample place = sampleAt(ray, q, probeAt(ray, q), senseOf(ray));
-      real height = -side * place.g;
+      Sample place = sampleAt(ray, q, probeAt(ray, q), senseOf(ray), k);
+      real height = -side * place.g - place.slack;
       proven = height > 0.0;
       real step_ = min(sqrt(max(height, 0.0) / (k * 0.75 * (1.0 + place.tilt))), 0.25 * place.across / k);
       first = step_ >= left;
