@@ -477,7 +477,7 @@ TEST(SceneBuilder, TellsMistakesOfShadowsOnce) {
 
 TEST(SceneBuilder, FormulasThatAreFlatAreKnownAsThat) {
   const auto normalOf = [](const std::string& position) {
-    const Scene scene = buildScene(parseScene(R"({ "luxo": 1, "parameters": { "k": { "value": 2 } },
+    const Scene scene = buildScene(parseScene(R"({ "luxo": 1, "params": { "k": { "value": 2 } },
       "surfaces": { "s": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": [)" +
                                                   position + R"(] } }, "nodes": [ { "surface": "s" } ] })",
                                               "flat"));
