@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays have found in a pixel replaces all that they find again; points of other triangles stay. Later, for other groups of
-// lights, their shadows there.
+// What rays have found in a pixel replaces all that they find again; points of other triangles stay, lit as rays tell. Later,
+// for other groups of lights, their shadows there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
@@ -14,27 +14,51 @@ layout(scalar, set = kSetLayers, binding = kBindingRayLayerDetails) readonly buf
 };
 
 layout(location = 0) flat in uvec4 inRange;
+layout(location = 1) flat in uint inGroup;
 
-// The last of them is the first in the list. Of every point there is one for each group.
-void setLight() {
+ReachingLight lightOf(uint rayLayer) { return reachingLights[rayLayer * inRange.w + inGroup]; }
+
+void setLight(uint index, uint rayLayer) {
+  ReachingLight light = lightOf(rayLayer);
+  layerPoints[index].shadows = light.shadows;
+  layerPoints[index].transmittance = light.transmittance;
+}
+
+// A point of a mesh stays where it is. Rays know what reaches it by what it shows, however often it is drawn.
+void lightMeshPoint(uint index) {
+  LayerPoint point = layerPoints[index];
+  uint first = inRange.x + inRange.y;
+  for (uint i = first; i < first + inRange.z; ++i) {
+    if (((rayLayers[i].material ^ point.material) & kLayerMaterial) != 0 || rayLayers[i].depth != point.depth ||
+        rayLayers[i].parameters != point.parameters)
+      continue;
+    layerPoints[index].material = point.material | kLayerByRay;
+    setLight(index, i);
+    return;
+  }
+}
+
+// The last of them is the first in the list.
+void setLights() {
   uint last = inRange.x + inRange.y - 1;
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
-    if ((layerPoints[index].material & kLayerByRay) == 0) continue;
-    ReachingLight light = reachingLights[last-- * inRange.z + inRange.w];
-    layerPoints[index].shadows = light.shadows;
-    layerPoints[index].transmittance = light.transmittance;
+    if (isBesideRays(layerPoints[index].material))
+      lightMeshPoint(index);
+    else
+      setLight(index, last--);
   }
 }
 
 void main() {
-  if (inRange.w > 0) {
-    setLight();
+  if (inGroup > 0) {
+    setLights();
     return;
   }
   uint head = 0;
   for (uint index = layerHeads[layerPixel()]; index != 0;) {
     uint next = layerPoints[index].next;
     if (isBesideRays(layerPoints[index].material)) {
+      lightMeshPoint(index);
       layerPoints[index].next = head;
       head = index;
     }

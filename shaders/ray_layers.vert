@@ -5,11 +5,14 @@
 #include "lib/around_place.glsl"
 
 layout(location = 0) in vec2 inPlace;   // of the sample in the target, pixels
-layout(location = 1) in uvec3 inRange;  // of the points: the first, and how many; groups of lights
+// Of the points: the first, how many, and how many of meshes follow them; and groups of lights.
+layout(location = 1) in uvec4 inRange;
 
-layout(location = 0) flat out uvec4 outRange;  // and of which group their shadows are
+layout(location = 0) flat out uvec4 outRange;
+layout(location = 1) flat out uint outGroup;  // whose shadows they tell
 
 void main() {
-  outRange = uvec4(inRange, gl_InstanceIndex);
+  outRange = inRange;
+  outGroup = gl_InstanceIndex;
   gl_Position = aroundPlace(inPlace, 0.0);
 }

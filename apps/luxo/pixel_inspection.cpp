@@ -239,6 +239,7 @@ class Inspector {
     for (const auto* list : {&visible.opaque, &visible.transparent})
       for (const VisibleNode& one : *list)
         if (one.node == node) found = &one;
+    if (material.invisible()) return {{"drawn", "no: its opacity is 0"}};
     if (!found) return {{"drawn", "no: it is outside of the picture, or covers no sample of it"}};
     const bool through = seenThrough(snapshot_, of, options);
     const bool perspective = snapshot_.view.perspective();

@@ -71,11 +71,12 @@ class ReferenceEngine : public PictureEngine {
     if (output_ == Output::Color) warnOfShaders(snapshot);
     const auto start = Clock::now();
     ProgressBar bar(showsProgress_);
-    ReferencePicture picture =
-        castPicture(snapshot, {.samples = samples_, .shading = shading_, .progress = [&](double done) {
-                                 bar.show(done);
-                                 return interruptingSignal() == 0;
-                               }});
+    // Rays know no maps: a light that has one casts the shadow which that stands for.
+    ReferencePicture picture = castPicture(
+        withoutShadowMaps(snapshot), {.samples = samples_, .shading = shading_, .progress = [&](double done) {
+                                        bar.show(done);
+                                        return interruptingSignal() == 0;
+                                      }});
     if (!picture.complete) return std::nullopt;
     MadePicture made;
     made.reference = {picture.hits, picture.misses, picture.undecided, picture.standardErrorRms,

@@ -220,11 +220,11 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
   for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i) {
     const SnapshotNode& node = snapshot.nodes[i];
     const Material& material = snapshot.materials[node.material.index];
+    if (material.invisible()) continue;  // as if it were not there
     const bool lines = material.shadingIn(options.shading) == Shading::Wireframe;
     const Bounds bounds = boundsInEyeSpace(view, node);
     const bool transparent =
         options.seesThrough && material.transparent() && !showsData(material.shadingIn(options.shading));
-    if (transparent && material.invisible()) continue;  // as if it were not there
     ++counts.nodes;
     if (options.frustum && bounds.finite &&
         outside(lines ? outlined : filled, node.worldFromObject, node.boundsObject, bounds.slack)) {

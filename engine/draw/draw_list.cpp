@@ -430,8 +430,10 @@ bool tracesRays(const Snapshot& snapshot, const DrawOptions& options) {
 }
 
 bool findsSurface(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
-  const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
-  return (shading == Shading::Exact || shading == Shading::Residual) && !seenThrough(snapshot, node, options);
+  const Material& material = snapshot.materials[node.material.index];
+  const Shading shading = material.shadingIn(options.shading);
+  return (shading == Shading::Exact || shading == Shading::Residual) && !material.invisible() &&
+         !seenThrough(snapshot, node, options);
 }
 
 bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
@@ -450,6 +452,14 @@ bool DrawList::onlyFound() const {
   return transparent.empty() && std::ranges::all_of(opaque, [this](const DrawBatch& batch) {
            return batch.finds() && (!deferred || batch.state.form != Form::Fused);
          });
+}
+
+std::vector<FoundLayer> DrawList::layerMeshes() const {
+  std::vector<FoundLayer> nodes;
+  for (const DrawBatch& batch : layers.meshes)
+    if (!batch.finds())
+      nodes.push_back({instanceNodes[batch.firstInstance], instances[batch.firstInstance].material});
+  return nodes;
 }
 
 DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,

@@ -206,6 +206,8 @@ struct DrawList {
                ? std::nullopt
                : std::optional(origin);
   }
+  /// The nodes whose layers are those of their meshes.
+  [[nodiscard]] std::vector<FoundLayer> layerMeshes() const;
   [[nodiscard]] bool findsShadows() const {
     return std::ranges::any_of(
         groups, [](const LightGroup& group) { return !group.lights.empty() || group.transmits; });

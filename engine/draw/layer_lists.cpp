@@ -88,6 +88,41 @@ bool LayerLists::makeRoom(std::uint64_t more) {
   return true;
 }
 
+void LayerLists::recordPoints(VkCommandBuffer commands) {
+  if (bands_ > 1) return;
+  using enum gpu::Use;
+  const auto copy = [&](gpu::Buffer& from, gpu::Buffer& to, VkDeviceSize bytes, const char* name) {
+    if (!to || to.size() < bytes)
+      to = gpu::Buffer(*context_, {.size = bytes,
+                                   .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                   .memory = gpu::MemoryUse::Readback,
+                                   .name = name});
+    gpu::use(commands, {{from, TransferSource}, {to, TransferDestination}});
+    const VkBufferCopy all{.size = bytes};
+    vkCmdCopyBuffer(commands, from, to, 1, &all);
+    gpu::use(commands, {{to, HostRead}});
+  };
+  const std::uint64_t points = std::min(found().points, room_);
+  copy(heads_, readHeads_, heads_.size(), "heads of layers, read");
+  copy(points_, readPoints_, (points + 1) * sizeof(shared::LayerPoint), "layers, read");
+}
+
+std::vector<std::vector<shared::LayerPoint>> LayerLists::pointsAt(std::span<const PixelPlace> pixels) {
+  std::vector<std::vector<shared::LayerPoint>> points;
+  if (bands_ > 1) return points;
+  const std::span<const std::byte> heads = readHeads_.read(), all = readPoints_.read();
+  for (const PixelPlace& pixel : pixels) {
+    const std::size_t number =
+        static_cast<std::size_t>(pixel.y) * extent_.width + static_cast<std::size_t>(pixel.x);
+    std::uint32_t index = 0;
+    std::memcpy(&index, heads.data() + sizeof index * number, sizeof index);
+    std::vector<shared::LayerPoint>& list = points.emplace_back();
+    for (; index != 0; index = list.back().next)
+      std::memcpy(&list.emplace_back(), all.data() + sizeof list[0] * index, sizeof list[0]);
+  }
+  return points;
+}
+
 void LayerLists::clear(VkCommandBuffer commands, std::uint32_t band) {
   using enum gpu::Use;
   gpu::use(commands,

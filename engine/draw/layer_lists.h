@@ -7,11 +7,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "draw/pixel_rows.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/vk.h"
+#include "shared/scene_data.h"
 
 namespace luxo {
 
@@ -39,6 +42,12 @@ class LayerLists {
   /// had, and `more` points.
   bool makeRoom(std::uint64_t more = 0);
 
+  /// Copies the lists of a recording that is complete, where they are not of many bands, for the host to
+  /// read. Cost: 84 bytes a point.
+  void recordPoints(VkCommandBuffer commands);
+  /// What pixels have in their lists, in that order; of no pixel where they are of many bands.
+  [[nodiscard]] std::vector<std::vector<shared::LayerPoint>> pointsAt(std::span<const PixelPlace> pixels);
+
   /// A band begins: empties the lists.
   void clear(VkCommandBuffer commands, std::uint32_t band);
   /// It ends: keeps how many points it had.
@@ -64,6 +73,7 @@ class LayerLists {
   std::uint64_t most_, room_ = 0, wanted_ = 0;  ///< points
   std::uint32_t bands_ = 1;
   gpu::Buffer heads_, points_, details_, count_, sums_, counts_;
+  gpu::Buffer readHeads_, readPoints_;
 };
 
 }  // namespace luxo

@@ -102,11 +102,16 @@ std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
   return pixels;
 }
 
-std::vector<Doubt> everywhere(PixelSize size) {
-  std::vector<Doubt> doubts;
-  for (const PixelPlace pixel : auditedPixels(size, {.extent = AuditExtent::All}, {}))
-    doubts.push_back({.pixel = pixel});
-  return doubts;
+std::vector<Doubt> everywhere(PixelSize size, std::vector<Doubt> doubts) {
+  std::vector<Doubt> all;
+  auto next = doubts.begin();
+  for (const PixelPlace pixel : auditedPixels(size, {.extent = AuditExtent::All}, {})) {
+    all.push_back({.pixel = pixel});
+    if (next == doubts.end() || next->pixel != pixel) continue;
+    all.back().layers = next->layers;
+    all.back().meshes = std::move(next++->meshes);
+  }
+  return all;
 }
 
 void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
@@ -124,7 +129,8 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
                layers = findsLayers(snapshot, snapshot.nodes[i], options);
     if (surface) nodes_.push_back(i);
     if (layers) layers_.push_back(i);
-    if (!seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
+    const Material& material = snapshot.materials[snapshot.nodes[i].material.index];
+    if (!material.invisible() && !seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
     if (surface || layers)
       rounding_ = std::max(rounding_, kDepthRounding * reachOf(snapshot.view, snapshot.nodes[i]));
   }
@@ -170,19 +176,23 @@ RayPoints CertifiedRays::resolve(std::span<const Doubt> doubts, const RayDraws& 
   RayPoints found;
   const std::vector<char> confirmed = addPoints(points, draws, found);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (confirmed[i] != 0)
-      others.push_back(points[i]);
-    else
-      found.pixels.push_back(points[i].pixel);
+    if (confirmed[i] != 0) others.push_back(points[i]);
+  std::vector<const Doubt*> changed;
+  const auto change = [&](const Doubt& doubt) {
+    found.pixels.push_back(doubt.pixel);
+    changed.push_back(&doubt);
+  };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (confirmed[i] == 0) change(points[i]);
   found.resolved = found.pixels.size();
   for (const Doubt& doubt : others)
-    if (doubt.shadows) found.pixels.push_back(doubt.pixel);
+    if (doubt.shadows) change(doubt);
   found.shadowed = found.pixels.size() - found.resolved;
   addShadows(found.pixels, shown, draws.groups, found);
   for (const Doubt& doubt : others)
-    if (doubt.layers && !doubt.shadows) found.pixels.push_back(doubt.pixel);
+    if (doubt.layers && !doubt.shadows) change(doubt);
   found.layered = found.pixels.size() - found.resolved - found.shadowed;
-  addLayers(found.pixels, draws, found);
+  addLayers(changed, draws, found);
   return found;
 }
 
@@ -326,65 +336,122 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, const ShownMe
   }
 }
 
-void CertifiedRays::addLayers(std::span<const PixelPlace> pixels, const RayDraws& draws, RayPoints& points) {
-  if (draws.layers.empty() || pixels.empty()) return;
-  const std::vector<reference::Ray> rays = prepare(pixels.size(), [&](std::size_t i) { return pixels[i]; });
+std::optional<reference::Hit> CertifiedRays::ofMesh(const shared::LayerPoint& point, std::uint32_t node,
+                                                    const reference::Ray& ray, double originDepth,
+                                                    const reference::Caster::Sight& sight) const {
+  const View& view = caster_->snapshot().view;
+  const SnapshotNode& of = caster_->snapshot().nodes[node];
+  if (!of.surface.triangles()) return caster_->pointAt(node, Vec2(point.parameters), ray);
+  const double depth = originDepth + point.depth, rounding = kDepthRounding * reachOf(view, of);
+  std::optional<reference::Hit> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const reference::Hit& hit : sight.hits) {
+    const double off = std::abs(glm::dot(hit.position - view.eye, view.forward()) - depth);
+    const double pixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
+    const double allowed = rounding + kPointPx * pixel / std::abs(glm::dot(hit.facet, ray.direction));
+    if (hit.node != node || off > allowed || off >= least) continue;
+    least = off;
+    nearest = hit;
+  }
+  return nearest;
+}
+
+void CertifiedRays::addLayers(std::span<const Doubt* const> doubts, const RayDraws& draws,
+                              RayPoints& points) {
+  const bool asked = !draws.layers.empty() || std::ranges::any_of(doubts, &Doubt::layers);
+  if (!asked || doubts.empty()) return;
+  const auto pixelAt = [&](std::size_t i) { return doubts[i]->pixel; };
+  const std::vector<reference::Ray> rays = prepare(doubts.size(), pixelAt);
+  struct Lit {
+    reference::Hit hit;
+    shared::LayerPoint point;
+    std::vector<shared::ReachingLight> light;  // of all groups
+  };
   struct Layered {
-    reference::Caster::Sight sight;
-    std::vector<shared::ReachingLight> light;  // of its hits, of each all groups
+    std::vector<Lit> found, meshes;
     bool certified = true;
   };
-  std::vector<Layered> seen(pixels.size());
+  std::vector<Layered> seen(doubts.size());
+  const View& view = caster_->snapshot().view;
+  const Vec3 forward = view.forward();
+  const double originDepth = glm::dot(draws.origin - view.eye, forward);
+  const auto lightOn = [&](const reference::Hit& hit, bool ofMesh, bool& certified) {
+    std::vector<shared::ReachingLight> light;
+    for (const LightGroup& group : draws.groups) light.push_back(reaching(hit, group, certified, ofMesh));
+    return light;
+  };
   const auto look = [&](std::span<const std::size_t> chosen) {
     forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
       if (!goesOn_()) return;
-      Layered layered{.sight = caster_->look(rays[chosen[k]], reference::Caster::Invisible::Told)};
-      layered.certified = layered.sight.certified;
-      for (const reference::Hit& hit : layered.sight.hits)
-        for (const LightGroup& group : draws.groups)
-          layered.light.push_back(reaching(hit, group, layered.certified));
+      const reference::Ray& ray = rays[chosen[k]];
+      const Doubt& doubt = *doubts[chosen[k]];
+      const reference::Caster::Sight sight = caster_->look(ray, reference::Caster::Invisible::Told);
+      Layered layered{.certified = sight.certified};
+      for (const reference::Hit& hit : sight.hits) {
+        const auto node = std::ranges::lower_bound(draws.layers, hit.node, {}, &FoundLayer::node);
+        if (node == draws.layers.end() || node->node != hit.node) continue;
+        layered.found.push_back({hit, {.material = node->material}, lightOn(hit, false, layered.certified)});
+      }
+      // Which points these are no ray tells, but what reaches them.
+      layered.certified &= !doubt.layers || draws.layerMeshes.empty() || doubt.meshes;
+      for (const shared::LayerPoint& point : doubt.meshes.value_or(std::vector<shared::LayerPoint>())) {
+        const auto node = std::ranges::find(draws.layerMeshes, point.material & shared::kLayerMaterial,
+                                            &FoundLayer::material);
+        const auto hit = node == draws.layerMeshes.end() ? std::nullopt
+                                                         : ofMesh(point, node->node, ray, originDepth, sight);
+        layered.certified &= hit.has_value();
+        if (hit) layered.meshes.push_back({*hit, point, lightOn(*hit, true, layered.certified)});
+      }
       seen[chosen[k]] = std::move(layered);
     });
   };
-  std::vector<std::size_t> chosen(pixels.size());
+  std::vector<std::size_t> chosen(doubts.size());
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
   look(chosen);
   // What few cells leave undecided many may not.
   std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
-  if (!chosen.empty()) {
-    static_cast<void>(prepare(
-        chosen.size(), [&](std::size_t k) { return pixels[chosen[k]]; }, reference::kRaysForFinestCells));
+  std::vector<reference::Ray> undecided;
+  for (const std::size_t i : chosen) {
+    undecided.push_back(rays[i]);
+    for (const auto* lit : {&seen[i].found, &seen[i].meshes})
+      for (const Lit& one : *lit)
+        for (const LightGroup& group : draws.groups)
+          for (const std::optional<std::uint32_t>& light : group.lights)
+            if (light) undecided.push_back({one.hit.position, caster_->towardLight(*light, one.hit)});
+  }
+  if (!undecided.empty()) {
+    caster_->prepareFor(undecided, all_, reference::kRaysForFinestCells);
     look(chosen);
   }
-  const Vec3 forward = caster_->snapshot().view.forward();
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    RayLayers layers{.place = Vec2f(pixels[i].x + 0.5, pixels[i].y + 0.5),
+  const auto add = [&](const shared::LayerPoint& point, const Lit& lit) {
+    points.layerPoints.push_back(point);
+    points.layerLights.insert(points.layerLights.end(), lit.light.begin(), lit.light.end());
+    points.layerDetails.push_back({.footprint = Vec4f(Vec4(lit.hit.footprint[0], lit.hit.footprint[1])),
+                                   .frame = Vec4f(lit.hit.frame)});
+  };
+  for (std::size_t i = 0; i < doubts.size(); ++i) {
+    RayLayers layers{.place = Vec2f(pixelAt(i).x + 0.5, pixelAt(i).y + 0.5),
                      .first = static_cast<std::uint32_t>(points.layerPoints.size()),
+                     .count = static_cast<std::uint32_t>(seen[i].found.size()),
+                     .ofMeshes = static_cast<std::uint32_t>(seen[i].meshes.size()),
                      .groups = static_cast<std::uint32_t>(draws.groups.size())};
     float last = -std::numeric_limits<float>::infinity();
-    for (std::size_t k = 0; k < seen[i].sight.hits.size(); ++k) {
-      const reference::Hit& hit = seen[i].sight.hits[k];
-      const auto node = std::ranges::lower_bound(draws.layers, hit.node, {}, &FoundLayer::node);
-      if (node == draws.layers.end() || node->node != hit.node) continue;
+    for (const Lit& lit : seen[i].found) {
+      const reference::Hit& hit = lit.hit;
       const Surface& surface = caster_->snapshot().nodes[hit.node].surface;
-      const bool isHole = caster_->cutsOut(hit);
-      const auto light = seen[i].light.begin() + static_cast<std::ptrdiff_t>(k * draws.groups.size());
-      points.layerLights.insert(points.layerLights.end(), light,
-                                light + static_cast<std::ptrdiff_t>(draws.groups.size()));
       // Their order, which the ray knows, has to outlive the rounding of their depths.
       last = std::max(static_cast<float>(glm::dot(hit.position - draws.origin, forward)),
                       std::nextafter(last, std::numeric_limits<float>::infinity()));
-      points.layerPoints.push_back(
-          {.depth = last,
-           .material = node->material | shared::kLayerByRay | (isHole ? shared::kLayerHole : 0),
-           .shadows = light->shadows,
+      add({.depth = last,
+           .material =
+               lit.point.material | shared::kLayerByRay | (caster_->cutsOut(hit) ? shared::kLayerHole : 0),
+           .shadows = lit.light.empty() ? 0 : lit.light[0].shadows,
            .normal = octahedral(hit.normal),
            .parameters = Vec2f(surface.triangles() ? Vec2(hit.u, hit.v) : inside(surface.domain(), hit)),
-           .transmittance = light->transmittance});
-      points.layerDetails.push_back(
-          {.footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])), .frame = Vec4f(hit.frame)});
-      ++layers.count;
+           .transmittance = lit.light.empty() ? Vec3f(1) : lit.light[0].transmittance},
+          lit);
     }
+    for (const Lit& lit : seen[i].meshes) add(lit.point, lit);
     points.layersUndecided += !seen[i].certified;
     points.layers.insert(points.layers.end(), 3, layers);
   }
@@ -410,7 +477,8 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const RayDr
     const bool showsFound = probes[i].depth > 0 && !pointOf(shown, probes[i].pixel) && isFirst(at);
     for (std::size_t g = 0; showsFound && g < groups.size(); ++g)
       for (std::size_t bit = 0; judged[i] == Right && bit < groups[g].lights.size(); ++bit)
-        if (const auto light = groups[g].lights[bit]; light && !caster_->snapshot().lights[*light].plane)
+        if (const auto light = groups[g].lights[bit];
+            light && !caster_->snapshot().lights[*light].approximate())
           judged[i] = reference::judgeShadow(
               *caster_, nodes_, at, *light,
               (probes[i].shadows[g] >> bit & 1) != 0 ? Vec3(0) : Vec3(probes[i].transmittances[g]));

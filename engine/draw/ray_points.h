@@ -44,6 +44,7 @@ struct RayShadow {
 struct RayLayers {
   Vec2f place;                         ///< of the sample in the target, pixels
   std::uint32_t first = 0, count = 0;  ///< of RayPoints::layerPoints
+  std::uint32_t ofMeshes = 0;          ///< of these, after them: points that are there, whose light rays tell
   std::uint32_t groups = 0;            ///< of lights
 };
 
@@ -72,7 +73,7 @@ struct RayPoints {
   std::uint64_t shadowed = 0, layered = 0;         ///< others, whose shadows are, or only layers
   std::uint64_t undecided = 0;  ///< of those resolved: whose ray proves nothing, within rounding of grazing
   std::uint64_t shadowsUndecided = 0;  ///< pixels in which a ray to a light proves nothing
-  std::uint64_t layersUndecided = 0;   ///< pixels in which some layer is not proven
+  std::uint64_t layersUndecided = 0;   ///< pixels in which some layer, or what reaches it, is not proven
   std::uint64_t unknown = 0;           ///< pixels that show a node which is not in the list
 
   [[nodiscard]] bool empty() const {
@@ -87,15 +88,18 @@ struct Doubt {
   bool shadows = false;  ///< or only these there
   bool layers = false;   ///< or only what is seen through there
   float shown = 0;       ///< the depth, as in the depth buffer, of a point that its own search has certified
+  /// With `layers`: the points of meshes that no ray finds again, but may tell the light of; unless unknown.
+  std::optional<std::vector<shared::LayerPoint>> meshes = {};
 };
 
-/// All pixels are, whatever they show.
-[[nodiscard]] std::vector<Doubt> everywhere(PixelSize size);
+/// All pixels are, whatever they show, beside what is in doubt of them, by rows.
+[[nodiscard]] std::vector<Doubt> everywhere(PixelSize size, std::vector<Doubt> doubts = {});
 
 /// What the points that rays find are drawn with: of a draw list.
 struct RayDraws {
   std::vector<FoundNode> found;
   std::vector<FoundLayer> layers;
+  std::vector<FoundLayer> layerMeshes;  ///< whose layers no ray finds
   std::vector<LightGroup> groups;
   Vec3 origin{0};  ///< what positions in shaders are relative to
   std::optional<Vec3> layersFrom;
@@ -104,6 +108,7 @@ struct RayDraws {
   explicit RayDraws(const DrawList& list)
       : found(list.found),
         layers(list.layers.found),
+        layerMeshes(list.layerMeshes()),
         groups(list.groups),
         origin(list.origin),
         layersFrom(list.layersFrom()) {}
@@ -149,7 +154,8 @@ class CertifiedRays {
   /// Cost: some 10 us a pixel and core, a hundredfold where surfaces are grazed.
   [[nodiscard]] RayPoints resolve(std::span<const Doubt> doubts, const RayDraws& draws,
                                   const ShownMeshes& shown);
-  /// Shadows are looked at where no mesh stands before what is found.
+  /// Shadows are looked at where no mesh stands before what is found, but not of lights whose shadows are
+  /// approximations.
   [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, const RayDraws& draws,
                                   const ShownMeshes& shown);
 
@@ -170,8 +176,12 @@ class CertifiedRays {
   /// first.
   void addShadows(std::span<const PixelPlace> pixels, const ShownMeshes& shown,
                   std::span<const LightGroup> groups, RayPoints& points);
-  /// Adds all points that are seen through in pixels, with their shadows.
-  void addLayers(std::span<const PixelPlace> pixels, const RayDraws& draws, RayPoints& points);
+  /// Adds all points that are seen through in pixels, with their shadows, and those of the meshes there.
+  void addLayers(std::span<const Doubt* const> doubts, const RayDraws& draws, RayPoints& points);
+  /// The point of a surface that a mesh shows in a pixel: of triangles where the ray of the pixel meets them.
+  [[nodiscard]] std::optional<reference::Hit> ofMesh(const shared::LayerPoint& point, std::uint32_t node,
+                                                     const reference::Ray& ray, double originDepth,
+                                                     const reference::Caster::Sight& sight) const;
   /// What of the lights of a group reaches a hit, or, of a mesh, whose normal is another one, a point that
   /// may face away from them.
   [[nodiscard]] shared::ReachingLight reaching(const reference::Hit& hit, const LightGroup& group,

@@ -72,8 +72,10 @@ std::vector<Doubt> RenderView::doubts(const std::function<void(const Recording& 
   if (open.empty()) return {};
   std::vector<PixelPlace> pixels;
   for (const OpenPixel& pixel : open) pixels.push_back(pixel.pixel);
+  const bool ofMeshes = !list_.layerMeshes().empty() && std::ranges::any_of(open, &OpenPixel::layers);
   submit([&](VkCommandBuffer commands) {
     feedback_.recordShown(commands, targets_.texture(Target::Depth), picture(), pixels);
+    if (ofMeshes) layerLists_.recordPoints(commands);
   });
   const std::vector<ShownDepth> shown = feedback_.shown(pixels);
   std::vector<Doubt> doubts;
@@ -88,7 +90,21 @@ std::vector<Doubt> RenderView::doubts(const std::function<void(const Recording& 
                         .layers = layers,
                         .shown = left || !shown[i].certified ? 0 : shown[i].depth});
   }
+  if (ofMeshes) addMeshPoints(doubts);
   return doubts;
+}
+
+void RenderView::addMeshPoints(std::vector<Doubt>& doubts) {
+  std::vector<PixelPlace> pixels;
+  for (const Doubt& doubt : doubts) pixels.push_back(doubt.pixel);
+  std::vector<std::vector<shared::LayerPoint>> points = layerLists_.pointsAt(pixels);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!doubts[i].layers) continue;
+    std::erase_if(points[i], [](const shared::LayerPoint& point) {
+      return (point.material & (shared::kLayerOfMesh | shared::kLayerOfSurface)) != shared::kLayerOfMesh;
+    });
+    doubts[i].meshes = std::move(points[i]);
+  }
 }
 
 std::vector<DepthProbe> RenderView::probes() {

@@ -96,6 +96,8 @@ class RenderView {
         casterCells, casterParameters, lightMaps;
   };
 
+  /// To those of layers, where the lists have been copied.
+  void addMeshPoints(std::vector<Doubt>& doubts);
   void upload(bool always);
   void uploadCasters(bool always);
   [[nodiscard]] VkDescriptorSet bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,

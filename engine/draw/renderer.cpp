@@ -278,20 +278,15 @@ void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, boo
   const auto countTime = [&] {
     statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees) - (statistics.ms.gpu - drawing);
   };
-  const std::vector<Doubt> doubts =
-      all ? everywhere(snapshot.view.size)
-          : view_.doubts([&](const Recording& record) { submit(record, statistics); });
+  std::vector<Doubt> doubts = view_.doubts([&](const Recording& record) { submit(record, statistics); });
+  if (all) doubts = everywhere(snapshot.view.size, std::move(doubts));
   if (doubts.empty()) return countTime();
   RayPoints points = rays_.resolve(doubts, RayDraws(view_.list()), view_.shown());
   countTime();
-  // Of a mesh that is seen through, and not the surface itself, no ray tells which point it is that is shown.
-  const bool allFound = std::ranges::all_of(view_.list().layers.meshes, &DrawBatch::finds);
-  const std::size_t ofMeshes = allFound ? 0 : points.layered;
-  statistics.error.resolvedByRaysPx =
-      points.resolved - points.undecided + points.shadowed + points.layered - ofMeshes;
+  statistics.error.resolvedByRaysPx = points.resolved - points.undecided + points.shadowed + points.layered -
+                                      std::min(points.layered, points.layersUndecided);
   statistics.error.shadowRaysPx = points.shadowed;
-  statistics.error.uncertifiedPx =
-      points.undecided + points.shadowsUndecided + std::max<std::uint64_t>(points.layersUndecided, ofMeshes);
+  statistics.error.uncertifiedPx = points.undecided + points.shadowsUndecided + points.layersUndecided;
   statistics.error.unconvergedPx += points.unknown;
   if (points.empty()) return;
   resolved_ = std::move(points);

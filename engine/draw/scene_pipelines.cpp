@@ -102,7 +102,7 @@ void setVertices(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
                  {2, 0, kFloat3, kLight + offsetof(shared::ReachingLight, transmittance)}});
   else if (state.form == Form::LayersByRays)
     interleaved(sizeof(RayLayers), {{0, 0, kFloat2, offsetof(RayLayers, place)},
-                                    {1, 0, VK_FORMAT_R32G32B32_UINT, offsetof(RayLayers, first)}});
+                                    {1, 0, VK_FORMAT_R32G32B32A32_UINT, offsetof(RayLayers, first)}});
   else if (state.byRays)
     interleaved(sizeof(RayPoint), {{0, 0, kFloat3, offsetof(RayPoint, position)},
                                    {1, 0, kFloat3, offsetof(RayPoint, normal)},

@@ -59,7 +59,8 @@ void MomentFormulas::prepareNames() {
 
 bool MomentFormulas::accept(const Quantity& quantity, double value, const Allowed& allowed) {
   if (allowed.words.empty() || allowed.range.contains(value)) return true;
-  const bool degrees = allowed.angle && !quantity.isFormula() && value > 0;
+  const bool degrees =
+      allowed.angle && !quantity.isFormula() && value > 0 && allowed.range.contains(radians(value));
   problems_.add(quantity, {{0, quantity.isFormula() ? quantity.formula().size() : 0},
                            "this is " + objection(value, allowed),
                            degrees ? fmt::format("write \"{}deg\"", value) : std::string()});

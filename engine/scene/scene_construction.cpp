@@ -302,10 +302,13 @@ Light SceneConstruction::light(const LightDesc& desc) {
 
 ShadowMap SceneConstruction::shadowMap(const ShadowMapDesc& desc) {
   const Allowed allowed{{0, kMaxSceneNumber}, "from 0 to 1e18"};
-  const std::optional<int> size = count(desc.size, kMaxShadowMapSize), pcf = count(desc.pcf, kMaxPcf);
-  if (pcf && *pcf % 2 == 0)
+  const std::optional<int> size = count(desc.size, kMaxShadowMapSize);
+  std::optional<int> pcf = count(desc.pcf, kMaxPcf);
+  if (pcf && *pcf % 2 == 0) {
     problems_.add(desc.pcf.place(), fmt::format("this is {}; it must be odd", *pcf),
                   "a square of texels around the one that a point is in");
+    pcf.reset();
+  }
   return {.size = static_cast<std::uint32_t>(size.value_or(1)),
           .bias = formulas_.number(desc.bias, allowed),
           .slopeBias = formulas_.number(desc.slopeBias, allowed),

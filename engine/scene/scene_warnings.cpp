@@ -135,8 +135,8 @@ void warnOfBrightness(const MaterialDesc& material, std::vector<Diagnostic>& war
              : std::string()});
 }
 
-/// A radius makes shadows soft, and nothing else.
-void warnOfRadius(const LightDesc& light, std::vector<Diagnostic>& warnings) {
+/// Of what says how a shadow is, where that is another one, or none.
+void warnOfShadow(const LightDesc& light, std::vector<Diagnostic>& warnings) {
   const bool hasRadius = light.radius.isFormula() || light.radius.number() != 0;
   if (hasRadius && light.shadow == Light::Shadow::None)
     warnings.push_back({rangeOf(light.radius.place()), "a light without a shadow has no use for a radius",
@@ -148,6 +148,12 @@ void warnOfRadius(const LightDesc& light, std::vector<Diagnostic>& warnings) {
     warnings.push_back({rangeOf(light.shadowSamples.place()),
                         "the shadow of a light without a radius is one sample",
                         "give the light a \"radius\", or leave \"shadow_samples\" out"});
+  if (!light.casters.empty() && light.shadow == Light::Shadow::None)
+    warnings.push_back({rangeOf(light.casters[0].place), "a light without a shadow has no casters",
+                        "write \"shadow\": \"exact\", or leave \"casters\" out"});
+  if (!light.shadowPlane.empty() && light.shadow != Light::Shadow::Planar)
+    warnings.push_back({rangeOf(light.shadowPlane.place), "only a planar shadow falls on a plane alone",
+                        "write \"shadow\": \"planar\", or leave \"shadow_plane\" out"});
 }
 
 /// The names of those that it uses.
@@ -230,7 +236,7 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
                           {}});
   for (const MaterialDesc& material : file.materials) warnOfBrightness(material, warnings);
   for (const NodeDesc& node : file.nodes)
-    if (node.light) warnOfRadius(*node.light, warnings);
+    if (node.light) warnOfShadow(*node.light, warnings);
   forEachQuantity(file, [&](const Quantity& quantity) {
     if (!quantity.isFormula()) return;
     const SourceRange quotient = ambiguousQuotient(quantity.formula());

@@ -38,6 +38,19 @@ Surface assemble(const FormulaSet& formulas, const ExprPoint& position, const Mo
   return surface.withParameters(formulas.parameters());
 }
 
+/// Unit, of a formula whose tangents are the same everywhere, whatever its parameters are.
+std::optional<Vec3> flatNormalOf(Graph& graph, const ExprPoint& position) {
+  std::array<Vec3, 2> tangents{};
+  for (std::uint32_t variable = 0; variable < 2; ++variable)
+    for (int axis = 0; axis < 3; ++axis) {
+      const Expr along = graph.derivative(position[static_cast<std::size_t>(axis)], variable);
+      if (!along.isConstant()) return std::nullopt;
+      tangents[variable][axis] = along.constant();
+    }
+  const Vec3 normal = unit(glm::cross(tangents[0], tangents[1]));
+  return normal == Vec3(0) ? std::nullopt : std::optional(normal);
+}
+
 std::string shown(const Interval& range) {
   const std::string lowest = fmt::format("{:.4g}", range.lo), highest = fmt::format("{:.4g}", range.hi);
   return lowest == highest ? lowest : lowest + ".." + highest;
@@ -157,7 +170,9 @@ Surface ShapeBuilder::buildShape(const std::string& name, const FormulaShape& sh
   formulas.reportTo(problems_);
   if (!formulas.ok()) return {};
   const std::vector<Expr>& p = formulas.values();
-  const Surface surface = assemble(formulas, {p[0], p[1], p[2]}, {0, *variables_.initial()}, {.name = name});
+  const ExprPoint position{p[0], p[1], p[2]};
+  const Surface surface = assemble(formulas, position, {0, *variables_.initial()},
+                                   {.name = name, .flatNormal = flatNormalOf(formulas.graph(), position)});
   if (shape.closed) checkClosed(shape, surface);
   return surface;
 }

@@ -309,8 +309,8 @@ void cutLights(Snapshot& snapshot) {
     snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
-/// A planar shadow is one number for each face, or has its holes, and falls on what hides all else; a shade in
-/// closed form lets nothing through.
+/// A planar shadow is one number for each face, or has its holes, and falls on what hides all else; a shade
+/// in closed form lets nothing through.
 void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
   const auto require = [&](NodeId id, const auto& isRight, const char* what, const char* hint) {
     const auto node = std::ranges::find(snapshot.nodes, id, &SnapshotNode::id);
@@ -415,9 +415,13 @@ Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, Ca
 }
 
 Snapshot withExactShadows(Snapshot snapshot) {
+  for (SnapshotLight& light : snapshot.lights) light.plane.reset();
+  return withoutShadowMaps(std::move(snapshot));
+}
+
+Snapshot withoutShadowMaps(Snapshot snapshot) {
   std::vector<SnapshotLight> lights;
   for (SnapshotLight light : std::move(snapshot.lights)) {
-    light.plane.reset();
     const double radius = light.map ? light.map->radius : 0;
     light.map.reset();
     const std::uint32_t samples = std::exchange(light.samples, 1U);

@@ -86,6 +86,8 @@ struct Snapshot {
 /// The same with exact shadows instead of those that are approximations or on some things only: what these
 /// are held against.
 [[nodiscard]] Snapshot withExactShadows(Snapshot snapshot);
+/// The same with exact shadows instead of depth maps; planar ones stay on their plane alone.
+[[nodiscard]] Snapshot withoutShadowMaps(Snapshot snapshot);
 /// Of the lights, how many have such shadows.
 [[nodiscard]] std::size_t approximateShadows(const Snapshot& snapshot);
 

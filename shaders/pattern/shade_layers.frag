@@ -14,8 +14,9 @@ vec4 patternBounds() { return vec4(vec2(-3e38), vec2(3e38)); }  // what was foun
 // Where floats do not tell whether there is a hole rays do, and have, of what they find.
 float keptOf(float opacity, vec2 parameters) {
   if (material.leastOpaque == 0.0) return opacity;
-  if ((numberHere & kLayerByRay) != 0) return (numberHere & kLayerHole) != 0 ? 0.0 : 1.0;
-  if (!isBesideRays(numberHere) && abs(opacity - material.leastOpaque) <= roundingOfAlpha(0, parameters)) doubtLayers();
+  bool isFound = !isBesideRays(numberHere);
+  if (isFound && (numberHere & kLayerByRay) != 0) return (numberHere & kLayerHole) != 0 ? 0.0 : 1.0;
+  if (isFound && abs(opacity - material.leastOpaque) <= roundingOfAlpha(0, parameters)) doubtLayers();
   return cutOut(opacity, material.leastOpaque);
 }
 #else

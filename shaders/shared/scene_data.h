@@ -468,7 +468,7 @@ LUXO_CONSTANT kMostClosedCasters = 2;
 
 LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
 LUXO_CONSTANT kLayerAtBorder = 1 << 17;  // or on a border between two cells, which may both have found it
-LUXO_CONSTANT kLayerByRay = 1 << 18;     // or found by a ray
+LUXO_CONSTANT kLayerByRay = 1 << 18;     // or found by a ray; of a mesh: what reaches it is
 LUXO_CONSTANT kLayerPlaced = 1 << 19;    // of triangles, whose surface's own point is known
 LUXO_CONSTANT kLayerOfSurface = 1 << 20;  // of triangles that are the surface, whose points rays find, too
 LUXO_CONSTANT kLayerHole = 1 << 21;      // found by a ray where its material is cut out

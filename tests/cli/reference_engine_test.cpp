@@ -134,6 +134,24 @@ TEST_F(ReferenceEngine, RefusesMaterialsThatAreNotLight) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
+// Of a map, which rays have none of, the reference shows the shadow that it stands for.
+TEST_F(ReferenceEngine, ShadowsOfMapsAreTheExactOnes) {
+  const auto picture = [&](const std::string& shadow) {
+    writeText(folder / "ball.luxo.json", R"({ "luxo": 1,
+      "surfaces": { "floor": { "type": "rectangle", "size": [8, 8] }, "ball": { "type": "sphere" } },
+      "camera": { "eye": [0, 6, 6], "look_at": [0, 0, 0], "fov_y": "50deg" },
+      "nodes": [ { "name": "floor", "surface": "floor" }, { "surface": "ball", "translate": [0, 2, 0] },
+                 { "translate": [1, 6, 1], "light": { "radius": 0.1, "shadow": ")" +
+                                             shadow + R"(" } } ] })");
+    const Outcome outcome = run(folder, {"render", "ball.luxo.json", "-o", shadow + ".pfm", "--size", "40x30",
+                                         "--engine", "reference", "-q"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return textOf(folder / (shadow + ".pfm"));
+  };
+  EXPECT_EQ(picture("map"), picture("exact"));
+  EXPECT_NE(picture("map"), picture("none"));
+}
+
 // Hours of work, stopped after a moment: there is no picture, whole or half.
 TEST_F(ReferenceEngine, StopsInTheMiddleOfAPicture) {
   RunningProgram program({.arguments = {"render", "luxo-grandpa", "--engine", "reference", "--samples", "256",

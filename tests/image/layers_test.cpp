@@ -25,6 +25,8 @@ class LayersTest : public VerifiedPictureTest {
                      "red": { "diffuse": [0.9, 0.2, 0.1], "opacity": 0.5 },
                      "stained": { "diffuse": [0.9, 0.6, 0.2], "opacity": 0.2, "blend": "multiply" },
                      "glow": { "diffuse": [0.1, 0.5, 0.2], "opacity": 0.6, "blend": "add" },
+                     "nothing": { "opacity": 0 }, "no glow": { "opacity": 0, "blend": "add" },
+                     "nothing by formula": { "opacity": "0*u" },
                      "waves": { "diffuse": [0.8, "u", 0.2], "opacity": "0.5+0.5*sin(8*u)" },
                      "checks": { "diffuse": ["0.3+0.4*mod(floor(2u)+floor(2v),2)", 0.5, 0.4] } },
       "surfaces": { "floor": { "type": "rectangle", "size": [12, 12] }, "sheet": { "type": "rectangle", "size": [2, 2] },
@@ -75,6 +77,26 @@ TEST_F(LayersTest, AreTheTruth) {
     EXPECT_GT(found.statistics.count.layerPoints, 2000U);
     // Measured: 7e-5 of the pixels are left to rays.
     EXPECT_LE(found.statistics.error.resolvedByRaysPx, 60U);
+  }
+}
+
+/// What has opacity 0 everywhere is in no picture, of whatever.
+TEST_F(LayersTest, NothingIsShownOfWhatIsInvisible) {
+  const std::string other = node("ball", "red", R"(, "translate": [2, 0, 0])");
+  for (const char* material : {"nothing", "no glow", "nothing by formula"}) {
+    SCOPED_TRACE(material);
+    const Scene with = sceneOf(other + ", " + node("ball", material, R"(, "translate": [0, 0.5, 0])"));
+    const Snapshot seen = takeSnapshot(with, 0, kLayersSize),
+                   alone = takeSnapshot(sceneOf(other), 0, kLayersSize);
+    EXPECT_EQ(verified(seen).verification.wrong.total(), 0U);
+    for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Wireframe, Shading::Id})
+      for (const Output output : {Output::Color, Output::Id, Output::Depth, Output::Certificate}) {
+        const Picture picture = renderer().render(seen, {.shading = shading, .output = output});
+        EXPECT_TRUE(
+            sameBytes(picture.image, renderer().render(alone, {.shading = shading, .output = output}).image))
+            << nameOf(shading) << ", output " << static_cast<int>(output);
+        EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+      }
   }
 }
 

@@ -195,6 +195,16 @@ TEST_F(LightMapTest, LeavesGlassToRays) {
     below += side < 2;
   });
   EXPECT_GT(below, 500);
+  // Nor does the audit take the map's own part, below the ball, for what glass lets through.
+  const FrameError error =
+      draw(sceneOf(std::string(kBall) +
+                       R"({ "surface": "pane", "material": "glass", "translate": [1.2, 4, 0] },)",
+                   kLamp, R"({ "size": 64 })"),
+           kLightMapSize, {.audit = {.extent = AuditExtent::All}})
+          .statistics.error;
+  EXPECT_EQ(error.auditFailedPx, 0U);
+  EXPECT_EQ(error.unconvergedPx, 0U);
+  EXPECT_LT(error.resolvedByRaysPx, 100U);
 }
 
 /// Shadows of a map fall on what is seen through, too.

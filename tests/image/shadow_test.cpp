@@ -58,7 +58,8 @@ class ShadowTest : public VerifiedPictureTest {
                     "ring": { "type": "formula", "position": ["u*cos(v)", "0", "-u*sin(v)"],
                               "u": [0.4, 1], "v": [0, "2*pi"] },
                     "tube": { "type": "torus", "major": 1, "minor": 0.05 },
-                    "torus": { "type": "torus", "major": 1, "minor": 0.4 } },
+                    "torus": { "type": "torus", "major": 1, "minor": 0.4 },
+                    "slope": { "type": "formula", "u": [-2, 2], "v": [-2, 2], "position": ["u", "0.2*u", "-v"] } },
       "camera": { "eye": [1, 7, 6], "look_at": [0.5, 0, 0], "fov_y": "50deg" },
       "nodes": [ { "name": "floor", "surface": "floor", "material": "m" }, )_" +
                                      nodes + "] }",
@@ -359,6 +360,26 @@ TEST_F(ShadowTest, PlanarOnesOfABallAreTheEllipse) {
       R"({ "rotate": { "axis": [1, 0, 0], "angle": -1 },
            "light": { "type": "directional", "shadow": "planar", "shadow_plane": "floor" } })",
       [](const Vec3& p) { return seesPast(p, Vec3(0, std::sin(1.0), std::cos(1.0)), 1e9); });
+}
+
+/// Any formula that is flat is a plane. Off by the mesh's half pixel, along a border of some 200.
+TEST_F(ShadowTest, PlanarOnesFallOnFlatFormulas) {
+  const Scene scene = sceneOf(
+      R"({ "name": "slope", "surface": "slope", "material": "m", "translate": [0, 0.5, 0] },
+         { "surface": "ball", "material": "m", "translate": [0, 2, 0], "scale": [0.5, 0.5, 0.5] },
+         { "translate": [0.5, 5, 0.3], "light": { "shadow": "planar", "shadow_plane": "slope" } })");
+  const Snapshot snapshot = takeSnapshot(scene, 0, kShadowSize);
+  const Image picture = renderer().render(snapshot).image, truth = castPicture(snapshot).color,
+              id = renderer().render(snapshot, {.output = Output::Id}).image;
+  int dark = 0, different = 0;
+  for (int y = 0; y < kShadowSize.height; ++y)
+    for (int x = 0; x < kShadowSize.width; ++x) {
+      if (id.pixel(x, y)[0] != 2) continue;
+      dark += !isLit(picture, x, y);
+      different += !near(colorAt(picture, x, y), colorAt(truth, x, y), 1e-3);
+    }
+  EXPECT_GT(dark, 500);
+  EXPECT_LT(different, 100);
 }
 
 /// What is beyond the light or below the plane has no shadow there, and nothing but the plane has one: where

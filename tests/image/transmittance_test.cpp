@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/reference.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "support/verified_picture.h"
@@ -33,6 +34,7 @@ class TransmittanceTest : public VerifiedPictureTest {
         "painted": { "diffuse": ["u", "v", 0.5], "specular": 0, "blend": "multiply", "opacity": 0 } },
       "surfaces": { "floor": { "type": "rectangle", "size": [40, 40] },
                     "pane": { "type": "rectangle", "size": [4, 4] },
+                    "card": { "type": "rectangle", "size": [2, 2] },
                     "ball": { "type": "sphere", "radius": 1 },
                     "klein": { "type": "klein" },
                     "torus": { "type": "torus", "major": 1, "minor": 0.4 } },
@@ -142,6 +144,40 @@ TEST_F(TransmittanceTest, IsTheTruth) {
     const Image other = renderer().render(snapshot, {.shadowGridSize = size, .layerGridSize = size}).image;
     EXPECT_TRUE(sameBytes(usual, other)) << size;
   }
+}
+
+/// Cards of glass that shade each other and themselves: as meshes they are the surfaces.
+constexpr const char* kGlassCards = R"(
+  { "surface": "card", "material": "stained", "translate": [-0.3, 1.1, 0], "rotate": { "axis": [1, 0, 0], "angle": "60deg" } },
+  { "surface": "card", "material": "ramp", "translate": [0.3, 1.2, 0], "rotate": { "axis": [0.2, 0, 1], "angle": "70deg" } },
+  { "surface": "card", "material": "ramp", "translate": [0, 0.5, 0.3] },
+  { "rotate": { "axis": [1, -0.6, 0], "angle": "-55deg" }, "light": { "type": "directional", "shadow": "exact" } },
+  { "translate": [3, 6, 4], "light": { "intensity": 0.5, "shadow": "exact" } })";
+
+/// What floats leave open of the light on what is seen through rays settle on meshes, too.
+TEST_F(TransmittanceTest, IsSettledByRaysOnMeshes) {
+  const Camera camera{.eye = Vec3(4, 2.4, 6), .lookAt = Vec3(0, 0.7, 0), .fovY = 0.52};
+  std::uint64_t settled = 0;
+  for (const char* nodes : {kGlassCards, kGlassCrowd})
+    for (const BlendOrder order : {BlendOrder::Exact, BlendOrder::Given}) {
+      Snapshot snapshot = takeSnapshot(sceneOf(nodes), 0, kTransmittanceSize, camera);
+      snapshot.blendOrder = order;
+      for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Toon}) {
+        SCOPED_TRACE(nameOf(shading));
+        const Picture picture = renderer().render(snapshot, {.shading = shading});
+        EXPECT_EQ(picture.statistics.error.uncertifiedPx, 0U);
+        EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+        settled += picture.statistics.error.resolvedByRaysPx;
+        if (nodes != kGlassCards || shading == Shading::Toon || shading == Shading::Gouraud) continue;
+        const Image truth = castPicture(snapshot, {.shading = shading}).color;
+        int different = 0;
+        for (int y = 0; y < kTransmittanceSize.height; ++y)
+          for (int x = 0; x < kTransmittanceSize.width; ++x)
+            different += !near(colorAt(picture.image, x, y), colorAt(truth, x, y), 1e-3);
+        EXPECT_LE(different, 4);
+      }
+    }
+  EXPECT_GT(settled, 100U);
 }
 
 /// A shade in closed form lets nothing through; one of glass is a caster like others.

@@ -288,6 +288,8 @@ TEST(Cull, OpaqueFrontToBackTransparentAsGiven) {
   const Snapshot nothing =
       takeSnapshot(clear, 0, kViewSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
   EXPECT_EQ(cull(nothing).counts.drawn, 0u);
+  EXPECT_EQ(cull(nothing, {.seesThrough = false}).counts.drawn, 0u);
+  EXPECT_EQ(cull(nothing, {.shading = Shading::Normal}).counts.drawn, 0u);
 }
 
 TEST(Cull, OrderDoesNotDependOnInsertion) {

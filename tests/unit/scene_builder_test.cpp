@@ -439,6 +439,59 @@ TEST(SceneBuilder, WarnsOfARadiusWithoutUse) {
   EXPECT_TRUE(found(R"("shadow": "exact", "radius": 0.1, "shadow_samples": 8)").empty());
 }
 
+TEST(SceneBuilder, WarnsOfWhatIsOfAnotherShadow) {
+  const auto found = [](const std::string& light) {
+    return warningsOf(
+        "{ \"luxo\": 1, \"surfaces\": { \"floor\": { \"type\": \"rectangle\" } }, \"nodes\": "
+        "[{ \"name\": \"floor\", \"surface\": \"floor\" }, { \"light\": {\n" +
+        light + "} }] }");
+  };
+  EXPECT_EQ(found(R"("casters": ["floor"])"),
+            (std::vector<std::string>{"2:13 a light without a shadow has no casters (write \"shadow\": "
+                                      "\"exact\", or leave \"casters\" out)"}));
+  EXPECT_EQ(found(R"("shadow": "exact", "shadow_plane": "floor")"),
+            (std::vector<std::string>{"2:36 only a planar shadow falls on a plane alone (write \"shadow\": "
+                                      "\"planar\", or leave \"shadow_plane\" out)"}));
+  EXPECT_TRUE(found(R"("shadow": "planar", "shadow_plane": "floor", "casters": ["floor"])").empty());
+}
+
+/// One mistake, one message; and no help that would be refused.
+TEST(SceneBuilder, TellsMistakesOfShadowsOnce) {
+  const auto told = [](const std::string& light) -> std::string {
+    try {
+      static_cast<void>(
+          buildScene(parseScene("{ \"luxo\": 1, \"nodes\": [{ \"light\": {" + light + "} }] }", "light")));
+    } catch (const Error& error) {
+      return std::string(error.what()) + error.hint();
+    }
+    return "";
+  };
+  const std::string pcf = told(R"("shadow": "map", "map": { "pcf": 2 })");
+  EXPECT_NE(pcf.find("it must be odd"), std::string::npos) << pcf;
+  EXPECT_EQ(pcf.find("odd"), pcf.rfind("odd")) << pcf;
+  const std::string light = R"("type": "directional", "shadow": "exact", "radius": )";
+  EXPECT_NE(told(light + "30").find("write \"30deg\""), std::string::npos) << told(light + "30");
+  EXPECT_EQ(told(light + "1e9").find("deg\""), std::string::npos) << told(light + "1e9");
+  EXPECT_NE(told(light + "1e9").find("from 0 to 90 degrees"), std::string::npos);
+}
+
+TEST(SceneBuilder, FormulasThatAreFlatAreKnownAsThat) {
+  const auto normalOf = [](const std::string& position) {
+    const Scene scene = buildScene(parseScene(R"({ "luxo": 1, "params": { "k": { "value": 2 } },
+      "surfaces": { "s": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": [)" +
+                                                  position + R"(] } }, "nodes": [ { "surface": "s" } ] })",
+                                              "flat"));
+    return scene[NodeId{0}].surface.flatNormal();
+  };
+  EXPECT_EQ(normalOf(R"("u", "0", "-v")"), Vec3(0, 1, 0));
+  EXPECT_LT(
+      glm::distance(normalOf(R"("u + 3", "2*u - v + 1", "-v")").value_or(Vec3(0)), unit(Vec3(-2, 1, -1))),
+      1e-15);
+  // Of what covers itself, or turns with a parameter, no more is known than of what is curved.
+  for (const char* other : {R"("u*u", "0", "-v")", R"("u", "k*u", "-v")", R"("u", "u*v", "-v")"})
+    EXPECT_FALSE(normalOf(other)) << other;
+}
+
 TEST(SceneBuilder, WarnsOfWhatIsProbablyNotMeant) {
   const std::vector<std::string> found = warningsOf(R"_({ "luxo": 1, "materials": { "m": {} },
 "surfaces": { "hole": { "type": "formula", "u": [-1, 1], "v": [-1, 1], "position": ["u", "v", "sqrt(0.25 - u)"] },

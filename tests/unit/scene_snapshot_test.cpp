@@ -318,6 +318,7 @@ TEST(Snapshot, AMapIsOneLightAndItsTruthAreItsPoints) {
   const Snapshot exact = withExactShadows(map);
   EXPECT_EQ(exact.lights.size(), 9U);
   EXPECT_EQ(approximateShadows(exact), 0U);
+  EXPECT_EQ(withoutShadowMaps(map), exact);
   light.map.pcf = 4;
   expectSceneError([&] { (void)lamp(Vec3(1), light); }, {"bulb", "pcf", "odd"});
   light.map = {};
@@ -337,7 +338,10 @@ TEST(Snapshot, PlanarShadowsFallOnWhatIsOpaque) {
                     .light = Light{.shadow = Light::Shadow::Planar, .shadowPlane = floor}});
     return planar;
   };
-  EXPECT_EQ(snap(scene(false, {})).lights.size(), 1U);
+  const Snapshot planar = snap(scene(false, {}));
+  ASSERT_EQ(planar.lights.size(), 1U);
+  EXPECT_EQ(withoutShadowMaps(planar), planar) << "it is on its plane alone";
+  EXPECT_FALSE(withExactShadows(planar).lights[0].plane);
   expectSceneError([&] { (void)snap(scene(true, {})); }, {"floor", "plane of a planar shadow"});
 
   // What a map makes seen through is refused, but not what it cuts out.

@@ -28,7 +28,7 @@ void Certifier::begin(const Snapshot& snapshot, const DrawOptions& options, Rend
     const AuditResult audit = rays_.audit(others, draws, shown);
     outcome.failed = audit.failed;
     outcome.undecided = audit.undecided;
-    if (audit.failed > 0) outcome.points = rays_.resolve(everywhere(size), draws, shown);
+    if (audit.failed > 0) outcome.points = rays_.resolve(everywhere(size, doubts), draws, shown);
     return outcome;
   });
 }
