@@ -155,7 +155,7 @@ int runInspect(const InspectOptions& options) {
   const ViewedScene viewed = viewedScene(std::move(scene), request);
   if (options.pixel) {
     const auto [x, y] = parsePixel(*options.pixel, viewed.settings.size);
-    return print(inspectPixel(name, viewed, x, y), pixelText);
+    return print(inspectPixel(name, viewed, request.device, x, y), pixelText);
   }
   if (options.vertex) return print(inspectVertex(name, viewed, *options.vertex), vertexText);
   return print(inspectScene(name, viewed, std::move(warnings)), inspectionText);

@@ -76,13 +76,24 @@ vec3 iResolution;
 #define material luxoBeside
 )";
 
-// Coordinates are rounded to 1/256 px: that keeps centres of pixels, which hashes of them need, exact.
-constexpr const char* kMaterial = R"(
+constexpr const char* kOwnAgain = R"(
 #undef material
 #ifdef LUXO_RENAMED
 #define material luxoMaterial
 #undef LUXO_RENAMED
 #endif
+)";
+
+// The file's own material beside a mainImage, whose numbers it may read, too.
+constexpr const char* kBeside = R"(
+vec4 material(Point p) {
+  iResolution = vec3(luxoPictureSize(), 1.0);
+  return luxoBeside(p);
+}
+)";
+
+// Coordinates are rounded to 1/256 px: that keeps centres of pixels, which hashes of them need, exact.
+constexpr const char* kMaterial = R"(
 float luxoLinear(float code) {
   if (code <= 0.0) return 0.0;
   if (code >= 1.0) return 1.0;
@@ -96,6 +107,14 @@ vec4 material(Point p) {
   return vec4(luxoLinear(color.r), luxoLinear(color.g), luxoLinear(color.b), 1.0);
 }
 )";
+
+MaterialShaderPtr wrapped(const MaterialShader& shader, const std::string& name, const char* material) {
+  refuseChannels(shader);
+  std::vector<MaterialShader::File> files{
+      {name, fmt::format("{}#include \"{}\"\n{}{}", kGiven, shader.files.front().name, kOwnAgain, material)}};
+  files.insert(files.end(), shader.files.begin(), shader.files.end());
+  return std::make_shared<const MaterialShader>(MaterialShader{.files = std::move(files), .wrapped = true});
+}
 
 }  // namespace
 
@@ -119,11 +138,19 @@ MaterialShaderPtr materialOfMainImage(const MaterialShaderPtr& shader) {
         ErrorKind::Scene,
         fmt::format("{}: there is no function 'void mainImage(out vec4 fragColor, in vec2 fragCoord)'", file),
         "it gives the colour of each pixel; leave out --shadertoy for the shader of a material");
-  refuseChannels(*shader);
-  std::vector<MaterialShader::File> files{
-      {fmt::format("mainImage of {}", file), fmt::format("{}#include \"{}\"\n{}", kGiven, file, kMaterial)}};
-  files.insert(files.end(), shader->files.begin(), shader->files.end());
-  return std::make_shared<const MaterialShader>(MaterialShader{std::move(files)});
+  return wrapped(*shader, fmt::format("mainImage of {}", file), kMaterial);
+}
+
+MaterialShaderPtr materialBesideMainImage(const MaterialShaderPtr& shader) {
+  constexpr std::array<std::string_view, 7> kNumbers = {"iResolution", "iTime",  "iTimeDelta", "iFrameRate",
+                                                        "iFrame",      "iMouse", "iDate"};
+  const bool reads = std::ranges::any_of(shader->files, [&](const MaterialShader::File& file) {
+    const std::string code = withoutComments(file.text);
+    return std::ranges::any_of(kNumbers,
+                               [&](std::string_view word) { return findWord(code, word).has_value(); });
+  });
+  if (!reads || !hasMainImage(*shader) || !hasMaterial(*shader)) return shader;
+  return wrapped(*shader, fmt::format("material of {}", shader->files.front().name), kBeside);
 }
 
 std::string_view mainImageFormulas(std::string_view uniform) {

@@ -23,6 +23,11 @@ namespace luxo {
 /// it has no such function, or reads what there is not.
 [[nodiscard]] MaterialShaderPtr materialOfMainImage(const MaterialShaderPtr& shader);
 
+/// The material that a file has beside a mainImage, which is given the same; any other shader, and one that
+/// reads none of that, is itself.
+/// Error(Scene): as above.
+[[nodiscard]] MaterialShaderPtr materialBesideMainImage(const MaterialShaderPtr& shader);
+
 /// What the uniforms of that are by themselves: a formula of each component, separated by ';'. Empty: none
 /// of them.
 [[nodiscard]] std::string_view mainImageFormulas(std::string_view uniform);

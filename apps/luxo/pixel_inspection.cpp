@@ -17,6 +17,7 @@
 #include "cull/cull.h"
 #include "draw/draw_list.h"
 #include "draw/renderer.h"
+#include "gpu/context.h"
 #include "mesh/triangle_mesh.h"
 #include "option_values.h"
 #include "reference/explained_pixel.h"
@@ -58,8 +59,9 @@ Json codesJson(const Vec3& linear) {
 
 class Inspector {
  public:
-  explicit Inspector(const ViewedScene& viewed)
+  explicit Inspector(const ViewedScene& viewed, const std::string& device)
       : scene_(viewed.scene),
+        device_(device),
         settings_(viewed.settings),
         snapshot_(takeSnapshot(scene_, settings_.time, settings_.size, viewed.camera)) {}
 
@@ -68,7 +70,7 @@ class Inspector {
     Json json = header(name);
     json["pixel"] = {{"x", x}, {"y", y}};
     json["ray"] = {{"origin", vectorJson(why.origin)}, {"direction", vectorJson(why.direction)}};
-    json["color"] = {{"linear", vectorJson(why.color)}, {"srgb8", codesJson(why.color)}};
+    json["color"] = colorJson(why, x, y);
     json["certified"] = why.certified;
     json["points"] = Json::array();
     for (const PointOnRay& point : why.points) json["points"].push_back(pointJson(point));
@@ -124,6 +126,23 @@ class Inspector {
   }
 
  private:
+  /// The reference runs no shader: where one lights what is seen, the picture is asked.
+  Json colorJson(const ExplainedPixel& why, int x, int y) const {
+    Vec3 color = why.color;
+    if (std::ranges::any_of(why.points, [&](const PointOnRay& point) { return isLitByShader(point); })) {
+      gpu::Context context({.device = device_});
+      DrawOptions options = drawOptions(settings_);
+      options.samples = 1;
+      const Image image = Renderer(context).render(snapshot_, options).image;
+      for (int i = 0; i < 3; ++i) color[i] = image.pixel(x, y)[static_cast<std::size_t>(i)];
+    }
+    return {{"linear", vectorJson(color)}, {"srgb8", codesJson(color)}};
+  }
+
+  bool isLitByShader(const PointOnRay& point) const {
+    return point.seen && materialOf(point.node).shader != nullptr;
+  }
+
   Json header(const std::string& name) const {
     return {{"luxo", LUXO_VERSION},
             {"inspect", 1},
@@ -199,11 +218,20 @@ class Inspector {
                  {"residual_px", point.residualPx ? Json(*point.residualPx) : Json()},
                  {"certified", point.certified}};
     if (!point.seen) return json;
+    json["lights"] = Json::array();
+    for (const LightOnPoint& light : point.lights) json["lights"].push_back(lightJson(light));
+    if (isLitByShader(point)) {
+      // What of that a shader makes of it nobody else knows.
+      for (Json& light : json["lights"]) {
+        light.erase("unshadowed");
+        light.erase("share");
+      }
+      json["shader"] = materialOf(point.node).shader->files.front().name;
+      return json;
+    }
     json["diffuse"] = vectorJson(point.diffuse);
     json["opacity"] = point.opacity;
     json["ambient"] = vectorJson(point.ambient);
-    json["lights"] = Json::array();
-    for (const LightOnPoint& light : point.lights) json["lights"].push_back(lightJson(light));
     json["reflected"] = vectorJson(point.reflected);
     return json;
   }
@@ -258,9 +286,7 @@ class Inspector {
                               through ? "compared, not written" : "compared and written")},
         {"blend", blendWords(material, through)},
         {"light", material.shader
-                      ? fmt::format("the shader {}, in every pixel: what is told of light here is that "
-                                    "of the material without it",
-                                    material.shader->files.front().name)
+                      ? fmt::format("the shader {}, in every pixel", material.shader->files.front().name)
                       : lightWords(material.shadingIn(options.shading))},
         {"output",
          fmt::format(
@@ -315,6 +341,7 @@ class Inspector {
   }
 
   const Scene& scene_;
+  std::string device_;
   const RenderSettings& settings_;
   Snapshot snapshot_;
 };
@@ -349,7 +376,8 @@ std::string lightText(const Json& light) {
   if (light["points"] != 1) said += fmt::format(", {} points", light["points"].get<std::uint32_t>());
   if (!light["distance"].is_null()) said += fmt::format(", {} m away", numberText(light["distance"]));
   said += fmt::format(", cosine {}", numberText(light["cosine"]));
-  if (shines) said += fmt::format(": adds {} of {}", listText(light["share"]), listText(light["unshadowed"]));
+  if (shines && light.contains("share"))
+    said += fmt::format(": adds {} of {}", listText(light["share"]), listText(light["unshadowed"]));
   return line("light", said);
 }
 
@@ -371,11 +399,16 @@ std::string pointText(const Json& point) {
     said += line("residual", fmt::format("{:.2g} px{}", residual.get<double>(),
                                          point["certified"].get<bool>() ? ", proven" : ", not proven"));
   if (!seen) return said;
-  said += line("colour", fmt::format("diffuse {}, opacity {}", listText(point["diffuse"]),
-                                     numberText(point["opacity"])));
-  said += line("ambient", listText(point["ambient"]));
+  const bool byShader = point.contains("shader");
+  if (byShader) {
+    said += line("shader", text(point["shader"]));
+  } else {
+    said += line("colour", fmt::format("diffuse {}, opacity {}", listText(point["diffuse"]),
+                                       numberText(point["opacity"])));
+    said += line("ambient", listText(point["ambient"]));
+  }
   for (const Json& light : point["lights"]) said += lightText(light);
-  return said + line("reflected", listText(point["reflected"]));
+  return byShader ? said : said + line("reflected", listText(point["reflected"]));
 }
 
 std::string stationsText(const Json& v) {
@@ -396,12 +429,13 @@ std::string pipelineText(const Json& pipeline) {
 
 }  // namespace
 
-Json inspectPixel(const std::string& name, const ViewedScene& viewed, int x, int y) {
-  return Inspector(viewed).pixel(name, x, y);
+Json inspectPixel(const std::string& name, const ViewedScene& viewed, const std::string& device, int x,
+                  int y) {
+  return Inspector(viewed, device).pixel(name, x, y);
 }
 
 Json inspectVertex(const std::string& name, const ViewedScene& viewed, const std::string& vertex) {
-  return Inspector(viewed).vertex(name, vertex);
+  return Inspector(viewed, {}).vertex(name, vertex);
 }
 
 std::string pixelText(const Json& json) {

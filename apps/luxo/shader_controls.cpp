@@ -24,6 +24,8 @@ using Kind = UniformControl::Kind;
 
 constexpr std::string_view kBlank = " \t\r";
 constexpr double kMostSteps = 1e6;
+// What parameters are: numbers of scenes; and of these the whole numbers that floats count to.
+constexpr double kMostOfFloats = 1e18, kMostOfWhole = 16777216;
 
 bool isWordLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -306,9 +308,13 @@ std::vector<UniformControl> uniformControls(const MaterialShader& shader,
       control.step = 1;
       continue;
     }
+    const auto isParameter = [&](double number) {
+      return std::abs(number) <= (shape.scalar == 'f' ? kMostOfFloats : kMostOfWhole);
+    };
     const bool isTurned = shape.columns == 1 && uniform.array.empty();
     control.initial = from.initialiser.empty() ? std::vector<double>(shape.rows, 0.0)
                                                : numbersIn(from.initialiser, uniform.type, shape.rows);
+    if (!from.tag && !std::ranges::all_of(control.initial, isParameter)) control.initial.clear();
     if (isTurned && !control.initial.empty()) {
       control.kind = shape.scalar == 'b' ? Kind::Switch : Kind::Plain;
       if (shape.scalar == 'b') control.range = Interval{0, 1};

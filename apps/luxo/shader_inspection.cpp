@@ -2,6 +2,7 @@
 #include "shader_inspection.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@
 #include "main_image.h"
 #include "open_scene.h"
 #include "scene/shader_files.h"
+#include "shader_controls.h"
 #include "shader_scene.h"
 
 namespace luxo {
@@ -75,6 +77,12 @@ MaterialShaderPtr withFragmentProgram(const MaterialShader& vertex) {
   return std::make_shared<const MaterialShader>(std::move(shader));
 }
 
+Json namesOf(const std::vector<gpu::ShaderStage>& stages) {
+  Json names = Json::array();
+  for (const gpu::ShaderStage stage : stages) names.push_back(kStages[static_cast<std::size_t>(stage)]);
+  return names;
+}
+
 Json jsonOf(const gpu::ShaderVariable& variable, bool laidOut) {
   Json json = {{"name", variable.name}, {"type", variable.type}};
   if (!variable.array.empty()) json["array"] = variable.array;
@@ -93,17 +101,24 @@ Json jsonOf(const gpu::ShaderVariable& variable, bool laidOut) {
   return json;
 }
 
-Json jsonOf(const std::vector<gpu::ShaderVariable>& variables, bool laidOut = false) {
+/// Of a stage, or of two that say which of them have what.
+Json jsonOf(const std::vector<gpu::ShaderVariable>& variables, gpu::ShaderStage stage, bool laidOut = false) {
   Json list = Json::array();
-  for (const gpu::ShaderVariable& variable : variables) list.push_back(jsonOf(variable, laidOut));
+  for (const gpu::ShaderVariable& variable : variables) {
+    list.push_back(jsonOf(variable, laidOut));
+    list.back()["stages"] = namesOf(variable.stages.empty() ? std::vector{stage} : variable.stages);
+  }
   return list;
 }
 
-Json jsonOf(const gpu::ShaderBlock& block) {
-  Json json = {{"name", block.name}, {"kind", kBlockKinds[static_cast<std::size_t>(block.kind)]}};
+Json jsonOf(const gpu::ShaderBlock& block, gpu::ShaderStage stage) {
+  Json json = {{"name", block.name},
+               {"kind", kBlockKinds[static_cast<std::size_t>(block.kind)]},
+               {"stages", namesOf({stage})}};
   if (block.kind != gpu::ShaderBlock::Kind::Push)
     json.update({{"set", block.set}, {"binding", block.binding}});
-  json.update({{"size", block.size}, {"active", block.active}, {"members", jsonOf(block.members, true)}});
+  json.update(
+      {{"size", block.size}, {"active", block.active}, {"members", jsonOf(block.members, stage, true)}});
   return json;
 }
 
@@ -114,7 +129,8 @@ std::string arrayOf(const Json& variable) {
   return text;
 }
 
-std::string lineOf(const Json& variable, int indent) {
+/// `tellsStages`: there are two.
+std::string lineOf(const Json& variable, int indent, bool tellsStages = false) {
   std::string line = fmt::format("{:{}}{:<10} {:<24}", "", indent, variable["type"].get<std::string>(),
                                  variable["name"].get<std::string>() + arrayOf(variable));
   for (const auto& [key, label] : {std::pair{"location", "location"},
@@ -125,6 +141,8 @@ std::string lineOf(const Json& variable, int indent) {
                                    {"array_stride", "array stride"},
                                    {"matrix_stride", "matrix stride"}})
     if (variable.contains(key)) line += fmt::format(" {} {:<4}", label, variable[key].get<std::uint32_t>());
+  if (tellsStages)
+    line += fmt::format(" in {}", fmt::join(variable["stages"].get<std::vector<std::string>>(), ", "));
   if (!variable["active"].get<bool>()) line += " not used";
   if (variable.contains("value")) line += fmt::format(" is {}", variable["value"].get<std::string>());
   line.erase(line.find_last_not_of(' ') + 1);
@@ -171,26 +189,38 @@ Json inspectShader(const std::string& name, const ShaderUse& use) {
     if (inStyle && suffix == ".vert") shader = withFragmentProgram(*shader);
     isMaterial =
         inStyle || use.mainImage || (!hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment);
-    if (isMaterial && ofPicture) shader = materialOfMainImage(shader);
-    all = isMaterial ? MaterialProgram(shader).interface() : ofProgram(*shader, stageOf(suffix));
+    if (isMaterial) {
+      shader = ofPicture ? materialOfMainImage(shader) : materialBesideMainImage(shader);
+      const MaterialProgram program(shader);
+      all = program.interface();
+      std::vector<std::string> warnings;
+      static_cast<void>(uniformControls(*shader, program.uniforms(), &warnings));
+      for (const std::string& warning : warnings) log(LogLevel::Warning, warning);
+    } else {
+      all = ofProgram(*shader, stageOf(suffix));
+    }
   }
-  Json json = {{"luxo", LUXO_VERSION},
-               {"inspect", 1},
-               {"shader", name},
-               {"stage", kStages[static_cast<std::size_t>(all.stage)]},
-               {"material", isMaterial}};
+  Json json = {
+      {"luxo", LUXO_VERSION},
+      {"inspect", 1},
+      {"shader", name},
+      {"stage", kStages[static_cast<std::size_t>(suffix == ".vert" ? gpu::ShaderStage::Vertex : all.stage)]},
+      {"material", isMaterial}};
   if (isMaterial) {
-    json["uniforms"] = all.blocks.empty() ? Json::array() : jsonOf(all.blocks.front().members, true);
+    json["uniforms"] =
+        all.blocks.empty() ? Json::array() : jsonOf(all.blocks.front().members, all.stage, true);
     tellPreset(name, use.preset, json["uniforms"]);
-    if (inStyle) json.update({{"attributes", jsonOf(all.inputs)}, {"varyings", jsonOf(all.outputs)}});
+    if (inStyle)
+      json.update(
+          {{"attributes", jsonOf(all.inputs, all.stage)}, {"varyings", jsonOf(all.outputs, all.stage)}});
     return json;
   }
-  json["inputs"] = jsonOf(all.inputs);
-  json["outputs"] = jsonOf(all.outputs);
+  json["inputs"] = jsonOf(all.inputs, all.stage);
+  json["outputs"] = jsonOf(all.outputs, all.stage);
   json["blocks"] = Json::array();
-  for (const gpu::ShaderBlock& block : all.blocks) json["blocks"].push_back(jsonOf(block));
-  json["samplers"] = jsonOf(all.samplers);
-  json["constants"] = jsonOf(all.constants);
+  for (const gpu::ShaderBlock& block : all.blocks) json["blocks"].push_back(jsonOf(block, all.stage));
+  json["samplers"] = jsonOf(all.samplers, all.stage);
+  json["constants"] = jsonOf(all.constants, all.stage);
   return json;
 }
 
@@ -204,7 +234,7 @@ std::string shaderText(const Json& json) {
   const auto list = [&](const char* key, std::string_view title) {
     if (!json.contains(key) || json[key].empty()) return;
     text += fmt::format("{}\n", title);
-    for (const Json& variable : json[key]) text += lineOf(variable, 2);
+    for (const Json& variable : json[key]) text += lineOf(variable, 2, json.contains("varyings"));
   };
   list("uniforms", "uniforms");
   list("attributes", "attributes");

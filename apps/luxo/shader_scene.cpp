@@ -18,6 +18,7 @@
 #include "main_image.h"
 #include "mesh/model.h"
 #include "open_scene.h"
+#include "option_values.h"
 #include "scene/model_files.h"
 #include "scene/scene_reader.h"
 #include "scene/shader_files.h"
@@ -145,8 +146,13 @@ void giveToNamed(SceneFile& scene, const std::string& name, const FileName& shad
 class Parameters {
  public:
   Parameters(ShaderScene& made, std::span<const ParameterValue> given, std::span<const ParameterValue> preset,
-             bool ofPicture, std::vector<std::string>* warnings)
-      : made_(made), given_(given), preset_(preset), ofPicture_(ofPicture), warnings_(warnings) {
+             bool ofPicture, bool wrapped, std::vector<std::string>* warnings)
+      : made_(made),
+        given_(given),
+        preset_(preset),
+        ofPicture_(ofPicture),
+        wrapped_(wrapped),
+        warnings_(warnings) {
     for (const std::string& name : namesOf(made.description.parameters)) {
       ofScene_.insert(name);
       taken_.insert(name);
@@ -207,7 +213,7 @@ class Parameters {
   }
 
   bool takesTime(const UniformControl& uniform) {
-    std::string_view formulas = ofPicture_ ? mainImageFormulas(uniform.name) : std::string_view();
+    std::string_view formulas = wrapped_ ? mainImageFormulas(uniform.name) : std::string_view();
     if (uniform.name == "time" && uniform.type == "float" && uniform.kind == Kind::Plain) formulas = "t";
     if (formulas.empty()) return false;
     UniformDesc& desc = uniforms_.emplace_back(UniformDesc{uniform.name});
@@ -235,6 +241,7 @@ class Parameters {
   void addParameters(const UniformControl& uniform, const ParameterValue* value) {
     const std::vector<std::string> texts =
         value ? componentTexts(uniform, value->value, ofPicture_) : std::vector<std::string>();
+    if (value && isOfPreset(*value)) requireInRange(uniform, *value, texts);
     UniformDesc& desc = uniforms_.emplace_back(UniformDesc{uniform.name});
     ParameterControl control{.label = uniform.name, .choices = uniform.choices, .encoded = ofPicture_};
     control.kind = uniform.kind == Kind::Color    ? ParameterControl::Kind::Color
@@ -261,6 +268,20 @@ class Parameters {
     made_.controls.push_back(std::move(control));
   }
 
+  [[nodiscard]] bool isOfPreset(const ParameterValue& value) const {
+    return std::ranges::any_of(preset_, [&](const ParameterValue& one) { return &one == &value; });
+  }
+
+  static void requireInRange(const UniformControl& uniform, const ParameterValue& value,
+                             const std::vector<std::string>& texts) {
+    for (const std::string& one : texts)
+      if (const auto number = finiteNumber(one); number && uniform.range && !uniform.range->contains(*number))
+        throw Error(ErrorKind::Scene,
+                    fmt::format("the preset's '{}' is {}, outside its range from {} to {}", value.name, one,
+                                uniform.range->lo, uniform.range->hi),
+                    "the comment at the uniform says the range");
+  }
+
   /// Of numbers that nothing limits: from 0 to 1, or to twice what they are.
   static Interval reachOf(const UniformControl& uniform) {
     if (uniform.kind == Kind::Color) return {0, 1};
@@ -274,7 +295,7 @@ class Parameters {
 
   ShaderScene& made_;
   std::span<const ParameterValue> given_, preset_;
-  bool ofPicture_;
+  bool ofPicture_, wrapped_;  ///< a picture's; given what mainImage is
   std::vector<std::string>* warnings_;
   std::set<std::string> ofScene_, taken_, used_;
   std::vector<std::string> names_;  ///< of uniforms
@@ -313,10 +334,10 @@ ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
     throw Error(ErrorKind::Usage,
                 fmt::format("'{}' fills the picture by itself: there is no scene beside it", shader),
                 "leave the scene out, or write a function 'vec4 material(Point p)' (shaders/MATERIALS.md)");
-  if (ofPicture) text = materialOfMainImage(text);
+  text = ofPicture ? materialOfMainImage(text) : materialBesideMainImage(text);
   const MaterialProgram program(text);
   made.description = ofPicture ? ownScene(kMainImageScene, shader) : sceneOf(shader, use.scene, files);
-  Parameters parameters(made, given, use.preset, ofPicture, warnings);
+  Parameters parameters(made, given, use.preset, ofPicture, text->wrapped, warnings);
   for (const UniformControl& uniform : uniformControls(*text, program.uniforms(), warnings))
     parameters.add(uniform);
   const std::vector<UniformDesc> uniforms = parameters.finish(shader);

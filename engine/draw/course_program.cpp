@@ -225,10 +225,13 @@ void CourseProgram::describe(const Refuse& refuse) {
       } else if (block.loose) {
         for (const ShaderVariable& uniform : block.members) {
           const auto known = std::ranges::find(uniforms.members, uniform.name, &ShaderVariable::name);
-          if (known == uniforms.members.end())
+          if (known == uniforms.members.end()) {
             uniforms.members.push_back(uniform);
-          else
+            uniforms.members.back().stages = {stage->interface.stage};
+          } else {
             known->active = known->active || uniform.active;
+            known->stages.insert(known->stages.begin(), stage->interface.stage);
+          }
         }
       } else {
         refuse(block.name, fmt::format("the block '{}' has no values", block.name),
@@ -240,13 +243,21 @@ void CourseProgram::describe(const Refuse& refuse) {
     const std::regex sampler(fmt::format(R"(\b(sampler[12]D)\s[^;]*\b{}\b)", uniform.name));
     for (const MaterialShader::File& file : shader_->files)
       if (std::smatch found; std::regex_search(file.text, found, sampler)) uniform.type = found[1].str();
+    if (uniform.type.starts_with('u') && shader_->hasBool(uniform.name))
+      uniform.type = gpu::boolOf(uniform.type);
   }
   if (!uniforms.members.empty()) interface_.blocks.push_back(std::move(uniforms));
   // All outputs count as active.
-  const auto taken = [](const std::vector<ShaderVariable>& variables, const auto& isUsed) {
+  const auto taken = [this](const Stage& stage, const std::vector<ShaderVariable>& variables,
+                            const auto& isUsed) {
     std::vector<ShaderVariable> own;
     for (ShaderVariable variable : variables) {
       const bool isOwn = !isOfTheLanguage(variable.name);
+      variable.stages = {stage.interface.stage};
+      if (&stage != &fragment_)
+        if (const ShaderVariable* read = find(fragment_.interface.inputs, variable.name);
+            read && read->active && &variables == &vertex_->interface.outputs)
+          variable.stages.push_back(fragment_.interface.stage);
       variable.name = withoutCourseSpelling(variable.name);
       if (!isOwn && !isUsed(variable)) continue;
       variable.location.reset();
@@ -256,35 +267,36 @@ void CourseProgram::describe(const Refuse& refuse) {
   };
   const auto isActive = [](const ShaderVariable& variable) { return variable.active; };
   interface_.outputs = vertex_
-                           ? taken(vertex_->interface.outputs,
+                           ? taken(*vertex_, vertex_->interface.outputs,
                                    [this](const ShaderVariable& variable) { return names(variable.name); })
-                           : taken(fragment_.interface.inputs, isActive);
-  interface_.inputs = vertex_ ? taken(vertex_->interface.inputs, isActive) : std::vector<ShaderVariable>{};
+                           : taken(fragment_, fragment_.interface.inputs, isActive);
+  interface_.inputs =
+      vertex_ ? taken(*vertex_, vertex_->interface.inputs, isActive) : std::vector<ShaderVariable>{};
 }
 
-std::string CourseProgram::storageOf(const std::string& uniform) const {
+std::vector<std::string> CourseProgram::storagesOf(const std::string& uniform) const {
   const std::string name = withCourseSpelling(uniform);
-  const bool ofFragment = find(uniformsOf(fragment_.interface), name) != nullptr,
-             ofVertex = vertex_ && find(uniformsOf(vertex_->interface), name) != nullptr;
-  const bool isVertexs =
-      ofVertex && (!ofFragment || (isInitialised(*vertex_, uniform) && !isInitialised(fragment_, uniform)));
-  return fmt::format("{}{}", (isVertexs ? *vertex_ : fragment_).prefix, name);
+  std::vector<std::string> storages;
+  for (const Stage* stage : {&fragment_, vertex_ ? &*vertex_ : nullptr})
+    if (stage && find(uniformsOf(stage->interface), name))
+      storages.push_back(fmt::format("{}{}", stage->prefix, name));
+  return storages;
 }
 
-std::string CourseProgram::material(const std::string& loads) const {
-  std::string text = "#define uniform\n#include \"lib/course.glsl\"\n";
+std::string CourseProgram::initialiserShared(const std::string& uniform) const {
+  const std::vector<std::string> storages = storagesOf(uniform);
+  if (storages.size() < 2) return {};
+  const bool ofFragment = isInitialised(fragment_, uniform), ofVertex = isInitialised(*vertex_, uniform);
+  if (ofFragment == ofVertex) return {};
+  return fmt::format("  {} = {};\n", storages[ofFragment ? 1 : 0], storages[ofFragment ? 0 : 1]);
+}
+
+std::string CourseProgram::material(const std::string& functions, const std::string& loads) const {
+  std::string text = "#define uniform\n#include \"lib/course.glsl\"\n" + functions;
   if (readsLights_) text += "#define LUXO_READS_LIGHTS\n";
   if (vertex_) text += fmt::format("#include \"{}\"\n{}", vertex_->paths[shader_->vertex], macros_);
   text += fmt::format("#include \"{}\"\n{}", fragment_.paths.front(), macros_);
   text += fmt::format("void loadUniforms() {{\n{}", loads);
-  if (vertex_)
-    for (const ShaderVariable& uniform : uniformsOf(fragment_.interface))
-      if (find(uniformsOf(vertex_->interface), uniform.name)) {
-        const std::string from = storageOf(withoutCourseSpelling(uniform.name)),
-                          ofFragment = fmt::format("{}{}", fragment_.prefix, uniform.name),
-                          ofVertex = fmt::format("{}{}", vertex_->prefix, uniform.name);
-        text += fmt::format("  {} = {};\n", from == ofVertex ? ofFragment : ofVertex, from);
-      }
   text += "}\n#include \"lib/course_point.glsl\"\nvec4 material(Point p) {\n  luxoLoadPoint(p);\n";
   if (vertex_) {
     for (const ShaderVariable& attribute : vertex_->interface.inputs)
@@ -307,14 +319,10 @@ std::string CourseProgram::material(const std::string& loads) const {
                     fragment_.prefix, shader_->saysOpacity() ? "gL_FragColor.a" : "1.0");
 }
 
-std::vector<gpu::ShaderSource> CourseProgram::files() const {
-  std::vector<gpu::ShaderSource> sources;
-  const auto add = [&](const Stage& stage) {
-    for (std::size_t i = 0; i < stage.paths.size(); ++i) sources.push_back({stage.paths[i], stage.texts[i]});
-  };
-  add(fragment_);
-  if (vertex_) add(*vertex_);
-  return sources;
+std::vector<std::string> CourseProgram::ofStages(std::vector<std::string> Stage::*what) const {
+  std::vector<std::string> all = fragment_.*what;
+  if (vertex_) all.insert(all.end(), ((*vertex_).*what).begin(), ((*vertex_).*what).end());
+  return all;
 }
 
 }  // namespace luxo

@@ -32,12 +32,16 @@ class CourseProgram {
   /// block of uniforms; all names as the programs spell them. A sampler's type is its own.
   [[nodiscard]] const gpu::ShaderInterface& interface() const { return interface_; }
 
-  /// The variable that is a uniform.
-  [[nodiscard]] std::string storageOf(const std::string& uniform) const;
-  /// The text that is the material's: it includes files(), and has `loads` in its function loadUniforms().
-  [[nodiscard]] std::string material(const std::string& loads) const;
-  /// Valid as long as this object.
-  [[nodiscard]] std::vector<gpu::ShaderSource> files() const;
+  /// The variables that a uniform is: of each program that has it.
+  [[nodiscard]] std::vector<std::string> storagesOf(const std::string& uniform) const;
+  /// A statement that gives the initialiser of one program to the other, which has none; else nothing.
+  [[nodiscard]] std::string initialiserShared(const std::string& uniform) const;
+  /// The text that is the material's: it includes files of the paths, and has `loads` in its function
+  /// loadUniforms().
+  [[nodiscard]] std::string material(const std::string& functions, const std::string& loads) const;
+  /// Of the programs' files as they are joined.
+  [[nodiscard]] std::vector<std::string> paths() const { return ofStages(&Stage::paths); }
+  [[nodiscard]] std::vector<std::string> texts() const { return ofStages(&Stage::texts); }
 
  private:
   struct Stage {
@@ -47,6 +51,7 @@ class CourseProgram {
     std::vector<std::string> paths = {}, texts = {};  ///< of the shader's files
   };
 
+  [[nodiscard]] std::vector<std::string> ofStages(std::vector<std::string> Stage::*what) const;
   void name(Stage& stage, const std::vector<std::string>& texts) const;
   [[nodiscard]] bool names(const std::string& word) const;
   [[nodiscard]] std::vector<std::size_t> includedBy(std::size_t program) const;

@@ -79,6 +79,7 @@ bool isTelling(std::string_view word) {
                                  "attribute",
                                  "ftransform",
                                  "gl_FragColor",
+                                 "gl_FragData",
                                  "gl_FrontColor",
                                  "gl_BackColor",
                                  "gl_Vertex",

@@ -187,6 +187,7 @@ struct DrawList {
   bool findsFrames = false;      ///< with these, as some map of normals asks for them
   bool occludes = false;         ///< of a deferred list: it is seen how much of the ambient light gets where
   bool traces = false;           ///< of a deferred list: points that are lit may send rays into the scene
+  bool runsShaders = false;      ///< of materials
   /// Of a deferred list: meshes tell theirs, from which the points of their surfaces are found.
   bool findsPlaces = false;
   std::vector<CasterDraw> places;  ///< what finds these

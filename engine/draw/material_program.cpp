@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <regex>
@@ -14,6 +15,7 @@
 #include "base/suggestion.h"
 #include "draw/bounded_loops.h"
 #include "draw/course_style.h"
+#include "draw/indexed_arrays.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
 #include "scene/shader_files.h"
@@ -56,26 +58,41 @@ std::optional<UniformType> typeNamed(std::string_view type) {
   return UniformType{columns, type.size() > 5 ? static_cast<std::uint32_t>(type[5] - '0') : columns, "float"};
 }
 
-std::string numberAt(const UniformType& type, std::uint32_t index) {
-  const std::string number = fmt::format("shaderNumber({}u)", kShaderNumbers + index);
+std::string numberAt(const UniformType& type, const std::string& first, std::uint32_t index) {
+  const std::string number = fmt::format("shaderNumber({} + {}u)", first, index);
   if (type.scalar == "float") return number;
   return type.scalar == "bool" ? number + " != 0.0" : fmt::format("{}({})", type.scalar, number);
 }
 
-/// Of one element. Numbers of a matrix are row after row, its constructor's are column after column.
-std::string valueAt(const gpu::ShaderVariable& uniform, const UniformType& type, std::uint32_t first) {
+/// Of one element, whose numbers begin there (GLSL). Numbers of a matrix are row after row, its constructor's
+/// are column after column.
+std::string valueAt(const gpu::ShaderVariable& uniform, const UniformType& type, const std::string& first) {
   std::string arguments;
   for (std::uint32_t column = 0; column < type.columns; ++column)
     for (std::uint32_t row = 0; row < type.rows; ++row)
       arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ",
-                               numberAt(type, first + row * type.columns + column));
+                               numberAt(type, first, row * type.columns + column));
   return fmt::format("{}({})", type.numbers() == 1 ? type.scalar : uniform.type, arguments);
+}
+
+std::string typeOfElement(const gpu::ShaderVariable& uniform) {
+  return uniform.type.starts_with("sampler") ? "int" : uniform.type;
 }
 
 std::string arrayText(const gpu::ShaderVariable& uniform) {
   std::string text = uniform.type;
   for (const std::uint32_t size : uniform.array) text += fmt::format("[{}]", size);
   return text;
+}
+
+/// Names of what a material is given (shaders/MATERIALS.md), and of luxo's own beside it.
+bool isGiven(const std::string& name) {
+  constexpr std::string_view kGiven[] = {"material",     "lightCount", "light",           "ambientLight",
+                                         "blinnPhong",   "colorMap",   "specularMap",     "glowMap",
+                                         "Point",        "Light",      "luxoStops",       "luxoRounds",
+                                         "Hit",          "trace",      "worldVector",     "worldNormal",
+                                         "objectVector", "texture",    "luxoPictureSize", "textureGrad"};
+  return std::ranges::find(kGiven, name) != std::end(kGiven);
 }
 
 /// Whether a name may follow a dot in a shader: of what it is given, or of a vector.
@@ -94,12 +111,67 @@ bool isField(const std::string& name) {
 constexpr const char* kEntryHint =
     "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
 
+[[noreturn]] void refuseAt(const MaterialShader::File& file, std::size_t begin, std::size_t length,
+                           const std::string& why, const std::string& advice) {
+  throw Error(ErrorKind::Scene, describe(file.name, file.text, {{begin, begin + length}, why, advice}));
+}
+
+/// Of the innermost one that is left open, outside of comments.
+std::optional<std::size_t> unclosedBrace(const std::string& glsl) {
+  const std::string code = withoutComments(glsl);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    if (code[i] == '{') open.push_back(i);
+    if (code[i] == '}' && !open.empty()) open.pop_back();
+  }
+  return open.empty() ? std::nullopt : std::optional(open.back());
+}
+
+/// Error(Scene) where a file includes itself, by way of others or not; they are told apart by their last
+/// names.
+void refuseCycle(const MaterialShader& shader) {
+  static const std::regex kInclude(R"((?:^|\n)[ \t]*#[ \t]*include[ \t]*("[^"\n]*"))");
+  const auto included = [&](const MaterialShader::File& by, const auto& visit) {
+    const std::string code = withoutComments(by.text);
+    for (std::sregex_iterator found(code.begin(), code.end(), kInclude), end; found != end; ++found) {
+      const std::string name = (*found)[1].str();
+      const auto last = std::filesystem::path(name.substr(1, name.size() - 2)).filename();
+      for (const MaterialShader::File& one : shader.files)
+        if (std::filesystem::path(one.name).filename() == last)
+          visit(one, static_cast<std::size_t>(found->position(1)), name.size());
+    }
+  };
+  for (const MaterialShader::File& file : shader.files)
+    included(file, [&](const MaterialShader::File& next, std::size_t at, std::size_t length) {
+      std::vector<const MaterialShader::File*> reached{&next};
+      for (std::size_t i = 0; i < reached.size(); ++i) {
+        if (reached[i] == &file)
+          refuseAt(file, at, length,
+                   fmt::format("'{}' includes itself{}", file.name,
+                               &next == &file ? "" : fmt::format(", by way of '{}'", next.name)),
+                   "leave it out, or put #ifndef, #define and #endif around what it has");
+        included(*reached[i], [&](const MaterialShader::File& one, std::size_t, std::size_t) {
+          if (std::ranges::find(reached, &one) == reached.end()) reached.push_back(&one);
+        });
+      }
+    });
+}
+
 /// What is wrong with it, of what a compiler says of it joined with luxo's own.
 [[noreturn]] void explain(const MaterialShader& shader, const std::string& entry, std::string_view said) {
   const std::string& file = shader.files.front().name;
   if (said.find("No function definition") != said.npos && said.find("material(struct-Point") != said.npos)
     throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file),
                 kEntryHint);
+  static const std::regex kMain(R"(\bvoid\s+(main)\s*\()");
+  if (said.find("'main' : function already has a body") != said.npos)
+    for (const MaterialShader::File& one : shader.files)
+      if (std::smatch found; std::regex_search(one.text, found, kMain))
+        refuseAt(one, static_cast<std::size_t>(found.position(1)), 4,
+                 "'main' is of a program that has inputs and outputs of its own, which a material is not",
+                 "write vec4 material(Point p) { return vec4(1.0, 0.0, 0.0, 1.0); }, which is given the "
+                 "point, or a "
+                 "program in the course's style, with gl_FragColor (both: shaders/MATERIALS.md)");
   if (said.find(fmt::format("\n{}:", kCourseAlone)) != said.npos)
     throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'void main()'", entry),
                 "a program begins there");
@@ -116,15 +188,24 @@ constexpr const char* kEntryHint =
                               fmt::format("the function '{}' calls itself, or one that calls it", name),
                               "functions of GLSL cannot: repeat with a loop"}));
   }
-  // Line by line what is about its own files, from where one begins to where the next message does.
-  std::string message;
+  if (said.find("Could not process include directive") != said.npos) refuseCycle(shader);
+  if (said.find("syntax error") != said.npos || said.find("not allowed in nested scope") != said.npos)
+    for (const MaterialShader::File& one : shader.files)
+      if (const auto brace = unclosedBrace(one.text))
+        refuseAt(one, *brace, 1, "this '{' has no '}'", "what follows is taken for a part of what it begins");
+  // Line by line what is about the first of its own files that has errors, from where one begins to where the
+  // next message does: those of files that include it follow from them.
+  std::string message, first;
   bool isOwn = false;
   for (std::size_t at = said.find('\n'); at != said.npos;) {
     const std::size_t end = said.find('\n', ++at);
     const std::string_view line = said.substr(at, end == said.npos ? said.npos : end - at);
-    if (!line.starts_with(' '))
-      isOwn = std::ranges::any_of(shader.files,
-                                  [&](const auto& one) { return line.starts_with(one.name + ":"); });
+    if (!line.starts_with(' ')) {
+      const auto own = std::ranges::find_if(
+          shader.files, [&](const auto& one) { return line.starts_with(one.name + ":"); });
+      isOwn = own != shader.files.end() && (first.empty() || first == own->name);
+      if (isOwn) first = own->name;
+    }
     if (isOwn) message += fmt::format("{}{}", message.empty() ? "" : "\n", line);
     at = end;
   }
@@ -154,6 +235,44 @@ Mat3 inverseOrZero(const Mat3& linear) {
   return volume > 0 && std::isfinite(1 / volume) ? glm::transpose(normalMatrix(linear)) / volume : Mat3(0);
 }
 
+/// As joined texts need it: with bounded loops, and uniforms where luxo's own numbers are.
+std::string joinable(std::string_view glsl) {
+  static const std::regex kLayout(
+      R"((\blayout\s*\([^()]*\)\s*)(?=uniform\b)|\buniform\s+(layout\s*\([^()]*\)))");
+  std::string text(glsl);
+  for (std::smatch found; std::regex_search(text, found, kLayout);) {
+    const int which = found[1].matched ? 1 : 2;
+    for (std::ptrdiff_t i = found.position(which); i < found.position(which) + found.length(which); ++i)
+      if (char& c = text[static_cast<std::size_t>(i)]; c != '\n') c = ' ';
+  }
+  return withBoundedLoops(text);
+}
+
+/// What directives must not say: macros with names of luxo's own change what is joined with the text, and a
+/// pragma that nobody knows does nothing.
+void refuseDirectives(const MaterialShader::File& file) {
+  static const std::regex kMacro(R"((?:^|\n)[ \t]*#[ \t]*(?:define|undef)[ \t]+(\w+))"),
+      kPragma(R"((?:^|\n)[ \t]*#[ \t]*pragma[ \t]+luxo[ \t]+(\w+))");
+  if (file.text.find('#') == file.text.npos) return;
+  const std::string code = withoutComments(file.text);
+  const auto forEach = [&](const std::regex& directive, const auto& look) {
+    for (std::sregex_iterator found(code.begin(), code.end(), directive), end; found != end; ++found)
+      look((*found)[1].str(), static_cast<std::size_t>(found->position(1)));
+  };
+  forEach(kMacro, [&](const std::string& name, std::size_t at) {
+    if (isGiven(name) || name == "uniform" || name == "sampler2D" || name.starts_with("luxo") ||
+        name.starts_with("LUXO"))
+      refuseAt(file, at, name.size(), fmt::format("'{}' is a name of luxo's own, which no macro has", name),
+               "choose another one");
+  });
+  forEach(kPragma, [&](const std::string& name, std::size_t at) {
+    const std::vector<std::string> known = {"opacity", "course"};
+    if (std::ranges::find(known, name) == known.end())
+      refuseAt(file, at, name.size(), fmt::format("'#pragma luxo {}' is not known", name),
+               didYouMean(name, known, fmt::format("there are {}", listed(known))));
+  });
+}
+
 }  // namespace
 
 MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(shader)) {
@@ -163,6 +282,8 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
       throw Error(ErrorKind::Scene,
                   fmt::format("the shader file '{}' has the name of one of luxo's own", file.name),
                   "give it another one");
+  for (std::size_t i = shader_->wrapped ? 1 : 0; i < shader_->files.size(); ++i)
+    refuseDirectives(shader_->files[i]);
   if (luxo::inCourseStyle(*shader_)) {
     compileCourse();
   } else {
@@ -177,18 +298,53 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
           fmt::format("{}: there is a vertex program beside it, and it is no program in the course's style",
                       shader_->files.front().name),
           "leave \"vertex\" out: material() is given the point itself (shaders/MATERIALS.md)");
-    for (const MaterialShader::File& file : shader_->files) texts_.push_back(withBoundedLoops(file.text));
+    for (const MaterialShader::File& file : shader_->files) texts_.push_back(joinable(file.text));
     interface_ = compileAlone(kAlone, 0, gpu::ShaderStage::Fragment);
-    nameSamplers();
+    nameTypes();
+    requireOwnNames();
   }
-  requireAffordable();
   requireSettable();
+  addCopiedArrays();
+  requireAffordable();
 }
 
-/// To the compiler samplers are numbers.
-void MaterialProgram::nameSamplers() {
+/// Functions may have them for other arguments.
+void MaterialProgram::requireOwnNames() const {
+  std::vector<std::string> names;
+  for (const auto* some : {&interface_.structures, &interface_.globals})
+    names.insert(names.end(), some->begin(), some->end());
+  for (const gpu::ShaderBlock& block : interface_.blocks)
+    for (const gpu::ShaderVariable& uniform : block.members) names.push_back(uniform.name);
+  for (const MaterialShader::File& file : shader_->files)
+    for (std::string& name : constantsOf(outsideOfFunctions(file.text))) names.push_back(std::move(name));
+  for (const std::string& name : names)
+    if (isGiven(name) && name != "luxoRounds" && name != "Point" && name != "Light" && name != "Hit")
+      refuseWord(name, fmt::format("'{}' is a name of luxo's own (shaders/MATERIALS.md)", name),
+                 "choose another one");
+}
+
+/// What each point has a copy of.
+void MaterialProgram::addCopiedArrays() {
+  for (const gpu::ShaderVariable& uniform : uniforms_) {
+    const std::optional<UniformType> type = typeNamed(uniform.type);
+    if (uniform.array.empty() || !type) continue;
+    std::vector<std::string> texts = course_ ? course_->texts() : texts_;
+    for (const std::string& storage : storagesOf(uniform))
+      if (!readElements(texts, storage, uniform.array.size()))
+        cost_.variableBytes += std::uint64_t{sizeof(float)} * type->numbers() * uniform.elements();
+  }
+}
+
+std::vector<std::string> MaterialProgram::storagesOf(const gpu::ShaderVariable& uniform) const {
+  return course_ ? course_->storagesOf(uniform.name) : std::vector{uniform.name};
+}
+
+/// To the compiler samplers are numbers, and so is truth, where a buffer has it.
+void MaterialProgram::nameTypes() {
   for (gpu::ShaderBlock& block : interface_.blocks)
     for (gpu::ShaderVariable& uniform : block.members) {
+      if (uniform.type.starts_with('u') && shader_->hasBool(uniform.name))
+        uniform.type = gpu::boolOf(uniform.type);
       if (uniform.type != "int" || !shader_->hasSampler(uniform.name)) continue;
       uniform.type = "sampler2D";
       if (!uniform.array.empty())
@@ -200,7 +356,7 @@ void MaterialProgram::nameSamplers() {
 void MaterialProgram::compileCourse() {
   for (const MaterialShader::File& file : shader_->files) {
     refuseForeign(file);
-    texts_.push_back(withBoundedLoops(withCourseSpelling(file.text)));
+    texts_.push_back(joinable(withCourseSpelling(file.text)));
   }
   gpu::ShaderInterface fragment = compileAlone(kCourseAlone, 0, gpu::ShaderStage::Fragment);
   std::optional<gpu::ShaderInterface> vertex;
@@ -279,9 +435,10 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
   const std::string& file = shader_->files.front().name;
   const bool isProgram = luxo::inCourseStyle(*shader_);
   if (interface.discards)
-    throw Error(ErrorKind::Scene,
-                fmt::format("{}: there is a 'discard', and a material is a function of its point", file),
-                "return an opacity of 0, in a shader that has the line '#pragma luxo opacity'");
+    refuseWord(
+        "discard", "'discard': a material is a function of its point, and a picture of its pixels",
+        "return an opacity of 0, in a shader that has the line '#pragma luxo opacity'; in mainImage give the "
+        "colour of what is behind");
   for (const std::string& global : interface.computedGlobals) {
     const std::string name = isProgram ? withoutCourseSpelling(global) : global;
     refuseWord(name,
@@ -355,6 +512,10 @@ void MaterialProgram::check(const Material& material) const {
       refuse(fmt::format("the uniform '{}' of '{}' is of type {}, not a texture", value.name, file,
                          arrayText(*uniform)),
              {});
+    if (isSampler && value.values.empty())
+      refuse(fmt::format("the texture of the uniform '{}' of '{}' has no image: there is no such file",
+                         value.name, file),
+             "put it into the folder of the scene, or into one below");
     if (isSampler && !course_)
       refuse(fmt::format("the uniform '{}' of '{}' is a texture, not a number", value.name, file),
              "give it the name of one of the scene's textures");
@@ -408,53 +569,86 @@ std::vector<std::string> MaterialProgram::unused(const Material& material) const
   return messages;
 }
 
-template <typename StorageOf>
-std::string MaterialProgram::loads(const Paint& paint, StorageOf storageOf) const {
-  const GivenUniforms& given = paint.given();
-  std::string text;
-  const auto set = [&](const gpu::ShaderVariable& uniform, const auto& valueOf) {
-    for (std::uint32_t i = 0; i < uniform.elements(); ++i) {
-      std::string element = storageOf(uniform.name);
-      std::uint32_t rest = i, part = uniform.elements();
-      for (const std::uint32_t size : uniform.array) {
-        part /= size;
-        element += fmt::format("[{}]", rest / part);
-        rest %= part;
-      }
-      text += fmt::format("  {} = {};\n", element, valueOf(i));
+std::optional<std::string> MaterialProgram::valueOf(const gpu::ShaderVariable& uniform,
+                                                    const Paint& paint) const {
+  std::uint32_t first = kShaderNumbers, texture = paint.firstOfUniforms();
+  for (const auto& [name, count] : paint.given()) {
+    if (name == uniform.name && count == 0) return fmt::format("{}", texture);
+    if (name == uniform.name) {
+      const UniformType type = *typeNamed(uniform.type);
+      return valueAt(uniform, type, fmt::format("{}u + {}u * uint(element)", first, type.numbers()));
     }
-  };
-  std::uint32_t first = 0, texture = paint.firstOfUniforms();
-  for (const auto& [name, count] : given) {
-    const gpu::ShaderVariable& uniform = *find(name);
-    if (count == 0) {
-      set(uniform, [&](std::uint32_t) { return fmt::format("{}", texture); });
+    if (count == 0)
       texture += shared::kTextureNumbers;
-      continue;
-    }
-    const UniformType type = *typeNamed(uniform.type);
-    const std::uint32_t begin = first;
-    set(uniform, [&](std::uint32_t i) { return valueAt(uniform, type, begin + i * type.numbers()); });
-    first += count;
+    else
+      first += count;
   }
-  for (const gpu::ShaderVariable& uniform : uniforms_)
-    if (std::ranges::find(given, uniform.name, &GivenUniforms::value_type::first) == given.end() &&
-        !isInitialised(uniform.name))
-      set(uniform, [&](std::uint32_t) {
-        return fmt::format("{}(0)", uniform.type.starts_with("sampler") ? "int" : uniform.type);
-      });
-  return text;
+  if (isInitialised(uniform.name)) return std::nullopt;
+  return fmt::format("{}(0)", typeOfElement(uniform));
 }
 
-std::vector<gpu::ShaderSource> MaterialProgram::sources(const Paint& paint, std::string& material) const {
-  std::vector<gpu::ShaderSource> sources;
-  if (paint.curvature().valid()) sources.push_back({kCurvature, paint.curvature().glsl()});
+/// Of an array an element: an index beyond its ends is that of the end.
+std::string MaterialProgram::reader(const gpu::ShaderVariable& uniform, const std::string& storage,
+                                    const std::string& value) {
+  std::string parameters, index = "0";
+  for (std::size_t i = 0; i < uniform.array.size(); ++i) {
+    parameters += fmt::format("{}int i{}", i > 0 ? ", " : "", i);
+    index = fmt::format("({} * {} + clamp(i{}, 0, {}))", index, uniform.array[i], i, uniform.array[i] - 1);
+  }
+  return fmt::format("{0} luxoAt_{1}({2}) {{\n  int element = {3};\n  return {4};\n}}\n",
+                     typeOfElement(uniform), storage, parameters, index, value);
+}
+
+std::string MaterialProgram::copyOfAll(const gpu::ShaderVariable& uniform, const std::string& storage) {
+  std::string loops, element, arguments;
+  for (std::size_t i = 0; i < uniform.array.size(); ++i) {
+    loops += fmt::format("  for (int i{0} = 0; i{0} < {1}; ++i{0})\n", i, uniform.array[i]);
+    element += fmt::format("[i{}]", i);
+    arguments += fmt::format("{}i{}", i > 0 ? ", " : "", i);
+  }
+  return fmt::format("{0}    {1}{2} = luxoAt_{1}({3});\n", loops, storage, element, arguments);
+}
+
+MaterialProgram::Loads MaterialProgram::loads(const Paint& paint, std::vector<std::string>& texts) const {
+  Loads loads;
+  for (const gpu::ShaderVariable& uniform : uniforms_) {
+    const std::optional<std::string> value = valueOf(uniform, paint);
+    if (!value) {
+      if (course_) loads.statements += course_->initialiserShared(uniform.name);
+      continue;
+    }
+    for (const std::string& storage : storagesOf(uniform)) {
+      loads.functions += reader(uniform, storage, *value);
+      if (uniform.array.empty() || !readElements(texts, storage, uniform.array.size()))
+        loads.statements += copyOfAll(uniform, storage);
+    }
+  }
+  return loads;
+}
+
+/// In all of the texts, or in none.
+bool MaterialProgram::readElements(std::vector<std::string>& texts, const std::string& name,
+                                   std::size_t dimensions) {
+  std::vector<std::string> reading;
+  for (const std::string& text : texts) {
+    std::optional<std::string> one = withElementsRead(text, name, dimensions);
+    if (!one) return false;
+    reading.push_back(std::move(*one));
+  }
+  texts = std::move(reading);
+  return true;
+}
+
+MaterialProgram::Joined MaterialProgram::joined(const Paint& paint) const {
+  Joined joined;
+  if (paint.curvature().valid()) joined.curvature = paint.curvature().glsl();
   if (course_) {
-    material =
-        course_->material(loads(paint, [this](const std::string& name) { return course_->storageOf(name); }));
-    for (gpu::ShaderSource& file : course_->files()) sources.push_back(file);
-    sources.push_back({kEntry, material});
-    return sources;
+    joined.texts = course_->texts();
+    const Loads load = loads(paint, joined.texts);
+    joined.material = course_->material(load.functions, load.statements);
+    joined.names = course_->paths();
+    joined.shown.resize(joined.names.size());
+    return joined;
   }
   // What the shader names is its own, whatever luxo's own shaders call theirs.
   std::vector<std::string> names;
@@ -466,23 +660,30 @@ std::vector<gpu::ShaderSource> MaterialProgram::sources(const Paint& paint, std:
     for (std::string& name : constantsOf(file.text)) names.push_back(std::move(name));
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  constexpr std::string_view kGiven[] = {
-      "main",        "material",        "lightCount", "light", "ambientLight", "blinnPhong",
-      "colorMap",    "specularMap",     "glowMap",    "Point", "Light",        "luxoStops",
-      "luxoRounds",  "luxoPictureSize", "Hit",        "trace", "worldVector",  "objectVector",
-      "worldNormal", "texture",         "textureGrad"};
   std::erase_if(names, [&](const std::string& name) {
-    return std::ranges::find(kGiven, name) != std::end(kGiven) || name.starts_with("gl_") || isField(name);
+    return isGiven(name) || name == "main" || name.starts_with("gl_") || isField(name);
   });
-  material = "#define uniform\n#define sampler2D int\n";
+  joined.texts = texts_;
+  const Loads load = loads(paint, joined.texts);
+  std::string& material = joined.material;
+  material = load.functions + "#define uniform\n#define sampler2D int\n";
   for (const std::string& name : names) material += fmt::format("#define {} luxoOwn_{}\n", name, name);
   material += fmt::format("#include \"{}\"\nvoid loadUniforms() {{\n{}}}\n", shader_->files.front().name,
-                          loads(paint, [](const std::string& name) { return name; }));
+                          load.statements);
   for (const std::string& name : names) material += fmt::format("#undef {}\n", name);
   material += "#undef sampler2D\n#undef uniform\n";
+  for (const MaterialShader::File& file : shader_->files) {
+    joined.names.push_back(file.name);
+    joined.shown.push_back(file.text);
+  }
+  return joined;
+}
+
+std::vector<gpu::ShaderSource> MaterialProgram::Joined::sources() const {
+  std::vector<gpu::ShaderSource> sources;
+  if (!curvature.empty()) sources.push_back({kCurvature, curvature});
+  for (std::size_t i = 0; i < names.size(); ++i) sources.push_back({names[i], texts[i], shown[i]});
   sources.push_back({kEntry, material});
-  for (std::size_t i = 0; i < texts_.size(); ++i)
-    sources.push_back({shader_->files[i].name, texts_[i], shader_->files[i].text});
   return sources;
 }
 
@@ -494,21 +695,24 @@ const MaterialProgram& MaterialPrograms::of(const MaterialShaderPtr& shader) {
   return program;
 }
 
-void MaterialPrograms::check(const Snapshot& snapshot) {
+void MaterialPrograms::check(const Snapshot& snapshot, const VisibleList& visible) {
   tellShadows(snapshot);
-  std::vector<MaterialShaderPtr> used;
-  for (const SnapshotNode& node : snapshot.nodes) {
-    const Material& material = snapshot.materials[node.material.index];
-    if (!material.shader) continue;
-    const MaterialProgram& program = of(material.shader);
-    program.check(material);
-    requireCurvature(node, material);
-    for (const std::string& message : program.unused(material))
-      if (told_.insert(message).second) log(LogLevel::Warning, message);
-    used.push_back(material.shader);
-  }
-  std::erase_if(programs_,
-                [&](const auto& entry) { return std::ranges::find(used, entry.first) == used.end(); });
+  for (const auto* nodes : {&visible.opaque, &visible.transparent})
+    for (const VisibleNode& one : *nodes) {
+      const SnapshotNode& node = snapshot.nodes[one.node];
+      const Material& material = snapshot.materials[node.material.index];
+      if (!material.shader) continue;
+      const MaterialProgram& program = of(material.shader);
+      program.check(material);
+      requireCurvature(node, material);
+      for (const std::string& message : program.unused(material))
+        if (told_.insert(message).second) log(LogLevel::Warning, message);
+    }
+  // Those of what comes into the picture again are there.
+  std::erase_if(programs_, [&](const auto& entry) {
+    return std::ranges::none_of(snapshot.materials,
+                                [&](const Material& material) { return material.shader == entry.first; });
+  });
 }
 
 /// Whether light gets through, who looks for shadows has to know without running a shader.

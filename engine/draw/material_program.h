@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "cull/cull.h"
 #include "draw/course_program.h"
 #include "draw/paint.h"
 #include "gpu/shader_cost.h"
@@ -43,10 +44,17 @@ class MaterialProgram {
   /// A message for each value that the shader does not use.
   [[nodiscard]] std::vector<std::string> unused(const Material& material) const;
 
-  /// All that shaders with LUXO_SHADER include beside luxo's own, the files "material" and "curvature" among
-  /// it, for a paint that has it: uniforms that are not given keep what the shader says, or 0. Valid as long
-  /// as this, the paint and `material`, which it fills.
-  [[nodiscard]] std::vector<gpu::ShaderSource> sources(const Paint& paint, std::string& material) const;
+  /// All that shaders with LUXO_SHADER include beside luxo's own, for a paint that has it: uniforms that are
+  /// not given keep what the shader says, or 0.
+  struct Joined {
+    std::string curvature;                         ///< the file of that name; empty: there is none
+    std::string material;                          ///< the file of that name
+    std::vector<std::string> names, texts, shown;  ///< of the shader's own files
+
+    /// Valid as long as this.
+    [[nodiscard]] std::vector<gpu::ShaderSource> sources() const;
+  };
+  [[nodiscard]] Joined joined(const Paint& paint) const;
 
  private:
   /// By itself, in one of luxo's own shaders, of which it is the file "material": the files[index].
@@ -54,16 +62,32 @@ class MaterialProgram {
                                                   gpu::ShaderStage stage);
   void compileCourse();
   void requireSettable();
+  void requireOwnNames() const;
+  void addCopiedArrays();
+  /// The variables that it is in the joined texts.
+  [[nodiscard]] std::vector<std::string> storagesOf(const gpu::ShaderVariable& uniform) const;
   void requirePure(const gpu::ShaderInterface& interface) const;
   void requireAffordable() const;
   /// Error(Scene) where the word stands in a file of its own; nothing where it stands in none.
   void refuseWord(const std::string& word, const std::string& why, const std::string& advice) const;
   /// Whether its declaration says what it is where a scene does not.
   [[nodiscard]] bool isInitialised(const std::string& uniform) const;
-  /// Statements that give uniforms their values; `storageOf` gives the variable.
-  template <typename StorageOf>
-  [[nodiscard]] std::string loads(const Paint& paint, StorageOf storageOf) const;
-  void nameSamplers();
+  /// What gives uniforms their values: a function for each, luxoAt_NAME(), of arrays by indices; and
+  /// statements.
+  struct Loads {
+    std::string functions, statements;
+  };
+  /// Has `texts`, the shader's own, read elements of arrays where they lie; where they cannot, the array is
+  /// copied to each point, as other uniforms are.
+  [[nodiscard]] Loads loads(const Paint& paint, std::vector<std::string>& texts) const;
+  static bool readElements(std::vector<std::string>& texts, const std::string& name, std::size_t dimensions);
+  [[nodiscard]] static std::string reader(const gpu::ShaderVariable& uniform, const std::string& storage,
+                                          const std::string& value);
+  [[nodiscard]] static std::string copyOfAll(const gpu::ShaderVariable& uniform, const std::string& storage);
+  /// An expression of `element`, the index in all of an array. Nothing: it keeps what the shader says.
+  [[nodiscard]] std::optional<std::string> valueOf(const gpu::ShaderVariable& uniform,
+                                                   const Paint& paint) const;
+  void nameTypes();
   void requireTextures(const Material& material) const;
   [[nodiscard]] const gpu::ShaderVariable* find(const std::string& name) const;
 
@@ -80,8 +104,9 @@ class MaterialProgram {
 class MaterialPrograms {
  public:
   [[nodiscard]] const MaterialProgram& of(const MaterialShaderPtr& shader);
-  /// Of all materials that are on something: MaterialProgram::check(). What is not used is logged, once.
-  void check(const Snapshot& snapshot);
+  /// Of all materials that are on something in the picture: MaterialProgram::check(). What is not used is
+  /// logged, once.
+  void check(const Snapshot& snapshot, const VisibleList& visible);
   /// Since the last time: shaders that no run before had.
   [[nodiscard]] std::uint64_t takeCompiled() { return std::exchange(compiled_, 0); }
 

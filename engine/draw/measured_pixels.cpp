@@ -55,10 +55,10 @@ void addColors(const std::byte* texels, int width, MeasuredPixels& measured) {
     const auto are = [&](int red, int green, int blue) {
       return infinityAt(0) == red && infinityAt(1) == green && infinityAt(2) == blue;
     };
-    measured.endless += are(1, 1, 1);
-    measured.seenThrough += are(-1, -1, -1);
-    measured.moved += are(1, -1, 1);
-    measured.manyTraces += are(1, -1, -1);
+    measured.faults.endless += are(1, 1, 1);
+    measured.faults.seenThrough += are(-1, -1, -1);
+    measured.faults.moved += are(1, -1, 1);
+    measured.faults.manyTraces += are(1, -1, -1);
   }
 }
 
@@ -71,7 +71,7 @@ void showInMagenta(std::span<float> row) {
     }
 }
 
-void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
+void refuseShaders(const Snapshot& snapshot, const shared::ShaderFaults& faults) {
   std::set<std::string> names, vertexNames;
   for (const SnapshotNode& node : snapshot.nodes)
     if (const MaterialShaderPtr& shader = snapshot.materials[node.material.index].shader) {
@@ -80,31 +80,32 @@ void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured) {
     }
   if (names.empty()) return;
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
-  if (measured.endless > 0)
+  if (faults.endless > 0)
     throw Error(
         ErrorKind::Scene,
-        fmt::format("{}: in {} pixels the loops of the shader go round more than 32768 times, all of a point "
-                    "together",
-                    all, measured.endless),
+        fmt::format(
+            "{}: there are pixels in which the loops of the shader go round more than 32768 times, all "
+            "of a point together",
+            all),
         "end them sooner: a loop that never ends would hang the device");
-  if (measured.seenThrough > 0)
+  if (faults.seenThrough > 0)
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: in {} pixels the shader gives an opacity below 1, and has not said that it may", all,
-                    measured.seenThrough),
+                    faults.seenThrough),
         "write a line '#pragma luxo opacity' into it, or return 1 as the fourth number");
-  if (measured.moved > 0)
+  if (faults.moved > 0)
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: in {} pixels the vertex program moves the vertex: gl_Position is not that of "
                     "gl_Vertex, and an exact surface is where its formula has it",
-                    fmt::join(vertexNames, ", "), measured.moved),
+                    fmt::join(vertexNames, ", "), faults.moved),
         "write gl_Position = ftransform(), and the movement into the surface's \"position\": formulas "
         "take time and parameters");
-  if (measured.manyTraces > 0)
+  if (faults.manyTraces > 0)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: in {} pixels the shader sends more than {} rays into the scene", all,
-                            measured.manyTraces, shared::kMostTraces),
+                            faults.manyTraces, shared::kMostTraces),
                 "send fewer: end loops that follow a ray sooner");
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "scene/snapshot.h"
+#include "shared/scene_data.h"
 
 namespace luxo {
 
@@ -20,15 +21,15 @@ struct MeasuredPixels {
   static constexpr std::uint32_t kMagnitude = 0x7fffffffU, kInfinity = 0x7f800000U, kLargest = kInfinity - 1;
   std::uint32_t residual = 0;  ///< the largest of the alphas, as bits
   std::uint32_t nonfinite = 0;
-  std::uint32_t endless = 0, seenThrough = 0, moved = 0, manyTraces = 0;  ///< what shaders mean by infinities
+  shared::ShaderFaults faults{};  ///< what shaders mean by infinities
 
   void add(const MeasuredPixels& other) {
     residual = std::max(residual, other.residual);
     nonfinite += other.nonfinite;
-    endless += other.endless;
-    seenThrough += other.seenThrough;
-    moved += other.moved;
-    manyTraces += other.manyTraces;
+    faults.endless += other.faults.endless;
+    faults.seenThrough += other.faults.seenThrough;
+    faults.moved += other.faults.moved;
+    faults.manyTraces += other.faults.manyTraces;
   }
   void add(float alpha) { residual = std::max(residual, std::bit_cast<std::uint32_t>(alpha) & kMagnitude); }
 };
@@ -44,7 +45,7 @@ void addColors(const std::byte* texels, int width, MeasuredPixels& measured);
 /// Of RGB: nobody overlooks what is no number.
 void showInMagenta(std::span<float> row);
 
-/// Error(Scene): what shaders of materials say by infinities (shaders/lib/lit_shader.glsl).
-void refuseShaders(const Snapshot& snapshot, const MeasuredPixels& measured);
+/// Error(Scene): shaders of materials have done so (shaders/lib/lit_shader.glsl).
+void refuseShaders(const Snapshot& snapshot, const shared::ShaderFaults& faults);
 
 }  // namespace luxo

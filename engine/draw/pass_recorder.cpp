@@ -116,6 +116,7 @@ void PassRecorder::useTargets(const Pass& pass) {
   for (const Target target : pass.reads) usages.push_back({targets.texture(target), SampledFragment});
   if (gpu::Texture* resolved = targets.resolved())
     usages.push_back({*resolved, ResolveTarget, gpu::Contents::Discard});
+  if (view_.list().runsShaders) usages.push_back({view_.faults(), StorageWrite});
   if (pass.asks) usages.push_back({view_.traces().questions(), StorageWrite});
   if (pass.searches) {
     usages.push_back({view_.feedback().doubtful(), StorageWrite});

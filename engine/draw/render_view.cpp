@@ -126,6 +126,12 @@ ShownMeshes RenderView::shown() {
           .width = static_cast<std::int32_t>(targets_.extent().width)};
 }
 
+shared::ShaderFaults RenderView::shaderFaults() {
+  shared::ShaderFaults faults{};
+  if (list_.runsShaders) std::memcpy(&faults, faults_.read().data(), sizeof faults);
+  return faults;
+}
+
 bool RenderView::makeRoomFor(const RayPoints& points) {
   return list_.layers.any() && layerLists_.makeRoom(points.layerPoints.size());
 }
@@ -147,6 +153,12 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
                     .lightDepth = extentOfLightMaps(list_)});
   if (list_.layers.any()) layerLists_.prepare(extent, list_.layers.details);
   if (list_.traces) traces_.prepare(extent);
+  if (list_.runsShaders && !faults_)
+    faults_ = gpu::Buffer(*context_,
+                          {.size = sizeof(shared::ShaderFaults),
+                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                           .memory = gpu::MemoryUse::Readback,
+                           .name = "faults of shaders"});
   feedback_.begin(list_, extent, chooseProbes());
   upload(!options_.skips.unchanged);
 }
@@ -234,7 +246,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                       {uploads_.view.use(*context_),
                                        instances.use(*context_),
                                        {uploads_.lights.use(*context_), 0, sizeof(shared::LightSet)},
-                                       uploads_.materials.use(*context_)});
+                                       uploads_.materials.use(*context_),
+                                       list_.runsShaders ? faults_ : uploads_.materials.use(*context_)});
   };
   Bindings bindings{.scene = sceneOf(uploads_.instances)};
   if (!list_.patternParameters.empty())

@@ -16,7 +16,9 @@
 #include "draw/texel_store.h"
 #include "draw/trace_buffers.h"
 #include "draw/view_targets.h"
+#include "gpu/buffer.h"
 #include "gpu/frame.h"
+#include "shared/scene_data.h"
 
 namespace luxo {
 
@@ -50,6 +52,9 @@ class RenderView {
   [[nodiscard]] bool makeRoomFor(const RayPoints& points);
   /// Whether it finds surfaces, by searches or by rays.
   [[nodiscard]] bool searches() const { return !list_.found.empty() || !list_.layers.found.empty(); }
+  /// What shaders of materials do that they must not, in the last recording, which has to be complete: of all
+  /// points that were lit, be they seen or not.
+  [[nodiscard]] shared::ShaderFaults shaderFaults();
   /// Scene-linear RGBA, one sample, row 0 at the top.
   [[nodiscard]] gpu::Texture& picture() { return targets_.picture(); }
 
@@ -84,6 +89,8 @@ class RenderView {
   /// Where the list traces: what shaders ask, and the answers.
   [[nodiscard]] TraceBuffers& traces() { return traces_; }
   [[nodiscard]] LayerLists& layerLists() { return layerLists_; }
+  /// Where the list runs shaders.
+  [[nodiscard]] gpu::Buffer& faults() { return faults_; }
   [[nodiscard]] const VkClearColorValue& background() const { return background_; }
   /// Where a light set is in the buffer of them all.
   [[nodiscard]] std::uint32_t lightOffset(std::uint32_t lightSet) const;
@@ -110,6 +117,7 @@ class RenderView {
   SearchFeedback feedback_;
   LayerLists layerLists_;
   TraceBuffers traces_;
+  gpu::Buffer faults_;
   DrawList list_;
   DrawOptions options_;
   VkClearColorValue background_{};

@@ -379,7 +379,7 @@ Image Renderer::readPicture(const Snapshot& snapshot, const DrawOptions& options
                });
   MeasuredPixels measured;
   for (const MeasuredPixels& band : bands) measured.add(band);
-  refuseShaders(snapshot, measured);
+  refuseShaders(snapshot, measured.faults);
   error.found = view_.searches();
   error.shadowed = view_.list().findsShadows();
   if (certifies) error.residualMaxPx = std::bit_cast<float>(measured.residual);

@@ -19,8 +19,10 @@ std::vector<DescriptorBinding> bindingsOf(SceneSet set) {
   std::vector<DescriptorBinding> bindings;
   switch (set) {
     case SceneSet::Scene:
-      bindings = {kBuffer, kBuffer, kSomeUniforms, kBuffer};
+      bindings.assign(kSceneBindings, kBuffer);
       bindings[kBindingView] = kUniforms;
+      bindings[kBindingLights] = kSomeUniforms;
+      bindings[kBindingShaderFaults] = {kBuffer.type, VK_SHADER_STAGE_FRAGMENT_BIT};
       break;
     case SceneSet::Pattern:
       bindings = {kBuffer};

@@ -72,20 +72,23 @@ DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& 
   return able;
 }
 
+void ScenePainter::check(const Snapshot& snapshot, const DrawOptions& options) {
+  pipelines_.programs().check(snapshot, cull(snapshot, cullOptions(possible(snapshot, options))));
+}
+
 void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
                           const Snapshot& scene, const DrawOptions& wanted, FrameStatistics& statistics) {
   const gpu::Counters before = context_->counters();
-  pipelines_.programs().check(scene);
   const DrawOptions options = possible(scene, wanted);
   const Snapshot& snapshot = scaleNormalization_.of(scene);
   DrawList list = listed(snapshot, options, statistics);
   LapWatch watch;
+  pipelines_.beginPicture();
+  preparePipelines(list, view.targets().format(static_cast<VkSampleCountFlagBits>(options.samples)));
   store_.dropUnused();
   view.begin(std::move(list), options, backgroundOf(snapshot, options.output),
              {static_cast<std::uint32_t>(snapshot.view.size.width),
               static_cast<std::uint32_t>(snapshot.view.size.height)});
-  pipelines_.beginPicture();
-  preparePipelines(view);
   recordPasses(frames, commands, view, {}, statistics);
 
   context_->counted().shadersCompiled += pipelines_.programs().takeCompiled();
@@ -104,6 +107,7 @@ DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& optio
   const VisibleList visible = cull(snapshot, cullOptions(options));
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();
+  pipelines_.programs().check(snapshot, visible);
   DrawList list = listDraws(snapshot, visible, options, geometry_);
   statistics.error = {.tolerancePx = options.tolerancePx, .boundPx = list.boundPx};
   statistics.count.culledHidden = list.culledHidden;
@@ -116,12 +120,12 @@ DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& optio
   return list;
 }
 
-void ScenePainter::preparePipelines(RenderView& view) {
+void ScenePainter::preparePipelines(const DrawList& list, const TargetFormat& format) {
   std::vector<DrawState> states;
-  for (const auto* batches : {&view.list().opaque, &view.list().transparent})
+  for (const auto* batches : {&list.opaque, &list.transparent})
     for (const DrawBatch& batch : *batches) states.push_back(batch.state);
-  const Layers& layers = view.list().layers;
-  for (const LightGroup& group : view.list().groups) {
+  const Layers& layers = list.layers;
+  for (const LightGroup& group : list.groups) {
     for (const auto* shades : {&group.shades, &group.layerShades})
       states.insert(states.end(), shades->begin(), shades->end());
     for (const auto* batches : {&group.again, &group.layerAgain})
@@ -138,12 +142,12 @@ void ScenePainter::preparePipelines(RenderView& view) {
     }
     if (!group.flatTransmittances.empty()) states.push_back({.form = Form::FlatTransmittance});
   }
-  for (const CasterDraw& draw : view.list().places) states.push_back(draw.state);
+  for (const CasterDraw& draw : list.places) states.push_back(draw.state);
   for (const auto* draws : {&layers.searches, &layers.places})
     for (const CasterDraw& draw : *draws) states.push_back(draw.state);
   for (const DrawBatch& batch : layers.meshes) states.push_back(batch.state);
   if (layers.any()) states.push_back(layers.blend);
-  pipelines_.prepare(states, view.targets().format());
+  pipelines_.prepare(states, format);
 }
 
 void ScenePainter::recordAnswers(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
@@ -168,6 +172,10 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   frame.layerBands = view.layerLists().bands();
   const RenderView::Bindings bindings = view.bind(frames, pipelines_, texels_);
   if (view.list().traces && !frame.answers) view.traces().clear(commands);
+  if (view.list().runsShaders && !frame.rays) {
+    gpu::use(commands, {{view.faults(), gpu::Use::TransferDestination}});
+    vkCmdFillBuffer(commands, view.faults(), 0, VK_WHOLE_SIZE, 0);
+  }
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) {
     frames.mark(pass.name);
@@ -175,6 +183,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   }
   frames.mark(gpu::FrameRing::kUnmarked);
   if (view.list().traces) gpu::use(commands, {{view.traces().questions(), gpu::Use::HostRead}});
+  if (view.list().runsShaders) gpu::use(commands, {{view.faults(), gpu::Use::HostRead}});
   if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});
   if (view.list().findsPlaces) gpu::use(commands, {{view.feedback().shown(), gpu::Use::HostRead}});
   if (view.list().searches()) gpu::use(commands, {{view.feedback().doubtful(), gpu::Use::HostRead}});

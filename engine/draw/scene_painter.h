@@ -25,12 +25,14 @@ class ScenePainter {
  public:
   explicit ScenePainter(gpu::Context& context);
 
-  /// Error(Scene): a material's shader is none, or its uniforms are not of it; as record(), but nothing is
-  /// drawn. Cost: compiles the shaders that are new.
-  void check(const Snapshot& snapshot) { pipelines_.programs().check(snapshot); }
+  /// Error(Scene): the shader of a material in the picture is none, or its uniforms are not of it; as
+  /// record(), but nothing is drawn, and what only shows once it is joined with luxo's own stays unknown.
+  /// Cost: culls, and compiles the shaders that are new.
+  void check(const Snapshot& snapshot, const DrawOptions& options);
 
   /// Records everything needed into the ring's open recording and adds its cost to `statistics`. The picture
-  /// is in view.picture() once the recording has been submitted and is complete. Throws Error(Scene).
+  /// is in view.picture() once the recording has been submitted and is complete. Throws Error(Scene): then
+  /// nothing is recorded, and the view is as it was.
   void record(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view, const Snapshot& scene,
               const DrawOptions& options, FrameStatistics& statistics);
 
@@ -54,7 +56,7 @@ class ScenePainter {
   [[nodiscard]] DrawOptions possible(const Snapshot& snapshot, const DrawOptions& options) const;
   [[nodiscard]] DrawList listed(const Snapshot& snapshot, const DrawOptions& options,
                                 FrameStatistics& statistics);
-  void preparePipelines(RenderView& view);
+  void preparePipelines(const DrawList& list, const TargetFormat& format);
   void recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
                     const FrameDesc& frame, FrameStatistics& statistics);
 

@@ -187,8 +187,11 @@ void ScenePrograms::prepare(std::span<const DrawState> states) {
     source.add(pattern.preamble());
     if (footprint) source.add("#define LUXO_TEXTURED\n#define LUXO_FINDS_FOOTPRINT\n");
     if (frame) source.add("#define LUXO_FINDS_FRAME\n");
-    std::string material;
-    if (pattern.shader()) source.add(materials_.of(pattern.shader()).sources(pattern, material));
+    MaterialProgram::Joined material;
+    if (pattern.shader()) {
+      material = materials_.of(pattern.shader()).joined(pattern);
+      source.add(material.sources());
+    }
     missing[i].shader = gpu::ShaderCompiler().compile(source.desc());
   });
   for (Missing& m : missing) {
@@ -346,9 +349,10 @@ ScenePrograms::Shader ScenePrograms::patternShader(const DrawState& state, std::
   std::vector<gpu::ShaderSource> sources(std::begin(kShaderSources), std::end(kShaderSources));
   sources.push_back({"pattern", text});
   const auto source = std::ranges::find(kShaderSources, name, &gpu::ShaderSource::name);
-  std::string material;
+  MaterialProgram::Joined material;
   if (pattern.shader()) {
-    const auto own = materials_.of(pattern.shader()).sources(pattern, material);
+    material = materials_.of(pattern.shader()).joined(pattern);
+    const auto own = material.sources();
     sources.insert(sources.end(), own.begin(), own.end());
   }
   const std::string preamble = pattern.preamble() + (state.tangents ? "#define LUXO_VERTEX_TANGENTS\n" : "");

@@ -74,6 +74,12 @@ class ViewTargets {
 
   [[nodiscard]] VkExtent2D extent() const { return color_.extent(); }
   [[nodiscard]] const TargetFormat& format() const { return format_; }
+  /// Of a picture with so many samples.
+  [[nodiscard]] TargetFormat format(VkSampleCountFlagBits samples) const {
+    TargetFormat format = format_;
+    format.samples = samples;
+    return format;
+  }
   /// How many times as large as the picture the viewport is, where the device allows. Triangles that reach
   /// past a viewport are cut into slivers, of which a CPU device rounds the slopes: a tenth of a pixel is
   /// lost of what a mesh interpolates. Those that leave the picture by less than half of it are not cut.

@@ -301,6 +301,10 @@ std::uint32_t ShaderVariable::elements() const {
   return product;
 }
 
+std::string boolOf(const std::string& type) {
+  return type == "uint" ? "bool" : fmt::format("b{}", type.substr(1));
+}
+
 ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
   return ofSpirv(spirv, [](std::span<const std::uint32_t> words) { return Reflection(words).interface(); });
 }

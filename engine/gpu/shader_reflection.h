@@ -22,6 +22,7 @@ struct ShaderVariable {
   std::uint32_t arrayStride = 0, matrixStride = 0;
   bool active = true;                        ///< something that runs reads or writes it
   std::vector<ShaderVariable> members = {};  ///< of a structure
+  std::vector<ShaderStage> stages = {};  ///< of two stages together: which of them have it, in their order
 
   [[nodiscard]] std::uint32_t elements() const;  ///< of the array, 1 of none
 };
@@ -45,13 +46,17 @@ struct ShaderInterface {
   std::vector<ShaderVariable> constants;  ///< specialization constants, whose location is their number
   std::uint32_t loops = 0;
   std::vector<std::string> calls;  ///< of functions, each by the name of what it calls
-  bool discards = false;                  ///< some of its fragments may end with nothing
+  bool discards = false;           ///< some of its fragments may end with nothing
   std::vector<std::string> functions, structures, globals;  ///< names that the text gives
-  std::vector<std::string> computedGlobals;  ///< of these, what begins as no constant
+  std::vector<std::string> computedGlobals;                 ///< of these, what begins as no constant
 };
 
 /// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V. Cost: linear.
 [[nodiscard]] ShaderInterface reflect(std::span<const std::uint32_t> spirv);
+
+/// Truth in a buffer is a number, in SPIR-V as well: the type of GLSL, where whoever asks knows that
+/// `type`, "uint" or "uvec3", is one: "bool", "bvec3".
+[[nodiscard]] std::string boolOf(const std::string& type);
 
 /// Of that only what a pipeline is made from.
 struct StageInterface {

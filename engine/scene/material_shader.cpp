@@ -32,9 +32,9 @@ bool hasOpacityPragma(const std::string& text) {
   return false;
 }
 
-bool declaresSampler(const std::string& text, std::string_view name) {
-  static const std::regex kSampler(R"(\buniform\s+((highp|mediump|lowp)\s+)?sampler2D\b)");
-  for (std::sregex_iterator found(text.begin(), text.end(), kSampler), end; found != end; ++found) {
+/// Of a type that the pattern says.
+bool declaresUniform(const std::string& text, std::string_view name, const std::regex& declaration) {
+  for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found) {
     const auto at = static_cast<std::size_t>(found->position() + found->length());
     if (hasWord(std::string_view(text).substr(at, text.find(';', at) - at), name)) return true;
   }
@@ -61,7 +61,13 @@ bool MaterialShader::readsCurvature() const {
 }
 
 bool MaterialShader::hasSampler(std::string_view name) const {
-  return anySays(files, [&](const std::string& text) { return declaresSampler(text, name); });
+  static const std::regex kSampler(R"(\buniform\s+((highp|mediump|lowp)\s+)?sampler2D\b)");
+  return anySays(files, [&](const std::string& text) { return declaresUniform(text, name, kSampler); });
+}
+
+bool MaterialShader::hasBool(std::string_view name) const {
+  static const std::regex kBool(R"(\buniform\s+(bool|bvec[234])\b)");
+  return anySays(files, [&](const std::string& text) { return declaresUniform(text, name, kBool); });
 }
 
 bool MaterialShader::hasOpacity() const {

@@ -26,6 +26,8 @@ struct MaterialShader {
   /// Which of them is the vertex program of one in the course's style (shaders/MATERIALS.md); what that
   /// includes is behind it. 0: none.
   std::size_t vertex = 0;
+  /// Whether the first file is luxo's own, around those of the shader (apps/luxo/main_image.h).
+  bool wrapped = false;
 
   /// Whether some point may send rays into the scene: its text has the word. This and the others: comments do
   /// not count, what #if leaves out does. Cost: reads the text.
@@ -35,6 +37,8 @@ struct MaterialShader {
   [[nodiscard]] bool readsCurvature() const;
   /// Whether it declares a uniform sampler2D of that name.
   [[nodiscard]] bool hasSampler(std::string_view name) const;
+  /// Whether it declares a uniform bool of that name, or of a vector of them.
+  [[nodiscard]] bool hasBool(std::string_view name) const;
   /// Whether its points may be seen through: it says how opaque they are, or has the word `discard`.
   [[nodiscard]] bool hasOpacity() const;
   /// Whether it says how opaque its points are: a line of it is `#pragma luxo opacity`.

@@ -23,13 +23,14 @@ SourceRange rangeIn(const Quantity& quantity, SourceRange part) {
 bool SceneProblems::full() const { return count_ >= kMaxKeptProblems; }
 
 void SceneProblems::add(SourceRange where, std::string message, std::string hint) {
+  // A material is built again for what is drawn in another way.
+  if (source_.text && isRecent({where, message, hint})) return;
   if (++count_ <= kMaxKeptProblems) problems_.push_back({{where, std::move(message), std::move(hint)}, {}});
 }
 
 void SceneProblems::add(const Quantity& quantity, Diagnostic diagnostic) {
   if (source_.text) {
     diagnostic.where = rangeIn(quantity, diagnostic.where);
-    if (isRecent(diagnostic)) return;
     add(diagnostic.where, std::move(diagnostic.message), std::move(diagnostic.hint));
     return;
   }

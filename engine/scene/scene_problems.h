@@ -24,12 +24,13 @@ class SceneProblems {
  public:
   explicit SceneProblems(SceneSource source) : source_(std::move(source)) {}
 
+  /// One of the last few is not repeated, where there is a file.
   void add(SourceRange where, std::string message, std::string hint = {});
   void add(FilePlace place, std::string message, std::string hint = {}) {
     add(rangeOf(place), std::move(message), std::move(hint));
   }
-  /// A problem of a quantity's formula, its range relative to the formula. One of the last few is not
-  /// repeated: one formula may stand for three numbers.
+  /// A problem of a quantity's formula, its range relative to the formula: one formula may stand for three
+  /// numbers.
   void add(const Quantity& quantity, Diagnostic diagnostic);
 
   [[nodiscard]] const SceneSource& source() const { return source_; }

@@ -18,6 +18,11 @@ const uint kNotANumber = 0x7fc00000u, kTooManyRounds = 0x7f800000u, kSeenThrough
 const uvec3 kMovedAway = uvec3(kTooManyRounds, kSeenThrough, kTooManyRounds);
 const uvec3 kTooManyTraces = uvec3(kTooManyRounds, kSeenThrough, kSeenThrough);
 
+// For whoever shows the picture without reading its pixels.
+layout(scalar, set = kSetScene, binding = kBindingShaderFaults) buffer ShaderFaultsOfPicture {
+  ShaderFaults shaderFaults;
+};
+
 Found litPoint;
 float litOpacity;  // that the shader gives
 
@@ -163,18 +168,30 @@ vec3 lit(Found found) {
 #endif
   luxoMoved = false;
   vec4 color = luxoMaterial(materialPoint(found));
-  if (luxoRounds > kLuxoMostRounds) return vec3(uintBitsToFloat(kTooManyRounds));
-  if (luxoMoved) return uintBitsToFloat(kMovedAway);
+  if (luxoRounds > kLuxoMostRounds) {
+    atomicAdd(shaderFaults.endless, 1u);
+    return vec3(uintBitsToFloat(kTooManyRounds));
+  }
+  if (luxoMoved) {
+    atomicAdd(shaderFaults.moved, 1u);
+    return uintBitsToFloat(kMovedAway);
+  }
 #ifdef LUXO_TRACES
   askTraces();
-  if (tracesTooOften()) return uintBitsToFloat(kTooManyTraces);
+  if (tracesTooOften()) {
+    atomicAdd(shaderFaults.manyTraces, 1u);
+    return uintBitsToFloat(kTooManyTraces);
+  }
 #endif
   bool numbers = isColor(color.rgb) && isNumber(color.a);
   if (!numbers) return vec3(uintBitsToFloat(kNotANumber));
 #ifdef LUXO_OPACITY
   litOpacity = clamp(color.a, 0.0, 1.0);
 #else
-  if (color.a < 1.0) return vec3(uintBitsToFloat(kSeenThrough));
+  if (color.a < 1.0) {
+    atomicAdd(shaderFaults.seenThrough, 1u);
+    return vec3(uintBitsToFloat(kSeenThrough));
+  }
 #endif
 #ifdef LUXO_FIRST_OF_ISOLINES
   return underIsolines(color.rgb, found.parameters);

@@ -6,4 +6,8 @@
 #include "lib/pattern_of_mesh.glsl"
 #include "lib/lit_pattern.glsl"
 
+#ifdef LUXO_SHADER
+layout(early_fragment_tests) in;  // what is hidden has no faults to tell
+#endif
+
 void main() { show(foundPoint(), foundOpacity()); }

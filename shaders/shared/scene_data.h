@@ -44,6 +44,8 @@ LUXO_CONSTANT kBindingView = 0;
 LUXO_CONSTANT kBindingInstances = 1;
 LUXO_CONSTANT kBindingLights = 2;  // dynamic offset: the set of lights that reach the draw
 LUXO_CONSTANT kBindingMaterials = 3;
+LUXO_CONSTANT kBindingShaderFaults = 4;
+LUXO_CONSTANT kSceneBindings = 5;
 
 // Bindings of kSetExact.
 LUXO_CONSTANT kBindingExactInstances = 0;
@@ -437,6 +439,12 @@ LUXO_CONSTANT kFromFirstHit = 2;  // and on: of the answers to this point, by th
 struct TraceRay {
   vec3 direction;  // unit
   uint from;       // kFromPoint and on
+};
+
+// How many points of a picture have shaders of materials that do what they must not: their loops do not end, they are seen
+// through and have not said that they may be, move their vertex, send too many rays.
+struct ShaderFaults {
+  uint endless, seenThrough, moved, manyTraces;
 };
 
 // What a pixel asks: the number of its answer, whose place another one may have; and the point that it lights.

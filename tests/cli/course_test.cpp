@@ -165,6 +165,17 @@ TEST_F(CourseFiles, InspectTellsAttributesUniformsAndVaryings) {
   EXPECT_EQ(listed("attributes"), "vec4 gl_Vertex; vec3 gl_Normal; vec3 tangent; ");
   EXPECT_EQ(listed("varyings"), "vec4 gl_Position; vec3 n; ");
   EXPECT_THAT(run(folder, {"inspect", "m.vert"}).out, HasSubstr("varyings\n"));
+  const auto stages = [&](const char* kind) {
+    std::string text;
+    for (const Json& one : json.at(kind)) text += one.at("stages").dump() + " ";
+    return text;
+  };
+  EXPECT_EQ(stages("attributes"), R"(["vertex"] ["vertex"] ["vertex"] )");
+  EXPECT_EQ(stages("varyings"), R"(["vertex"] ["vertex","fragment"] )");
+  EXPECT_EQ(json.at("stage"), "fragment");
+  const Json vertex = Json::parse(run(folder, {"inspect", "m.vert", "--json"}).out);
+  EXPECT_EQ(vertex.at("stage"), "vertex");
+  for (const Json& one : vertex.at("uniforms")) EXPECT_EQ(one.at("stages").dump(), R"(["vertex"])");
 }
 
 }  // namespace

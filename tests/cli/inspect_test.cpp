@@ -131,9 +131,27 @@ TEST_F(Inspect, APixelOfABall) {
   EXPECT_TRUE(contains(told["pipeline"]["output"], "the mean of 4 samples"));
 
   const Outcome text = run(folder, {"inspect", "s.luxo.json", "--pixel", "31,23", "--size", "63x47"});
-  for (const char* said : {"ball (sphere, red), outer side, 8 m deep", "K 0.25, H 0.5", "lamp, seen, 4 m away",
-                           "sRGB [165,77,0]", "pipeline", "inner side, 12 m deep, behind"})
+  for (const char* said :
+       {"ball (sphere, red), outer side, 8 m deep", "K 0.25, H 0.5", "lamp, seen, 4 m away",
+        "sRGB [165,77,0]", "pipeline", "inner side, 12 m deep, behind"})
     EXPECT_TRUE(contains(text.out, said)) << text.out << "\nlacks: " << said;
+}
+
+/// Of a shader the colour is the picture's, and nothing of the light is told that the shader may not use.
+TEST_F(Inspect, APixelOfAShader) {
+  requireDevice();
+  writeText(folder / "red.frag", "vec4 material(Point p) { return vec4(1.0, 0.25, 0.0, 1.0); }\n");
+  const Json told = inspected("red.frag", {"--pixel", "15,16", "--size", "48x32"});
+  expectVector(told["color"]["linear"], {1, 0.25, 0}, 1e-6);
+  EXPECT_EQ(told["color"]["srgb8"], (Json{255, 137, 0}));
+  EXPECT_TRUE(contains(told["points"][0]["shader"], "red.frag"));
+  for (const char* unknown : {"reflected", "diffuse", "ambient"})
+    EXPECT_FALSE(told["points"][0].contains(unknown)) << unknown;
+  writeText(folder / "red.frag", "vec4 material(Point p) { return vec4(nothing); }\n");
+  EXPECT_EQ(run(folder, {"inspect", "red.frag", "--pixel", "15,16", "--size", "48x32"}).code, 3);
+  writeText(folder / "red.frag",
+            "uniform float k = 0.5; // @slider 0\nvec4 material(Point p) { return vec4(k); }\n");
+  EXPECT_EQ(run(folder, {"inspect", "red.frag"}).code, 3);
 }
 
 TEST_F(Inspect, APixelOfTheBackground) {

@@ -51,6 +51,57 @@ TEST_F(MaterialShaderProgram, ErrorsAreAtTheirOwnLine) {
               "inc.glsl:2:35: 'y' : undeclared identifier\n");
 }
 
+/// What passes by itself would be an error in luxo's own text once they are joined.
+TEST_F(MaterialShaderProgram, NamesOfWhatItIsGivenAreRefusedAtTheirPlace) {
+  const std::string rest = "vec4 material(Point p) { return vec4(1); }\n";
+  expectError("uniform float light = 0.5;\n" + rest, "m.frag:1:15: 'light' is a name of luxo's own");
+  expectError("const vec3 ambientLight = vec3(1);\n" + rest, "m.frag:1:12: 'ambientLight'");
+  expectError("#define material foo\n" + rest,
+              "m.frag:1:9: 'material' is a name of luxo's own, which no macro has");
+  expectError("\n#pragma luxo opacty\n" + rest, "m.frag:2:14: '#pragma luxo opacty' is not known");
+  EXPECT_EQ(drawn("layout(location = 2) uniform float x;\nuniform layout(location = 3) vec3 y = vec3(1);\n"
+                  "vec4 material(Point p) { float light = x; return vec4(y * light, 1); }\n")
+                .code,
+            0);
+}
+
+/// One error, at its place, and what to write.
+TEST_F(MaterialShaderProgram, WhatFollowsFromAnErrorIsNotTold) {
+  const auto said = [&](const std::string& shader) {
+    const Outcome outcome = drawn(shader);
+    EXPECT_EQ(outcome.code, 3);
+    return outcome.err;
+  };
+  EXPECT_THAT(said("#version 330\nin vec3 n; out vec4 c;\nvoid main() { c = vec4(1); }\n"),
+              testing::AllOf(StartsWith("error: m.frag:3:6: 'main' is of a program"),
+                             HasSubstr("write vec4 material(Point p)"), Not(HasSubstr("lib/"))));
+  EXPECT_THAT(said("#include \"m.frag\"\nvec4 material(Point p) { return vec4(1); }\n"),
+              testing::AllOf(StartsWith("error: m.frag:1:10: 'm.frag' includes itself\n"),
+                             Not(HasSubstr("m.frag:2"))));
+  writeText(folder / "one.glsl", "#include \"two.glsl\"\n");
+  writeText(folder / "two.glsl", "#include \"one.glsl\"\n");
+  EXPECT_THAT(said("#include \"one.glsl\"\nvec4 material(Point p) { return vec4(1); }\n"),
+              StartsWith("error: one.glsl:1:10: 'one.glsl' includes itself, by way of 'two.glsl'\n"));
+  writeText(folder / "open.glsl", "float halved(float x) {\n  return 0.5 * x;\n");
+  EXPECT_THAT(
+      said("#include \"open.glsl\"\nuniform float q;\nvec4 material(Point p) { return vec4(halved(q)); }\n"),
+      testing::AllOf(StartsWith("error: open.glsl:1:23: this '{' has no '}'\n"), Not(HasSubstr("m.frag"))));
+  EXPECT_THAT(said("void main() { gl_FragData[0] = vec4(1); }\n"),
+              testing::AllOf(HasSubstr("m.frag:1:15: 'gl_FragData'"), HasSubstr("write gl_FragColor")));
+}
+
+/// Arrays that shaders only read element by element take no room of a point; others do.
+TEST_F(MaterialShaderProgram, ArraysThatAreCopiedAreLimited) {
+  const std::string sum = "float sum(float x[20000]) { return x[3]; }\n";
+  expectError("uniform float a[20000];\n" + sum + "vec4 material(Point p) { return vec4(sum(a)); }\n",
+              "its variables take");
+  EXPECT_EQ(
+      drawn(
+          "uniform float a[20000];\nvec4 material(Point p) { return vec4(vec3(a[int(p.uv.x * 9.0)]), 1); }\n")
+          .code,
+      0);
+}
+
 TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
   expectError("#include \"m.frag\"\nvec4 material(Point p) { return vec4(1); }\n", "m.frag:1:");
   expectError(
@@ -61,15 +112,18 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
   for (int i = 1; i < 20; ++i)
     doubling += "float f" + std::to_string(i) + "(float x) { return f" + std::to_string(i - 1) + "(x) + f" +
                 std::to_string(i - 1) + "(2.0 * x); }\n";
-  expectError(doubling + "vec4 material(Point p) { return vec4(f19(p.uv.x)); }\n", "at most 32768 are compiled");
+  expectError(doubling + "vec4 material(Point p) { return vec4(f19(p.uv.x)); }\n",
+              "at most 32768 are compiled");
   expectError("float a[100000000];\nvec4 material(Point p) { return vec4(a[int(p.uv.x)]); }\n",
               "m.frag: its variables take 400000");
   expectError("#define AGAIN while\nvec4 material(Point p) { AGAIN (p.uv.x > -9.0) { } return vec4(1); }\n",
               "a macro spells a loop");
-  expectError("#define G while\nvec4 material(Point p) { luxoStops(); G (p.uv.x > -9.0) { } return vec4(1); }\n",
-              "m.frag:2:26: 'luxoStops' is a name of luxo's own");
-  expectError("uniform float k = 1.0;\nfloat twice = 2.0 * k;\nvec4 material(Point p) { return vec4(twice); }\n",
-              "m.frag:2:7: 'twice' is computed before any uniform has its value");
+  expectError(
+      "#define G while\nvec4 material(Point p) { luxoStops(); G (p.uv.x > -9.0) { } return vec4(1); }\n",
+      "m.frag:2:26: 'luxoStops' is a name of luxo's own");
+  expectError(
+      "uniform float k = 1.0;\nfloat twice = 2.0 * k;\nvec4 material(Point p) { return vec4(twice); }\n",
+      "m.frag:2:7: 'twice' is computed before any uniform has its value");
   expectError("struct S { float x; };\nuniform S s;\nvec4 material(Point p) { return vec4(s.x); }\n",
               "m.frag:2:11: the uniform 's' is of type S");
   expectError("vec4 colour(Point p) { return vec4(1); }\n", "there is no function 'vec4 material(Point p)'");

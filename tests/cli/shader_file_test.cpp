@@ -164,6 +164,56 @@ TEST_F(ShaderFile, MainImageIsChosenBesideAMaterial) {
   expectBall(51, 102, 153);
 }
 
+/// The material that is beside it has what it is given, too.
+TEST_F(ShaderFile, AMaterialBesideMainImageKnowsItsNumbers) {
+  const std::string both =
+      "void mainImage(out vec4 c, in vec2 at) { c = vec4(at / iResolution.xy, iTime, 1.0); }\n"
+      "vec4 material(Point p) { vec4 c; mainImage(c, 0.5 * iResolution.xy); return c; }\n";
+  ASSERT_EQ(render(both, {"--time", "0.25"}).code, 0);
+  expectBall(188, 188, 137);
+  EXPECT_EQ(run(folder, {"inspect", "a.frag"}).code, 0);
+}
+
+TEST_F(ShaderFile, TruthIsGivenByName) {
+  const std::string shader =
+      "uniform bool on = true;\nuniform bvec3 which = bvec3(false);\n"
+      "vec4 material(Point p) { return vec4(on ? vec3(which) : vec3(0.5), 1.0); }\n";
+  ASSERT_EQ(render(shader).code, 0);
+  expectBall(0, 0, 0);
+  ASSERT_EQ(render(shader, {"-P", "which=true,true,false"}).code, 0);
+  expectBall(255, 255, 0);
+  ASSERT_EQ(render(shader, {"-P", "on=false"}).code, 0);
+  expectBall(188, 188, 188);
+  expectFailure(render(shader, {"-P", "on=2"}), 2, "it is of type bool", "give true or false");
+  const Json told = Json::parse(run(folder, {"inspect", "a.frag", "--json"}).out);
+  EXPECT_EQ(told["uniforms"][0]["type"], "bool");
+  EXPECT_EQ(told["uniforms"][1]["type"], "bvec3");
+  ASSERT_EQ(
+      render(
+          "uniform bool on = true;\nvoid mainImage(out vec4 c, in vec2 at) { c = vec4(on ? 0.2 : 0.4); }\n",
+          {"-P", "on=false"})
+          .code,
+      0);
+  expectBall(102, 102, 102);
+}
+
+/// Numbers that parameters are not: a uniform keeps them, and whoever gives them is told.
+TEST_F(ShaderFile, NumbersBeyondThoseOfScenes) {
+  const std::string shader =
+      "uniform float x = 1e30, y = 1;\nuniform uint n = 4000000000u;\n"
+      "vec4 material(Point p) { return vec4(x == 1e30 ? 1 : 0, n == 4000000000u ? 1 : 0, y, 1); }\n";
+  ASSERT_EQ(render(shader).code, 0);
+  expectBall(255, 255, 255);
+  expectFailure(render(shader, {"-P", "y=1e30"}), 2, "'y=1e30': numbers are from -1e+18 to 1e+18", "");
+  expectFailure(render("uniform sampler2D wood;\nvec4 material(Point p) { return texture(wood, p.uv); }\n",
+                       {"-P", "wood=gone.png", "-q"}),
+                3, "the texture of the uniform 'wood' of '", "");
+  writeText(folder / "a.frag.presets.json", R"({ "presets": { "far": { "gain": 9 } } })");
+  expectFailure(render(kTinted, {"--preset", "far"}), 3,
+                "the preset's 'gain' is 9, outside its range from 0 to 2",
+                "the comment at the uniform says the range");
+}
+
 TEST_F(ShaderFile, WhatMainImageDoesNotGetIsRefused) {
   const auto expectError = [&](const std::string& shader, const std::string& said,
                                const Arguments& more = {}) {

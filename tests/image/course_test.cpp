@@ -326,5 +326,22 @@ TEST_F(CoursePicture, LoopsWithoutEndAreRefused) {
       HasSubstr("more than 32768 times"));
 }
 
+/// Uniforms that both programs have, true or false, and arrays of which elements are read.
+TEST_F(CoursePicture, UniformsOfBothProgramsAreOne) {
+  const MaterialShaderPtr shader = programs(
+      "uniform bool on; uniform vec3 tones[200]; uniform float shared = 0.25; varying vec3 tone;\n"
+      "void main() { tone = on ? tones[int(gl_Vertex.y * 0.0) + 150] : vec3(0); gl_Position = ftransform(); "
+      "}",
+      "uniform bool on; uniform vec3 tones[200]; uniform float shared; varying vec3 tone;\n"
+      "void main() { gl_FragColor = vec4(on ? tone.r : 0.0, tones[7].g, shared, 1.0); }");
+  std::vector<double> tones(600);
+  tones[450] = 0.5;
+  tones[22] = 0.75;
+  const Material material{.shader = shader, .uniforms = {{"on", {1}}, {"tones", tones}}};
+  const Image image = draw(ringOnPlate(material, Light::Shadow::None), kCamera, kCourseSize).image;
+  EXPECT_TRUE(
+      near(colorAt(image, kCourseSize.width / 2, kCourseSize.height - 12), Vec3(0.5, 0.75, 0.25), 1e-6));
+}
+
 }  // namespace
 }  // namespace luxo::test

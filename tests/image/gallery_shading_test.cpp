@@ -163,6 +163,64 @@ double darkness(double year, double size) {
   return sum / kPlaces;
 }
 
+/// As K. Perlin's marble has it, of noise between 0 and 1: octaves of |2 noise - 1|, each twice as fine and
+/// half as strong.
+double veins(Vec3 place, double bend, int octaves) {
+  const double height = place.y;
+  double sum = 0, all = 0;
+  for (double weight = 0.5; octaves > 0; --octaves, weight /= 2) {
+    sum += weight * std::abs(2 * valueNoise(place) - 1);
+    all += weight;
+    place = 2.0 * place + Vec3(17);
+  }
+  return std::pow(0.5 + 0.5 * std::sin(3 * height + bend * sum / all), 0.6);
+}
+
+/// In the light of the surroundings alone it is their mix.
+TEST_F(GalleryShading, VeinsOfMarbleAreASineOfTurbulence) {
+  const Vec3 stone(0.9, 0.5, 0.1), vein(0.1, 0.2, 0.3);
+  constexpr double kScale = 1.6, kBend = 7;
+  constexpr int kOctaves = 6;
+  Scene scene;
+  scene.add(Node{
+      .surface = surface([](auto u, auto v) { return point(u, v, 0 * u + kHeight); }, {{-2, 2}, {-2, 2}}),
+      .material = scene.add(shaded("marble.frag", {{"stone", {stone.x, stone.y, stone.z}},
+                                                   {"vein", {vein.x, vein.y, vein.z}},
+                                                   {"scale", {kScale}},
+                                                   {"bend", {kBend}},
+                                                   {"octaves", {kOctaves}}}))});
+  scene.set(RenderSettings{.ambient = Vec3(1)});
+  const Image image = picture(scene);
+  double least = 1, most = 0;
+  for (int y = 0; y < kShadedPixels; ++y)
+    for (int x = 0; x < kShadedPixels; ++x) {
+      const double share = veins(kScale * (placeOf(x, y) + Vec3(0, 0, kHeight)), kBend, kOctaves);
+      // Places are floats: the finest octave's are off by 1e-4 of its cells, and the sine by some 1e-5.
+      EXPECT_TRUE(near(colorAt(image, x, y), glm::mix(vein, stone, share), 1e-3)) << x << "," << y;
+      least = std::min(least, share);
+      most = std::max(most, share);
+    }
+  EXPECT_LT(least, 0.1);
+  EXPECT_GT(most, 0.9);
+}
+
+/// A. Gooch et al., equation 2, of l the way to the light: (1 + n.l) / 2 of the warm tone, the rest of the
+/// cool one; k_cool = k_blue + alpha k_d, k_warm = k_yellow + beta k_d. A highlight lies over it where the
+/// light is mirrored.
+TEST_F(GalleryShading, GoochIsWarmTowardTheLightAndCoolAwayFromIt) {
+  const Vec3 paint(0.55, 0.25, 0.2), cool = Vec3(0, 0, 0.4) + 0.2 * paint,
+                                     warm = Vec3(0.4, 0.4, 0) + 0.6 * paint;
+  const auto shown = [&](const Vec3& toLight) {
+    return colorAt(plate("gooch.frag", {{"paint", {paint.x, paint.y, paint.z}}}, 0.1, toLight), 20, 40);
+  };
+  const double slant = std::sqrt(0.75);
+  EXPECT_TRUE(near(shown(Vec3(0, 0, 1)), warm + Vec3(0.6), 1e-6)) << "with the whole highlight";
+  EXPECT_TRUE(near(shown(Vec3(0, 0, -1)), cool, 1e-6));
+  EXPECT_TRUE(near(shown(Vec3(1, 0, 0)), 0.5 * (warm + cool), 1e-6));
+  EXPECT_TRUE(near(shown(Vec3(0, slant, 0.5)), 0.75 * warm + 0.25 * cool, 1e-6)) << "0.5^40 of a highlight";
+  EXPECT_TRUE(near(shown(Vec3(0, slant, -0.5)), 0.25 * warm + 0.75 * cool, 1e-6));
+}
+
 // The node's axes: the plate was turned about X. A place that the mean jumps at is off by one of the 2000.
 constexpr double kOfPlaces = 1e-3;
 

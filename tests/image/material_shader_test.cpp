@@ -111,6 +111,77 @@ vec4 material(Point p) { return vec4(sum(c[0] + c[1] + d[1]) + a, b + kTiny, 0.1
   }
 }
 
+/// What a buffer holds as numbers.
+TEST_F(MaterialShaderPicture, UniformsMayBeTrueOrFalse) {
+  const std::string text = R"(
+uniform bool on, off, kept = true, given = true;
+uniform bvec3 three;
+uniform bool some[4];
+uniform bvec2 pairs[2];
+float one(bool is) { return is ? 1.0 : 0.0; }
+vec4 material(Point p) {
+  bool all = on && !off && kept && !given && three == bvec3(true, false, true) && pairs[1] == bvec2(false, true);
+  int k = int(p.uv.x < 1e9);
+  return vec4(one(all), 0.25 * (one(some[0]) + one(some[k]) + one(some[2]) + one(some[3])), one(any(pairs[0])), 1.0);
+})";
+  const Material own = litBy(text, {{"on", {1}},
+                                    {"given", {0}},
+                                    {"three", {1, 0, 1}},
+                                    {"some", {0, 1, 1, 1}},
+                                    {"pairs", {0, 0, 0, 1}}}),
+                 none = litBy(text);
+  const auto shown = [&](const Material& material) {
+    return colorAt(
+        draw(ringOnPlate(material, material, Light::Shadow::None), kCamera, kMaterialShaderSize).image,
+        kMaterialShaderSize.width / 2, kMaterialShaderSize.height - 12);
+  };
+  EXPECT_TRUE(near(shown(own), Vec3(1, 0.75, 0), 1e-6));
+  EXPECT_TRUE(near(shown(none), Vec3(0), 1e-6));
+}
+
+/// Of u from 0 to 1: 4096 numbers, which copied to each point took drivers minutes.
+TEST_F(MaterialShaderPicture, ElementsOfArraysAreReadWhereTheyLie) {
+  constexpr std::size_t kMany = 4096;
+  std::vector<double> many(kMany), turns(9 * 64), grid(6);
+  for (std::size_t i = 0; i < kMany; ++i) many[i] = double(i) / (2 * kMany);
+  for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = double(i % 9 == 5) * double(i / 9) / 64;
+  for (std::size_t i = 0; i < grid.size(); ++i) grid[i] = double(i) / 8;
+  const auto plate = [&](const std::string& body) {
+    Scene scene;
+    scene.add(
+        Node{.surface =
+                 surface([](auto u, auto v) { return point(2 * u - 1, 2 * v - 1, 0 * u); }, {{0, 1}, {0, 1}}),
+             .material = scene.add(litBy("uniform float many[4096], grid[2][3]; uniform mat3 turns[64];\n"
+                                         "uniform uint which = 2u; uniform int far;\n"
+                                         "float sum(float x[3]) { return x[0] + x[1] + x[2]; }\n"
+                                         "vec4 material(Point p) { return vec4(" +
+                                             body + ", 1.0); }",
+                                         {{"many", many}, {"turns", turns}, {"grid", grid}}))});
+    return draw(scene, Camera{.eye = Vec3(0, 0, 5), .projection = Projection::Orthographic, .height = 2},
+                {64, 64})
+        .image;
+  };
+  const Image ramp = plate("many[int(4096.0 * p.uv.x)], (turns[int(64.0 * p.uv.y)] * vec3(0, 0, 1)).y, 0.0");
+  const Image others = plate("grid[1][which], sum(grid[1]), many[far + 99999] + many[far - 1]");
+  for (int i = 0; i < 64; ++i) {
+    EXPECT_NEAR(colorAt(ramp, i, 7).x, (i + 0.5) / 128, 1.0 / kMany) << i;
+    EXPECT_NEAR(colorAt(ramp, 7, i).y, (63 - i) / 64.0, 1e-6) << i;
+    EXPECT_TRUE(near(colorAt(others, i, i), Vec3(5 / 8.0, 12 / 8.0, many.back() + many.front()), 1e-6)) << i;
+  }
+}
+
+/// An error in it would be told.
+TEST_F(MaterialShaderPicture, OneThatIsNotInThePictureIsNotCompiled) {
+  const auto shown = [&](const Vec3& place) {
+    Scene scene = ringOnPlate({}, {}, Light::Shadow::None);
+    scene.add(
+        Node{.translation = place, .surface = sphere(0.5), .material = scene.add(litBy("this is none"))});
+    return draw(scene, kCamera, kMaterialShaderSize).statistics.count.shadersCompiled;
+  };
+  EXPECT_EQ(shown(Vec3(3, 5, 8)), 0u) << "behind the eye";
+  EXPECT_THROW(static_cast<void>(shown(Vec3(0))), Error);
+}
+
 /// A node whose scale makes a thin surface round, which is drawn as another one: the place is the scene's.
 TEST_F(MaterialShaderPicture, ThePlaceInTheNodeIsOfTheScenesSurface) {
   Scene scene;

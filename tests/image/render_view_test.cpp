@@ -6,8 +6,11 @@
 
 #include <cstring>
 #include <deque>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "draw/scene_painter.h"
 #include "gpu/transfer.h"
 #include "luxo_grandpa/lamp.h"
@@ -97,6 +100,72 @@ TEST_F(RenderViewTest, ViewsOfOnePainterDoNotDisturbEachOther) {
   };
   EXPECT_TRUE(same(ofLeft, a));
   EXPECT_TRUE(same(ofRight, b));
+}
+
+Scene ballLitBy(const std::string& text, int lights = 1) {
+  Scene scene;
+  const MaterialShader shader{{{"ball.frag", text}}};
+  scene.add(Node{.surface = sphere(1),
+                 .material = scene.add(Material{.shader = std::make_shared<const MaterialShader>(shader)})});
+  for (int i = 0; i < lights; ++i)
+    scene.add(Node{.translation = Vec3(3, 4, i), .light = Light{.shadow = Light::Shadow::Exact}});
+  return scene;
+}
+
+const Camera kBeforeBall{.eye = Vec3(0, 0, 4)};
+
+// What cannot be drawn turns out when its draws are listed: too many lights for a shader.
+TEST_F(RenderViewTest, WhatIsRefusedLeavesTheViewAsItWas) {
+  gpu::FrameRing frames(context());
+  ScenePainter painter(context());
+  RenderView view(context(), Precision::Full);
+  const auto record = [&](const Scene& scene) {
+    const VkCommandBuffer commands = frames.begin();
+    FrameStatistics statistics;
+    painter.record(frames, commands, view, takeSnapshot(scene, 0, kRenderViewSize, kBeforeBall),
+                   options(Shading::Exact), statistics);
+    gpu::Readback picture = readback();
+    picture.record(commands, view.picture());
+    frames.wait(frames.submit());
+    return colors(picture);
+  };
+  const Scene good = ballLitBy("vec4 material(Point p) { return vec4(0.5 * p.normal + 0.5, 1.0); }"),
+              bad = ballLitBy("vec4 material(Point p) { return vec4(1.0); }", 40);
+  const std::vector<float> first = record(good);
+  const std::size_t instances = view.list().instances.size();
+  EXPECT_THROW(static_cast<void>(record(bad)), Error);
+  EXPECT_EQ(view.list().instances.size(), instances);
+  EXPECT_EQ(view.options(), options(Shading::Exact));
+  gpu::Readback picture = readback();
+  picture.record(frames.begin(), view.picture());
+  frames.wait(frames.submit());
+  EXPECT_EQ(colors(picture), first) << "it is still there";
+  EXPECT_EQ(record(good), first);
+}
+
+TEST_F(RenderViewTest, FaultsOfShadersAreCounted) {
+  gpu::FrameRing frames(context());
+  ScenePainter painter(context());
+  RenderView view(context(), Precision::Half);
+  const auto faults = [&](const std::string& text, Composition composition) {
+    FrameStatistics statistics;
+    DrawOptions drawn = options(Shading::Exact);
+    drawn.composition = composition;
+    painter.record(frames, frames.begin(), view,
+                   takeSnapshot(ballLitBy(text, 1), 0, kRenderViewSize, kBeforeBall), drawn, statistics);
+    frames.wait(frames.submit());
+    return view.shaderFaults();
+  };
+  for (const Composition composition : {Composition::Auto, Composition::Deferred}) {
+    const auto none = faults("vec4 material(Point p) { return vec4(1); }", composition),
+               endless = faults(
+                   "vec4 material(Point p) { float x = 0.0; while (x < 1.0) x *= 0.5; return vec4(x); }",
+                   composition),
+               through = faults("vec4 material(Point p) { return vec4(1, 1, 1, 0.5); }", composition);
+    EXPECT_EQ(none.endless + none.seenThrough + none.moved + none.manyTraces, 0u);
+    EXPECT_GT(endless.endless, 0u);
+    EXPECT_GT(through.seenThrough, 3000u) << "pixels of the ball";
+  }
 }
 
 }  // namespace

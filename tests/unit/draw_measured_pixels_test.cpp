@@ -23,7 +23,7 @@ MeasuredPixels measured(const std::vector<std::array<float, 4>>& row) {
 TEST(MeasuredPixels, NumbersTellNothing) {
   const MeasuredPixels row = measured({{0, 1, -1, 1}, {1e38F, -1e38F, 1e-40F, 0}});
   EXPECT_EQ(row.nonfinite, 0u);
-  EXPECT_EQ(row.endless + row.seenThrough + row.moved + row.manyTraces, 0u);
+  EXPECT_EQ(row.faults.endless + row.faults.seenThrough + row.faults.moved + row.faults.manyTraces, 0u);
 }
 
 /// Devices whose blending knows no infinity make the largest number of it.
@@ -36,17 +36,17 @@ TEST(MeasuredPixels, InfinitiesTellWhatAShaderDid) {
                                          {most, -most, -most, 0},
                                          {most, -most, -most, 0}});
     EXPECT_EQ(row.nonfinite, 5u);
-    EXPECT_EQ(row.endless, 1u);
-    EXPECT_EQ(row.seenThrough, 1u);
-    EXPECT_EQ(row.moved, 1u);
-    EXPECT_EQ(row.manyTraces, 2u);
+    EXPECT_EQ(row.faults.endless, 1u);
+    EXPECT_EQ(row.faults.seenThrough, 1u);
+    EXPECT_EQ(row.faults.moved, 1u);
+    EXPECT_EQ(row.faults.manyTraces, 2u);
   }
 }
 
 TEST(MeasuredPixels, OtherValuesThatAreNoNumbersAreCountedOnly) {
   const MeasuredPixels row = measured({{kNan, kNan, kNan, 0}, {0, kInf, 0, 0}, {kInf, kNan, kInf, 0}});
   EXPECT_EQ(row.nonfinite, 3u);
-  EXPECT_EQ(row.endless + row.seenThrough + row.moved + row.manyTraces, 0u);
+  EXPECT_EQ(row.faults.endless + row.faults.seenThrough + row.faults.moved + row.faults.manyTraces, 0u);
 }
 
 TEST(MeasuredPixels, NobodyOverlooksThem) {

@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "draw/measured_pixels.h"
 #include "draw/scene_painter.h"
 #include "exit_code.h"
 #include "gpu/context.h"
@@ -192,7 +193,7 @@ class Viewer {
         break;
       case Controls::Request::Photo:
         if (pictures_ == 0) break;
-        wanted_.push_back({snapshotOrLast(kMaxShadowSamples), photoOptions()});
+        wanted_.push_back({refused_ ? shown_ : snapshotOrLast(kMaxShadowSamples), photoOptions()});
         tell({.text = "saving a picture"}, kForever);
         break;
       case Controls::Request::Fullscreen:
@@ -240,12 +241,18 @@ class Viewer {
   }
 
   void takePhotos() {
-    for (const Photo& photo : std::exchange(wanted_, {})) photographer_.take(photo.snapshot, photo.options);
+    try {
+      for (const Photo& photo : std::exchange(wanted_, {})) photographer_.take(photo.snapshot, photo.options);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::Scene) throw;
+      tell({.text = error.what(), .alert = true});
+      log(LogLevel::Debug, message_->text);
+    }
   }
 
   // A picture that has become smooth is saved as smooth, unless it is no longer to be.
   [[nodiscard]] DrawOptions photoOptions() const {
-    DrawOptions options = controls_.drawOptions();
+    DrawOptions options = refused_ ? *drawn_ : controls_.drawOptions();
     if (controls_.refines()) options.samples = std::max(options.samples, mean_.samples());
     return options;
   }
@@ -274,7 +281,7 @@ class Viewer {
       ViewedScene next = options_.readAgain();
       endClothWithWindow(next.scene);
       const double seconds = controls_.playback().seconds(Clock::now());
-      painter_.check(takeSnapshot(next.scene, seconds, next.settings.size, next.camera));
+      painter_.check(takeSnapshot(next.scene, seconds, next.settings.size, next.camera), optionsOfNext());
       controls_.adopt(viewed_, next, Clock::now());
       if (next.files != viewed_.files) watch_.emplace(next.files, [this] { window_.wake(); });
       viewed_ = std::move(next);
@@ -282,9 +289,13 @@ class Viewer {
       look();
       log(LogLevel::Debug, "shows the scene as it was saved");
     } catch (const Error& error) {
-      problem_ = error.what() + (error.hint().empty() ? "" : "\nhelp: " + error.hint());
+      problem_ = inWords(error);
       log(LogLevel::Debug, problem_);
     }
+  }
+
+  static std::string inWords(const Error& error) {
+    return error.what() + (error.hint().empty() ? "" : "\nhelp: " + error.hint());
   }
 
   // A scene comes into view.
@@ -329,7 +340,12 @@ class Viewer {
     measurePictures();
 
     Snapshot snapshot = nextSnapshot();
-    const DrawOptions draw = optionsOfNext();
+    DrawOptions draw = optionsOfNext();
+    if (refused_ && (refused_->snapshot != snapshot || refused_->options != draw)) refused_.reset();
+    if (refused_) {
+      snapshot = lastShown();
+      draw = *drawn_;
+    }
     const bool coarser = mean_.begun() && !controls_.refines();
     const bool changed =
         interrupted_ || !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
@@ -344,13 +360,13 @@ class Viewer {
       return;
     }
     // What is not complete, or may turn out not to be, is not worth a mean.
-    const bool refines = rests && controls_.refines() && !mean_.complete();
+    const bool refines = rests && controls_.refines() && !mean_.complete() && !refused_;
     if (!repaint && !refines && !stale) return;
     const double evaluated = millisecondsSince(start);
 
     if (repaint) mean_.reset();
     // The mean is worth showing once it has as many samples as the picture before it.
-    if (refines && (!mean_.prepare(frames_, painter_, view_, shown_, *drawn_) || !catchesUp())) return;
+    if (refines && (!preparesMean() || !catchesUp())) return;
     const VkCommandBuffer commands = frames_.begin();
     const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
     if (acquired != SwapchainStatus::Ready) {
@@ -359,9 +375,8 @@ class Viewer {
     }
     const auto recording = Clock::now();
     if (repaint) {
-      status_.statistics = {};
       patienceEnd_ = start + kPatience;
-      painter_.record(frames_, commands, view_, snapshot, draw, status_.statistics);
+      recordOrLast(commands, snapshot, draw);
       interrupted_ = painter_.interrupted();
       if (interrupted_) log(LogLevel::Debug, "interrupted while it made shells");
       status_.statistics.error.found = view_.searches();
@@ -409,6 +424,57 @@ class Viewer {
         fmt::format("audited {} px, {} wrong, {} by rays", audit.pixels, audit.wrong, audit.byRays));
   }
 
+  // What turns out to be none once its shaders are joined with luxo's, or once all of it is listed, keeps the
+  // last picture on the screen.
+  void recordOrLast(VkCommandBuffer commands, Snapshot& snapshot, DrawOptions& draw) {
+    status_.statistics = {};
+    try {
+      painter_.record(frames_, commands, view_, snapshot, draw, status_.statistics);
+    } catch (const Error& error) {
+      if (pictures_ == 0 || error.kind() != ErrorKind::Scene) throw;
+      refuse(error, std::exchange(snapshot, lastShown()), std::exchange(draw, *drawn_));
+      status_.statistics = {};
+      painter_.record(frames_, commands, view_, snapshot, draw, status_.statistics);
+    }
+  }
+
+  // A picture with one sample may ask for more than the one that is shown.
+  [[nodiscard]] bool preparesMean() {
+    try {
+      const bool prepared = mean_.prepare(frames_, painter_, view_, shown_, *drawn_);
+      if (const std::string faults = faultsOfShaders(); !faults.empty()) noteFaults(faults);
+      return prepared;
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::Scene) throw;
+      refuse(error, shown_, *drawn_);
+      return false;
+    }
+  }
+
+  void refuse(const Error& error, Snapshot snapshot, const DrawOptions& options) {
+    refused_ = {std::move(snapshot), options, inWords(error)};
+    log(LogLevel::Debug, refused_->why);
+    dirty_ = true;
+  }
+
+  // Of pictures that are complete: what their shaders must not do.
+  [[nodiscard]] std::string faultsOfShaders() {
+    if (context_.timeline().completed() < context_.timeline().submitted()) return faults_;
+    try {
+      refuseShaders(shown_, view_.shaderFaults());
+      return {};
+    } catch (const Error& error) {
+      return inWords(error);
+    }
+  }
+
+  void noteFaults(const std::string& faults) {
+    if (faults == faults_) return;
+    faults_ = faults;
+    if (!faults.empty()) log(LogLevel::Debug, faults);
+    dirty_ = true;
+  }
+
   void noteMouse() {
     if (!mouse_.isRead()) return;
     log(LogLevel::Debug, fmt::format("iMouse {}", fmt::join(mouse_.numbers(), ",")));
@@ -453,10 +519,14 @@ class Viewer {
     } catch (const Error& error) {
       if (pictures_ == 0 || error.kind() != ErrorKind::Scene) throw;
       impossible_ = error.what();
-      Snapshot last = shown_;
-      if (last.view.size != size()) last.view = resized(last.view, size());
-      return last;
+      return lastShown();
     }
+  }
+
+  [[nodiscard]] Snapshot lastShown() const {
+    Snapshot last = shown_;
+    if (last.view.size != size()) last.view = resized(last.view, size());
+    return last;
   }
 
   [[nodiscard]] gpu::Texture& shownPicture() {
@@ -490,7 +560,10 @@ class Viewer {
       if (milliseconds) meter_.addDevice(*milliseconds, frames_.parts(unmeasured_.front()));
       unmeasured_.pop_front();
     }
-    if (unmeasured_.empty()) lackedRoom_ = view_.makeRoom();
+    if (unmeasured_.empty()) {
+      lackedRoom_ = view_.makeRoom();
+      noteFaults(faultsOfShaders());
+    }
     dirty_ |= lackedRoom_ || !unmeasured_.empty();
   }
 
@@ -514,6 +587,11 @@ class Viewer {
           errorPanel("The file has errors. This is the scene before them.", problem_, size(), scale));
     } else if (!impossible_.empty()) {
       panels.push_back(errorPanel("There is no picture of this moment.", impossible_, size(), scale));
+    } else if (refused_) {
+      panels.push_back(
+          errorPanel("This cannot be drawn. The picture is the one before.", refused_->why, size(), scale));
+    } else if (!faults_.empty()) {
+      panels.push_back(errorPanel("Shaders do what they must not.", faults_, size(), scale));
     }
     if (message_) panels.push_back(messagePanel(*message_));
     return panels;
@@ -547,6 +625,13 @@ class Viewer {
   std::optional<Fitted> fitted_;
   std::string problem_;     // of the file as it was saved; empty: none
   std::string impossible_;  // why the scene has no picture now; empty: it has
+  struct Refused {
+    Snapshot snapshot;
+    DrawOptions options;
+    std::string why;
+  };
+  std::optional<Refused> refused_;  // what could not be drawn, as long as it is what there is to draw
+  std::string faults_;              // of the shaders of what is shown; empty: none
   struct Photo {
     Snapshot snapshot;
     DrawOptions options;

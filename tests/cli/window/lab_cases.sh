@@ -64,6 +64,83 @@ case_lab() {
   quit
 }
 
+# What turns out when it is drawn: an endless loop is told over its picture, and ends soon; a scene that cannot be drawn
+# leaves the last one.
+case_lab_faults() {
+  open_screen
+  write_tint tint
+  lab tint.frag --size 320x180
+  photo good.png
+  write_tint 'tint*float(lightCount()); while (p.uv.x < 1e9) c += 1e-9'
+  await "the loop is noticed" logged 'tint.frag: there are pixels in which the loops .* more than 32768 times' 1
+  write_tint 'tint; if (p.uv.x < 1e9) return vec4(c, 0.5)'
+  local through='tint.frag: in .* pixels the shader gives an opacity below 1'
+  await "what is seen through is noticed" logged "$through" 1
+  settle
+  local told
+  told=$(grep -c "^$through" "$folder/log")
+  keys p
+  await "no picture of it is saved" logged "$through" $((told + 1))
+  write_tint tint
+  await "it is mended" logged 'shows the scene as it was saved' 3
+  photo mended.png
+  same mended.png good.png "as it was"
+  quit
+}
+# write_ball LIGHTS: lit by a shader, which more than 32 of them that cast shadows cannot be.
+write_ball() {
+  local i lights=
+  for ((i = 0; i < $1; ++i)); do
+    lights+=", { \"translate\": [3, 4, $i], \"light\": { \"type\": \"point\", \"shadow\": \"exact\" } }"
+  done
+  cat > "$folder/next.json" << END
+{ "luxo": 1, "materials": { "m": { "shader": "tint.frag" } },
+  "surfaces": { "ball": { "type": "sphere" }, "floor": { "type": "rectangle", "size": [9, 9] } },
+  "nodes": [ { "surface": "ball", "material": "m" }, { "translate": [0, -1, 0], "surface": "floor", "material": "m" }$lights ] }
+END
+  mv "$folder/next.json" "$folder/ball.luxo.json"
+}
+case_lab_refused() {
+  open_screen
+  write_tint tint
+  write_ball 1
+  view ball.luxo.json --size 320x180
+  photo good.png
+  settle
+  shot good
+  write_ball 40
+  await "it is refused" logged 'the light on a material with a shader comes in several passes' 1
+  await "which is shown" screen_is_not good
+  photo still_good.png
+  same still_good.png good.png "the last good scene stays"
+  write_ball 1
+  await "it is mended" logged 'shows the scene as it was saved' 2
+  photo mended.png
+  same mended.png good.png "as it was"
+  quit
+}
+
+# A boolean is a switch.
+case_lab_switch() {
+  open_screen
+  cat > "$folder/tint.frag" << 'END'
+uniform bool on = true;
+uniform bvec3 which = bvec3(true, false, true);
+vec4 material(Point p) { return vec4(on ? vec3(which) : vec3(0.5), 1.0); }
+END
+  lab tint.frag --size 320x180
+  at_slider 0 50 mousedown 1
+  at_slider 0 50 mouseup 1
+  await "it is switched" logged 'a parameter is turned' 1
+  photo off.png
+  render_switch() { (unset DISPLAY && cd "$folder" && "$bin/luxo" render tint.frag -q --size 320x180 "$@") || fail "cannot render"; }
+  render_switch -P on=false -o off_file.png
+  same off.png off_file.png "it is off"
+  render_switch -o on_file.png
+  differ on_file.png off.png "the switch does something"
+  quit
+}
+
 # What the shader gives there is 0.5, 0.25, 0; half precision has these exactly.
 case_lab_probe() {
   open_screen
