@@ -216,9 +216,9 @@ void ShellList::listOutlines() {
 /// The pixel that the middle of a triangle is in.
 void ShellList::listOutline(const DrawBatch& batch, std::uint32_t instance, std::uint32_t index) {
   const SnapshotNode& node = snapshot_.nodes[list_.instanceNodes[instance]];
+  const std::vector<std::uint32_t>& indices = batch.shared ? sharedIndices_ : list_.shellIndices;
   Vec3 middle(0);
-  for (std::uint32_t k = 0; k < 3; ++k)
-    middle += batch.shell->positions[list_.shellIndices[index + k]] / 3.0;
+  for (std::uint32_t k = 0; k < 3; ++k) middle += batch.shell->positions[indices[index + k]] / 3.0;
   const Vec3 eye = eyeFromWorldPoint(snapshot_.view, transformPoint(node.worldFromObject, middle));
   if (snapshot_.view.perspective() && !(-eye.z > snapshot_.view.near)) return;
   const Vec2 pixel = glm::floor(pixelFromEye(snapshot_.view, eye));

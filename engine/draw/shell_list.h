@@ -40,7 +40,6 @@ class ShellList {
 
   /// Of all nodes' draws, which are in the list by now: some of the pixels that rays graze.
   void listOutlines();
-  void listOutline(const DrawBatch& batch, std::uint32_t instance, std::uint32_t index);
   /// After what is hidden has been dropped: the indices that nodes share follow all others.
   void placeSharedIndices();
 
@@ -55,6 +54,7 @@ class ShellList {
                 std::uint32_t firstIndex, std::uint32_t count);
   void addSharedDraws(std::vector<DrawBatch>& batches, DrawBatch batch, std::uint32_t firstIndex,
                       std::uint32_t count);
+  void listOutline(const DrawBatch& batch, std::uint32_t instance, std::uint32_t index);
   [[nodiscard]] Ranges sharedRanges(const Shell& shell, std::uint32_t firstIndex, std::uint32_t count);
   [[nodiscard]] std::uint32_t patchesOf(const SnapshotNode& node, const Shell& shell);
 

@@ -2,10 +2,8 @@
 // --samples beyond what a device takes in one pass.
 #include <sys/wait.h>
 
-#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "cli/program.h"
 #include "support/gpu_fixture.h"
@@ -51,8 +49,7 @@ TEST_F(ManySamples, StopInTheMiddleOfAPicture) {
   RunningProgram program({.arguments = {"render", "luxo-grandpa", "--samples", "256", "--size", "2048x2048",
                                         "-o", "a.png", "-q"},
                           .folder = folder.path()});
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  program.send(SIGINT);
+  program.interrupt(SIGINT);
   const Outcome outcome = program.wait();
   if (outcome.code == 0) GTEST_SKIP() << "the device was done before the signal came";
   EXPECT_EQ(outcome.code, 130) << outcome.err;

@@ -8,9 +8,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "gpu/device.h"
@@ -61,6 +65,18 @@ RunningProgram::~RunningProgram() {
 }
 
 void RunningProgram::send(int signal) const { kill(process_, signal); }
+
+void RunningProgram::interrupt(int signal) const {
+  const auto handles = [&] {
+    std::ifstream status(fmt::format("/proc/{}/status", process_));
+    for (std::string line; std::getline(status, line);)
+      if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+    return true;  // it is over
+  };
+  while (!handles()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  send(signal);
+}
 
 Outcome RunningProgram::wait() {
   int status = 0;

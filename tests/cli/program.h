@@ -43,6 +43,9 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   void send(int signal) const;
+  /// Sends it once the program has a handler for it, which sanitizers make it take seconds to, and a moment
+  /// has passed.
+  void interrupt(int signal) const;
   [[nodiscard]] Outcome wait();
 
  private:

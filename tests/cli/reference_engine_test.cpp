@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `luxo render --engine reference`: pictures without any Vulkan driver, what is said of them, and refusals.
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstring>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -157,8 +155,7 @@ TEST_F(ReferenceEngine, StopsInTheMiddleOfAPicture) {
   RunningProgram program({.arguments = {"render", "luxo-grandpa", "--engine", "reference", "--samples", "256",
                                         "--size", "4096x4096", "-o", "a.png", "-q"},
                           .folder = folder.path()});
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  program.send(SIGINT);
+  program.interrupt(SIGINT);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_EQ(folder.entries(), 0u);

@@ -216,7 +216,7 @@ TEST_F(RenderFrames, RequiredErrorDecidesTheExitCode) {
 
 TEST_F(RenderFrames, AFrameThatCannotBeWrittenSpoilsOnlyItself) {
   std::filesystem::create_directory(folder / "f2.pfm");
-  const Outcome outcome = render({"-o", "f#.pfm", "--frames", "1-3", "--report", "report.json"});
+  const Outcome outcome = render({"-o", "f#.pfm", "--frames", "1-3", "--report", "report.json", "-q"});
   expectFailure(outcome, 7, "frame 2: cannot write 'f2.pfm': Is a directory", "add a file name");
   EXPECT_EQ(files(), (Names{"f1.pfm", "f2.pfm", "f3.pfm", "report.json"}));
   EXPECT_EQ(textOf(folder / "f1.pfm"), fileOf({"--time", "0"}, "alone.pfm"));
