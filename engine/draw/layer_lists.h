@@ -66,8 +66,6 @@ class LayerLists {
   [[nodiscard]] gpu::Buffer& counts() { return counts_; }
 
  private:
-  [[nodiscard]] std::uint64_t mostInBand();
-
   gpu::Context* context_;
   VkExtent2D extent_{};
   std::uint64_t most_, room_ = 0, wanted_ = 0;  ///< points

@@ -87,7 +87,6 @@ class Context {
   [[nodiscard]] Counters counters() const;
   /// Zero without validation.
   [[nodiscard]] std::uint64_t validationCount() const { return log_->count(); }
-  [[nodiscard]] std::vector<std::string> validationMessages() const { return log_->messages(); }
 
   /// Blocks until the device has nothing to do, then destroys what was dropped.
   void waitIdle();

@@ -5,13 +5,9 @@
 
 namespace luxo {
 
-inline constexpr double kRoundoff = 0x1p-53;       ///< unit roundoff of double
-inline constexpr double kRoundoffFloat = 0x1p-24;  ///< unit roundoff of float
+inline constexpr double kRoundoff = 0x1p-53;  ///< unit roundoff of double
 
 /// n rounded operations in a row change a result by at most this, relative to the magnitudes involved.
 [[nodiscard]] constexpr double roundingGamma(int n) { return n * kRoundoff / (1 - n * kRoundoff); }
-[[nodiscard]] constexpr double roundingGammaFloat(int n) {
-  return n * kRoundoffFloat / (1 - n * kRoundoffFloat);
-}
 
 }  // namespace luxo

@@ -19,10 +19,11 @@ inline std::span<const Vec2> sampleLocations(int samples) {
   return samples == 4 ? std::span<const Vec2>(kFour) : std::span<const Vec2>(kOne);
 }
 
+inline constexpr double kPlastic = 1.32471795724474602596;  ///< the plastic number, x^3 = x + 1
+
 /// Point n of the additive recurrence with the plastic number, in the unit square (M. Roberts, The
 /// unreasonable effectiveness of quasirandom sequences, 2018).
 inline Vec2 quasirandomPoint(double n, const Vec2& shift = Vec2(0.5)) {
-  constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
   const auto fraction = [](double a) { return a - std::floor(a); };
   return {fraction(shift.x + n / kPlastic), fraction(shift.y + n / (kPlastic * kPlastic))};
 }

@@ -39,7 +39,7 @@ void requireLight(const Snapshot& snapshot) {
 
 /// Shifted by the pixel's own fraction.
 Vec2 sampleAt(int k, int x, int y) {
-  const double shift = 0.5 + x * 0.7548776662466927 + y * 0.5698402909980532;
+  const double shift = 0.5 + x / kPlastic + y / (kPlastic * kPlastic);
   return quasirandomPoint(k, {shift, shift * std::numbers::sqrt2});
 }
 
