@@ -134,12 +134,12 @@ Json corrugated(Numbers& n) {
   const double waves = n.magnitude(4, 1200), slope = n.magnitude(0.35, 3), k = 6.2832 * waves;
   Text height = Written{"{}*cos({}*u)", number(slope / k), number(k)};
   if (n.chance(0.25)) height += "+" + Written{"{}*cos({}*u)", number(0.3 * slope / k), number(3 * k)};
-  if (n.chance(0.25)) height += "+" + Wave{n, number(n.magnitude(0.001, 0.1)), number(n.between(1, 6)) + "*v"};
-  if (n.chance(0.2)) {
-    const Json let = {{"r", Text(number(0.5)) + "+" + height}};
-    return formula(range(0, 1), aroundZero(n, 0.1, 1), {"r*cos(6.2832*u)", "v", "r*sin(6.2832*u)"}, let);
-  }
-  return formula(range(0, 1), aroundZero(n, 0.1, 1), {"u-0.5", height, n.chance(0.5) ? "v" : "-v"});
+  if (n.chance(0.25))
+    height += "+" + Wave{n, number(n.magnitude(0.001, 0.1)), number(n.between(1, 6)) + "*v"};
+  const Json v = aroundZero(n, 0.1, 1);
+  if (n.chance(0.2))
+    return formula(range(0, 1), v, {"r*cos(6.2832*u)", "v", "r*sin(6.2832*u)"}, {{"r", "0.5+" + height}});
+  return formula(range(0, 1), v, {"u-0.5", height, n.chance(0.5) ? "v" : "-v"});
 }
 
 /// A sheet with displacements of all sizes, smaller where they are finer.

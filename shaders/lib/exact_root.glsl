@@ -23,6 +23,7 @@ const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
 const float kAtBorder = 0.02;   // cells: what begins no farther inside has come in past the border
+const float kDepthRounding = 5e-7;  // of depths in the depth buffer: 2^-21, a dozen operations
 const int kWalkSteps = 32;      // from where a search began to its root: half of them leave 20 pixels more of the teapot to rays
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE
@@ -289,9 +290,12 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at, 
   return result;
 }
 
-// Where the ray enters the shell.
+// Where the ray enters the shell, as floats tell it: not before that (`sense` 1), not behind it (-1).
+real entryInDepthBuffer(real sense) {
+  return gl_FragCoord.z + sense * kDepthRounding * (has(kPerspective) ? gl_FragCoord.z : 1.0);
+}
 real entryDepth() {
-  real z = gl_FragCoord.z;
+  real z = entryInDepthBuffer(-1.0);
   return has(kPerspective) ? varyingClip.x / z : (z - varyingClip.x) / varyingClip.y;
 }
 
@@ -325,8 +329,9 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
     Probe at = probeAt(ray, p);
     Sample now = sampleAt(ray, p, at, sense, k);
     bool again = false, turned = false;
-    bool beforeEntry = gl_FrontFacing && inDepthBuffer(now.reached) >= gl_FragCoord.z;
-    fromEntry = fromEntry || beforeEntry;
+    bool beforeEntry = gl_FrontFacing && inDepthBuffer(now.reached) > entryInDepthBuffer(1.0);
+    bool counts = !back || !fromEntry;  // what is before the entry is another fragment's
+    fromEntry = fromEntry || inDepthBuffer(now.reached) >= entryInDepthBuffer(-1.0);
     bool leavesSlab = steps > 0 && !beforeEntry && abs(now.g) - now.slack > max(abs(last.g), varyingClip.z);
     real shorter = 0.0;
     if (steps == 0) {
@@ -350,7 +355,8 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
       back = !fromEntry || !(now.g < 0.0 && now.slope > 0.0);
     } else {
       turned = dot(now.way, last.way) < 0.0;
-      blind = blind || (turned && !(leavesSlab && now.g * last.g > 0.0)) || cellsFromStart(now.p) > kFarCells + 1.0;
+      bool isFar = cellsFromStart(now.p) > kFarCells + 1.0;
+      blind = blind || (counts && (isFar || (turned && !(leavesSlab && now.g * last.g > 0.0))));
       turned = turned && !back;
       Sample from = back ? now : last, to = back ? last : now;
       bool rises = !turned && from.g <= 0.0 && to.g > 0.0, falls = !turned && !back && passedBorder && from.g > 0.0 && to.g <= 0.0;
@@ -376,7 +382,8 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
         passedBorder = seesPastBorder();
         explained = true;
       }
-      blind = blind || (unsure && !again);
+      blind = blind || (counts && unsure && !again);
+      explained = explained || (back && !again && now.g > 0.0 && cellsBeyond(now.p) > -kAtBorder);
     }
     // Beyond the shell and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
     bool leaves = !back && !again && steps > 0 && (leavesSlab || turned || (!beforeEntry && cellsBeyond(now.p) > kBeyond));

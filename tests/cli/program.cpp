@@ -70,7 +70,8 @@ void RunningProgram::interrupt(int signal) const {
   const auto handles = [&] {
     std::ifstream status(fmt::format("/proc/{}/status", process_));
     for (std::string line; std::getline(status, line);)
-      if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+      if (line.starts_with("SigCgt:"))
+        return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
     return true;  // it is over
   };
   while (!handles()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
