@@ -17,6 +17,7 @@ const float kSteady = 0.1;      // of the offset: what the slopes at both ends o
 const int kTraceSteps = 42;     // of a trace, both ways
 const float kBehind = 0.7;      // cells: so far it looks against the ray, if at all
 const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
+const float kAlike = 0.5;       // of two areas: between places that differ by no more there is no fold
 const float kBesideEdge = 2e-4;  // cells: a trace begins no nearer to an edge; some 0.005 pixels
 const int kAttempts = 3;        // to find a root, all but the first by a trace; one more takes what is held
 const int kPolishSteps = 14;    // near double roots they converge slowly
@@ -171,14 +172,6 @@ real2 foldStep(real2 p, Probe at, real det, real most, real2 gradient, out bool 
   return moved(p, delta, at, most);
 }
 
-// Whether the root at p is the only one within that many cells of it: there J cannot vanish, |1/J| K r < 1, so that the offset
-// is one to one.
-bool aloneWithin(Ray ray, Probe at, real cells) {
-  real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
-  real det = ju.x * jv.y - ju.y * jv.x, k = changeOfOffset(ray);
-  return 2.0 * (dot(ju, ju) + dot(jv, jv)) * k * k * cells * cells <= det * det;
-}
-
 // The point where no ray grazes the surface, so that only one is near.
 int findPlainRoot(Ray ray, out real2 p, out Probe at) {
   p = startAtEntry().xy;
@@ -189,7 +182,7 @@ int findPlainRoot(Ray ray, out real2 p, out Probe at) {
     p += newtonStep(at, area(at));
   }
   bool root = cellsFromStart(p) <= kFarCells && converged(at) && area(at) * shellSide() > 0.0;
-  return !root ? kLost : inDomain(p, at) ? kFound : aloneWithin(ray, at, cellsFromStart(p) + 1.0) ? kMissed : kLost;
+  return root ? (inDomain(p, at) ? kFound : kMissed) : kLost;
 }
 
 // A place on the curve along which a trace looks for roots: the points of the surface to which those of the ray are
@@ -260,25 +253,25 @@ real ahead(Sample s, real way) {
 // Steps of Newton's method that know the fold, from p: to the root, or to where the ray is nearest. What begins at a
 // root that a trace has found is `polished`: it stays near, and what it does not find is not there. But where the ray has
 // `crossed` the surface between two places of the trace a root is there, if not the patch's: one that is not found is lost.
-// A root that is `doubted`, as it only seems to be none, makes a miss of the whole search none.
-int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at, inout bool doubted) {
+int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at) {
   // The gradient is that of det, per unit of u and v, along the last step that was long enough to tell.
   real2 way = real2(0), gradient = real2(0);
-  real det = 0.0;
+  real det = 0.0, first = 0.0;
   bool missed = false, wasGood = false;
   int misses = 0, outside = 0, result = kLost;
   for (int i = 0;; ++i) {
     at = probeAt(ray, p);
     real before = det, length2 = dot(way, way);
     det = area(at);
+    if (i == 0) first = det;
     if (length2 > 1e-6) gradient = (det - before) / length2 * way / varyingCellHalf.xy;
     bool inside = inDomain(p, at), root = converged(at) && det * wantedSide > 0.0;
     misses = missed && length2 < kSettled * kSettled ? misses + 1 : 0;
     outside = inside || i == 0 ? 0 : outside + 1;
     bool last = i == (polished ? kPolishSteps : kNearSteps), good = root && inside;
     if (ends(good, offset(at) <= kFine * tolerance(at), wasGood) || (good && last)) result = kFound;
-    else if (polished && !good && (root || misses == 2 && !crossed)) result = kMissed, doubted = doubted || !root;
-    else if (root && !inside && aloneWithin(ray, at, cellsFromStart(p) + 1.0)) result = kMissed;
+    else if (polished && !good && (root || misses == 2 && !crossed)) result = kMissed;
+    else if (root && !inside && det / first > kAlike && first / det > kAlike) result = kMissed;
     if (result != kLost || last || !polished && (misses == 2 || outside == 3)) break;
     real2 next = nearDomain(foldStep(p, at, det, polished ? kTraceStep : kBoldCells, gradient, missed), 1.0);
     way = (next - p) / varyingCellHalf.xy;
@@ -286,8 +279,7 @@ int approach(Ray ray, bool polished, bool crossed, inout real2 p, out Probe at, 
   }
   // What had seemed to be a root and is not even near the ray, or the patch, is none.
   bool isFar = !(offset(at) <= kNearPixels * widthAt(at.depth)) || cellsBeyond(p) > kNearCells;
-  if (polished && !crossed && result == kLost && isFar) result = kMissed, doubted = true;
-  return result;
+  return polished && !crossed && result == kLost && isFar ? kMissed : result;
 }
 
 // Where the ray enters the shell, as floats tell it: not before that (`sense` 1), not behind it (-1).
@@ -313,7 +305,7 @@ real entryDepth() {
 // and never back, while h is less than the radius of curvature there: the derivative of p along the ray is (1 - h k)^-1 times
 // the part of the ray's direction along the surface. So where the trace turns back within the slab, that is thicker than the
 // surface is curved, the ray goes on beside another part of the surface, and a miss is lost: as on corrugated sheets that are
-// seen along their flanks. And K holds 3 cells around a start: what leads farther is lost, too.
+// seen along their flanks.
 //
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well and are proven to pass nothing.
@@ -355,8 +347,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
       back = !fromEntry || !(now.g < 0.0 && now.slope > 0.0);
     } else {
       turned = dot(now.way, last.way) < 0.0;
-      bool isFar = cellsFromStart(now.p) > kFarCells + 1.0;
-      blind = blind || (counts && (isFar || (turned && !(leavesSlab && now.g * last.g > 0.0))));
+      blind = blind || (counts && turned && !(leavesSlab && now.g * last.g > 0.0));
       turned = turned && !back;
       Sample from = back ? now : last, to = back ? last : now;
       bool rises = !turned && from.g <= 0.0 && to.g > 0.0, falls = !turned && !back && passedBorder && from.g > 0.0 && to.g <= 0.0;
@@ -420,14 +411,14 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   wantedSide = shellSide();
   real after = -1e30, heldDepth = 1e30;
   real2 held = p;
-  bool passed = false, takesHeld = false, crossed = false, doubted = false;
+  bool passed = false, takesHeld = false, crossed = false;
   for (int attempt = 0; attempt <= kAttempts; ++attempt) {
-    result = approach(ray, attempt > 0, crossed, p, at, doubted);
+    result = approach(ray, attempt > 0, crossed, p, at);
     bool holds = attempt == 0 && result == kFound && cellsFromStart(p) > kFarCells;
     if (holds) held = p, heldDepth = at.depth;
-    // What is past a border, or farther away than a root that is none, is mostly another fragment's: the search goes on.
+    // What is past a border, or farther away than a root that is none, is mostly another fragment's.
     passed = passed || result == kMissed;
-    if (result == kLost && passed && !crossed) result = kMissed, doubted = true;
+    if (result == kLost && passed && !crossed) result = kMissed;
     bool ended = result == kFound ? !holds : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
     if (ended || takesHeld) break;
     if (attempt > 0) after = max(after, at.depth);
@@ -436,7 +427,7 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
     if (takesHeld) p = held, wantedSide = shellSide(), crossed = false;
     else if (result != kFound) break;
   }
-  return result == kMissed && doubted ? kLost : result;
+  return result;
 }
 
 // Finds the point; p and at are its own when found.
@@ -468,7 +459,7 @@ bool certified(Ray ray, real2 p, Probe at) {
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
   if (kGrazing) {
     bool nearer = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
-    bool first = nearer || aloneWithin(ray, at, r);
+    bool first = nearer || 2.0 * squares * k * k * r * r <= det * det;
     real side = det * shellSide() > 0.0 ? 1.0 : -1.0, left = r;
     for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
       real2 q = mix(p, startAtEntry().xy, left / r);

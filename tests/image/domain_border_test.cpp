@@ -101,7 +101,7 @@ TEST_F(DomainBorderTest, RemovableLinesAreFilled) {
     const Verified found = expectTheTruth(takeSnapshot(scene, 0, kDomainBorderSize), 1000);
     EXPECT_EQ(found.verification.wrong.total(), 0U) << height;
     EXPECT_EQ(found.statistics.error.unconvergedPx, 0U) << height;
-    EXPECT_LE(found.statistics.error.resolvedByRaysPx, 150U) << height;
+    EXPECT_LE(found.statistics.error.resolvedByRaysPx, 100U) << height;
   }
 }
 
