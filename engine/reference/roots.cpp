@@ -27,8 +27,9 @@ constexpr int kMaxInDoubt = 64;
 constexpr int kMaxCellsAtBorders = 1 << 16;
 /// Of all roots of a ray: one that runs along its surface has no end of them.
 constexpr std::size_t kMaxDoubts = 64;
-constexpr int kPolishingSteps = 6;  // from inside a proven cell: quadratic from the first
-constexpr double kNarrower = 0.75;  // a narrowing worth repeating
+constexpr int kPolishingSteps = 6;                   // of Newton's method: quadratic once it is near
+constexpr int kChordSteps = 4, kMaxApproaches = 16;  // before it is tried again; after that the cell is cut
+constexpr double kNarrower = 0.75;                   // a narrowing worth repeating
 
 /// Of two roots in one place: that of the least parameters, where these differ by more than rounding.
 bool comesFirst(const CellTree& tree, const Root& a, const Root& b) {
@@ -160,7 +161,7 @@ class Search {
           std::abs(f2.center) > f2.radius + j.vu.magnitude() * hu + j.vv.magnitude() * hv)
         return;
       if (frontless(b)) return;
-      if (settle(d, hu, hv, krawczyk(j, f1, f2, hu, hv))) return;
+      if (settle(d, hu, hv, j, krawczyk(j, f1, f2, hu, hv))) return;
     }
     const bool smallInSpace = b.smooth && cutU + cutV < kSmallest * size_;
     if (smallInSpace || (hu < kSmallest * whole.u.width() && hv < kSmallest * whole.v.width())) {
@@ -204,13 +205,15 @@ class Search {
   }
 
   /// Whether nothing is left to do: no root, or the only one found. May narrow the cell instead and push it.
-  bool settle(const Domain& d, double hu, double hv, const std::optional<Solutions>& solutions) {
+  bool settle(const Domain& d, double hu, double hv, const Slopes& slopes,
+              const std::optional<Solutions>& solutions) {
     if (!solutions) return false;
     const auto [stepU, stepV, radiusU, radiusV] = *solutions;
     if (solutions->outside(hu, hv)) return true;
     if (solutions->inside(hu, hv)) {
-      accept(d.u.mid() + stepU, d.v.mid() + stepV, d);
-      return true;
+      const std::optional<Vec2> root = rootIn(d, slopes, Vec2(d.u.mid() + stepU, d.v.mid() + stepV));
+      if (root) accept(root->x, root->y);
+      return root.has_value();
     }
     const auto narrow = [](const Interval& x, double step, double radius) {
       const double middle = x.mid() + step;
@@ -229,24 +232,52 @@ class Search {
     return false;
   }
 
-  /// The root near (u, v), which is known to be the only one of the cell.
-  void accept(double u, double v, const Domain& cell) {
-    const BoundedPatch& patch = tree_.patch(patch_);
-    BoundedPatch::Point p = patch.at(u, v);
+  /// The root of a cell in which it is known to be the only one. The chord method, x - f(x) / J with J of the
+  /// whole cell, cannot leave the cell and contracts, as Krawczyk's test has proven; Newton's method, which
+  /// may run to and fro in a large one, ends it. Nothing, which rounding may cause: the cell is cut.
+  [[nodiscard]] std::optional<Vec2> rootIn(const Domain& cell, const Slopes& slopes, Vec2 at) const {
+    const Mat2 chord =
+        glm::inverse(Mat2(slopes.uu.center, slopes.vu.center, slopes.uv.center, slopes.vv.center));
+    const auto inside = [&](const Vec2& p) {
+      return Vec2(std::clamp(p.x, cell.u.lo, cell.u.hi), std::clamp(p.y, cell.v.lo, cell.v.hi));
+    };
+    for (int approach = 0; approach < kMaxApproaches; ++approach) {
+      if (const auto root = polished(at, inside)) return root;
+      for (int step = 0; step < kChordSteps; ++step) {
+        const Vec3 p = tree_.patch(patch_).at(at.x, at.y).position;
+        const Vec2 next = inside(at - chord * Vec2(ray_.f1(p), ray_.f2(p)));
+        if (!(std::isfinite(next.x) && std::isfinite(next.y))) return std::nullopt;
+        at = next;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// By Newton's method. Nothing: it has not come to rest.
+  template <class Inside>
+  [[nodiscard]] std::optional<Vec2> polished(Vec2 at, const Inside& inside) const {
+    const Domain& whole = tree_.patch(patch_).domain();
+    const Vec2 rest = kSameParameter * Vec2(whole.u.width(), whole.v.width());
+    bool rests = false;
     for (int step = 0; step < kPolishingSteps; ++step) {
+      const BoundedPatch::Point p = tree_.patch(patch_).at(at.x, at.y);
       const double f1 = ray_.f1(p.position), f2 = ray_.f2(p.position);
       const double a = glm::dot(ray_.across1, p.du), b = glm::dot(ray_.across1, p.dv);
       const double c = glm::dot(ray_.across2, p.du), d = glm::dot(ray_.across2, p.dv);
-      const double det = a * d - b * c;
-      if (!(std::abs(det) > 0)) break;
-      const double du = (b * f2 - d * f1) / det, dv = (c * f1 - a * f2) / det;
-      if (!std::isfinite(du) || !std::isfinite(dv)) break;
-      const double lastU = u, lastV = v;
-      u = std::clamp(u + du, cell.u.lo, cell.u.hi);
-      v = std::clamp(v + dv, cell.v.lo, cell.v.hi);
-      if (u == lastU && v == lastV) break;
-      p = patch.at(u, v);
+      const Vec2 way = Vec2(b * f2 - d * f1, c * f1 - a * f2) / (a * d - b * c);
+      if (!(std::isfinite(way.x) && std::isfinite(way.y))) break;
+      // Not where the edge of the cell has held it.
+      rests = std::abs(way.x) <= rest.x && std::abs(way.y) <= rest.y;
+      const Vec2 last = at;
+      at = inside(at + way);
+      if (at == last) break;
     }
+    return rests ? std::optional(at) : std::nullopt;
+  }
+
+  void accept(double u, double v) {
+    const BoundedPatch& patch = tree_.patch(patch_);
+    const BoundedPatch::Point p = patch.at(u, v);
     const Domain& domain = patch.domain();
     const double slackU = kOnTheEdge * domain.u.width(), slackV = kOnTheEdge * domain.v.width();
     if (u < domain.u.lo - slackU || u > domain.u.hi + slackU || v < domain.v.lo - slackV ||

@@ -40,6 +40,48 @@ Roots cast(const CellTree& tree, const Ray& ray, Facing facing = Facing::Both) {
   return nearestRoot(tree, {ray, Transform{}}, {0, 1e9, facing, false});
 }
 
+/// Corrugated boards, y = A cos(k (x + 1/2)), seen along their flanks: cells as large as a wave hold one
+/// root, toward which Newton's method does not find from everywhere. The truth is where the height of the ray
+/// over the board first changes its sign, in steps of a thousandth of a wave.
+TEST(ReferenceRoots, OfCorrugatedBoardsAreOnTheRay) {
+  std::mt19937 random(50);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int hits = 0;
+  for (int board = 0; board < 12; ++board) {
+    const double waves = std::exp(between(3, 7.5)), k = 2 * kPi * waves, slope = between(0.6, 2),
+                 height = slope / k;
+    const Surface wave = surface([=](auto u, auto v) { return point(u - 0.5, height * cos(k * u), 0.5 - v); },
+                                 {{0, 1}, {0, 1}});
+    const CellTree tree(wave, {});
+    for (int i = 0; i < 400; ++i) {
+      const double elevation = std::atan(slope) * between(0.9, 1.1);
+      const Vec3 target(between(-0.4, 0.4), height * between(-1, 1), between(-0.4, 0.4));
+      const double azimuth = between(-0.2, 0.2);
+      const Vec3 back(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
+                      std::cos(elevation) * std::sin(azimuth));
+      const double away = 2 * height / back.y;  // from where the ray is above the board
+      const Ray ray{target + away * back, -back};
+      const auto above = [&](double t) {
+        const Vec3 p = ray.origin + t * ray.direction;
+        return p.y - height * std::cos(k * (p.x + 0.5));
+      };
+      const double step = 1e-3 / waves;
+      double low = 0;
+      while (above(low + step) > 0) low += step;
+      const Roots roots = cast(tree, ray);
+      ASSERT_TRUE(roots.nearest.has_value());
+      if (!roots.certified) continue;
+      ++hits;
+      EXPECT_NEAR(above(roots.nearest->t), 0, 1e-12) << waves << " waves, ray " << i;
+      // A ray that grazes a crest may have met it between two steps.
+      EXPECT_LE(roots.nearest->t, low + step + 1e-12) << waves << " waves, ray " << i;
+    }
+  }
+  EXPECT_GT(hits, 4700);
+}
+
 TEST(ReferenceRoots, SphereByItsQuadratic) {
   const double radius = 1.3;
   const CellTree tree(sphere(radius), {});
