@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "math/basis.h"
+#include "math/mat2.h"
 #include "reference/krawczyk.h"
 
 namespace luxo::reference {
