@@ -254,12 +254,13 @@ class Search {
     return std::nullopt;
   }
 
-  /// By Newton's method. Nothing: it has not come to rest.
+  /// By Newton's method. Nothing: it has not come to rest, in two steps at least: what the first of them leaves
+  /// the second squares.
   template <class Inside>
   [[nodiscard]] std::optional<Vec2> polished(Vec2 at, const Inside& inside) const {
     const Domain& whole = tree_.patch(patch_).domain();
     const Vec2 rest = kSameParameter * Vec2(whole.u.width(), whole.v.width());
-    bool rests = false;
+    int atRest = 0;
     for (int step = 0; step < kPolishingSteps; ++step) {
       const BoundedPatch::Point p = tree_.patch(patch_).at(at.x, at.y);
       const double f1 = ray_.f1(p.position), f2 = ray_.f2(p.position);
@@ -268,12 +269,13 @@ class Search {
       const Vec2 way = Vec2(b * f2 - d * f1, c * f1 - a * f2) / (a * d - b * c);
       if (!(std::isfinite(way.x) && std::isfinite(way.y))) break;
       // Not where the edge of the cell has held it.
-      rests = std::abs(way.x) <= rest.x && std::abs(way.y) <= rest.y;
+      const bool rests = std::abs(way.x) <= rest.x && std::abs(way.y) <= rest.y;
+      atRest = rests ? atRest + 1 : 0;
       const Vec2 last = at;
       at = inside(at + way);
-      if (at == last) break;
+      if (at == last) return rests ? std::optional(at) : std::nullopt;
     }
-    return rests ? std::optional(at) : std::nullopt;
+    return atRest > 1 ? std::optional(at) : std::nullopt;
   }
 
   void accept(double u, double v) {

@@ -74,7 +74,7 @@ TEST(ReferenceRoots, OfCorrugatedBoardsAreOnTheRay) {
       ASSERT_TRUE(roots.nearest.has_value());
       if (!roots.certified) continue;
       ++hits;
-      EXPECT_NEAR(above(roots.nearest->t), 0, 1e-12) << waves << " waves, ray " << i;
+      EXPECT_NEAR(above(roots.nearest->t), 0, 1e-14) << waves << " waves, ray " << i;
       // A ray that grazes a crest may have met it between two steps.
       EXPECT_LE(roots.nearest->t, low + step + 1e-12) << waves << " waves, ray " << i;
     }
