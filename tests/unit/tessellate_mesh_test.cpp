@@ -67,10 +67,14 @@ bool isMoebius(const SurfaceSample& sample) { return sample.name == "moebius"; }
 
 /// One number per distinct position, equal bits being equal positions (0 and -0 too).
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
-  std::map<std::array<double, 3>, std::uint32_t> seen;
-  std::vector<std::uint32_t> welded;
+  std::vector<std::pair<std::array<double, 3>, std::uint32_t>> sorted;
   for (const Vec3& p : mesh.positions)
-    welded.push_back(seen.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, seen.size()).first->second);
+    sorted.push_back({{p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<std::uint32_t>(sorted.size())});
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> welded(sorted.size());
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    welded[sorted[i].second] = i > 0 && sorted[i].first != sorted[i - 1].first ? ++count : count;
   return welded;
 }
 
@@ -143,32 +147,44 @@ TEST(Mesh, NoTriangleIsDegenerate) {
   });
 }
 
-/// Edges of the welded mesh: how often each is used in either direction.
-using Uses = std::pair<int, int>;
-std::map<std::pair<std::uint32_t, std::uint32_t>, Uses> edgesOf(const Mesh& mesh,
-                                                                const std::vector<std::uint32_t>& weld) {
-  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, bool>> all;
+/// An edge of the welded mesh, from the lesser vertex to the greater: how often it is used in either
+/// direction, and one of its pairs of vertices of the mesh itself.
+struct WeldedEdge {
+  std::uint32_t from, to;
+  int forward, backward;
+  std::uint32_t i, j;
+};
+
+std::vector<WeldedEdge> edgesOf(const Mesh& mesh, const std::vector<std::uint32_t>& weld) {
+  std::vector<WeldedEdge> edges;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = weld[mesh.indices[3 * t + k]], b = weld[mesh.indices[3 * t + (k + 1) % 3]];
-      all.push_back({{std::min(a, b), std::max(a, b)}, a < b});
+      const std::uint32_t i = mesh.indices[3 * t + k], j = mesh.indices[3 * t + (k + 1) % 3];
+      const bool forward = weld[i] < weld[j];
+      edges.push_back({std::min(weld[i], weld[j]), std::max(weld[i], weld[j]), forward, !forward, i, j});
     }
-  std::sort(all.begin(), all.end());
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Uses> edges;
-  for (const auto& [edge, forward] : all) {
-    Uses& uses = edges.try_emplace(edges.end(), edge)->second;
-    (forward ? uses.first : uses.second)++;
-  }
+  const auto ends = [](const WeldedEdge& edge) { return std::pair(edge.from, edge.to); };
+  std::sort(edges.begin(), edges.end(),
+            [&](const WeldedEdge& a, const WeldedEdge& b) { return ends(a) < ends(b); });
+  std::size_t count = 0;
+  for (const WeldedEdge& edge : edges)
+    if (count > 0 && ends(edges[count - 1]) == ends(edge)) {
+      edges[count - 1].forward += edge.forward;
+      edges[count - 1].backward += edge.backward;
+    } else {
+      edges[count++] = edge;
+    }
+  edges.resize(count);
   return edges;
 }
 
 /// The number of closed curves that the border edges make, each vertex of which has exactly two of them.
-int countBorders(const std::map<std::pair<std::uint32_t, std::uint32_t>, Uses>& edges) {
+int countBorders(const std::vector<WeldedEdge>& edges) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours;
-  for (const auto& [edge, uses] : edges)
-    if (uses.first + uses.second == 1) {
-      neighbours[edge.first].push_back(edge.second);
-      neighbours[edge.second].push_back(edge.first);
+  for (const WeldedEdge& edge : edges)
+    if (edge.forward + edge.backward == 1) {
+      neighbours[edge.from].push_back(edge.to);
+      neighbours[edge.to].push_back(edge.from);
     }
   int curves = 0;
   std::set<std::uint32_t> seen;
@@ -191,12 +207,11 @@ TEST(Mesh, IsAManifoldOfTheRightShape) {
     const Mesh& mesh = made.mesh;
     const std::vector<std::uint32_t> welded = weld(mesh);
     const auto edges = edgesOf(mesh, welded);
-    for (const auto& [edge, uses] : edges) {
-      const auto& [forward, backward] = uses;
-      ASSERT_TRUE(forward + backward <= 2 && (!sample.orientable || (forward <= 1 && backward <= 1)))
-          << "edge " << edge.first << "-" << edge.second << " runs " << forward << " and " << backward
+    for (const WeldedEdge& edge : edges)
+      ASSERT_TRUE(edge.forward + edge.backward <= 2 &&
+                  (!sample.orientable || (edge.forward <= 1 && edge.backward <= 1)))
+          << "edge " << edge.from << "-" << edge.to << " runs " << edge.forward << " and " << edge.backward
           << " times";
-    }
     ASSERT_EQ(countBorders(edges), sample.borders);
     const auto vertices = static_cast<int>(*std::max_element(welded.begin(), welded.end())) + 1;
     EXPECT_EQ(vertices - static_cast<int>(edges.size()) + static_cast<int>(mesh.triangleCount()),
@@ -208,22 +223,17 @@ TEST(Mesh, BordersLieOnBordersOnly) {
   // No T-junction: an edge with one triangle lies on an edge of the domain that is joined to nothing.
   forEveryMesh([](const SurfaceSample& sample, const MadeMesh& made) {
     const Mesh& mesh = made.mesh;
-    const std::vector<std::uint32_t> welded = weld(mesh);
-    const auto edges = edgesOf(mesh, welded);
     const Domain& d = sample.surface.domain();
-    for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        const std::uint32_t i = mesh.indices[3 * t + k], j = mesh.indices[3 * t + (k + 1) % 3];
-        const Uses& uses = edges.at({std::min(welded[i], welded[j]), std::max(welded[i], welded[j])});
-        if (uses.first + uses.second != 1) continue;
-        const Vec2 &p = mesh.parameters[i], &q = mesh.parameters[j];
-        const auto along = [&](Edge kind, double at, int axis) {
-          return kind == Edge::Border && p[axis] == at && q[axis] == at;
-        };
-        ASSERT_TRUE(along(sample.u, d.u.lo, 0) || along(sample.u, d.u.hi, 0) ||
-                    along(sample.vMin, d.v.lo, 1) || along(sample.vMax, d.v.hi, 1))
-            << "(" << p.x << ", " << p.y << ") to (" << q.x << ", " << q.y << ")";
-      }
+    for (const WeldedEdge& edge : edgesOf(mesh, weld(mesh))) {
+      if (edge.forward + edge.backward != 1) continue;
+      const Vec2 &p = mesh.parameters[edge.i], &q = mesh.parameters[edge.j];
+      const auto along = [&](Edge kind, double at, int axis) {
+        return kind == Edge::Border && p[axis] == at && q[axis] == at;
+      };
+      ASSERT_TRUE(along(sample.u, d.u.lo, 0) || along(sample.u, d.u.hi, 0) || along(sample.vMin, d.v.lo, 1) ||
+                  along(sample.vMax, d.v.hi, 1))
+          << "(" << p.x << ", " << p.y << ") to (" << q.x << ", " << q.y << ")";
+    }
   });
 }
 
