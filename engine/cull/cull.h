@@ -23,10 +23,10 @@ struct CullOptions {
   /// Materials are seen through; else the nearest surface counts, whatever it is. Nothing is ever seen of one
   /// that is invisible().
   bool seesThrough = true;
-  bool frustum = true;      ///< skip nodes outside the picture
-  bool small = true;        ///< skip nodes that cover no sample
-  bool backface = true;     ///< skip what only turns its back to the viewer
-  bool lights = true;       ///< skip lights that cannot reach a node
+  bool frustum = true;   ///< skip nodes outside the picture
+  bool small = true;     ///< skip nodes that cover no sample
+  bool backface = true;  ///< skip what only turns its back to the viewer
+  bool lights = true;    ///< skip lights that cannot reach a node
 };
 
 /// One node to draw.

@@ -107,8 +107,9 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
                                 hasLayers(snapshot, options) || occludes || traces);
   list_.occludes = occludes;
   list_.traces = traces;
-  list_.runsShaders = options.output == Output::Color &&
-                      std::ranges::any_of(materials, [](const Material& material) { return material.shader != nullptr; });
+  list_.runsShaders =
+      options.output == Output::Color &&
+      std::ranges::any_of(materials, [](const Material& material) { return material.shader != nullptr; });
   if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
   if (groups_.size() > 1 && std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
         return materials[node.material.index].shader != nullptr;

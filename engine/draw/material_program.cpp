@@ -11,11 +11,11 @@
 #include <regex>
 
 #include "base/error.h"
-#include "base/log.h"
 #include "base/suggestion.h"
 #include "draw/bounded_loops.h"
 #include "draw/course_style.h"
 #include "draw/indexed_arrays.h"
+#include "draw/uniform_type.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
 #include "scene/shader_files.h"
@@ -34,56 +34,6 @@ constexpr std::string_view kPattern = "pattern", kSurface = "surface", kCurvatur
 // Measured on llvmpipe: 17,000 instructions take 3 s, 34,000 11 s, 68,000 37 s; those of apps/scenes/gallery
 // have at most 656.
 constexpr std::uint64_t kMostInstructions = 32'768, kMostVariableBytes = 65'536;
-
-/// How a uniform's value is made of numbers.
-struct UniformType {
-  std::uint32_t columns = 1, rows = 1;
-  std::string scalar;  ///< "float", "int", "uint", "bool"
-
-  [[nodiscard]] std::uint32_t numbers() const { return columns * rows; }
-};
-
-/// Nothing: no value of a scene file is of this type.
-std::optional<UniformType> typeNamed(std::string_view type) {
-  for (const std::string_view scalar : {"float", "int", "uint", "bool"})
-    if (type == scalar) return UniformType{1, 1, std::string(scalar)};
-  for (const auto& [prefix, scalar] :
-       {std::pair{"vec", "float"}, {"ivec", "int"}, {"uvec", "uint"}, {"bvec", "bool"}})
-    if (type.size() == std::string_view(prefix).size() + 1 && type.starts_with(prefix))
-      return UniformType{1, static_cast<std::uint32_t>(type.back() - '0'), scalar};
-  if (type == "sampler1D" || type == "sampler2D") return UniformType{1, 1, "int"};
-  static const std::regex kMatrix("mat[2-4](x[2-4])?");
-  if (!std::regex_match(type.begin(), type.end(), kMatrix)) return std::nullopt;
-  const auto columns = static_cast<std::uint32_t>(type[3] - '0');
-  return UniformType{columns, type.size() > 5 ? static_cast<std::uint32_t>(type[5] - '0') : columns, "float"};
-}
-
-std::string numberAt(const UniformType& type, const std::string& first, std::uint32_t index) {
-  const std::string number = fmt::format("shaderNumber({} + {}u)", first, index);
-  if (type.scalar == "float") return number;
-  return type.scalar == "bool" ? number + " != 0.0" : fmt::format("{}({})", type.scalar, number);
-}
-
-/// Of one element, whose numbers begin there (GLSL). Numbers of a matrix are row after row, its constructor's
-/// are column after column.
-std::string valueAt(const gpu::ShaderVariable& uniform, const UniformType& type, const std::string& first) {
-  std::string arguments;
-  for (std::uint32_t column = 0; column < type.columns; ++column)
-    for (std::uint32_t row = 0; row < type.rows; ++row)
-      arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ",
-                               numberAt(type, first, row * type.columns + column));
-  return fmt::format("{}({})", type.numbers() == 1 ? type.scalar : uniform.type, arguments);
-}
-
-std::string typeOfElement(const gpu::ShaderVariable& uniform) {
-  return uniform.type.starts_with("sampler") ? "int" : uniform.type;
-}
-
-std::string arrayText(const gpu::ShaderVariable& uniform) {
-  std::string text = uniform.type;
-  for (const std::uint32_t size : uniform.array) text += fmt::format("[{}]", size);
-  return text;
-}
 
 /// Names of what a material is given (shaders/MATERIALS.md), and of luxo's own beside it.
 bool isGiven(const std::string& name) {
@@ -218,15 +168,6 @@ std::string asProgramsSpell(std::string_view message) {
   std::string spelled = withoutCourseSpelling(message);
   if (const std::size_t at = spelled.find(kNameless); at != spelled.npos) spelled.erase(at, kNameless.size());
   return spelled;
-}
-
-void requireCurvature(const SnapshotNode& node, const Material& material) {
-  if (!material.shader->readsCurvature() || material.curvature.valid() || node.surface.triangles()) return;
-  throw Error(
-      ErrorKind::Scene,
-      fmt::format("the shader '{}' reads the curvature of its surface, which material '{}' does not know",
-                  material.shader->files.front().name, material.name),
-      "give the material the surface's: Material::curvature = curvaturePattern(surface)");
 }
 
 /// 0 of what flattens space.
@@ -587,28 +528,6 @@ std::optional<std::string> MaterialProgram::valueOf(const gpu::ShaderVariable& u
   return fmt::format("{}(0)", typeOfElement(uniform));
 }
 
-/// Of an array an element: an index beyond its ends is that of the end.
-std::string MaterialProgram::reader(const gpu::ShaderVariable& uniform, const std::string& storage,
-                                    const std::string& value) {
-  std::string parameters, index = "0";
-  for (std::size_t i = 0; i < uniform.array.size(); ++i) {
-    parameters += fmt::format("{}int i{}", i > 0 ? ", " : "", i);
-    index = fmt::format("({} * {} + clamp(i{}, 0, {}))", index, uniform.array[i], i, uniform.array[i] - 1);
-  }
-  return fmt::format("{0} luxoAt_{1}({2}) {{\n  int element = {3};\n  return {4};\n}}\n",
-                     typeOfElement(uniform), storage, parameters, index, value);
-}
-
-std::string MaterialProgram::copyOfAll(const gpu::ShaderVariable& uniform, const std::string& storage) {
-  std::string loops, element, arguments;
-  for (std::size_t i = 0; i < uniform.array.size(); ++i) {
-    loops += fmt::format("  for (int i{0} = 0; i{0} < {1}; ++i{0})\n", i, uniform.array[i]);
-    element += fmt::format("[i{}]", i);
-    arguments += fmt::format("{}i{}", i > 0 ? ", " : "", i);
-  }
-  return fmt::format("{0}    {1}{2} = luxoAt_{1}({3});\n", loops, storage, element, arguments);
-}
-
 MaterialProgram::Loads MaterialProgram::loads(const Paint& paint, std::vector<std::string>& texts) const {
   Loads loads;
   for (const gpu::ShaderVariable& uniform : uniforms_) {
@@ -618,7 +537,7 @@ MaterialProgram::Loads MaterialProgram::loads(const Paint& paint, std::vector<st
       continue;
     }
     for (const std::string& storage : storagesOf(uniform)) {
-      loads.functions += reader(uniform, storage, *value);
+      loads.functions += readerOf(uniform, storage, *value);
       if (uniform.array.empty() || !readElements(texts, storage, uniform.array.size()))
         loads.statements += copyOfAll(uniform, storage);
     }
@@ -685,52 +604,6 @@ std::vector<gpu::ShaderSource> MaterialProgram::Joined::sources() const {
   for (std::size_t i = 0; i < names.size(); ++i) sources.push_back({names[i], texts[i], shown[i]});
   sources.push_back({kEntry, material});
   return sources;
-}
-
-const MaterialProgram& MaterialPrograms::of(const MaterialShaderPtr& shader) {
-  const auto known = programs_.find(shader);
-  if (known != programs_.end()) return known->second;
-  const MaterialProgram& program = programs_.emplace(shader, MaterialProgram(shader)).first->second;
-  compiled_ += program.compiled();
-  return program;
-}
-
-void MaterialPrograms::check(const Snapshot& snapshot, const VisibleList& visible) {
-  tellShadows(snapshot);
-  for (const auto* nodes : {&visible.opaque, &visible.transparent})
-    for (const VisibleNode& one : *nodes) {
-      const SnapshotNode& node = snapshot.nodes[one.node];
-      const Material& material = snapshot.materials[node.material.index];
-      if (!material.shader) continue;
-      const MaterialProgram& program = of(material.shader);
-      program.check(material);
-      requireCurvature(node, material);
-      for (const std::string& message : program.unused(material))
-        if (told_.insert(message).second) log(LogLevel::Warning, message);
-    }
-  // Those of what comes into the picture again are there.
-  std::erase_if(programs_, [&](const auto& entry) {
-    return std::ranges::none_of(snapshot.materials,
-                                [&](const Material& material) { return material.shader == entry.first; });
-  });
-}
-
-/// Whether light gets through, who looks for shadows has to know without running a shader.
-void MaterialPrograms::tellShadows(const Snapshot& snapshot) {
-  for (const SnapshotNode& node : snapshot.nodes) {
-    const Material& material = snapshot.materials[node.material.index];
-    if (!material.shader || !material.shader->hasOpacity() || material.invisible()) continue;
-    const bool casts = std::ranges::any_of(snapshot.lights, [&](const SnapshotLight& light) {
-      return std::ranges::find(light.casters, node.id) != light.casters.end() ||
-             (light.shade && light.shade->caster == node.id);
-    });
-    if (!casts) continue;
-    const std::string message = fmt::format(
-        "shadows do not know how opaque the shader '{}' says that the points of material '{}' are: they keep "
-        "as much of a light from what is behind them as the material's \"opacity\" says",
-        material.shader->files.front().name, material.name);
-    if (told_.insert(message).second) log(LogLevel::Warning, message);
-  }
 }
 
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,

@@ -8,14 +8,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "cull/cull.h"
 #include "draw/course_program.h"
 #include "draw/paint.h"
 #include "gpu/shader_cost.h"
@@ -81,9 +77,6 @@ class MaterialProgram {
   /// copied to each point, as other uniforms are.
   [[nodiscard]] Loads loads(const Paint& paint, std::vector<std::string>& texts) const;
   static bool readElements(std::vector<std::string>& texts, const std::string& name, std::size_t dimensions);
-  [[nodiscard]] static std::string reader(const gpu::ShaderVariable& uniform, const std::string& storage,
-                                          const std::string& value);
-  [[nodiscard]] static std::string copyOfAll(const gpu::ShaderVariable& uniform, const std::string& storage);
   /// An expression of `element`, the index in all of an array. Nothing: it keeps what the shader says.
   [[nodiscard]] std::optional<std::string> valueOf(const gpu::ShaderVariable& uniform,
                                                    const Paint& paint) const;
@@ -98,24 +91,6 @@ class MaterialProgram {
   std::optional<CourseProgram> course_;
   std::vector<gpu::ShaderVariable> uniforms_;
   bool compiled_ = false;
-};
-
-/// Keeps those of the last pictures' shaders.
-class MaterialPrograms {
- public:
-  [[nodiscard]] const MaterialProgram& of(const MaterialShaderPtr& shader);
-  /// Of all materials that are on something in the picture: MaterialProgram::check(). What is not used is
-  /// logged, once.
-  void check(const Snapshot& snapshot, const VisibleList& visible);
-  /// Since the last time: shaders that no run before had.
-  [[nodiscard]] std::uint64_t takeCompiled() { return std::exchange(compiled_, 0); }
-
- private:
-  void tellShadows(const Snapshot& snapshot);
-
-  std::map<MaterialShaderPtr, MaterialProgram> programs_;
-  std::uint64_t compiled_ = 0;
-  std::set<std::string> told_;
 };
 
 /// What is before the uniforms: the origin of positions, what takes them to the node's axes (columns and a

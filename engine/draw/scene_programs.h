@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "draw/draw_state.h"
-#include "draw/material_program.h"
+#include "draw/material_programs.h"
 #include "gpu/context.h"
 
 namespace luxo {

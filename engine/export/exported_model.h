@@ -44,9 +44,9 @@ struct ExportedModel {
 /// Nodes of one surface and one material share a mesh. Those whose place is no rotation and scale, and
 /// plates, stand in the world as they are. A colour that is a formula becomes its mean; lights that do not
 /// fall off with distance are as bright as they are at the middle of the scene; soft ones shine from theirs.
-/// Images are of 8 bits, as large as the textures; between vertices uvs are linear. `segments` of nodes are not looked at: the tolerance
-/// decides. Error(Scene): what takeSnapshot() says, nothing that is visible has an area. Cost: that of
-/// tessellating each surface, and of triangleMesh().
+/// Images are of 8 bits, as large as the textures; between vertices uvs are linear. `segments` of nodes are
+/// not looked at: the tolerance decides. Error(Scene): what takeSnapshot() says, nothing that is visible has
+/// an area. Cost: that of tessellating each surface, and of triangleMesh().
 [[nodiscard]] ExportedModel exportedModel(const Scene& scene, double timeSeconds, const ExportDesc& desc);
 
 }  // namespace luxo

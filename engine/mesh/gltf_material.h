@@ -21,6 +21,7 @@ inline constexpr double kGltfReflectance = 0.04;
 /// times the light, as diffuse is counted here. KHR_materials_specular scales the 0.04, by a map of colours,
 /// too. Unlit: the colour glows. Maps of metal and roughness are not read. Gives for each material the number
 /// of the uvs that its maps use (TEXCOORD_n); maps that use others than its first are not read.
-[[nodiscard]] std::vector<std::uint64_t> readGltfMaterials(const ModelSource& source, GltfFile& file, Model& model);
+[[nodiscard]] std::vector<std::uint64_t> readGltfMaterials(const ModelSource& source, GltfFile& file,
+                                                           Model& model);
 
 }  // namespace luxo

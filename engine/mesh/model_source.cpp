@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/inside_folder.h"
+
 namespace luxo {
 namespace {
 
@@ -11,8 +13,7 @@ namespace {
 bool leadsOut(const std::filesystem::path& file, const std::filesystem::path& folder) {
   std::error_code failure;
   const std::filesystem::path followed = std::filesystem::weakly_canonical(file, failure);
-  return !failure &&
-         std::mismatch(folder.begin(), folder.end(), followed.begin(), followed.end()).first != folder.end();
+  return !failure && !isInside(followed, folder);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 //
 // GLB has all of a model: nodes, materials, cameras, lights, the scene that it carries. The others have what
 // stands in the world at time 0: OBJ an object a node, with materials; PLY one list of vertices with their
-// colours; STL triangles. Maps of colours and of glow are written to a GLB; others are not, nor movements. What was one point of a mesh is one point of
-// the file, bit for bit.
+// colours; STL triangles. Maps of colours and of glow are written to a GLB; others are not, nor movements.
+// What was one point of a mesh is one point of the file, bit for bit.
 #pragma once
 
 #include <cstddef>

@@ -20,8 +20,8 @@ struct Turn {
 [[nodiscard]] std::optional<Turn> decomposed(Mat3 linear);
 
 /// Any linear map: turn.rotation * turn.scale * first, its singular value decomposition, but for
-/// 1e-14 of its largest entry. By one-sided Jacobi rotations: M. R. Hestenes, Inversion of matrices by biorthogonalization and
-/// related results, 1958.
+/// 1e-14 of its largest entry. By one-sided Jacobi rotations: M. R. Hestenes, Inversion of matrices by
+/// biorthogonalization and related results, 1958.
 struct SingularValues {
   Turn turn;   ///< a scale is 0 where the map is flat, and one is below 0 where it mirrors
   Vec4 first;  ///< unit quaternion x, y, z, w

@@ -24,8 +24,8 @@ namespace luxo {
 [[nodiscard]] Scene modelScene(const std::shared_ptr<const Model>& model);
 
 /// Adds a model below a node of a scene, as modelScene() has it, without cameras, and with no lights but its
-/// own. Names of nodes follow the parent's and a slash. The nodes that have a surface. `materials`: the model's
-/// in that scene; where there are none they are made. Errors as modelScene().
+/// own. Names of nodes follow the parent's and a slash. The nodes that have a surface. `materials`: the
+/// model's in that scene; where there are none they are made. Errors as modelScene().
 std::vector<NodeId> addModel(Scene& scene, NodeId parent, const std::shared_ptr<const Model>& model,
                              std::vector<MaterialId>& materials);
 

@@ -3,19 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/error.h"
+#include "base/inside_folder.h"
 
 namespace luxo {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isInside(const fs::path& file, const fs::path& folder) {
-  const auto [inFolder, inFile] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-  return inFolder == folder.end();
-}
 
 }  // namespace
 

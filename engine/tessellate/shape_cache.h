@@ -130,7 +130,8 @@ class ShapeCache {
 
   std::map<Key, Entry> entries_;
   std::size_t mostBytes_, bytes_ = 0;
-  /// Where all is in use that is left, room is looked for again only after a quarter more: the look costs all.
+  /// Where all is in use that is left, room is looked for again only after a quarter more: the look costs
+  /// all.
   std::size_t crowd_ = 0;
   std::uint64_t uses_ = 0, made_ = 0, lookedAt_ = 0;
 };
