@@ -21,27 +21,6 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-class Stopwatch {
- public:
-  [[nodiscard]] double milliseconds() const { return millisecondsSince(start_); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
-/// drew.
-void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
-  for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu,
-                          &FrameTimes::rays, &FrameTimes::rayTrees})
-    last.ms.*time += before.ms.*time;
-  addPassTimes(last.ms.passes, before.ms.passes);
-  for (const auto count :
-       {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
-        &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
-    last.count.*count += before.count.*count;
-}
-
 int channelsOf(Output output) {
   return output == Output::Depth || output == Output::Id || output == Output::Residual ||
                  output == Output::Certificate
@@ -198,124 +177,39 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
 }
 
 void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
-  find(snapshot, options, statistics);
+  const auto submitAndRead = [this](const Recording& record, const Refinement::Changed& changed,
+                                    FrameStatistics& cost) {
+    submit(
+        [&](VkCommandBuffer commands) {
+          record(commands);
+          if (!changed)
+            recordReadback(commands, view_.picture());
+          else if (!changed->empty())
+            readback_.record(commands, view_.picture(), rowsOf(*changed));
+        },
+        cost);
+  };
+  refinement_.begin(snapshot, options);
+  while (const std::optional<Refinement::Rays> rays = refinement_.advance(submitAndRead)) (*rays)();
+  statistics = refinement_.statistics();
   if (view_.list().traces) trace(snapshot, statistics);
 }
 
 void Renderer::trace(const Snapshot& snapshot, FrameStatistics& statistics) {
-  const Stopwatch watch;
+  const auto start = std::chrono::steady_clock::now();
   const double drawing = statistics.ms.gpu;
   traced_.begin(snapshot, view_.list().origin);
   while (traced_.answer(view_.traces().asked()))
     submit(
         [&](VkCommandBuffer commands) {
-          painter_.recordAnswers(frames_, commands, view_, traced_, resolved_, statistics);
+          painter_.recordAnswers(frames_, commands, view_, traced_, refinement_.points(), statistics);
           recordReadback(commands, view_.picture());
         },
         statistics);
   statistics.error.unconvergedPx += traced_.openPx();
   statistics.count.tracedRays += traced_.answers().size();
   statistics.error.uncertifiedPx += traced_.undecidedPx();
-  statistics.ms.rays += watch.milliseconds() - (statistics.ms.gpu - drawing);
-}
-
-void Renderer::find(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
-  // What a failed audit leads to: nothing is skipped; then all shells are finer, too; then rays find
-  // everything.
-  enum Trial { Usual, WithoutSkips, WithFinerShells, ByRays };
-  DrawOptions tried = options;
-  tried.standIns = false;
-  std::uint64_t failed = 0;
-  for (int trial = Usual;; ++trial) {
-    if (trial >= WithoutSkips) tried.skips = Skips::none();
-    tried.finerShells = trial == WithFinerShells;
-    if (trial != ByRays) search(snapshot, tried, statistics);
-    if (!view_.searches() && !view_.list().findsShadows()) return;
-    rays_.begin(snapshot, tried);
-    resolve(snapshot, tried, trial == ByRays, statistics);
-    const Stopwatch watch;
-    const double trees = rays_.treesMs();
-    const std::vector<DepthProbe> probes = view_.probes();
-    const AuditResult audit = rays_.audit(probes, RayDraws(view_.list()), view_.shown());
-    statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees);
-    statistics.ms.rayTrees += rays_.treesMs();
-    failed += audit.failed;
-    FrameError& error = statistics.error;
-    error.auditedPx = probes.size();
-    error.auditFailedPx = failed;
-    error.auditUndecidedPx = audit.undecided;
-    const std::uint64_t wrong = audit.failed + error.unconvergedPx;
-    if (wrong == 0 || error.layersMissing > 0) return;
-    if (trial == ByRays) {
-      error.unconvergedPx = wrong;
-      return;
-    }
-  }
-}
-
-void Renderer::search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics) {
-  resolved_ = {};
-  do {
-    FrameStatistics attempt;
-    submit(
-        [&](VkCommandBuffer commands) {
-          painter_.record(frames_, commands, view_, snapshot, options, attempt);
-          recordReadback(commands, view_.picture());
-        },
-        attempt);
-    addAttempt(attempt, statistics);
-    statistics = attempt;
-  } while (view_.makeRoom());
-  const LayerLists::Found layers = view_.layerPoints();
-  statistics.count.layerPoints = layers.points;
-  statistics.error.layersMissing = statistics.error.unconvergedPx = layers.missing;
-}
-
-void Renderer::resolve(const Snapshot& snapshot, const DrawOptions& options, bool all,
-                       FrameStatistics& statistics) {
-  const Stopwatch watch;
-  const double trees = rays_.treesMs(), drawing = statistics.ms.gpu;
-  const auto countTime = [&] {
-    statistics.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees) - (statistics.ms.gpu - drawing);
-  };
-  std::vector<Doubt> doubts = view_.doubts([&](const Recording& record) { submit(record, statistics); });
-  if (all) doubts = everywhere(snapshot.view.size, std::move(doubts));
-  if (doubts.empty()) return countTime();
-  RayPoints points = rays_.resolve(doubts, RayDraws(view_.list()), view_.shown());
-  countTime();
-  statistics.error.resolvedByRaysPx = points.resolved - points.undecided + points.shadowed + points.layered -
-                                      std::min(points.layered, points.layersUndecided);
-  statistics.error.shadowRaysPx = points.shadowed;
-  statistics.error.uncertifiedPx = points.undecided + points.shadowsUndecided + points.layersUndecided;
-  statistics.error.unconvergedPx += points.unknown;
-  if (points.empty()) return;
-  resolved_ = std::move(points);
-  std::vector<PixelPlace> pixels = resolved_.pixels;
-  std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
-  const bool isAnew = view_.makeRoomFor(resolved_);
-  if (isAnew) {
-    FrameStatistics again;
-    submit(
-        [&](VkCommandBuffer commands) {
-          painter_.record(frames_, commands, view_, snapshot, options, again);
-        },
-        again);
-    statistics.ms.gpu += again.ms.gpu;
-    addPassTimes(statistics.ms.passes, again.ms.passes);
-    statistics.count.submits += again.count.submits;
-  }
-  submit(
-      [&](VkCommandBuffer commands) {
-        painter_.recordRays(frames_, commands, view_, resolved_, statistics);
-        if (view_.list().onlyFound() && !isAnew)
-          readback_.record(commands, view_.picture(), rowsOf(pixels));
-        else
-          recordReadback(commands, view_.picture());
-      },
-      statistics);
-  const std::uint64_t missing = view_.layerPoints().missing;
-  statistics.error.unconvergedPx += missing;
-  statistics.error.layersMissing += missing;
+  statistics.ms.rays += millisecondsSince(start) - (statistics.ms.gpu - drawing);
 }
 
 void Renderer::submit(const Recording& record, FrameStatistics& statistics) {

@@ -12,7 +12,7 @@
 #include "draw/accumulation.h"
 #include "draw/device_cloth_simulation.h"
 #include "draw/options.h"
-#include "draw/ray_points.h"
+#include "draw/refinement.h"
 #include "draw/scene_painter.h"
 #include "draw/secondary_rays.h"
 #include "draw/statistics.h"
@@ -74,17 +74,10 @@ class Renderer {
   [[nodiscard]] bool inOnePass(const Snapshot& snapshot, const DrawOptions& options) const;
   /// As its settings ask for, with cloth that this renderer's device moves.
   [[nodiscard]] Snapshot snapshotOf(const Scene& scene);
-  /// Draws one sample of each pixel into the view and reads that back. What searches leave in
-  /// doubt is found by rays, and what an audit finds wrong is drawn anew.
+  /// Draws one sample of each pixel into the view, refines it, and reads that back.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
-  /// The part of that before light asks for rays of its own.
-  void find(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// Answers what shaders ask of the scene, and lets them light their points anew, until they ask no more.
   void trace(const Snapshot& snapshot, FrameStatistics& statistics);
-  /// The part of find() without rays; again where what is seen through had no room.
-  void search(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
-  /// Finds pixels by rays, and draws them: those in doubt, or all.
-  void resolve(const Snapshot& snapshot, const DrawOptions& options, bool all, FrameStatistics& statistics);
   /// Runs what `record` records, and waits.
   void submit(const Recording& record, FrameStatistics& statistics);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.
@@ -98,8 +91,7 @@ class Renderer {
   ScenePainter painter_;
   RenderView view_;
   std::optional<Accumulator> accumulator_;  ///< made for the first picture of several passes
-  CertifiedRays rays_;
-  RayPoints resolved_;  ///< by them, in the view's last picture
+  Refinement refinement_{frames_, painter_, view_};
   SecondaryRays traced_;
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};

@@ -72,6 +72,7 @@ std::string auditText(const ProgressiveMean::Audit& audit) {
   const std::string found = audit.byRays > 0 ? fmt::format("; {} by rays", audit.byRays) : "";
   if (audit.wrong > 0)
     return fmt::format("{} of {} px were wrong, mended{}", audit.wrong, audit.pixels, found);
+  if (audit.open > 0) return fmt::format("{} px; {} px are not known{}", audit.pixels, audit.open, found);
   return fmt::format("{} px, all right{}", audit.pixels, found);
 }
 

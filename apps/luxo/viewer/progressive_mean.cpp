@@ -3,81 +3,74 @@
 
 namespace luxo {
 
-bool ProgressiveMean::complete() const { return joined_ >= kMaxSamples; }
-
 void ProgressiveMean::reset() {
-  certifier_.cancel();
+  work_.cancel();
   tracer_.cancel();
-  next_.reset();
-  traced_ = false;
+  stage_ = Stage::None;
   joined_ = 0;
   audit_ = {};
 }
 
-bool ProgressiveMean::prepare(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
-                              const Snapshot& shown, const DrawOptions& drawn) {
-  if (next_ && traced_) return true;
-  Snapshot sampled = shown;
-  sampled.view = sampledAt(shown.view, pattern_[static_cast<std::size_t>(joined_)]);
-  if (!next_ && !find(frames, painter, view, sampled, drawn)) return false;
-  traced_ = trace(frames, painter, view, sampled);
-  return traced_;
+bool ProgressiveMean::prepare(const Snapshot& shown, const DrawOptions& drawn) {
+  if (stage_ == Stage::None) begin(shown, drawn);
+  if (stage_ == Stage::Refines && refine()) stage_ = Stage::Traces;
+  if (stage_ == Stage::Traces && trace()) stage_ = Stage::Ready;
+  return stage_ == Stage::Ready;
 }
 
-bool ProgressiveMean::find(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
-                           const Snapshot& sampled, const DrawOptions& drawn) {
-  if (!certifier_.busy()) {
-    DrawOptions one = drawn;
-    one.samples = 1;
-    one.standIns = false;
-    FrameStatistics ignored;
-    // What a sample has lost rays find; but without room there is none for rays.
-    do {
-      painter.record(frames, frames.begin(), view, sampled, one, ignored);
-      frames.wait(frames.submit());
-    } while (view.makeRoom());
-    if (!view.searches()) {
-      next_.emplace();
-      return true;
-    }
-    certifier_.begin(sampled, one, view, [&](const RenderView::Recording& record) {
-      const VkCommandBuffer commands = frames.begin();
-      record(commands);
-      frames.wait(frames.submit());
-    });
-  }
-  next_ = certifier_.poll();
-  return next_.has_value();
+void ProgressiveMean::begin(const Snapshot& shown, const DrawOptions& drawn) {
+  sampled_ = shown;
+  sampled_.view = sampledAt(shown.view, pattern_[static_cast<std::size_t>(joined_)]);
+  DrawOptions one = drawn;
+  one.samples = 1;
+  refinement_.begin(sampled_, one, [this] { return !work_.cancelled(); });
+  stage_ = Stage::Refines;
 }
 
-bool ProgressiveMean::trace(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
-                            const Snapshot& sampled) {
-  if (!view.list().traces) return true;
+bool ProgressiveMean::refine() {
+  if (work_.busy() && !work_.poll()) return false;
+  const auto rays =
+      refinement_.advance([this](const RenderView::Recording& record, const Refinement::Changed&,
+                                 FrameStatistics&) { submit(record); });
+  if (!rays) return true;
+  work_.begin([cast = *rays] {
+    cast();
+    return true;
+  });
+  return false;
+}
+
+bool ProgressiveMean::trace() {
+  if (!view_.list().traces) return true;
   FrameStatistics ignored;
   if (!tracer_.busy()) {
-    tracer_.begin(sampled, view.list().origin);
-    tracer_.answer(view.traces().asked());
+    tracer_.begin(sampled_, view_.list().origin);
+    tracer_.answer(view_.traces().asked());
   }
   while (const std::optional<bool> asked = tracer_.poll()) {
     if (!*asked) return true;
-    painter.recordAnswers(frames, frames.begin(), view, tracer_.rays(), next_->points, ignored);
-    frames.wait(frames.submit());
-    tracer_.answer(view.traces().asked());
+    submit([&](VkCommandBuffer commands) {
+      painter_.recordAnswers(frames_, commands, view_, tracer_.rays(), refinement_.points(), ignored);
+    });
+    tracer_.answer(view_.traces().asked());
   }
   return false;
 }
 
-void ProgressiveMean::join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter,
-                           RenderView& view) {
+void ProgressiveMean::submit(const RenderView::Recording& record) {
+  record(frames_.begin());
+  frames_.wait(frames_.submit());
+}
+
+void ProgressiveMean::join(VkCommandBuffer commands) {
   if (!accumulator_) accumulator_.emplace(context_);
-  FrameStatistics ignored;
-  if (!next_->points.empty()) painter.recordRays(frames, commands, view, next_->points, ignored);
-  accumulator_->add(frames, commands, view.picture(), joined_);
-  audit_.pixels += next_->audited;
-  audit_.wrong += next_->failed;
-  audit_.byRays += next_->points.resolved;
-  next_.reset();
-  traced_ = false;
+  accumulator_->add(frames_, commands, view_.picture(), joined_);
+  const FrameError& error = refinement_.statistics().error;
+  audit_.pixels += error.auditedPx;
+  audit_.wrong += error.auditFailedPx;
+  audit_.byRays += error.resolvedByRaysPx;
+  audit_.open += error.unconvergedPx;
+  stage_ = Stage::None;
   ++joined_;
 }
 

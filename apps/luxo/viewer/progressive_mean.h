@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// While nothing moves: the mean of more and more samples per pixel, each certified before it joins.
+// While nothing moves: the mean of more and more samples per pixel, each refined before it joins, as a file's
+// are.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "background.h"
 #include "draw/accumulation.h"
+#include "draw/refinement.h"
 #include "draw/scene_painter.h"
 #include "gpu/frame.h"
 #include "scene/snapshot.h"
-#include "viewer/certifier.h"
 #include "viewer/tracer.h"
 
 namespace luxo {
@@ -20,47 +22,60 @@ class ProgressiveMean {
   /// Of the samples that have joined.
   struct Audit {
     std::uint64_t pixels = 0, wrong = 0, byRays = 0;
+    std::uint64_t open = 0;  ///< what no trial has settled
   };
 
-  explicit ProgressiveMean(gpu::Context& context) : context_(context) {}
+  /// All of which must outlive it.
+  ProgressiveMean(gpu::Context& context, gpu::FrameRing& frames, ScenePainter& painter, RenderView& view)
+      : context_(context),
+        frames_(frames),
+        painter_(painter),
+        view_(view),
+        refinement_(frames, painter, view) {}
 
   [[nodiscard]] int samples() const { return joined_; }
-  [[nodiscard]] bool complete() const;
+  [[nodiscard]] bool complete() const { return joined_ >= kMaxSamples; }
   /// A sample has joined, or is on its way.
-  [[nodiscard]] bool begun() const { return joined_ > 0 || next_ || casting(); }
-  [[nodiscard]] bool casting() const {
-    return certifier_.busy() || tracer_.busy();
-  }  ///< rays, beside the window
+  [[nodiscard]] bool begun() const { return joined_ > 0 || stage_ != Stage::None; }
+  /// Rays are at work, beside the window.
+  [[nodiscard]] bool casting() const { return work_.busy() || tracer_.busy(); }
   [[nodiscard]] const Audit& audit() const { return audit_; }
   [[nodiscard]] gpu::Texture& picture() { return accumulator_->mean(); }
 
   /// Stops what is on its way: for what is shown next there is no sample yet.
   void reset();
 
-  /// Draws one more sample per pixel of what is shown, and lets rays find what that leaves in doubt. Whether
-  /// it is ready to join the mean: later, if not.
-  [[nodiscard]] bool prepare(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
-                             const Snapshot& shown, const DrawOptions& drawn);
+  /// Draws one more sample per pixel of what is shown, and refines it. Whether it is ready to join the mean:
+  /// later, if not.
+  [[nodiscard]] bool prepare(const Snapshot& shown, const DrawOptions& drawn);
   /// What is ready joins the mean.
-  void join(gpu::FrameRing& frames, VkCommandBuffer commands, ScenePainter& painter, RenderView& view);
+  void join(VkCommandBuffer commands);
 
  private:
-  /// Draws the sample that joins next, and lets rays settle it. Whether they have.
-  [[nodiscard]] bool find(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
-                          const Snapshot& sampled, const DrawOptions& drawn);
+  /// Of the sample that joins next.
+  enum class Stage { None, Refines, Traces, Ready };
+
+  void begin(const Snapshot& shown, const DrawOptions& drawn);
+  /// Goes on with it as far as it gets without waiting for rays. Whether that is to its end.
+  [[nodiscard]] bool refine();
   /// Answers what its shaders ask of the scene. Whether they ask no more.
-  [[nodiscard]] bool trace(gpu::FrameRing& frames, ScenePainter& painter, RenderView& view,
-                           const Snapshot& sampled);
+  [[nodiscard]] bool trace();
+  void submit(const RenderView::Recording& record);
 
   gpu::Context& context_;
+  gpu::FrameRing& frames_;
+  ScenePainter& painter_;
+  RenderView& view_;
   std::optional<Accumulator> accumulator_;  // made when first needed
-  Certifier certifier_;
-  Tracer tracer_;
   std::vector<Vec2> pattern_ = samplePattern(kMaxSamples);
   int joined_ = 0;
-  std::optional<Certifier::Outcome> next_;  // of the sample that joins next
-  bool traced_ = false;                     // that, too
   Audit audit_;
+
+  Stage stage_ = Stage::None;
+  Snapshot sampled_;
+  Refinement refinement_;
+  BackgroundWork<bool> work_;  // of its rays
+  Tracer tracer_;
 };
 
 }  // namespace luxo

@@ -101,7 +101,7 @@ class Viewer {
         view_(context_, Precision::Half),
         presenter_(context_, swapchain_.format()),
         photographer_(context_),
-        mean_(context_),
+        mean_(context_, frames_, painter_, view_),
         probe_(context_),
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
         presets_(options.shader),
@@ -386,7 +386,7 @@ class Viewer {
       drawn_ = draw;
       ++pictures_;
     } else if (refines) {
-      mean_.join(frames_, commands, painter_, view_);
+      mean_.join(commands);
     }
     status_.samples = mean_.samples() > 0 ? mean_.samples() : draw.samples;
     status_.audit = mean_.audit();
@@ -441,7 +441,7 @@ class Viewer {
   // A picture with one sample may ask for more than the one that is shown.
   [[nodiscard]] bool preparesMean() {
     try {
-      const bool prepared = mean_.prepare(frames_, painter_, view_, shown_, *drawn_);
+      const bool prepared = mean_.prepare(shown_, *drawn_);
       if (const std::string faults = faultsOfShaders(); !faults.empty()) noteFaults(faults);
       return prepared;
     } catch (const Error& error) {
@@ -495,7 +495,7 @@ class Viewer {
   // Where the mean lacks more samples than this one, that joins it unseen.
   [[nodiscard]] bool catchesUp() {
     if (mean_.samples() + 1 >= drawn_->samples) return true;
-    mean_.join(frames_, frames_.begin(), painter_, view_);
+    mean_.join(frames_.begin());
     frames_.submit();
     dirty_ = true;
     return false;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/refinement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace luxo {
+namespace {
+
+/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
+/// drew.
+void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
+  for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu,
+                          &FrameTimes::rays, &FrameTimes::rayTrees})
+    last.ms.*time += before.ms.*time;
+  addPassTimes(last.ms.passes, before.ms.passes);
+  for (const auto count :
+       {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
+        &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
+    last.count.*count += before.count.*count;
+}
+
+}  // namespace
+
+void Refinement::begin(const Snapshot& snapshot, const DrawOptions& options, std::function<bool()> goesOn) {
+  snapshot_ = &snapshot;
+  options_ = options;
+  options_.standIns = false;
+  goesOn_ = std::move(goesOn);
+  next_ = &Refinement::draw;
+  trial_ = Trial::Usual;
+  points_ = {};
+  statistics_ = {};
+}
+
+auto Refinement::advance(const Submit& submit) -> std::optional<Rays> {
+  while (next_)
+    if (std::optional<Rays> rays = (this->*std::exchange(next_, nullptr))(submit)) return rays;
+  return std::nullopt;
+}
+
+auto Refinement::draw(const Submit& submit) -> std::optional<Rays> {
+  if (trial_ != Trial::ByRays) search(submit);
+  if (!view_->searches() && !view_->list().findsShadows()) return std::nullopt;
+  next_ = &Refinement::place;
+  points_ = {};
+  rays_.begin(*snapshot_, options_, goesOn_);
+  std::vector<Doubt> doubts;
+  timeRays([&] {
+    doubts = view_->doubts([&](const RenderView::Recording& record) {
+      submit(record, std::span<const PixelPlace>(), statistics_);
+    });
+    if (trial_ == Trial::ByRays) doubts = everywhere(snapshot_->view.size, std::move(doubts));
+  });
+  if (doubts.empty()) return std::nullopt;
+  return [this, doubts = std::move(doubts), draws = RayDraws(view_->list()), shown = view_->shown()] {
+    timeRays([&] { points_ = rays_.resolve(doubts, draws, shown); });
+  };
+}
+
+auto Refinement::place(const Submit& submit) -> std::optional<Rays> {
+  next_ = &Refinement::judge;
+  FrameError& error = statistics_.error;
+  error.resolvedByRaysPx = points_.resolved - points_.undecided + points_.shadowed + points_.layered -
+                           std::min(points_.layered, points_.layersUndecided);
+  error.shadowRaysPx = points_.shadowed;
+  error.uncertifiedPx = points_.undecided + points_.shadowsUndecided + points_.layersUndecided;
+  error.unconvergedPx = error.layersMissing + points_.unknown;
+  if (!points_.empty()) drawPoints(submit);
+  audit_ = {};
+  std::vector<DepthProbe> probes = view_->probes();
+  error.auditedPx = probes.size();
+  if (probes.empty()) return std::nullopt;
+  return [this, probes = std::move(probes), draws = RayDraws(view_->list()), shown = view_->shown()] {
+    timeRays([&] { audit_ = rays_.audit(probes, draws, shown); });
+  };
+}
+
+auto Refinement::judge(const Submit&) -> std::optional<Rays> {
+  statistics_.ms.rayTrees += rays_.treesMs();
+  FrameError& error = statistics_.error;
+  error.auditFailedPx += audit_.failed;
+  error.auditUndecidedPx = audit_.undecided;
+  const std::uint64_t wrong = audit_.failed + error.unconvergedPx;
+  if (wrong == 0 || error.layersMissing > 0) return std::nullopt;
+  if (trial_ == Trial::ByRays) {
+    error.unconvergedPx = wrong;
+    return std::nullopt;
+  }
+  trial_ = static_cast<Trial>(static_cast<int>(trial_) + 1);
+  options_.skips = Skips::none();
+  options_.finerShells = trial_ == Trial::WithFinerShells;
+  next_ = &Refinement::draw;
+  return std::nullopt;
+}
+
+void Refinement::search(const Submit& submit) {
+  const std::uint64_t failed = statistics_.error.auditFailedPx;
+  do {
+    FrameStatistics attempt;
+    submit(
+        [&](VkCommandBuffer commands) {
+          painter_->record(*frames_, commands, *view_, *snapshot_, options_, attempt);
+        },
+        {}, attempt);
+    addAttempt(attempt, statistics_);
+    statistics_ = attempt;
+  } while (view_->makeRoom());
+  const LayerLists::Found layers = view_->layerPoints();
+  statistics_.count.layerPoints = layers.points;
+  statistics_.error.layersMissing = statistics_.error.unconvergedPx = layers.missing;
+  statistics_.error.auditFailedPx = failed;
+}
+
+void Refinement::drawPoints(const Submit& submit) {
+  const bool anew = view_->makeRoomFor(points_);
+  if (anew) {
+    FrameStatistics again;
+    submit(
+        [&](VkCommandBuffer commands) {
+          painter_->record(*frames_, commands, *view_, *snapshot_, options_, again);
+        },
+        {}, again);
+    statistics_.ms.gpu += again.ms.gpu;
+    addPassTimes(statistics_.ms.passes, again.ms.passes);
+    statistics_.count.submits += again.count.submits;
+  }
+  std::vector<PixelPlace> pixels = points_.pixels;
+  std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
+  submit(
+      [&](VkCommandBuffer commands) {
+        painter_->recordRays(*frames_, commands, *view_, points_, statistics_);
+      },
+      view_->list().onlyFound() && !anew ? Changed(pixels) : std::nullopt, statistics_);
+  const std::uint64_t missing = view_->layerPoints().missing;
+  statistics_.error.unconvergedPx += missing;
+  statistics_.error.layersMissing += missing;
+}
+
+void Refinement::timeRays(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  const double trees = rays_.treesMs(), drawing = statistics_.ms.gpu;
+  work();
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
+  statistics_.ms.rays += passed.count() - (rays_.treesMs() - trees) - (statistics_.ms.gpu - drawing);
+}
+
+}  // namespace luxo
