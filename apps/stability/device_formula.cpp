@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stability/device_formula.h"
 
-#include <array>
 #include <cstring>
 #include <filesystem>
 
 #include "base/assert.h"
 #include "formula/glsl.h"
-#include "gpu/barrier.h"
-#include "gpu/frame.h"
 #include "gpu/shader_compiler.h"
-#include "gpu/transfer.h"
+#include "gpu/whole_target.h"
 #include "luxo/shaders/sources.h"
 
 namespace luxo {
@@ -86,40 +83,10 @@ std::vector<std::vector<float>> DeviceFormula::at(const std::vector<Vec2f>& poin
   const gpu::Buffer pointBuffer = bufferOf(*context_, std::as_bytes(std::span(padded)));
   const gpu::Buffer inputBuffer = bufferOf(*context_, std::as_bytes(std::span(values)));
 
-  std::array<gpu::Texture, kTargets> targets;
-  std::array<gpu::Readback, kTargets> readbacks;
-  std::array<VkRenderingAttachmentInfo, kTargets> attachments{};
-  gpu::FrameRing frames(*context_);
-  const VkCommandBuffer commands = frames.begin();
-  for (std::uint32_t k = 0; k < kTargets; ++k) {
-    targets[k] = gpu::Texture(*context_,
-                              {.extent = extent,
-                               .format = kFormat,
-                               .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                               .name = "values"});
-    readbacks[k] = gpu::Readback(*context_, extent, kFormat);
-    gpu::use(commands, {{targets[k], gpu::Use::ColorAttachment, gpu::Contents::Discard}});
-    attachments[k] = {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                      .imageView = targets[k].view(),
-                      .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                      .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                      .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
-  }
-  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {.extent = extent},
-                                  .layerCount = 1,
-                                  .colorAttachmentCount = kTargets,
-                                  .pColorAttachments = attachments.data()};
-  vkCmdBeginRendering(commands, &rendering);
-  gpu::setViewport(commands, extent);
-  pipeline_.bind(commands);
-  pipeline_.bindSet(commands, 0, frames.descriptors().write(layout_, {pointBuffer, inputBuffer}));
-  vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
-  vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  vkCmdDraw(commands, 3, 1, 0, 0);
-  vkCmdEndRendering(commands);
-  for (std::uint32_t k = 0; k < kTargets; ++k) readbacks[k].record(commands, targets[k]);
-  frames.wait(frames.submit());
+  std::vector<gpu::Readback> readbacks = gpu::drawWholeTargets(
+      *context_, pipeline_, extent, kFormat, kTargets, [&](gpu::FrameRing& frames, VkCommandBuffer commands) {
+        pipeline_.bindSet(commands, 0, frames.descriptors().write(layout_, {pointBuffer, inputBuffer}));
+      });
 
   std::vector<std::vector<float>> results(outputs_, std::vector<float>(points.size()));
   for (std::size_t k = 0; k < outputs_; ++k) {

@@ -95,11 +95,10 @@ class Depth {
     low_ = static_cast<float>(low);
     high_ = static_cast<float>(high);
     margin_ = kDepthMargin * std::max(std::abs(low_), std::abs(high_));
-    const Vec3 a = t[1] - t[0], b = t[2] - t[0];
-    const double area = crossed(a, b);
-    const double narrow = kRoom * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
-    known_ = std::abs(area) > narrow;
+    const double area = certainArea(t);
+    known_ = area != 0;
     if (!known_) return;
+    const Vec3 a = t[1] - t[0], b = t[2] - t[0];
     perColumn_ = (a.z * b.y - a.y * b.z) / area;
     perRow_ = (a.x * b.z - a.z * b.x) / area;
   }
@@ -125,6 +124,13 @@ class Depth {
 };
 
 }  // namespace
+
+double certainArea(const PixelTriangle& t) {
+  const Vec3 a = t[1] - t[0], b = t[2] - t[0];
+  const double area = crossed(a, b),
+               narrow = kRoom * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+  return std::abs(area) > narrow ? area : 0;
+}
 
 void OcclusionBuffer::clear(int width, const Rows& rows, const Vec2& sample) {
   width_ = width;

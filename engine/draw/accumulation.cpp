@@ -37,45 +37,17 @@ std::vector<Vec2> samplePattern(int samples) {
   return points;
 }
 
-void addPassTimes(std::vector<PassTime>& sums, std::span<const PassTime> times) {
-  for (const PassTime& time : times) {
-    const auto known = std::ranges::find(sums, time.name, &PassTime::name);
-    if (known == sums.end())
-      sums.push_back(time);
-    else
-      known->milliseconds += time.milliseconds;
-  }
-}
-
 void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
-  FrameTimes& ms = picture.ms;
-  ms.tessellate += pass.ms.tessellate;
-  ms.cull += pass.ms.cull;
-  ms.upload += pass.ms.upload;
-  ms.gpu += pass.ms.gpu;
-  ms.rays += pass.ms.rays;
-  ms.rayTrees += pass.ms.rayTrees;
-  addPassTimes(ms.passes, pass.ms.passes);
-
-  const bool first = picture.count.passes == 0;
-  FrameCounts sum = first ? pass.count : picture.count;
-  if (!first) {
-    sum.drawCalls += pass.count.drawCalls;
-    sum.instances += pass.count.instances;
-    sum.triangles += pass.count.triangles;
-    sum.vertices += pass.count.vertices;
-    sum.submits += pass.count.submits;
-    sum.uploadBytes += pass.count.uploadBytes;
-    sum.tessellated += pass.count.tessellated;
-    sum.pipelinesCreated += pass.count.pipelinesCreated;
-    sum.shadersCompiled += pass.count.shadersCompiled;
-    sum.passes += pass.count.passes;
-    sum.deferred += pass.count.deferred;
-    sum.shadowPasses += pass.count.shadowPasses;
-    sum.layerPoints += pass.count.layerPoints;
-    sum.tracedRays += pass.count.tracedRays;
+  if (picture.count.passes == 0) {
+    addTimes(picture.ms, pass.ms);
+    picture.count = pass.count;
+  } else {
+    addCost(picture, pass);
+    for (const auto count : {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles,
+                             &FrameCounts::vertices, &FrameCounts::deferred, &FrameCounts::shadowPasses,
+                             &FrameCounts::layerPoints, &FrameCounts::tracedRays})
+      picture.count.*count += pass.count.*count;
   }
-  picture.count = sum;
 
   FrameError& error = picture.error;
   error.tolerancePx = pass.error.tolerancePx;

@@ -7,15 +7,13 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/assert.h"
-#include "gpu/barrier.h"
-#include "gpu/frame.h"
 #include "gpu/pipeline.h"
 #include "gpu/pipeline_cache.h"
-#include "gpu/texture.h"
-#include "gpu/transfer.h"
+#include "gpu/whole_target.h"
 #include "luxo/shaders/sin_cos_frag.h"
 #include "luxo/shaders/whole_target_vert.h"
 #include "shared/sin_cos_angles.h"
@@ -28,40 +26,13 @@ constexpr std::size_t kAngles = std::size_t{shared::kAngleColumns} * shared::kAn
 
 std::vector<Vec4f> drawValues(gpu::Context& context) {
   constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-  gpu::Texture target(context,
-                      {.extent = kExtent,
-                       .format = kFormat,
-                       .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                       .name = "sin cos"});
   const gpu::GraphicsPipeline pipeline(context, {.name = "sin cos",
                                                  .vertexShader = luxo_whole_target_vert,
                                                  .fragmentShader = luxo_sin_cos_frag,
                                                  .colorFormats = {kFormat}});
-  gpu::Readback readback(context, kExtent, kFormat);
-  gpu::FrameRing frames(context);
-  const VkCommandBuffer commands = frames.begin();
-  gpu::use(commands, {{target, gpu::Use::ColorAttachment, gpu::Contents::Discard}});
-  const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = target.view(),
-                                        .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                        .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
-  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {.extent = kExtent},
-                                  .layerCount = 1,
-                                  .colorAttachmentCount = 1,
-                                  .pColorAttachments = &color};
-  vkCmdBeginRendering(commands, &rendering);
-  gpu::setViewport(commands, kExtent);
-  pipeline.bind(commands);
-  vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
-  vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  vkCmdDraw(commands, 3, 1, 0, 0);
-  vkCmdEndRendering(commands);
-  readback.record(commands, target);
-  frames.wait(frames.submit());
+  gpu::Readback drawn = std::move(gpu::drawWholeTargets(context, pipeline, kExtent, kFormat).front());
   std::vector<Vec4f> values(kAngles);
-  std::memcpy(values.data(), readback.bytes().data(), kAngles * sizeof(Vec4f));
+  std::memcpy(values.data(), drawn.bytes().data(), kAngles * sizeof(Vec4f));
   return values;
 }
 

@@ -15,8 +15,6 @@
 namespace luxo {
 namespace {
 
-/// Pixels. Devices move corners to a grid of 1/256.
-constexpr double kNarrowest = 1.0 / 64;
 /// Where on the average fewer layers face the viewer, finding the hidden ones costs more than drawing them.
 constexpr double kFewestLayers = 1.25;
 constexpr int kCoarse = 16;  // pixels between the samples that tell
@@ -44,10 +42,8 @@ void forEachShellBatch(const DrawList& list, const Action& action) {
 /// +1: the triangle is seen from outside the slab; -1: from inside; 0: it is so narrow that a device may see
 /// it either way.
 int OcclusionCulling::Body::facing(const PixelTriangle& t) const {
-  const Vec3 a = t[1] - t[0], b = t[2] - t[0];
-  const double area = a.y * b.x - a.x * b.y;
-  const double narrow = kNarrowest * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
-  return std::abs(area) <= narrow ? 0 : (area > 0) != mirrored ? 1 : -1;
+  const double area = certainArea(t);
+  return area == 0 ? 0 : (area < 0) != mirrored ? 1 : -1;
 }
 
 std::uint64_t OcclusionCulling::drop(DrawList& list, const Snapshot& snapshot, int samples) {

@@ -6,23 +6,6 @@
 #include <utility>
 
 namespace luxo {
-namespace {
-
-/// A picture that was drawn again took the time and the work of all attempts; it shows what the last one
-/// drew.
-void addAttempt(FrameStatistics& last, const FrameStatistics& before) {
-  for (const auto time : {&FrameTimes::tessellate, &FrameTimes::cull, &FrameTimes::upload, &FrameTimes::gpu,
-                          &FrameTimes::rays, &FrameTimes::rayTrees})
-    last.ms.*time += before.ms.*time;
-  addPassTimes(last.ms.passes, before.ms.passes);
-  for (const auto count :
-       {&FrameCounts::submits, &FrameCounts::uploadBytes, &FrameCounts::tessellated,
-        &FrameCounts::pipelinesCreated, &FrameCounts::shadersCompiled, &FrameCounts::passes})
-    last.count.*count += before.count.*count;
-}
-
-}  // namespace
-
 void Refinement::begin(const Snapshot& snapshot, const DrawOptions& options, std::function<bool()> goesOn) {
   snapshot_ = &snapshot;
   options_ = options;
@@ -104,7 +87,7 @@ void Refinement::search(const Submit& submit) {
           painter_->record(*frames_, commands, *view_, *snapshot_, options_, attempt);
         },
         {}, attempt);
-    addAttempt(attempt, statistics_);
+    addCost(attempt, statistics_);
     statistics_ = attempt;
   } while (view_->makeRoom());
   const LayerLists::Found layers = view_->layerPoints();
@@ -122,9 +105,7 @@ void Refinement::drawPoints(const Submit& submit) {
           painter_->record(*frames_, commands, *view_, *snapshot_, options_, again);
         },
         {}, again);
-    statistics_.ms.gpu += again.ms.gpu;
-    addPassTimes(statistics_.ms.passes, again.ms.passes);
-    statistics_.count.submits += again.count.submits;
+    addCost(statistics_, again);
   }
   std::vector<PixelPlace> pixels = points_.pixels;
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });

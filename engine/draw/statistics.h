@@ -25,6 +25,9 @@ struct FrameTimes {
   std::vector<PassTime> passes = {};  ///< of gpu, in the order of the first ones; empty without timestamps
 };
 
+/// All but `total`, and what is not of the drawing.
+void addTimes(FrameTimes& sum, const FrameTimes& times);
+
 struct FrameCounts {
   std::uint64_t nodes = 0;  ///< with a surface, visible in the scene
   std::uint64_t drawn = 0;
@@ -79,5 +82,9 @@ struct FrameStatistics {
   FrameCounts count;
   FrameError error;
 };
+
+/// Adds the time and the work of something drawn before, or once more, for the same picture: not what it
+/// shows.
+void addCost(FrameStatistics& picture, const FrameStatistics& other);
 
 }  // namespace luxo

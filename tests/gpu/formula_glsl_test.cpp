@@ -4,11 +4,9 @@
 
 #include "base/error.h"
 #include "formula/tape.h"
-#include "gpu/barrier.h"
-#include "gpu/frame.h"
 #include "gpu/pipeline.h"
 #include "gpu/shader_compiler.h"
-#include "gpu/transfer.h"
+#include "gpu/whole_target.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/test_descriptors_vert.h"
 #include "math/vec.h"
@@ -30,6 +28,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace luxo {
@@ -82,11 +81,6 @@ class FormulaGlslTest : public test::GpuTest {
                                                      .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
                                                      .setLayouts = {layout}});
     const VkExtent2D extent{kWidth, static_cast<std::uint32_t>((points.size() + kWidth - 1) / kWidth)};
-    gpu::Texture target(context(),
-                        {.extent = extent,
-                         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                         .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                         .name = "values"});
     std::vector<Vec2f> padded = points;
     padded.resize(std::size_t{extent.width} * extent.height);
     parameters.push_back(0);  // a buffer is never empty
@@ -98,35 +92,19 @@ class FormulaGlslTest : public test::GpuTest {
     };
     const gpu::Buffer pointBuffer = bufferOf(padded), parameterBuffer = bufferOf(parameters);
 
-    gpu::FrameRing frames(context());
-    gpu::Readback readback(context(), extent, target.format());
-    const VkCommandBuffer commands = frames.begin();
-    gpu::use(commands, {{target, gpu::Use::ColorAttachment, gpu::Contents::Discard}});
-    const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                          .imageView = target.view(),
-                                          .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                          .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                          .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
-    const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                    .renderArea = {.extent = extent},
-                                    .layerCount = 1,
-                                    .colorAttachmentCount = 1,
-                                    .pColorAttachments = &color};
-    vkCmdBeginRendering(commands, &rendering);
-    gpu::setViewport(commands, extent);
-    pipeline.bind(commands);
-    pipeline.bindSet(commands, 0, frames.descriptors().write(layout, {pointBuffer, parameterBuffer}));
-    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
-    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    vkCmdDraw(commands, 3, 1, 0, 0);
-    vkCmdEndRendering(commands);
-    readback.record(commands, target);
-    frames.wait(frames.submit());
+    gpu::Readback drawn =
+        std::move(gpu::drawWholeTargets(context(), pipeline, extent, VK_FORMAT_R32G32B32A32_SFLOAT, 1,
+                                        [&](gpu::FrameRing& frames, VkCommandBuffer commands) {
+                                          pipeline.bindSet(commands, 0,
+                                                           frames.descriptors().write(
+                                                               layout, {pointBuffer, parameterBuffer}));
+                                        })
+                      .front());
 
     Results results;
     for (std::size_t i = 0; i < points.size(); ++i) {
       Vec4f value;
-      std::memcpy(&value, readback.bytes().data() + i * sizeof value, sizeof value);
+      std::memcpy(&value, drawn.bytes().data() + i * sizeof value, sizeof value);
       for (int k = 0; k < 4; ++k) results[k].push_back(value[k]);
     }
     return results;
