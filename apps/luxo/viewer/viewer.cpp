@@ -331,6 +331,17 @@ class Viewer {
                         mostShadowSamples);
   }
 
+  /// What differs from what is seen, and so has to be done.
+  struct Turn {
+    Clock::time_point start;
+    Snapshot snapshot;
+    DrawOptions draw;
+    bool repaint = false;     ///< another picture, or more of the same
+    bool stale = false;       ///< the window, or what panels say
+    bool refines = false;     ///< nothing of both: the mean gets one more sample
+    double milliseconds = 0;  ///< to find that out, and to record it
+  };
+
   // One turn at the screen's rate: draws and shows what differs from what is seen, if anything.
   void showNext() {
     const auto start = Clock::now();
@@ -338,86 +349,108 @@ class Viewer {
     dirty_ = false;
     if (swapchain_.update(window_.framebufferSize()) == SwapchainStatus::Hidden) return;
     measurePictures();
-
-    Snapshot snapshot = nextSnapshot();
-    DrawOptions draw = optionsOfNext();
-    if (refused_ && (refused_->snapshot != snapshot || refused_->options != draw)) refused_.reset();
-    if (refused_) {
-      snapshot = lastShown();
-      draw = *drawn_;
-    }
-    const bool coarser = mean_.begun() && !controls_.refines();
-    const bool changed =
-        interrupted_ || !draw.skips.unchanged || draw != drawn_ || snapshot != shown_ || coarser;
-    const bool repaint = changed || lackedRoom_;
-    // What is said is said at once: a sample may take its time.
-    const bool stale =
-        damaged_ || swapchain_.generation() != shownGeneration_ || (!repaint && panels() != panels_);
-    const bool rests = !repaint && !stale && unmeasured_.empty();
-    if (rests && shadowSamples_ < mostShadowSamples_) {
-      shadowSamples_ = std::min(shadowSamples_ * kSofter, mostShadowSamples_);
-      dirty_ = true;
-      return;
-    }
-    // What is not complete, or may turn out not to be, is not worth a mean.
-    const bool refines = rests && controls_.refines() && !mean_.complete() && !refused_;
-    if (!repaint && !refines && !stale) return;
-    const double evaluated = millisecondsSince(start);
-
-    if (repaint) mean_.reset();
+    Turn turn = nextTurn(start);
+    if (softens(turn) || !(turn.repaint || turn.refines || turn.stale)) return;
+    turn.milliseconds = millisecondsSince(start);
+    if (turn.repaint) mean_.reset();
     // The mean is worth showing once it has as many samples as the picture before it.
-    if (refines && (!preparesMean() || !catchesUp())) return;
+    if (turn.refines && (!preparesMean() || !catchesUp())) return;
     const VkCommandBuffer commands = frames_.begin();
-    const SwapchainStatus acquired = swapchain_.acquire(frames_.slot());
-    if (acquired != SwapchainStatus::Ready) {
+    if (swapchain_.acquire(frames_.slot()) != SwapchainStatus::Ready) {
       dirty_ = true;
       return;
     }
     const auto recording = Clock::now();
-    if (repaint) {
-      patienceEnd_ = start + kPatience;
-      recordOrLast(commands, snapshot, draw);
-      interrupted_ = painter_.interrupted();
-      if (interrupted_) log(LogLevel::Debug, "interrupted while it made shells");
-      status_.statistics.error.found = view_.searches();
-      lackedRoom_ = false;
-      pipelines_ += status_.statistics.count.pipelinesCreated;
-      shown_ = std::move(snapshot);
-      drawn_ = draw;
-      ++pictures_;
-    } else if (refines) {
-      mean_.join(commands);
+    drawTurn(commands, turn);
+    const bool asksColor = controls_.probes() && probe_.record(commands, shownPicture(), pictureVersion_);
+    turn.milliseconds += millisecondsSince(recording);
+    const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
+    dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
+    if (asksColor) readProbe(submission);
+    noteShown(turn, submission);
+  }
+
+  [[nodiscard]] Turn nextTurn(Clock::time_point start) {
+    Turn turn{.start = start, .snapshot = nextSnapshot(), .draw = optionsOfNext()};
+    if (refused_ && (refused_->snapshot != turn.snapshot || refused_->options != turn.draw)) refused_.reset();
+    if (refused_) {
+      turn.snapshot = lastShown();
+      turn.draw = *drawn_;
     }
-    status_.samples = mean_.samples() > 0 ? mean_.samples() : draw.samples;
+    const bool coarser = mean_.begun() && !controls_.refines();
+    turn.repaint = interrupted_ || !turn.draw.skips.unchanged || turn.draw != drawn_ ||
+                   turn.snapshot != shown_ || coarser || lackedRoom_;
+    // What is said is said at once: a sample may take its time.
+    turn.stale =
+        damaged_ || swapchain_.generation() != shownGeneration_ || (!turn.repaint && panels() != panels_);
+    // What is not complete, or may turn out not to be, is not worth a mean.
+    turn.refines = rests(turn) && controls_.refines() && !mean_.complete() && !refused_;
+    return turn;
+  }
+
+  [[nodiscard]] bool rests(const Turn& turn) const {
+    return !turn.repaint && !turn.stale && unmeasured_.empty();
+  }
+
+  // Soft shadows of what rests get more samples with the next turn.
+  [[nodiscard]] bool softens(const Turn& turn) {
+    if (!rests(turn) || shadowSamples_ >= mostShadowSamples_) return false;
+    shadowSamples_ = std::min(shadowSamples_ * kSofter, mostShadowSamples_);
+    dirty_ = true;
+    return true;
+  }
+
+  void drawTurn(VkCommandBuffer commands, Turn& turn) {
+    if (turn.repaint)
+      repaint(commands, turn);
+    else if (turn.refines)
+      mean_.join(commands);
+    status_.samples = mean_.samples() > 0 ? mean_.samples() : turn.draw.samples;
     status_.audit = mean_.audit();
     status_.shading = drawn_->shading;
     status_.size = size();
     panels_ = panels();
     showPanels(commands);
-    if (repaint || refines) ++pictureVersion_;
-    const bool asksColor = controls_.probes() && probe_.record(commands, shownPicture(), pictureVersion_);
-    const double recorded = millisecondsSince(recording);
-    const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
-    dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
-    if (asksColor) {
-      frames_.wait(submission);
-      probe_.read();
-      log(LogLevel::Debug, fmt::format("under the mouse: {}", probe_.text()));
-      dirty_ = true;
-    }
+    if (turn.repaint || turn.refines) ++pictureVersion_;
+  }
+
+  void repaint(VkCommandBuffer commands, Turn& turn) {
+    patienceEnd_ = turn.start + kPatience;
+    recordOrLast(commands, turn.snapshot, turn.draw);
+    interrupted_ = painter_.interrupted();
+    if (interrupted_) log(LogLevel::Debug, "interrupted while it made shells");
+    status_.statistics.error.found = view_.searches();
+    lackedRoom_ = false;
+    pipelines_ += status_.statistics.count.pipelinesCreated;
+    shown_ = std::move(turn.snapshot);
+    drawn_ = turn.draw;
+    ++pictures_;
+  }
+
+  void readProbe(std::uint64_t submission) {
+    frames_.wait(submission);
+    probe_.read();
+    log(LogLevel::Debug, fmt::format("under the mouse: {}", probe_.text()));
+    dirty_ = true;
+  }
+
+  void noteShown(const Turn& turn, std::uint64_t submission) {
     if (shownGeneration_ == 0) log(LogLevel::Debug, "shows the first picture");
     shownGeneration_ = swapchain_.generation();
     damaged_ = false;
-    if (repaint) {
-      meter_.addFrame(evaluated + recorded, start);
+    if (turn.repaint) {
+      meter_.addFrame(turn.milliseconds, turn.start);
       noteMouse();
       unmeasured_.push_back(submission);
       dirty_ = true;  // how long it took will be known, and shown, and what it had no room for
     }
-    dirty_ |= stale;  // what it kept from being done is next
-    if (!refines) return;
+    dirty_ |= turn.stale;  // what it kept from being done is next
+    if (!turn.refines) return;
     dirty_ |= !mean_.complete();
-    if (!mean_.complete()) return;
+    if (mean_.complete()) tellSmooth();
+  }
+
+  void tellSmooth() const {
     const ProgressiveMean::Audit& audit = status_.audit;
     log(LogLevel::Debug, fmt::format("smooth after {} submits", submits()));
     log(LogLevel::Debug,
