@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "draw/device_precision.h"
 #include "draw/picture_room.h"
 #include "draw/renderer.h"
@@ -45,6 +46,7 @@ class VulkanEngine : public PictureEngine {
       return interruptingSignal() == 0;
     });
     if (!picture) return std::nullopt;
+    tellComposition(picture->statistics.count);
     // Only colours bring the residuals along.
     if (judged_ && options_.output != Output::Color)
       picture->statistics.error.residualMaxPx = residualOf(snapshot);
@@ -52,6 +54,21 @@ class VulkanEngine : public PictureEngine {
   }
 
  private:
+  /// If it is not the one that was asked for, once.
+  void tellComposition(const FrameCounts& count) {
+    const bool deferred = count.deferred > 0;
+    if (std::exchange(toldComposition_, true)) return;
+    if (deferred && options_.composition == Composition::Fused)
+      log(LogLevel::Warning,
+          "--composition fused: the picture is deferred all the same, as shadows, what is seen through, "
+          "ambient occlusion and rays of shaders need it");
+    if (!deferred && options_.composition == Composition::Deferred)
+      log(LogLevel::Warning,
+          "--composition deferred: the picture is fused all the same, as it shows no light, or too many "
+          "lights "
+          "or materials");
+  }
+
   /// Before anything is drawn: no retry would help.
   void requireRoom(const RenderRequest& request, const RenderSettings& settings) {
     const int samples = request.aov == Output::Color ? settings.samples : 1;
@@ -79,6 +96,7 @@ class VulkanEngine : public PictureEngine {
   Renderer renderer_;
   DrawOptions options_;
   bool showsProgress_;
+  bool toldComposition_ = false;
   bool judged_;  ///< the run's exit code depends on the error
   std::optional<SinCosError> sinCos_;
 };

@@ -252,5 +252,22 @@ TEST_F(RenderFiles, ThePrimitivesToo) {
   }
 }
 
+TEST_F(RenderFiles, AnotherCompositionThanAskedForIsTold) {
+  const auto said = [&](const char* scene, const char* composition, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"render", scene,           "-o",       "a.png", "--size",
+                                       "33x21",  "--composition", composition};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder, arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return contains(outcome.err, "all the same");
+  };
+  EXPECT_TRUE(said("glass", "fused"));
+  EXPECT_FALSE(said("glass", "deferred"));
+  EXPECT_FALSE(said("glass", "auto"));
+  EXPECT_FALSE(said("luxo-grandpa", "fused"));
+  EXPECT_FALSE(said("luxo-grandpa", "deferred"));
+  EXPECT_TRUE(said("luxo-grandpa", "deferred", {"--shading", "normals"}));
+}
+
 }  // namespace
 }  // namespace luxo::test
