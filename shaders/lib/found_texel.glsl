@@ -3,7 +3,7 @@
 // number of its material.
 //
 // The normal (lib/octahedral.glsl) keeps all digits: with 16 bits highlights would be off by 1e-4. The last float is the
-// residual, rounded up to the 16 upper bits, with the material in the lower ones; it is a
+// residual, rounded up to the 12 upper bits, which is by an eighth at most, with the material in the lower ones; it is a
 // number of its own, neither subnormal nor NaN, so that no float format changes its bits.
 #include "lib/found.glsl"
 #include "lib/material_of_texel.glsl"
@@ -13,7 +13,7 @@
 const float kLeastResidual = 1e-30;
 
 vec4 foundTexel(Found found, uint material) {
-  uint upper = floatBitsToUint(max(abs(found.residual), kLeastResidual)) + 0xffffu & 0xffff0000u;
+  uint upper = floatBitsToUint(max(abs(found.residual), kLeastResidual)) + kMaterialBits & ~kMaterialBits;
   uint sign_ = found.residual < 0.0 ? 0x80000000u : 0u;
   return vec4(dot(found.position, view.forward.xyz), octahedral(found.normal), uintBitsToFloat(upper | sign_ | material));
 }

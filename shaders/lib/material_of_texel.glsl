@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number of a found point's material (lib/found_texel.glsl).
+// The last float of a found point (lib/found_texel.glsl): the number of its material, and its residual, which is never 0
+// where something was found.
 #ifndef LUXO_LIB_MATERIAL_OF_TEXEL_GLSL
 #define LUXO_LIB_MATERIAL_OF_TEXEL_GLSL
+#include "shared/scene_data.h"
 
-uint materialOfTexel(vec4 texel) { return floatBitsToUint(texel.w) & 0xffffu; }
+const uint kMaterialBits = uint(kMaxFoundMaterials) - 1u;
+
+uint materialOfTexel(vec4 texel) { return floatBitsToUint(texel.w) & kMaterialBits; }
+float residualOfTexel(vec4 texel) { return uintBitsToFloat(floatBitsToUint(texel.w) & ~kMaterialBits); }
 #endif

@@ -10,6 +10,8 @@
 #ifndef LUXO_LIB_OPENNESS_GLSL
 #define LUXO_LIB_OPENNESS_GLSL
 
+#include "lib/material_of_texel.glsl"
+
 const float kPi = 3.14159265;
 // Against the reference, rms of a floor and a wall, and of a teapot, a ball and a torus on them: with 12 and 10 0.017 and 0.059,
 // with 20 and 14 0.014 and 0.059 at twice the time. The rest is what the picture does not show.
@@ -35,7 +37,7 @@ float horizonAlong(vec2 way, ivec2 here, vec3 position, vec3 normal, vec3 viewer
     if (there == last) continue;
     last = there;
     vec4 texel = texelFetch(foundTexels, there, 0);
-    if ((floatBitsToUint(texel.w) & 0xffff0000u) == 0) continue;  // nothing was found
+    if (residualOfTexel(texel) == 0.0) continue;  // nothing was found
     vec3 to = positionAt(there, texel.x) - position;
     float squared = dot(to, to), height = dot(to, normal);
     if (squared > view.occlusionRadius * view.occlusionRadius || height <= 0.0) continue;

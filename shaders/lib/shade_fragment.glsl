@@ -59,7 +59,7 @@ Found foundPoint() {
   found.normal = fromOctahedral(texel.yz);
   found.viewer = towardViewer(inViewer, found.position);
   found.parameters = kPattern != 0 ? texelFetch(foundParameters, ivec2(gl_FragCoord.xy), 0).xy : vec2(0);
-  found.residual = uintBitsToFloat(floatBitsToUint(texel.w) & 0xffff0000u);
+  found.residual = residualOfTexel(texel);
   return found;
 }
 

@@ -158,9 +158,9 @@ LUXO_CONSTANT kLayersOpenHere = 8;
 LUXO_CONSTANT kDoubtBits = 4;
 LUXO_CONSTANT kDoubtsPerWord = 8;
 
-// Numbers of materials in a found texel; and as many as every device has room for in a uniform buffer, which a CPU device
-// reads faster than a storage buffer.
-LUXO_CONSTANT kMaxFoundMaterials = 65536;
+// Numbers of materials in a found texel, a power of 2, which leaves 12 bits to the residual; and as many as every device has
+// room for in a uniform buffer, which a CPU device reads faster than a storage buffer.
+LUXO_CONSTANT kMaxFoundMaterials = 1 << 20;
 LUXO_CONSTANT kUniformMaterials = 256;
 
 LUXO_CONSTANT kMaxLights = 32;  // that may reach one object
@@ -474,13 +474,14 @@ LUXO_CONSTANT kClosedTorus = 4;
 // So many of one light are looked for at once: as many as a draw can tell its fragments of.
 LUXO_CONSTANT kMostClosedCasters = 2;
 
-LUXO_CONSTANT kLayerOfMesh = 1 << 16;    // with the number of the material: of triangles,
-LUXO_CONSTANT kLayerAtBorder = 1 << 17;  // or on a border between two cells, which may both have found it
-LUXO_CONSTANT kLayerByRay = 1 << 18;     // or found by a ray; of a mesh: what reaches it is
-LUXO_CONSTANT kLayerPlaced = 1 << 19;    // of triangles, whose surface's own point is known
-LUXO_CONSTANT kLayerOfSurface = 1 << 20;  // of triangles that are the surface, whose points rays find, too
-LUXO_CONSTANT kLayerHole = 1 << 21;      // found by a ray where its material is cut out
-LUXO_CONSTANT kLayerMaterial = 0xffff;
+// Flags beside the number of the material: a point
+LUXO_CONSTANT kLayerMaterial = kMaxFoundMaterials - 1;
+LUXO_CONSTANT kLayerOfMesh = 1 << 20;     // of triangles,
+LUXO_CONSTANT kLayerAtBorder = 1 << 21;   // or on a border between two cells, which may both have found it
+LUXO_CONSTANT kLayerByRay = 1 << 22;      // or found by a ray; of a mesh: what reaches it is
+LUXO_CONSTANT kLayerPlaced = 1 << 23;     // of triangles, whose surface's own point is known
+LUXO_CONSTANT kLayerOfSurface = 1 << 24;  // of triangles that are the surface, whose points rays find, too
+LUXO_CONSTANT kLayerHole = 1 << 25;       // found by a ray where its material is cut out
 
 // A point of what is seen through, in the list of its pixel.
 struct LayerPoint {
