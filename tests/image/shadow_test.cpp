@@ -12,6 +12,7 @@
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
 #include "support/verified_picture.h"
+#include "surface/library.h"
 
 namespace luxo::test {
 namespace {
@@ -175,6 +176,51 @@ TEST_F(ShadowTest, WhatOneCellLeavesOpenAnotherSettles) {
   const Picture picture = draw(scene, {1024, 1024});
   EXPECT_LT(picture.statistics.error.shadowRaysPx, 5000U);
   EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+}
+
+/// A found texel numbers what it shows: with more numbers than 16 bits have.
+TEST_F(ShadowTest, OnSeventyThousandTilesIsAnEllipse) {
+  constexpr int kColumns = 300, kRows = 240;
+  constexpr double kTile = 0.02;
+  const Vec3 kLight(-2, 6, 1);
+  Scene scene;
+  const NodeId ball = scene.add(Node{.name = "ball", .translation = Vec3(0, 2, 0), .surface = sphere(1)});
+  const Surface tile = rectangle(kTile, kTile);
+  for (int z = 0; z < kRows; ++z)
+    for (int x = 0; x < kColumns; ++x)
+      scene.add(
+          Node{.translation = Vec3((x - kColumns / 2) * kTile, 0, (z - kRows / 2) * kTile), .surface = tile});
+  Light light{.shadow = Light::Shadow::Exact};
+  light.casters = {ball};
+  scene.add(Node{.translation = kLight, .light = light});
+  scene.add(Camera{.eye = Vec3(0, 9, 0.5), .lookAt = Vec3(0)});
+  constexpr PixelSize kSize{640, 480};
+  const Picture picture = draw(scene, kSize);
+  EXPECT_GT(picture.statistics.count.drawn, 65'536U);
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+  const CameraModel camera(scene.cameras()[0], kSize);
+  const auto at = [&](int x, int y, const auto& is) {
+    return settled(
+        [&](const Vec2& pixel) {
+          const Ray ray = camera.through(pixel);
+          return is(ray.origin, ray.at(*hitPlane(ray, Vec3(0), Vec3(0, 1, 0))));
+        },
+        centerOf(x, y), 1e-3);
+  };
+  int inShadow = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const auto isTile = at(x, y, [&](const Vec3& eye, const Vec3& p) {
+        return std::abs(p.x) < (kColumns / 2 - 1) * kTile && std::abs(p.z) < (kRows / 2 - 1) * kTile &&
+               seesPast(p, eye - p, glm::length(eye - p));
+      });
+      const auto lit = at(
+          x, y, [&](const Vec3&, const Vec3& p) { return seesPast(p, kLight - p, glm::length(kLight - p)); });
+      if (!isTile.value_or(false) || !lit) continue;
+      ASSERT_EQ(isLit(picture.image, x, y), *lit) << x << ", " << y;
+      inShadow += !*lit;
+    }
+  EXPECT_GT(inShadow, 10'000);
 }
 
 TEST_F(ShadowTest, ManySamplesAreMeansOfSamples) {
