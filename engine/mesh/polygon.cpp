@@ -32,6 +32,40 @@ bool fans(const std::vector<Vec2>& flat) {
   return true;
 }
 
+// Cuts off corners that turn to the left, in rounds, no two neighbours in one: what a round leaves is no
+// longer around than what it found, so that all edges together are as long as the border times the rounds,
+// and a corner is in two triangles a round. Triangles that all turn to the left fill a simple polygon once.
+// False, and nothing is added: a round found few corners (it is far from convex), or the last triangle turns
+// over.
+bool halve(const std::vector<Vec2>& flat, std::vector<std::uint32_t>& corners) {
+  constexpr std::size_t kFew = 8;  // so many times fewer than there are: the rounds together are linear
+  const std::size_t before = corners.size();
+  std::vector<std::uint32_t> left(flat.size()), next;
+  std::iota(left.begin(), left.end(), 0u);
+  while (left.size() > 3) {
+    next = {left[0]};
+    std::size_t cuts = 0;
+    for (std::size_t i = 1; i < left.size(); ++i) {
+      const std::uint32_t last = next.back(), here = left[i], after = left[(i + 1) % left.size()];
+      const bool neighbour = last != left[i - 1], enough = left.size() - cuts == 3;
+      if (neighbour || enough || !(area(flat[last], flat[here], flat[after]) > 0)) {
+        next.push_back(here);
+      } else {
+        corners.insert(corners.end(), {last, here, after});
+        ++cuts;
+      }
+    }
+    if (cuts * kFew < left.size()) break;
+    left.swap(next);
+  }
+  if (left.size() == 3 && area(flat[left[0]], flat[left[1]], flat[left[2]]) > 0) {
+    corners.insert(corners.end(), left.begin(), left.end());
+    return true;
+  }
+  corners.resize(before);
+  return false;
+}
+
 void cutEars(const std::vector<Vec2>& flat, std::vector<std::uint32_t>& corners) {
   std::vector<std::uint32_t> left(flat.size());
   std::iota(left.begin(), left.end(), 0u);
@@ -72,6 +106,7 @@ void cutEars(const std::vector<Vec2>& flat, std::vector<std::uint32_t>& corners)
 bool addTriangles(std::span<const Vec3> points, std::vector<std::uint32_t>& corners) {
   const std::vector<Vec2> flat = points.size() > 3 ? flattened(points) : std::vector<Vec2>();
   if (points.size() == 3 || fans(flat)) {
+    if (points.size() > 3 && halve(flat, corners)) return true;
     for (std::uint32_t i = 2; i < points.size(); ++i) corners.insert(corners.end(), {0u, i - 1, i});
     return true;
   }
