@@ -256,7 +256,9 @@ class Exporter {
   std::uint32_t addMesh(const SnapshotNode& from, MeshArrays arrays, std::uint32_t material) {
     arrays.materials.assign(arrays.indices.size() / 3, material);
     const std::string& surface = from.surface.name();
-    out_.model.meshes.push_back(triangleMesh(std::move(arrays), surface.empty() ? "mesh" : surface));
+    const bool bent = out_.model.materials[material].normalMap.given();
+    out_.model.meshes.push_back(
+        triangleMesh(std::move(arrays), surface.empty() ? "mesh" : surface, {.tangents = bent}));
     return static_cast<std::uint32_t>(out_.model.meshes.size() - 1);
   }
 

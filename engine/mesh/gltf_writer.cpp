@@ -195,6 +195,7 @@ class GlbWriter {
   void addMesh(const TriangleMesh& mesh) {
     const std::size_t positions = addVectors(mesh.positions(), "VEC3");
     Object attributes = {{"POSITION", positions}, {"NORMAL", addVectors(mesh.normals(), "VEC3")}};
+    if (!mesh.tangents().empty()) attributes["TANGENT"] = addVectors(mesh.tangents(), "VEC4");
     if (!mesh.uvs().empty()) attributes["TEXCOORD_0"] = addVectors(mesh.uvs(), "VEC2");
     Vec3f low(std::numeric_limits<float>::infinity()), high = -low;
     for (const Vec3f& p : mesh.positions()) {

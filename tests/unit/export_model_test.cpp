@@ -387,7 +387,12 @@ TEST(ExportedModel, MapsOfNormalsAndHighlightsGoAlong) {
   const Scene scene = buildScene(readSceneFile(folder / "s.luxo.json"));
   const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-4, .glb = true});
   EXPECT_TRUE(made.warnings.empty());
-  write(folder / "s.glb", filesOf(made.model, "s.glb", made.claim).at(0).bytes);
+  const std::vector<std::byte> bytes = filesOf(made.model, "s.glb", made.claim).at(0).bytes;
+  write(folder / "s.glb", bytes);
+  // Other programs need not make their own.
+  EXPECT_EQ(made.model.meshes[0].tangents().size(), made.model.meshes[0].positions().size());
+  EXPECT_THAT(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()),
+              testing::HasSubstr(R"("TANGENT")"));
   const auto model = std::make_shared<const Model>(readModel(folder / "s.glb"));
   const Snapshot before = takeSnapshot(scene, 0, {8, 8}), after = takeSnapshot(modelScene(model), 0, {8, 8});
   const Material &written = before.materials[before.nodes[0].material.index],
