@@ -36,8 +36,9 @@ constexpr const char* kFooter =
     "--tolerance it is at most a 2000th of the scene's diagonal. One that is asked for and cannot be kept "
     "is\n"
     "exit code 6; the file is written. What is closed is watertight: along every edge as many triangles go\n"
-    "one way as the other. A GLB carries its formulas, too (LUXO_parametric_surface): luxo render x.glb\n"
-    "draws these; other programs, and { \"type\": \"mesh\" } in scenes, use the triangles.\n"
+    "one way as the other. A GLB carries its formulas, too (LUXO_parametric_surface), with the files that\n"
+    "the scene names: luxo render x.glb draws these; other programs, and { \"type\": \"mesh\" } in scenes,\n"
+    "use the triangles.\n"
     "  luxo export torus -o torus.stl --tolerance 0.01mm --unit mm\n"
     "  luxo export flag --time 2 --thicken 1.2mm -o flag.stl";
 
@@ -135,19 +136,19 @@ void requireWithin(const ExportRequest& request, const ModelClaim& claim) {
               "luxo inspect names holes; a coarser --tolerance, or a scene nearer to the origin, may do");
 }
 
-/// The text for a GLB, or nothing, with the reason as a warning.
-std::string formulasOf(const ExportRequest& request, std::optional<SceneFile> description,
-                       std::vector<std::string>& warnings) {
-  if (!request.glb() || !request.formulas) return {};
+/// Into a GLB, or why not, as a warning.
+void addFormulas(const ExportRequest& request, std::optional<SceneFile> description, Model& model,
+                 std::vector<std::string>& warnings) {
+  if (!request.glb() || !request.formulas) return;
   if (!description) {
     if (!namesModel(request.scene.scene))
       warnings.push_back("the scene is made by a program: the GLB carries no formulas");
-    return {};
+    return;
   }
-  auto carried =
+  CarriedScene carried =
       carriedScene(std::move(*description), overridesOf(request.scene.parameters), request.scene.time);
-  if (!carried) warnings.push_back("the scene names files: the GLB carries no formulas");
-  return std::move(carried).value_or("");
+  model.scene = std::move(carried.text);
+  model.sceneFiles = std::move(carried.files);
 }
 
 int runExport(const ExportOptions& options) {
@@ -180,7 +181,7 @@ int runExport(const ExportOptions& options) {
                           .glb = request.glb(),
                           .progress = [&](double done) { bar.show(done); }});
   }
-  made.model.scene = formulasOf(request, std::move(opened.description), warnings);
+  addFormulas(request, std::move(opened.description), made.model, warnings);
   warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
   if (request.talks())
     for (const std::string& warning : warnings) printWarning(warning);

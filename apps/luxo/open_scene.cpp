@@ -13,7 +13,6 @@
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "draw/device_cloth_simulation.h"
-#include "export/carried_scene.h"
 #include "interruption.h"
 #include "mesh/model.h"
 #include "progress_bar.h"
@@ -117,19 +116,18 @@ void addFilesOf(const SceneFile& description, std::vector<NamedFile>* inputs) {
   if (source.shaders) addInputs(source.shaders->files(), inputs);
 }
 
-/// The formulas that a model carries. Nothing, with a warning: this luxo cannot read them.
-std::optional<SceneFile> carriedDescription(const Model& model, const std::string& file,
-                                            std::vector<std::string>* warnings) {
+/// The formulas that a model carries, with the files that they name, which lead to no others. Nothing, with a
+/// warning: this luxo cannot read them.
+std::optional<OpenedScene> openCarried(const Model& model, const std::string& file, const Opening& opening) {
   if (model.scene.empty()) return std::nullopt;
   try {
-    SceneFile carried = parseScene(model.scene, file);
-    if (!namesFiles(carried)) return carried;
-    if (warnings)
-      warnings->push_back(fmt::format("{}: its formulas name files; its triangles are used instead", file));
+    return openDescription(parseScene(model.scene, file, {}, {.from = FileSource(model.sceneFiles)}),
+                           opening);
   } catch (const Error& error) {
-    if (warnings)
-      warnings->push_back(fmt::format("{}: its formulas cannot be read; its triangles are used instead\n{}",
-                                      file, error.what()));
+    if (error.kind() != ErrorKind::Scene) throw;
+    if (opening.warnings)
+      opening.warnings->push_back(fmt::format(
+          "{}: its formulas cannot be read; its triangles are used instead\n{}", file, error.what()));
   }
   return std::nullopt;
 }
@@ -145,8 +143,7 @@ OpenedScene openModel(const std::string& file, const Opening& opening, const Fil
   const auto model = std::make_shared<const Model>(
       readModel(file, {.allowOutside = files.allowOutside, .progress = files.progress}));
   addInputs(model->files, opening.inputs);
-  if (auto carried = carriedDescription(*model, file, opening.warnings))
-    return openDescription(std::move(*carried), opening);
+  if (auto carried = openCarried(*model, file, opening)) return std::move(*carried);
   refuseParameters(file, opening.parameters);
   if (opening.warnings)
     opening.warnings->insert(opening.warnings->end(), model->warnings.begin(), model->warnings.end());

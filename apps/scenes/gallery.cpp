@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/gallery.h"
 
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,10 +18,13 @@ SceneFile galleryDescription(const EmbeddedScene& scene) {
 }
 
 std::shared_ptr<ShaderFiles> galleryShaderFiles() {
-  std::vector<MaterialShader::File> files;
-  for (const EmbeddedShader& shader : galleryShaders())
-    files.push_back({std::string(shader.name), std::string(shader.text)});
-  return std::make_shared<ShaderFiles>("gallery", std::move(files));
+  FilesInMemory files;
+  for (const EmbeddedShader& shader : galleryShaders()) {
+    const auto bytes = std::as_bytes(std::span(shader.text));
+    files[std::string(shader.name)] =
+        std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
+  }
+  return std::make_shared<ShaderFiles>("gallery", FileSource(std::move(files)));
 }
 
 }  // namespace luxo

@@ -3,30 +3,28 @@
 
 #include <algorithm>
 
+#include "scene/model_files.h"
 #include "scene/scene_writer.h"
+#include "scene/shader_files.h"
+#include "scene/texture_files.h"
 
 namespace luxo {
 
-bool namesFiles(const SceneFile& file) {
-  return std::ranges::any_of(
-             file.surfaces,
-             [](const SurfaceDesc& surface) { return std::holds_alternative<MeshShape>(surface.shape); }) ||
-         std::ranges::any_of(file.textures,
-                             [](const TextureDesc& texture) { return !texture.file.empty(); }) ||
-         std::ranges::any_of(file.nodes, [](const NodeDesc& node) { return !node.model.empty(); }) ||
-         std::ranges::any_of(file.materials,
-                             [](const MaterialDesc& material) { return material.hasShader(); });
-}
-
-std::optional<std::string> carriedScene(SceneFile file, std::span<const ParameterOverride> overrides,
-                                        std::optional<double> timeSeconds) {
-  if (namesFiles(file)) return std::nullopt;
+CarriedScene carriedScene(SceneFile file, std::span<const ParameterOverride> overrides,
+                          std::optional<double> timeSeconds) {
   for (const ParameterOverride& given : overrides)
     std::ranges::find(file.parameters, given.name, [](const ParameterDesc& p) {
       return p.name.text;
     })->value = given.value;
   if (timeSeconds) file.render.time = *timeSeconds;
-  return writeScene(file);
+  CarriedScene carried{.text = writeScene(file), .files = {}};
+  const auto carry = [&](const auto& files) {
+    if (files) carried.files.merge(files->inMemory());
+  };
+  carry(file.source.textures);
+  carry(file.source.models);
+  carry(file.source.shaders);
+  return carried;
 }
 
 }  // namespace luxo

@@ -7,19 +7,23 @@
 #include <span>
 #include <string>
 
+#include "image/file_source.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_file.h"
 
 namespace luxo {
 
-/// The text of a scene with those values of its parameters and, where a moment is given, that as its own. It
-/// describes the same scene to the bit (scene/scene_writer.h): its pictures have the same bytes. Nothing
-/// where the scene is not all in its text: it names files. Required: the overrides are of its parameters.
-[[nodiscard]] std::optional<std::string> carriedScene(SceneFile file,
-                                                      std::span<const ParameterOverride> overrides = {},
-                                                      std::optional<double> timeSeconds = std::nullopt);
+struct CarriedScene {
+  std::string text;
+  /// Images, models, shaders, and what these name, as they are: those that there are.
+  FilesInMemory files;
+};
 
-/// Whether a description names files: models, images.
-[[nodiscard]] bool namesFiles(const SceneFile& file);
+/// A scene with those values of its parameters and, where a moment is given, that as its own. It describes
+/// the same scene to the bit (scene/scene_writer.h): its pictures have the same bytes, read from these files
+/// alone (FileOptions::from). Required: a scene was built from the description, by a source of its own if it
+/// names files; the overrides are of its parameters. Error(Scene): a file cannot be read any more.
+[[nodiscard]] CarriedScene carriedScene(SceneFile file, std::span<const ParameterOverride> overrides = {},
+                                        std::optional<double> timeSeconds = std::nullopt);
 
 }  // namespace luxo

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "mesh/gltf_file.h"
@@ -68,6 +69,11 @@ class GltfReader {
     if (const std::uint64_t version = formulas["version"].integerOr(1); version != 1)
       return warn(formulas, fmt::format("version {} is not known; its triangles are used instead", version));
     model_.scene = formulas["scene"].textOr("");
+    const GltfValue files = formulas["files"];
+    for (std::size_t i = 0; i < files.size(); ++i)
+      model_.sceneFiles[files[i]["name"].text()] = files[i].has("bufferView")
+                                                       ? file_.copyOf(files[i]["bufferView"].integer())
+                                                       : std::make_shared<const std::vector<std::byte>>();
   }
 
   void readCameras() {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "image/file.h"
 #include "mesh/binary.h"
 
 namespace luxo {
@@ -120,9 +119,10 @@ GltfFile::GltfFile(const ModelSource& source, std::string_view bytes) : source_(
     std::string_view buffer = binary_;
     if (uri.given()) {
       const std::string address = uri.text();
-      owned_.push_back(isData(address) ? decodedData(uri)
-                                       : readFile(source.besides(decodedName(address), source.name(), 0)));
-      buffer = {reinterpret_cast<const char*>(owned_.back().data()), owned_.back().size()};
+      owned_.push_back(isData(address)
+                           ? std::make_shared<const std::vector<std::byte>>(decodedData(uri))
+                           : source.from().read(source.besides(decodedName(address), source.name(), 0)));
+      buffer = {reinterpret_cast<const char*>(owned_.back()->data()), owned_.back()->size()};
       if (!isData(address)) allowance_ += buffer.size();
     } else if (i != 0 || !binary) {
       uri.refuse("a buffer without bytes");
@@ -133,6 +133,7 @@ GltfFile::GltfFile(const ModelSource& source, std::string_view bytes) : source_(
           fmt::format("it promises {} bytes, and has {}; is the file cut short?", length, buffer.size()));
     buffers_.push_back(buffer.substr(0, length));
   }
+  copyable_ = allowance_;
   allowance_ *= kNumbersPerByte;
 }
 
@@ -149,6 +150,16 @@ std::string_view GltfFile::view(std::uint64_t number) const {
   if (offset > buffer.size() || length > buffer.size() - offset)
     view.refuse(fmt::format("bytes {} to {} of a buffer of {}", offset, offset + length, buffer.size()));
   return buffer.substr(offset, length);
+}
+
+FileBytes GltfFile::copyOf(std::uint64_t number) {
+  FileBytes& copy = copies_[number];
+  if (copy) return copy;
+  const auto bytes = std::as_bytes(std::span(view(number)));
+  if (bytes.size() > copyable_)
+    list("bufferViews")[number].refuse("so much is read of the same bytes that it cannot be meant");
+  copyable_ -= bytes.size();
+  return copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
 }
 
 /// What is seen of a view: `count` elements, `stride` bytes apart; without bytes all are 0.

@@ -3,6 +3,7 @@
 // them. All that a file says is checked here before it is used.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -74,6 +75,9 @@ class GltfFile {
 
   /// Of a bufferView.
   [[nodiscard]] std::string_view view(std::uint64_t number) const;
+  /// Its bytes, to be kept: one copy a view. Error(Scene): all copies together have more bytes than the file,
+  /// as its views are of the same bytes.
+  [[nodiscard]] FileBytes copyOf(std::uint64_t view);
   /// The numbers of an accessor, `components` an element; normalised ones are. Error(Scene): it has another
   /// number of them, sees beyond its buffer, or holds what is not finite.
   [[nodiscard]] std::vector<float> floats(std::uint64_t accessor, std::size_t components);
@@ -95,9 +99,11 @@ class GltfFile {
   const ModelSource& source_;
   Json json_;
   std::string_view binary_;  ///< GLB's own
-  std::vector<std::vector<std::byte>> owned_;
+  std::vector<FileBytes> owned_;
   std::vector<std::string_view> buffers_;
   std::uint64_t allowance_ = 0;  ///< numbers that may still be read
+  std::map<std::uint64_t, FileBytes> copies_;
+  std::uint64_t copyable_ = 0;  ///< bytes that may still be copied
 };
 
 }  // namespace luxo

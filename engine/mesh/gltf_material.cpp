@@ -142,17 +142,10 @@ class MaterialReader {
     if (uri.given() && !GltfFile::isData(uri.text())) {
       return read = source_.image(model_, GltfFile::decodedName(uri.text()), place, 0);
     }
-    std::vector<std::byte> bytes;
-    if (uri.given()) {
-      bytes = GltfFile::decodedData(uri);
-    } else {
-      const auto view = std::as_bytes(std::span(file_.view(image["bufferView"].integer())));
-      bytes.assign(view.begin(), view.end());
-    }
+    FileBytes bytes = uri.given() ? std::make_shared<const std::vector<std::byte>>(GltfFile::decodedData(uri))
+                                  : file_.copyOf(image["bufferView"].integer());
     read = std::uint32_t(model_.images.size());
-    model_.images.push_back({.name = name,
-                             .place = place,
-                             .bytes = std::make_shared<const std::vector<std::byte>>(std::move(bytes))});
+    model_.images.push_back({.name = name, .place = place, .bytes = std::move(bytes)});
     return read;
   }
 

@@ -7,9 +7,10 @@
 // colour that is not the diffuse one, the light itself and the background are "extras", {"luxo": {"ambient":
 // ..., "background": ...}}, of materials and of the scene. Maps are embedded as they are.
 //
-// LUXO_parametric_surface, optional, at the root: { "version": 1, "scene": "..." }, the text of a scene file
-// (engine/scene/luxo-scene-1.schema.json) whose surfaces the meshes stand for. Who knows it draws the scene;
-// who does not sees the meshes.
+// LUXO_parametric_surface, optional, at the root: { "version": 1, "scene": "...", "files": [{ "name":
+// "a.png", "bufferView": 3 }, ...] }, the text of a scene file (engine/scene/luxo-scene-1.schema.json) whose
+// surfaces the meshes stand for, and the files that it names (images, models, shaders, what these name), as
+// they are. Who knows it draws the scene; who does not sees the meshes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,8 +69,8 @@ class GlbWriter {
     for (const ModelImage& image : model_.images) addImage(image);
     for (const TriangleMesh& mesh : model_.meshes) addMesh(mesh);
     for (const ModelCamera& camera : model_.cameras) addCamera(camera);
-    root_["buffers"] = {{{"byteLength", binary_.size()}}};
     addExtensions();
+    root_["buffers"] = {{{"byteLength", binary_.size()}}};
     return file();
   }
 
@@ -157,10 +158,15 @@ class GlbWriter {
 
   void addImage(const ModelImage& image) {
     LUXO_REQUIRE(image.bytes != nullptr);
-    const std::size_t begin = binary_.size();
-    binary_.insert(binary_.end(), image.bytes->begin(), image.bytes->end());
-    const std::size_t view = addView(begin, 0);
+    const std::size_t view = addBytes(*image.bytes);
     root_["images"].push_back({{"name", image.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+  }
+
+  /// A view of them.
+  std::size_t addBytes(const std::vector<std::byte>& bytes) {
+    const std::size_t begin = binary_.size();
+    binary_.insert(binary_.end(), bytes.begin(), bytes.end());
+    return addView(begin, 0);
   }
 
   /// Aligned to what floats and 32-bit indices need. `target`: what it is for; 0: no vertices, no indices.
@@ -241,7 +247,13 @@ class GlbWriter {
     }
     if (!model_.scene.empty()) {
       used.push_back("LUXO_parametric_surface");
-      root_["extensions"]["LUXO_parametric_surface"] = {{"version", 1}, {"scene", model_.scene}};
+      Object formulas = {{"version", 1}, {"scene", model_.scene}};
+      for (const auto& [name, bytes] : model_.sceneFiles) {
+        Object file = {{"name", name}};
+        if (!bytes->empty()) file["bufferView"] = addBytes(*bytes);  // no view is empty
+        formulas["files"].push_back(std::move(file));
+      }
+      root_["extensions"]["LUXO_parametric_surface"] = std::move(formulas);
     }
     if (!used.empty()) root_["extensionsUsed"] = used;
   }
@@ -252,7 +264,7 @@ class GlbWriter {
     const std::uint64_t size = 12 + 8 + text.size() + 8 + binary_.size();
     if (size > std::numeric_limits<std::uint32_t>::max())
       throw Error(ErrorKind::Scene, fmt::format("{} bytes are more than a GLB has room for", size),
-                  "allow a larger deviation, or write another format");
+                  "allow a larger deviation, leave the formulas out, or write another format");
     std::vector<std::byte> bytes;
     bytes.reserve(size);
     appendText(bytes, "glTF");

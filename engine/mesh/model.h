@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "image/file_source.h"
 #include "math/transform.h"
 #include "mesh/triangle_mesh.h"
 
@@ -26,7 +27,7 @@ struct ModelImage {
   std::string name;
   std::string place = {};  ///< what names it first, for messages: "cube.mtl:4", "lamp.glb: images[3]"
   std::filesystem::path file = {};  ///< exists and is inside the model's folder, unless it may be outside
-  std::shared_ptr<const std::vector<std::byte>> bytes = nullptr;  ///< instead of a file: embedded
+  FileBytes bytes = nullptr;        ///< instead of a file on disk: embedded, or in memory as the model
 };
 
 /// How a map is read: uv' = turned(angle) * (scale * uv) + offset, where a turn takes u toward v. Row 0 of
@@ -130,6 +131,7 @@ struct Model {
   /// The scene (scene/scene_reader.h) whose surfaces the meshes stand for, as a text: what a GLB carries as
   /// LUXO_parametric_surface (mesh/gltf_writer.cpp). Empty: none.
   std::string scene;
+  FilesInMemory sceneFiles;           ///< all that it names
   double duration = 0;                ///< seconds, of the longest keyframes
   std::vector<std::string> warnings;  ///< what the picture goes without: missing images, dropped triangles
   std::vector<std::filesystem::path> files;  ///< what it is made of, and what it names, there or not
@@ -145,6 +147,7 @@ struct Model {
 struct ModelOptions {
   MeshOptions mesh = {};      ///< tangents are made wherever a material has a normal map
   bool allowOutside = false;  ///< files that the model names may be outside of its folder
+  FileSource from = {};       ///< of the model, and of what it names
   /// Called now and then, in the caller's thread, with the part that is done: 0 to 1, ascending. It may
   /// throw.
   std::function<void(double)> progress = {};

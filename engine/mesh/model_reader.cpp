@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "base/file_suffix.h"
-#include "image/file.h"
 #include "mesh/model_source.h"
 
 namespace luxo {
@@ -26,8 +25,8 @@ Model readModel(const std::filesystem::path& path, const ModelOptions& options) 
     throw Error(ErrorKind::Usage, fmt::format("'{}' does not name a model", path.string()),
                 "models are .obj, .gltf, .glb, .ply, .stl");
   const std::string suffix = fileSuffix(path);
-  const std::vector<std::byte> bytes = readFile(path);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const FileBytes bytes = options.from.read(path);
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   const ModelSource source(path, options);
   Model model = suffix == ".obj"   ? readObj(source, text)
                 : suffix == ".ply" ? readPly(source, text)

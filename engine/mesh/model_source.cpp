@@ -37,7 +37,7 @@ std::filesystem::path ModelSource::besides(std::string_view name, std::string_vi
   const std::filesystem::path inside = std::filesystem::path(slashed).lexically_normal();
   const std::filesystem::path file = path_.parent_path() / inside;
   const bool drive = slashed.size() > 1 && slashed[1] == ':';
-  if (!options_.allowOutside && (inside.is_absolute() || drive || leadsOut(file, folder_)))
+  if (!options_.allowOutside && from().isDisk() && (inside.is_absolute() || drive || leadsOut(file, folder_)))
     refuseModel(inFile, fmt::format("'{}' is outside of the model's folder", printable(name.substr(0, 200))),
                 line, "copy the file beside the model, or --allow-outside");
   if (named_.insert(file).second) files_.push_back(file);
@@ -50,14 +50,16 @@ std::uint32_t ModelSource::image(Model& model, std::string_view name, std::strin
   const auto [known, fresh] = imageNumbers_.try_emplace(file, kNone);
   if (!fresh) return known->second;
   const std::string place = line == 0 ? std::string(inFile) : fmt::format("{}:{}", inFile, line);
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) {
+  if (!from().has(file)) {
     model.warnings.push_back(
         fmt::format("{}: there is no image '{}'; it is drawn without", place, printable(name)));
     return kNone;
   }
   known->second = std::uint32_t(model.images.size());
-  model.images.push_back({.name = printable(name), .place = place, .file = file});
+  model.images.push_back({.name = printable(name),
+                          .place = place,
+                          .file = file,
+                          .bytes = from().isDisk() ? nullptr : from().read(file)});
   return known->second;
 }
 

@@ -33,8 +33,10 @@ class ModelSource {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const ModelOptions& options() const { return options_; }
 
+  /// Where its files are.
+  [[nodiscard]] const FileSource& from() const { return options_.from; }
   /// A file that the model names, whether there is one or not. Backslashes are slashes. Error(Scene) where
-  /// the name, or a link, leads out of the model's folder, unless that is allowed.
+  /// the name, or a link, leads out of the model's folder, unless that is allowed or both are in memory.
   [[nodiscard]] std::filesystem::path besides(std::string_view name, std::string_view inFile,
                                               std::size_t line) const;
   /// The number of an image of the model, taken in where it is new; where there is no such file, kNone, and

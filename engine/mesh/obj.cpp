@@ -179,8 +179,7 @@ class ObjReader {
     // Names may have blanks: all of the line is one file, if there is such a file.
     const std::string_view all = lines_.rest();
     const auto exists = [&](std::string_view name) {
-      std::error_code ignored;
-      return std::filesystem::is_regular_file(source_.besides(name, source_.name(), lines_.line()), ignored);
+      return source_.from().has(source_.besides(name, source_.name(), lines_.line()));
     };
     std::vector<std::string_view> names;
     if (exists(all)) {
@@ -198,9 +197,9 @@ class ObjReader {
       }
       if (std::find(libraries_.begin(), libraries_.end(), file) != libraries_.end()) continue;
       libraries_.push_back(file);
-      const std::vector<std::byte> bytes = readFile(file);
-      readMtl(source_, printable(file.string()), {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-              model_, library_);
+      const FileBytes bytes = source_.from().read(file);
+      readMtl(source_, printable(file.string()),
+              {reinterpret_cast<const char*>(bytes->data()), bytes->size()}, model_, library_);
     }
   }
 
@@ -236,9 +235,8 @@ class ObjReader {
   void findLessonMaps() {
     const auto map = [&](const char* suffix) {
       const std::filesystem::path file = source_.path().stem().string() + suffix + ".tga";
-      std::error_code ignored;
       ModelMap found;
-      if (std::filesystem::is_regular_file(source_.path().parent_path() / file, ignored))
+      if (source_.from().has(source_.path().parent_path() / file))
         found.image = source_.image(model_, file.string(), source_.name(), 1);
       found.nearest = true;
       return found;

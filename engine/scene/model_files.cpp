@@ -8,12 +8,20 @@ std::shared_ptr<const Model> ModelFiles::get(const std::string& name, const Mesh
   std::shared_ptr<const Model>& model = models_[{name, options.normals, options.crease, options.tangents}];
   if (!model)
     model = std::make_shared<const Model>(
-        readModel(fileInFolder(folder_, name, "model", options_.allowOutside),
-                  {.mesh = options, .allowOutside = options_.allowOutside, .progress = options_.progress}));
+        readModel(fileInFolder(folder_, name, "model", options_), {.mesh = options,
+                                                                   .allowOutside = options_.allowOutside,
+                                                                   .from = options_.from,
+                                                                   .progress = options_.progress}));
   return model;
 }
 
 std::vector<std::filesystem::path> ModelFiles::files() {
+  return options_.from.isDisk() ? read() : std::vector<std::filesystem::path>();
+}
+
+FilesInMemory ModelFiles::inMemory() { return luxo::inMemory(read(), folder_, options_.from); }
+
+std::vector<std::filesystem::path> ModelFiles::read() {
   const std::lock_guard lock(mutex_);
   std::vector<std::filesystem::path> files;
   for (const auto& [key, model] : models_)

@@ -25,10 +25,14 @@ class ModelFiles {
   /// The model in a file that is named relative to the folder, and is in it, unless
   /// it may be outside. Error(Scene): it leads out of the folder, or what readModel() says.
   [[nodiscard]] std::shared_ptr<const Model> get(const std::string& name, const MeshOptions& options);
-  /// Of all models so far (mesh/model.h).
+  /// On disk, of all models so far (mesh/model.h).
   [[nodiscard]] std::vector<std::filesystem::path> files();
+  /// What the models so far were read from, images included (scene/scene_folder.h).
+  [[nodiscard]] FilesInMemory inMemory();
 
  private:
+  [[nodiscard]] std::vector<std::filesystem::path> read();
+
   std::filesystem::path folder_;
   FileOptions options_;
   std::mutex mutex_;

@@ -533,9 +533,9 @@ std::string readText(const std::filesystem::path& path) {
 SceneFile parseScene(std::string text, std::string name, const std::filesystem::path& folder,
                      const FileOptions& files) {
   SceneFile file;
-  file.source = {
-      name, std::make_shared<const std::string>(std::move(text)), std::make_shared<ModelFiles>(folder, files),
-      std::make_shared<TextureFiles>(folder, files.allowOutside), std::make_shared<ShaderFiles>(folder)};
+  file.source = {name, std::make_shared<const std::string>(std::move(text)),
+                 std::make_shared<ModelFiles>(folder, files), std::make_shared<TextureFiles>(folder, files),
+                 std::make_shared<ShaderFiles>(folder, files.from)};
   SceneProblems problems(file.source);
   {
     const JsonDocument document(file.source.text);

@@ -4,33 +4,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
 
 #include "base/error.h"
-#include "scene/scene_folder.h"
 
 namespace luxo {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string readText(const fs::path& path) {
+std::string readText(const fs::path& path, const FileSource& from) {
   const auto refuse = [&](const std::string& why) {
     throw Error(ErrorKind::Scene, fmt::format("cannot read the shader '{}': {}", path.string(), why));
   };
   std::error_code failure;
-  if (!fs::exists(path, failure)) refuse("there is no such file");
-  if (!fs::is_regular_file(path, failure)) refuse("it is no regular file");
-  const std::uintmax_t size = fs::file_size(path, failure);
-  if (failure) refuse(failure.message());
-  if (size > kMaxShaderBytes)
+  if (!from.has(path))
+    refuse(from.isDisk() && fs::exists(path, failure) ? "it is no regular file" : "there is no such file");
+  if (const std::uintmax_t size = from.sizeOf(path); size > kMaxShaderBytes)
     refuse(fmt::format("it has {} bytes; at most {} are read", size, kMaxShaderBytes));
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream && !stream.eof()) refuse("it cannot be read");
+  const FileBytes bytes = from.read(path);
+  std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   if (text.find('\0') != text.npos) refuse("it is no text");
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
@@ -62,18 +56,6 @@ std::optional<Include> nextInclude(const std::string& text, std::size_t from) {
 const MaterialShader::File kFixedFragments = {
     "fixed functionality", "void main() { gl_FragColor = gl_Color * texture2D(0, gl_TexCoord[0].st); }\n"};
 
-fs::path ShaderFiles::pathOf(const fs::path& folder, const std::string& name, std::string_view kind) const {
-  return carried_.empty() ? fileInFolder(folder, name, kind) : folder / name;
-}
-
-std::string ShaderFiles::textOf(const fs::path& path) const {
-  if (carried_.empty()) return readText(path);
-  const auto file =
-      std::ranges::find(carried_, path.lexically_normal().string(), &MaterialShader::File::name);
-  if (file != carried_.end()) return file->text;
-  throw Error(ErrorKind::Scene, fmt::format("there is no shader '{}'", path.lexically_normal().string()));
-}
-
 void ShaderFiles::addIncluded(std::vector<MaterialShader::File>& files, std::size_t index,
                               const fs::path& folder) const {
   std::size_t from = 0;
@@ -82,13 +64,13 @@ void ShaderFiles::addIncluded(std::vector<MaterialShader::File>& files, std::siz
     const fs::path here = fs::path(files[index].name).parent_path();
     try {
       const fs::path inFolder = (here / include->name).lexically_relative(folder.empty() ? "." : folder);
-      const fs::path file =
-          pathOf(folder, inFolder.empty() ? include->name : inFolder.string(), "included file");
+      const fs::path file = fileInFolder(folder, inFolder.empty() ? include->name : inFolder.string(),
+                                         "included file", options_);
       const std::string name = file.lexically_normal().string();
       if (std::ranges::find(files, name, &MaterialShader::File::name) != files.end()) continue;
       if (files.size() == kMaxShaderFiles)
         throw Error(ErrorKind::Scene, fmt::format("the shader has more than {} files", kMaxShaderFiles));
-      files.push_back({name, textOf(file)});
+      files.push_back({name, readText(file, options_.from)});
     } catch (const Error& error) {
       const MaterialShader::File& by = files[index];
       const TextPosition at = positionAt(by.text, include->where.begin);
@@ -102,21 +84,21 @@ MaterialShaderPtr ShaderFiles::get(const std::string& name, const std::string& v
   const std::lock_guard lock(mutex_);
   MaterialShaderPtr& known = shaders_[{name, vertex}];
   if (known) return known;
-  const fs::path path = name.empty() ? fs::path() : pathOf(folder_, name, "shader");
+  const fs::path path = name.empty() ? fs::path() : fileInFolder(folder_, name, "shader", options_);
   const fs::path normal = path.lexically_normal();
-  std::vector<MaterialShader::File> files{name.empty() ? kFixedFragments
-                                                       : MaterialShader::File{normal.string(), textOf(path)}};
+  std::vector<MaterialShader::File> files{
+      name.empty() ? kFixedFragments : MaterialShader::File{normal.string(), readText(path, options_.from)}};
   for (std::size_t i = 0; i < files.size(); ++i) addIncluded(files, i, normal.parent_path());
   std::size_t first = 0;
   if (!vertex.empty()) {
-    const fs::path program = pathOf(folder_, vertex, "vertex program").lexically_normal();
+    const fs::path program = fileInFolder(folder_, vertex, "vertex program", options_).lexically_normal();
     const auto same = std::ranges::find(files, program.string(), &MaterialShader::File::name);
     if (same != files.end())
       throw Error(ErrorKind::Scene,
                   fmt::format("the vertex program '{}' is a part of the shader, too", vertex),
                   "a vertex program and a fragment program are two files");
     first = files.size();
-    files.push_back({program.string(), textOf(program)});
+    files.push_back({program.string(), readText(program, options_.from)});
     for (std::size_t i = first; i < files.size(); ++i) addIncluded(files, i, program.parent_path());
   }
   known = std::make_shared<const MaterialShader>(MaterialShader{std::move(files), first});
@@ -129,9 +111,16 @@ void ShaderFiles::put(const std::string& name, MaterialShaderPtr shader) {
 }
 
 std::vector<fs::path> ShaderFiles::files() {
+  return options_.from.isDisk() ? read() : std::vector<fs::path>();
+}
+
+FilesInMemory ShaderFiles::inMemory() {
+  return luxo::inMemory(read(), folder_.lexically_normal(), options_.from);
+}
+
+std::vector<fs::path> ShaderFiles::read() {
   const std::lock_guard lock(mutex_);
   std::vector<fs::path> paths;
-  if (!carried_.empty()) return paths;
   for (const auto& [name, shader] : shaders_)
     if (shader)
       for (const MaterialShader::File& file : shader->files)

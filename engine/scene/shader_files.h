@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scene/material_shader.h"
+#include "scene/scene_folder.h"
 
 namespace luxo {
 
@@ -27,10 +28,8 @@ extern const MaterialShader::File kFixedFragments;
 class ShaderFiles {
  public:
   /// `folder`: of the scene; empty: the current one.
-  explicit ShaderFiles(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
-  /// Of files that a program carries, by their names, `folder`/..., instead of those on disk.
-  ShaderFiles(std::filesystem::path folder, std::vector<MaterialShader::File> carried)
-      : folder_(std::move(folder)), carried_(std::move(carried)) {}
+  explicit ShaderFiles(std::filesystem::path folder = {}, FileSource from = {})
+      : folder_(std::move(folder)), options_{.from = std::move(from)} {}
 
   /// The shader in a file that is named relative to the folder, and is in it. What it includes is named
   /// relative to the including file, and is in the shader's folder or below. Error(Scene): a file leads out
@@ -42,17 +41,17 @@ class ShaderFiles {
   void put(const std::string& name, MaterialShaderPtr shader);
   /// On disk, of all shaders so far, what they include among them.
   [[nodiscard]] std::vector<std::filesystem::path> files();
+  /// What the shaders so far were read from (scene/scene_folder.h).
+  [[nodiscard]] FilesInMemory inMemory();
 
  private:
-  [[nodiscard]] std::filesystem::path pathOf(const std::filesystem::path& folder, const std::string& name,
-                                             std::string_view kind) const;
-  [[nodiscard]] std::string textOf(const std::filesystem::path& path) const;
+  [[nodiscard]] std::vector<std::filesystem::path> read();
   /// Adds to the files those that files[index] includes.
   void addIncluded(std::vector<MaterialShader::File>& files, std::size_t index,
                    const std::filesystem::path& folder) const;
 
   std::filesystem::path folder_;
-  std::vector<MaterialShader::File> carried_;
+  FileOptions options_;  ///< no shader is outside
   std::mutex mutex_;
   std::map<std::pair<std::string, std::string>, MaterialShaderPtr> shaders_;  ///< vertex programs second
 };

@@ -12,6 +12,7 @@
 
 #include "image/codes.h"
 #include "image/texture.h"
+#include "scene/scene_folder.h"
 
 namespace luxo {
 
@@ -19,19 +20,23 @@ namespace luxo {
 class TextureFiles {
  public:
   /// `folder`: of the scene; empty: the current one.
-  explicit TextureFiles(std::filesystem::path folder = {}, bool allowOutside = false)
-      : folder_(std::move(folder)), allowOutside_(allowOutside) {}
+  explicit TextureFiles(std::filesystem::path folder = {}, FileOptions options = {})
+      : folder_(std::move(folder)), options_(std::move(options)) {}
 
   /// The image in a file that is named relative to the folder, and is in it, unless it may be
   /// outside; null where there is no such file. Error(Scene): it leads out of the folder, or what
-  /// loadTexture() says.
+  /// decodeTexture() says.
   [[nodiscard]] std::shared_ptr<const Texture> get(const std::string& name, Codes codes);
-  /// Of all textures so far.
+  /// On disk, of all textures so far.
   [[nodiscard]] std::vector<std::filesystem::path> files();
+  /// What the textures so far were read from (scene/scene_folder.h).
+  [[nodiscard]] FilesInMemory inMemory();
 
  private:
+  [[nodiscard]] std::vector<std::filesystem::path> read();
+
   std::filesystem::path folder_;
-  bool allowOutside_;
+  FileOptions options_;
   std::mutex mutex_;
   std::map<std::pair<std::string, Codes>, std::shared_ptr<const Texture>> textures_;
 };

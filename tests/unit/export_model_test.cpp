@@ -17,10 +17,13 @@
 #include "catalogue_names.h"
 #include "export/carried_scene.h"
 #include "image/png.h"
+#include "scene/model_files.h"
 #include "scene/model_scene.h"
 #include "scene/normal_map.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
+#include "scene/shader_files.h"
+#include "scene/texture_files.h"
 #include "surface/catalogue.h"
 #include "surface/library.h"
 #include "unit/image_test_support.h"
@@ -500,9 +503,9 @@ const char* const kCarried = R"scene({ "luxo": 1,
 
 TEST(CarriedScene, DescribesTheSame) {
   const SceneFile file = parseScene(kCarried, "scene");
-  EXPECT_EQ(parseScene(carriedScene(file).value(), "again"), file);
+  EXPECT_EQ(parseScene(carriedScene(file).text, "again"), file);
   const ParameterOverride five{"k", Quantity(5)};
-  SceneFile other = parseScene(carriedScene(file, {&five, 1}, 2.5).value(), "again");
+  SceneFile other = parseScene(carriedScene(file, {&five, 1}, 2.5).text, "again");
   EXPECT_EQ(other.parameters[0].value, Quantity(5));
   EXPECT_EQ(other.render.time, Quantity(2.5));
   other.parameters[0].value = 3;
@@ -510,15 +513,45 @@ TEST(CarriedScene, DescribesTheSame) {
   EXPECT_EQ(other, file);
 }
 
-TEST(CarriedScene, IsAllInItsText) {
-  SceneFile file = parseScene(kCarried, "scene");
-  file.textures.push_back({.name = "tiles", .checker = std::array{Quantity3{0, 0, 0}, Quantity3{1, 1, 1}}});
-  EXPECT_TRUE(carriedScene(file));
-  file.textures.push_back({.name = "wood", .file = "wood.png"});
-  EXPECT_FALSE(carriedScene(file));
-  file.textures.clear();
-  file.surfaces.push_back({.name = "head", .shape = MeshShape{.file = "head.obj"}});
-  EXPECT_FALSE(carriedScene(file));
+/// By the names that the scene has for them, and that they have for each other, in a folder or in none.
+TEST(CarriedScene, TakesItsFilesAlong) {
+  const ScratchFolder folder;
+  const auto write = [&](const char* name, const std::string& text) {
+    std::filesystem::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << text;
+  };
+  const auto png = encodePng(Image(2, 2, 3), Codes::Srgb);
+  const std::string image(reinterpret_cast<const char*>(png.data()), png.size());
+  write("in/wood.png", image);
+  write("skin.png", image);
+  write("in/look/m.frag", "#include \"lib/a.glsl\"\nvec4 material(Point p) { return vec4(1); }\n");
+  write("in/look/lib/a.glsl", "");
+  write("in/b/head.obj", "mtllib ../head.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+  write("in/head.mtl", "newmtl a\nmap_Kd ../../skin.png\nmap_Ks missing.png\n");
+  write("in/s.luxo.json", R"scene({ "luxo": 1, "textures": { "t": { "file": "./wood.png" } },
+    "materials": { "m": { "map": "t" }, "n": { "shader": "look/m.frag" } },
+    "surfaces": { "s": { "type": "sphere" } },
+    "nodes": [ { "surface": "s", "material": "m" }, { "surface": "s", "material": "n" }, { "model": "b/../b/head.obj" } ] })scene");
+  SceneFile file = readSceneFile(folder / "in/s.luxo.json", {.allowOutside = true});
+  const Snapshot before = takeSnapshot(buildScene(file), 0, {8, 8});
+  CarriedScene carried = carriedScene(file);
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : carried.files) names.push_back(name);
+  EXPECT_THAT(names, testing::UnorderedElementsAre("wood.png", "../skin.png", "look/m.frag",
+                                                   "look/lib/a.glsl", "b/head.obj", "head.mtl"));
+  for (int again = 0; again < 2; ++again) {  // from what was carried, too
+    file = parseScene(carried.text, "again", {}, {.from = FileSource(carried.files)});
+    const Snapshot after = takeSnapshot(buildScene(file), 0, {8, 8});
+    ASSERT_EQ(after.materials.size(), before.materials.size());
+    for (std::size_t i = 0; i < before.materials.size(); ++i) {
+      EXPECT_EQ(after.materials[i].map.valid(), before.materials[i].map.valid()) << i;
+      EXPECT_EQ(after.materials[i].shader != nullptr, before.materials[i].shader != nullptr) << i;
+    }
+    EXPECT_TRUE(file.source.models->files().empty() && file.source.shaders->files().empty() &&
+                file.source.textures->files().empty());  // on disk
+    carried = carriedScene(file);
+    EXPECT_EQ(carried.files.size(), names.size());
+  }
 }
 
 }  // namespace

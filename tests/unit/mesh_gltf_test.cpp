@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -418,6 +419,42 @@ TEST_F(ReadGltf, WhatIsReadOverAndOverIsRefused) {
     if (accessor["type"] == "VEC3" && accessor["bufferView"] == 0) accessor["count"] = 5000;
   json["buffers"][0]["uri"] = dataOf(buffer() + std::string(60000, '\0'));
   EXPECT_THAT(folder_.refusal("a.gltf", json.dump()), HasSubstr("cannot be meant"));
+}
+
+/// Copies of what views see of a buffer: each view's once, and no more than there is.
+TEST_F(ReadGltf, WhatIsCopiedOverAndOverIsRefused) {
+  Json json = square();
+  Json &views = json["bufferViews"], &formulas = json["extensions"]["LUXO_parametric_surface"];
+  formulas["scene"] = "scene";
+  const auto name = [&](std::size_t view) {
+    formulas["files"].push_back(
+        {{"name", std::to_string(formulas["files"].size()) + ".png"}, {"bufferView", view}});
+  };
+  for (int i = 0; i < 100; ++i) name(0);
+  Model model = read(json);
+  EXPECT_EQ(model.sceneFiles.size(), 100U);
+  EXPECT_EQ(model.sceneFiles.at("0.png"), model.sceneFiles.at("99.png"));
+  EXPECT_EQ(std::memcmp(model.sceneFiles.at("7.png")->data(), kPoints.data(), 48), 0);
+
+  // As many bytes as the file has, twenty times.
+  json["buffers"][0]["byteLength"] = 60000;
+  json["buffers"][0]["uri"] = dataOf(buffer() + std::string(60000, '\0'));
+  const std::size_t first = views.size();
+  for (std::size_t i = 0; i < 20; ++i) views.push_back({{"buffer", 0}, {"byteLength", 60000}});
+  for (std::size_t i = 0; i < 20; ++i) name(first + i);
+  EXPECT_THAT(folder_.refusal("a.gltf", json.dump()), HasSubstr("cannot be meant"));
+  formulas["files"] = Json::array();
+  EXPECT_EQ(folder_.refusal("a.gltf", json.dump()), "");
+  for (std::size_t i = 0; i < 20; ++i) {
+    json["images"].push_back({{"mimeType", "image/png"}, {"bufferView", first + i}});
+    json["textures"].push_back({{"source", i}});
+    json["materials"].push_back({{"emissiveTexture", {{"index", i}}}});
+  }
+  EXPECT_THAT(folder_.refusal("a.gltf", json.dump()), HasSubstr("cannot be meant"));
+
+  formulas["files"] = Json::parse(R"([{"name": "a", "bufferView": 99}])");
+  json.erase("materials");
+  EXPECT_THAT(folder_.refusal("a.gltf", json.dump()), HasSubstr("bufferViews: there is no element 99"));
 }
 
 // Accessors without bytes are zeros.

@@ -106,8 +106,14 @@ TEST_F(WriteModel, UnitsScaleWhatIsWritten) {
 TEST_F(WriteModel, GlbKeepsNodesMaterialsCamerasLightsAndTheScene) {
   Model model = twoBodies();
   model.scene = "{ \"luxo\": 1 } // \xc3\xbc";
+  const auto bytes = [](std::size_t count) {
+    return std::make_shared<const std::vector<std::byte>>(count, std::byte(7));
+  };
+  model.sceneFiles = {{"a/b.png", bytes(5)}, {"empty", bytes(0)}};
   const Model read = written(model, "a.glb");
   EXPECT_EQ(read.scene, model.scene);
+  ASSERT_EQ(read.sceneFiles.size(), 2U);
+  for (const auto& [name, file] : model.sceneFiles) EXPECT_EQ(*read.sceneFiles.at(name), *file) << name;
   ASSERT_EQ(read.nodes.size(), 3U);  // one more, for the origin of the ball
   EXPECT_EQ(read.nodes[1].name, "a ball");
   EXPECT_EQ(read.nodes[1].parent, 0U);

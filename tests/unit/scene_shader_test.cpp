@@ -91,9 +91,16 @@ TEST_F(SceneShader, IncludesAreRelativeToTheirFileAndInTheFolder) {
 TEST_F(SceneShader, CarriedOnesAreNotLookedForOnDisk) {
   write("m.frag", "on disk");
   const std::string prefix = folder.path().string() + "/";
-  ShaderFiles carried(folder.path(), {{prefix + "m.frag", "#include \"lib/a.glsl\"\n"},
-                                      {prefix + "lib/a.glsl", "float a;\n"},
-                                      {prefix + "n.frag", "\n #include \"b.glsl\"\n"}});
+  FilesInMemory files;
+  const auto add = [&](const std::string& name, std::string_view text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    files[prefix + name] = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
+  };
+  add("m.frag", "#include \"lib/a.glsl\"\n");
+  add("lib/a.glsl", "float a;\n");
+  add("n.frag", "\n #include \"b.glsl\"\n");
+  add("long.frag", std::string(kMaxShaderBytes + 1, ' '));
+  ShaderFiles carried(folder.path(), FileSource(files));
   const MaterialShaderPtr shader = carried.get("m.frag");
   ASSERT_EQ(shader->files.size(), 2u);
   EXPECT_EQ(shader->files[0].text, "#include \"lib/a.glsl\"\n");
@@ -101,7 +108,8 @@ TEST_F(SceneShader, CarriedOnesAreNotLookedForOnDisk) {
   EXPECT_TRUE(carried.files().empty());
   write("b.glsl", "");
   EXPECT_THAT(messageOf([&] { static_cast<void>(carried.get("n.frag")); }),
-              AllOf(HasSubstr("n.frag:2:11: there is no shader"), HasSubstr("b.glsl")));
+              AllOf(HasSubstr("n.frag:2:11: cannot read the shader"), HasSubstr("b.glsl")));
+  EXPECT_THAT(messageOf([&] { static_cast<void>(carried.get("long.frag")); }), HasSubstr("at most 262144"));
 }
 
 TEST_F(SceneShader, AVertexProgramIsBehindWhatTheShaderIncludes) {
