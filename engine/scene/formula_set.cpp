@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "formula/variables.h"
 #include "scene/surface_names.h"
 
 namespace luxo {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "formula/variables.h"
 #include "scene/scene_variables.h"
 
 namespace luxo {

@@ -27,8 +27,11 @@ namespace luxo {
 namespace {
 
 struct BuiltSurface {
+  const SurfaceDesc* desc = nullptr;
   Surface surface;
   std::optional<Segments> segments;
+  /// The same, displaced: by which material, and where among the surfaces.
+  std::vector<std::pair<const MaterialDesc*, std::size_t>> displaced = {};
 };
 
 /// A material of the file. Where its formulas read the surface it is another one on each, made when a node
@@ -37,6 +40,7 @@ struct BuiltMaterial {
   const MaterialDesc* desc = nullptr;
   bool readsNames = false;      ///< of the surface's points (scene/surface_names.h): not only its range
   bool readsCurvature = false;  ///< its shader does
+  std::optional<Displacement> displacement = {};
   std::optional<MaterialId> everywhere = {};
   std::unordered_map<std::size_t, std::optional<MaterialId>> onSurface = {};  ///< nothing where that failed
 };
@@ -81,11 +85,12 @@ class SceneConstruction {
  private:
   void addMaterial(const MaterialDesc& desc);
   std::optional<MaterialId> makeMaterial(const MaterialDesc& desc, ShapeBuilder::MovingPaint paint);
-  std::optional<MaterialId> materialOn(const std::size_t* surface, BuiltMaterial& material,
+  std::optional<MaterialId> materialOn(std::optional<std::size_t> surface, BuiltMaterial& material,
                                        const NodeDesc& node);
   bool acceptNames(const NodeDesc& node, const Surface& surface);
   void checkUnused(const BuiltMaterial& material);
   void addSurface(const SurfaceDesc& desc);
+  std::size_t shapeOf(std::size_t surface, const BuiltMaterial& material, const NodeDesc& node);
   std::optional<Segments> segments(const std::optional<QuantityPair>& written);
   void addNode(const NodeDesc& desc);
   void addModels();
@@ -138,6 +143,7 @@ void SceneConstruction::addMaterial(const MaterialDesc& desc) {
     ShapeBuilder::MovingPaint paint = shapes_.buildPaint(desc);
     material.readsNames = paint.readsNames;
     material.readsCurvature = looks_.readsCurvature(desc);
+    material.displacement = shapes_.buildDisplacement(desc);
     const bool known =
         problems_.count() > problemsBefore || (!paint.readsSurface && !material.readsCurvature);
     if (known) material.everywhere = makeMaterial(desc, std::move(paint));
@@ -154,8 +160,8 @@ std::optional<MaterialId> SceneConstruction::makeMaterial(const MaterialDesc& de
 }
 
 /// The material of a node on its surface, which may be none; nothing where that is a problem.
-std::optional<MaterialId> SceneConstruction::materialOn(const std::size_t* surface, BuiltMaterial& material,
-                                                        const NodeDesc& node) {
+std::optional<MaterialId> SceneConstruction::materialOn(std::optional<std::size_t> surface,
+                                                        BuiltMaterial& material, const NodeDesc& node) {
   if (material.everywhere || !surface || !surfaces_[*surface].surface.valid()) return material.everywhere;
   const auto found = material.onSurface.try_emplace(*surface);
   std::optional<MaterialId>& made = found.first->second;
@@ -191,7 +197,31 @@ bool SceneConstruction::acceptNames(const NodeDesc& node, const Surface& surface
 
 void SceneConstruction::addSurface(const SurfaceDesc& desc) {
   surfaceIndices_.add(desc.name, surfaces_.size(), problems_);
-  surfaces_.push_back({shapes_.build(desc), segments(desc.segments)});
+  surfaces_.push_back({&desc, shapes_.build(desc), segments(desc.segments)});
+}
+
+/// The surface of a node, by its place among all: as it is, or as the node's material displaces it. What is
+/// displaced alike is one surface.
+std::size_t SceneConstruction::shapeOf(std::size_t surface, const BuiltMaterial& material,
+                                       const NodeDesc& node) {
+  if (!material.displacement || !surfaces_[surface].surface.valid()) return surface;
+  const MaterialDesc& by = *material.desc;
+  if (surfaces_[surface].surface.triangles()) {
+    problems_.add(node.material.place,
+                  fmt::format("material '{}' displaces what it is on by a formula of u and v, and '{}' is a "
+                              "mesh, without a formula of its points",
+                              node.material.text, node.surface.text),
+                  "give that node a material without \"displacement\"");
+    return surface;
+  }
+  for (const auto& [other, displaced] : surfaces_[surface].displaced)
+    if (other->displacement == by.displacement && other->let == by.let) return displaced;
+  const BuiltSurface from = surfaces_[surface];
+  surfaces_[surface].displaced.emplace_back(&by, surfaces_.size());
+  surfaces_.push_back(
+      {from.desc, shapes_.displace(*from.desc, from.surface, by, *material.displacement, node.material.place),
+       from.segments});
+  return surfaces_.size() - 1;
 }
 
 std::optional<int> SceneConstruction::count(const Quantity& quantity, double most) {
@@ -222,12 +252,15 @@ void SceneConstruction::addNode(const NodeDesc& desc) {
   else
     node.visible = {[visible](const Moment& moment) { return visible.at(moment) != 0; },
                     visible.movesWithTime() ? DependsOn::Both : DependsOn::Parameters};
-  const std::size_t* surface = surfaceIndices_.find(desc.surface, problems_);
+  const std::size_t* named = surfaceIndices_.find(desc.surface, problems_);
+  const std::size_t* index = materialIndices_.find(desc.material, problems_);
+  std::optional<std::size_t> surface = named ? std::optional(*named) : std::nullopt;
+  if (surface && index) surface = shapeOf(*surface, materials_[*index], desc);
   if (surface) {
     node.surface = surfaces_[*surface].surface;
     node.segments = surfaces_[*surface].segments;
   }
-  if (const std::size_t* index = materialIndices_.find(desc.material, problems_))
+  if (index)
     if (const std::optional<MaterialId> material = materialOn(surface, materials_[*index], desc)) {
       node.material = *material;
       if (node.surface.valid()) warnOfCutColor(desc, node.surface.domain(), scene_[*material]);

@@ -163,12 +163,13 @@ struct IsolinesDesc {
 /// As Material. A diffuse or ambient colour, or an opacity, that uses u or v is a pattern on the surface.
 struct MaterialDesc {
   FileName name = {};
-  std::vector<LetDesc> let = {};  ///< for `diffuse`, `opacity` and `isolines`
+  std::vector<LetDesc> let = {};  ///< for `diffuse`, `opacity`, `isolines` and `displacement`
   Quantity3 diffuse = repeated(0.7);
   std::optional<Quantity3> ambient = {};
   Quantity3 specular = repeated(0.2);
   Quantity shininess = 30, opacity = 1;
-  Quantity cutoff = 0;  ///< Material::cutoff
+  Quantity cutoff = 0;        ///< Material::cutoff
+  Quantity displacement = 0;  ///< of u and v: metres along the normal of the surface that it is on
   Blend blend = Blend::Over;
   TwoSided twoSided = TwoSided::Auto;
   std::optional<Shading> shading = {};

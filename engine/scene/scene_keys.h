@@ -36,10 +36,10 @@ inline constexpr std::array<Names, 2> kOcclusionNames = {"method", "radius"};
 inline constexpr std::array<Names, 4> kParameterNames = {"value", "range", "step", "label"};
 inline constexpr std::array<Names, 8> kTextureNames = {"file", "checker", "squares",    "color",
                                                        "wrap", "filter",  "anisotropy", "data"};
-inline constexpr std::array<Names, 19> kMaterialNames = {
-    "diffuse", "ambient",          "specular", "shininess",  "opacity",      "blend",    "two_sided",
-    "shading", "lecture_specular", "map",      "normal_map", "specular_map", "glow_map", "shader",
-    "vertex",  "uniforms",         "let",      "isolines",   "cutoff"};
+inline constexpr std::array<Names, 20> kMaterialNames = {
+    "diffuse", "ambient",          "specular", "shininess",  "opacity",      "blend",       "two_sided",
+    "shading", "lecture_specular", "map",      "normal_map", "specular_map", "glow_map",    "shader",
+    "vertex",  "uniforms",         "let",      "isolines",   "cutoff",       "displacement"};
 inline constexpr std::array<Names, 8> kIsolinesNames = {"of", "step",  "at",    "u",
                                                         "v",  "width", "color", "opacity"};
 inline constexpr std::array<Names, 4> kTextureMapNames = {"texture", "offset", "scale", "rotate"};

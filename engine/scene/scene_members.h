@@ -31,7 +31,7 @@ class SceneMembers {
   [[nodiscard]] JsonValue operator[](std::string_view name) const;
 
  private:
-  static constexpr std::size_t kMost = 19;
+  static constexpr std::size_t kMost = 20;
 
   const SceneKeys& kind_;
   std::array<JsonValue, kMost> values_{};

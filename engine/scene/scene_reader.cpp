@@ -255,6 +255,7 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
   values_.read(members["shininess"], material.shininess);
   values_.read(members["opacity"], material.opacity);
   values_.read(members["cutoff"], material.cutoff);
+  values_.read(members["displacement"], material.displacement);
   values_.readWord(members["blend"], keys::kBlends, material.blend);
   if (const JsonValue sides = members["two_sided"]; sides.exists()) {
     bool both = false;

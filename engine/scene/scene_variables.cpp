@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "formula/variables.h"
 #include "scene/moment_formulas.h"
 #include "scene/parameter_order.h"
 
@@ -56,16 +57,6 @@ std::optional<Interval> rangeOf(const QuantityPair& range, MomentFormulas& limit
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> variablesOf(Graph& graph, std::span<const Expr> expressions) {
-  std::vector<std::uint32_t> roots, variables;
-  for (const Expr& expression : expressions)
-    if (!expression.isConstant()) roots.push_back(graph.nodeOf(expression));
-  for (const std::uint32_t node : reachable(graph, roots))
-    if (graph.nodes()[node].op == Op::Variable) variables.push_back(graph.nodes()[node].a);
-  std::ranges::sort(variables);
-  return variables;
-}
 
 MomentTape::MomentTape(Graph& graph, std::span<const Expr> outputs, ParameterValues initial)
     : tape_(graph, outputs), initial_(std::move(initial)) {

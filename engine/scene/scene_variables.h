@@ -43,9 +43,6 @@ class MomentTape {
 /// A formula of the moment as a value. Required: not a constant.
 [[nodiscard]] Animated<double> animated(Graph& graph, Expr formula, ParameterValues initial);
 
-/// The variables that expressions read, ascending.
-[[nodiscard]] std::vector<std::uint32_t> variablesOf(Graph& graph, std::span<const Expr> expressions);
-
 class SceneVariables {
  public:
   /// Adds the file's parameters to the scene. Those in a circle are 0. Throws Error(Usage) for a bad

@@ -192,7 +192,7 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
       if (map) visitMap(*map, visit);
     if (material.ambient) visitAll(*material.ambient, visit);
     visitAll(material.specular, visit);
-    visitAll({{material.shininess, material.opacity, material.cutoff}}, visit);
+    visitAll({{material.shininess, material.opacity, material.cutoff, material.displacement}}, visit);
     for (const UniformDesc& uniform : material.uniforms) {
       visitAll(uniform.values, visit);
       if (uniform.map) visitMap(*uniform.map, visit);

@@ -197,6 +197,7 @@ JsonText written(const MaterialDesc& material) {
   members.add("shininess", material.shininess, usual.shininess);
   members.add("opacity", material.opacity, usual.opacity);
   members.add("cutoff", material.cutoff, usual.cutoff);
+  members.add("displacement", material.displacement, usual.displacement);
   members.addWord("blend", material.blend, usual.blend, keys::kBlends);
   if (material.twoSided != TwoSided::Auto)
     members.put("two_sided", JsonText::boolean(material.twoSided == TwoSided::Yes));

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "formula/removable.h"
 #include "formula/tape.h"
+#include "formula/variables.h"
 #include "scene/formula_set.h"
 #include "scene/isolines_builder.h"
 #include "scene/model_files.h"
@@ -125,7 +126,8 @@ Surface ShapeBuilder::build(const SurfaceDesc& desc) {
   try {
     Surface surface =
         std::visit([&](const auto& shape) { return buildShape(desc.name.text, shape); }, desc.shape);
-    if (surface.valid() && warnings_ && about_ == WarningsAbout::All) warn(desc, surface);
+    if (surface.valid() && warnings_ && about_ == WarningsAbout::All)
+      warn(desc.name.place, fmt::format("surface '{}'", desc.name.text), surface);
     return surface;
   } catch (const Error& error) {
     problems_.add(desc.name.place, error.what(), error.hint());
@@ -420,8 +422,41 @@ bool ShapeBuilder::readOpacity(const MaterialDesc& material, const Surface& surf
   return false;
 }
 
-void ShapeBuilder::warn(const SurfaceDesc& desc, const Surface& surface) {
-  const SourceRange where = rangeOf(desc.name.place);
+std::optional<Displacement> ShapeBuilder::buildDisplacement(const MaterialDesc& material) {
+  const Quantity& written = material.displacement;
+  const FormulaSet formulas({.formulas = {written}, .let = material.let, .onSurface = true}, variables_);
+  formulas.reportTo(problems_);
+  if (!formulas.ok()) return std::nullopt;
+  if (formulas.readsSurface()) {
+    problems_.add(written.place(),
+                  "a displacement cannot use the place, normal or curvature of the surface that it moves",
+                  "write it with u and v");
+    return std::nullopt;
+  }
+  const std::vector<Expr> height = continued(formulas.graph(), formulas.values());
+  if (height[0].isConstant() &&
+      (!formulas_.accept(written, height[0].constant(), kPlace) || height[0].constant() == 0))
+    return std::nullopt;
+  return Displacement{Tape(formulas.graph(), height), formulas.parameters()};
+}
+
+Surface ShapeBuilder::displace(const SurfaceDesc& desc, const Surface& surface, const MaterialDesc& material,
+                               const Displacement& displacement, FilePlace place) {
+  try {
+    Surface moved = displaced(surface, displacement, {0, *variables_.initial()});
+    if (warnings_ && about_ == WarningsAbout::All)
+      warn(material.displacement.place(),
+           fmt::format("surface '{}', displaced by material '{}',", desc.name.text, material.name.text),
+           moved);
+    return moved;
+  } catch (const Error& error) {
+    problems_.add(place, error.what(), error.hint());
+    return {};
+  }
+}
+
+void ShapeBuilder::warn(FilePlace place, const std::string& what, const Surface& surface) {
+  const SourceRange where = rangeOf(place);
   std::vector<double> parameters;
   for (const Animated<double>& parameter : surface.parameters())
     parameters.push_back(parameter.at({0, *variables_.initial()}));
@@ -429,24 +464,22 @@ void ShapeBuilder::warn(const SurfaceDesc& desc, const Surface& surface) {
   for (const Domain& hole : surface.holes(parameters)) {
     const bool all = covers(hole.u, whole.u) && covers(hole.v, whole.v);
     const bool inParts = hasPoints(surface, parameters, hole);
-    const char* what = isTiny(hole.u, whole.u) && isTiny(hole.v, whole.v) ? "lacks a point"
-                       : !all                                             ? "has a hole"
-                       : inParts                                          ? "ends inside of its rectangle"
-                                                                          : "has no points";
-    warnings_->push_back(
-        {where,
-         fmt::format("surface '{}' {}: its formula has no value in {}u {}, v {}", desc.name.text, what,
-                     inParts ? "parts of " : "", shown(hole.u), shown(hole.v)),
-         all && !inParts ? "check the formula and its ranges" : "the rest of it is drawn"});
+    const char* lacks = isTiny(hole.u, whole.u) && isTiny(hole.v, whole.v) ? "lacks a point"
+                        : !all                                             ? "has a hole"
+                        : inParts                                          ? "ends inside of its rectangle"
+                                                                           : "has no points";
+    warnings_->push_back({where,
+                          fmt::format("{} {}: its formula has no value in {}u {}, v {}", what, lacks,
+                                      inParts ? "parts of " : "", shown(hole.u), shown(hole.v)),
+                          all && !inParts ? "check the formula and its ranges" : "the rest of it is drawn"});
   }
   if (lacksArea(surface, parameters))
-    warnings_->push_back(
-        {where,
-         fmt::format("surface '{}' has no area{}", desc.name.text, parameters.empty() ? "" : " at time 0"),
-         "let its position depend on u and on v, in two directions"});
+    warnings_->push_back({where,
+                          fmt::format("{} has no area{}", what, parameters.empty() ? "" : " at time 0"),
+                          "let its position depend on u and on v, in two directions"});
   if (std::ranges::any_of(surface.patches(),
                           [](const Patch& p) { return !p.function->guardAtIntegers.empty(); }))
-    warnings_->push_back({where, fmt::format("surface '{}' has kinks or jumps", desc.name.text),
+    warnings_->push_back({where, fmt::format("{} has kinks or jumps", what),
                           "abs, min, max, floor, sign, mod, clamp, if and comparisons make them"});
 }
 

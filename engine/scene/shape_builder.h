@@ -11,6 +11,7 @@
 #include "scene/pattern.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_variables.h"
+#include "surface/displaced.h"
 #include "surface/surface.h"
 
 namespace luxo {
@@ -32,6 +33,13 @@ class ShapeBuilder {
   /// No surface where something is wrong, which is then among the problems. Topology is that at time 0 with
   /// the parameters' initial values.
   [[nodiscard]] Surface build(const SurfaceDesc& surface);
+
+  /// How a material displaces what it is on; nothing where it does not, or something is wrong.
+  [[nodiscard]] std::optional<Displacement> buildDisplacement(const MaterialDesc& material);
+  /// The surface of a file, displaced by a material. What is wrong with that is a problem at `place`.
+  [[nodiscard]] Surface displace(const SurfaceDesc& desc, const Surface& surface,
+                                 const MaterialDesc& material, const Displacement& displacement,
+                                 FilePlace place);
 
   /// A colour and an opacity that may use u and v.
   struct MovingPaint {
@@ -67,7 +75,8 @@ class ShapeBuilder {
   std::uint32_t cellsOf(const Quantity& quantity);
   void addPins(const ClothPinDesc& pin, Cloth& cloth);
   void checkClosed(const FormulaShape& shape, const Surface& surface);
-  void warn(const SurfaceDesc& desc, const Surface& surface);
+  /// `what`: the surface as messages call it.
+  void warn(FilePlace place, const std::string& what, const Surface& surface);
 
   const SceneVariables& variables_;
   MomentFormulas& formulas_;

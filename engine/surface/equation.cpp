@@ -218,6 +218,7 @@ double Equation::center() const {
 
 std::optional<Equation> equationOf(const Surface& surface, std::uint32_t patch,
                                    std::span<const double> parameters) {
+  if (surface.displaced()) return std::nullopt;
   const Recognition recognition{surface, patch, parameters};
   for (const auto form :
        {&Recognition::rectangle, &Recognition::disk, &Recognition::cone, &Recognition::ellipsoid,

@@ -61,8 +61,9 @@ struct Equation {
 
 /// The equation of a rectangle, disk, cylinder, cone, sphere, ellipsoid, paraboloid, hyperboloid, one sheet
 /// of the hyperboloid of two, hyperbolic paraboloid or torus at given parameter values; nothing for other
-/// patches. The formula has no kinks, and its points agree with the equation within 1e-12 of the size at 400
-/// places. Cost: some 20 evaluations of the formula for other patches, 1200 for these.
+/// patches, and for what is displaced. The formula has no kinks, and its points agree with the equation
+/// within 1e-12 of the size at 400 places. Cost: some 20 evaluations of the formula for other patches, 1200
+/// for these.
 [[nodiscard]] std::optional<Equation> equationOf(const Surface& surface, std::uint32_t patch,
                                                  std::span<const double> parameters);
 

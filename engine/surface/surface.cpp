@@ -130,8 +130,8 @@ Surface::Surface(std::vector<Patch> patches, std::vector<Animated<double>> param
   std::vector<double> initial;
   for (const auto& parameter : parameters) initial.push_back(parameter.at(0));
   auto description = std::make_shared<Description>();
-  description->topology =
-      findTopology(patches, initial, {.name = traits.name, .orientation = traits.orientation});
+  description->topology = findTopology(
+      patches, initial, {.name = traits.name, .orientation = traits.orientation, .borders = traits.borders});
   description->domain = hullOf(patches);
   description->patches = std::move(patches);
   description->parameterCount = parameters.size();
@@ -198,6 +198,7 @@ const Topology& Surface::topology() const { return description_->topology; }
 std::optional<Paraboloid> Surface::paraboloid() const { return description_->traits.paraboloid; }
 std::optional<Vec3> Surface::flatNormal() const { return description_->traits.flatNormal; }
 bool Surface::revolution() const { return description_->traits.revolution; }
+bool Surface::displaced() const { return description_->traits.displaced; }
 
 namespace {
 

@@ -64,6 +64,10 @@ struct SurfaceTraits {
   std::optional<Paraboloid> paraboloid;
   std::optional<Vec3> flatNormal;  ///< unit normal of a surface that lies in one plane
   bool revolution = false;         ///< u turns a profile once around the Y axis (see revolve())
+  /// A formula of u and v is added to it, which may be too narrow for points here and there to tell: it has
+  /// no equation (surface/equation.h).
+  bool displaced = false;
+  std::vector<PatchEdge> borders = {};  ///< edges that are not known to be joined or one point
 };
 
 /// Points and derivatives at several parameters: structure of arrays, one entry per point.
@@ -120,6 +124,7 @@ class Surface {
   /// Unit, of what lies in one plane.
   [[nodiscard]] std::optional<Vec3> flatNormal() const;
   [[nodiscard]] bool revolution() const;
+  [[nodiscard]] bool displaced() const;
 
   /// S, Su, Sv at every (u[i], v[i]) of a patch. Object space, metres. Exact derivatives, rounded. Where the
   /// formula has no value the numbers are not finite.

@@ -158,9 +158,14 @@ class Search {
 
   [[nodiscard]] bool same(const Vec3& p, const Vec3& q) const { return glm::length(p - q) <= tolerance_; }
 
+  [[nodiscard]] bool isStatedBorder(std::uint32_t e) const {
+    return std::ranges::find(stated_.borders, edgeAt(e)) != stated_.borders.end();
+  }
+
   void findCollapsed() {
     for (std::uint32_t e = 0; e < edgeCount(); ++e) {
-      if (!std::ranges::all_of(curves_[e], [&](const Vec3& p) { return same(p, curves_[e].front()); }))
+      if (isStatedBorder(e) ||
+          !std::ranges::all_of(curves_[e], [&](const Vec3& p) { return same(p, curves_[e].front()); }))
         continue;
       const EdgeNormals& normals = normalsAlong(e);
       const Vec3 normal = normals[normals.size() / 2];
@@ -184,7 +189,8 @@ class Search {
     const Vec3 direction(0.5479, 0.3131, 0.7757);
     std::vector<std::pair<double, std::uint32_t>> order;
     for (std::uint32_t e = 0; e < edgeCount(); ++e)
-      if (!kind(e).collapsed() && std::ranges::all_of(curves_[e], [](const Vec3& p) { return isFinite(p); }))
+      if (!kind(e).collapsed() && !isStatedBorder(e) &&
+          std::ranges::all_of(curves_[e], [](const Vec3& p) { return isFinite(p); }))
         order.emplace_back(glm::dot(direction, curves_[e][kEdgeSamples / 2]), e);
     std::ranges::sort(order);
     std::vector<bool> joined(edgeCount());

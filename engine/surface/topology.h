@@ -73,8 +73,9 @@ struct Topology {
 
 /// Facts about the whole that its author states because the formula cannot tell.
 struct StatedTopology {
-  std::string_view name;   ///< of the surface, for messages
-  double orientation = 1;  ///< of open surfaces; of closed ones it is measured
+  std::string_view name;                    ///< of the surface, for messages
+  double orientation = 1;                   ///< of open surfaces; of closed ones it is measured
+  std::span<const PatchEdge> borders = {};  ///< edges that are borders, whatever their points say
 };
 
 /// Finds everything above by looking at points of the edges. Two points count as one when they differ by less

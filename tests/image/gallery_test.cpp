@@ -48,10 +48,10 @@ class GalleryPicture : public PictureTest {
 // At a quarter of the wavelength in the film what its faces reflect is opposite: least for an index between
 // those of its sides, ((n0 n2 - n1^2) / (n0 n2 + n1^2))^2. At a half it is as if there were none: Fresnel's.
 TEST_F(GalleryPicture, AThinFilmReflectsLeastAtAQuarterWave) {
-  constexpr double kGreen = 549, kFilm = 1.38, kBase = 1.52;
+  constexpr double kWavelength = 549, kFilm = 1.38, kBase = 1.52;
   const auto green = [&](double waves) {
     const Image image = plate("thin_film.frag",
-                              {{"thickness", {waves * kGreen / kFilm}},
+                              {{"thickness", {waves * kWavelength / kFilm}},
                                {"uneven", {0}},
                                {"film", {kFilm}},
                                {"base", {kBase}},

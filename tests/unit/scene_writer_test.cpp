@@ -185,6 +185,7 @@ class RandomScene {
     if (coin()) desc.shininess = quantity();
     if (coin()) desc.opacity = quantity();
     if (coin()) desc.cutoff = quantity();
+    if (coin()) desc.displacement = quantity();
     desc.twoSided = word<TwoSided>(3);
     if (coin()) desc.shading = word<Shading>(kShadingNames.size());
     desc.lectureSpecular = coin();
