@@ -59,7 +59,7 @@ void expectFits(const Scene& scene, const std::string& what, PixelSize size = {1
   EXPECT_NEAR(coverage.least.y, 1 - coverage.most.y, 0.01);
 }
 
-Scene sceneOf(const Surface& surface) {
+Scene sceneWith(const Surface& surface) {
   Scene scene;
   scene.add(Node{.surface = surface});
   return scene;
@@ -79,9 +79,9 @@ Surface peaks() {
 
 TEST(FittedCamera, FillsThePictureInOneDirectionAndCutsNothingOff) {
   for (const PixelSize size : {PixelSize{1280, 720}, {720, 1280}, {100, 100}, {16, 1000}})
-    expectFits(sceneOf(peaks()), "peaks", size);
+    expectFits(sceneWith(peaks()), "peaks", size);
   for (const CatalogueEntry& entry : catalogue())
-    expectFits(sceneOf(makeSurface(entry)), std::string(entry.name));
+    expectFits(sceneWith(makeSurface(entry)), std::string(entry.name));
 }
 
 TEST(FittedCamera, FitsTheBuiltInScenesWithoutTheirCameras) {
@@ -94,7 +94,7 @@ TEST(FittedCamera, FitsTheBuiltInScenesWithoutTheirCameras) {
 }
 
 TEST(FittedCamera, StandsWhereItIsAskedTo) {
-  const Snapshot ball = takeSnapshot(sceneOf(sphere(1)), 0, {100, 100}, Camera{});
+  const Snapshot ball = takeSnapshot(sceneWith(sphere(1)), 0, {100, 100}, Camera{});
   for (const Vec3 direction : {kFittedDirection, Vec3(-3, 1, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)}) {
     const Camera camera = fitCamera(ball, {100, 100}, direction);
     expectNear(unit(camera.eye.at(0) - camera.lookAt.at(0)), unit(direction), 1e-12);
@@ -111,7 +111,7 @@ TEST(FittedCamera, WhatIsThinnerThanAnySamplingIsInThePicture) {
       },
       {{-1, 1}, {-1, 1}});
   const PixelSize size{320, 180};
-  const View view = takeSnapshot(sceneOf(needle), 0, size).view;
+  const View view = takeSnapshot(sceneWith(needle), 0, size).view;
   const Vec2 tip = pixelFromEye(view, eyeFromWorldPoint(view, Vec3(0.3141, 2, 0.2718)));
   EXPECT_GT(tip.y, 0.06 * size.height);
   EXPECT_LT(tip.y, 0.09 * size.height) << "as high as it, and no higher";
@@ -119,7 +119,7 @@ TEST(FittedCamera, WhatIsThinnerThanAnySamplingIsInThePicture) {
 
 // Around r = 0 interval bounds tell nothing but that it is below 3e9.
 TEST(FittedCamera, WhatBoundsDoNotExcludeIsNotLookedFor) {
-  expectFits(sceneOf(surface(
+  expectFits(sceneWith(surface(
                  [](auto x, auto y) {
                    const auto r = 6.0 * sqrt(x * x + y * y);
                    return point(x, 3.0 * sin(r) / (r + 1e-9), -y);
@@ -131,7 +131,7 @@ TEST(FittedCamera, WhatBoundsDoNotExcludeIsNotLookedFor) {
 TEST(FittedCamera, BordersAndPolesAreSeen) {
   const Surface dome =
       surface([](auto u, auto v) { return point(u, sqrt(1.0 - u * u - v * v), -v); }, {{-2, 2}, {-2, 2}});
-  const Coverage coverage = coverageOf(takeSnapshot(sceneOf(dome), 0, {1280, 720}));
+  const Coverage coverage = coverageOf(takeSnapshot(sceneWith(dome), 0, {1280, 720}));
   EXPECT_GT(coverage.larger(), 0.83);
   EXPECT_LT(coverage.larger(), 0.88) << "samples, a 64th of the radius apart, may end before the border";
 }
