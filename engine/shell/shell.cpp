@@ -28,9 +28,10 @@ namespace {
 constexpr double kSlack = 1.1;
 /// Parts of the shell's size: what single precision rounds away, and the thickness of what is flat.
 constexpr double kRounding = 1e-6, kThinnest = 1e-4;
-/// Devices move corners to a grid of 1/256 pixel: nearer to a border than 1/128 pixel a shell has to be there, too, or what
-/// ends where its neighbour begins has gaps. Of its tolerance, which is half a pixel at least; and of the size of the coarsest
-/// ones, of which small things have none finer (shell_list.cpp): of something a pixel across.
+/// Devices move corners to a grid of 1/256 pixel: by 1/128 pixel the shell of what is flat reaches over its
+/// borders, or what ends where its neighbour begins has gaps. Of its tolerance, which is half a pixel at
+/// least; and of the size of the coarsest ones, of which small things have none finer (shell_list.cpp): of
+/// something a pixel across.
 constexpr double kLeastOfTolerance = 1.0 / 64, kLeastOfSize = 1.0 / 128, kCoarsest = 1.0 / 91;
 
 /// Of the surface's size: no closer is it looked where a formula ends.
@@ -90,11 +91,9 @@ class Builder {
   /// little is below the other, too; what reaches farther is part of the other's height.
   [[nodiscard]] std::vector<Distances> distances() const {
     const ShellHeights& heights = frame_.heights();
-    const double tolerance = desc_.tolerance, size = frame_.size();
-    const double least =
-        std::max({std::min(0.1 * tolerance, kThinnest * size), kLeastOfTolerance * tolerance,
-                  tolerance >= kCoarsest * size ? kLeastOfSize * size : 0});
-    std::vector<Distances> distances(frame_.pointCount(), {least, least, least, least});
+    const double least = std::min(0.1 * desc_.tolerance, kThinnest * frame_.size());
+    std::vector<Distances> distances(frame_.pointCount(),
+                                     {least, least, std::max(least, leastBeyond()), least});
     const auto raise = [&](double& largest, double height) {
       largest = std::max(
           largest, kSlack * (std::isfinite(height) ? height : desc_.tolerance) + kRounding * frame_.size());
@@ -112,6 +111,16 @@ class Builder {
         raise(d.within, heights.within[w]);
       }
     return distances;
+  }
+
+  /// Over borders.
+  [[nodiscard]] double leastBeyond() const {
+    const double size = frame_.size();
+    const auto isFlat = [&](const std::vector<double>& heights) {
+      return std::ranges::all_of(heights, [&](double height) { return height <= kRounding * size; });
+    };
+    if (!isFlat(frame_.heights().above) || !isFlat(frame_.heights().below)) return 0;
+    return desc_.tolerance < kCoarsest * size ? kLeastOfTolerance * desc_.tolerance : kLeastOfSize * size;
   }
 
   void moveVertices(Shell& shell) {

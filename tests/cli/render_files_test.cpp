@@ -266,7 +266,7 @@ TEST_F(RenderFiles, AnotherCompositionThanAskedForIsTold) {
   EXPECT_FALSE(said("glass", "auto"));
   EXPECT_FALSE(said("luxo-grandpa", "fused"));
   EXPECT_FALSE(said("luxo-grandpa", "deferred"));
-  EXPECT_TRUE(said("luxo-grandpa", "deferred", {"--shading", "normals"}));
+  EXPECT_TRUE(said("luxo-grandpa", "deferred", {"--shading", "normal"}));
 }
 
 }  // namespace

@@ -383,9 +383,11 @@ TEST(Shell, VerticesCarryTheirCells) {
 
 TEST(Shell, FlatSurfacesAreThin) {
   // Of 1e-4 of the size; its corners move along both walls' normals and the plane's.
-  const Shell shell = shellOf(rectangle(3, 4), 0.1);
+  const Shell shell = shellOf(rectangle(3, 4), 0.01);
   EXPECT_EQ(shell.bound, 0);
   EXPECT_NEAR(shell.offset, 5e-4 * std::sqrt(3.0), 1e-9);
+  // The coarsest is of what may be a pixel across, and reaches over both borders by 1/128 of its size.
+  EXPECT_NEAR(shellOf(rectangle(3, 4), 0.1).offset, std::hypot(5e-4, 5.0 / 128, 5.0 / 128), 1e-6);
   EXPECT_EQ(shell.triangleCount(), 12u);
   // A rim deviates sideways, by nearly the bound.
   const Shell rim = shellOf(disk(1), 0.01);
