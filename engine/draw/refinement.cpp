@@ -81,12 +81,7 @@ auto Refinement::judge(const Submit&) -> std::optional<Rays> {
 void Refinement::search(const Submit& submit) {
   const std::uint64_t failed = statistics_.error.auditFailedPx;
   do {
-    FrameStatistics attempt;
-    submit(
-        [&](VkCommandBuffer commands) {
-          painter_->record(*frames_, commands, *view_, *snapshot_, options_, attempt);
-        },
-        {}, attempt);
+    FrameStatistics attempt = paint(submit);
     addCost(attempt, statistics_);
     statistics_ = attempt;
   } while (view_->makeRoom());
@@ -96,17 +91,19 @@ void Refinement::search(const Submit& submit) {
   statistics_.error.auditFailedPx = failed;
 }
 
+FrameStatistics Refinement::paint(const Submit& submit) {
+  FrameStatistics painted;
+  submit(
+      [&](VkCommandBuffer commands) {
+        painter_->record(*frames_, commands, *view_, *snapshot_, options_, painted);
+      },
+      {}, painted);
+  return painted;
+}
+
 void Refinement::drawPoints(const Submit& submit) {
   const bool anew = view_->makeRoomFor(points_);
-  if (anew) {
-    FrameStatistics again;
-    submit(
-        [&](VkCommandBuffer commands) {
-          painter_->record(*frames_, commands, *view_, *snapshot_, options_, again);
-        },
-        {}, again);
-    addCost(statistics_, again);
-  }
+  if (anew) addCost(statistics_, paint(submit));
   std::vector<PixelPlace> pixels = points_.pixels;
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
   submit(

@@ -72,6 +72,8 @@ class Refinement {
 
   /// Again where what is seen through had no room.
   void search(const Submit& submit);
+  /// The picture without rays, once.
+  [[nodiscard]] FrameStatistics paint(const Submit& submit);
   /// Into the picture that was drawn last; which is drawn again, where it has no room for them.
   void drawPoints(const Submit& submit);
   void timeRays(const std::function<void()>& work);
