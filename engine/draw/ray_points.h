@@ -84,7 +84,7 @@ struct RayPoints {
 /// A pixel that searches leave in doubt.
 struct Doubt {
   PixelPlace pixel;
-  bool point = true;     ///< in doubt is which it shows: a search was lost, or what it shows is not certified
+  bool point = true;     ///< in doubt is which it shows: a search was lost, or what it found is not certified
   bool shadows = false;  ///< or only these there
   bool layers = false;   ///< or only what is seen through there
   float shown = 0;       ///< the depth, as in the depth buffer, of a point that its own search has certified

@@ -80,15 +80,12 @@ std::vector<Doubt> RenderView::doubts(const std::function<void(const Recording& 
   const std::vector<ShownDepth> shown = feedback_.shown(pixels);
   std::vector<Doubt> doubts;
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const auto& [pixel, lost, shadows, layers, left] = open[i];
-    // A point that is not certified matters where it is seen.
-    const bool point = lost || !shown[i].certified;
-    if (point || shadows || layers)
-      doubts.push_back({.pixel = pixel,
-                        .point = point,
-                        .shadows = shadows,
-                        .layers = layers,
-                        .shown = left || !shown[i].certified ? 0 : shown[i].depth});
+    const auto& [pixel, point, shadows, layers, left] = open[i];
+    doubts.push_back({.pixel = pixel,
+                      .point = point || !shown[i].certified,
+                      .shadows = shadows,
+                      .layers = layers,
+                      .shown = left || !shown[i].certified ? 0 : shown[i].depth});
   }
   if (ofMeshes) addMeshPoints(doubts);
   return doubts;

@@ -217,17 +217,16 @@ std::vector<OpenPixel> SearchFeedback::open(std::span<const PixelRect> byRays,
                                                  << shared::kDoubtBits * (pixel % shared::kDoubtsPerWord);
   };
   const std::vector<bool> left = coveredBy(byRays);
-  mark(left, shared::kLostHere);
+  mark(left, shared::kPointOpenHere);
   mark(coveredBy(shadowsByRays), shared::kShadowOpenHere);
   std::vector<OpenPixel> found;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
-      constexpr std::uint32_t kAny =
-          shared::kLostHere | shared::kUncertifiedHere | shared::kShadowOpenHere | shared::kLayersOpenHere;
+      constexpr std::uint32_t kAny = shared::kPointOpenHere | shared::kShadowOpenHere | shared::kLayersOpenHere;
       if ((bits & kAny) == 0) continue;
       const auto pixel = static_cast<std::int32_t>(word * shared::kDoubtsPerWord + k);
       found.push_back({{pixel % width, pixel / width},
-                       (bits & shared::kLostHere) != 0,
+                       (bits & shared::kPointOpenHere) != 0,
                        (bits & shared::kShadowOpenHere) != 0,
                        (bits & shared::kLayersOpenHere) != 0,
                        !left.empty() && left[static_cast<std::size_t>(pixel)]});

@@ -22,7 +22,7 @@ namespace luxo {
 /// left to rays from the start; or whose shadows, or layers, are open.
 struct OpenPixel {
   PixelPlace pixel;
-  bool lost;  ///< or left to rays
+  bool point;  ///< or left to rays
   bool shadows;
   bool layers;
   bool left;  ///< to rays, whatever is shown

@@ -30,16 +30,15 @@ ShadeData shadeAt(uint i) {
   return ShadeData(packed3(first), packed(first + 3), packed(first + 4));
 }
 
-void doubtPixel(uint why) {
+void doubtPixel() {
   uint width = uint(2.0 * varyingCellHalf.z), pixel = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x);
-  atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], why << kDoubtBits * (pixel % kDoubtsPerWord));
+  atomicOr(doubts.ofPixels[pixel / kDoubtsPerWord], kPointOpenHere << kDoubtBits * (pixel % kDoubtsPerWord));
 }
 
 Found foundPoint() {
   Root root;
   int result = rootOfPixel(root);
-  if (result == kLost || result == kFound && !root.certified)
-    doubtPixel(result == kLost ? kLostHere : kUncertifiedHere);
+  if (result == kLost || result == kFound && !root.certified) doubtPixel();
   if (result != kFound || !inDepthRange(root.depth)) discard;
   float depth = float(root.depth);
   gl_FragDepth = float(inDepthBuffer(root.depth));

@@ -149,12 +149,12 @@ LUXO_NUMBER kFarCells = 2.0;
 
 LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
 
-// What is in doubt, some bits a pixel, row by row: a search has lost a surface there; what it has found there is not
-// certified; whether it is in shadow was not settled, or what is seen through there.
-LUXO_CONSTANT kLostHere = 1;
-LUXO_CONSTANT kUncertifiedHere = 2;
-LUXO_CONSTANT kShadowOpenHere = 4;
-LUXO_CONSTANT kLayersOpenHere = 8;
+// What is in doubt, some bits a pixel, row by row: a search has lost a surface there, or what it has found is not certified,
+// even if something else is seen in front of it: the point which that search should have found may be nearer; whether what is
+// seen is in shadow was not settled; or what is seen through.
+LUXO_CONSTANT kPointOpenHere = 1;
+LUXO_CONSTANT kShadowOpenHere = 2;
+LUXO_CONSTANT kLayersOpenHere = 4;
 LUXO_CONSTANT kDoubtBits = 4;
 LUXO_CONSTANT kDoubtsPerWord = 8;
 
@@ -525,7 +525,7 @@ inline constexpr uint kLightFlags = ((1u << kFlagsOfLight * kCarriedLights) - 1)
 static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
               (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
-static_assert(kLostHere < 1u << kDoubtBits && kUncertifiedHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
+static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
