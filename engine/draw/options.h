@@ -84,6 +84,8 @@ struct DrawOptions {
   /// that all instances of a shell are one draw: the longer search costs less there than a draw of its own
   /// (80 us on a CPU device).
   std::uint64_t sharedPixels = 64 * 64;
+  /// And of so many nodes at most, the first in the list: what comes after them shares draws, however large.
+  std::size_t maxDrawnApart = 512;
   bool shareShells = true;    ///< off: such instances are drawn one by one, to the same bits
   bool cullBackFaces = true;  ///< off: both faces of everything are rasterised, for looking at meshes
   Skips skips;

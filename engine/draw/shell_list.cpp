@@ -76,7 +76,8 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
   draws.exact = plane ? exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, *plane)
                       : exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, number);
   draws.exact.firstPatch = patchesOf(node, *batch.shell);
-  batch.shared = !inside && !options_.finerShells && pixels.count() <= options_.sharedPixels;
+  batch.shared = !inside && !options_.finerShells && sharesDraws(pixels);
+  if (!batch.shared) ++drawnApart_;
   const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && !options_.finerShells);
   for (const Shell::Part& part : batch.shell->parts) {
     batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
@@ -101,6 +102,11 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
     }
   }
   return draws;
+}
+
+/// What is small, and what comes after the nearest ones that are drawn by themselves.
+bool ShellList::sharesDraws(const PixelRect& pixels) const {
+  return pixels.count() <= options_.sharedPixels || drawnApart_ >= options_.maxDrawnApart;
 }
 
 /// What is seen where rays begin inside the shell is found by rays.

@@ -57,6 +57,7 @@ class ShellList {
   void listOutline(const DrawBatch& batch, std::uint32_t instance, std::uint32_t index);
   [[nodiscard]] Ranges sharedRanges(const Shell& shell, std::uint32_t firstIndex, std::uint32_t count);
   [[nodiscard]] std::uint32_t patchesOf(const SnapshotNode& node, const Shell& shell);
+  [[nodiscard]] bool sharesDraws(const PixelRect& pixels) const;
 
   const Snapshot& snapshot_;
   const DrawOptions& options_;
@@ -65,6 +66,7 @@ class ShellList {
   std::map<std::pair<const void*, std::vector<double>>, std::uint32_t> firstPatchOf_;
   std::map<std::pair<const Shell*, std::uint32_t>, Ranges> sharedRanges_;
   std::vector<std::uint32_t> sharedIndices_;
+  std::size_t drawnApart_ = 0;  ///< nodes that share no draws
 };
 
 }  // namespace luxo

@@ -66,6 +66,28 @@ TEST_F(InstancesTest, FormulasShareTheirDraws) {
   expectTheSamePicture(cloud({"torus", "klein_figure8"}, 250, {320, 200}, 0.15), 2 * 2 * 4 * 2);
 }
 
+// Beyond so many nodes large ones share draws, too: what 240 of them add are levels and materials, of which there are no
+// more than of 60. A torus that is drawn by itself is two draws of each side at most, and with all in front has one.
+TEST_F(InstancesTest, LargeOnesShareTheirDrawsBeyondSome) {
+  DrawOptions few;
+  few.skips.hidden = false;
+  few.maxDrawnApart = 8;
+  few.sharedPixels = 0;
+  few.audit = {.atLeast = 4000};
+  const std::uint64_t most = 2 * 8 + 7 * 4 * 2;
+  for (const int count : {60, 240}) {
+    const Snapshot snapshot = cloud({"torus"}, count, {320, 200});
+    const Picture picture = renderer().render(snapshot, few);
+    EXPECT_EQ(picture.statistics.error.auditFailedPx, 0u);
+    EXPECT_LE(picture.statistics.count.drawCalls, most + picture.statistics.error.resolvedByRaysPx);
+    DrawOptions all = few;
+    all.maxDrawnApart = 1000;
+    const Picture apart = renderer().render(snapshot, all);
+    EXPECT_GT(apart.statistics.count.drawCalls, static_cast<std::uint64_t>(count));
+    EXPECT_LE(largestDifference(apart.image, picture.image), 1e-4);
+  }
+}
+
 // What is large is told apart triangle by triangle, hides what is behind it, and shares nothing by mistake.
 TEST_F(InstancesTest, LargeAndSmallOnesTogether) {
   const Snapshot snapshot = cloud({"sphere", "torus"}, 60, {1024, 640});
@@ -74,10 +96,7 @@ TEST_F(InstancesTest, LargeAndSmallOnesTogether) {
   DrawOptions all;
   all.skips = Skips::none();
   const Picture whole = renderer().render(snapshot, all);
-  double most = 0;
-  for (std::size_t i = 0; i < whole.image.samples().size(); ++i)
-    most = std::max(most, std::abs(double{whole.image.samples()[i]} - picture.image.samples()[i]));
-  EXPECT_LE(most, 1e-4);
+  EXPECT_LE(largestDifference(whole.image, picture.image), 1e-4);
   // GPUs leave what is hidden to the depth test.
   if (context().deviceInfo().type == gpu::DeviceType::Cpu) {
     EXPECT_GT(picture.statistics.count.culledHidden, 0u);
