@@ -692,7 +692,7 @@ case_soak() {
   start --size 1000x600
   sleep 2
   local keys=(1 2 3 4 5 t w l c m a i s h 0 r space Left Right p shift+Left)
-  local begin end=$((SECONDS + ${LUXO_SOAK_SECONDS:-180}))
+  local begin end=$((SECONDS + ${LUXO_SOAK_SECONDS:-60}))
   begin=$(awk '/^VmRSS/ { print int($2 / 1024) }' "/proc/$program/status")
   RANDOM=7
   while ((SECONDS < end)); do
@@ -726,7 +726,7 @@ case_edits() {
   view wave.luxo.json --size 320x180
   local begin i
   begin=$(megabytes)
-  for ((i = 1; i <= ${LUXO_SOAK_EDITS:-150}; ++i)); do
+  for ((i = 1; i <= ${LUXO_SOAK_EDITS:-75}; ++i)); do
     write_wave wave.luxo.json "0.3*sin((k+0.01*$i)*u)"
     await "edit $i is shown" logged 'shows the scene as it was saved' "$i"
   done
