@@ -234,7 +234,7 @@ case_lab_edits() {
   lab tint.frag --size 320x180
   local begin i
   begin=$(megabytes)
-  for ((i = 1; i <= ${LUXO_SOAK_EDITS:-200}; ++i)); do
+  for ((i = 1; i <= ${LUXO_SOAK_EDITS:-500}; ++i)); do
     write_tint "tint*(0.5+sin($i.5*p.uv.x))"
     await "edit $i is shown" logged 'shows the scene as it was saved' "$i"
   done
