@@ -23,13 +23,13 @@
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "process_tuning.h"
-#include "scene/fitted_camera.h"
 #include "scene/snapshot.h"
 #include "surface/cloth_simulation.h"
 #include "validation.h"
 #include "viewer/controls.h"
 #include "viewer/file_watch.h"
 #include "viewer/frame_meter.h"
+#include "viewer/notices.h"
 #include "viewer/panels.h"
 #include "viewer/photographer.h"
 #include "viewer/picture_mouse.h"
@@ -37,6 +37,7 @@
 #include "viewer/probe.h"
 #include "viewer/progressive_mean.h"
 #include "viewer/sliders.h"
+#include "viewer/viewed_moment.h"
 #include "window/presenter.h"
 #include "window/swapchain.h"
 #include "window/window.h"
@@ -52,10 +53,7 @@ constexpr double kWhileWorking = 0.02;        // ... that waits for a file, or f
 constexpr double kRest = 1;                   // ... or longer, is time for what need not be done at once
 constexpr std::chrono::seconds kTidying{10};  // ... which is done as often all the same
 constexpr std::chrono::milliseconds kPatience{250};  // input waits so long for shells to be made
-// Of lights with a radius, while anything moves; once it rests, so many times more from picture to picture.
-constexpr std::uint32_t kQuickShadowSamples = 4, kSofter = 4;
-constexpr double kQuickTolerancePx = 4;  // of the mesh that is seen until there is more
-constexpr double kMessageSeconds = 4, kAlertSeconds = 12;
+constexpr double kQuickTolerancePx = 4;              // of the mesh that is seen until there is more
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -67,16 +65,6 @@ VkExtent2D extentOf(PixelSize size) {
 
 PixelSize sizeOf(VkExtent2D extent) {
   return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
-}
-
-// The same view for a window of another size: as high as it was, and wider or narrower.
-View resized(View view, PixelSize size) {
-  view.size = size;
-  view.pixelsPerUnit = size.height / (2 * view.halfExtent.y);
-  const double halfWidth = size.width / (2 * view.pixelsPerUnit);
-  view.clipFromEye[0].x *= view.halfExtent.x / halfWidth;
-  view.halfExtent.x = halfWidth;
-  return view;
 }
 
 gpu::ContextDesc contextDesc(const window::Window& window, const ViewerOptions& options,
@@ -104,6 +92,7 @@ class Viewer {
         mean_(context_, frames_, painter_, view_),
         probe_(context_),
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
+        moment_(viewed_, controls_),
         presets_(options.shader),
         watch_(std::in_place, viewed_.files, [this] { window_.wake(); }) {
     status_.title = options.title;
@@ -146,7 +135,7 @@ class Viewer {
     if (!visible_) return photographer_.secondsToRest().value_or(kForever);
     if (dirty_ || !wanted_.empty() || controls_.playback().playing()) return until(nextFrame_);
     double seconds = photographer_.busy() || mean_.casting() ? kWhileWorking : kForever;
-    if (message_) seconds = std::min(seconds, until(messageEnd_));
+    if (const auto end = notices_.end()) seconds = std::min(seconds, until(*end));
     return std::min(seconds, photographer_.secondsToRest().value_or(kForever));
   }
 
@@ -177,7 +166,7 @@ class Viewer {
     if (controls_.playback().playing() != wasPlaying)
       log(LogLevel::Debug, fmt::format("{} at {:.3f} s after {} submits", wasPlaying ? "paused" : "going on",
                                        controls_.playback().seconds(now), submits()));
-    if (message_ && now >= messageEnd_) message_.reset();
+    notices_.expire(now);
     if (const auto outcome = photographer_.poll()) tell(*outcome);
     damaged_ |= events.damaged;
     dirty_ = true;  // perhaps: showNext() finds out
@@ -193,14 +182,14 @@ class Viewer {
         break;
       case Controls::Request::Photo:
         if (pictures_ == 0) break;
-        wanted_.push_back({refused_ ? shown_ : snapshotOrLast(kMaxShadowSamples), photoOptions()});
-        tell({.text = "saving a picture"}, kForever);
+        wanted_.push_back({refused_ ? shown_ : moment_.whole(size(), last()), photoOptions()});
+        notices_.tellWhile({.text = "saving a picture"});
         break;
       case Controls::Request::Fullscreen:
         window_.toggleFullscreen();
         break;
       case Controls::Request::NoMultisampling:
-        tell({.text = "this device has no 4 samples per pixel", .alert = true});
+        notices_.tell({.text = "this device has no 4 samples per pixel", .alert = true});
         break;
       case Controls::Request::ResetParameters:
         sliders_.reset(viewed_.scene);
@@ -212,8 +201,7 @@ class Viewer {
     try {
       if (sliders_.obey(key, viewed_.scene)) log(LogLevel::Debug, "a parameter is typed");
     } catch (const Error& error) {
-      tell({.text = error.what(), .alert = true});
-      log(LogLevel::Debug, message_->text);
+      notices_.tell({.text = error.what(), .alert = true});
     }
   }
 
@@ -221,13 +209,11 @@ class Viewer {
   void obey(const window::Grab& grab) {
     try {
       if (const auto done = presets_.obey(grab, sliders_, viewed_.scene, viewed_.controls)) {
-        tell({.text = *done});
-        log(LogLevel::Debug, *done);
+        notices_.tell({.text = *done});
         return;
       }
     } catch (const Error& error) {
-      tell({.text = error.what(), .alert = true});
-      log(LogLevel::Debug, message_->text);
+      notices_.tell({.text = error.what(), .alert = true});
       return;
     }
     if (mouse_.obey(grab, size(), viewed_.scene)) return;
@@ -237,7 +223,8 @@ class Viewer {
   void obey(const window::Drag& drag) { move(drag); }
   void obey(const window::Scroll& scroll) { move(scroll); }
   void move(const auto& gesture) {
-    if (size().height > 0) controls_.move(gesture, sceneCamera(), {status_.seconds, parameters_}, size());
+    if (size().height > 0)
+      controls_.move(gesture, moment_.sceneCamera(size()), {moment_.seconds(), moment_.parameters()}, size());
   }
 
   void takePhotos() {
@@ -245,8 +232,7 @@ class Viewer {
       for (const Photo& photo : std::exchange(wanted_, {})) photographer_.take(photo.snapshot, photo.options);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::Scene) throw;
-      tell({.text = error.what(), .alert = true});
-      log(LogLevel::Debug, message_->text);
+      notices_.tell({.text = error.what(), .alert = true});
     }
   }
 
@@ -258,20 +244,13 @@ class Viewer {
   }
 
   void tell(const Photographer::Outcome& outcome) {
-    tell(outcome.error ? Message{.text = outcome.error->what(), .alert = true}
-                       : Message{.text = fmt::format("saved {}", outcome.file.string())});
-    log(LogLevel::Debug, message_->text);
+    notices_.tell(outcome.error ? Message{.text = outcome.error->what(), .alert = true}
+                                : Message{.text = fmt::format("saved {}", outcome.file.string())});
   }
 
   // Whose steps take their time.
   void endClothWithWindow(const Scene& scene) {
     scene.clothSimulation()->setInterruption([this] { return window_.asked() && window_.closing(); });
-  }
-
-  void tell(const Message& message) { tell(message, message.alert ? kAlertSeconds : kMessageSeconds); }
-  void tell(const Message& message, double seconds) {
-    message_ = message;
-    messageEnd_ = Clock::now() + std::chrono::milliseconds(std::lround(1e3 * seconds));
   }
 
   // A file of the scene was saved. What cannot be read leaves everything as it is.
@@ -285,50 +264,19 @@ class Viewer {
       controls_.adopt(viewed_, next, Clock::now());
       if (next.files != viewed_.files) watch_.emplace(next.files, [this] { window_.wake(); });
       viewed_ = std::move(next);
-      problem_.clear();
+      notices_.file({});
       look();
       log(LogLevel::Debug, "shows the scene as it was saved");
     } catch (const Error& error) {
-      problem_ = inWords(error);
-      log(LogLevel::Debug, problem_);
+      notices_.file(inWords(error));
     }
-  }
-
-  static std::string inWords(const Error& error) {
-    return error.what() + (error.hint().empty() ? "" : "\nhelp: " + error.hint());
   }
 
   // A scene comes into view.
   void look() {
-    const Scene& scene = viewed_.scene;
-    fitted_.reset();
-    if (scene.cameras().empty())
-      fitted_ = {takeSnapshot(scene, scene.settings().time, viewed_.settings.size, Camera{}), {0, 0}, {}};
+    moment_.look();
     sliders_.adopt(viewed_.scene, viewed_.controls);
     mouse_.adopt(viewed_.scene, viewed_.mouse);
-    mostShadowSamples_ = 1;
-    for (const Scene::Entry& entry : scene.nodes())
-      if (const std::optional<Light>& light = entry.node.light; light && light->shadow != Light::Shadow::None)
-        mostShadowSamples_ = std::max(mostShadowSamples_, light->shadowSamples);
-  }
-
-  // Where the scene has none, one that stands still while sliders move: turning a parameter shows what it
-  // does.
-  [[nodiscard]] Camera sceneCamera() {
-    if (viewed_.camera.valid()) return viewed_.scene[viewed_.camera];
-    if (!fitted_) return viewed_.scene.cameras().front();
-    if (fitted_->size != size()) {
-      fitted_->size = size();
-      fitted_->camera = fitCamera(fitted_->scene, fitted_->size);
-    }
-    return fitted_->camera;
-  }
-
-  [[nodiscard]] Snapshot snapshotNow(std::uint32_t mostShadowSamples) {
-    status_.seconds = controls_.playback().seconds(Clock::now());
-    parameters_ = viewed_.scene.parametersAt(status_.seconds);
-    return takeSnapshot(viewed_.scene, status_.seconds, size(), controls_.ownCamera().value_or(sceneCamera()),
-                        mostShadowSamples);
   }
 
   /// What differs from what is seen, and so has to be done.
@@ -371,7 +319,7 @@ class Viewer {
   }
 
   [[nodiscard]] Turn nextTurn(Clock::time_point start) {
-    Turn turn{.start = start, .snapshot = nextSnapshot(), .draw = optionsOfNext()};
+    Turn turn{.start = start, .snapshot = moment_.next(size(), last()), .draw = optionsOfNext()};
     if (refused_ && (refused_->snapshot != turn.snapshot || refused_->options != turn.draw)) refused_.reset();
     if (refused_) {
       turn.snapshot = lastShown();
@@ -394,8 +342,7 @@ class Viewer {
 
   // Soft shadows of what rests get more samples with the next turn.
   [[nodiscard]] bool softens(const Turn& turn) {
-    if (!rests(turn) || shadowSamples_ >= mostShadowSamples_) return false;
-    shadowSamples_ = std::min(shadowSamples_ * kSofter, mostShadowSamples_);
+    if (!rests(turn) || !moment_.soften()) return false;
     dirty_ = true;
     return true;
   }
@@ -492,7 +439,7 @@ class Viewer {
 
   // Of pictures that are complete: what their shaders must not do.
   [[nodiscard]] std::string faultsOfShaders() {
-    if (context_.timeline().completed() < context_.timeline().submitted()) return faults_;
+    if (context_.timeline().completed() < context_.timeline().submitted()) return notices_.shaders();
     try {
       refuseShaders(shown_, view_.shaderFaults());
       return {};
@@ -502,8 +449,8 @@ class Viewer {
   }
 
   void noteFaults(const std::string& faults) {
-    if (faults == faults_) return;
-    faults_ = faults;
+    if (faults == notices_.shaders()) return;
+    notices_.shaders(faults);
     if (!faults.empty()) log(LogLevel::Debug, faults);
     dirty_ = true;
   }
@@ -534,33 +481,8 @@ class Viewer {
     return false;
   }
 
-  // Soft shadows take few samples while anything moves, and more once it stands still.
-  [[nodiscard]] Snapshot nextSnapshot() {
-    Snapshot quick = snapshotOrLast(kQuickShadowSamples);
-    if (mostShadowSamples_ <= kQuickShadowSamples) return quick;
-    if (quick != quick_) shadowSamples_ = kQuickShadowSamples;
-    quick_ = quick;
-    return shadowSamples_ > kQuickShadowSamples ? snapshotOrLast(shadowSamples_) : std::move(quick);
-  }
-
-  // A moment that the scene does not allow (a value out of its range) keeps the last one on the screen.
-  [[nodiscard]] Snapshot snapshotOrLast(std::uint32_t mostShadowSamples) {
-    try {
-      Snapshot snapshot = snapshotNow(mostShadowSamples);
-      impossible_.clear();
-      return snapshot;
-    } catch (const Error& error) {
-      if (pictures_ == 0 || error.kind() != ErrorKind::Scene) throw;
-      impossible_ = error.what();
-      return lastShown();
-    }
-  }
-
-  [[nodiscard]] Snapshot lastShown() const {
-    Snapshot last = shown_;
-    if (last.view.size != size()) last.view = resized(last.view, size());
-    return last;
-  }
+  [[nodiscard]] Snapshot lastShown() const { return resized(shown_, size()); }
+  [[nodiscard]] const Snapshot* last() const { return pictures_ > 0 ? &shown_ : nullptr; }
 
   [[nodiscard]] gpu::Texture& shownPicture() {
     return mean_.samples() > 0 ? mean_.picture() : view_.picture();
@@ -603,10 +525,11 @@ class Viewer {
   [[nodiscard]] std::vector<window::Panel> panels() {
     std::vector<window::Panel> panels;
     const double scale = window_.contentScale();
+    status_.seconds = moment_.seconds();
     status_.reading = meter_.read(controls_.playback().playing(), Clock::now());
     if (controls_.showsNumbers()) panels.push_back(numbersPanel(status_, controls_));
     if (controls_.showsSliders())
-      if (auto sliders = sliders_.panel(viewed_.scene, parameters_)) {
+      if (auto sliders = sliders_.panel(viewed_.scene, moment_.parameters())) {
         presets_.addRows(*sliders);
         panels.push_back(std::move(*sliders));
       }
@@ -615,18 +538,7 @@ class Viewer {
       if (auto told = probe_.panel()) panels.push_back(std::move(*told));
     }
     if (controls_.showsKeys()) panels.push_back(keysPanel());
-    if (!problem_.empty()) {
-      panels.push_back(
-          errorPanel("The file has errors. This is the scene before them.", problem_, size(), scale));
-    } else if (!impossible_.empty()) {
-      panels.push_back(errorPanel("There is no picture of this moment.", impossible_, size(), scale));
-    } else if (refused_) {
-      panels.push_back(
-          errorPanel("This cannot be drawn. The picture is the one before.", refused_->why, size(), scale));
-    } else if (!faults_.empty()) {
-      panels.push_back(errorPanel("Shaders do what they must not.", faults_, size(), scale));
-    }
-    if (message_) panels.push_back(messagePanel(*message_));
+    notices_.addPanels(panels, moment_.impossible(), refused_ ? refused_->why : "", size(), scale);
     return panels;
   }
 
@@ -645,33 +557,22 @@ class Viewer {
   Probe probe_;
 
   Controls controls_;
+  ViewedMoment moment_;
   Sliders sliders_;
   Presets presets_;
   PictureMouse mouse_;
-  std::vector<double> parameters_;  // at the moment that is shown
-  // Of a scene without a camera: what it was when it came into view, and the camera for a size of the window.
-  struct Fitted {
-    Snapshot scene;
-    PixelSize size;
-    Camera camera;
-  };
-  std::optional<Fitted> fitted_;
-  std::string problem_;     // of the file as it was saved; empty: none
-  std::string impossible_;  // why the scene has no picture now; empty: it has
   struct Refused {
     Snapshot snapshot;
     DrawOptions options;
     std::string why;
   };
   std::optional<Refused> refused_;  // what could not be drawn, as long as it is what there is to draw
-  std::string faults_;              // of the shaders of what is shown; empty: none
   struct Photo {
     Snapshot snapshot;
     DrawOptions options;
   };
   std::vector<Photo> wanted_;  // pictures to save, once that has been said
-  std::optional<Message> message_;
-  Clock::time_point messageEnd_;
+  Notices notices_;
   FrameMeter meter_;
   Status status_;
   bool quit_ = false;
@@ -689,9 +590,6 @@ class Viewer {
   Clock::time_point patienceEnd_;         // from here on input does so
 
   Snapshot shown_;
-  // Of lights with a radius: what the scene asks for, and what is shown; quick_ has kQuickShadowSamples.
-  std::uint32_t mostShadowSamples_ = 1, shadowSamples_ = kQuickShadowSamples;
-  Snapshot quick_;
   std::optional<DrawOptions> drawn_;
   std::vector<window::Panel> panels_;
   std::vector<window::GrabArea> areas_;
