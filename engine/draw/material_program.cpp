@@ -470,6 +470,10 @@ void MaterialProgram::check(const Material& material) const {
       refuse(fmt::format("the uniform '{}' of '{}' is of type {}: {} number{}, not {}", value.name, file,
                          arrayText(*uniform), wanted, wanted == 1 ? "" : "s", value.values.size()),
              {});
+    if (value.truth && type->scalar != "bool")
+      refuse(fmt::format("the uniform '{}' of '{}' is of type {}, not true or false", value.name, file,
+                         arrayText(*uniform)),
+             wanted == 1 ? "give a number" : "give numbers");
     for (const double number : value.values) {
       if (isSampler && number > 2)
         refuse(fmt::format("the uniform '{}' of '{}' is a {}, and there is no map {}", value.name, file,

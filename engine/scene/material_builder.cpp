@@ -228,6 +228,7 @@ void MaterialBuilder::addShader(const MaterialDesc& desc, Moving& material) {
     MapPlace& place = material.uniformPlaces.emplace_back();
     UniformValue& value = material.fixed.uniforms.emplace_back(
         UniformValue{uniform.name.text, {}, {source.name, source.text, rangeOf(uniform.place)}});
+    value.truth = uniform.truth;
     if (const std::optional<MapDesc> map = textureOf(uniform, shader, file_.parameters))
       addMap(*map, value.map, place);
     else

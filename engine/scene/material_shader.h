@@ -65,6 +65,7 @@ struct UniformValue {
   std::vector<double> values;
   TextPlace place = {};
   TextureMap map = {};
+  bool truth = false;  ///< values are of true and false, for a bool only
 
   friend bool operator==(const UniformValue&, const UniformValue&) = default;
 };

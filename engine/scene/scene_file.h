@@ -137,6 +137,7 @@ struct UniformDesc {
   std::vector<Quantity> values = {};
   FilePlace place = {};
   std::optional<MapDesc> map = {};
+  bool truth = false;  ///< said as true or false
 
   friend bool operator==(const UniformDesc&, const UniformDesc&) = default;
 };

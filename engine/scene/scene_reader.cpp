@@ -287,12 +287,14 @@ void SceneReader::readMaterial(const JsonValue& value, const FileName& name) {
 void SceneReader::readUniforms(const JsonValue& value, std::vector<UniformDesc>& uniforms) {
   readNamed(value, [&](const JsonValue& v, const FileName& name) {
     UniformDesc uniform{.name = name, .place = placeOf(v.where())};
+    std::size_t truths = 0;
     const auto add = [&](const auto& self, const JsonValue& one) -> void {
       if (one.kind() == JsonKind::Array) {
         for (JsonValue item = one.first(); item.exists(); item = item.next()) self(self, item);
       } else if (one.isBoolean()) {
         bool truth = false;
         values_.read(one, truth);
+        ++truths;
         uniform.values.emplace_back(truth ? 1 : 0, placeOf(one.where()));
       } else if (one.kind() == JsonKind::String && one.string().starts_with('#')) {
         Quantity3 color;
@@ -306,6 +308,8 @@ void SceneReader::readUniforms(const JsonValue& value, std::vector<UniformDesc>&
       readTextureMap(v, uniform.map.emplace());
     else
       add(add, v);
+    uniform.truth = truths > 0;
+    if (uniform.truth && truths < uniform.values.size()) values_.reject(v, "true and false, or numbers");
     uniforms.push_back(std::move(uniform));
   });
 }

@@ -158,12 +158,20 @@ JsonText written(const MapDesc& map, NormalSpace space = NormalSpace::Tangent) {
   return isName ? JsonText::string(map.texture.text) : writtenPlaced(map, space);
 }
 
+JsonText writtenTruth(const Quantity& value) { return JsonText::boolean(value.number() != 0); }
+
 JsonText written(const std::vector<UniformDesc>& uniforms) {
+  const auto writtenOne = [](const UniformDesc& uniform) {
+    if (uniform.map) return writtenPlaced(*uniform.map);
+    if (!uniform.truth)
+      return uniform.values.size() == 1 ? written(uniform.values[0]) : written(uniform.values);
+    if (uniform.values.size() == 1) return writtenTruth(uniform.values[0]);
+    JsonText truths = JsonText::array();
+    for (const Quantity& value : uniform.values) truths.add(writtenTruth(value));
+    return truths;
+  };
   Members members;
-  for (const UniformDesc& uniform : uniforms)
-    members.put(uniform.name.text, uniform.map                  ? writtenPlaced(*uniform.map)
-                                   : uniform.values.size() == 1 ? written(uniform.values[0])
-                                                                : written(uniform.values));
+  for (const UniformDesc& uniform : uniforms) members.put(uniform.name.text, writtenOne(uniform));
   return members.take();
 }
 

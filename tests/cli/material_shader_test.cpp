@@ -153,6 +153,9 @@ TEST_F(MaterialShaderProgram, ValuesHaveNamesAndTypes) {
               R"({ "tnt": [1, 0, 0] })");
   EXPECT_THAT(drawn(shader, R"({ "tnt": [1, 0, 0] })").err, HasSubstr("did you mean 'tint'?"));
   expectError(shader, "is of type vec3: 3 numbers, not 2", R"({ "tint": [1, 0] })");
+  expectError(shader, "is of type int, not true or false", R"({ "steps": true })");
+  expectError(shader, "is of type vec3, not true or false", R"({ "tint": [true, false, true] })");
+  expectError(shader, "expected true and false, or numbers", R"({ "tint": [1, false, 0] })");
   expectError(shader, "is of type int, and this is 0.5", R"({ "steps": "k" })");
   const Outcome outcome =
       drawn(shader, R"({ "tint": "#ff8000", "gloss": "k", "steps": 1, "idle": 2 })", {"-P", "k=0.25"});
