@@ -161,13 +161,21 @@ TEST_F(ExactExtremes, FormulasWithHoles) {
   const auto nowhere = [](auto u, auto v) { return point(u, sqrt(-1 - u * u), v); };
   EXPECT_THROW(draw(glowingScene(surface(nowhere, {{-1, 1}, {-1, 1}})), above, kExactExtremesSize), Error);
 
-  const Image image = draw(glowingScene(dome), above, kExactExtremesSize).image;
+  const Image image = draw(glowingScene(dome), above, kExactExtremesSize).image,
+              poles = draw(glowingScene(pole), above, kExactExtremesSize).image,
+              halves = draw(glowingScene(half), above, kExactExtremesSize).image;
   for (int y = 0; y < kExactExtremesSize.height; ++y)
     for (int x = 0; x < kExactExtremesSize.width; ++x) {
       const Vec3 p = model.through(centerOf(x, y)).origin;
       const double radius = std::hypot(p.x, p.z);
       const bool shown = shows(image, x, y);
       ASSERT_TRUE(radius < 0.9 ? shown : radius < 1.001 || !shown) << x << ", " << y;
+      // Both sides of the line where one is infinite, and one side of where the other ends.
+      const bool inside = std::abs(p.x) < 0.99 && std::abs(p.z) < 0.99;
+      if (inside && std::abs(p.x) > 0.05) {
+        ASSERT_TRUE(shows(poles, x, y)) << x << ", " << y;
+        ASSERT_EQ(shows(halves, x, y), p.x > 0) << x << ", " << y;
+      }
     }
 }
 
@@ -221,6 +229,7 @@ TEST_F(ExactExtremes, ScalesThatUndoTheFormulas) {
     return draw(scene, camera, kExactExtremesSize, {.output = output});
   };
   const Picture round = shown(Vec3(1), Output::Normal);
+  EXPECT_GT(std::ranges::count_if(round.image.samples(), [](float number) { return number != 0; }), 1000);
   for (const Vec3& undone : {Vec3(1e-6, 1, 1e6), Vec3(1e4, 1e-5, 3)}) {
     const Picture uneven = shown(undone, Output::Normal);
     // A factor of two is left of the scale, along either direction; GPUs are given what is hidden, too.

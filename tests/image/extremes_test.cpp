@@ -77,7 +77,11 @@ TEST_F(Extremes, FlattenedNodesAreFinite) {
       const Camera camera{.eye = Vec3(2, 3, 4)};
       EXPECT_TRUE(allFinite(draw(scene, camera, kExtremesSize, {.shading = shading}).image))
           << scale.x << scale.y << scale.z << " " << nameOf(shading);
-      EXPECT_TRUE(allFinite(draw(scene, camera, kExtremesSize, {.output = Output::Normal}).image))
+      const Image normals = draw(scene, camera, kExtremesSize, {.output = Output::Normal}).image;
+      EXPECT_TRUE(allFinite(normals)) << scale.x << scale.y << scale.z;
+      // What is flattened once is a disk, and seen.
+      const bool isDisk = scale.x + scale.y + scale.z == 2;
+      EXPECT_EQ(std::ranges::any_of(normals.samples(), [](float number) { return number != 0; }), isDisk)
           << scale.x << scale.y << scale.z;
     }
 }

@@ -335,11 +335,15 @@ TEST_F(GalleryShading, DentsTurnWithTheirNode) {
         .image;
   };
   const Image still = shown(0), turned = shown(0.8);
-  int different = 0;
+  const Vec3 background = colorAt(still, 0, 0);
+  int different = 0, seen = 0;
   for (int y = 0; y < kShadedPixels; ++y)
-    for (int x = 0; x < kShadedPixels; ++x)
+    for (int x = 0; x < kShadedPixels; ++x) {
       different += !near(colorAt(still, x, y), colorAt(turned, x, y), 2e-3);
+      seen += !near(colorAt(still, x, y), background, 2e-3);
+    }
   EXPECT_LE(different, 20);  // at kinks of noise, and its outline
+  EXPECT_GT(seen, 500);
 }
 
 // What comes from behind is what goes through, from the front what is thrown back, by the cosine on that

@@ -246,6 +246,7 @@ TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
       surface([](auto u, auto v) { return point(3 * u, 2 * v, u * v); }, {{-1, 1}, {-1, 1}});
   const auto errorOf = [&](const std::string& value) {
     Scene scene;
+    scene.set(plainSettings());
     scene.add(Node{.translation = Vec3(0.5, -0.2, 0),
                    .rotation = Rotation{{1, 2, 0.5}, 0.6},
                    .surface = saddle,
@@ -266,13 +267,15 @@ TEST_F(MaterialShaderPicture, TheFrameIsThatOfTheSurface) {
     for (const float sample : image.samples()) largest = std::max(largest, double(sample));
     return largest;
   };
-  EXPECT_LE(errorOf("length(p.Su - u)"), 0.03);  // the background is 0.02 to 0.03
-  EXPECT_LE(errorOf("length(p.Sv - v)"), 0.03);
-  EXPECT_LE(errorOf("length(p.tangent - normalize(u))"), 0.03);
-  EXPECT_LE(errorOf("length(p.object - vec3(3.0 * p.uv.x, 2.0 * p.uv.y, p.uv.x * p.uv.y))"), 0.03);
+  constexpr double kRounding = 4e-6;  // of numbers up to 3
+  EXPECT_EQ(errorOf("0.5"), 0.5);
+  EXPECT_LE(errorOf("length(p.Su - u)"), kRounding);
+  EXPECT_LE(errorOf("length(p.Sv - v)"), kRounding);
+  EXPECT_LE(errorOf("length(p.tangent - normalize(u))"), kRounding);
+  EXPECT_LE(errorOf("length(p.object - vec3(3.0 * p.uv.x, 2.0 * p.uv.y, p.uv.x * p.uv.y))"), kRounding);
   EXPECT_LE(errorOf("abs(dot(p.bitangent, p.normal)) + abs(dot(p.bitangent, p.tangent)) + (dot(p.bitangent, "
                     "v) > 0.0 ? 0.0 : 1.0)"),
-            0.03);
+            kRounding);
 }
 
 TEST_F(MaterialShaderPicture, WhatIsNoNumberIsMagentaAndCounted) {
