@@ -142,6 +142,20 @@ Json corrugated(Numbers& n) {
   return formula(range(0, 1), v, {"u-0.5", height, n.chance(0.5) ? "v" : "-v"});
 }
 
+/// Small things made of large numbers: phases of hundreds, as time makes them, and differences of radii.
+Json cancelling(Numbers& n) {
+  const double radius = n.magnitude(5, 300), half = n.between(0.1, 1);
+  const Json u = aroundZero(n, half, half), v = aroundZero(n, 0.1, 1);
+  if (n.chance(0.3))
+    return formula(u, v, {Written{"{0}*cos(u/{0})-{0}", number(radius)}, "v", Written{"{0}*sin(u/{0})", number(radius)}});
+  if (n.chance(0.4))
+    return formula(u, v, {"u", Written{"{0}-sqrt({0}^2-u^2-v^2)", number(radius)}, "v"});
+  Text wave = Written{"{}*sin({}*u+{})", number(n.magnitude(0.02, 0.3)), number(n.between(2, 20)),
+                      number(n.magnitude(30, 3000))};
+  if (n.chance(0.4)) wave += Written{"*cos({}*v-{})", number(n.between(1, 6)), number(n.magnitude(30, 3000))};
+  return formula(u, v, {"u", wave, "v"});
+}
+
 /// A sheet with displacements of all sizes, smaller where they are finer.
 Json crumple(Numbers& n) {
   Point p = {"u", "0", "v"};
@@ -387,6 +401,7 @@ std::span<const SurfaceKind> surfaceKinds() {
       SurfaceKind{"coil", "turns of a wire that touch", coil},
       SurfaceKind{"ruled", "straight lines between two curves", ruled},
       SurfaceKind{"corrugated", "waves straight along one parameter, down to parts of a pixel", corrugated},
+      SurfaceKind{"cancelling", "small things made of large numbers", cancelling},
   };
   return kKinds;
 }

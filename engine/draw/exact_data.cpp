@@ -56,6 +56,11 @@ double reach(const SnapshotNode& node) {
   return glm::length(along);
 }
 
+/// How many times as long as their depth the rays at the corners of the picture are, at least the usual.
+double slantOf(const View& view) {
+  return view.perspective() ? std::max(std::hypot(1.0, glm::length(view.halfExtent)) / kUsualSlant, 1.0) : 1;
+}
+
 /// Pixels that rounding moves a point by: `everywhere`, and `near` over its depth.
 struct Rounding {
   double everywhere, near;
@@ -69,13 +74,25 @@ struct Rounding {
 /// rays there is no distance with room to spare for both what rounding a point and what rounding its place in
 /// the picture leaves.
 Rounding roundingPx(const View& view, const SnapshotNode& node, const Shell& shell, GlslNumber number) {
-  const double aslant =
-      view.perspective() ? std::max(std::hypot(1.0, glm::length(view.halfExtent)) / kUsualSlant, 1.0) : 1;
+  const double aslant = slantOf(view);
   const double rounding = roundingOf(number) * view.pixelsPerUnit * aslant;
   const double nextParameters =
       rounding / kTimesRounded * shell.parameterReach * largestStretch(node.worldFromObject.linear);
   if (view.perspective()) return {rounding * aslant, rounding * reach(node) + nextParameters};
   return {rounding * (glm::length(view.halfExtent) + 2 * reach(node)) + nextParameters, 0};
+}
+
+/// The formula's own operations may move a point farther than by what has the object's size, and no residual
+/// tells, as it is computed by the same operations. A ray that is 70 degrees off the normal meets what is
+/// moved along that three times as far off.
+Rounding singlePrecisionPx(const View& view, const SnapshotNode& node, const Shell& shell) {
+  constexpr double kAslant = 3;
+  Rounding rounding = roundingPx(view, node, shell, GlslNumber::Float);
+  const double formula = kAslant * shell.formulaRounding * largestStretch(node.worldFromObject.linear) *
+                         view.pixelsPerUnit * slantOf(view);
+  double& most = view.perspective() ? rounding.near : rounding.everywhere;
+  most = std::max(most, formula);
+  return rounding;
 }
 
 /// Edges that are points are edges of u or of v, never of both.
@@ -169,7 +186,7 @@ shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const Sna
 }  // namespace
 
 bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
-  const Rounding rounding = roundingPx(view, node, shell, GlslNumber::Float);
+  const Rounding rounding = singlePrecisionPx(view, node, shell);
   const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
   const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMaxRoundingPx; };
   if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
@@ -180,7 +197,7 @@ bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& 
 }
 
 bool losesEdges(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
-  const Rounding rounding = roundingPx(view, node, shell, GlslNumber::Float);
+  const Rounding rounding = singlePrecisionPx(view, node, shell);
   const double depth = view.perspective() ? std::max(visible.nearestDepth, nearestSeen(view, node)) : 1;
   return rounding.everywhere + rounding.near / depth > kOutlinePx;
 }

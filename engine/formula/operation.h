@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 
 #include "base/assert.h"
 #include "formula/expression.h"
@@ -44,13 +45,15 @@ namespace number {
 }  // namespace number
 
 /// Sine and cosine of one angle, which together cost little more than one.
-inline void sinCos(double x, double& sine, double& cosine) {
-  const double s = std::sin(x), c = std::cos(x);
+template <std::floating_point Number>
+inline void sinCos(Number x, Number& sine, Number& cosine) {
+  const Number s = std::sin(x), c = std::cos(x);
   sine = s;
   cosine = c;
 }
 
-/// The value of one operation; `Number` is double, Interval or PartialInterval.
+/// The value of one operation; `Number` is double, float, Interval or PartialInterval. (What
+/// is computed in double for a float is rounded once.)
 template <class Number>
 [[nodiscard]] Number operate(Op op, const Number& x, const Number& y, const Number& z, int exponent) {
   using number::min, number::max, number::sign, number::less, number::lessEqual, number::equal,

@@ -34,7 +34,7 @@ Number numberOf(double x) {
   if constexpr (std::is_same_v<Number, Interval>)
     return boundConstant(x);
   else
-    return x;
+    return static_cast<Number>(x);
 }
 
 }  // namespace
@@ -162,6 +162,13 @@ void Tape::evaluatePoint(double u, double v, std::span<const double> parameters,
                          std::span<double> values) const {
   require(parameters, values.size());
   const double* const all = run(u, v, parameters);
+  for (std::size_t k = 0; k < outputs_.size(); ++k) values[k] = all[outputs_[k]];
+}
+
+void Tape::evaluateInSingle(float u, float v, std::span<const double> parameters,
+                            std::span<float> values) const {
+  require(parameters, values.size());
+  const float* const all = run(u, v, parameters);
   for (std::size_t k = 0; k < outputs_.size(); ++k) values[k] = all[outputs_[k]];
 }
 

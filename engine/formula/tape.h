@@ -54,6 +54,9 @@ class Tape {
   /// The outputs at one point; `values` takes one per output. Allocates nothing.
   void evaluatePoint(double u, double v, std::span<const double> parameters, std::span<double> values) const;
 
+  /// The same in single precision, every operation of it: what a shader makes of the formula.
+  void evaluateInSingle(float u, float v, std::span<const double> parameters, std::span<float> values) const;
+
   /// Intervals that hold every output over the rectangle u x v (rigorous: outward rounding). `bounds` takes
   /// one per output. A bounded interval also says that the output is defined all over the rectangle.
   /// Allocates nothing.

@@ -9,9 +9,13 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "base/assert.h"
+#include "math/float32.h"
+#include "math/sampling.h"
 #include "shell/shell_frame.h"
 #include "shell/shell_occluder.h"
 #include "shell/shell_refinement.h"
@@ -37,6 +41,9 @@ constexpr double kLeastOfTolerance = 1.0 / 64, kLeastOfSize = 1.0 / 128, kCoarse
 /// Of the surface's size: no closer is it looked where a formula ends.
 constexpr double kOpen = 1.0 / 24;
 
+/// Places at which it is looked how far rounding moves a point: of a surface, and of each patch at least.
+constexpr std::size_t kRoundingProbes = 512, kLeastRoundingProbes = 32;
+
 constexpr int kMaxFinerMeshes = 6;
 constexpr std::size_t kMaxRefinedTriangles = 200'000;
 
@@ -47,6 +54,10 @@ constexpr double kReach = 1.25, kReachAtEdge = 2, kReachAtBorder = 3;
 constexpr double kInside = 1.5;
 /// A ray runs inside the slab as far as it is thick, and farther where that grows.
 constexpr double kRun = 1.5;
+
+/// Cells: as far as most rays' roots are from where they enter the shell. Measured at 1280x720: with 0.3 of Klein's bottle
+/// 169 pixels go to rays, with this or more 3; larger ones make more triangles grazing.
+constexpr double kUsualWay = 0.6;
 
 /// Triangles so many times as far from an edge that is a point as they are long do not notice it.
 constexpr double kNearPole = 2;
@@ -68,8 +79,14 @@ double leastRise(double inside, double around, double slope) {
 /// Turns a frame into a shell.
 class Builder {
  public:
-  Builder(const Surface& surface, const CurvatureMap& map, const ShellFrame& frame, const ShellDesc& desc)
-      : surface_(surface), map_(map), frame_(frame), desc_(desc), mesh_(frame.mesh()) {}
+  Builder(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
+          const ShellFrame& frame, const ShellDesc& desc)
+      : surface_(surface),
+        parameters_(parameters),
+        map_(map),
+        frame_(frame),
+        desc_(desc),
+        mesh_(frame.mesh()) {}
 
   void build(Shell& shell) {
     shell.bound = mesh_.bound;
@@ -80,6 +97,7 @@ class Builder {
     setChanges(shell);
     shell.medianRadius = medianRadius();
     shell.parameterReach = parameterReach(shell);
+    shell.formulaRounding = formulaRounding(shell);
     findCones(shell);
     addParts(shell);
     shell.occluder = occluderOf(shell, frame_, distances_, sources_);
@@ -229,6 +247,37 @@ class Builder {
     return most;
   }
 
+  [[nodiscard]] double formulaRounding(const Shell& shell) const {
+    double most = 0;
+    const std::size_t patches = shell.patchData.size(),
+                      probes = std::max(kRoundingProbes / patches, kLeastRoundingProbes);
+    for (std::size_t i = 0; i < patches; ++i) {
+      const auto& [u, v] = shell.patchData[i].domain;
+      for (std::size_t k = 0; k < probes && !shell.patchData[i].equation; ++k) {
+        const Vec2 at =
+            Vec2(u.lo, v.lo) + quasirandomPoint(static_cast<double>(k)) * Vec2(u.hi - u.lo, v.hi - v.lo);
+        const double moved = roundingAt(surface_.patches()[i], at);
+        if (std::isfinite(moved)) most = std::max(most, moved);
+      }
+    }
+    return most;
+  }
+
+  /// At those parameters, as float has them, where shaders count u from (SurfaceFunction::originOfU).
+  [[nodiscard]] double roundingAt(const Patch& patch, const Vec2& parameters) const {
+    const PatchInputs patchInputs(patch, parameters_);
+    const std::span<const double> all = patchInputs;
+    std::vector<double> inputs(all.begin(), all.end());
+    if (patch.function->originOfU) inputs[*patch.function->originOfU - 2] = 0;
+    const Vec2 at = roundedToFloat(parameters - Vec2(patch.originOfU(), 0));
+    Vec3 exact;
+    std::array<float, 3> rounded;
+    patch.function->position.evaluatePoint(at.x, at.y, inputs, std::span(&exact.x, 3));
+    patch.function->position.evaluateInSingle(static_cast<float>(at.x), static_cast<float>(at.y), inputs,
+                                              rounded);
+    return glm::length(Vec3(rounded[0], rounded[1], rounded[2]) - exact);
+  }
+
   void setCells(Shell& shell) const {
     const std::size_t count = mesh_.positions.size();
     shell.cells.resize(2 * count, Vec2(0));
@@ -289,6 +338,23 @@ class Builder {
             .sine = static_cast<float>(std::max(std::sin(rise), thickness / std::hypot(thickness, height)))};
   }
 
+  /// Of the angle to the surface from which on rays meet it so steeply that a root is certified to be the first
+  /// without a walk (`certified` of shaders/lib/exact_root.glsl): |J|^2 K^2 r^2 <= 1.8 det^2, where det is that of
+  /// the tangents of a cell times the sine. More than 1: from no angle.
+  [[nodiscard]] float sineToCertify(const Shell& shell, std::size_t t) const {
+    const auto corners = frame_.corners(t);
+    const auto from0 = [&](const auto& of, std::size_t k) { return of[corners[k]] - of[corners[0]]; };
+    const Vec2 a = from0(mesh_.parameters, 1), b = from0(mesh_.parameters, 2);
+    const Vec3 alongA = from0(mesh_.positions, 1), alongB = from0(mesh_.positions, 2);
+    const double area = a.x * b.y - a.y * b.x;
+    const Vec2 cell = shell.cells[corners[0]];
+    const Vec3 ju = (b.y * alongA - a.y * alongB) * (cell.x / area),
+               jv = (a.x * alongB - b.x * alongA) * (cell.y / area);
+    const double size = std::sqrt(glm::dot(ju, ju) + glm::dot(jv, jv)),
+                 change = shell.changes[corners[0]] * kUsualWay;
+    return static_cast<float>(change * size / (std::sqrt(1.8) * glm::length(glm::cross(ju, jv))));
+  }
+
   /// The largest angle between a triangle's normal and the surface's in it; infinite where unknown.
   [[nodiscard]] double turnInside(std::size_t t) const {
     if (!frame_.smooth(t)) return std::numeric_limits<double>::infinity();
@@ -313,11 +379,16 @@ class Builder {
   void findCones(const Shell& shell) {
     const std::vector<double> height = heights();
     std::vector<double> lowest(frame_.pointCount(), std::numeric_limits<double>::infinity());
+    std::vector<float> certain(frame_.pointCount(), 0);
     for (std::size_t t = 0; t < height.size(); ++t) {
       const auto corners = frame_.corners(t);
       cones_.push_back(coneOf(shell, frame_.facet(t), corners, height[t], turnInside(t)));
-      for (const std::uint32_t v : corners)
-        lowest[frame_.pointOf(v)] = std::min(lowest[frame_.pointOf(v)], height[t]);
+      cones_.back().certain = sineToCertify(shell, t);
+      for (const std::uint32_t v : corners) {
+        const std::size_t point = frame_.pointOf(v);
+        lowest[point] = std::min(lowest[point], height[t]);
+        certain[point] = std::max(certain[point], cones_.back().certain);
+      }
     }
     for (const ShellFrame::WallEdge& wall : frame_.walls()) {
       const std::array ends{wall.from, wall.to};
@@ -329,6 +400,8 @@ class Builder {
           coneOf(shell, length > 0 ? sum / length : Vec3(0), ends,
                  std::min(lowest[frame_.pointOf(wall.from)], lowest[frame_.pointOf(wall.to)]),
                  std::numeric_limits<double>::infinity()));
+      wallCones_.back().certain =
+          std::max(certain[frame_.pointOf(wall.from)], certain[frame_.pointOf(wall.to)]);
     }
   }
 
@@ -386,6 +459,7 @@ class Builder {
   }
 
   const Surface& surface_;
+  std::span<const double> parameters_;
   const CurvatureMap& map_;
   const ShellFrame& frame_;
   const ShellDesc& desc_;
@@ -454,7 +528,7 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
   }
   if (isInterrupted()) return std::nullopt;
   dropFalseEquations(shell, *frame);
-  Builder(surface, map, *frame, desc).build(shell);
+  Builder(surface, parameters, map, *frame, desc).build(shell);
   return shell;
 }
 

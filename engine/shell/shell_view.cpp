@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shell/shell_view.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace luxo {
@@ -12,11 +13,12 @@ ShellView::ShellView(const Vec4& eye, bool tellApart) : eye_(eye), tellApart_(te
 
 Seen ShellView::seen(const Shell& shell, std::uint32_t firstIndex, double side) const {
   const NormalCone& cone = shell.cones[firstIndex / 3];
-  bool transversal = tellApart_ && cone.sine <= 1, away = transversal;
+  bool away = tellApart_ && cone.sine <= 1, transversal = away;
+  const double steep = std::max(cone.sine, cone.certain);
   for (std::uint32_t k = 0; k < 3 && (transversal || away); ++k) {
     const Vec3 toEye = Vec3(eye_) - eye_.w * shell.positions[shell.indices[firstIndex + k]];
     const double height = side * glm::dot(Vec3(cone.axis), toEye), distance = glm::length(toEye);
-    transversal = transversal && height > cone.sine * distance;
+    transversal = transversal && height > steep * distance;
     away = away && height < -cone.sine * distance;
   }
   return away ? Seen::Away : transversal ? Seen::Transversal : Seen::Grazing;

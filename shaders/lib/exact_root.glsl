@@ -440,9 +440,12 @@ int findRoot(Ray ray, out real2 p, out Probe at) {
 // proven bound of how much it changes over a cell, |1/J|^2 |f| K <= 1/2 proves that a single root is near.
 //
 // And the ray has not met the surface before, between where it entered the shell and the root. That is so of a root nearer
-// to the eye than that place, which hides whatever is farther on, and where J cannot vanish that near to the root,
-// |1/J| K r < 1. Elsewhere the way there is walked, along the curve of points to which the ray's are nearest. One lane in a
-// hundred, and a loop that no pixel of a group is in costs nothing.
+// to the eye than that place, which hides whatever is farther on, and where that place is too near to the root for another
+// one: a root d cells from this one has J d = f(root + d) - f(root) - (what J changes by on the way), so |J d| <= K d^2 / 2,
+// and d >= 2 / |1/J| K. The entry is r cells off along u and along v at most, so at sqrt(2) r or less; |1/J| is |J| / det at
+// most; and a tenth is for what the root itself is off by. Elsewhere, of grazing triangles, the way there is walked, along the
+// curve of points to which the ray's are nearest. One lane in a hundred, and a loop that no pixel of a group is in costs
+// nothing.
 //
 // Theorem: let the offset at a place of the curve be h, along the normal n on the screen, and let it grow across the curve,
 // per cell, by a along the fold t and by `tilt` a along n. On the curve n.f has no zero within d cells, 0 < d <= a / 4 K, if
@@ -457,9 +460,9 @@ bool certified(Ray ray, real2 p, Probe at) {
   real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p);
   real k = changeOfOffset(ray);
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
+  bool nearer = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
+  bool first = nearer || squares * k * k * r * r <= 1.8 * det * det;
   if (kGrazing) {
-    bool nearer = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
-    bool first = nearer || 2.0 * squares * k * k * r * r <= det * det;
     real side = det * shellSide() > 0.0 ? 1.0 : -1.0, left = r;
     for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
       real2 q = mix(p, startAtEntry().xy, left / r);
@@ -470,9 +473,8 @@ bool certified(Ray ray, real2 p, Probe at) {
       first = step_ >= left;
       left -= step_;
     }
-    proven = proven && first;
   }
-  return proven;
+  return proven && first;
 }
 
 // The parameters as the surface names them.
@@ -505,5 +507,6 @@ int rootOfPixel(out Root root) {
   rootFrame = vec4(unitOrZero(relative(vec3(at.Su))), flipped ? 1.0 : -1.0);
 #endif
   root.certified = certified(ray, p, at);
-  return result;
+  // A root beyond a border is all that there is to find if no other can be on the way to it.
+  return !kGrazing && result == kMissed && !root.certified && !isLeftOut() ? kLost : result;
 }

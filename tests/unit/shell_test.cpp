@@ -32,6 +32,24 @@ double sizeOf(const Surface& surface, std::span<const double> parameters = {}) {
   return glm::length(surface.framing(parameters).extent());
 }
 
+// A few units in the last place of the largest number, and where a formula has none but exact ones, nothing.
+TEST(Shell, FormulaRoundingIsWhatSinglePrecisionMovesPointsBy) {
+  const auto roundingOf = [](auto formula) {
+    return shellOf(surface(formula, {{-0.2, 0.2}, {-0.2, 0.2}}), 0.001).formulaRounding;
+  };
+  EXPECT_EQ(roundingOf([](auto u, auto v) { return point(u, 0.25 * u, v); }), 0);
+  const double plain = roundingOf([](auto u, auto v) { return point(u, 0.2 * sin(8 * u), v); }),
+               phase = roundingOf([](auto u, auto v) { return point(u, 0.2 * sin(8 * u + 900), v); }),
+               mirror = roundingOf([](auto u, auto v) { return point(u, 30 - sqrt(900 - u * u - v * v), v); });
+  EXPECT_GT(plain, 0);
+  EXPECT_LT(plain, 0x1p-24);
+  // The phase is off by half of 2^-14, and the sine by as much; radii of 30 metres by halves of 2^-19.
+  EXPECT_GT(phase, 0.2 * 0.7 * 0x1p-15);
+  EXPECT_LT(phase, 0.2 * 1.1 * 0x1p-15);
+  EXPECT_GT(mirror, 0.7 * 0x1p-20);
+  EXPECT_LT(mirror, 2.2 * 0x1p-20);
+}
+
 using Triangle = std::array<Vec3, 3>;
 
 std::vector<Triangle> slabOf(const Shell& shell, std::uint32_t patch) {
