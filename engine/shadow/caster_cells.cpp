@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surface/equation.h"
+#include "surface/formula_rounding.h"
 #include "surface/spread.h"
 #include "surface/surface_triangles.h"
 
@@ -161,7 +162,11 @@ CasterCells makeCasterCells(const Surface& surface, const SurfaceTriangles& tria
 
 CasterCells makeCasterCells(const Surface& surface, std::span<const double> parameters,
                             const CurvatureMap& map) {
-  return Cutter(surface, parameters, map).cut();
+  CasterCells made = Cutter(surface, parameters, map).cut();
+  const std::size_t probes = std::max(kRoundingProbes / surface.patchCount(), kLeastRoundingProbes);
+  for (const Patch& patch : surface.patches())
+    made.rounding = std::max(made.rounding, formulaRounding(patch, parameters, probes));
+  return made;
 }
 
 }  // namespace luxo

@@ -44,6 +44,7 @@ struct CasterCells {
   double size = 0;                 ///< of the surface, about
   std::optional<Vec3> flatNormal;  ///< of a surface in one plane; object space
   bool convex = false;             ///< isEllipsoid()
+  double rounding = 0;             ///< how far single precision moves its points (surface/formula_rounding.h)
 
   /// Whether light rays can be held against them: they end somewhere.
   [[nodiscard]] bool finite() const { return isFinite(bounds); }

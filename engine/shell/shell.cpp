@@ -14,11 +14,10 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "math/float32.h"
-#include "math/sampling.h"
 #include "shell/shell_frame.h"
 #include "shell/shell_occluder.h"
 #include "shell/shell_refinement.h"
+#include "surface/formula_rounding.h"
 #include "tessellate/block_plan.h"
 #include "tessellate/parallel.h"
 
@@ -41,9 +40,6 @@ constexpr double kLeastOfTolerance = 1.0 / 64, kLeastOfSize = 1.0 / 128, kCoarse
 /// Of the surface's size: no closer is it looked where a formula ends.
 constexpr double kOpen = 1.0 / 24;
 
-/// Places at which it is looked how far rounding moves a point: of a surface, and of each patch at least.
-constexpr std::size_t kRoundingProbes = 512, kLeastRoundingProbes = 32;
-
 constexpr int kMaxFinerMeshes = 6;
 constexpr std::size_t kMaxRefinedTriangles = 200'000;
 
@@ -55,8 +51,8 @@ constexpr double kInside = 1.5;
 /// A ray runs inside the slab as far as it is thick, and farther where that grows.
 constexpr double kRun = 1.5;
 
-/// Cells: as far as most rays' roots are from where they enter the shell. Measured at 1280x720: with 0.3 of Klein's bottle
-/// 169 pixels go to rays, with this or more 3; larger ones make more triangles grazing.
+/// Cells: as far as most rays' roots are from where they enter the shell. Measured at 1280x720: with 0.3 of
+/// Klein's bottle 169 pixels go to rays, with this or more 3; larger ones make more triangles grazing.
 constexpr double kUsualWay = 0.6;
 
 /// Triangles so many times as far from an edge that is a point as they are long do not notice it.
@@ -97,7 +93,7 @@ class Builder {
     setChanges(shell);
     shell.medianRadius = medianRadius();
     shell.parameterReach = parameterReach(shell);
-    shell.formulaRounding = formulaRounding(shell);
+    shell.formulaRounding = roundingOf(shell);
     findCones(shell);
     addParts(shell);
     shell.occluder = occluderOf(shell, frame_, distances_, sources_);
@@ -247,35 +243,14 @@ class Builder {
     return most;
   }
 
-  [[nodiscard]] double formulaRounding(const Shell& shell) const {
-    double most = 0;
+  [[nodiscard]] double roundingOf(const Shell& shell) const {
     const std::size_t patches = shell.patchData.size(),
                       probes = std::max(kRoundingProbes / patches, kLeastRoundingProbes);
-    for (std::size_t i = 0; i < patches; ++i) {
-      const auto& [u, v] = shell.patchData[i].domain;
-      for (std::size_t k = 0; k < probes && !shell.patchData[i].equation; ++k) {
-        const Vec2 at =
-            Vec2(u.lo, v.lo) + quasirandomPoint(static_cast<double>(k)) * Vec2(u.hi - u.lo, v.hi - v.lo);
-        const double moved = roundingAt(surface_.patches()[i], at);
-        if (std::isfinite(moved)) most = std::max(most, moved);
-      }
-    }
+    double most = 0;
+    for (std::size_t i = 0; i < patches; ++i)
+      if (!shell.patchData[i].equation)
+        most = std::max(most, formulaRounding(surface_.patches()[i], parameters_, probes));
     return most;
-  }
-
-  /// At those parameters, as float has them, where shaders count u from (SurfaceFunction::originOfU).
-  [[nodiscard]] double roundingAt(const Patch& patch, const Vec2& parameters) const {
-    const PatchInputs patchInputs(patch, parameters_);
-    const std::span<const double> all = patchInputs;
-    std::vector<double> inputs(all.begin(), all.end());
-    if (patch.function->originOfU) inputs[*patch.function->originOfU - 2] = 0;
-    const Vec2 at = roundedToFloat(parameters - Vec2(patch.originOfU(), 0));
-    Vec3 exact;
-    std::array<float, 3> rounded;
-    patch.function->position.evaluatePoint(at.x, at.y, inputs, std::span(&exact.x, 3));
-    patch.function->position.evaluateInSingle(static_cast<float>(at.x), static_cast<float>(at.y), inputs,
-                                              rounded);
-    return glm::length(Vec3(rounded[0], rounded[1], rounded[2]) - exact);
   }
 
   void setCells(Shell& shell) const {
@@ -338,9 +313,9 @@ class Builder {
             .sine = static_cast<float>(std::max(std::sin(rise), thickness / std::hypot(thickness, height)))};
   }
 
-  /// Of the angle to the surface from which on rays meet it so steeply that a root is certified to be the first
-  /// without a walk (`certified` of shaders/lib/exact_root.glsl): |J|^2 K^2 r^2 <= 1.8 det^2, where det is that of
-  /// the tangents of a cell times the sine. More than 1: from no angle.
+  /// Of the angle to the surface from which on rays meet it so steeply that a root is certified to be the
+  /// first without a walk (`certified` of shaders/lib/exact_root.glsl): |J|^2 K^2 r^2 <= 1.8 det^2, where det
+  /// is that of the tangents of a cell times the sine. More than 1: from no angle.
   [[nodiscard]] float sineToCertify(const Shell& shell, std::size_t t) const {
     const auto corners = frame_.corners(t);
     const auto from0 = [&](const auto& of, std::size_t k) { return of[corners[k]] - of[corners[0]]; };

@@ -54,8 +54,8 @@ struct ShellPatch {
 struct NormalCone {
   Vec3f axis{0};   ///< unit, object space, outward
   float sine = 2;  ///< of the angle around it; above 1: any direction
-  /// Of the angle to the surface from which on what most rays meet is certified to be the first without a walk;
-  /// above 1: from no angle.
+  /// Of the angle to the surface from which on what most rays meet is certified to be the first without a
+  /// walk; above 1: from no angle.
   float certain = 0;
 };
 
@@ -93,9 +93,8 @@ struct Shell {
   /// How far a point moves, at most, as far as the mesh tells, when its u and v change by all of themselves:
   /// numbers with n bits round away 2^-n of that. Of patches without equations; object units.
   double parameterReach = 0;
-  /// How far single precision moves a point where the formula is computed in it, the most of some hundred
-  /// places: where it has large phases, or takes the difference of large numbers, far more than 2^-24 of
-  /// the object's size. Of patches without equations; object units.
+  /// How far single precision moves a point where the formula is computed in it (surface/formula_rounding.h).
+  /// Of patches without equations; object units.
   double formulaRounding = 0;
   /// Half of the surface's area bends more sharply than with this radius in some direction, as far as the
   /// mesh tells; infinite of what is mostly flat. Object units.

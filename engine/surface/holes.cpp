@@ -16,7 +16,7 @@ namespace {
 constexpr int kCells = 64;
 constexpr int kLineSamples = 33;
 constexpr int kBisections = 30;
-constexpr std::size_t kMaxRectangles = 4;  // of one group
+constexpr std::size_t kMaxGroupRectangles = 4;
 /// A formula that takes values this many times as large as elsewhere, so near to a place where it cannot be
 /// bounded, is unbounded there.
 constexpr double kUnbounded = 100;
@@ -166,7 +166,7 @@ class HoleSearch {
       else
         *above = {above->left, above->right, row, hull(above->domain, run.domain)};
     }
-    if (runs.size() > kMaxRectangles) return {all};
+    if (runs.size() > kMaxGroupRectangles) return {all};
     std::vector<Domain> rectangles;
     for (const Run& run : runs) rectangles.push_back(run.domain);
     return rectangles;
