@@ -147,9 +147,10 @@ Json cancelling(Numbers& n) {
   const double radius = n.magnitude(5, 300), half = n.between(0.1, 1);
   const Json u = aroundZero(n, half, half), v = aroundZero(n, 0.1, 1);
   if (n.chance(0.3))
-    return formula(u, v, {Written{"{0}*cos(u/{0})-{0}", number(radius)}, "v", Written{"{0}*sin(u/{0})", number(radius)}});
-  if (n.chance(0.4))
-    return formula(u, v, {"u", Written{"{0}-sqrt({0}^2-u^2-v^2)", number(radius)}, "v"});
+    return formula(
+        u, v,
+        {Written{"{0}*cos(u/{0})-{0}", number(radius)}, "v", Written{"{0}*sin(u/{0})", number(radius)}});
+  if (n.chance(0.4)) return formula(u, v, {"u", Written{"{0}-sqrt({0}^2-u^2-v^2)", number(radius)}, "v"});
   Text wave = Written{"{}*sin({}*u+{})", number(n.magnitude(0.02, 0.3)), number(n.between(2, 20)),
                       number(n.magnitude(30, 3000))};
   if (n.chance(0.4)) wave += Written{"*cos({}*v-{})", number(n.between(1, 6)), number(n.magnitude(30, 3000))};

@@ -15,9 +15,10 @@
 namespace luxo {
 
 /// x^n by repeated squaring: the same rounding wherever it is evaluated.
-[[nodiscard]] inline double integerPower(double x, int n) {
+template <std::floating_point Number>
+[[nodiscard]] Number integerPower(Number x, int n) {
   if (n < 0) return 1 / integerPower(x, -n);
-  double result = 1;
+  Number result = 1;
   for (; n > 0; n >>= 1, x *= x)
     if (n & 1) result *= x;
   return result;

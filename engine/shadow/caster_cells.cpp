@@ -163,9 +163,8 @@ CasterCells makeCasterCells(const Surface& surface, const SurfaceTriangles& tria
 CasterCells makeCasterCells(const Surface& surface, std::span<const double> parameters,
                             const CurvatureMap& map) {
   CasterCells made = Cutter(surface, parameters, map).cut();
-  const std::size_t probes = std::max(kRoundingProbes / surface.patchCount(), kLeastRoundingProbes);
-  for (const Patch& patch : surface.patches())
-    made.rounding = std::max(made.rounding, formulaRounding(patch, parameters, probes));
+  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
+    made.rounding = std::max(made.rounding, formulaRounding(surface, patch, parameters));
   return made;
 }
 

@@ -222,21 +222,26 @@ class Builder {
     return std::numeric_limits<double>::infinity();
   }
 
+  /// By u and v, of a triangle of the mesh; not finite where it has no extent in these.
+  [[nodiscard]] std::array<Vec3, 2> tangentsOf(std::size_t t) const {
+    const auto corners = frame_.corners(t);
+    const auto from0 = [&](const auto& of, std::size_t k) { return of[corners[k]] - of[corners[0]]; };
+    const Vec2 a = from0(mesh_.parameters, 1), b = from0(mesh_.parameters, 2);
+    const Vec3 alongA = from0(mesh_.positions, 1), alongB = from0(mesh_.positions, 2);
+    const double area = a.x * b.y - a.y * b.x;
+    return {(b.y * alongA - a.y * alongB) / area, (a.x * alongB - b.x * alongA) / area};
+  }
+
   [[nodiscard]] double parameterReach(const Shell& shell) const {
     double most = 0;
     for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
       const auto corners = frame_.corners(t);
       const ShellPatch& patch = shell.patchData[frame_.patchOf(corners[0])];
       if (patch.equation) continue;
-      const auto from0 = [&](const auto& of, std::size_t k) { return of[corners[k]] - of[corners[0]]; };
-      const Vec2 a = from0(mesh_.parameters, 1), b = from0(mesh_.parameters, 2);
-      const Vec3 alongA = from0(mesh_.positions, 1), alongB = from0(mesh_.positions, 2);
-      const double area = std::abs(a.x * b.y - a.y * b.x);
-      const double alongU = glm::length(b.y * alongA - a.y * alongB),
-                   alongV = glm::length(a.x * alongB - b.x * alongA);
+      const auto [su, sv] = tangentsOf(t);
       for (const std::uint32_t v : corners) {
         const Vec2 at = glm::abs(mesh_.parameters[v] - Vec2(patch.originOfU, 0));
-        const double reach = (at.x * alongU + at.y * alongV) / area;
+        const double reach = at.x * glm::length(su) + at.y * glm::length(sv);
         if (std::isfinite(reach)) most = std::max(most, reach);
       }
     }
@@ -244,12 +249,10 @@ class Builder {
   }
 
   [[nodiscard]] double roundingOf(const Shell& shell) const {
-    const std::size_t patches = shell.patchData.size(),
-                      probes = std::max(kRoundingProbes / patches, kLeastRoundingProbes);
     double most = 0;
-    for (std::size_t i = 0; i < patches; ++i)
-      if (!shell.patchData[i].equation)
-        most = std::max(most, formulaRounding(surface_.patches()[i], parameters_, probes));
+    for (std::uint32_t patch = 0; patch < shell.patchData.size(); ++patch)
+      if (!shell.patchData[patch].equation)
+        most = std::max(most, formulaRounding(surface_, patch, parameters_));
     return most;
   }
 
@@ -317,16 +320,11 @@ class Builder {
   /// first without a walk (`certified` of shaders/lib/exact_root.glsl): |J|^2 K^2 r^2 <= 1.8 det^2, where det
   /// is that of the tangents of a cell times the sine. More than 1: from no angle.
   [[nodiscard]] float sineToCertify(const Shell& shell, std::size_t t) const {
-    const auto corners = frame_.corners(t);
-    const auto from0 = [&](const auto& of, std::size_t k) { return of[corners[k]] - of[corners[0]]; };
-    const Vec2 a = from0(mesh_.parameters, 1), b = from0(mesh_.parameters, 2);
-    const Vec3 alongA = from0(mesh_.positions, 1), alongB = from0(mesh_.positions, 2);
-    const double area = a.x * b.y - a.y * b.x;
-    const Vec2 cell = shell.cells[corners[0]];
-    const Vec3 ju = (b.y * alongA - a.y * alongB) * (cell.x / area),
-               jv = (a.x * alongB - b.x * alongA) * (cell.y / area);
+    const std::uint32_t corner = frame_.corners(t)[0];
+    const auto [su, sv] = tangentsOf(t);
+    const Vec3 ju = shell.cells[corner].x * su, jv = shell.cells[corner].y * sv;
     const double size = std::sqrt(glm::dot(ju, ju) + glm::dot(jv, jv)),
-                 change = shell.changes[corners[0]] * kUsualWay;
+                 change = shell.changes[corner] * kUsualWay;
     return static_cast<float>(change * size / (std::sqrt(1.8) * glm::length(glm::cross(ju, jv))));
   }
 

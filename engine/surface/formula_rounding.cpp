@@ -10,8 +10,18 @@
 #include "math/sampling.h"
 
 namespace luxo {
+namespace {
 
-double formulaRounding(const Patch& patch, std::span<const double> parameters, std::size_t probes) {
+/// Places: of a surface, and of each patch at least. Measured: of a mirror with a radius of 30 m the four
+/// corners tell less than half, and more places no more.
+constexpr std::size_t kRoundingProbes = 512, kLeastRoundingProbes = 32;
+
+}  // namespace
+
+double formulaRounding(const Surface& surface, std::uint32_t patchNumber,
+                       std::span<const double> parameters) {
+  const Patch& patch = surface.patches()[patchNumber];
+  const std::size_t probes = std::max(kRoundingProbes / surface.patchCount(), kLeastRoundingProbes);
   const PatchInputs all(patch, parameters);
   const std::span<const double> given = all;
   std::vector<double> inputs(given.begin(), given.end());

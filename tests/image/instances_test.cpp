@@ -66,8 +66,9 @@ TEST_F(InstancesTest, FormulasShareTheirDraws) {
   expectTheSamePicture(cloud({"torus", "klein_figure8"}, 250, {320, 200}, 0.15), 2 * 2 * 4 * 2);
 }
 
-// Beyond so many nodes large ones share draws, too: what 240 of them add are levels and materials, of which there are no
-// more than of 60. A torus that is drawn by itself is two draws of each side at most, and with all in front has one.
+// Beyond so many nodes large ones share draws, too: what 240 of them add are levels and materials, of which
+// there are no more than of 60. A torus that is drawn by itself is two draws of each side at most, and with
+// all in front has one.
 TEST_F(InstancesTest, LargeOnesShareTheirDrawsBeyondSome) {
   DrawOptions few;
   few.skips.hidden = false;

@@ -69,8 +69,8 @@ TEST_F(SceneShader, ValuesAreFormulasOfTimeAndParameters) {
 
 TEST_F(SceneShader, IsWrittenAsItWasRead) {
   write("m.frag", "");
-  const SceneFile file =
-      sceneWith(R"({ "shader": "m.frag", "vertex": "m.vert", "uniforms": { "a": "k", "b": [1, 2], "c": true, "d": [false, true] } })");
+  const SceneFile file = sceneWith(
+      R"({ "shader": "m.frag", "vertex": "m.vert", "uniforms": { "a": "k", "b": [1, 2], "c": true, "d": [false, true] } })");
   EXPECT_EQ(parseScene(writeScene(file), "again", folder.path()).materials, file.materials);
 }
 

@@ -40,7 +40,8 @@ TEST(Shell, FormulaRoundingIsWhatSinglePrecisionMovesPointsBy) {
   EXPECT_EQ(roundingOf([](auto u, auto v) { return point(u, 0.25 * u, v); }), 0);
   const double plain = roundingOf([](auto u, auto v) { return point(u, 0.2 * sin(8 * u), v); }),
                phase = roundingOf([](auto u, auto v) { return point(u, 0.2 * sin(8 * u + 900), v); }),
-               mirror = roundingOf([](auto u, auto v) { return point(u, 30 - sqrt(900 - u * u - v * v), v); });
+               mirror =
+                   roundingOf([](auto u, auto v) { return point(u, 30 - sqrt(900 - u * u - v * v), v); });
   EXPECT_GT(plain, 0);
   EXPECT_LT(plain, 0x1p-24);
   // The phase is off by half of 2^-14, and the sine by as much; radii of 30 metres by halves of 2^-19.
