@@ -94,9 +94,9 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       .firstParameter = place.firstParameter,
       .parameters = triangles ? ofTriangle : static_cast<std::uint32_t>(found.parameters[0].size()),
       .flags = from.w == 0 ? shared::kParallelLight : 0,
-      .rounding = static_cast<float>(
-          std::max(kRounding * (glm::length(origin) + glm::length(farthest)), 2 * cells.rounding) +
-          kParameterRounding * spanOfParameters(node.surface, cells)),
+      .rounding = static_cast<float>(std::max(kRounding * (glm::length(origin) + glm::length(farthest)),
+                                              cells.rounding / shared::kUsualRounding) +
+                                     kParameterRounding * spanOfParameters(node.surface, cells)),
       .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
       .margin = static_cast<float>(kGridMargin * cells.size),
       .pixel = static_cast<float>(1 / (snapshot_.view.pixelsPerUnit * largestStretch(linear)))});

@@ -29,10 +29,8 @@ const int kMaxEvaluations = LUXO_EVALUATIONS;  // of a ray; a few dozen where it
 
 const float kBorder = 1e-4;        // of half a rectangle
 #ifndef LUXO_USUAL_ROUNDING
-#define LUXO_USUAL_ROUNDING 0.25
+#define LUXO_USUAL_ROUNDING kUsualRounding
 #endif
-const float kUsualRounding = LUXO_USUAL_ROUNDING; // of its bound, a sum of absolute values: measured, 1/4 leaves no gap
-                                                  // between cells
 
 const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
 const float kMostRounding = 4e-3;  // pixels
@@ -114,7 +112,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
                   dot(f, f) > abs(dot(f, a)) + abs(dot(f, b)) + bend * length(f);
     bool isOwn = ray.off > 0.0 && isPlain && abs(tMiddle) + tOff <= 2.0 * own;
     // What floats leave is less than its bound, and the surface may end here: what is beyond an edge by more is not met.
-    vec2 beyond = abs(middle) - kUsualRounding * off;
+    vec2 beyond = abs(middle) - LUXO_USUAL_ROUNDING * off;
     bool isHere = max(beyond.x, beyond.y) <= 1.0;
     float grain = ray.grain.x + ray.grain.y * (ray.grain.y > 0.0 ? t - reach : t + reach);
     // Where floats are as coarse as that borders would be off.

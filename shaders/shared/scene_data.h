@@ -147,6 +147,13 @@ LUXO_CONSTANT kUncertified = 3;
 // has to hold as far, and a cell more (kSearchedCells).
 LUXO_NUMBER kFarCells = 2.0;
 
+// Pixels: where single precision may be farther off no point is certified.
+LUXO_NUMBER kMostTolerancePx = 7e-4;
+
+// Of a caster's rounding, which is a sum of absolute values: as much of it is counted at the borders of cells. Measured:
+// with 1/4 there is no gap between cells.
+LUXO_NUMBER kUsualRounding = 0.25;
+
 LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
 
 // What is in doubt, some bits a pixel, row by row: a search has lost a surface there, or what it has found is not certified,
