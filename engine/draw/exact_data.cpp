@@ -22,6 +22,7 @@ static_assert(4 * shared::kVaryings <= gpu::kVaryingComponents);
 /// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
 /// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3.
 constexpr double kMaxRoundingPx = 6e-4;
+static_assert(static_cast<float>(kMaxRoundingPx + kExactTolerancePx) <= shared::kMostTolerancePx);
 /// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right
 /// to a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
 constexpr double kMaxTurn = 4e-5, kSmallPx = 100;
@@ -85,13 +86,16 @@ Rounding roundingPx(const View& view, const SnapshotNode& node, const Shell& she
 /// The formula's own operations may move a point farther than by what has the object's size, and no residual
 /// tells, as it is computed by the same operations. A ray that is 70 degrees off the normal meets what is
 /// moved along that three times as far off.
-Rounding singlePrecisionPx(const View& view, const SnapshotNode& node, const Shell& shell) {
+double formulaRoundingPx(const View& view, const SnapshotNode& node, const Shell& shell) {
   constexpr double kAslant = 3;
+  return kAslant * shell.formulaRounding * largestStretch(node.worldFromObject.linear) * view.pixelsPerUnit *
+         slantOf(view);
+}
+
+Rounding singlePrecisionPx(const View& view, const SnapshotNode& node, const Shell& shell) {
   Rounding rounding = roundingPx(view, node, shell, GlslNumber::Float);
-  const double formula = kAslant * shell.formulaRounding * largestStretch(node.worldFromObject.linear) *
-                         view.pixelsPerUnit * slantOf(view);
   double& most = view.perspective() ? rounding.near : rounding.everywhere;
-  most = std::max(most, formula);
+  most = std::max(most, formulaRoundingPx(view, node, shell));
   return rounding;
 }
 
@@ -218,6 +222,12 @@ std::vector<Vec3> inPicture(const View& view, const SnapshotNode& node, std::spa
 shared::ExactInstance exactInstance(const View& view, const Vec3& origin, const SnapshotNode& node,
                                     const VisibleNode& visible, const Shell& shell, GlslNumber number) {
   return instanceOf(view, origin, node, visible, shell, number, pixelRows(view, node.worldFromObject));
+}
+
+void addFormulaRounding(const View& view, const SnapshotNode& node, const Shell& shell,
+                        shared::ExactInstance& instance) {
+  float& most = view.perspective() ? instance.clipDepth.y : instance.tolerance;
+  most = std::max(most, static_cast<float>(formulaRoundingPx(view, node, shell)));
 }
 
 std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node, const Shell& shell) {

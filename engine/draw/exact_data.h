@@ -40,6 +40,12 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
                                                   const SnapshotNode& node, const VisibleNode& visible,
                                                   const Shell& shell, GlslNumber number);
 
+/// Adds to the tolerance of a search in single precision what its formula loses in that, and no residual
+/// tells. Where that is too much (kMostTolerancePx) nothing it finds is certified: for devices without
+/// doubles.
+void addFormulaRounding(const View& view, const SnapshotNode& node, const Shell& shell,
+                        shared::ExactInstance& instance);
+
 /// Where pixels are on the plane that a shell is around; nothing of a shell of anything else.
 [[nodiscard]] std::optional<PlaneRows> planeIn(const View& view, const SnapshotNode& node,
                                                const Shell& shell);

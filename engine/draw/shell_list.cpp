@@ -63,8 +63,9 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
     list_.byRays.push_back(
         overlap(pixels, pixelsOf(snapshot_.view, transformBounds(node.worldFromObject, pinch.box()))));
   const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.shell) : std::nullopt;
-  const bool inDouble = !plane && options_.doubles &&
-                        (options_.finerShells || needsDouble(snapshot_.view, node, v, *batch.shell));
+  const bool wantsDouble =
+      !plane && (options_.finerShells || needsDouble(snapshot_.view, node, v, *batch.shell));
+  const bool inDouble = wantsDouble && options_.doubles;
   const GlslNumber number = inDouble ? GlslNumber::Double : GlslNumber::Float;
   if (isTooLarge(geometry_.codes, node.surface, *batch.shell, node.parameters.size(), number)) {
     ++list_.tooLarge;
@@ -75,6 +76,7 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
   const bool inside = mayHoldEye(snapshot_.view, node, v, *batch.shell);
   draws.exact = plane ? exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, *plane)
                       : exactInstance(snapshot_.view, list_.origin, node, v, *batch.shell, number);
+  if (wantsDouble && !inDouble) addFormulaRounding(snapshot_.view, node, *batch.shell, draws.exact);
   draws.exact.firstPatch = patchesOf(node, *batch.shell);
   batch.shared = !inside && !options_.finerShells && sharesDraws(pixels);
   if (!batch.shared) ++drawnApart_;

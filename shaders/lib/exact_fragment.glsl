@@ -38,6 +38,7 @@ void doubtPixel() {
 Found foundPoint() {
   Root root;
   int result = rootOfPixel(root);
+  root.certified = root.certified && toleranceAt(root.depth) <= kMostTolerancePx * widthAt(root.depth);
   if (result == kLost || result == kFound && !root.certified) doubtPixel();
   if (result != kFound || !inDepthRange(root.depth)) discard;
   float depth = float(root.depth);

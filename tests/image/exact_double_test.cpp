@@ -141,13 +141,30 @@ TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
 
 TEST_F(ExactDouble, WithoutItTheReportTellsOfALargerError) {
   const Scene scene = ball(glowing(Vec3(1)));
-  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-2);
+  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 8e-2);
   const FrameError with = draw(scene, camera, kExactDoubleSize).statistics.error;
   const FrameError without = draw(scene, camera, kExactDoubleSize, {.doubles = false}).statistics.error;
   EXPECT_LE(with.residualMaxPx.value_or(1), 1e-5);
-  // A pixel is 1.6e-4 m, of which 2^-24 of the ball's size is 3e-4.
-  EXPECT_GT(without.residualMaxPx.value_or(0), 3e-5);
+  // A pixel is 1.2e-3 m, of which 2^-24 of the ball's size is 3e-5: less than where nothing is certified.
+  EXPECT_GT(without.residualMaxPx.value_or(0), 1e-5);
   EXPECT_EQ(without.resolvedByRaysPx, 0u);
+}
+
+// Single precision moves points of the sheet by up to 2^-24 of 300, a hundredth of such pixels: and no
+// residual tells, as it is computed with the same numbers.
+TEST_F(ExactDouble, WithoutItNoPointIsCertifiedThatAFormulasRoundingMoves) {
+  Scene scene;
+  scene.set(plainSettings());
+  const Surface sheet =
+      surface([](auto u, auto v) { return point(u, 0.2 * sin(8.0 * u + 300.0), v); }, {{-1, 1}, {-1, 1}});
+  scene.add(Node{.surface = sheet, .material = scene.add(glowing(Vec3(1)))});
+  const Camera camera{.eye = Vec3(0.4, 1.5, 0.3), .lookAt = Vec3(0), .up = Vec3(0, 0, 1), .fovY = 0.12};
+  const Audit none{.extent = AuditExtent::None};
+  const Picture picture = draw(scene, camera, kExactDoubleSize, {.doubles = false, .audit = none});
+  EXPECT_EQ(picture.statistics.error.resolvedByRaysPx,
+            static_cast<std::uint64_t>(kExactDoubleSize.width * kExactDoubleSize.height));
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+  EXPECT_EQ(picture.statistics.error.uncertifiedPx, 0U);
 }
 
 TEST_F(ExactDouble, WithoutItWhatFloatWouldLoseAtEdgesIsFoundByRays) {
