@@ -33,11 +33,13 @@ class SampleJudge {
     if (!truth.certified) return Judgement::Undecided;
     if (agrees(truth, kPointPx)) return Judgement::Right;
     const double farthest = 2 * kSilhouettePx;
-    const double distance =
-        distanceTo([&](const Vec2& p) { return agrees(shownAt(p), kPointPx); }, pixel, farthest);
-    // The plane that leads from the one to the other is of one layer: no outline is between them.
+    // The plane that leads from the one to the other is of one layer: no outline is between them. What bends
+    // shows the point beside the pixel's centre; half of what is allowed is that way, half along the plane.
     const bool sameLayer = agrees(truth, farthest);
-    return distance > (sameLayer ? kPointPx : kSilhouettePx) ? Judgement::Wrong : Judgement::Right;
+    const double px = sameLayer ? 0.5 * kPointPx : kPointPx;
+    const double distance =
+        distanceTo([&](const Vec2& p) { return agrees(shownAt(p), px); }, pixel, farthest);
+    return distance > (sameLayer ? px : kSilhouettePx) ? Judgement::Wrong : Judgement::Right;
   }
 
  private:

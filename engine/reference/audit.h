@@ -21,7 +21,8 @@ enum class Judgement {
 
 /// Of the point of the picture plane at `pixel` (pixel coordinates, x right, y down), at which only `nodes`
 /// (ascending, opaque) count and the picture shows `depth`: metres along the view axis, +infinity where it
-/// shows none of them, known within `rounding` metres. Cost: a ray; some hundred where they disagree.
+/// shows none of them, known within `rounding` metres. What is moved sideways along a surface that faces the
+/// eye is not seen: no depth tells it. Cost: a ray; some hundred where they disagree.
 [[nodiscard]] Judgement judge(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,
                               double depth, double rounding);
 

@@ -64,6 +64,8 @@ TEST(Audit, APointMayBeAThousandthOfAPixelOff) {
   ASSERT_TRUE(first.hit);
   const double depth = 10 - first.hit->position.z, perPixel = 0.01 * std::tan(kPi / 3);
   EXPECT_EQ(judge(caster, kNodes, pixel, depth + 0.5e-3 * perPixel, kRounding), Judgement::Right);
+  // The plane that a depth may be off along is a little steeper, as it is so from all sides: by 1 / sin 60.
+  EXPECT_EQ(judge(caster, kNodes, pixel, depth + 1.3e-3 * perPixel, kRounding), Judgement::Wrong);
   EXPECT_EQ(judge(caster, kNodes, pixel, depth + 5e-3 * perPixel, kRounding), Judgement::Wrong);
   EXPECT_EQ(judge(caster, kNodes, pixel, depth + 5e-3 * perPixel, 1e-3), Judgement::Right) << "rounding";
 }
