@@ -93,21 +93,15 @@ double encodeToFile(const Image& image, const std::filesystem::path& file) {
   return millisecondsSince(start);
 }
 
-/// Of one of so many samples, from the centre of its pixel.
-Vec2 offsetOf(int sample, int samples) {
-  if (sample >= samples)
-    throw Error(ErrorKind::Usage, fmt::format("there is no sample {} of {}", sample, samples),
-                fmt::format("samples count from 0; give --samples {} or more", sample + 1));
-  return samplePattern(samples)[static_cast<std::size_t>(sample)];
-}
-
 class Run {
  public:
   Run(Scene scene, const RenderRequest& request, std::span<const NamedFile> inputs)
-      : scene_(std::move(scene)), request_(request), inputs_(inputs), settings_(settingsOf(scene_, request)) {
-    if (!request.sample) return;
-    sampleOffset_ = offsetOf(*request.sample, settings_.samples);
-    settings_.samples = 1;
+      : scene_(std::move(scene)),
+        request_(request),
+        inputs_(inputs),
+        settings_(settingsOf(scene_, request)),
+        sampleOffset_(sampleOffsetOf(settings_, request)) {
+    if (sampleOffset_) settings_.samples = 1;
   }
 
   int toExitCode() {
@@ -331,8 +325,8 @@ class Run {
   const RenderRequest& request_;
   std::span<const NamedFile> inputs_;
   RenderSettings settings_;
-  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();  ///< of progress
   std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();  ///< of progress
   ParameterId swept_;
   std::optional<Camera> fitted_;  ///< to a scene without a camera
   RunReport report_;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/suggestion.h"
+#include "draw/accumulation.h"
 #include "open_scene.h"
 
 namespace luxo {
@@ -22,6 +23,15 @@ RenderSettings settingsOf(const Scene& scene, const RenderRequest& request) {
   settings.shading = request.shading.value_or(settings.shading);
   settings.hiddenLines |= request.hiddenLines;
   return settings;
+}
+
+std::optional<Vec2> sampleOffsetOf(const RenderSettings& settings, const RenderRequest& request) {
+  if (!request.sample) return std::nullopt;
+  if (*request.sample >= settings.samples)
+    throw Error(ErrorKind::Usage,
+                fmt::format("there is no sample {} of {}", *request.sample, settings.samples),
+                fmt::format("samples count from 0; give --samples {} or more", *request.sample + 1));
+  return samplePattern(settings.samples)[static_cast<std::size_t>(*request.sample)];
 }
 
 CameraId cameraOf(const Scene& scene, const RenderRequest& request) {

@@ -2,6 +2,8 @@
 // What a request means for a scene: the command line over the scene over the default.
 #pragma once
 
+#include <optional>
+
 #include "options.h"
 #include "scene/scene.h"
 #include "viewer.h"
@@ -9,6 +11,11 @@
 namespace luxo {
 
 [[nodiscard]] RenderSettings settingsOf(const Scene& scene, const RenderRequest& request);
+
+/// Where --sample is, pixels from the centre of its pixel; none: it was not given. Error(Usage): there are
+/// not so many samples.
+[[nodiscard]] std::optional<Vec2> sampleOffsetOf(const RenderSettings& settings,
+                                                 const RenderRequest& request);
 
 /// None: the scene's first. Error(Usage): it has none of that name.
 [[nodiscard]] CameraId cameraOf(const Scene& scene, const RenderRequest& request);

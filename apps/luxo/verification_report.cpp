@@ -147,8 +147,11 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
                       c.compared + c.undecided, c.covered, c.undecided, report.truthMs / 1e3);
   text += fmt::format("the picture says: bound {:.3g} px", error.boundPx);
   if (error.residualMaxPx)
-    text += fmt::format(", residual {:.3g} px, {} unconverged, {} uncertified", *error.residualMaxPx,
-                        error.unconvergedPx, error.uncertifiedPx);
+    text += fmt::format(
+        ", residual {:.3g} px, {} unconverged, {} uncertified\n"
+        "by rays    {} points, {} shadows; {} pixels audited, {} failed, {} undecided",
+        *error.residualMaxPx, error.unconvergedPx, error.uncertifiedPx, error.resolvedByRaysPx,
+        error.shadowRaysPx, error.auditedPx, error.auditFailedPx, error.auditUndecidedPx);
   text += fmt::format("\n\n{:<22}{:>5}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "error", "unit", "rms", "p99",
                       "p99.9", "max", "float32");
   for (const Metric& m : metricsOf(v))
@@ -196,6 +199,7 @@ std::string verificationJson(const VerificationReport& report, const Scene& scen
   const Verification& v = report.verification;
   const FrameError& error = report.statistics.error;
   const NodeNames nameOfNode(scene, snapshot);
+  const auto ofExact = [&](std::uint64_t pixels) { return error.residualMaxPx ? Json(pixels) : Json(); };
   Json json = {
       {"luxo", LUXO_VERSION},
       {"verify", 1},
@@ -211,8 +215,13 @@ std::string verificationJson(const VerificationReport& report, const Scene& scen
        {{"triangles", report.statistics.count.triangles},
         {"bound_px", finite(error.boundPx)},
         {"residual_max_px", finite(error.residualMaxPx)},
-        {"unconverged_px", error.residualMaxPx ? Json(error.unconvergedPx) : Json()},
-        {"uncertified_px", error.residualMaxPx ? Json(error.uncertifiedPx) : Json()}}},
+        {"unconverged_px", ofExact(error.unconvergedPx)},
+        {"uncertified_px", ofExact(error.uncertifiedPx)},
+        {"resolved_by_rays_px", ofExact(error.resolvedByRaysPx)},
+        {"shadow_rays_px", ofExact(error.shadowRaysPx)},
+        {"audited_px", ofExact(error.auditedPx)},
+        {"audit_failed_px", ofExact(error.auditFailedPx)},
+        {"audit_undecided_px", ofExact(error.auditUndecidedPx)}}},
       {"truth_ms", report.truthMs},
       {"nan_pixels", v.nanPixels},
       {"coverage", jsonOf(v.coverage, nameOfNode)},

@@ -19,6 +19,7 @@
 #include "interruption.h"
 #include "measured_picture.h"
 #include "open_scene.h"
+#include "option_values.h"
 #include "options.h"
 #include "output_files.h"
 #include "progress_bar.h"
@@ -37,7 +38,7 @@ using Clock = std::chrono::steady_clock;
 struct VerifyOptions {
   std::unique_ptr<RenderOptions> scene;
   std::unique_ptr<RandomOptions> random;
-  std::optional<std::string> pixels, requireError, report;
+  std::optional<std::string> pixels, sample, requireError, report;
   std::string heat;
   bool json = false, strict = false;
   CLI::Option* stability = nullptr;  ///< whether it was given
@@ -62,6 +63,7 @@ std::uint64_t parseCount(const std::string& text) {
 VerifyRequest requestOf(const VerifyOptions& options) {
   VerifyRequest request{options.scene->request(RenderTarget::Window), std::nullopt, std::nullopt};
   if (options.pixels) request.pixels = parseCount(*options.pixels);
+  if (options.sample) request.scene.sample = parseSample(*options.sample);
   if (options.requireError)
     request.mostErrorPx = parsePixels("--require-error", *options.requireError, kErrorRange);
   if (!options.heat.empty() && !options.random->asked()) static_cast<void>(requireImageFormat(options.heat));
@@ -95,6 +97,9 @@ int verifyScene(const VerifyOptions& options) {
   if (render.scene.empty())
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo verify teapot; or luxo verify --stability");
+  if (render.samples && !render.sample)
+    throw Error(ErrorKind::Usage, "of a scene's samples one is judged at a time",
+                fmt::format("say which, as in --samples {} --sample 0", *render.samples));
   const bool printsReport = options.report == "-";
   const NamedFile outputs[] = {{"-o", options.heat},
                                {"--report", printsReport ? "" : options.report.value_or("")}};
@@ -107,7 +112,8 @@ int verifyScene(const VerifyOptions& options) {
   requireOutputs(outputs, inputs);
   const RenderSettings settings = settingsOf(scene, render);
   requireGroundTruth(settings.shading);
-  const Snapshot snapshot = takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, render));
+  Snapshot snapshot = takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, render));
+  if (const auto offset = sampleOffsetOf(settings, render)) snapshot.view = sampledAt(snapshot.view, *offset);
 
   VerificationReport report{.scene = render.scene,
                             .shading = std::string(nameOf(settings.shading)),
@@ -166,6 +172,8 @@ int verifyStability(const VerifyOptions& options) {
   const RenderRequest request = requestOf(options).scene;
   if (!request.scene.empty())
     throw Error(ErrorKind::Usage, "--stability brings its own scenes", "leave the scene out");
+  if (request.samples)
+    throw Error(ErrorKind::Usage, "--samples is about one scene, or random ones", "leave it out");
   const auto log = std::make_shared<gpu::ValidationLog>();
   std::vector<std::string> cases = options.cases;
   std::erase(cases, "");  // CLI11's way to say that an option came without a value
@@ -186,6 +194,9 @@ int runVerify(const VerifyOptions& options) {
   if (options.report && (options.random->asked() || options.stability->count() > 0))
     throw Error(ErrorKind::Usage, "--report is about one scene",
                 "what is found of many is printed, with --stability as JSON with --json");
+  const bool oneScene = !options.random->asked() && options.stability->count() == 0;
+  if (!oneScene && options.sample)
+    throw Error(ErrorKind::Usage, "--sample is about one scene", "of random scenes every sample is judged");
   if (options.random->asked()) return options.random->run(requestOf(options).scene, options.heat);
   options.random->requireUnused();
   return options.stability->count() > 0 ? verifyStability(options) : verifyScene(options);
@@ -198,9 +209,15 @@ void addVerify(CLI::App& app, Command& chosen) {
   verb->group("Verbs");
   const auto options = std::make_shared<VerifyOptions>();
   options->scene = std::make_unique<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
-  // One picture of pixel centres is drawn, by Vulkan.
-  for (const char* meaningless : {"--engine", "--samples", "--fps"})
-    verb->remove_option(verb->get_option(meaningless));
+  // One sample of each pixel is drawn, by Vulkan.
+  for (const char* meaningless : {"--engine", "--fps"}) verb->remove_option(verb->get_option(meaningless));
+  verb->get_option("--samples")
+      ->description(
+          "samples per pixel that --sample is one of (the scene's own); of random scenes 1 or 4 (some 1, "
+          "some 4)");
+  verb->add_option("--sample", options->sample,
+                   "judge this sample of each pixel, from 0 (the pixels' centres, without it)")
+      ->type_name("I");
   options->random = std::make_unique<RandomOptions>(*verb);
   verb->add_option("--pixels", options->pixels, "judge this many pixels, evenly spread (all)")
       ->type_name("N");

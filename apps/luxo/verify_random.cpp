@@ -42,7 +42,7 @@ void summarize(const random::RunTotals& t) {
 }  // namespace
 
 struct RandomOptions::Texts {
-  std::string count, seed = "1", first = "0", kind, samples, limit = "600", audit;
+  std::string count, seed = "1", first = "0", kind, limit = "600", audit;
   std::vector<CLI::Option*> options;  ///< the first is --random
 };
 
@@ -54,7 +54,6 @@ RandomOptions::RandomOptions(CLI::App& command) : texts_(std::make_unique<Texts>
   add("--seed", texts_->seed, "of the random scenes (1)", "S");
   add("--first", texts_->first, "index of the first random scene (0)", "I");
   add("--kind", texts_->kind, "only random scenes of this kind; crowd: of named surfaces in shadows", "NAME");
-  add("--samples", texts_->samples, "of the random scenes (some 1, some 4)", "1|4");
   add("--audit", texts_->audit, "of the pictures; none: what a proof gets wrong is found, not mended (usual)",
       "all|N|none");
   add("--limit", texts_->limit, "processor time for each, then it is called unjudged (600)", "S");
@@ -82,12 +81,9 @@ int RandomOptions::run(const RenderRequest& render, const std::string& findings)
                              .findings = findings,
                              .print = printData,
                              .goesOn = [] { return interruptingSignal() == 0; }};
-  if (!texts_->samples.empty()) {
-    if (texts_->samples != "1" && texts_->samples != "4")
-      throw Error(ErrorKind::Usage,
-                  fmt::format("--samples '{}': random scenes have 1 or 4", texts_->samples));
-    request.options.samples = texts_->samples == "1" ? 1 : 4;
-  }
+  if (render.samples && *render.samples != 1 && *render.samples != 4)
+    throw Error(ErrorKind::Usage, fmt::format("--samples '{}': random scenes have 1 or 4", *render.samples));
+  request.options.samples = render.samples;
   if (!texts_->audit.empty()) request.audit = parseAudit(texts_->audit);
   std::optional<Scene> scene;
   if (!render.scene.empty())

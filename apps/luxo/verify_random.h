@@ -11,7 +11,6 @@ namespace luxo {
 /// The options of `luxo verify` that are about random scenes.
 class RandomOptions {
  public:
-  /// Adds them; `--samples` must not be there yet.
   explicit RandomOptions(CLI::App& command);
   RandomOptions(const RandomOptions&) = delete;
   RandomOptions& operator=(const RandomOptions&) = delete;
@@ -22,7 +21,8 @@ class RandomOptions {
   /// Error(Usage): one of the others was given without it.
   void requireUnused() const;
 
-  /// Runs them; `findings` takes what fails (empty: nothing does). The exit code.
+  /// Runs them, with the request's samples if it says so; `findings` takes what fails (empty: nothing does).
+  /// The exit code.
   [[nodiscard]] int run(const RenderRequest& render, const std::string& findings) const;
 
  private:

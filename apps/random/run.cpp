@@ -74,6 +74,8 @@ void describe(Json& line, const Trial& trial) {
   line["resolved_by_rays"] = trial.resolvedByRays;
   line["audit_failed"] = trial.auditFailed;
   line["cpu_s"] = {{"picture", rounded(trial.pictureSeconds, 3)},
+                   {"draw", rounded(trial.drawSeconds, 3)},
+                   {"cast", rounded(trial.castSeconds, 3)},
                    {"reference", rounded(trial.referenceSeconds, 3)}};
 }
 

@@ -38,8 +38,9 @@ struct RunTotals {
 
 /// The line of a scene. Names: seed, index, kind, camera, size, samples, pixels, hits, wrong {hit_miss,
 /// layer, point, light, color}, wrong_at (columns and rows of the first), worst_px,
-/// undecided, silently_wrong, unconverged, uncertified, cpu_s {picture, reference}; `unjudged`, why, where
-/// that is of a part of the samples; `error` instead of all after camera where the renderer refused it.
+/// undecided, silently_wrong, unconverged, uncertified, cpu_s {picture, draw,
+/// reference, cast}: draw and cast are of the colours alone, the others with the judging; `unjudged`, why,
+/// where that is of a part of the samples; `error` instead of all after camera where the renderer refused it.
 ///
 /// Throws Error(Device) when the device is lost, Error(Write) when a finding cannot be written, Error(Usage)
 /// for a kind that there is not.

@@ -65,7 +65,10 @@ class Samples {
     Verification v;
     {
       const Stopwatch watch(trial_.referenceSeconds);
-      truth = caster_.cast(snapshot, {.progress = [&](double) { return goesOn_(); }});
+      {
+        const Stopwatch cast(trial_.castSeconds);
+        truth = caster_.cast(snapshot, {.progress = [&](double) { return goesOn_(); }});
+      }
       trial_.complete &= truth.complete;
       if (!trial_.complete) return;
       // Twice as far as matters: near enough to be told from what is away from outlines.
@@ -119,7 +122,11 @@ class Samples {
       options.samples = 1;
       return renderer_.render(snapshot, options);
     };
-    Picture color = show(Output::Color);
+    Picture color;
+    {
+      const Stopwatch drawn(trial_.drawSeconds);
+      color = show(Output::Color);
+    }
     measured = {.color = std::move(color.image),
                 .depth = {},
                 .position = anyTriangles_ ? show(Output::Position).image : Image(),

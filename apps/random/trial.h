@@ -26,6 +26,7 @@ struct Trial {
   /// Wrong, beyond what the report counts as unconverged or uncertified.
   std::uint64_t silentlyWrong = 0;
   double pictureSeconds = 0, referenceSeconds = 0;  ///< of all processors
+  double drawSeconds = 0, castSeconds = 0;          ///< of these: of the colours alone
   bool complete = true;  ///< false: it was stopped, and the counts are of what was judged until then
 };
 

@@ -2,6 +2,7 @@
 // `luxo verify`: what it says of pictures whose error is bounded otherwise, and what it refuses.
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "cli/program.h"
@@ -146,6 +147,26 @@ TEST_F(VerifyPictureTest, WritesTheHeatMapAndTheReport) {
   EXPECT_EQ(json["size"], Json({120, 80}));
 }
 
+// Each is another place, and the picture is as right there.
+TEST_F(VerifyPictureTest, EverySampleOfAPixelIsHeldAgainstTheTruth) {
+  std::set<std::uint64_t> covered;
+  for (const char* sample : {"0", "1", "2", "3"}) {
+    const Outcome outcome =
+        verify({"teapot", "--size", "96x72", "--samples", "4", "--sample", sample, "--json", "-q"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["wrong"]["hit_miss"], 0) << sample;
+    EXPECT_EQ(json["wrong"]["layer"], 0) << sample;
+    EXPECT_EQ(json["wrong"]["point"], 0) << sample;
+    covered.insert(json["coverage"]["covered"].get<std::uint64_t>());
+    for (const char* counted :
+         {"resolved_by_rays_px", "shadow_rays_px", "audited_px", "audit_failed_px", "audit_undecided_px"})
+      EXPECT_TRUE(json["picture"][counted].is_number_unsigned()) << counted;
+    EXPECT_GE(json["picture"]["audited_px"], 64) << "the fewest";
+  }
+  EXPECT_GT(covered.size(), 1U);
+}
+
 TEST_F(VerifyPictureTest, AReportToDashIsPrinted) {
   const Outcome outcome = verify({"sphere", "--size", "30x20", "--report", "-", "-q"});
   EXPECT_EQ(outcome.code, 0);
@@ -170,7 +191,13 @@ TEST_F(VerifyTest, Refusals) {
   refused({"sphere", "--pixels", "0"}, 2, "--pixels '0'");
   refused({"sphere", "--pixels", "2.5"}, 2, "--pixels '2.5'");
   refused({"sphere", "--require-error", "0"}, 2, "--require-error '0'");
-  refused({"sphere", "--samples", "4"}, 2, "--samples is about random scenes");
+  refused({"sphere", "--samples", "4"}, 2, "of a scene's samples one is judged at a time");
+  refused({"sphere", "--samples", "4", "--sample", "4"}, 2, "there is no sample 4 of 4");
+  refused({"sphere", "--sample", "-1"}, 2, "--sample '-1'");
+  refused({"--random", "1", "--samples", "3"}, 2, "--samples '3': random scenes have 1 or 4");
+  refused({"--random", "1", "--sample", "0"}, 2, "--sample is about one scene");
+  refused({"--stability", "--sample", "0"}, 2, "--sample is about one scene");
+  refused({"--stability", "--samples", "4"}, 2, "--samples is about one scene");
   refused({"sphere", "--engine", "reference"}, 2, "unknown option '--engine'");
   refused({"sphere", "-o", "heat.jpg"}, 2, "'.jpg'");
   refused({"nosuch"}, 3, "nosuch");
