@@ -20,6 +20,11 @@ namespace {
 constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kDepthRounding = 0x1p-21;
+/// Pixels: of the depth of a certified point no more is lost, however large the numbers are. Where three
+/// roundings may move it by kMostTolerancePx it is searched for in double, or not certified; and of triangles
+/// the corners are held to half of what an outline may be off (triangle_precision.h).
+constexpr double kMostRoundingPx = kDepthRounding / (3 * 0x1p-24) * shared::kMostTolerancePx;
+constexpr double kMostOfTrianglesPx = 0.5 * kSilhouettePx;
 const shared::ReachingLight kAllReaches{.shadows = 0, .transmittance = Vec3f(1)};
 
 double depthInBuffer(const View& view, double depth) {
@@ -118,6 +123,7 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
                           std::function<bool()> goesOn) {
   goesOn_ = std::move(goesOn);
   treesMs_ = rounding_ = 0;
+  mostRoundingPx_ = kMostRoundingPx;
   nodes_.clear();
   receivers_.clear();
   all_.resize(snapshot.nodes.size());
@@ -131,6 +137,7 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
     if (layers) layers_.push_back(i);
     const Material& material = snapshot.materials[snapshot.nodes[i].material.index];
     if (!material.invisible() && !seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
+    if (surface && snapshot.nodes[i].surface.triangles()) mostRoundingPx_ = kMostOfTrianglesPx;
     if (surface || layers)
       rounding_ = std::max(rounding_, kDepthRounding * reachOf(snapshot.view, snapshot.nodes[i]));
   }
@@ -160,13 +167,19 @@ double CertifiedRays::rounding() const {
   return rounding_ + (view.perspective() ? 0 : kDepthRounding * (view.far - view.near));
 }
 
+double CertifiedRays::roundingAt(double depth) const {
+  const View& view = caster_->snapshot().view;
+  const double pixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
+  return std::min(rounding(), rounding() - rounding_ + kDepthRounding * depth + mostRoundingPx_ * pixel);
+}
+
 bool CertifiedRays::confirms(const reference::Caster::First& seen, float shown) const {
   if (!(shown > 0) || !seen.hit || !seen.certified) return false;
   const View& view = caster_->snapshot().view;
   const double depth = glm::dot(seen.hit->position - view.eye, view.forward());
   const double pixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
   // However steep the surface is: where it is grazed another layer may be as near as its slope allows.
-  return std::abs(depthOf(view, shown) - depth) <= rounding() + kPointPx * pixel;
+  return std::abs(depthOf(view, shown) - depth) <= roundingAt(depth) + kPointPx * pixel;
 }
 
 RayPoints CertifiedRays::resolve(std::span<const Doubt> doubts, const RayDraws& draws,
@@ -473,7 +486,8 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const RayDr
   forEachIndex(probes.size(), probes.size() >= reference::kRaysForAllCores, [&](std::size_t i) {
     if (!goesOn_()) return;
     const Vec2 at = sampled(probes[i].pixel);
-    judged[i] = reference::judge(*caster_, nodes_, at, depthOf(view, probes[i].depth), rounding());
+    const double depth = depthOf(view, probes[i].depth);
+    judged[i] = reference::judge(*caster_, nodes_, at, depth, roundingAt(depth));
     const bool showsFound = probes[i].depth > 0 && !pointOf(shown, probes[i].pixel) && isFirst(at);
     for (std::size_t g = 0; showsFound && g < groups.size(); ++g)
       for (std::size_t bit = 0; judged[i] == Right && bit < groups[g].lights.size(); ++bit)

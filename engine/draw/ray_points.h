@@ -163,8 +163,10 @@ class CertifiedRays {
   [[nodiscard]] double treesMs() const { return treesMs_; }
 
  private:
-  /// Of the depths that a depth buffer tells, metres.
+  /// What single precision leaves of a depth, metres, where nothing else bounds it.
   [[nodiscard]] double rounding() const;
+  /// Of that which a depth buffer tells of a certified point.
+  [[nodiscard]] double roundingAt(double depth) const;
   /// Builds what rays through the pixels are cast against, each worth so many.
   std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
   /// Whether the point that is shown at that depth is what a ray has seen.
@@ -197,7 +199,8 @@ class CertifiedRays {
   std::vector<std::uint32_t> layers_;     ///< whose layers are found, ascending
   std::vector<std::uint32_t> receivers_;  ///< what is not seen through, ascending
   std::vector<std::uint32_t> all_;        ///< ascending
-  double rounding_ = 0;                   ///< what single precision leaves of a depth, metres
+  double rounding_ = 0;                   ///< of depths, for the size of what is found; metres
+  double mostRoundingPx_ = 0;             ///< and the most that it is where a point is certified
   double treesMs_ = 0;
 };
 
