@@ -224,8 +224,16 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
                         .visible = one.visible,
                         .change = one.visible ? -one.share : one.share,
                         .atBorder = isOnHorizon(caster_.towardLight(one.light, hit), hit.normal)});
-  const Vec3 off = valueAt(measured_.color, i) - valueAt(truth_.color, i);
-  if (isTurned(i, off, std::move(lights), center)) return Wrong;
+  // Lights in the plane of what is seen may be on either side of it: with one there begins a highlight.
+  const Vec3 shown = valueAt(measured_.color, i), truth = valueAt(truth_.color, i);
+  Vec3 least = truth, most = truth;
+  if (glm::any(glm::greaterThan(glm::abs(shown - truth), Vec3(kOtherLight))))
+    for (const double tilt : {-kCosineRounding, kCosineRounding}) {
+      const Vec3 tilted = caster_.color(ray, sight, certified, tilt);
+      least = glm::min(least, tilted);
+      most = glm::max(most, tilted);
+    }
+  if (isTurned(i, shown - glm::clamp(shown, least, most), std::move(lights), center)) return Wrong;
   return certified ? Right : Unjudged;
 }
 
