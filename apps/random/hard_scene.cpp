@@ -159,6 +159,12 @@ HardScene hardScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpti
                {"surfaces", {{"hard", std::move(surface)}}},
                {"nodes", Json::array({std::move(node)})}};
   if (n.chance(0.9)) hard.json["materials"]["m"]["two_sided"] = true;
+  // From numbers of its own: scenes stay what they were before some showed only their fronts.
+  constexpr std::uint64_t kOwnNumbers = 0x7369646573;
+  if (Numbers(seed ^ kOwnNumbers, index).chance(0.3)) {
+    hard.json["materials"]["m"]["two_sided"] = false;
+    hard.kind += "+front only";
+  }
   if (n.chance(0.12)) addSecond(hard.json, n);
   const Snapshot snapshot = takeSnapshot(sceneOf(hard.json), 0, size, Camera{});
   const HardCamera camera = hardCamera(snapshot, n);

@@ -51,13 +51,17 @@ MeshDesc meshDescOf(const SnapshotNode& node, const VisibleNode& visible, Shadin
   return desc;
 }
 
+/// Whether front faces hide all back faces.
+bool hidesBackFaces(const VisibleNode& visible, const SnapshotNode& node, MeshCache& meshes) {
+  return visible.closedFromOutside && meshes.boundsSolid(node.surface, node.parameters);
+}
+
 /// Back faces are not drawn where the material says so, or front faces hide them.
 FaceCulling cullingOf(const VisibleNode& visible, const SnapshotNode& node, const DrawOptions& options,
                       MeshCache& meshes) {
-  const auto hidden = [&] {
-    return visible.closedFromOutside && meshes.boundsSolid(node.surface, node.parameters);
-  };
-  return options.cullBackFaces && (visible.hideBackFaces || hidden()) ? FaceCulling::Back : FaceCulling::None;
+  return options.cullBackFaces && (visible.hideBackFaces || hidesBackFaces(visible, node, meshes))
+             ? FaceCulling::Back
+             : FaceCulling::None;
 }
 
 /// Turns visible nodes into draws.
@@ -262,6 +266,8 @@ class DrawLister {
     batch.culling = cullingOf(v, node, options_, geometry_.meshes);
     batch.bothSides = batch.culling == FaceCulling::None;
     batch.flat = node.surface.flatNormal().has_value();
+    batch.frontOnly =
+        !batch.bothSides && !batch.flat && v.hideBackFaces && !hidesBackFaces(v, node, geometry_.meshes);
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
     LightSets::Choice lights;

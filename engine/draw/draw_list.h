@@ -50,6 +50,7 @@ struct DrawBatch {
   bool flat = false;       ///< lies in one plane: its sides never meet
   bool twoSided = false;   ///< each side is lit by itself
   bool bothSides = false;  ///< back faces are seen, too
+  bool frontOnly = false;  ///< back faces are not shown, and no front faces hide them
   bool mirrored = false;   ///< the transforms turn counter-clockwise into clockwise
   std::uint32_t lightSet = 0;
   std::uint32_t firstInstance = 0, instanceCount = 0;

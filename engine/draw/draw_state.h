@@ -48,19 +48,20 @@ struct DrawState {
   Form form = Form::Fused;
   std::uint32_t plainLights = 0, shadedLights = 0;
   bool blended = false;
-  Paint pattern = {};       ///< where light falls on it; none for views of geometry
-  bool footprint = false;   ///< of Form::FoundWithParameters: and with the footprint of the pixel
-  bool frame = false;       ///< and with the frame of maps of normals
-  bool details = false;     ///< of Form::Layer and LayersByRays: Layers::details
-  bool tangents = false;    ///< of triangles that are drawn with such a frame: it is of their tangents
-  SurfaceCodePtr surface;   ///< what finds a surface in every pixel; null: triangles are drawn
-  bool equation = false;    ///< with it: it is an equation, no formula
-  bool grazing = false;     ///< with it: a ray may graze the surface, and meet it more than once
-  bool poles = false;       ///< with that: an edge of a patch is one point
-  bool byRays = false;      ///< points are drawn that rays have found
-  bool isSurface = false;   ///< the triangles are the surface itself, not near to it
+  Paint pattern = {};           ///< where light falls on it; none for views of geometry
+  bool footprint = false;       ///< of Form::FoundWithParameters: and with the footprint of the pixel
+  bool frame = false;           ///< and with the frame of maps of normals
+  bool details = false;         ///< of Form::Layer and LayersByRays: Layers::details
+  bool tangents = false;        ///< of triangles that are drawn with such a frame: it is of their tangents
+  SurfaceCodePtr surface;       ///< what finds a surface in every pixel; null: triangles are drawn
+  bool equation = false;        ///< with it: it is an equation, no formula
+  bool grazing = false;         ///< with it: a ray may graze the surface, and meet it more than once
+  bool poles = false;           ///< with that: an edge of a patch is one point
+  bool frontOnly = false;       ///< with it: rays go on through its back, which is not shown
+  bool byRays = false;          ///< points are drawn that rays have found
+  bool isSurface = false;       ///< the triangles are the surface itself, not near to it
   bool smallTriangles = false;  ///< cover a few pixels each: their vertices carry little
-  bool hidesLines = false;  ///< of a wireframe: its triangles, of which only the depth is drawn
+  bool hidesLines = false;      ///< of a wireframe: its triangles, of which only the depth is drawn
   std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
   bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
   bool shadows = false;             ///< with it: some lights have shadows that were found

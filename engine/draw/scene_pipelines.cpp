@@ -68,6 +68,7 @@ std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, con
                                                            : shared::kUncertified},
           {shared::kConstantParameterCount, state.surface ? state.surface->parameters : 0},
           {shared::kConstantPoles, state.poles},
+          {shared::kConstantFrontOnly, state.frontOnly},
           {shared::kConstantEquation, state.equation},
           {shared::kConstantManySamples, format.samples != VK_SAMPLE_COUNT_1_BIT},
           {shared::kConstantPattern, state.patternNumber},

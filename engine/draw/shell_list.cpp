@@ -81,6 +81,7 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
   batch.shared = !inside && !options_.finerShells && sharesDraws(pixels);
   if (!batch.shared) ++drawnApart_;
   const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && !options_.finerShells);
+  batch.state.frontOnly = batch.frontOnly;
   for (const Shell::Part& part : batch.shell->parts) {
     batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
                                 : codeOf(geometry_.codes, node.surface, *batch.shell, part.patch,
@@ -99,7 +100,7 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
       // side, or, having dipped into that, by the top.
       if (!batch.bothSides) batch.culling = FaceCulling::Front;
       addDraws(draws.batches, batch, view, part.firstIndex, part.count);
-    } else if (batch.bothSides) {
+    } else if (batch.bothSides || batch.frontOnly) {
       addDraws(draws.batches, batch, view, part.wallIndex(), part.frontCount);
     }
   }
@@ -138,7 +139,10 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const
   std::array<std::vector<std::uint32_t>, 2> grazing;  // where no edge is a point, and where one is
   const std::size_t first = all.size();
   for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
-    const Seen seen = view.seen(shell, i, batch.half == Half::Far ? -1 : 1);
+    // Whether a ray that goes on through the back comes back to the front, the cone does not prove.
+    const Seen seen = batch.half == Half::Near ? view.seen(shell, i, 1)
+                      : batch.frontOnly        ? Seen::Grazing
+                                               : view.seen(shell, i, -1);
     if (seen == Seen::Away) continue;
     // By its equation a surface is found where it is grazed as it is elsewhere.
     const bool isTransversal = seen == Seen::Transversal && !batch.state.equation;

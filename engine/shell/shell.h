@@ -71,7 +71,7 @@ struct Shell {
 
   /// The patches that share one function, as consecutive indices: top, then walls, then bottom, which has as
   /// many as the top. From outside the slab a ray meets the front of the surface through top and walls, its
-  /// back through bottom and walls.
+  /// back through bottom and walls; and, where that is not shown, through it the front farther on.
   struct Part {
     std::uint32_t patch = 0;  ///< the first of them
     std::uint32_t firstIndex = 0, frontCount = 0, count = 0;

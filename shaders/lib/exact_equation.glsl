@@ -69,6 +69,9 @@ int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, ino
 
 real3 startOfSearch() { return real3(0); }
 
+// Both are known.
+bool leavesBehind(real3 p, Expansion e, real metre) { return true; }
+
 // No other root is on that side.
 bool isFirst(real3 entry, real3 p, real3 way, Expansion e) { return true; }
 real mostBend(Expansion e, real3 p) { return abs(e.a); }
@@ -121,6 +124,16 @@ real3 startOfSearch() { return real3(startAtEntry()); }
 real mostBend(Expansion e, real3 p) {
   real radius = sqrt(p.x * p.x + p.z * p.z);
   return 2.0 + 2.0 * abs(radius - number(kTorusRing)) / max(radius, kSmallest);
+}
+
+// Whether the ray leaves the slab behind a root before it can meet the torus again: t behind it |F| is at least
+// 2 b t - B t^2, as at isFirst().
+bool leavesBehind(real3 p, Expansion e, real metre) {
+  real tube = number(kTorusTube), ring = number(kTorusRing), slab = varyingClip.z * metre, inside = min(slab, tube);
+  real height = e.b > 0.0 ? slab * (2.0 * tube + slab) : inside * (2.0 * tube - inside), most = height / max(abs(e.b), kSmallest);
+  real radius = length(p.xz), least = max(radius - most, kSmallest);
+  real bend = e.b > 0.0 ? max(ring - least, 0.0) / least : 1.0 + (abs(radius - ring) + most) / least;
+  return bend * height < e.b * e.b;
 }
 
 // Whether the ray has met the torus nowhere between `entry`, where it has come into the shell, and its root p. A root that
@@ -202,5 +215,7 @@ int rootOfPixel(out Root root) {
 #endif
   // Newton-Kantorovich, of one variable. A quadric's one step need not come within the tolerance.
   root.certified = mostBend(e, p) * abs(e.c) <= 0.5 * e.b * e.b && isFirst(start, p, way, e) && off <= toleranceAt(root.depth);
+  // The back of what shows only its front: the ray goes on through it.
+  if (kFrontOnly && result == kFound && !root.front) return root.certified && leavesBehind(p, e, metre) ? kMissed : kLost;
   return result;
 }

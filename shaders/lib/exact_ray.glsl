@@ -19,6 +19,9 @@ const bool kGrazing = false;
 const bool kGrazing = true;  // whether rays may graze the surface
 #endif
 
+// Whether only the front of the surface is shown, though nothing hides the back: rays go on through that.
+layout(constant_id = kConstantFrontOnly) const bool kFrontOnly = false;
+
 // f = (dot(across1, S) + offset1, dot(across2, S) + offset2).
 struct Ray {
   real3 across1, across2;

@@ -66,10 +66,13 @@ real area(Probe at) { return at.fu.x * at.fv.y - at.fu.y * at.fv.x; }
 real shellSide() { return gl_FrontFacing != has(kNegative) ? 1.0 : -1.0; }
 real wantedSide;
 
-// Whether a ray that runs past a border of the surface may see its other side.
-bool seesPastBorder() { return has(kShowsBack) && has(kBordered); }
+// Whether a ray that runs past a border of the surface may see its other side, or, through that, what is farther on.
+bool seesPastBorder() { return (has(kShowsBack) || kFrontOnly) && has(kBordered); }
 
 layout(constant_id = kConstantPoles) const bool kPoles = true;  // whether an edge of a patch is one point
+
+// Whether a root is on the back of what shows only its front: the ray goes on through it.
+bool isPassed(Probe at) { return kFrontOnly && (area(at) < 0.0) != (has(kNegative) != has(kBackSide)); }
 
 // The angle of a direction, to half a hundredth: small ones far better.
 real angleOf(real2 q) {
@@ -370,7 +373,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
         crossed = rises || falls;
         wantedSide = falls ? -shellSide() : shellSide();
       } else if (isRoot && !again) {
-        passedBorder = seesPastBorder();
+        passedBorder = kFrontOnly || seesPastBorder();
         explained = true;
       }
       blind = blind || (counts && unsure && !again);
@@ -395,6 +398,20 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
   return nearest < 1e30 ? kFound : hasLeft && fromEntry && explained && !blind ? kMissed : kLost;
 }
 
+// Whether the ray, having met the surface nowhere before that root, leaves the slab behind it before it can meet it again.
+// On the curve the height over a root grows by `rise` and bends by less than `bend` (Theorem at `certified`), so that x cells
+// on it is at least rise x - bend x^2 / 2.
+bool leavesBehind(Ray ray, real2 p, Probe at) {
+  real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
+  real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p), k = changeOfOffset(ray);
+  Sample s = sampleAt(ray, p, at, senseOf(ray), k);
+  bool only = squares * length(at.f) * k <= 0.5 * det * det && squares * k * k * r * r <= 1.8 * det * det && r <= kFarCells;
+  real height = varyingClip.z + abs(s.g) + s.slack, rise = abs(s.slope), bend = 1.5 * k * (1.0 + s.tilt);
+  real square = rise * rise - 2.0 * bend * height;
+  real way = 2.0 * height / max(rise + sqrt(max(square, 0.0)), kSmallest);
+  return only && square > 0.0 && way <= 1.0 && way * k <= 0.25 * s.across;
+}
+
 // The point where rays may graze the surface.
 //
 // Newton's method from where the ray enters the shell finds most. Where folds lie close to each other or to an edge, it
@@ -402,7 +419,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
 // The trace takes the nearest of its roots, and Newton's method goes on from there. Where that one turns out to be none, or
 // none of the patch, there is another attempt farther away. A root far from the start may have others before it: it is
-// held until a trace has found none.
+// held until a trace has found none. What shows only its front is met from behind, too: there the search goes on.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   p = startAtEntry().xy;
   int result = kLost;
@@ -414,20 +431,22 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   bool passed = false, takesHeld = false, crossed = false;
   for (int attempt = 0; attempt <= kAttempts; ++attempt) {
     result = approach(ray, attempt > 0, crossed, p, at);
-    bool holds = attempt == 0 && result == kFound && cellsFromStart(p) > kFarCells;
+    bool goesOn = result == kFound && isPassed(at);
+    if (kFrontOnly && goesOn && leavesBehind(ray, p, at)) return kMissed;
+    bool holds = attempt == 0 && result == kFound && !goesOn && cellsFromStart(p) > kFarCells;
     if (holds) held = p, heldDepth = at.depth;
     // What is past a border, or farther away than a root that is none, is mostly another fragment's.
     passed = passed || result == kMissed;
     if (result == kLost && passed && !crossed) result = kMissed;
-    bool ended = result == kFound ? !holds : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
+    bool ended = result == kFound ? !holds && !goesOn : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
     if (ended || takesHeld) break;
-    if (attempt > 0) after = max(after, at.depth);
+    if (attempt > 0 || goesOn) after = max(after, at.depth);
     result = attempt + 1 < kAttempts ? traceCurve(ray, after, p, crossed) : kLost;
     takesHeld = heldDepth < 1e30 && (result != kFound || after >= heldDepth);
     if (takesHeld) p = held, wantedSide = shellSide(), crossed = false;
     else if (result != kFound) break;
   }
-  return result;
+  return result == kFound && isPassed(at) ? kLost : result;
 }
 
 // Finds the point; p and at are its own when found.

@@ -124,6 +124,7 @@ LUXO_CONSTANT kConstantOcclusion = 20;      // of the ambient light
 LUXO_CONSTANT kConstantGivenOrder = 21;     // what is seen through is blended node by node
 LUXO_CONSTANT kConstantLayerDetails = 22;   // points of what is seen through come with them
 LUXO_CONSTANT kConstantCarries = 23;        // vertices carry what is the same all over the draw
+LUXO_CONSTANT kConstantFrontOnly = 24;       // only the front of the surface is shown, and rays go on through its back
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
