@@ -136,6 +136,10 @@ HardScene crowdScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpt
        {{"a", {{"diffuse", {0.7, 0.5, 0.3}}, {"two_sided", true}}}, {"b", {{"diffuse", {0.3, 0.5, 0.7}}}}}},
       {"surfaces", Json::object()},
       {"nodes", Json::array()}};
+  if (showsFrontOnly(seed, index)) {
+    crowd.json["materials"]["a"]["two_sided"] = false;
+    crowd.kind += "+front only";
+  }
   const int surfaces = n.whole(3, 12);
   for (int i = 0; i < surfaces; ++i) addSurface(crowd.json, i, n);
   if (n.chance(0.2)) {

@@ -126,6 +126,11 @@ Json turned(Numbers& n) {
   return {{"axis", vectorJson(x, y, z)}, {"angle", rounded(n.between(0, 6.28))}};
 }
 
+bool showsFrontOnly(std::uint64_t seed, std::uint64_t index) {
+  constexpr std::uint64_t kOwnNumbers = 0x7369646573;
+  return Numbers(seed ^ kOwnNumbers, index).chance(0.3);
+}
+
 std::pair<PixelSize, int> formatOf(const HardSceneOptions& options, Numbers& n) {
   const bool four = n.chance(kFourSamples);
   const int part = n.whole(0, 8);
@@ -159,9 +164,7 @@ HardScene hardScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpti
                {"surfaces", {{"hard", std::move(surface)}}},
                {"nodes", Json::array({std::move(node)})}};
   if (n.chance(0.9)) hard.json["materials"]["m"]["two_sided"] = true;
-  // From numbers of its own: scenes stay what they were before some showed only their fronts.
-  constexpr std::uint64_t kOwnNumbers = 0x7369646573;
-  if (Numbers(seed ^ kOwnNumbers, index).chance(0.3)) {
+  if (showsFrontOnly(seed, index)) {
     hard.json["materials"]["m"]["two_sided"] = false;
     hard.kind += "+front only";
   }
