@@ -112,6 +112,14 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   return entry;
 }
 
+bool CasterList::losesMore(const SnapshotNode& node) {
+  const auto cells = geometry_.casters.cells(node.surface, node.parameters);
+  const Vec3 origin =
+      glm::inverse(node.worldFromObject.linear) * (list_.origin - node.worldFromObject.translation);
+  const Vec3 farthest = glm::max(glm::abs(cells->bounds.min), glm::abs(cells->bounds.max));
+  return cells->rounding > kRounding * (glm::length(origin) + glm::length(farthest));
+}
+
 std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& node, const Vec4& fromObject,
                                                           int gridSize) {
   // With fewer texels than that lists are too long to be walked: rays are faster.

@@ -35,6 +35,9 @@ class CasterList {
   /// it ends nowhere, its formula is too large, or there is no room for more (kMaxCasterBytes).
   [[nodiscard]] std::optional<Entry> entryOf(const SnapshotNode& node, const CasterCode& found,
                                              const Vec4& from, int gridSize);
+  /// Whether single precision loses more of the caster's formula than of the distances involved. Where a
+  /// light grazes what it falls on, what a caster is off by moves its shadow far more: rays find that.
+  [[nodiscard]] bool losesMore(const SnapshotNode& node);
   /// The number of the caster.
   std::uint32_t add(const shared::ShadowCaster& caster);
 

@@ -340,6 +340,7 @@ class ShadowLister {
   /// Whether a shader can find it.
   bool add(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node, const PixelRect& area) {
     const CasterCode found = casterCode(geometry_.codes, node.surface, node.parameters);
+    if (casters_.losesMore(node)) return false;
     const auto entry = casters_.entryOf(node, found, light.positionWorld, options_.shadowGridSize);
     if (!entry) return false;
     if (!entry->caster) return true;

@@ -28,6 +28,13 @@ Vec2 partsOf(const Vec3& step, const Vec3& su, const Vec3& sv) {
   return Vec2(glm::dot(glm::cross(step, sv), n), glm::dot(glm::cross(su, step), n)) / glm::dot(n, n);
 }
 
+/// How far along a ray another search may find that hit, metres.
+double rootOff(const Ray& ray, const Hit& hit) {
+  const double reach = glm::length(hit.position) + glm::length(ray.origin);
+  const double off = kRootRounding * reach / std::max(std::abs(glm::dot(hit.facet, ray.direction)), kGrazing);
+  return std::max(1e-9 * hit.t, off);
+}
+
 }  // namespace
 
 Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells, Shading shading)
@@ -224,11 +231,7 @@ void Caster::placeOnTriangle(const Beam& beam, const Root& root, Hit& hit) const
   hit.frame = NormalFrame(tangent, handed) * (turned ? -1.0 : 1.0);
 }
 
-double Caster::beyond(const Ray& ray, const Hit& hit) const {
-  const double reach = glm::length(hit.position) + glm::length(ray.origin);
-  const double off = kRootRounding * reach / std::max(std::abs(glm::dot(hit.facet, ray.direction)), kGrazing);
-  return hit.t + std::max(1e-9 * hit.t, off);
-}
+double Caster::beyond(const Ray& ray, const Hit& hit) const { return hit.t + rootOff(ray, hit); }
 
 Caster::First Caster::firstOf(std::span<const std::uint32_t> nodes, const Ray& ray) const {
   First first;
@@ -336,11 +339,19 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
   if (!mayMeet(ray, node)) return Vec3(1);
   double nearest = ownReach(hit, ray.direction);
   const Body& body = bodies_[node];
-  const RootQuery query{nearest, distance, Facing::Both, false};
+  // Of a light that is on the caster rounding decides on which side it is.
+  const double reach = glm::length(hit.position) + glm::length(Vec3(light.positionWorld));
+  const double margin = light.directional() ? 0 : std::max(1e-9 * distance, kRootRounding * reach / kGrazing);
+  const RootQuery query{nearest, distance + margin, Facing::Both, false};
+  const auto isBeforeLight = [&](const Hit& met) {
+    certified &= std::abs(met.t - distance) > rootOff(ray, met);
+    return met.t < distance;
+  };
   if (!materialOf(node).letsLightThrough()) {
     const Roots roots = body.shape.nearestRoot(ray, query);
     certified &= roots.certified;
-    return Vec3(roots.nearest ? 0 : 1);
+    if (!roots.nearest || roots.nearest->t < distance - margin) return Vec3(roots.nearest ? 0 : 1);
+    return Vec3(isBeforeLight(hitAt({ray}, node, *roots.nearest)) ? 0 : 1);
   }
   RootWalk walk(body.shape, ray, query);
   Vec3 left(1);
@@ -349,6 +360,7 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
     certified &= roots.certified;
     if (!roots.nearest) return left;
     Hit met = hitAt({ray}, node, *roots.nearest);
+    if (!isBeforeLight(met)) return left;
     met.footprint = Footprint(0);  // light has no pixels
     left *= materialOf(node).lightThrough(opacityOf(met), diffuseOf(met));
     // A ray leaves a plane where it meets it.
