@@ -152,6 +152,8 @@ VisibleNode describe(const Snapshot& snapshot, std::uint32_t index, const Bounds
   const Material& material = snapshot.materials[node.material.index];
   VisibleNode visible{.node = index};
   visible.nearestDepth = bounds.finite ? std::max(bounds.nearest, view.near) : view.near;
+  visible.farthestDepth =
+      bounds.finite ? std::max(bounds.farthest, view.near) : std::numeric_limits<double>::infinity();
   visible.centerDepth = bounds.finite ? -bounds.center.z : view.near;
   visible.stretch = largestStretch(node.worldFromObject.linear);
   const double tangent = std::min(bounds.tangentOffAxis, glm::length(view.halfExtent));

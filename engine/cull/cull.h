@@ -37,6 +37,7 @@ struct VisibleNode {
   /// orthographic: tau / f / stretch.
   double toleranceObject = 0;
   double nearestDepth = 0;   ///< lower bound of the depth of any point, clamped to the near plane
+  double farthestDepth = 0;  ///< upper bound of the depth of any point; infinite without finite bounds
   double centerDepth = 0;    ///< depth of the centre of the bounds
   double pixelsPerUnit = 0;  ///< f sqrt(1 + tan^2 phi), at depth 1; orthographic: pixels per metre
   double stretch = 1;        ///< metres of the world per metre of the object, at most

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "draw/drawn_facing.h"
 #include "draw/exact_data.h"
 #include "draw/near_section.h"
 #include "math/transform.h"
@@ -21,6 +22,35 @@ constexpr double kFinestShell = 2e-4;
 constexpr double kCoarsestShell = 1.0 / 64;
 // A quadric has neither. That it is one was seen in a shell that is no coarser than the above.
 constexpr double kCoarsestQuadric = 1.0 / 4;
+
+/// Of the surface's size: a slab that has to be thicker tells little of where its surface is.
+constexpr double kMostMargin = 1.0 / 16;
+
+/// How far slabs have to reach beyond their surface so that no device draws them beside it: half axes of an
+/// ellipsoid, object units, that holds what is a ball in the world. As the corners move from where they are
+/// to where they are drawn, all in parallel to the picture, none of the slab's faces passes through a point
+/// of the surface that has such a ball inside the slab: so before and after, every path from the eye to that
+/// point goes in through the slab's faces once more often than out (the degree of a map is invariant under
+/// homotopy), and the ray through the centre of a pixel on the surface enters by a face that is drawn there.
+/// Where the surface bends more sharply than with that radius its slab's faces pass through each other, and
+/// no more is known than that the surface is inside.
+Vec3 marginOf(const View& view, const SnapshotNode& node, const VisibleNode& v) {
+  // What is at most r in the world reaches r |M^-T n| along n in the object. M^-1 = D U, D its rows' lengths
+  // and U their directions: |M^-T n| = |U^T D n| is at most the stretch of U, 1 to sqrt(3), times |D n|.
+  const double radius = kMovedPx * (view.perspective() ? v.farthestDepth : 1) / view.pixelsPerUnit;
+  const Mat3 rows = glm::transpose(glm::inverse(node.worldFromObject.linear / v.stretch));
+  const Vec3 lengths(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
+  const double stretch = largestStretch(Mat3(rows[0] / lengths.x, rows[1] / lengths.y, rows[2] / lengths.z));
+  return stretch * radius / v.stretch * lengths;
+}
+
+/// Whether some of the shell may not be in the picture.
+bool mayClip(const View& view, const SnapshotNode& node, const VisibleNode& v, const Shell& shell) {
+  const Vec3 reach(2 * shell.offset * v.stretch);
+  const PixelRect pixels = pixelsOf(view, {node.boundsWorld.min - reach, node.boundsWorld.max + reach});
+  return pixels.low.x == 0 || pixels.low.y == 0 || pixels.high.x == view.size.width ||
+         pixels.high.y == view.size.height;
+}
 
 /// Whether its search is a quadratic equation, which finds the same root from wherever it begins.
 bool isQuadric(const Shell& shell) {
@@ -81,27 +111,31 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
   batch.shared = !inside && !options_.finerShells && sharesDraws(pixels);
   if (!batch.shared) ++drawnApart_;
   const ShellView view(eyeInObject(snapshot_.view, node.worldFromObject), !inside && !options_.finerShells);
+  // Of what shares its draws nothing is told apart.
+  const bool turns = batch.shared && mayClip(snapshot_.view, node, v, *batch.shell);
+  std::optional<DrawnFacing> facing;
+  if (!batch.shared) facing.emplace(snapshot_.view, node, *batch.shell);
   batch.state.frontOnly = batch.frontOnly;
   for (const Shell::Part& part : batch.shell->parts) {
     batch.state.surface = plane ? geometry_.codes.plane(shared::kEquationNumbers)
                                 : codeOf(geometry_.codes, node.surface, *batch.shell, part.patch,
                                          node.parameters.size(), number);
     batch.state.equation = batch.shell->patchData[part.patch].equation.has_value();
-    batch.culling = inside && batch.bothSides ? FaceCulling::None : FaceCulling::Back;
+    batch.culling = (inside && batch.bothSides) || turns ? FaceCulling::None : FaceCulling::Back;
     // A quadric's roots are all known at once.
     const std::optional<Equation>& equation = batch.shell->patchData[part.patch].equation;
     if (inside && !(equation && equation->form() == Equation::Form::Quadric))
       addNearSection(node, *batch.shell, part);
     batch.half = Half::Near;
-    addDraws(draws.batches, batch, view, part.firstIndex, part.frontCount);
+    addDraws(draws.batches, batch, view, facing, part.firstIndex, part.frontCount);
     batch.half = Half::Far;
     if (inside && snapshot_.view.perspective()) {
       // From inside the slab its faces are seen from behind. A ray leaves it by the bottom behind the outer
       // side, or, having dipped into that, by the top.
       if (!batch.bothSides) batch.culling = FaceCulling::Front;
-      addDraws(draws.batches, batch, view, part.firstIndex, part.count);
+      addDraws(draws.batches, batch, view, facing, part.firstIndex, part.count);
     } else if (batch.bothSides || batch.frontOnly) {
-      addDraws(draws.batches, batch, view, part.wallIndex(), part.frontCount);
+      addDraws(draws.batches, batch, view, facing, part.wallIndex(), part.frontCount);
     }
   }
   return draws;
@@ -127,43 +161,50 @@ void ShellList::addNearSection(const SnapshotNode& node, const Shell& shell, con
   list_.byRays.push_back(all);
 }
 
-/// Adds the draws of some of a shell's triangles: of the transversal ones, and of those that a ray may graze.
+/// Adds the draws of some of a shell's triangles: of the transversal ones, of those that a ray may graze, and
+/// of those that may turn over where they are clipped.
 void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const ShellView& view,
-                         std::uint32_t firstIndex, std::uint32_t count) {
+                         const std::optional<DrawnFacing>& facing, std::uint32_t firstIndex,
+                         std::uint32_t count) {
   if (batch.shared) {
     addSharedDraws(batches, std::move(batch), firstIndex, count);
     return;
   }
   const Shell& shell = *batch.shell;
-  std::vector<std::uint32_t>& all = list_.shellIndices;
-  std::array<std::vector<std::uint32_t>, 2> grazing;  // where no edge is a point, and where one is
-  const std::size_t first = all.size();
+  std::vector<std::uint32_t> transversal;
+  using ByPoles = std::array<std::vector<std::uint32_t>, 2>;  // where no edge is a point, and where one is
+  ByPoles grazing, turning;
   for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
     // Whether a ray that goes on through the back comes back to the front, the cone does not prove.
     const Seen seen = batch.half == Half::Near ? view.seen(shell, i, 1)
                       : batch.frontOnly        ? Seen::Grazing
                                                : view.seen(shell, i, -1);
-    if (seen == Seen::Away) continue;
+    const bool turns = facing->uncertain(i);
+    if (seen == Seen::Away && !turns) continue;
     // By its equation a surface is found where it is grazed as it is elsewhere.
-    const bool isTransversal = seen == Seen::Transversal && !batch.state.equation;
+    const bool isTransversal = seen == Seen::Transversal && !batch.state.equation && !turns;
     const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
     std::vector<std::uint32_t>& indices =
-        isTransversal ? all : grazing[!batch.state.equation && patch.hasPole()];
+        isTransversal
+            ? transversal
+            : (turns && facing->clips() ? turning : grazing)[!batch.state.equation && patch.hasPole()];
     indices.insert(indices.end(), shell.indices.begin() + i, shell.indices.begin() + i + 3);
   }
-  const auto add = [&](std::size_t from) {
-    if (from == all.size()) return;
-    batch.firstIndex = static_cast<std::uint32_t>(from);
-    batch.indexCount = static_cast<std::uint32_t>(all.size() - from);
+  const auto add = [&](const std::vector<std::uint32_t>& indices) {
+    if (indices.empty()) return;
+    batch.firstIndex = static_cast<std::uint32_t>(list_.shellIndices.size());
+    batch.indexCount = static_cast<std::uint32_t>(indices.size());
+    list_.shellIndices.insert(list_.shellIndices.end(), indices.begin(), indices.end());
     batches.push_back(batch);
   };
-  add(first);
+  add(transversal);
   batch.state.grazing = true;
-  for (const bool poles : {false, true}) {
-    const std::size_t from = all.size();
-    all.insert(all.end(), grazing[poles].begin(), grazing[poles].end());
-    batch.state.poles = poles;
-    add(from);
+  for (const ByPoles* triangles : {&grazing, &turning}) {
+    for (const bool poles : {false, true}) {
+      batch.state.poles = poles;
+      add((*triangles)[poles]);
+    }
+    batch.culling = FaceCulling::None;
   }
 }
 
@@ -259,14 +300,20 @@ std::shared_ptr<const Shell> ShellList::shellOf(const SnapshotNode& node, const 
   // What has collapsed into a point at this moment has no size to go by.
   const double coarsest =
       kCoarsestShell * size > kLeastSpacing ? kCoarsestShell * size : std::numeric_limits<double>::infinity();
-  const double wanted = v.toleranceObject / options_.tolerancePx * options_.shellTolerancePx;
+  // The node's bounds may be nearer beside the picture than in it.
+  const double nearer = snapshot_.view.perspective() ? nearestSeen(snapshot_.view, node) / v.nearestDepth : 1;
+  const double wanted =
+      std::max(1.0, nearer) * v.toleranceObject / options_.tolerancePx * options_.shellTolerancePx;
   const double tolerance = std::min(std::max(wanted, kFinestShell * size), coarsest);
   const auto most = static_cast<double>(std::max(pixels.count(), kWorthRays));
   const double refined = options_.finerShells ? tolerance / 4 : tolerance;
-  std::shared_ptr<const Shell> shell = geometry_.shells.get(node.surface, node.parameters, refined, most);
+  const Vec3 margin = marginOf(snapshot_.view, node, v);
+  if (!glm::all(glm::lessThanEqual(margin, Vec3(kMostMargin * size)))) return nullptr;
+  std::shared_ptr<const Shell> shell =
+      geometry_.shells.get(node.surface, node.parameters, refined, margin, most);
   if (shell && pixels.count() <= options_.sharedPixels && isQuadric(*shell))
     shell = geometry_.shells.get(node.surface, node.parameters,
-                                 std::max(refined, std::min(wanted, kCoarsestQuadric * size)), most);
+                                 std::max(refined, std::min(wanted, kCoarsestQuadric * size)), margin, most);
   return shell;
 }
 

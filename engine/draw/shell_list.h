@@ -12,6 +12,7 @@
 
 #include "cull/cull.h"
 #include "draw/draw_list.h"
+#include "draw/drawn_facing.h"
 #include "draw/options.h"
 #include "scene/snapshot.h"
 #include "shell/shell_view.h"
@@ -51,7 +52,7 @@ class ShellList {
                                                      const PixelRect& pixels);
   void addNearSection(const SnapshotNode& node, const Shell& shell, const Shell::Part& part);
   void addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const ShellView& view,
-                std::uint32_t firstIndex, std::uint32_t count);
+                const std::optional<DrawnFacing>& facing, std::uint32_t firstIndex, std::uint32_t count);
   void addSharedDraws(std::vector<DrawBatch>& batches, DrawBatch batch, std::uint32_t firstIndex,
                       std::uint32_t count);
   void listOutline(const DrawBatch& batch, std::uint32_t instance, std::uint32_t index);

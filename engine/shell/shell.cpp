@@ -29,13 +29,8 @@ namespace {
 /// to b (1 - x / L) at least, L being its height: at most b^3 / 2 L^2 too low, which this covers for
 /// triangles higher than 2.3 b.
 constexpr double kSlack = 1.1;
-/// Parts of the shell's size: what single precision rounds away, and the thickness of what is flat.
-constexpr double kRounding = 1e-6, kThinnest = 1e-4;
-/// Devices move corners to a grid of 1/256 pixel: by 1/128 pixel the shell of what is flat reaches over its
-/// borders, or what ends where its neighbour begins has gaps. Of its tolerance, which is half a pixel at
-/// least; and of the size of the coarsest ones, of which small things have none finer (shell_list.cpp): of
-/// something a pixel across.
-constexpr double kLeastOfTolerance = 1.0 / 64, kLeastOfSize = 1.0 / 128, kCoarsest = 1.0 / 91;
+/// What single precision rounds away, parts of the shell's size.
+constexpr double kRounding = 1e-6;
 
 /// Of the surface's size: no closer is it looked where a formula ends.
 constexpr double kOpen = 1.0 / 24;
@@ -105,36 +100,35 @@ class Builder {
   /// little is below the other, too; what reaches farther is part of the other's height.
   [[nodiscard]] std::vector<Distances> distances() const {
     const ShellHeights& heights = frame_.heights();
-    const double least = std::min(0.1 * desc_.tolerance, kThinnest * frame_.size());
-    std::vector<Distances> distances(frame_.pointCount(),
-                                     {least, least, std::max(least, leastBeyond()), least});
-    const auto raise = [&](double& largest, double height) {
-      largest = std::max(
-          largest, kSlack * (std::isfinite(height) ? height : desc_.tolerance) + kRounding * frame_.size());
+    std::vector<Distances> distances(frame_.pointCount());
+    const auto raise = [&](double& largest, double height, double margin) {
+      const double least = std::isfinite(height) ? height : desc_.tolerance;
+      largest = std::max(largest, kSlack * least + kRounding * frame_.size() + margin);
     };
-    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
+    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
+      const double margin = marginAlong(frame_.facet(t));
       for (const std::uint32_t v : frame_.corners(t)) {
         Distances& d = distances[frame_.pointOf(v)];
-        raise(d.out, heights.above[t]);
-        raise(d.in, heights.below[t]);
+        raise(d.out, heights.above[t], margin);
+        raise(d.in, heights.below[t], margin);
       }
+    }
     for (std::size_t w = 0; w < frame_.walls().size(); ++w)
       for (const std::uint32_t v : {frame_.walls()[w].from, frame_.walls()[w].to}) {
-        Distances& d = distances[frame_.pointOf(v)];
-        raise(d.beyond, heights.beyond[w]);
-        raise(d.within, heights.within[w]);
+        const std::size_t point = frame_.pointOf(v);
+        for (const Vec3& normal : frame_.wallsAround(point)) {
+          raise(distances[point].beyond, heights.beyond[w], marginAlong(normal));
+          raise(distances[point].within, heights.within[w], marginAlong(normal));
+        }
       }
     return distances;
   }
 
-  /// Over borders.
-  [[nodiscard]] double leastBeyond() const {
-    const double size = frame_.size();
-    const auto isFlat = [&](const std::vector<double>& heights) {
-      return std::ranges::all_of(heights, [&](double height) { return height <= kRounding * size; });
-    };
-    if (!isFlat(frame_.heights().above) || !isFlat(frame_.heights().below)) return 0;
-    return desc_.tolerance < kCoarsest * size ? kLeastOfTolerance * desc_.tolerance : kLeastOfSize * size;
+  /// How far the ellipsoid of the margin reaches in that direction; in any, of triangles without one.
+  [[nodiscard]] double marginAlong(const Vec3& normal) const {
+    const Vec3& axes = desc_.margin;
+    const double parts = normal == Vec3(0) ? std::max({axes.x, axes.y, axes.z}) : glm::length(axes * normal);
+    return parts * desc_.tolerance;
   }
 
   void moveVertices(Shell& shell) {

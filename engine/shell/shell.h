@@ -120,11 +120,17 @@ struct Shell {
 /// A search by an equation may begin so many times as far off as one by a formula: its steps are longer.
 inline constexpr double kEquationTolerance = 2;
 
+/// Above 0, so that a slab around what is flat has a thickness.
+inline constexpr double kLeastMargin = 1.0 / 64;
+
 struct ShellDesc {
   /// Largest deviation of the mesh under the shell, object units; times kEquationTolerance where all patches
   /// have equations. The slab is half as thick, mostly less. A few pixels are best: finer shells have more
   /// triangles, coarser ones start the search too far off.
   double tolerance = 0;
+  /// How far the slab reaches beyond the surface on all sides, borders included: an ellipsoid around each
+  /// point of the surface is inside. Its half axes, parts of the tolerance.
+  Vec3 margin{kLeastMargin};
   /// Largest angle between the direction in which a vertex moves and the normals of the triangles around it,
   /// radians. What turns faster is tessellated more finely, as far as that helps and is not much thinner than
   /// the tolerance; so is what turns by more than a radian within a triangle.

@@ -18,6 +18,13 @@ std::size_t bytesOf(const Shell& shell) {
   return bytes;
 }
 
+/// Few: what moves past a camera has one margin mostly.
+double marginLevel(double margin) {
+  double level = kLeastMargin;
+  while (level < margin) level *= 4;
+  return level;
+}
+
 }  // namespace
 
 bool ShellCache::isInterrupted() {
@@ -26,8 +33,9 @@ bool ShellCache::isInterrupted() {
 }
 
 std::shared_ptr<const Shell> ShellCache::get(const Surface& surface, std::span<const double> parameters,
-                                             double tolerance, double mostTriangles) {
+                                             double tolerance, const Vec3& margin, double mostTriangles) {
   Key key{.shape = {surface, parameters}, .tolerance = toleranceLevel(tolerance)};
+  for (int axis = 0; axis < 3; ++axis) key.margin[axis] = marginLevel(margin[axis] / key.tolerance);
   if (auto shell = shells_.find(key))
     return static_cast<double>(shell->triangleCount()) > mostTriangles ? nullptr : shell;
   Known& known = known_.get(surface, parameters, [&] {
@@ -35,11 +43,11 @@ std::shared_ptr<const Shell> ShellCache::get(const Surface& surface, std::span<c
   });
   double& least = known.leastTriangles[key.tolerance];
   if (least >= mostTriangles) return nullptr;
-  std::optional<Shell> shell =
-      makeShell(surface, parameters, known.map,
-                {.tolerance = key.tolerance, .mostTriangles = mostTriangles, .interrupted = [this] {
-                   return isInterrupted();
-                 }});
+  std::optional<Shell> shell = makeShell(surface, parameters, known.map,
+                                         {.tolerance = key.tolerance,
+                                          .margin = {key.margin[0], key.margin[1], key.margin[2]},
+                                          .mostTriangles = mostTriangles,
+                                          .interrupted = [this] { return isInterrupted(); }});
   if (!shell && interrupted_) return nullptr;
   if (!shell) {
     least = mostTriangles;

@@ -2,6 +2,7 @@
 // Shells by (surface, parameter values, level of detail): what was made once is not made again.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -22,10 +23,11 @@ class ShellCache {
  public:
   explicit ShellCache(std::size_t mostBytes = kUsualCacheBytes) : shells_(mostBytes) {}
 
-  /// The shell for the level of the tolerance (toleranceLevel()); null where it has more than so many
-  /// triangles, and where it would have to be made since an interruption.
+  /// The shell for the level of the tolerance (toleranceLevel()) and of the half axes of the margin, object
+  /// units (parts of the tolerance: the next powers of 4 at or above them, kLeastMargin at least); null where
+  /// it has more than so many triangles, and where it would have to be made since an interruption.
   [[nodiscard]] std::shared_ptr<const Shell> get(const Surface& surface, std::span<const double> parameters,
-                                                 double tolerance, double mostTriangles);
+                                                 double tolerance, const Vec3& margin, double mostTriangles);
 
   /// What is asked now and then while a shell is made: whether that should end.
   void setInterruption(std::function<bool()> asked) { interruption_ = std::move(asked); }
@@ -40,9 +42,10 @@ class ShellCache {
   struct Key {
     Shape shape;
     double tolerance = 0;
+    std::array<double, 3> margin{};
 
     friend bool operator<(const Key& a, const Key& b) {
-      return std::tie(a.shape, a.tolerance) < std::tie(b.shape, b.tolerance);
+      return std::tie(a.shape, a.tolerance, a.margin) < std::tie(b.shape, b.tolerance, b.margin);
     }
   };
   struct Known {

@@ -235,7 +235,7 @@ TEST_F(ExactExtremes, ScalesThatUndoTheFormulas) {
     // A factor of two is left of the scale, along either direction; GPUs are given what is hidden, too.
     EXPECT_LE(static_cast<double>(uneven.statistics.count.triangles),
               tolerance(4, 6) * static_cast<double>(round.statistics.count.triangles));
-    EXPECT_EQ(uneven.statistics.count.passes, round.statistics.count.passes);
+    EXPECT_LE(uneven.statistics.error.resolvedByRaysPx, 4U);
     EXPECT_EQ(uneven.statistics.error.unconvergedPx, 0U);
     // Where a ray grazes, a thousandth of a pixel turns the normal by this.
     for (int y = 0; y < kExactExtremesSize.height; ++y)

@@ -11,16 +11,17 @@
 namespace luxo {
 namespace {
 
+const Vec3 kThin(0);
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
 TEST(ShellCache, ALevelIsOneShell) {
   ShellCache cache;
   const Surface ball = sphere(1);
-  const auto shell = cache.get(ball, {}, 0.01, kAny);
+  const auto shell = cache.get(ball, {}, 0.01, kThin, kAny);
   EXPECT_EQ(cache.made(), 1u);
-  EXPECT_EQ(cache.get(ball, {}, toleranceLevel(0.01), kAny), shell);
+  EXPECT_EQ(cache.get(ball, {}, toleranceLevel(0.01), kThin, kAny), shell);
   EXPECT_EQ(cache.made(), 1u);
-  EXPECT_NE(cache.get(ball, {}, 0.02, kAny), shell);
+  EXPECT_NE(cache.get(ball, {}, 0.02, kThin, kAny), shell);
   EXPECT_EQ(cache.made(), 2u);
   const Shell made = *makeShell(ball, {}, CurvatureMap(ball, {}), {.tolerance = toleranceLevel(0.01)});
   EXPECT_EQ(shell->positions, made.positions);
@@ -30,7 +31,7 @@ TEST(ShellCache, ALevelIsOneShell) {
 TEST(ShellCache, ForgetsBeyondItsBudgetWhatNobodyHolds) {
   const Surface ball = sphere(1);
   ShellCache cache(1);  // so that the last one asked for remains
-  const auto ask = [&](double tolerance) { return cache.get(ball, {}, tolerance, kAny); };
+  const auto ask = [&](double tolerance) { return cache.get(ball, {}, tolerance, kThin, kAny); };
   static_cast<void>(ask(0.01));
   static_cast<void>(ask(0.01));
   EXPECT_EQ(cache.made(), 1u);
@@ -45,13 +46,13 @@ TEST(ShellCache, ForgetsBeyondItsBudgetWhatNobodyHolds) {
 TEST(ShellCache, AShellOfTooManyTrianglesIsNotMade) {
   ShellCache cache;
   const Surface ball = sphere(1);
-  const auto most = static_cast<double>(cache.get(ball, {}, 0.01, kAny)->triangleCount());
-  EXPECT_EQ(cache.get(ball, {}, 0.01, most - 1), nullptr) << "although it is there";
+  const auto most = static_cast<double>(cache.get(ball, {}, 0.01, kThin, kAny)->triangleCount());
+  EXPECT_EQ(cache.get(ball, {}, 0.01, kThin, most - 1), nullptr) << "although it is there";
   ShellCache another;
-  EXPECT_EQ(another.get(ball, {}, 0.001, most), nullptr);
-  EXPECT_EQ(another.get(ball, {}, 0.001, 0.5 * most), nullptr);
+  EXPECT_EQ(another.get(ball, {}, 0.001, kThin, most), nullptr);
+  EXPECT_EQ(another.get(ball, {}, 0.001, kThin, 0.5 * most), nullptr);
   EXPECT_EQ(another.made(), 0u);
-  EXPECT_NE(another.get(ball, {}, 0.001, kAny), nullptr);
+  EXPECT_NE(another.get(ball, {}, 0.001, kThin, kAny), nullptr);
 }
 
 TEST(ShellCache, AnInterruptedShellIsMadeWhenItIsAskedForAgain) {
@@ -59,15 +60,15 @@ TEST(ShellCache, AnInterruptedShellIsMadeWhenItIsAskedForAgain) {
   const Surface ball = sphere(1), ring = torus(1, 0.4);
   int asked = 0;
   cache.setInterruption([&] { return ++asked == 1; });
-  EXPECT_EQ(cache.get(ball, {}, 0.001, kAny), nullptr);
+  EXPECT_EQ(cache.get(ball, {}, 0.001, kThin, kAny), nullptr);
   EXPECT_TRUE(cache.interrupted());
-  EXPECT_EQ(cache.get(ring, {}, 0.001, kAny), nullptr) << "all others of the picture wait, too";
+  EXPECT_EQ(cache.get(ring, {}, 0.001, kThin, kAny), nullptr) << "all others of the picture wait, too";
   EXPECT_EQ(asked, 1);
   cache.resume();
-  EXPECT_NE(cache.get(ball, {}, 0.001, kAny), nullptr);
+  EXPECT_NE(cache.get(ball, {}, 0.001, kThin, kAny), nullptr);
   EXPECT_FALSE(cache.interrupted());
   cache.setInterruption([] { return true; });
-  EXPECT_NE(cache.get(ball, {}, 0.001, kAny), nullptr) << "it is there";
+  EXPECT_NE(cache.get(ball, {}, 0.001, kThin, kAny), nullptr) << "it is there";
   EXPECT_FALSE(cache.interrupted());
 }
 

@@ -99,10 +99,10 @@ int openEdges(const std::vector<Triangle>& triangles, double unit = 0) {
   return static_cast<int>(std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; }));
 }
 
-/// How many of `count` points of the patch are not within its slab. Every other one is on an edge, where a
-/// wall could cut.
+/// How many of `count` points of the patch, each moved to somewhere on an ellipsoid around it, are not within
+/// its slab. Every other one is on an edge, where a wall could cut.
 int pointsOutside(const Surface& surface, std::span<const double> parameters, const Shell& shell,
-                  std::uint32_t patch, int count) {
+                  std::uint32_t patch, int count, const Vec3& halfAxes = Vec3(0)) {
   const std::vector<Triangle> slab = slabOf(shell, patch);
   std::mt19937 random(patch + 1);
   std::uniform_real_distribution<double> part(0, 1);
@@ -114,7 +114,9 @@ int pointsOutside(const Surface& surface, std::span<const double> parameters, co
     if (k % 4 == 3) v = std::round(v);
     const Vec3 p = surface.position(patch, domain.u.lo + u * domain.u.width(),
                                     domain.v.lo + v * domain.v.width(), parameters);
-    if (std::isfinite(p.x + p.y + p.z) && !(windingNumber(slab, p) > 0.5)) ++outside;
+    const Vec3 way(part(random) - 0.5, part(random) - 0.5, part(random) - 0.5);
+    const Vec3 moved = p + halfAxes * glm::normalize(way);
+    if (std::isfinite(p.x + p.y + p.z) && !(windingNumber(slab, moved) > 0.5)) ++outside;
   }
   return outside;
 }
@@ -150,6 +152,20 @@ TEST_P(CatalogueShell, IsClosedAndHoldsTheSurface) {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueShell, testing::ValuesIn(catalogueNames()),
                          [](const auto& test) { return test.param; });
+
+// Where they bend less sharply than it.
+TEST(Shell, AnEllipsoidAroundEachPointIsInside) {
+  const Vec3 margin(0.1, 0.02, 0.3);
+  for (const char* name : {"torus", "disk", "rectangle", "mobius", "enneper", "klein_figure8", "teapot"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = makeSurface(name);
+    const double tolerance = 0.005 * sizeOf(surface);
+    const Shell shell =
+        *makeShell(surface, {}, CurvatureMap(surface, {}), {.tolerance = tolerance, .margin = margin});
+    for (std::uint32_t patch = 0; patch < surface.patchCount(); patch += 5)
+      EXPECT_EQ(pointsOutside(surface, {}, shell, patch, 400, 0.999 * tolerance * margin), 0);
+  }
+}
 
 TEST(TessellateShell, BoundsHowMuchDerivativesChangeOverACell) {
   std::mt19937 random(7);
@@ -400,14 +416,18 @@ TEST(Shell, VerticesCarryTheirCells) {
   EXPECT_EQ(shell.cells, largest);
 }
 
-TEST(Shell, FlatSurfacesAreThin) {
-  // Of 1e-4 of the size; its corners move along both walls' normals and the plane's.
-  const Shell shell = shellOf(rectangle(3, 4), 0.01);
-  EXPECT_EQ(shell.bound, 0);
-  EXPECT_NEAR(shell.offset, 5e-4 * std::sqrt(3.0), 1e-9);
-  // The coarsest is of what may be a pixel across, and reaches over both borders by 1/128 of its size.
-  EXPECT_NEAR(shellOf(rectangle(3, 4), 0.1).offset, std::hypot(5e-4, 5.0 / 128, 5.0 / 128), 1e-6);
-  EXPECT_EQ(shell.triangleCount(), 12u);
+TEST(Shell, FlatSurfacesAreAsThinAsTheMargin) {
+  // Corners move along both walls' normals and the plane's by the margin, and by 1e-6 of the size. What has
+  // an equation is searched for from twice as far.
+  const Surface flat = rectangle(3, 4);
+  const auto offsetOf = [&](double tolerance, double margin) {
+    return makeShell(flat, {}, CurvatureMap(flat, {}), {.tolerance = tolerance, .margin = Vec3(margin)})
+        ->offset;
+  };
+  EXPECT_EQ(shellOf(flat, 0.01).bound, 0);
+  EXPECT_EQ(shellOf(flat, 0.01).triangleCount(), 12u);
+  EXPECT_NEAR(shellOf(flat, 0.01).offset, std::sqrt(3.0) * (0.02 / 64 + 5e-6), 1e-12);
+  EXPECT_NEAR(offsetOf(0.01, 0.5), std::sqrt(3.0) * (0.01 + 5e-6), 1e-12);
   // A rim deviates sideways, by nearly the bound.
   const Shell rim = shellOf(disk(1), 0.01);
   EXPECT_GT(rim.offset, 0.01 * std::sqrt(2.0) * 0.5);

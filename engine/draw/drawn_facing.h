@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which way a shell's triangles face where a device draws them: not always the way they do.
+//
+// A device moves the corners of triangles to the raster's grid, and a triangle that is narrower in the
+// picture than they move may turn over. The faces of a slab around a point of the surface go around it all
+// the same (marginOf() in shell_list.cpp), but only all of them do: what turned over covers what its
+// neighbours no longer do.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/snapshot.h"
+#include "shell/shell.h"
+
+namespace luxo {
+
+/// How far a device may draw the corners of shells beside where they are, pixels: the raster's grid is 1/256
+/// (half a cell's diagonal, once more where clipping makes new corners), and float moves them by up to
+/// kOutlinePx (exact_data.cpp).
+inline constexpr double kMovedPx = 1.0 / 64;
+
+class DrawnFacing {
+ public:
+  /// The shell is kept by reference. Cost: some 10 ns per vertex.
+  DrawnFacing(const View& view, const SnapshotNode& node, const Shell& shell);
+
+  /// Whether the triangle that begins at that index is so narrow that it may be drawn with either side in
+  /// front (certainArea()), or is cut by the near plane.
+  [[nodiscard]] bool uncertain(std::uint32_t firstIndex) const;
+
+  /// Whether triangles may be clipped, as some of them are not in the picture. Devices may then decide which
+  /// way triangles face before they move corners to the grid.
+  [[nodiscard]] bool clips() const { return clips_; }
+
+ private:
+  const Shell& shell_;
+  double near_;
+  std::vector<Vec3> corners_;  // in the picture
+  bool clips_ = false;
+};
+
+}  // namespace luxo
