@@ -79,12 +79,19 @@ std::string missingFeature(VkPhysicalDevice device) {
 }
 
 std::string tooLow(const VkPhysicalDeviceLimits& limits) {
-  const std::pair<std::uint32_t, const char*> needed[] = {
-      {limits.maxVertexOutputComponents, "maxVertexOutputComponents"},
-      {limits.maxFragmentInputComponents, "maxFragmentInputComponents"}};
-  for (const auto& [limit, name] : needed)
-    if (limit < kVaryingComponents)
-      return fmt::format("its limit {} is {}, below {}", name, limit, kVaryingComponents);
+  struct Needed {
+    std::uint32_t limit, least;
+    const char* name;
+  };
+  const Needed needed[] = {
+      {limits.maxVertexOutputComponents, kVaryingComponents, "maxVertexOutputComponents"},
+      {limits.maxFragmentInputComponents, kVaryingComponents, "maxFragmentInputComponents"},
+      {limits.maxPerStageDescriptorStorageBuffers, kStageStorageBuffers,
+       "maxPerStageDescriptorStorageBuffers"},
+      {limits.maxDescriptorSetStorageBuffers, kStageStorageBuffers, "maxDescriptorSetStorageBuffers"},
+      {limits.subPixelPrecisionBits, kSubpixelBits, "subPixelPrecisionBits"}};
+  for (const auto& [limit, least, name] : needed)
+    if (limit < least) return fmt::format("its limit {} is {}, below {}", name, limit, least);
   return {};
 }
 

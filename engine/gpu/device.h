@@ -30,6 +30,12 @@ struct DeviceInfo {
 /// What vertices hand to fragments, 32 bits each: a device has to have room for so many. Vulkan promises 64,
 /// devices have 124 or more.
 inline constexpr std::uint32_t kVaryingComponents = 120;
+/// Storage buffers that a stage of one pipeline reads at most (SceneLayouts): Vulkan promises 4, devices have
+/// 64 or more.
+inline constexpr std::uint32_t kStageStorageBuffers = 26;
+/// Of the raster's grid, as shells reach beyond their surfaces by what corners move on it (drawn_facing.h).
+/// Vulkan promises 4, devices have 8.
+inline constexpr std::uint32_t kSubpixelBits = 8;
 
 /// Every device in the driver's order, which is what a device number counts. Starts and stops Vulkan (about
 /// 20 ms); empty when no driver works, and then noDriverHint() says what to try.
