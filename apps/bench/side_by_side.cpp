@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "side_by_side.h"
+#include "base/stopwatch.h"
 
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 namespace luxo::bench {
@@ -28,10 +28,10 @@ double processCpuMs() {
 
 Cost measure(const Way& way, int index) {
   const double cpuStart = processCpuMs();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   way(index);
-  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-  return {wall.count(), processCpuMs() - cpuStart};
+  const double wall = watch.milliseconds();
+  return {wall, processCpuMs() - cpuStart};
 }
 
 Cost median(const std::vector<Cost>& costs) {

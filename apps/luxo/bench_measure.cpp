@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_measure.h"
+#include "base/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <list>
@@ -14,8 +14,6 @@
 
 namespace luxo {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kUsualTolerancePx = DrawOptions{}.tolerancePx,
@@ -77,12 +75,12 @@ class SceneBench {
 
  private:
   bool castTruth() {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     ReferenceOptions options;
     options.progress = [&](double done) { return goesOn_(0.9 * kTruthEnd * done); };
     truth_ = castPicture(snapshot_, options);
     if (!truth_.complete) return false;
-    result_.truthMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    result_.truthMs = watch.milliseconds();
     result_.truth = truth_.color;
     result_.covered = truth_.hits;
     result_.undecided = truth_.undecided;

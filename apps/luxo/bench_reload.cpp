@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_reload.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -17,7 +17,6 @@
 #include "draw/renderer.h"
 #include "image/file.h"
 #include "open_scene.h"
-#include "process_tuning.h"
 #include "scene/shader_files.h"
 #include "scene/snapshot.h"
 #include "scenes/gallery.h"
@@ -52,7 +51,7 @@ struct Times {
 
 /// Saves the shader, and draws what it shows now.
 void reload(Renderer& renderer, const fs::path& file, const std::string& text, PixelSize size, Times& times) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const double before = renderer.context().counters().pipelineMs;
   save(file, text);
   const OpenedShader opened = openShader(file.string(), {}, {.about = WarningsAbout::WhatIsLacking});
@@ -60,8 +59,7 @@ void reload(Renderer& renderer, const fs::path& file, const std::string& text, P
   DrawOptions options{.audit = {.extent = AuditExtent::None}};
   options.skips.unchanged = false;
   const double first = renderer.render(snapshot, options).statistics.ms.gpu;
-  const double total = millisecondsSince(start),
-               pipelines = renderer.context().counters().pipelineMs - before;
+  const double total = watch.milliseconds(), pipelines = renderer.context().counters().pipelineMs - before;
   const double again = renderer.render(snapshot, options).statistics.ms.gpu;
   const double driver = pipelines + std::max(first - again, 0.0);
   times.total.push_back(total);

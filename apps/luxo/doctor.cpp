@@ -4,12 +4,12 @@
 #include <sys/utsname.h>
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "console.h"
 #include "draw/device_precision.h"
 #include "draw/renderer.h"
@@ -58,7 +58,7 @@ std::vector<Check> checkDevices() {
   for (std::size_t i = 0; i < devices.size(); ++i) {
     Check check{devices[i], devices[i].missing};
     if (devices[i].usable()) {
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch watch;
       try {
         gpu::Context context({.device = std::to_string(i)});
         check.verdict = testPicture(context);
@@ -67,7 +67,7 @@ std::vector<Check> checkDevices() {
       } catch (const Error& error) {
         check.verdict = error.what();
       }
-      check.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+      check.ms = watch.milliseconds();
     }
     checks.push_back(std::move(check));
   }

@@ -138,7 +138,7 @@ int runGallery(const GalleryOptions& options) {
     const gpu::DeviceInfo& info = context.deviceInfo();
     report.device = {info.name, gpu::deviceTypeName(info.type), info.driver,
                      options.report ? std::optional(sinCosError(context)) : std::nullopt};
-    report.startupMs = millisecondsSince(processStart());
+    report.startupMs = processMilliseconds();
     if (!drawAll(options, sheet, verbosity, context, picture, report))
       return exit_code::kSignal + interruptingSignal();
   }
@@ -147,7 +147,7 @@ int runGallery(const GalleryOptions& options) {
   if (options.report) writeReport(report, *options.report);
   if (verbosity != Verbosity::Quiet)
     printNote(fmt::format("{}  {}x{}  {} scenes  {:.0f} ms  on {}", options.output, report.size.width,
-                          report.size.height, count, millisecondsSince(processStart()), report.device.name));
+                          report.size.height, count, processMilliseconds(), report.device.name));
   return exit_code::kDone;
 }
 

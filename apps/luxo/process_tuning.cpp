@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process_tuning.h"
+#include "base/stopwatch.h"
 
 #include <oneapi/tbb/global_control.h>
 #include <pthread.h>
@@ -19,7 +20,7 @@
 namespace luxo {
 namespace {
 
-const std::chrono::steady_clock::time_point kProcessStart = std::chrono::steady_clock::now();
+const Stopwatch kProcess;
 
 }  // namespace
 
@@ -75,10 +76,6 @@ void fitThreadsToProcess() {
   }
 }
 
-std::chrono::steady_clock::time_point processStart() { return kProcessStart; }
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
+double processMilliseconds() { return kProcess.milliseconds(); }
 
 }  // namespace luxo

@@ -2,8 +2,6 @@
 // Settings of the whole process, which only an application may choose.
 #pragma once
 
-#include <chrono>
-
 namespace luxo {
 
 /// Keeps freed memory in the process. A CPU Vulkan driver allocates and frees its bins every frame, and by
@@ -24,9 +22,7 @@ void ignoreFileSizeSignal();
 /// this program works in one. Call once, before any work. Cost: 32 threads at most that do nothing, 0.3 ms.
 void fitThreadsToProcess();
 
-/// When this process began, as near as it can tell: the time a user has been waiting since.
-[[nodiscard]] std::chrono::steady_clock::time_point processStart();
-
-[[nodiscard]] double millisecondsSince(std::chrono::steady_clock::time_point start);
+/// Since this process began, as near as it can tell: how long a user has been waiting.
+[[nodiscard]] double processMilliseconds();
 
 }  // namespace luxo

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <chrono>
 #include <limits>
 #include <set>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/stopwatch.h"
 #include "interruption.h"
 #include "picture_engine.h"
 #include "progress_bar.h"
@@ -16,8 +16,6 @@
 
 namespace luxo {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 Image imageOf(const ReferencePicture& picture, int channels, const auto& valueOf) {
   Image image(picture.color.width(), picture.color.height(), channels);
@@ -69,7 +67,7 @@ class ReferenceEngine : public PictureEngine {
 
   [[nodiscard]] std::optional<MadePicture> make(const Snapshot& snapshot) override {
     if (output_ == Output::Color) warnOfShaders(snapshot);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     ProgressBar bar(showsProgress_);
     // Rays know no maps: a light that has one casts the shadow which that stands for.
     ReferencePicture picture = castPicture(
@@ -85,7 +83,7 @@ class ReferenceEngine : public PictureEngine {
     // Proven pixels show the surfaces themselves, to rounding; of the others nothing is proven.
     made.statistics.error.boundPx = picture.undecided == 0 ? 0 : std::numeric_limits<double>::infinity();
     made.image = imageOf(std::move(picture), output_);
-    made.statistics.ms.total = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    made.statistics.ms.total = watch.milliseconds();
     return made;
   }
 

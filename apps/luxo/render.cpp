@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <future>
 #include <memory>
@@ -88,9 +88,9 @@ std::string stagesOf(const FrameTimes& ms) {
 
 /// Encodes and writes; runs beside the drawing of the next frame. Gives the milliseconds it took.
 double encodeToFile(const Image& image, const std::filesystem::path& file) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   saveImage(image, file);
-  return millisecondsSince(start);
+  return watch.milliseconds();
 }
 
 class Run {
@@ -119,7 +119,7 @@ class Run {
       report_.device = engine->device();
       report_.scene = request_.scene;
       report_.size = settings_.size;
-      report_.startupMs = millisecondsSince(processStart());
+      report_.startupMs = processMilliseconds();
       for (const Job& job : jobs) {
         if (interruptingSignal() != 0) break;
         draw(*engine, job, camera, jobs.size() > 1);
@@ -155,7 +155,7 @@ class Run {
     const std::size_t index = report_.frames.size() - 1;
     oneOfMany_ = oneOfMany;
     attempt(index, [&] {
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch watch;
       if (job.sweptValue) scene_.setParameter(swept_, *job.sweptValue);
       const std::vector<double> values = scene_.parametersAt(job.time);
       for (std::size_t i = 0; i < values.size(); ++i)
@@ -170,7 +170,7 @@ class Run {
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
       if (request_.aov == Output::Color)
         report_.frames[index].approximateShadows = approximateShadows(snapshot);
-      const double animate = millisecondsSince(start);
+      const double animate = watch.milliseconds();
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();
       if (index == 0) tellOfNoLight(snapshot);
@@ -247,7 +247,7 @@ class Run {
     if (request_.verbosity == Verbosity::Quiet || (oneOfMany_ && request_.verbosity != Verbosity::Verbose))
       return;
     // Of one picture all that its user has waited for; of several what each has taken.
-    const double milliseconds = oneOfMany_ ? frame.statistics.ms.total : millisecondsSince(processStart());
+    const double milliseconds = oneOfMany_ ? frame.statistics.ms.total : processMilliseconds();
     printNote(fmt::format("{}  {}x{}  {:.0f} ms  {}  on {}", frame.file.string(), settings_.size.width,
                           settings_.size.height, milliseconds, qualityOf(frame), report_.device.name));
     if (request_.verbosity == Verbosity::Verbose)
@@ -294,11 +294,11 @@ class Run {
   void showProgress(std::size_t total) {
     if (request_.verbosity != Verbosity::Normal) return;
     const bool onTerminal = isatty(STDERR_FILENO) == 1;
-    if (!onTerminal && millisecondsSince(told_) < 5000) return;
-    told_ = std::chrono::steady_clock::now();
+    if (!onTerminal && told_.seconds() < 5) return;
+    told_ = {};
     const std::size_t done = report_.frames.size();
-    const double left = (millisecondsSince(processStart()) - report_.startupMs) / 1e3 /
-                        static_cast<double>(done) * static_cast<double>(total - done);
+    const double left = (processMilliseconds() - report_.startupMs) / 1e3 / static_cast<double>(done) *
+                        static_cast<double>(total - done);
     fmt::print(stderr, "{}frame {} of {}, {:.0f} s left {}", onTerminal ? "\r" : "", done, total, left,
                !onTerminal     ? "\n"
                : done == total ? "\x1b[K\n"
@@ -326,7 +326,7 @@ class Run {
   std::span<const NamedFile> inputs_;
   RenderSettings settings_;
   std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
-  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();  ///< of progress
+  Stopwatch told_;                    ///< of progress
   ParameterId swept_;
   std::optional<Camera> fitted_;  ///< to a scene without a camera
   RunReport report_;

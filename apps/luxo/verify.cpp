@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "console.h"
 #include "exit_code.h"
 #include "image/file.h"
@@ -32,8 +32,6 @@
 
 namespace luxo {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct VerifyOptions {
   std::unique_ptr<RenderOptions> scene;
@@ -142,7 +140,7 @@ int verifyScene(const VerifyOptions& options) {
   std::vector<std::uint32_t> pixels;  // none: all
   if (request.pixels && *request.pixels < measured.picture.id.samples().size())
     pixels = spreadPixels(settings.size, *request.pixels);
-  const auto start = Clock::now();
+  const Stopwatch watch;
   ReferencePicture truth;
   {
     ProgressBar bar(render.verbosity == Verbosity::Normal);
@@ -154,7 +152,7 @@ int verifyScene(const VerifyOptions& options) {
                                 }});
   }
   if (!truth.complete) return exit_code::kSignal + interruptingSignal();
-  report.truthMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  report.truthMs = watch.milliseconds();
   report.verification = verify(
       exact, truth, measured.picture,
       {.shading = settings.shading, .pixels = std::move(pixels), .boundPx = report.statistics.error.boundPx});

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "random/hard_camera.h"
 
 namespace luxo::random {
@@ -123,10 +123,7 @@ class Shrinker {
   }
 
  private:
-  [[nodiscard]] bool spent() const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    return trials_ >= limits_.trials || passed.count() > limits_.seconds;
-  }
+  [[nodiscard]] bool spent() const { return trials_ >= limits_.trials || watch_.seconds() > limits_.seconds; }
 
   bool attempt(Json candidate) {
     if (spent() || candidate == scene_) return false;
@@ -316,7 +313,7 @@ class Shrinker {
   const Failure& failure_;
   ShrinkLimits limits_;
   int trials_ = 0, taken_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "reference/caster.h"
 #include "stability/cases.h"
 #include "stability/pictures.h"
@@ -199,10 +199,9 @@ Grazing seenAt(StressContext& context, double grazing) {
 double medianMilliseconds(StressContext& context, const Snapshot& snapshot) {
   std::vector<double> times;
   for (int i = 0; i < 15; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     static_cast<void>(context.draw(snapshot));
-    times.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(watch.milliseconds());
   }
   std::ranges::sort(times);
   return times[times.size() / 2];

@@ -2,12 +2,12 @@
 #include "draw/ray_points.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "math/sampling.h"
 #include "reference/audit.h"
 #include "reference/verification.h"
@@ -149,7 +149,7 @@ Vec2 CertifiedRays::sampled(PixelPlace pixel) const {
 
 std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto& pixelAt,
                                                    std::size_t worth) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::vector<reference::Ray> rays;
   rays.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -158,7 +158,7 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
   }
   caster_->prepareFor(rays, nodes_, worth);
   caster_->prepareFor(rays, layers_, worth);
-  treesMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  treesMs_ += watch.milliseconds();
   return rays;
 }
 

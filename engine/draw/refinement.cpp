@@ -2,8 +2,9 @@
 #include "draw/refinement.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
+
+#include "base/stopwatch.h"
 
 namespace luxo {
 void Refinement::begin(const Snapshot& snapshot, const DrawOptions& options, std::function<bool()> goesOn) {
@@ -25,6 +26,7 @@ auto Refinement::advance(const Submit& submit) -> std::optional<Rays> {
 
 auto Refinement::draw(const Submit& submit) -> std::optional<Rays> {
   if (trial_ != Trial::ByRays) search(submit);
+  next_ = &Refinement::trace;
   if (!view_->searches() && !view_->list().findsShadows()) return std::nullopt;
   next_ = &Refinement::place;
   points_ = {};
@@ -61,6 +63,7 @@ auto Refinement::place(const Submit& submit) -> std::optional<Rays> {
 }
 
 auto Refinement::judge(const Submit&) -> std::optional<Rays> {
+  next_ = &Refinement::trace;
   statistics_.ms.rayTrees += rays_.treesMs();
   FrameError& error = statistics_.error;
   error.auditFailedPx += audit_.failed;
@@ -75,6 +78,33 @@ auto Refinement::judge(const Submit&) -> std::optional<Rays> {
   options_.skips = Skips::none();
   options_.finerShells = trial_ == Trial::WithFinerShells;
   next_ = &Refinement::draw;
+  return std::nullopt;
+}
+
+auto Refinement::trace(const Submit&) -> std::optional<Rays> {
+  if (!view_->list().traces) return std::nullopt;
+  traced_.begin(*snapshot_, view_->list().origin, goesOn_);
+  return answering();
+}
+
+auto Refinement::answering() -> Rays {
+  next_ = &Refinement::light;
+  return
+      [this, questions = view_->traces().asked()] { timeRays([&] { asked_ = traced_.answer(questions); }); };
+}
+
+auto Refinement::light(const Submit& submit) -> std::optional<Rays> {
+  if (asked_) {
+    submit(
+        [&](VkCommandBuffer commands) {
+          painter_->recordAnswers(*frames_, commands, *view_, traced_, points_, statistics_);
+        },
+        std::nullopt, statistics_);
+    return answering();
+  }
+  statistics_.error.unconvergedPx += traced_.openPx();
+  statistics_.error.uncertifiedPx += traced_.undecidedPx();
+  statistics_.count.tracedRays += traced_.answers().size();
   return std::nullopt;
 }
 
@@ -117,11 +147,10 @@ void Refinement::drawPoints(const Submit& submit) {
 }
 
 void Refinement::timeRays(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const double trees = rays_.treesMs(), drawing = statistics_.ms.gpu;
   work();
-  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
-  statistics_.ms.rays += passed.count() - (rays_.treesMs() - trees) - (statistics_.ms.gpu - drawing);
+  statistics_.ms.rays += watch.milliseconds() - (rays_.treesMs() - trees) - (statistics_.ms.gpu - drawing);
 }
 
 }  // namespace luxo

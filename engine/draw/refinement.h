@@ -8,6 +8,7 @@
 //   with nothing
 //      skipped, then with finer shells as well, at last with rays for all pixels. What is left then is
 //      counted as not converged.
+//   4. Rays answer what shaders of materials ask of the scene, and it is lit again, until none asks more.
 //
 // The device's part and that of rays take turns, so that a window may do the latter beside itself.
 #pragma once
@@ -21,6 +22,7 @@
 #include "draw/ray_points.h"
 #include "draw/render_view.h"
 #include "draw/scene_painter.h"
+#include "draw/secondary_rays.h"
 #include "draw/statistics.h"
 #include "gpu/frame.h"
 #include "scene/snapshot.h"
@@ -67,8 +69,12 @@ class Refinement {
   [[nodiscard]] std::optional<Rays> draw(const Submit& submit);
   /// Draws what rays have found, and lets them audit the picture.
   [[nodiscard]] std::optional<Rays> place(const Submit& submit);
-  /// Ends it, or begins the next trial.
+  /// Begins the next trial, or leaves the picture to shaders' questions.
   [[nodiscard]] std::optional<Rays> judge(const Submit& submit);
+  /// Lets rays answer the first questions, and, once they have answered some, lights it by them and asks on.
+  [[nodiscard]] std::optional<Rays> trace(const Submit& submit);
+  [[nodiscard]] std::optional<Rays> light(const Submit& submit);
+  [[nodiscard]] Rays answering();
 
   /// Again where what is seen through had no room.
   void search(const Submit& submit);
@@ -89,6 +95,8 @@ class Refinement {
   CertifiedRays rays_;
   RayPoints points_;
   AuditResult audit_;
+  SecondaryRays traced_;
+  bool asked_ = false;  ///< there were questions, and they have answers
   FrameStatistics statistics_;
 };
 

@@ -3,23 +3,19 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <span>
 #include <utility>
 
 #include "base/assert.h"
+#include "base/stopwatch.h"
 #include "draw/measured_pixels.h"
 #include "draw/shadow_list.h"
 #include "tessellate/parallel.h"
 
 namespace luxo {
 namespace {
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 int channelsOf(Output output) {
   return output == Output::Depth || output == Output::Id || output == Output::Residual ||
@@ -108,9 +104,9 @@ Snapshot Renderer::snapshotOf(const Scene& scene) {
 
 Picture Renderer::render(const Scene& scene) {
   const RenderSettings& settings = scene.settings();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Snapshot snapshot = snapshotOf(scene);
-  const double animate = millisecondsSince(start);
+  const double animate = watch.milliseconds();
   Picture picture = render(snapshot, drawOptions(settings));
   picture.statistics.ms.animate = animate;
   picture.statistics.ms.total += animate;
@@ -125,16 +121,16 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
                                         const std::function<bool(double)>& goesOn) {
   LUXO_REQUIRE_COMPARE(options.samples, >=, 1);
   LUXO_REQUIRE_COMPARE(options.samples, <=, kMaxSamples);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Picture picture;
   FrameStatistics& statistics = picture.statistics;
   if (options.skips.unchanged && shown_ && shown_->snapshot == snapshot && shown_->options == options) {
     if (!goesOn(0)) return std::nullopt;
     statistics = again(shown_->statistics);
-    const auto reading = std::chrono::steady_clock::now();
+    const Stopwatch reading;
     FrameError measured;  // as it was
     picture.image = readPicture(snapshot, options, measured);
-    statistics.ms.readback = statistics.ms.total = millisecondsSince(reading);
+    statistics.ms.readback = statistics.ms.total = reading.milliseconds();
     return picture;
   }
   shown_.reset();
@@ -156,10 +152,10 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
       addPass(statistics, pass);
     }
   }
-  const auto reading = std::chrono::steady_clock::now();
+  const Stopwatch reading;
   picture.image = readPicture(snapshot, options, statistics.error);
-  statistics.ms.readback = millisecondsSince(reading);
-  statistics.ms.total = millisecondsSince(start);
+  statistics.ms.readback = reading.milliseconds();
+  statistics.ms.total = watch.milliseconds();
   shown_ = {snapshot, options, statistics};
   return picture;
 }
@@ -192,34 +188,16 @@ void Renderer::draw(const Snapshot& snapshot, const DrawOptions& options, FrameS
   refinement_.begin(snapshot, options);
   while (const std::optional<Refinement::Rays> rays = refinement_.advance(submitAndRead)) (*rays)();
   statistics = refinement_.statistics();
-  if (view_.list().traces) trace(snapshot, statistics);
-}
-
-void Renderer::trace(const Snapshot& snapshot, FrameStatistics& statistics) {
-  const auto start = std::chrono::steady_clock::now();
-  const double drawing = statistics.ms.gpu;
-  traced_.begin(snapshot, view_.list().origin);
-  while (traced_.answer(view_.traces().asked()))
-    submit(
-        [&](VkCommandBuffer commands) {
-          painter_.recordAnswers(frames_, commands, view_, traced_, refinement_.points(), statistics);
-          recordReadback(commands, view_.picture());
-        },
-        statistics);
-  statistics.error.unconvergedPx += traced_.openPx();
-  statistics.count.tracedRays += traced_.answers().size();
-  statistics.error.uncertifiedPx += traced_.undecidedPx();
-  statistics.ms.rays += millisecondsSince(start) - (statistics.ms.gpu - drawing);
 }
 
 void Renderer::submit(const Recording& record, FrameStatistics& statistics) {
   const VkCommandBuffer commands = frames_.begin();
   record(commands);
-  const auto submitted = std::chrono::steady_clock::now();
+  const Stopwatch submitted;
   const std::uint64_t submission = frames_.submit();
   frames_.wait(submission);
   ++statistics.count.submits;
-  statistics.ms.gpu += frames_.milliseconds(submission).value_or(millisecondsSince(submitted));
+  statistics.ms.gpu += frames_.milliseconds(submission).value_or(submitted.milliseconds());
   addPassTimes(statistics.ms.passes, frames_.parts(submission));
 }
 

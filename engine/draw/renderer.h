@@ -14,7 +14,6 @@
 #include "draw/options.h"
 #include "draw/refinement.h"
 #include "draw/scene_painter.h"
-#include "draw/secondary_rays.h"
 #include "draw/statistics.h"
 #include "gpu/context.h"
 #include "gpu/transfer.h"
@@ -77,7 +76,6 @@ class Renderer {
   /// Draws one sample of each pixel into the view, refines it, and reads that back.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
   /// Answers what shaders ask of the scene, and lets them light their points anew, until they ask no more.
-  void trace(const Snapshot& snapshot, FrameStatistics& statistics);
   /// Runs what `record` records, and waits.
   void submit(const Recording& record, FrameStatistics& statistics);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.
@@ -92,7 +90,6 @@ class Renderer {
   RenderView view_;
   std::optional<Accumulator> accumulator_;  ///< made for the first picture of several passes
   Refinement refinement_{frames_, painter_, view_};
-  SecondaryRays traced_;
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};
   std::optional<Shown> shown_;

@@ -1,30 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/scene_painter.h"
 
-#include <chrono>
 #include <limits>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "draw/pass_recorder.h"
 #include "draw/shadow_list.h"
 #include "gpu/barrier.h"
 
 namespace luxo {
 namespace {
-
-class LapWatch {
- public:
-  /// Milliseconds since the start or the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double, std::milli> elapsed = now - start_;
-    start_ = now;
-    return elapsed.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 CullOptions cullOptions(const DrawOptions& options) {
   return {.tolerancePx = options.tolerancePx,
@@ -82,7 +68,7 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, Rend
   const DrawOptions options = possible(scene, wanted);
   const Snapshot& snapshot = scaleNormalization_.of(scene);
   DrawList list = listed(snapshot, options, statistics);
-  LapWatch watch;
+  Stopwatch watch;
   pipelines_.beginPicture();
   preparePipelines(list, view.targets().format(static_cast<VkSampleCountFlagBits>(options.samples)));
   store_.dropUnused();
@@ -103,7 +89,7 @@ DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& optio
                               FrameStatistics& statistics) {
   geometry_.shells.resume();
   const std::uint64_t tessellatedBefore = geometry_.tessellated();
-  LapWatch watch;
+  Stopwatch watch;
   const VisibleList visible = cull(snapshot, cullOptions(options));
   addCounts(statistics.count, visible.counts);
   statistics.ms.cull += watch.lap();

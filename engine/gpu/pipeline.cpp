@@ -2,6 +2,7 @@
 #include "gpu/pipeline.h"
 
 #include "base/assert.h"
+#include "base/stopwatch.h"
 #include "gpu/address_space.h"
 #include "gpu/debug.h"
 #include "gpu/result.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -258,7 +258,7 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
     for (std::size_t i = 0; i < descs.size(); ++i)
       if (created[i] != VK_NULL_HANDLE) pipelines[i].pipeline_ = {context, created[i]};
   };
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   try {
     tbb::parallel_for(std::size_t{0}, descs.size(), [&](std::size_t i) {
       created[i] = createPipeline(context, descs[i], asked[i], pipelines[i].layout_);
@@ -270,8 +270,7 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
   keep();
   for (std::size_t i = 0; i < descs.size(); ++i) setName(context, created[i], descs[i].name);
   context.counted().pipelinesCreated += descs.size();
-  context.counted().pipelineMs +=
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  context.counted().pipelineMs += watch.milliseconds();
   return pipelines;
 }
 

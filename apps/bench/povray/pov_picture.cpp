@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 
 namespace luxo::povray {
@@ -57,16 +57,16 @@ PovPicture render(const std::string& sceneText, PixelSize size, Rows rows) {
       "cd '{}' && povray +Iscene.pov +Oscene.ppm +W{} +H{} +SR{} +ER{} +FP16 -A -D -GA File_Gamma=1.0 > log "
       "2>&1",
       scratch.path().string(), size.width, size.height, rows.first + 1, rows.end);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const int status = std::system(command.c_str());
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  const double seconds = watch.seconds();
   if (status != 0) {
     const std::string log = contentOf(scratch.path() / "log");
     throw Error(
         ErrorKind::Internal,
         fmt::format("povray failed: {}", log.substr(log.size() - std::min<std::size_t>(log.size(), 1000))));
   }
-  return {.samples = readPpm16(scratch.path() / "scene.ppm", size), .seconds = passed.count()};
+  return {.samples = readPpm16(scratch.path() / "scene.ppm", size), .seconds = seconds};
 }
 
 }  // namespace luxo::povray

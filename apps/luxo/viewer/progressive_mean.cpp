@@ -5,7 +5,6 @@ namespace luxo {
 
 void ProgressiveMean::reset() {
   work_.cancel();
-  tracer_.cancel();
   stage_ = Stage::None;
   joined_ = 0;
   audit_ = {};
@@ -13,8 +12,7 @@ void ProgressiveMean::reset() {
 
 bool ProgressiveMean::prepare(const Snapshot& shown, const DrawOptions& drawn) {
   if (stage_ == Stage::None) begin(shown, drawn);
-  if (stage_ == Stage::Refines && refine()) stage_ = Stage::Traces;
-  if (stage_ == Stage::Traces && trace()) stage_ = Stage::Ready;
+  if (stage_ == Stage::Refines && refine()) stage_ = Stage::Ready;
   return stage_ == Stage::Ready;
 }
 
@@ -37,23 +35,6 @@ bool ProgressiveMean::refine() {
     cast();
     return true;
   });
-  return false;
-}
-
-bool ProgressiveMean::trace() {
-  if (!view_.list().traces) return true;
-  FrameStatistics ignored;
-  if (!tracer_.busy()) {
-    tracer_.begin(sampled_, view_.list().origin);
-    tracer_.answer(view_.traces().asked());
-  }
-  while (const std::optional<bool> asked = tracer_.poll()) {
-    if (!*asked) return true;
-    submit([&](VkCommandBuffer commands) {
-      painter_.recordAnswers(frames_, commands, view_, tracer_.rays(), refinement_.points(), ignored);
-    });
-    tracer_.answer(view_.traces().asked());
-  }
   return false;
 }
 

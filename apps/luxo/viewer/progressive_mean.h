@@ -13,7 +13,6 @@
 #include "draw/scene_painter.h"
 #include "gpu/frame.h"
 #include "scene/snapshot.h"
-#include "viewer/tracer.h"
 
 namespace luxo {
 
@@ -27,18 +26,14 @@ class ProgressiveMean {
 
   /// All of which must outlive it.
   ProgressiveMean(gpu::Context& context, gpu::FrameRing& frames, ScenePainter& painter, RenderView& view)
-      : context_(context),
-        frames_(frames),
-        painter_(painter),
-        view_(view),
-        refinement_(frames, painter, view) {}
+      : context_(context), frames_(frames), view_(view), refinement_(frames, painter, view) {}
 
   [[nodiscard]] int samples() const { return joined_; }
   [[nodiscard]] bool complete() const { return joined_ >= kMaxSamples; }
   /// A sample has joined, or is on its way.
   [[nodiscard]] bool begun() const { return joined_ > 0 || stage_ != Stage::None; }
   /// Rays are at work, beside the window.
-  [[nodiscard]] bool casting() const { return work_.busy() || tracer_.busy(); }
+  [[nodiscard]] bool casting() const { return work_.busy(); }
   [[nodiscard]] const Audit& audit() const { return audit_; }
   [[nodiscard]] gpu::Texture& picture() { return accumulator_->mean(); }
 
@@ -53,18 +48,15 @@ class ProgressiveMean {
 
  private:
   /// Of the sample that joins next.
-  enum class Stage { None, Refines, Traces, Ready };
+  enum class Stage { None, Refines, Ready };
 
   void begin(const Snapshot& shown, const DrawOptions& drawn);
   /// Goes on with it as far as it gets without waiting for rays. Whether that is to its end.
   [[nodiscard]] bool refine();
-  /// Answers what its shaders ask of the scene. Whether they ask no more.
-  [[nodiscard]] bool trace();
   void submit(const RenderView::Recording& record);
 
   gpu::Context& context_;
   gpu::FrameRing& frames_;
-  ScenePainter& painter_;
   RenderView& view_;
   std::optional<Accumulator> accumulator_;  // made when first needed
   std::vector<Vec2> pattern_ = samplePattern(kMaxSamples);
@@ -75,7 +67,6 @@ class ProgressiveMean {
   Snapshot sampled_;
   Refinement refinement_;
   BackgroundWork<bool> work_;  // of its rays
-  Tracer tracer_;
 };
 
 }  // namespace luxo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,10 +55,6 @@ constexpr double kRest = 1;                   // ... or longer, is time for what
 constexpr std::chrono::seconds kTidying{10};  // ... which is done as often all the same
 constexpr std::chrono::milliseconds kPatience{250};  // input waits so long for shells to be made
 constexpr double kQuickTolerancePx = 4;              // of the mesh that is seen until there is more
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 VkExtent2D extentOf(PixelSize size) {
   return {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
@@ -292,6 +289,7 @@ class Viewer {
 
   // One turn at the screen's rate: draws and shows what differs from what is seen, if anything.
   void showNext() {
+    const Stopwatch watch;
     const auto start = Clock::now();
     nextFrame_ = std::max(nextFrame_ + period(), start);
     dirty_ = false;
@@ -299,7 +297,7 @@ class Viewer {
     measurePictures();
     Turn turn = nextTurn(start);
     if (softens(turn) || !(turn.repaint || turn.refines || turn.stale)) return;
-    turn.milliseconds = millisecondsSince(start);
+    turn.milliseconds = watch.milliseconds();
     if (turn.repaint) mean_.reset();
     // The mean is worth showing once it has as many samples as the picture before it.
     if (turn.refines && (!preparesMean() || !catchesUp())) return;
@@ -308,10 +306,10 @@ class Viewer {
       dirty_ = true;
       return;
     }
-    const auto recording = Clock::now();
+    const Stopwatch recording;
     drawTurn(commands, turn);
     const bool asksColor = controls_.probes() && probe_.record(commands, shownPicture(), pictureVersion_);
-    turn.milliseconds += millisecondsSince(recording);
+    turn.milliseconds += recording.milliseconds();
     const std::uint64_t submission = frames_.submit(swapchain_.waits(), swapchain_.signals());
     dirty_ |= swapchain_.present() == SwapchainStatus::Resized;
     if (asksColor) readProbe(submission);
