@@ -28,73 +28,82 @@ Json passesJson(std::span<const PassTime> passes) {
   return json;
 }
 
-Json frameJson(const FrameReport& frame) {
-  const auto& [ms, count, error] = frame.statistics;
-  // What only a drawn frame has.
-  const auto drawn = [&](const auto& value) { return frame.reference ? Json() : Json(value); };
+/// What only a drawn frame has.
+Json drawn(const FrameReport& frame, const auto& value) { return frame.reference ? Json() : Json(value); }
+
+Json millisecondsJson(const FrameReport& frame) {
+  const auto& ms = frame.statistics.ms;
+  const auto of = [&](const auto& value) { return drawn(frame, value); };
+  return {{"total", ms.total},
+          {"animate", ms.animate},
+          {"tessellate", of(ms.tessellate)},
+          {"cull", of(ms.cull)},
+          {"upload", of(ms.upload)},
+          {"gpu", of(ms.gpu)},
+          {"passes", of(passesJson(ms.passes))},
+          {"rays", of(ms.rays)},
+          {"ray_trees", of(ms.rayTrees)},
+          {"readback", of(ms.readback)},
+          {"encode", ms.encode}};
+}
+
+Json countJson(const FrameReport& frame) {
+  const auto& count = frame.statistics.count;
+  const auto of = [&](const auto& value) { return drawn(frame, value); };
+  return {{"nodes", count.nodes},
+          {"drawn", of(count.drawn)},
+          {"culled_frustum", of(count.culledFrustum)},
+          {"culled_small", of(count.culledSmall)},
+          {"culled_backface", of(count.culledBackface)},
+          {"culled_lights", of(count.culledLights)},
+          {"culled_hidden", of(count.culledHidden)},
+          {"culled_triangles_frustum", of(count.culledTrianglesFrustum)},
+          {"culled_triangles_backface", of(count.culledTrianglesBackface)},
+          {"too_large", of(count.tooLarge)},
+          {"draw_calls", of(count.drawCalls)},
+          {"instances", of(count.instances)},
+          {"triangles", of(count.triangles)},
+          {"vertices", of(count.vertices)},
+          {"submits", of(count.submits)},
+          {"upload_bytes", of(count.uploadBytes)},
+          {"tessellated", of(count.tessellated)},
+          {"pipelines_created", of(count.pipelinesCreated)},
+          {"shaders_compiled", of(count.shadersCompiled)},
+          {"cut_numbers", frame.cutNumbers},
+          {"passes", of(count.passes)},
+          {"deferred", of(count.deferred)},
+          {"shadow_passes", of(count.shadowPasses)},
+          {"layer_points", of(count.layerPoints)},
+          {"traced_rays", of(count.tracedRays)}};
+}
+
+Json errorJson(const FrameReport& frame) {
+  const FrameError& error = frame.statistics.error;
+  const auto of = [&](const auto& value) { return drawn(frame, value); };
   // What only exact shading has.
-  const auto found = [&error = error](std::uint64_t pixels) { return error.found ? Json(pixels) : Json(); };
+  const auto found = [&](std::uint64_t pixels) { return error.found ? Json(pixels) : Json(); };
   // And meshes in shadows.
-  const auto settled = [&error = error](std::uint64_t pixels) {
+  const auto settled = [&](std::uint64_t pixels) {
     return error.found || error.shadowed ? Json(pixels) : Json();
   };
-  Json json = {
-      {"frame", frame.frame},
-      {"time", frame.time},
-      {"file", frame.file.string()},
-      {"ms",
-       {{"total", ms.total},
-        {"animate", ms.animate},
-        {"tessellate", drawn(ms.tessellate)},
-        {"cull", drawn(ms.cull)},
-        {"upload", drawn(ms.upload)},
-        {"gpu", drawn(ms.gpu)},
-        {"passes", drawn(passesJson(ms.passes))},
-        {"rays", drawn(ms.rays)},
-        {"ray_trees", drawn(ms.rayTrees)},
-        {"readback", drawn(ms.readback)},
-        {"encode", ms.encode}}},
-      {"count",
-       {{"nodes", count.nodes},
-        {"drawn", drawn(count.drawn)},
-        {"culled_frustum", drawn(count.culledFrustum)},
-        {"culled_small", drawn(count.culledSmall)},
-        {"culled_backface", drawn(count.culledBackface)},
-        {"culled_lights", drawn(count.culledLights)},
-        {"culled_hidden", drawn(count.culledHidden)},
-        {"culled_triangles_frustum", drawn(count.culledTrianglesFrustum)},
-        {"culled_triangles_backface", drawn(count.culledTrianglesBackface)},
-        {"too_large", drawn(count.tooLarge)},
-        {"draw_calls", drawn(count.drawCalls)},
-        {"instances", drawn(count.instances)},
-        {"triangles", drawn(count.triangles)},
-        {"vertices", drawn(count.vertices)},
-        {"submits", drawn(count.submits)},
-        {"upload_bytes", drawn(count.uploadBytes)},
-        {"tessellated", drawn(count.tessellated)},
-        {"pipelines_created", drawn(count.pipelinesCreated)},
-        {"shaders_compiled", drawn(count.shadersCompiled)},
-        {"cut_numbers", frame.cutNumbers},
-        {"passes", drawn(count.passes)},
-        {"deferred", drawn(count.deferred)},
-        {"shadow_passes", drawn(count.shadowPasses)},
-        {"layer_points", drawn(count.layerPoints)},
-        {"traced_rays", drawn(count.tracedRays)}}},
-      {"error",
-       {{"tolerance_px", drawn(error.tolerancePx)},
-        {"bound_px", finite(error.boundPx)},
-        {"residual_max_px", error.residualMaxPx ? Json(*error.residualMaxPx) : Json()},
-        {"unconverged_px", settled(error.unconvergedPx)},
-        {"uncertified_px", settled(error.uncertifiedPx)},
-        {"resolved_by_rays_px", settled(error.resolvedByRaysPx)},
-        {"approximate_shadows", drawn(frame.approximateShadows)},
-        {"shadow_rays_px", settled(error.shadowRaysPx)},
-        {"layers_missing", drawn(error.layersMissing)},
-        {"audited_px", found(error.auditedPx)},
-        {"audit_failed_px", found(error.auditFailedPx)},
-        {"audit_undecided_px", found(error.auditUndecidedPx)},
-        {"nonfinite_px", drawn(error.nonfinitePx)}}},
-  };
+  return {{"tolerance_px", of(error.tolerancePx)},
+          {"bound_px", finite(error.boundPx)},
+          {"residual_max_px", error.residualMaxPx ? Json(*error.residualMaxPx) : Json()},
+          {"unconverged_px", settled(error.unconvergedPx)},
+          {"uncertified_px", settled(error.uncertifiedPx)},
+          {"resolved_by_rays_px", settled(error.resolvedByRaysPx)},
+          {"approximate_shadows", of(frame.approximateShadows)},
+          {"shadow_rays_px", settled(error.shadowRaysPx)},
+          {"layers_missing", of(error.layersMissing)},
+          {"audited_px", found(error.auditedPx)},
+          {"audit_failed_px", found(error.auditFailedPx)},
+          {"audit_undecided_px", found(error.auditUndecidedPx)},
+          {"nonfinite_px", of(error.nonfinitePx)}};
+}
+
+Json frameJson(const FrameReport& frame) {
+  Json json = {{"frame", frame.frame},          {"time", frame.time},        {"file", frame.file.string()},
+               {"ms", millisecondsJson(frame)}, {"count", countJson(frame)}, {"error", errorJson(frame)}};
   if (const auto& reference = frame.reference)
     json["reference"] = {{"hits", reference->hits},
                          {"misses", reference->misses},

@@ -89,15 +89,50 @@ void requireWithin(const Verification& v, double mostPx, bool approximateShadows
         fmt::format("{} pixels see a light that is in shadow, or the other way round", v.wrong.light));
 }
 
-int verifyScene(const VerifyOptions& options) {
-  const VerifyRequest request = requestOf(options);
-  const RenderRequest& render = request.scene;
+void requireOneSample(const RenderRequest& render) {
   if (render.scene.empty())
     throw Error(ErrorKind::Usage, "no scene is given",
                 "as in luxo verify teapot; or luxo verify --stability");
   if (render.samples && !render.sample)
     throw Error(ErrorKind::Usage, "of a scene's samples one is judged at a time",
                 fmt::format("say which, as in --samples {} --sample 0", *render.samples));
+}
+
+/// The picture that is judged. Adds to the report what drew it.
+MeasuredFrame drawn(const Snapshot& snapshot, const RenderSettings& settings, const RenderRequest& render,
+                    VerificationReport& report) {
+  MeasuredFrame measured;
+  const auto log = std::make_shared<gpu::ValidationLog>();
+  {
+    gpu::Context context({.device = render.device, .validation = render.validate, .validationLog = log});
+    const gpu::DeviceInfo& info = context.deviceInfo();
+    report.device = {info.name, gpu::deviceTypeName(info.type), info.driver};
+    Renderer renderer(context);
+    DrawOptions draw = drawOptions(settings);
+    draw.skips = render.skips;
+    measured = measure(renderer, snapshot, draw);
+  }
+  requireNoMessage(*log);
+  report.statistics = measured.statistics;
+  return measured;
+}
+
+/// Incomplete where a signal has interrupted it.
+ReferencePicture castTruth(const Snapshot& snapshot, const RenderSettings& settings, Verbosity verbosity,
+                           const std::vector<std::uint32_t>& pixels) {
+  ProgressBar bar(verbosity == Verbosity::Normal);
+  return castPicture(snapshot, {.pixels = withNeighbours(settings.size, pixels),
+                                .shading = settings.shading,
+                                .progress = [&](double done) {
+                                  bar.show(done);
+                                  return interruptingSignal() == 0;
+                                }});
+}
+
+int verifyScene(const VerifyOptions& options) {
+  const VerifyRequest request = requestOf(options);
+  const RenderRequest& render = request.scene;
+  requireOneSample(render);
   const bool printsReport = options.report == "-";
   const NamedFile outputs[] = {{"-o", options.heat},
                                {"--report", printsReport ? "" : options.report.value_or("")}};
@@ -121,19 +156,7 @@ int verifyScene(const VerifyOptions& options) {
                             .statistics = {},
                             .verification = {}};
   report.approximateShadows = approximateShadows(snapshot);
-  MeasuredFrame measured;
-  const auto log = std::make_shared<gpu::ValidationLog>();
-  {
-    gpu::Context context({.device = render.device, .validation = render.validate, .validationLog = log});
-    const gpu::DeviceInfo& info = context.deviceInfo();
-    report.device = {info.name, gpu::deviceTypeName(info.type), info.driver};
-    Renderer renderer(context);
-    DrawOptions draw = drawOptions(settings);
-    draw.skips = render.skips;
-    measured = measure(renderer, snapshot, draw);
-  }
-  requireNoMessage(*log);
-  report.statistics = measured.statistics;
+  const MeasuredFrame measured = drawn(snapshot, settings, render, report);
 
   // Shadows are held against exact ones, whatever the scene asks for.
   const Snapshot exact = withExactShadows(snapshot);
@@ -141,16 +164,7 @@ int verifyScene(const VerifyOptions& options) {
   if (request.pixels && *request.pixels < measured.picture.id.samples().size())
     pixels = spreadPixels(settings.size, *request.pixels);
   const Stopwatch watch;
-  ReferencePicture truth;
-  {
-    ProgressBar bar(render.verbosity == Verbosity::Normal);
-    truth = castPicture(exact, {.pixels = withNeighbours(settings.size, pixels),
-                                .shading = settings.shading,
-                                .progress = [&](double done) {
-                                  bar.show(done);
-                                  return interruptingSignal() == 0;
-                                }});
-  }
+  const ReferencePicture truth = castTruth(exact, settings, render.verbosity, pixels);
   if (!truth.complete) return exit_code::kSignal + interruptingSignal();
   report.truthMs = watch.milliseconds();
   report.verification = verify(

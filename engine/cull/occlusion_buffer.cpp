@@ -133,6 +133,15 @@ double certainArea(const PixelTriangle& t) {
 }
 
 void OcclusionBuffer::clear(int width, const Rows& rows, const Vec2& sample) {
+  if (width == width_ && rows == rows_) {
+    // Most of a picture is behind nothing: what is as it was needs no writing.
+    forEachTilePlace([&](Tile& tile, int column, int row) {
+      if (tile.covered) fill(farthest_, column, row);
+      tile = {};
+    });
+    sample_ = sample;
+    return;
+  }
   width_ = width;
   rows_ = rows;
   sample_ = sample;
@@ -196,9 +205,21 @@ void OcclusionBuffer::cover(std::span<const PixelTriangle> leaving, std::span<co
     forEachTile(reach, [](Tile& tile) { tile.entered = true; });
   }
   for (const std::uint32_t i : covering_) coverUnlessEntered(leaving[i]);
+  forEachTilePlace([&](Tile& tile, int column, int row) { settle(tile, column, row); });
+}
+
+template <typename Action>
+void OcclusionBuffer::forEachTilePlace(const Action& action) {
   for (std::size_t i = 0; i < tiles_.size(); ++i)
-    settle(tiles_[i], kTile * (static_cast<int>(i) % tilesAcross_),
+    action(tiles_[i], kTile * (static_cast<int>(i) % tilesAcross_),
            rows_.first + kTile * (static_cast<int>(i) / tilesAcross_));
+}
+
+void OcclusionBuffer::fill(std::vector<float>& samples, int column, int row) const {
+  for (int y = row; y < std::min(row + kTile, rows_.end); ++y) {
+    float* const first = samples.data() + startOf(y);
+    std::fill(first + column, first + std::min(column + kTile, width_), kInfinity);
+  }
 }
 
 void OcclusionBuffer::enter(const PixelTriangle& triangle) {
@@ -233,11 +254,7 @@ void OcclusionBuffer::coverUnlessEntered(const PixelTriangle& triangle) {
 /// After a slab: makes room for the next, which nothing has entered. The tile begins in that column and row.
 void OcclusionBuffer::settle(Tile& tile, int column, int row) {
   const int columnEnd = std::min(column + kTile, width_), rowEnd = std::min(row + kTile, rows_.end);
-  if (tile.entered)
-    for (int y = row; y < rowEnd; ++y) {
-      float* const entered = entered_.data() + startOf(y);
-      std::fill(entered + column, entered + columnEnd, kInfinity);
-    }
+  if (tile.entered) fill(entered_, column, row);
   if (tile.cover > -kInfinity) {
     std::array<float, kTile> farthest;  // of each column
     farthest.fill(-kInfinity);
@@ -246,6 +263,7 @@ void OcclusionBuffer::settle(Tile& tile, int column, int row) {
       for (int x = 0; x < columnEnd - column; ++x) farthest[x] = std::max(farthest[x], samples[x]);
     }
     tile.farthest = *std::ranges::max_element(farthest);
+    tile.covered = true;
   }
   tile.cover = -kInfinity;
   tile.entered = false;

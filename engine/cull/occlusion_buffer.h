@@ -27,6 +27,8 @@ using PixelTriangle = std::array<Vec3, 3>;
 /// Rows of a picture, from the top.
 struct Rows {
   int first = 0, end = 0;
+
+  friend bool operator==(const Rows&, const Rows&) = default;
 };
 
 class OcclusionBuffer {
@@ -58,6 +60,7 @@ class OcclusionBuffer {
     float farthest = kInfinity;  ///< that can be seen
     float cover = -kInfinity;    ///< the farthest that the slab may cover
     bool entered = false;        ///< whether the slab may be
+    bool covered = false;        ///< something in it may be behind a slab
   };
   /// The tiles that a triangle may hold samples of, and its depths.
   struct Reach {
@@ -78,6 +81,11 @@ class OcclusionBuffer {
   void enter(const PixelTriangle& triangle);
   void coverUnlessEntered(const PixelTriangle& triangle);
   void settle(Tile& tile, int column, int row);
+  /// With the column and row in which each begins.
+  template <typename Action>
+  void forEachTilePlace(const Action& action);
+  /// Of the tile that begins there: all as if nothing had been there.
+  void fill(std::vector<float>& samples, int column, int row) const;
 
   int width_ = 0, stride_ = 0, tilesAcross_ = 0;
   Rows rows_;

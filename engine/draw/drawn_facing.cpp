@@ -1,30 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/drawn_facing.h"
 
-#include <algorithm>
-#include <limits>
+#include <array>
+#include <cmath>
+#include <span>
 
-#include "cull/occlusion_buffer.h"
-#include "draw/exact_data.h"
+#include "draw/pixel_rows.h"
 
 namespace luxo {
+namespace {
+
+/// Whether a polygon may turn over. As corners move by m along x and y twice its area changes by m times the
+/// lengths of its edges along both.
+bool mayTurn(std::span<const Vec3> polygon) {
+  double area = 0, change = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Vec2 a = Vec2(p) / p.z, b = Vec2(q) / q.z;
+    area += a.x * b.y - a.y * b.x;
+    change += kMovedPx * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
+  }
+  return !(std::abs(area) > change);
+}
+
+}  // namespace
 
 DrawnFacing::DrawnFacing(const View& view, const SnapshotNode& node, const Shell& shell)
-    : shell_(shell),
-      near_(view.perspective() ? view.near : -std::numeric_limits<double>::infinity()),
-      corners_(inPicture(view, node, shell.positions)) {
-  clips_ = std::ranges::any_of(corners_, [&](const Vec3& corner) {
-    // What is moved may be moved over the edge.
-    return !(corner.z > near_ && corner.x > kMovedPx && corner.x < view.size.width - kMovedPx &&
-             corner.y > kMovedPx && corner.y < view.size.height - kMovedPx);
-  });
+    : shell_(shell), size_(view.size) {
+  const PixelRows rows = pixelRows(view, node.worldFromObject);
+  // What is moved may be moved over the edge.
+  const Vec2 most = 0.5 * Vec2(size_.width, size_.height) - kMovedPx;
+  corners_.reserve(shell.positions.size());
+  shows_.reserve(shell.positions.size());
+  for (const Vec3& position : shell.positions) {
+    const Vec4 p(position, 1);
+    const double depth = glm::dot(rows.depth, p), width = view.perspective() ? depth : 1;
+    const Vec3 corner(glm::dot(rows.x, p), glm::dot(rows.y, p), width);
+    corners_.push_back(corner);
+    shows_.push_back(width > 0 && depth > view.near && std::abs(corner.x) < most.x * width &&
+                     std::abs(corner.y) < most.y * width);
+    clips_ = clips_ || !shows_.back();
+  }
 }
 
 bool DrawnFacing::uncertain(std::uint32_t firstIndex) const {
-  const auto at = [&](std::uint32_t k) -> const Vec3& { return corners_[shell_.indices[firstIndex + k]]; };
-  const PixelTriangle triangle{at(0), at(1), at(2)};
-  return std::ranges::any_of(triangle, [&](const Vec3& corner) { return !(corner.z > near_); }) ||
-         certainArea(triangle) == 0;
+  std::array<Vec3, 3> triangle;
+  bool shows = true, inFront = true;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t corner = shell_.indices[firstIndex + k];
+    triangle[k] = corners_[corner];
+    shows = shows && shows_[corner];
+    inFront = inFront && corners_[corner].z > 0;
+  }
+  if (inFront && mayTurn(triangle)) return true;
+  if (shows) return false;
+  const std::vector<Vec3> seen = clipped({triangle.begin(), triangle.end()}, size_);
+  return !seen.empty() && mayTurn(seen);
 }
 
 }  // namespace luxo

@@ -25,8 +25,8 @@ class DrawnFacing {
   /// The shell is kept by reference. Cost: some 10 ns per vertex.
   DrawnFacing(const View& view, const SnapshotNode& node, const Shell& shell);
 
-  /// Whether the triangle that begins at that index is so narrow that it may be drawn with either side in
-  /// front (certainArea()), or is cut by the near plane.
+  /// Whether the triangle that begins at that index, or what is seen of it, is so narrow that it may be drawn
+  /// with either side in front.
   [[nodiscard]] bool uncertain(std::uint32_t firstIndex) const;
 
   /// Whether triangles may be clipped, as some of them are not in the picture. Devices may then decide which
@@ -35,8 +35,9 @@ class DrawnFacing {
 
  private:
   const Shell& shell_;
-  double near_;
-  std::vector<Vec3> corners_;  // in the picture
+  PixelSize size_;
+  std::vector<Vec3> corners_;  // as PixelRows has them; of parallel rays with 1 for the depth
+  std::vector<char> shows_;    // in the picture
   bool clips_ = false;
 };
 

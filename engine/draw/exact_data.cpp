@@ -2,6 +2,7 @@
 #include "draw/exact_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -122,20 +123,33 @@ void appendEquation(const Equation& equation, const Domain& domain, std::vector<
   lowest.y -= center * scale.y;
   highest.y -= center * scale.y;
 
-  const std::size_t first = numbers.size();
-  if (equation.form() == Equation::Form::Torus)
-    numbers.insert(numbers.end(), {scale.x, equation.tube * scale.x, 0, 0, 0, 0});
-  else
-    numbers.insert(numbers.end(),
-                   {equation.xx / (scale.x * scale.x), equation.yy / (scale.y * scale.y),
-                    equation.zz / (scale.z * scale.z), (0.5 * equation.y + equation.yy * center) / scale.y,
-                    equation.constant + (equation.y + equation.yy * center) * center, center * scale.y});
-  for (const Vec3& corner : {lowest, highest}) numbers.insert(numbers.end(), {corner.x, corner.y, corner.z});
-  for (const Equation::Parameter& p : {equation.u, equation.v})
-    numbers.insert(numbers.end(), {static_cast<double>(p.along), p.start, p.rate});
-  numbers.insert(numbers.end(), {scale.x, scale.y, scale.z});
-  LUXO_REQUIRE_COMPARE(numbers.size() - first, ==, std::size_t{shared::kEquationNumbers});
+  std::array<double, shared::kEquationNumbers> list{};
+  const auto set = [&](std::uint32_t first, const Vec3& values) {
+    for (std::uint32_t k = 0; k < 3; ++k) list[first + k] = values[static_cast<int>(k)];
+  };
+  if (equation.form() == Equation::Form::Torus) {
+    list[shared::kTorusRing] = scale.x;
+    list[shared::kTorusTube] = equation.tube * scale.x;
+  } else {
+    set(shared::kQuadricSquares, Vec3(equation.xx, equation.yy, equation.zz) / (scale * scale));
+    list[shared::kQuadricHalfY] = (0.5 * equation.y + equation.yy * center) / scale.y;
+    list[shared::kQuadricConstant] = equation.constant + (equation.y + equation.yy * center) * center;
+    list[shared::kQuadricCenter] = center * scale.y;
+  }
+  set(shared::kEquationLowest, lowest);
+  set(shared::kEquationHighest, highest);
+  set(shared::kEquationU, {static_cast<double>(equation.u.along), equation.u.start, equation.u.rate});
+  set(shared::kEquationV, {static_cast<double>(equation.v.along), equation.v.start, equation.v.rate});
+  set(shared::kEquationScale, scale);
+  numbers.insert(numbers.end(), list.begin(), list.end());
 }
+static_assert(static_cast<std::uint32_t>(Equation::Along::X) == shared::kAlongX &&
+              static_cast<std::uint32_t>(Equation::Along::Y) == shared::kAlongY &&
+              static_cast<std::uint32_t>(Equation::Along::Z) == shared::kAlongZ &&
+              static_cast<std::uint32_t>(Equation::Along::Radius) == shared::kAlongRadius &&
+              static_cast<std::uint32_t>(Equation::Along::Turn) == shared::kAlongTurn &&
+              static_cast<std::uint32_t>(Equation::Along::Latitude) == shared::kAlongLatitude &&
+              static_cast<std::uint32_t>(Equation::Along::Tube) == shared::kAlongTube);
 
 SurfaceCodePtr ownCode(SurfaceCodes& codes, const Patch& patch, std::size_t parameters, GlslNumber number) {
   return codes.get(patch.function, patch.constants.size() + parameters, number);

@@ -47,18 +47,17 @@ void addColors(const std::byte* texels, int width, MeasuredPixels& measured) {
     std::uint32_t largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, bitsAt(4 * x + c) & MeasuredPixels::kMagnitude);
     measured.nonfinite += largest >= MeasuredPixels::kLargest;
-    const auto infinityAt = [&](int c) {
+    std::uint32_t infinities = 0, signs = 0;
+    for (int c = 0; c < 3; ++c) {
       const std::uint32_t bits = bitsAt(4 * x + c), magnitude = bits & MeasuredPixels::kMagnitude;
-      if (magnitude != MeasuredPixels::kInfinity && magnitude != MeasuredPixels::kLargest) return 0;
-      return bits == magnitude ? 1 : -1;
-    };
-    const auto are = [&](int red, int green, int blue) {
-      return infinityAt(0) == red && infinityAt(1) == green && infinityAt(2) == blue;
-    };
-    measured.faults.endless += are(1, 1, 1);
-    measured.faults.seenThrough += are(-1, -1, -1);
-    measured.faults.moved += are(1, -1, 1);
-    measured.faults.manyTraces += are(1, -1, -1);
+      infinities += magnitude == MeasuredPixels::kInfinity || magnitude == MeasuredPixels::kLargest;
+      signs |= (bits >> 31) << c;
+    }
+    if (infinities < 3) continue;
+    measured.faults.endless += signs == shared::kFaultEndless;
+    measured.faults.seenThrough += signs == shared::kFaultSeenThrough;
+    measured.faults.moved += signs == shared::kFaultMoved;
+    measured.faults.manyTraces += signs == shared::kFaultManyTraces;
   }
 }
 

@@ -22,19 +22,22 @@ Vec4 clipRow(const View& view, const Transform& eyeFromObject, int row) {
           glm::dot(inEye, eyeFromObject.translation) + view.clipFromEye[3][row]};
 }
 
-/// The part of a polygon where dot(side, p) >= 0.
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& side) {
-  std::vector<Vec3> part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double ofA = glm::dot(side, a), ofB = glm::dot(side, b);
-    if (ofA >= 0) part.push_back(a);
-    if ((ofA >= 0) != (ofB >= 0)) part.push_back(a + ofA / (ofA - ofB) * (b - a));
-  }
-  return part;
-}
-
 }  // namespace
+
+std::vector<Vec3> clipped(std::vector<Vec3> polygon, const PixelSize& size) {
+  const double right = 0.5 * size.width, top = 0.5 * size.height;
+  for (const Vec3& side : {Vec3(1, 0, right), Vec3(-1, 0, right), Vec3(0, 1, top), Vec3(0, -1, top)}) {
+    std::vector<Vec3> part;  // where dot(side, p) >= 0
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const double ofA = glm::dot(side, a), ofB = glm::dot(side, b);
+      if (ofA >= 0) part.push_back(a);
+      if ((ofA >= 0) != (ofB >= 0)) part.push_back(a + ofA / (ofA - ofB) * (b - a));
+    }
+    polygon = std::move(part);
+  }
+  return polygon;
+}
 
 PixelRows pixelRows(const View& view, const Transform& worldFromObject) {
   const Transform eye = eyeFromObject(view, worldFromObject);
@@ -63,7 +66,6 @@ std::optional<PlaneRows> planeRows(const View& view, const Transform& worldFromO
 double nearestSeen(const View& view, const SnapshotNode& node) {
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   const Box& box = node.boundsObject;
-  const double right = 0.5 * view.size.width, top = 0.5 * view.size.height;
   double nearest = std::numeric_limits<double>::infinity();
   bool holdsEye = true;
   for (int axis = 0; axis < 3; ++axis) {
@@ -78,9 +80,7 @@ double nearestSeen(const View& view, const SnapshotNode& node) {
         corner[(axis + 2) % 3] = (t ? box.max : box.min)[(axis + 2) % 3];
         face.emplace_back(glm::dot(rows.x, corner), glm::dot(rows.y, corner), glm::dot(rows.depth, corner));
       }
-      for (const Vec3& side : {Vec3(1, 0, right), Vec3(-1, 0, right), Vec3(0, 1, top), Vec3(0, -1, top)})
-        face = clipped(face, side);
-      for (const Vec3& p : face) nearest = std::min(nearest, p.z);
+      for (const Vec3& p : clipped(std::move(face), view.size)) nearest = std::min(nearest, p.z);
     }
   }
   return std::max(holdsEye ? 0 : nearest, view.near);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "math/vec.h"
 #include "scene/snapshot.h"
@@ -17,6 +18,9 @@ struct PixelRows {
 };
 
 [[nodiscard]] PixelRows pixelRows(const View& view, const Transform& worldFromObject);
+
+/// What a picture shows of a polygon whose corners are such (x, y, depth), of parallel rays (x, y, 1).
+[[nodiscard]] std::vector<Vec3> clipped(std::vector<Vec3> polygon, const PixelSize& size);
 
 /// Of a pixel right of and below the middle, as dot(row, (pixel, 1)): the place it shows of the object's
 /// plane y = 0 has x / w and z / w. A ratio of linear functions finds it without a search (P. Heckbert,

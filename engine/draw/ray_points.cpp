@@ -18,12 +18,10 @@ namespace luxo {
 namespace {
 
 constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
-/// Of the distances involved: what a dozen operations of single precision round away.
-constexpr double kDepthRounding = 0x1p-21;
 /// Pixels: of the depth of a certified point no more is lost, however large the numbers are. Where three
 /// roundings may move it by kMostTolerancePx it is searched for in double, or not certified; and of triangles
 /// the corners are held to half of what an outline may be off (triangle_precision.h).
-constexpr double kMostRoundingPx = kDepthRounding / (3 * 0x1p-24) * shared::kMostTolerancePx;
+constexpr double kMostRoundingPx = shared::kDepthRounding / (3 * 0x1p-24) * shared::kMostTolerancePx;
 constexpr double kMostOfTrianglesPx = 0.5 * kSilhouettePx;
 const shared::ReachingLight kAllReaches{.shadows = 0, .transmittance = Vec3f(1)};
 
@@ -139,7 +137,7 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
     if (!material.invisible() && !seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
     if (surface && snapshot.nodes[i].surface.triangles()) mostRoundingPx_ = kMostOfTrianglesPx;
     if (surface || layers)
-      rounding_ = std::max(rounding_, kDepthRounding * reachOf(snapshot.view, snapshot.nodes[i]));
+      rounding_ = std::max(rounding_, shared::kDepthRounding * reachOf(snapshot.view, snapshot.nodes[i]));
   }
 }
 
@@ -164,13 +162,14 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
 
 double CertifiedRays::rounding() const {
   const View& view = caster_->snapshot().view;
-  return rounding_ + (view.perspective() ? 0 : kDepthRounding * (view.far - view.near));
+  return rounding_ + (view.perspective() ? 0 : shared::kDepthRounding * (view.far - view.near));
 }
 
 double CertifiedRays::roundingAt(double depth) const {
   const View& view = caster_->snapshot().view;
   const double pixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
-  return std::min(rounding(), rounding() - rounding_ + kDepthRounding * depth + mostRoundingPx_ * pixel);
+  return std::min(rounding(),
+                  rounding() - rounding_ + shared::kDepthRounding * depth + mostRoundingPx_ * pixel);
 }
 
 bool CertifiedRays::confirms(const reference::Caster::First& seen, float shown) const {
@@ -355,7 +354,7 @@ std::optional<reference::Hit> CertifiedRays::ofMesh(const shared::LayerPoint& po
   const View& view = caster_->snapshot().view;
   const SnapshotNode& of = caster_->snapshot().nodes[node];
   if (!of.surface.triangles()) return caster_->pointAt(node, Vec2(point.parameters), ray);
-  const double depth = originDepth + point.depth, rounding = kDepthRounding * reachOf(view, of);
+  const double depth = originDepth + point.depth, rounding = shared::kDepthRounding * reachOf(view, of);
   std::optional<reference::Hit> nearest;
   double least = std::numeric_limits<double>::infinity();
   for (const reference::Hit& hit : sight.hits) {

@@ -133,49 +133,74 @@ void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc)
   LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
 }
 
-VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& desc, const Asked& asked,
-                          VkPipelineLayout layout) {
-  std::vector<VkSpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < desc.specialization.size(); ++i)
-    entries.push_back({.constantID = desc.specialization[i].id,
-                       .offset = static_cast<std::uint32_t>(i * sizeof(SpecializationConstant) +
-                                                            offsetof(SpecializationConstant, bits)),
-                       .size = sizeof(SpecializationConstant::bits)});
-  const VkSpecializationInfo specialization{
-      .mapEntryCount = count(entries),
-      .pMapEntries = entries.data(),
-      .dataSize = desc.specialization.size() * sizeof(SpecializationConstant),
-      .pData = desc.specialization.data()};
-  const auto stage = [&](VkShaderStageFlagBits bit, VkShaderModule module) {
-    return VkPipelineShaderStageCreateInfo{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                           .stage = bit,
-                                           .module = module,
-                                           .pName = "main",
-                                           .pSpecializationInfo = &specialization};
-  };
-  const ShaderModule vertex(context.device(), desc.vertexShader, desc.name);
-  std::vector stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex)};
-  std::optional<ShaderModule> fragment;
-  if (!desc.fragmentShader.empty()) {
-    fragment.emplace(context.device(), desc.fragmentShader, desc.name);
-    stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment));
+/// The shaders of a pipeline, and the constants that all of them are given.
+class Stages {
+ public:
+  Stages(const Context& context, const GraphicsPipelineDesc& desc)
+      : vertex_(context.device(), desc.vertexShader, desc.name) {
+    for (std::uint32_t i = 0; i < desc.specialization.size(); ++i)
+      entries_.push_back({.constantID = desc.specialization[i].id,
+                          .offset = static_cast<std::uint32_t>(i * sizeof(SpecializationConstant) +
+                                                               offsetof(SpecializationConstant, bits)),
+                          .size = sizeof(SpecializationConstant::bits)});
+    constants_ = {.mapEntryCount = count(entries_),
+                  .pMapEntries = entries_.data(),
+                  .dataSize = desc.specialization.size() * sizeof(SpecializationConstant),
+                  .pData = desc.specialization.data()};
+    add(VK_SHADER_STAGE_VERTEX_BIT, vertex_);
+    if (desc.fragmentShader.empty()) return;
+    fragment_.emplace(context.device(), desc.fragmentShader, desc.name);
+    add(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment_);
+  }
+  Stages(const Stages&) = delete;
+  Stages& operator=(const Stages&) = delete;
+
+  [[nodiscard]] const std::vector<VkPipelineShaderStageCreateInfo>& infos() const { return infos_; }
+
+ private:
+  void add(VkShaderStageFlagBits bit, VkShaderModule module) {
+    infos_.push_back({.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                      .stage = bit,
+                      .module = module,
+                      .pName = "main",
+                      .pSpecializationInfo = &constants_});
   }
 
-  auto attributes = desc.attributes;
-  std::erase_if(attributes, [&](const VkVertexInputAttributeDescription& attribute) {
-    return !std::ranges::binary_search(asked.attributes, attribute.location);
-  });
-  auto bindings = desc.bindings;
-  std::erase_if(bindings, [&](const VkVertexInputBindingDescription& binding) {
-    return std::ranges::none_of(attributes,
-                                [&](const auto& attribute) { return attribute.binding == binding.binding; });
-  });
+  ShaderModule vertex_;
+  std::optional<ShaderModule> fragment_;
+  std::vector<VkSpecializationMapEntry> entries_;
+  VkSpecializationInfo constants_{};
+  std::vector<VkPipelineShaderStageCreateInfo> infos_;
+};
+
+/// The attributes that a vertex shader reads, and the bindings that they come from.
+struct VertexInput {
+  std::vector<VkVertexInputAttributeDescription> attributes;
+  std::vector<VkVertexInputBindingDescription> bindings;
+
+  VertexInput(const GraphicsPipelineDesc& desc, const Asked& asked)
+      : attributes(desc.attributes.begin(), desc.attributes.end()),
+        bindings(desc.bindings.begin(), desc.bindings.end()) {
+    std::erase_if(attributes, [&](const VkVertexInputAttributeDescription& attribute) {
+      return !std::ranges::binary_search(asked.attributes, attribute.location);
+    });
+    std::erase_if(bindings, [&](const VkVertexInputBindingDescription& binding) {
+      return std::ranges::none_of(
+          attributes, [&](const auto& attribute) { return attribute.binding == binding.binding; });
+    });
+  }
+};
+
+VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& desc, const Asked& asked,
+                          VkPipelineLayout layout) {
+  const Stages stages(context, desc);
+  const VertexInput vertices(desc, asked);
   const VkPipelineVertexInputStateCreateInfo input{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
-      .vertexBindingDescriptionCount = count(bindings),
-      .pVertexBindingDescriptions = bindings.data(),
-      .vertexAttributeDescriptionCount = count(attributes),
-      .pVertexAttributeDescriptions = attributes.data()};
+      .vertexBindingDescriptionCount = count(vertices.bindings),
+      .pVertexBindingDescriptions = vertices.bindings.data(),
+      .vertexAttributeDescriptionCount = count(vertices.attributes),
+      .pVertexAttributeDescriptions = vertices.attributes.data()};
   const VkPipelineInputAssemblyStateCreateInfo assembly{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO, .topology = desc.topology};
   const VkPipelineViewportStateCreateInfo viewport{
@@ -215,8 +240,8 @@ VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& de
                                                 .depthAttachmentFormat = desc.depthFormat};
   const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
                                           .pNext = &rendering,
-                                          .stageCount = count(stages),
-                                          .pStages = stages.data(),
+                                          .stageCount = count(stages.infos()),
+                                          .pStages = stages.infos().data(),
                                           .pVertexInputState = &input,
                                           .pInputAssemblyState = &assembly,
                                           .pViewportState = &viewport,

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The numbers of an equation, and (u, v) of its points.
 
-// The numbers of the equation, in metres, as appendEquation() of engine/draw/exact_data.cpp lists them.
 real number(uint k) { return surfaceParameterAt(k); }
 real3 number3(uint k) { return real3(number(k), number(k + 1), number(k + 2)); }
-
-const uint kQuadricSquares = 0, kQuadricHalfY = 3, kQuadricConstant = 4, kQuadricCenter = 5;
-const uint kTorusRing = 0, kTorusTube = 1;
-const uint kLowest = 6, kHighest = 9;  // x (with kRadial: the distance from the axis), y, z
-const uint kUOf = 12, kVOf = 15, kScale = 18;
 
 // The part of the circle, 0 to 1: an eighth of it or less, and quarters. Only their sum is rounded to the last bit of 1.
 real turnOf(real y, real x) {
@@ -22,15 +16,15 @@ real turnOf(real y, real x) {
 
 // u or v of a point, as Equation::Parameter has it: a linear function of what it goes along.
 float parameterOf(real3 p, uint k) {
-  real3 q = p / number3(kScale);
+  real3 q = p / number3(kEquationScale);
   real radius = sqrt(q.x * q.x + q.z * q.z);
-  int along = int(number(k));
-  real of = along == 0   ? q.x
-            : along == 1 ? q.y
-            : along == 2 ? q.z
-            : along == 3 ? radius
-            : along == 4 ? turnOf(-q.z, q.x)
-            : along == 5 ? formulaAtan2(q.y, radius) * real(0.31830988618379067)
+  uint along = uint(number(k));
+  real of = along == kAlongX   ? q.x
+            : along == kAlongY ? q.y
+            : along == kAlongZ ? q.z
+            : along == kAlongRadius ? radius
+            : along == kAlongTurn ? turnOf(-q.z, q.x)
+            : along == kAlongLatitude ? formulaAtan2(q.y, radius) * real(0.31830988618379067)
                          : turnOf(q.y, radius - 1.0);
   return float(number(k + 1) + number(k + 2) * of);
 }
@@ -38,25 +32,25 @@ float parameterOf(real3 p, uint k) {
 #ifdef LUXO_TEXTURED
 // How that moves with the point: from its gradient.
 vec3 gradientOf(real3 p, uint k) {
-  vec3 scale = vec3(number3(kScale)), q = vec3(p) / scale;
+  vec3 scale = vec3(number3(kEquationScale)), q = vec3(p) / scale;
   float radius = sqrt(q.x * q.x + q.z * q.z), perRadius = 1.0 / max(radius, kSmallest);
   vec3 outward = vec3(q.x * perRadius, 0, q.z * perRadius);
-  int along = int(number(k));
-  float height = radius - (along == 5 ? 0.0 : 1.0), square = max(height * height + q.y * q.y, kSmallest);
+  uint along = uint(number(k));
+  float height = radius - (along == kAlongLatitude ? 0.0 : 1.0), square = max(height * height + q.y * q.y, kSmallest);
   vec3 upward = (vec3(0, height, 0) - q.y * outward) / square;  // of the angle above the plane, or around a ring
-  vec3 of = along == 0   ? vec3(1, 0, 0)
-            : along == 1 ? vec3(0, 1, 0)
-            : along == 2 ? vec3(0, 0, 1)
-            : along == 3 ? outward
-            : along == 4 ? vec3(q.z, 0, -q.x) * (0.15915494309189535 * perRadius * perRadius)
-            : along == 5 ? upward * 0.31830988618379067
+  vec3 of = along == kAlongX   ? vec3(1, 0, 0)
+            : along == kAlongY ? vec3(0, 1, 0)
+            : along == kAlongZ ? vec3(0, 0, 1)
+            : along == kAlongRadius ? outward
+            : along == kAlongTurn ? vec3(q.z, 0, -q.x) * (0.15915494309189535 * perRadius * perRadius)
+            : along == kAlongLatitude ? upward * 0.31830988618379067
                          : upward * 0.15915494309189535;
   return float(number(k + 2)) * of / scale;
 }
 
 // From how the point moves from a pixel to the next.
 void setFootprint(real3 p, vec3 right, vec3 below) {
-  vec3 u = gradientOf(p, kUOf), v = gradientOf(p, kVOf);
+  vec3 u = gradientOf(p, kEquationU), v = gradientOf(p, kEquationV);
   rootFootprint = vec4(dot(u, right), dot(v, right), dot(u, below), dot(v, below));
 }
 #endif
@@ -64,7 +58,7 @@ void setFootprint(real3 p, vec3 right, vec3 below) {
 #if defined(LUXO_FRAMED) || defined(LUXO_FINDS_FRAME)
 // Of a point with the normal n (object space, any length): along the tangent plane v does not change where u grows.
 void setFrame(real3 p, vec3 n, vec3 outward) {
-  vec3 u = unitOrZero(gradientOf(p, kUOf)), v = unitOrZero(gradientOf(p, kVOf));
+  vec3 u = unitOrZero(gradientOf(p, kEquationU)), v = unitOrZero(gradientOf(p, kEquationV));
   vec3 alongU = cross(n, v), alongV = cross(n, u);
   vec3 right = relative(dot(u, alongU) < 0.0 ? -alongU : alongU), up = relative(dot(v, alongV) < 0.0 ? -alongV : alongV);
   rootFrame = vec4(unitOrZero(right), dot(cross(right, up), outward) < 0.0 ? -1.0 : 1.0);

@@ -45,7 +45,7 @@ Expansion expansionAt(real3 p, real3 way) {
 bool isSeen(Ray ray, real3 p) {
   real depth = depthOf(p + center()), radius = sqrt(p.x * p.x + p.z * p.z);
   real3 q = has(kRadial) ? real3(radius, p.y, 0.0) : p;
-  real3 beyond = max(max(number3(kLowest) - q, q - number3(kHighest)), real3(0));
+  real3 beyond = max(max(number3(kEquationLowest) - q, q - number3(kEquationHighest)), real3(0));
   if (has(kRadial)) beyond = real3(p.x * beyond.x, radius * beyond.y, p.z * beyond.x) / max(radius, kSmallest);
   real onScreen = max(abs(dot(ray.across1, beyond)), abs(dot(ray.across2, beyond)));
   return onScreen <= toleranceAt(depth) && depth < 1e30 && inDepthRange(depth);
@@ -196,7 +196,7 @@ int rootOfPixel(out Root root) {
   Expansion e = expansionAt(start, way);
   int result = findOnRay(ray, way, metre, outer, rising, p, e);
   root.S = center() + p;
-  root.parameters = vec2(parameterOf(root.S, kUOf), parameterOf(root.S, kVOf));
+  root.parameters = vec2(parameterOf(root.S, kEquationU), parameterOf(root.S, kEquationV));
   root.outward = outwardOf(vec3(has(kRisesOutward) ? e.half_ : -e.half_));
   root.front = rising == outer;
   root.depth = depthOf(root.S);

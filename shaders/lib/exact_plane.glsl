@@ -5,7 +5,7 @@
 
 // What is beyond an edge by no more than `margin`, metres, is the plane's. A disk is compared by squares.
 bool isInside(real3 S, real margin) {
-  real3 lowest = number3(kLowest) - margin, highest = number3(kHighest) + margin;
+  real3 lowest = number3(kEquationLowest) - margin, highest = number3(kEquationHighest) + margin;
   real square = S.x * S.x + S.z * S.z;
   bool inDisk = square <= highest.x * highest.x && (lowest.x <= 0.0 || square >= lowest.x * lowest.x);
   bool inRectangle = S.x >= lowest.x && S.x <= highest.x && S.z >= lowest.z && S.z <= highest.z;
@@ -18,7 +18,7 @@ int rootOfPixel(out Root root) {
   real perW = 1.0 / dot(rowDepth.xyz, pixel);
   root.S = real3(dot(rowX.xyz, pixel) * perW, 0, dot(rowY.xyz, pixel) * perW);
   root.depth = rowX.w * root.S.x + rowY.w * root.S.z + rowDepth.w;
-  root.parameters = vec2(parameterOf(root.S, kUOf), parameterOf(root.S, kVOf));
+  root.parameters = vec2(parameterOf(root.S, kEquationU), parameterOf(root.S, kEquationV));
   vec3 upward = cross(varyingRelative[2].xyz, varyingRelative[0].xyz);
   bool outerIsUp = has(kRisesOutward) != isMirrored();
   root.outward = outerIsUp ? upward : -upward;

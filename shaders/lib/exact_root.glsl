@@ -24,7 +24,6 @@ const int kPolishSteps = 14;    // near double roots they converge slowly
 const float kNearPixels = 0.5;  // what is farther from the ray after these steps is no root
 const float kNearCells = 0.25;  // nor what is farther outside of the patch
 const float kAtBorder = 0.02;   // cells: what begins no farther inside has come in past the border
-const float kDepthRounding = 5e-7;  // of depths in the depth buffer: 2^-21, a dozen operations
 const int kWalkSteps = 32;      // from where a search began to its root: half of them leave 20 pixels more of the teapot to rays
 // Cells: nearer to an edge that is one point no search goes, as there is no normal there. Less than its tolerance.
 #ifdef LUXO_DOUBLE

@@ -14,9 +14,9 @@
 
 // What the picture tells whoever reads it, instead of a colour: values that are no numbers. NaN is one that the shader
 // gave itself.
-const uint kNotANumber = 0x7fc00000u, kTooManyRounds = 0x7f800000u, kSeenThrough = 0xff800000u;
-const uvec3 kMovedAway = uvec3(kTooManyRounds, kSeenThrough, kTooManyRounds);
-const uvec3 kTooManyTraces = uvec3(kTooManyRounds, kSeenThrough, kSeenThrough);
+const uint kNotANumber = 0x7fc00000u, kInfinity = 0x7f800000u;
+// A fault's colour.
+vec3 infinities(uint signs) { return uintBitsToFloat(kInfinity | uvec3(signs, signs >> 1, signs >> 2) << 31); }
 
 // For whoever shows the picture without reading its pixels.
 layout(scalar, set = kSetScene, binding = kBindingShaderFaults) buffer ShaderFaultsOfPicture {
@@ -170,17 +170,17 @@ vec3 lit(Found found) {
   vec4 color = luxoMaterial(materialPoint(found));
   if (luxoRounds > kLuxoMostRounds) {
     atomicAdd(shaderFaults.endless, 1u);
-    return vec3(uintBitsToFloat(kTooManyRounds));
+    return infinities(kFaultEndless);
   }
   if (luxoMoved) {
     atomicAdd(shaderFaults.moved, 1u);
-    return uintBitsToFloat(kMovedAway);
+    return infinities(kFaultMoved);
   }
 #ifdef LUXO_TRACES
   askTraces();
   if (tracesTooOften()) {
     atomicAdd(shaderFaults.manyTraces, 1u);
-    return uintBitsToFloat(kTooManyTraces);
+    return infinities(kFaultManyTraces);
   }
 #endif
   bool numbers = isColor(color.rgb) && isNumber(color.a);
@@ -190,7 +190,7 @@ vec3 lit(Found found) {
 #else
   if (color.a < 1.0) {
     atomicAdd(shaderFaults.seenThrough, 1u);
-    return vec3(uintBitsToFloat(kSeenThrough));
+    return infinities(kFaultSeenThrough);
   }
 #endif
 #ifdef LUXO_FIRST_OF_ISOLINES

@@ -155,7 +155,33 @@ LUXO_NUMBER kMostTolerancePx = 7e-4;
 // with 1/4 there is no gap between cells.
 LUXO_NUMBER kUsualRounding = 0.25;
 
-LUXO_CONSTANT kEquationNumbers = 21;  // of a patch that is searched for by its equation, instead of parameters
+// The numbers of a patch that is searched for by its equation, instead of parameters, in metres. Of a quadric or of a torus:
+LUXO_CONSTANT kQuadricSquares = 0;  // of x, y and z
+LUXO_CONSTANT kQuadricHalfY = 3;
+LUXO_CONSTANT kQuadricConstant = 4;
+LUXO_CONSTANT kQuadricCenter = 5;  // on the axis
+LUXO_CONSTANT kTorusRing = 0;
+LUXO_CONSTANT kTorusTube = 1;
+// Of all: the edges (kRadial: of the distance from the axis, y and z); what u and v go along, where they start and how they
+// grow; metres per unit.
+LUXO_CONSTANT kEquationLowest = 6;
+LUXO_CONSTANT kEquationHighest = 9;
+LUXO_CONSTANT kEquationU = 12;
+LUXO_CONSTANT kEquationV = 15;
+LUXO_CONSTANT kEquationScale = 18;
+LUXO_CONSTANT kEquationNumbers = 21;
+
+// What a parameter goes along: Equation::Along.
+LUXO_CONSTANT kAlongX = 0;
+LUXO_CONSTANT kAlongY = 1;
+LUXO_CONSTANT kAlongZ = 2;
+LUXO_CONSTANT kAlongRadius = 3;
+LUXO_CONSTANT kAlongTurn = 4;
+LUXO_CONSTANT kAlongLatitude = 5;
+LUXO_CONSTANT kAlongTube = 6;
+
+// Of depths, what single precision rounds away of them in a dozen operations: 2^-21.
+LUXO_NUMBER kDepthRounding = 4.76837158203125e-7;
 
 // What is in doubt, some bits a pixel, row by row: a search has lost a surface there, or what it has found is not certified,
 // even if something else is seen in front of it: the point which that search should have found may be nearer; whether what is
@@ -454,6 +480,12 @@ struct TraceRay {
 struct ShaderFaults {
   uint endless, seenThrough, moved, manyTraces;
 };
+
+// Such a point is a colour of infinities, by their signs: a bit of each channel, 1 where it is negative.
+LUXO_CONSTANT kFaultEndless = 0;
+LUXO_CONSTANT kFaultMoved = 2;
+LUXO_CONSTANT kFaultManyTraces = 6;
+LUXO_CONSTANT kFaultSeenThrough = 7;
 
 // What a pixel asks: the number of its answer, whose place another one may have; and the point that it lights.
 struct TraceQuestion {

@@ -156,6 +156,34 @@ TEST(OcclusionBuffer, BandsTogetherAreTheWhole) {
   EXPECT_LT(hidden, 200);
 }
 
+TEST(OcclusionBuffer, ClearedItIsAsANewOne) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-10, 90), size(5, 60), depth(1, 9);
+  const auto any = [&](auto shape) {
+    const double across = size(random), far = depth(random), x = place(random), y = place(random);
+    return moved(shape(across, far), Vec3(x, y, 0));
+  };
+  OcclusionBuffer used;
+  int hidden = 0;
+  for (int round = 0; round < 40; ++round) {
+    used.clear({75, 70}, Vec2(0.25 + 0.5 * (round % 2), 0.5));
+    OcclusionBuffer fresh = bufferOf({75, 70}, Vec2(0.25 + 0.5 * (round % 2), 0.5));
+    for (int slab = 0; slab < 3; ++slab) {
+      const PixelTriangle leaving = any(upperLeft), entering = any(lowerRight);
+      cover(used, leaving, entering);
+      cover(fresh, leaving, entering);
+    }
+    for (int k = 0; k < 60; ++k) {
+      PixelTriangle triangle = any(lowerRight);
+      for (Vec3& corner : triangle) corner.z += 2;
+      EXPECT_EQ(used.hides(triangle), fresh.hides(triangle));
+      hidden += fresh.hides(triangle);
+    }
+    EXPECT_EQ(used.covered(), fresh.covered());
+  }
+  EXPECT_GT(hidden, 100);
+}
+
 TEST(OcclusionBuffer, ASlabCoversNothingBehindWhereItWasEntered) {
   OcclusionBuffer buffer = bufferOf({32, 32});
   cover(buffer, upperLeft(32, 2), moved(upperLeft(6, 1), Vec3(2, 2, 0)));

@@ -80,14 +80,17 @@ TEST(DrawnFacing, ClipsWhatIsNotWhollyInThePicture) {
   EXPECT_TRUE(clips({0, 0, 2}));
 }
 
-TEST(DrawnFacing, IsUncertainOfWhatTheNearPlaneCuts) {
+TEST(DrawnFacing, IsCertainOfWhatIsCutAndWide) {
   const Snapshot snapshot = lookingAt({0, 0, 0.4});
   Shell shell;
-  shell.positions = {{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, 1, 1}};
-  shell.indices = {0, 1, 2, 0, 1, 3};
+  // Wide; reaching past the eye, of which a wide or a narrow part is seen.
+  shell.positions = {{-1, -1, -1}, {1, -1, -1},       {0, 1, -1},  {0, 1, 1},
+                     {0, -0.3, 1}, {0.0001, -0.3, 1}, {0, 0.3, -1}};
+  shell.indices = {0, 1, 2, 0, 1, 3, 4, 5, 6};
   const DrawnFacing facing(snapshot.view, snapshot.nodes[0], shell);
   EXPECT_FALSE(facing.uncertain(0));
-  EXPECT_TRUE(facing.uncertain(3));
+  EXPECT_FALSE(facing.uncertain(3));
+  EXPECT_TRUE(facing.uncertain(6));
 }
 
 }  // namespace
