@@ -6,6 +6,7 @@
 #include <span>
 
 #include "draw/pixel_rows.h"
+#include "shared/scene_data.h"
 
 namespace luxo {
 namespace {
@@ -18,7 +19,7 @@ bool mayTurn(std::span<const Vec3> polygon) {
     const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const Vec2 a = Vec2(p) / p.z, b = Vec2(q) / q.z;
     area += a.x * b.y - a.y * b.x;
-    change += kMovedPx * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
+    change += shared::kMovedPx * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
   }
   return !(std::abs(area) > change);
 }
@@ -29,7 +30,7 @@ DrawnFacing::DrawnFacing(const View& view, const SnapshotNode& node, const Shell
     : shell_(shell), size_(view.size) {
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   // What is moved may be moved over the edge.
-  const Vec2 most = 0.5 * Vec2(size_.width, size_.height) - kMovedPx;
+  const Vec2 most = 0.5 * Vec2(size_.width, size_.height) - Vec2(shared::kMovedPx);
   corners_.reserve(shell.positions.size());
   shows_.reserve(shell.positions.size());
   for (const Vec3& position : shell.positions) {

@@ -15,11 +15,6 @@
 
 namespace luxo {
 
-/// How far a device may draw the corners of shells beside where they are, pixels: the raster's grid is 1/256
-/// (half a cell's diagonal, once more where clipping makes new corners), and float moves them by up to
-/// kOutlinePx (exact_data.cpp).
-inline constexpr double kMovedPx = 1.0 / 64;
-
 class DrawnFacing {
  public:
   /// The shell is kept by reference. Cost: some 10 ns per vertex.

@@ -233,7 +233,9 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
       least = glm::min(least, tilted);
       most = glm::max(most, tilted);
     }
-  if (isTurned(i, shown - glm::clamp(shown, least, most), std::move(lights), center)) return Wrong;
+  // At a crease the colour is that of either side.
+  if (isTurned(i, shown - glm::clamp(shown, least, most), std::move(lights), center))
+    return byColor(i, kSilhouettePx) == Right ? Right : Wrong;
   return certified ? Right : Unjudged;
 }
 

@@ -63,6 +63,8 @@ int meetsCell(CellRay ray, CasterCell cell) {
   metOff = off;
   if (t - off > ray.first + own && t + off < ray.last) {
     if (!endsAt(ray, cell, vec2(ofB, ofC) / area, false)) return kPassed;
+    // Devices draw triangles a little beyond their edges, there behind the one that goes on: what is in the way so near is none.
+    if (t - off <= kMovedPx / kGrain * ray.grain.x * aslant) return kOpen;
     // Whether that matters the triangle that the point is on tells.
     metBesideEdge = metBesideEdge || isBeside;
     return isBeside ? kPassed : kMet;

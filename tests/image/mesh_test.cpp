@@ -126,6 +126,25 @@ TEST_F(MeshPicture, CastsExactShadowsOnItselfAndOthersAndReceivesThem) {
   EXPECT_GT(picture.statistics.count.shadowPasses, 4U);
 }
 
+// Devices draw triangles up to 1/256 pixel beyond their edges, and there a point is behind the facet that
+// goes on.
+TEST_F(MeshPicture, NoPointIsInTheShadowOfTheFacetThatGoesOnThere) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const TriangleMesh sheet =
+      meshOf(surface([](auto u, auto v) { return point(u, 0.3 * sin(4 * u) * cos(5 * v), v); },
+                     {{-1.5, 1.5}, {-1.5, 1.5}}),
+             0.05);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene;
+    scene.add(Node{.surface = sheet});
+    scene.add(Node{.translation = Vec3(3 * any(random), 2.5, 3 * any(random)),
+                   .light = Light{.intensity = 0.9, .shadow = Light::Shadow::Exact}});
+    expectExact(takeSnapshot(scene, 0, {48, 36}, cameraFrom({any(random), 0.6, any(random)})), 300);
+  }
+}
+
 TEST_F(MeshPicture, SeenThroughItIsBlendedInTheOrderOfItsDepth) {
   std::mt19937 random(4);
   Scene scene;
