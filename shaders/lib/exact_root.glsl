@@ -397,20 +397,6 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
   return nearest < 1e30 ? kFound : hasLeft && fromEntry && explained && !blind ? kMissed : kLost;
 }
 
-// Whether the ray, having met the surface nowhere before that root, leaves the slab behind it before it can meet it again.
-// On the curve the height over a root grows by `rise` and bends by less than `bend` (Theorem at `certified`), so that x cells
-// on it is at least rise x - bend x^2 / 2.
-bool leavesBehind(Ray ray, real2 p, Probe at) {
-  real2 ju = at.fu * varyingCellHalf.x, jv = at.fv * varyingCellHalf.y;
-  real det = ju.x * jv.y - ju.y * jv.x, squares = dot(ju, ju) + dot(jv, jv), r = cellsFromStart(p), k = changeOfOffset(ray);
-  Sample s = sampleAt(ray, p, at, senseOf(ray), k);
-  bool only = squares * length(at.f) * k <= 0.5 * det * det && squares * k * k * r * r <= 1.8 * det * det && r <= kFarCells;
-  real height = varyingClip.z + abs(s.g) + s.slack, rise = abs(s.slope), bend = 1.5 * k * (1.0 + s.tilt);
-  real square = rise * rise - 2.0 * bend * height;
-  real way = 2.0 * height / max(rise + sqrt(max(square, 0.0)), kSmallest);
-  return only && square > 0.0 && way <= 1.0 && way * k <= 0.25 * s.across;
-}
-
 // The point where rays may graze the surface.
 //
 // Newton's method from where the ray enters the shell finds most. Where folds lie close to each other or to an edge, it
@@ -431,7 +417,8 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   for (int attempt = 0; attempt <= kAttempts; ++attempt) {
     result = approach(ray, attempt > 0, crossed, p, at);
     bool goesOn = result == kFound && isPassed(at);
-    if (kFrontOnly && goesOn && leavesBehind(ray, p, at)) return kMissed;
+    // Whether the front follows before the ray has left the slab, rays tell.
+    if (kFrontOnly && goesOn) return kLost;
     bool holds = attempt == 0 && result == kFound && !goesOn && cellsFromStart(p) > kFarCells;
     if (holds) held = p, heldDepth = at.depth;
     // What is past a border, or farther away than a root that is none, is mostly another fragment's.
