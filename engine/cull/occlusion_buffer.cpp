@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <experimental/simd>
 
+#include "cull/raster_slack.h"
+
 namespace luxo {
 namespace {
 
-/// Pixels. Devices move corners to a grid of 1/256.
-constexpr double kRoom = 1.0 / 64;
 /// Of a depth: more than what floats round.
 constexpr float kDepthMargin = 1e-6f;
 constexpr int kTile = 16;  // samples
@@ -128,7 +128,7 @@ class Depth {
 double certainArea(const PixelTriangle& t) {
   const Vec3 a = t[1] - t[0], b = t[2] - t[0];
   const double area = crossed(a, b),
-               narrow = kRoom * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+               narrow = kMovedPx * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
   return std::abs(area) > narrow ? area : 0;
 }
 
@@ -224,7 +224,7 @@ void OcclusionBuffer::fill(std::vector<float>& samples, int column, int row) con
 
 void OcclusionBuffer::enter(const PixelTriangle& triangle) {
   const Depth depth(triangle, sample_);
-  forEachRow(triangle, sample_, width_, rows_, kRoom, [&](int row, int first, int end) {
+  forEachRow(triangle, sample_, width_, rows_, kMovedPx, [&](int row, int first, int end) {
     float* const entered = entered_.data() + startOf(row);
     forEachBlock(first, end, [&](int x, const BlockMask& inRow) {
       Block nearest(entered + x, kAnywhere);
@@ -285,7 +285,7 @@ std::size_t OcclusionBuffer::covered() const {
 bool OcclusionBuffer::hides(const PixelTriangle& triangle) const {
   if (const Reach reach = reachOf(triangle); !reach.empty() && allNearer(&Tile::farthest, reach)) return true;
   const Depth depth(triangle, sample_);
-  return forEachRow(triangle, sample_, width_, rows_, kRoom, [&](int row, int first, int end) {
+  return forEachRow(triangle, sample_, width_, rows_, kMovedPx, [&](int row, int first, int end) {
     const float* const farthest = farthest_.data() + startOf(row);
     bool hidden = true;
     forEachBlock(first, end, [&](int x, const BlockMask& inRow) {

@@ -21,7 +21,7 @@ namespace luxo {
 using PixelTriangle = std::array<Vec3, 3>;
 
 /// Twice its area, positive where y turns to x (clockwise on the screen, as y goes down); 0 where it is so
-/// narrow that a device, which moves corners to a grid of 1/256 pixel, may see it either way.
+/// narrow that a device, which moves corners (kMovedPx), may see it either way.
 [[nodiscard]] double certainArea(const PixelTriangle& triangle);
 
 /// Rows of a picture, from the top.

@@ -14,6 +14,11 @@ inline constexpr double kVertexSlack = 0x1p-20;
 /// Vertices are snapped to the raster by at most half of 1/16 pixel: Vulkan asks for 4 subpixel bits.
 inline constexpr double kSnapPx = 1.0 / 32;
 
+/// Pixels: how far a device of kSubpixelBits (gpu/device.h) may draw corners of triangles beside where they
+/// are. Its grid is 1/256 (half a cell's diagonal, once more where clipping makes new corners), and float
+/// moves them by up to kOutlinePx (draw/exact_data.cpp).
+inline constexpr double kMovedPx = 1.0 / 64;
+
 /// Lines are drawn one pixel wide, and every implementation picks its own pixels beside the ideal line.
 inline constexpr double kLinePx = 1;
 

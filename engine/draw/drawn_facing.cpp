@@ -5,10 +5,14 @@
 #include <cmath>
 #include <span>
 
+#include "cull/raster_slack.h"
 #include "draw/pixel_rows.h"
 #include "shared/scene_data.h"
 
 namespace luxo {
+
+static_assert(kMovedPx == shared::kMovedPx);
+
 namespace {
 
 /// Whether a polygon may turn over. As corners move by m along x and y twice its area changes by m times the
@@ -19,7 +23,7 @@ bool mayTurn(std::span<const Vec3> polygon) {
     const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const Vec2 a = Vec2(p) / p.z, b = Vec2(q) / q.z;
     area += a.x * b.y - a.y * b.x;
-    change += shared::kMovedPx * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
+    change += kMovedPx * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
   }
   return !(std::abs(area) > change);
 }
@@ -30,7 +34,7 @@ DrawnFacing::DrawnFacing(const View& view, const SnapshotNode& node, const Shell
     : shell_(shell), size_(view.size) {
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   // What is moved may be moved over the edge.
-  const Vec2 most = 0.5 * Vec2(size_.width, size_.height) - Vec2(shared::kMovedPx);
+  const Vec2 most = 0.5 * Vec2(size_.width, size_.height) - Vec2(kMovedPx);
   corners_.reserve(shell.positions.size());
   shows_.reserve(shell.positions.size());
   for (const Vec3& position : shell.positions) {

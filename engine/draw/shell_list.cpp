@@ -6,11 +6,11 @@
 #include <limits>
 #include <numeric>
 
+#include "cull/raster_slack.h"
 #include "draw/drawn_facing.h"
 #include "draw/exact_data.h"
 #include "draw/near_section.h"
 #include "math/transform.h"
-#include "shared/scene_data.h"
 #include "surface/spread.h"
 
 namespace luxo {
@@ -38,7 +38,7 @@ constexpr double kMostMargin = 1.0 / 16;
 Vec3 marginOf(const View& view, const SnapshotNode& node, const VisibleNode& v) {
   // What is at most r in the world reaches r |M^-T n| along n in the object. M^-1 = D U, D its rows' lengths
   // and U their directions: |M^-T n| = |U^T D n| is at most the stretch of U, 1 to sqrt(3), times |D n|.
-  const double radius = shared::kMovedPx * (view.perspective() ? v.farthestDepth : 1) / view.pixelsPerUnit;
+  const double radius = kMovedPx * (view.perspective() ? v.farthestDepth : 1) / view.pixelsPerUnit;
   const Mat3 rows = glm::transpose(glm::inverse(node.worldFromObject.linear / v.stretch));
   const Vec3 lengths(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
   const double stretch = largestStretch(Mat3(rows[0] / lengths.x, rows[1] / lengths.y, rows[2] / lengths.z));

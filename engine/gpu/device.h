@@ -33,7 +33,7 @@ inline constexpr std::uint32_t kVaryingComponents = 120;
 /// Storage buffers that a stage of one pipeline reads at most (SceneLayouts): Vulkan promises 4, devices have
 /// 64 or more.
 inline constexpr std::uint32_t kStageStorageBuffers = 26;
-/// Of the raster's grid, as shells reach beyond their surfaces by what corners move on it (drawn_facing.h).
+/// Of the raster's grid, as shells reach beyond their surfaces by what corners move on it (raster_slack.h).
 /// Vulkan promises 4, devices have 8.
 inline constexpr std::uint32_t kSubpixelBits = 8;
 

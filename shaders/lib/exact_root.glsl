@@ -404,7 +404,8 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
 // is settled by a step, and what remains is a function of one variable on a curve through the cells around the start.
 // The trace takes the nearest of its roots, and Newton's method goes on from there. Where that one turns out to be none, or
 // none of the patch, there is another attempt farther away. A root far from the start may have others before it: it is
-// held until a trace has found none. What shows only its front is met from behind, too: there the search goes on.
+// held until a trace has found none. What shows only its front is met from behind, too: whether the front follows there
+// before the ray has left the slab is for rays to tell.
 int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   p = startAtEntry().xy;
   int result = kLost;
@@ -416,23 +417,21 @@ int findGrazedRoot(Ray ray, out real2 p, out Probe at) {
   bool passed = false, takesHeld = false, crossed = false;
   for (int attempt = 0; attempt <= kAttempts; ++attempt) {
     result = approach(ray, attempt > 0, crossed, p, at);
-    bool goesOn = result == kFound && isPassed(at);
-    // Whether the front follows before the ray has left the slab, rays tell.
-    if (kFrontOnly && goesOn) return kLost;
-    bool holds = attempt == 0 && result == kFound && !goesOn && cellsFromStart(p) > kFarCells;
+    if (result == kFound && isPassed(at)) return kLost;
+    bool holds = attempt == 0 && result == kFound && cellsFromStart(p) > kFarCells;
     if (holds) held = p, heldDepth = at.depth;
     // What is past a border, or farther away than a root that is none, is mostly another fragment's.
     passed = passed || result == kMissed;
     if (result == kLost && passed && !crossed) result = kMissed;
-    bool ended = result == kFound ? !holds && !goesOn : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
+    bool ended = result == kFound ? !holds : attempt > 0 ? result == kLost : result == kMissed && !seesPastBorder();
     if (ended || takesHeld) break;
-    if (attempt > 0 || goesOn) after = max(after, at.depth);
+    if (attempt > 0) after = max(after, at.depth);
     result = attempt + 1 < kAttempts ? traceCurve(ray, after, p, crossed) : kLost;
     takesHeld = heldDepth < 1e30 && (result != kFound || after >= heldDepth);
     if (takesHeld) p = held, wantedSide = shellSide(), crossed = false;
     else if (result != kFound) break;
   }
-  return result == kFound && isPassed(at) ? kLost : result;
+  return result;
 }
 
 // Finds the point; p and at are its own when found.

@@ -180,8 +180,7 @@ LUXO_CONSTANT kAlongTurn = 4;
 LUXO_CONSTANT kAlongLatitude = 5;
 LUXO_CONSTANT kAlongTube = 6;
 
-// Pixels: how far a device may draw the corners of triangles beside where they are. The raster's grid is 1/256 (half a
-// cell's diagonal, once more where clipping makes new corners), and float moves them by up to 0.01.
+// Pixels: how far a device may draw the corners of triangles beside where they are (engine/cull/raster_slack.h).
 LUXO_NUMBER kMovedPx = 0.015625;
 
 // Of depths, what single precision rounds away of them in a dozen operations: 2^-21.

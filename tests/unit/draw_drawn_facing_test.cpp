@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
+#include "cull/raster_slack.h"
 #include "draw/drawn_facing.h"
 #include "draw/exact_data.h"
 #include "scene/scene.h"
-#include "shared/scene_data.h"
 #include "surface/library.h"
 
 namespace luxo {
@@ -49,7 +49,7 @@ TEST(DrawnFacing, IsCertainOfWhatNoMoveOfCornersTurnsOver) {
   const DrawnFacing facing(snapshot.view, snapshot.nodes[0], shell);
   const std::vector<Vec3> corners = inPicture(snapshot.view, snapshot.nodes[0], shell.positions);
   std::uniform_real_distribution<double> angle(0, 6.3);
-  const double most = 0.5 * shared::kMovedPx;  // what a device does, with as much again to spare
+  const double most = 0.5 * kMovedPx;  // what a device does, with as much again to spare
   int certain = 0, turned = 0;
   for (std::uint32_t i = 0; i < shell.indices.size(); i += 3) {
     const double before = area(Vec2(corners[i]), Vec2(corners[i + 1]), Vec2(corners[i + 2]));
