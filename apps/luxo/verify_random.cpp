@@ -34,9 +34,10 @@ void summarize(const random::RunTotals& t) {
       "{} scenes, {} pixels, {} of them covered, {} undecided by the reference\n"
       "{} wrong, {} of them silently, in {} scenes; {} unconverged, {} uncertified; {} scenes refused, "
       "{} not judged to the end\n"
-      "{:.0f} s of CPU for pictures, {:.0f} s for the reference",
+      "{:.0f} s of CPU for pictures, {:.0f} s for the reference; {} pictures beyond twice the reference and "
+      "2 s",
       t.scenes, t.pixels, t.hits, t.undecided, t.wrong, t.silentlyWrong, t.failedScenes, t.unconverged,
-      t.uncertified, t.refusedScenes, t.slowScenes, t.pictureSeconds, t.referenceSeconds));
+      t.uncertified, t.refusedScenes, t.slowScenes, t.pictureSeconds, t.referenceSeconds, t.costlyScenes));
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ void tellUnjudged(Json& line, const Trial& trial, const RunRequest& request) {
 void add(RunTotals& totals, const Trial& trial) {
   ++totals.scenes;
   totals.slowScenes += trial.complete ? 0 : 1;
+  totals.costlyScenes += trial.complete && trial.costly() ? 1 : 0;
   totals.failedScenes += trial.silentlyWrong > 0 ? 1 : 0;
   totals.pixels += trial.pixels;
   totals.hits += trial.hits;

@@ -30,7 +30,8 @@ struct RunRequest {
 
 struct RunTotals {
   std::uint64_t scenes = 0, failedScenes = 0, refusedScenes = 0;
-  std::uint64_t slowScenes = 0;  ///< of `scenes`: not judged to the end, as they took limitSeconds
+  std::uint64_t slowScenes = 0;    ///< of `scenes`: not judged to the end, as they took limitSeconds
+  std::uint64_t costlyScenes = 0;  ///< Trial::costly
   std::uint64_t pixels = 0, hits = 0, undecided = 0, unconverged = 0, uncertified = 0;
   std::uint64_t wrong = 0, silentlyWrong = 0;
   double pictureSeconds = 0, referenceSeconds = 0;
