@@ -20,7 +20,7 @@
 #include "draw/texture_list.h"
 #include "scene/snapshot.h"
 #include "shadow/caster_cache.h"
-#include "shared/flat_cutout.h"
+#include "shared/flat_pattern.h"
 #include "shared/scene_data.h"
 #include "shell/shell_cache.h"
 #include "tessellate/mesh_cache.h"
@@ -93,9 +93,9 @@ struct CasterDraw {
 /// One draw for each light and each caster of a planar shadow.
 struct FlatShadowDraw {
   std::shared_ptr<const Mesh> mesh;
-  Paint pattern;  ///< of a caster that is cut out: where it is opaque
+  Paint pattern;  ///< of a caster that lets light through: where, and how much of it
   shared::FlatShadow shadow;
-  shared::FlatCutout cutout = {};
+  shared::FlatPattern caster = {};
 };
 
 /// A light's depth map (shaders/lib/light_map.glsl), and the meshes in it.

@@ -277,8 +277,8 @@ void PassRecorder::flattenShadow(Form form, const FlatShadowDraw& draw) {
   const DeviceMesh& mesh = store_.get(draw.mesh, withParameters);
   struct {
     shared::FlatShadow shadow;
-    shared::FlatCutout cutout;
-  } pushed{draw.shadow, draw.cutout};
+    shared::FlatPattern caster;
+  } pushed{draw.shadow, draw.caster};
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 2; ++row) pushed.shadow.clipFromObject[column][row] /= view_.targets().guard();
   pipeline.bind(commands_);

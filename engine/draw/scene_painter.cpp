@@ -121,12 +121,13 @@ void ScenePainter::preparePipelines(const DrawList& list, const TargetFormat& fo
       for (const CasterDraw& draw : *draws) states.push_back(draw.state);
     for (const FlatShadowDraw& draw : group.flatShadows)
       states.push_back({.form = Form::FlatShadow, .pattern = draw.pattern});
+    for (const FlatShadowDraw& draw : group.flatTransmittances)
+      states.push_back({.form = Form::FlatTransmittance, .pattern = draw.pattern});
     if (group.map) {
       states.push_back({.form = Form::LightDepth});
       if (group.lightsPoints()) states.push_back({.form = Form::LightMap});
       if (group.lightsLayers()) states.push_back({.form = Form::LayerLightMap});
     }
-    if (!group.flatTransmittances.empty()) states.push_back({.form = Form::FlatTransmittance});
   }
   for (const CasterDraw& draw : list.places) states.push_back(draw.state);
   for (const auto* draws : {&layers.searches, &layers.places})

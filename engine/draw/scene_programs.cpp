@@ -18,7 +18,7 @@
 #include "luxo/shaders/closed_shadow_vert.h"
 #include "luxo/shaders/exact_double_vert.h"
 #include "luxo/shaders/exact_vert.h"
-#include "luxo/shaders/flat_cutout_vert.h"
+#include "luxo/shaders/flat_pattern_vert.h"
 #include "luxo/shaders/flat_shadow_frag.h"
 #include "luxo/shaders/flat_shadow_vert.h"
 #include "luxo/shaders/flat_transmittance_frag.h"
@@ -244,7 +244,7 @@ Shader ScenePrograms::vertexOf(const DrawState& state) const {
       return luxo_ray_layers_vert;
     case FlatShadow:
     case FlatTransmittance:
-      return state.pattern.valid() ? Shader(luxo_flat_cutout_vert) : luxo_flat_shadow_vert;
+      return state.pattern.valid() ? Shader(luxo_flat_pattern_vert) : luxo_flat_shadow_vert;
     case LightDepth:
       return luxo_light_depth_vert;
     case LightMap:
@@ -293,9 +293,9 @@ Shader ScenePrograms::fragmentOf(const DrawState& state) {
     case LayersByRays:
       return luxo_ray_layers_frag;
     case FlatShadow:
-      return withPattern(state, "pattern/flat_cutout.frag", luxo_flat_shadow_frag);
+      return withPattern(state, "pattern/flat_shadow.frag", luxo_flat_shadow_frag);
     case FlatTransmittance:
-      return luxo_flat_transmittance_frag;
+      return withPattern(state, "pattern/flat_transmittance.frag", luxo_flat_transmittance_frag);
     case LightDepth:
       return {};
     case LightMap:

@@ -227,23 +227,25 @@ class ShadowLister {
     Mat4 relativeFromObject(node.worldFromObject.linear);
     relativeFromObject[3] = Vec4(transformPoint(node.worldFromObject, mesh->origin) - list_.origin, 1);
     const Material& material = materialOf(node);
-    const bool isCutOut = material.cutoff > 0;
-    const Paint pattern = isCutOut ? Paint::ofCaster(material) : Paint();
-    (material.letsLightThrough() && !isCutOut ? group_->flatTransmittances : group_->flatShadows)
-        .push_back({.mesh = mesh,
-                    .pattern = pattern,
-                    .shadow = {.clipFromObject =
-                                   Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
-                               .height = Vec4f(heights * relativeFromObject),
-                               .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
-                               .light = bit,
-                               .receiver = receiver,
-                               .transmittance =
-                                   Vec3f(material.lightThrough(material.opacityAt(0, 0), material.diffuse))},
-                    .cutout = {.firstPatternParameter =
-                                   isCutOut ? materials_.firstPatternParameter(material, node, pattern) : 0,
-                               .opacity = static_cast<float>(material.opacity),
-                               .leastOpaque = static_cast<float>(material.leastOpaque())}});
+    const bool through = material.letsLightThrough();
+    const Paint pattern = through ? Paint::ofCaster(material) : Paint();
+    (through && material.cutoff == 0 ? group_->flatTransmittances : group_->flatShadows)
+        .push_back(
+            {.mesh = mesh,
+             .pattern = pattern,
+             .shadow = {.clipFromObject =
+                            Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
+                        .height = Vec4f(heights * relativeFromObject),
+                        .highest = light.directional() ? std::numeric_limits<float>::max() : 1,
+                        .light = bit,
+                        .receiver = receiver,
+                        .transmittance =
+                            Vec3f(material.lightThrough(material.opacityAt(0, 0), material.diffuse))},
+             .caster = {.firstPatternParameter =
+                            pattern.valid() ? materials_.firstPatternParameter(material, node, pattern) : 0,
+                        .opacity = static_cast<float>(material.opacity),
+                        .leastOpaque = static_cast<float>(material.leastOpaque()),
+                        .tintsLight = material.blend == Blend::Multiply ? 1U : 0U}});
   }
 
   /// Whether something that is seen may be in its shadow.

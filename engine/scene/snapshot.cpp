@@ -309,28 +309,15 @@ void cutLights(Snapshot& snapshot) {
     snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
-/// A planar shadow is one number for each face, or has its holes, and falls on what hides all else; a shade
-/// in closed form lets nothing through.
+/// A planar shadow falls on what hides all else.
 void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
-  const auto require = [&](NodeId id, const auto& isRight, const char* what, const char* hint) {
-    const auto node = std::ranges::find(snapshot.nodes, id, &SnapshotNode::id);
-    if (node != snapshot.nodes.end() && !isRight(snapshot.materials[node->material.index]))
-      NodeThen{scene, node->id, moment}.reject(fmt::format("{}, which is not supported", what), hint);
-  };
   for (const SnapshotLight& light : snapshot.lights) {
     if (!light.plane) continue;
-    require(
-        *light.plane, [](const Material& material) { return !material.transparent(); },
-        "it is seen through, and the plane of a planar shadow", "set its material's opacity to 1");
-    for (const NodeId caster : light.casters)
-      require(
-          caster,
-          [](const Material& material) {
-            return !material.letsLightThrough() || material.cutoff > 0 ||
-                   !(material.diffusePattern.valid() || material.mapSaysLightThrough());
-          },
-          "it is seen through, has a pattern or a map, and casts a planar shadow",
-          "leave it out of the light's \"casters\", or set the light's shadow to \"exact\"");
+    const auto plane = std::ranges::find(snapshot.nodes, *light.plane, &SnapshotNode::id);
+    if (plane != snapshot.nodes.end() && snapshot.materials[plane->material.index].transparent())
+      NodeThen{scene, plane->id, moment}.reject(
+          "it is seen through, and the plane of a planar shadow, which is not supported",
+          "set its material's opacity to 1, or the light's shadow to \"exact\"");
   }
 }
 

@@ -2,14 +2,14 @@
 // A shadow that is flattened onto a plane: where the plane is seen, of what is between it and the light. Nothing fights for the
 // depth there, and what is below the plane or beyond the light has no shadow.
 #extension GL_GOOGLE_include_directive : require
-#include "shared/flat_cutout.h"
+#include "shared/flat_pattern.h"
 #include "shared/scene_data.h"
 #include "lib/material_of_texel.glsl"
 
 layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
 layout(scalar, push_constant) uniform Draw {
   FlatShadow draw;
-  FlatCutout cutout;
+  FlatPattern caster;
 };
 
 layout(location = 0) in float inHeight;

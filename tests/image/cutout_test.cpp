@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -39,7 +40,7 @@ Material cutOut(const TextureMap& map, double cutoff = kCode) {
 }
 
 /// A sheet of that material a metre above a plate that reflects all, and a sun overhead.
-Scene sheetOverPlate(const Material& material, bool isMesh) {
+Scene sheetOverPlate(const Material& material, bool isMesh, Light::Shadow shadow = Light::Shadow::Exact) {
   Scene scene;
   scene.set(RenderSettings{.ambient = Vec3(0)});
   const MaterialId cut = scene.add(material);
@@ -47,8 +48,11 @@ Scene sheetOverPlate(const Material& material, bool isMesh) {
     scene.add(Node{.translation = Vec3(0, 0, 1), .surface = quadMesh(), .material = cut});
   else
     scene.add(plate(Vec3(0, 0, 1), {2, 2}, cut));
-  scene.add(plate(Vec3(0), {4, 4}, scene.add(Material{.diffuse = Vec3(1), .specular = Vec3(0)})));
-  scene.add(Node{.light = Light{.type = Light::Type::Directional, .shadow = Light::Shadow::Exact}});
+  const NodeId plane =
+      scene.add(plate(Vec3(0), {4, 4}, scene.add(Material{.diffuse = Vec3(1), .specular = Vec3(0)})));
+  Light light{.type = Light::Type::Directional, .shadow = shadow};
+  if (shadow == Light::Shadow::Planar) light.shadowPlane = plane;
+  scene.add(Node{.light = light});
   return scene;
 }
 
@@ -123,6 +127,28 @@ TEST_F(CutoutTest, PlanarShadowsHaveHoles) {
         }
       EXPECT_GT(dark, 400);
     }
+}
+
+/// A planar shadow of what a map makes seen through is as deep as its texels are opaque.
+TEST_F(CutoutTest, PlanarShadowsAreAsDeepAsMapsAreOpaque) {
+  for (const bool isMesh : {true, false}) {
+    SCOPED_TRACE(isMesh);
+    Material material = cutOut(mapOf(fourTexels(), TextureFilter::Nearest), 0);
+    material.opacity = 0.5;
+    constexpr int kSide = 96;
+    const Picture picture =
+        draw(sheetOverPlate(material, isMesh, Light::Shadow::Planar), lookingDown(0.5, 4), {kSide, kSide});
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const Vec2 at(4 * (x + 0.5) / kSide - 2, 2 - 4 * (y + 0.5) / kSide);
+        if (std::max(std::abs(at.x), std::abs(at.y)) > 0.99) continue;
+        const std::array alpha = {kCode, 0.3, 0.4, 0.9};
+        const bool lower = isMesh ? at.y > 0 : at.y < 0;
+        const double expected = 1 - 0.5 * alpha[(lower ? 2U : 0U) + (at.x > 0 ? 1U : 0U)];
+        // A device filters with 8 bits.
+        ASSERT_NEAR(colorAt(picture.image, x, y).x, expected, 1.0 / 255) << x << ", " << y;
+      }
+  }
 }
 
 /// What is behind a hole is seen through it as if there was nothing, and nothing through the rest.

@@ -47,6 +47,9 @@ class TransmittanceTest : public VerifiedPictureTest {
   static constexpr const char* kNoon =
       R"({ "rotate": { "axis": [1, 0, 0], "angle": -1.5707963267948966 },
            "light": { "type": "directional", "shadow": "exact" } })";
+  static constexpr const char* kPlanarNoon =
+      R"({ "rotate": { "axis": [1, 0, 0], "angle": -1.5707963267948966 },
+           "light": { "type": "directional", "shadow": "planar", "shadow_plane": "floor" } })";
 
   /// A pane, high over all that the camera sees, and the sun in the zenith: N.L is 1 there.
   static std::string pane(const std::string& material, double height) {
@@ -54,10 +57,14 @@ class TransmittanceTest : public VerifiedPictureTest {
            material + R"(" }, )";
   }
 
-  /// Every pixel of the floor below the pane shows `light(x, z)`.
+  /// Every pixel of the floor below the pane shows `light(x, z)`: in exact shadows, and in planar ones, as
+  /// panes are meshes of no error.
   template <class Light>
   void expectFloor(const std::string& nodes, const Light& light) {
-    const Scene scene = sceneOf(nodes + kNoon);
+    for (const char* noon : {kNoon, kPlanarNoon}) expectFloorOf(sceneOf(nodes + noon), light);
+  }
+  template <class Light>
+  void expectFloorOf(const Scene& scene, const Light& light) {
     const Picture picture = draw(scene, kTransmittanceSize);
     const CameraModel camera(scene.cameras()[0], kTransmittanceSize);
     int seen = 0;
@@ -225,10 +232,8 @@ TEST_F(TransmittanceTest, CostsNothingWhereAllIsOpaque) {
 
 /// A planar shadow of glass: each face that the light meets takes its part.
 TEST_F(TransmittanceTest, OfPlanarShadowsToo) {
-  const Scene scene = sceneOf(
-      R"({ "surface": "ball", "material": "half", "translate": [0, 5, 0] },
-         { "rotate": { "axis": [1, 0, 0], "angle": -1.5707963267948966 },
-           "light": { "type": "directional", "shadow": "planar", "shadow_plane": "floor" } })");
+  const Scene scene = sceneOf(R"({ "surface": "ball", "material": "half", "translate": [0, 5, 0] },
+         )" + std::string(kPlanarNoon));
   const Picture picture = draw(scene, kTransmittanceSize);
   const CameraModel camera(scene.cameras()[0], kTransmittanceSize);
   for (int y = 60; y < kTransmittanceSize.height; ++y)

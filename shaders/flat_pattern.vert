@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// As flat_shadow.vert, of a caster that is cut out.
+// As flat_shadow.vert, of a caster that has a pattern or a map.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/scene_data.h"
