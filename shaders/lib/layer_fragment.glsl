@@ -83,14 +83,13 @@ void findLayers() {
   CellRay sight = cellRay(inObject(vec4(place, 1)), along / metresOfDepth);
   float buffered = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).x, originDepth = view.forward.w;
   opaque = buffered > 0.0 ? layerDepth(buffered, place, rayInView) * metresOfDepth : 1e30;
-  bool isPerspective = view.viewer.w != 0.0;
-  nearest_ = (isPerspective ? view.clipFromRelative[3][2] - originDepth : layerDepth(1.0, place, rayInView)) * metresOfDepth;
+  nearest_ = layerDepth(1.0, place, rayInView) * metresOfDepth;
   besideOpaque = rounding + (buffered > 0.0 ? 4.8e-7 * (abs(opaque) + abs(originDepth) * metresOfDepth) : 0.0);
   sight.first = nearest_ - 2.0 * besideOpaque;
   sight.last = opaque + 2.0 * besideOpaque;
   sight.rounding = rounding;
   sight.off = 0.0;
-  sight.grain = kGrain * varyingRounding.w * (isPerspective ? vec2(originDepth, 1.0 / metresOfDepth) : vec2(1, 0));
+  sight.grain = kGrain * varyingRounding.w * (varyingMiddle.z != 0.0 ? vec2(originDepth, 1.0 / metresOfDepth) : vec2(1, 0));
   for (; entry < end; ++entry) {
     CasterCell cell = casterCells[varyingFirst.y + gridEntries[varyingFirst.x + entry].cell];
     holdPatch(cell.patch_);
