@@ -45,6 +45,10 @@ Vec3 marginOf(const View& view, const SnapshotNode& node, const VisibleNode& v) 
   return stretch * radius / v.stretch * lengths;
 }
 
+/// Whether a search has to hide the back. The back of what is flat has nothing to do with its front, and
+/// culling hides it, but not where its triangles may turn over.
+bool hidesTurned(const DrawBatch& batch) { return batch.frontOnly || (batch.flat && !batch.bothSides); }
+
 /// Whether some of the shell may not be in the picture.
 bool mayClip(const View& view, const SnapshotNode& node, const VisibleNode& v, const Shell& shell) {
   const Vec3 reach(2 * shell.offset * v.stretch);
@@ -200,6 +204,7 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const
   };
   add(transversal);
   batch.state.grazing = true;
+  batch.state.frontOnly = hidesTurned(batch);
   for (const ByPoles* triangles : {&grazing, &turning}) {
     for (const bool poles : {false, true}) {
       batch.state.poles = poles;
@@ -217,6 +222,7 @@ void ShellList::addSharedDraws(std::vector<DrawBatch>& batches, DrawBatch batch,
   if (known == sharedRanges_.end() || !options_.shareShells)
     known = sharedRanges_.insert_or_assign(key, sharedRanges(*batch.shell, firstIndex, count)).first;
   batch.state.grazing = true;
+  batch.state.frontOnly = hidesTurned(batch);
   for (const bool poles : {false, true}) {
     const auto& [first, end] = known->second[poles];
     if (first == end) continue;
