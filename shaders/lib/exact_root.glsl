@@ -14,6 +14,7 @@ const float kTraceMax = 4.0;    // the longest,
 const float kTraceMin = 0.02;   // and the shortest
 const float kBothEnds = 1.7;    // of what is clear ahead of a step: some is clear before its end, too
 const float kSteady = 0.1;      // of the offset: what the slopes at both ends of a step say of it may be wrong by that
+const float kFollows = 0.3;      // of what the trace moves along the ray: so much the point that it is nearest to does, too
 const int kTraceSteps = 42;     // of a trace, both ways
 const float kBehind = 0.7;      // cells: so far it looks against the ray, if at all
 const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
@@ -305,9 +306,10 @@ real entryDepth() {
 // those p at which S + h n, h the height of the ray above S(p), is on the ray, and p has `reached` a depth of the ray: it has to
 // begin no farther than the entry, and what is beyond the slab leaves it only behind the entry. As the ray goes on so does p,
 // and never back, while h is less than the radius of curvature there: the derivative of p along the ray is (1 - h k)^-1 times
-// the part of the ray's direction along the surface. So where the trace turns back within the slab, that is thicker than the
-// surface is curved, the ray goes on beside another part of the surface, and a miss is lost: as on corrugated sheets that are
-// seen along their flanks.
+// the part of the ray's direction along the surface. Where the slab is thicker than the surface is curved the ray goes on beside
+// another part of the surface, and a miss is lost: as on corrugated sheets that are seen along their flanks. There the trace
+// turns back, or, with a whole wave within a step, its point moves on while the ray's nearest one hardly does: the ratio of the
+// two ways is the mean of 1 - h k over the step.
 //
 // Where a ray runs along a valley, the offset hardly changes over many cells: steps grow as long as they tell the next
 // offset well and are proven to pass nothing.
@@ -375,7 +377,8 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
         passedBorder = kFrontOnly || seesPastBorder();
         explained = true;
       }
-      blind = blind || (counts && unsure && !again);
+      bool follows = to.reached - from.reached >= kFollows * (to.depth - from.depth);
+      blind = blind || (counts && !again && (unsure || !follows));
       explained = explained || (back && !again && now.g > 0.0 && cellsBeyond(now.p) > -kAtBorder);
     }
     // Beyond the shell and beyond the domain nothing is left to find: what the ray meets farther on, another fragment does.
