@@ -12,6 +12,8 @@
 namespace luxo::random {
 namespace {
 
+constexpr double kSameSheet =
+    1e-3;  // of parameters: far more than floats leave of them, far less than sheets are apart
 constexpr double kSameColor = 2e-3;  // linear: half an 8-bit step of dark colours, 20 times what float leaves
 
 /// Adds the processors' time while it lives.
@@ -81,7 +83,7 @@ class Samples {
     add(v.wrong);
     trial_.silentlyWrong += beyond(v.wrong.total(), error);
     for (std::uint32_t i = 0; i < mean_.size(); ++i) {
-      mean_[i] += weight * colorAt(truth.color, i);
+      mean_[i] += weight * colorAt(showsOtherSheet(measured, truth, i) ? measured.color : truth.color, i);
       // Infinite where another layer is shown, be it within the outline's width; negative where a layer is
       // that touches the true one, which may have another colour.
       const float off = v.positionMap.samples()[i];
@@ -155,6 +157,15 @@ class Samples {
     trial_.wrong.point += wrong.point;
     trial_.wrong.light += wrong.light;
     trial_.wrong.pixels.insert(trial_.wrong.pixels.end(), wrong.pixels.begin(), wrong.pixels.end());
+  }
+
+  /// Whether a sample shows, where sheets of one surface touch, another than the truth: either is right, and
+  /// which light is on it is judged with the sample.
+  static bool showsOtherSheet(const MeasuredPicture& measured, const ReferencePicture& truth,
+                              std::uint32_t i) {
+    const Vec3 uv = colorAt(measured.uv, i);
+    const Vec2& seen = truth.parameters[i];
+    return truth.number[i] != 0 && glm::distance(Vec2(uv), seen) > kSameSheet * (1 + glm::length(seen));
   }
 
   static bool near(const Vec3& color, const Vec3& least, const Vec3& most) {
