@@ -92,8 +92,8 @@ struct CasterDraw {
 
 /// One draw for each light and each caster of a planar shadow.
 struct FlatShadowDraw {
+  DrawState state;  ///< its pattern, of a caster that lets light through: where, and how much of it
   std::shared_ptr<const Mesh> mesh;
-  Paint pattern;  ///< of a caster that lets light through: where, and how much of it
   shared::FlatShadow shadow;
   shared::FlatPattern caster = {};
 };

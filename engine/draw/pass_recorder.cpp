@@ -75,8 +75,7 @@ void PassRecorder::record(const Pass& pass) {
   const std::optional<Target> target =
       pass.colors.empty() ? std::nullopt : std::optional(pass.colors.front().target);
   const bool ofShadows = target == Target::Shadows, ofTransmittance = target == Target::Transmittance;
-  for (const FlatShadowDraw& shadow : pass.flatShadows)
-    flattenShadow(ofShadows ? Form::FlatShadow : Form::FlatTransmittance, shadow);
+  for (const FlatShadowDraw& shadow : pass.flatShadows) flattenShadow(shadow);
   if (pass.rays && (ofShadows || ofTransmittance))
     drawShadows(ofShadows ? Form::ShadowsByRays : Form::TransmittanceByRays, *pass.rays, pass.group);
   else if (pass.rays && !target)
@@ -270,10 +269,9 @@ void PassRecorder::search(const CasterDraw& draw) {
   setScissor(rows_);
 }
 
-void PassRecorder::flattenShadow(Form form, const FlatShadowDraw& draw) {
-  const DrawState state{.form = form, .pattern = draw.pattern};
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
-  const bool withParameters = draw.pattern.valid();
+void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, view_.targets().format());
+  const bool withParameters = draw.state.pattern.valid();
   const DeviceMesh& mesh = store_.get(draw.mesh, withParameters);
   struct {
     shared::FlatShadow shadow;
@@ -282,7 +280,7 @@ void PassRecorder::flattenShadow(Form form, const FlatShadowDraw& draw) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 2; ++row) pushed.shadow.clipFromObject[column][row] /= view_.targets().guard();
   pipeline.bind(commands_);
-  bindPaint(pipeline, state);
+  bindPaint(pipeline, draw.state);
   pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   pipeline.push(commands_, std::as_bytes(std::span(&pushed, 1)));
   gpu::setDepthBias(commands_, {});

@@ -38,7 +38,7 @@ class PassRecorder {
   void drawRays(const RayPoints& points);
   void shade(const DrawState& state, std::size_t group, std::span<const PixelRect> areas);
   void search(const CasterDraw& draw);
-  void flattenShadow(Form form, const FlatShadowDraw& draw);
+  void flattenShadow(const FlatShadowDraw& draw);
   void drawShadows(Form form, const RayPoints& points, std::size_t group);
   void drawLayers(const RayPoints& points, std::size_t group);
   void drawTriangles(const DrawState& state, VkBuffer vertices, std::uint32_t first,

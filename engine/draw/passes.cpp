@@ -224,4 +224,17 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
   return passes;
 }
 
+void appendStates(const Pass& pass, std::vector<DrawState>& states) {
+  const auto append = [&](const auto& draws) {
+    for (const auto& draw : draws) states.push_back(draw.state);
+  };
+  append(pass.batches);
+  append(pass.casters);
+  append(pass.flatShadows);
+  states.insert(states.end(), pass.shades.begin(), pass.shades.end());
+  if (pass.drawsLightMap) states.push_back({.form = Form::LightDepth});
+  if (pass.readsLightMap)
+    states.push_back({.form = pass.colors.empty() ? Form::LayerLightMap : Form::LightMap});
+}
+
 }  // namespace luxo

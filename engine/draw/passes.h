@@ -61,4 +61,7 @@ struct FrameDesc {
 /// The list must outlive the passes, and have its batches in their order (DrawList::opaque).
 [[nodiscard]] std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame);
 
+/// What a pass needs pipelines for, but for points of rays, which are few.
+void appendStates(const Pass& pass, std::vector<DrawState>& states);
+
 }  // namespace luxo

@@ -108,32 +108,7 @@ DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& optio
 
 void ScenePainter::preparePipelines(const DrawList& list, const TargetFormat& format) {
   std::vector<DrawState> states;
-  for (const auto* batches : {&list.opaque, &list.transparent})
-    for (const DrawBatch& batch : *batches) states.push_back(batch.state);
-  const Layers& layers = list.layers;
-  for (const LightGroup& group : list.groups) {
-    for (const auto* shades : {&group.shades, &group.layerShades})
-      states.insert(states.end(), shades->begin(), shades->end());
-    for (const auto* batches : {&group.again, &group.layerAgain})
-      for (const DrawBatch& batch : *batches) states.push_back(batch.state);
-    for (const auto* draws :
-         {&group.shadows, &group.layerShadows, &group.transmittances, &group.layerTransmittances})
-      for (const CasterDraw& draw : *draws) states.push_back(draw.state);
-    for (const FlatShadowDraw& draw : group.flatShadows)
-      states.push_back({.form = Form::FlatShadow, .pattern = draw.pattern});
-    for (const FlatShadowDraw& draw : group.flatTransmittances)
-      states.push_back({.form = Form::FlatTransmittance, .pattern = draw.pattern});
-    if (group.map) {
-      states.push_back({.form = Form::LightDepth});
-      if (group.lightsPoints()) states.push_back({.form = Form::LightMap});
-      if (group.lightsLayers()) states.push_back({.form = Form::LayerLightMap});
-    }
-  }
-  for (const CasterDraw& draw : list.places) states.push_back(draw.state);
-  for (const auto* draws : {&layers.searches, &layers.places})
-    for (const CasterDraw& draw : *draws) states.push_back(draw.state);
-  for (const DrawBatch& batch : layers.meshes) states.push_back(batch.state);
-  if (layers.any()) states.push_back(layers.blend);
+  for (const Pass& pass : passesOf(list, {})) appendStates(pass, states);
   pipelines_.prepare(states, format);
 }
 

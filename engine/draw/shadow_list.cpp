@@ -229,10 +229,11 @@ class ShadowLister {
     const Material& material = materialOf(node);
     const bool through = material.letsLightThrough();
     const Paint pattern = through ? Paint::ofCaster(material) : Paint();
-    (through && material.cutoff == 0 ? group_->flatTransmittances : group_->flatShadows)
+    const bool transmits = through && material.cutoff == 0;
+    (transmits ? group_->flatTransmittances : group_->flatShadows)
         .push_back(
-            {.mesh = mesh,
-             .pattern = pattern,
+            {.state = {.form = transmits ? Form::FlatTransmittance : Form::FlatShadow, .pattern = pattern},
+             .mesh = mesh,
              .shadow = {.clipFromObject =
                             Mat4f(Mat4(list_.view.clipFromRelative) * flattened * relativeFromObject),
                         .height = Vec4f(heights * relativeFromObject),
