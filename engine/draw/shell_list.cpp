@@ -94,9 +94,9 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
     list_.byRays.push_back(pixels);
     return std::nullopt;
   }
-  for (const Shell::Pinch& pinch : batch.shell->pinches)
+  for (const Box& pinch : batch.shell->pinches)
     list_.byRays.push_back(
-        overlap(pixels, pixelsOf(snapshot_.view, transformBounds(node.worldFromObject, pinch.box()))));
+        overlap(pixels, pixelsOf(snapshot_.view, transformBounds(node.worldFromObject, pinch))));
   const auto plane = options_.doubles ? planeIn(snapshot_.view, node, *batch.shell) : std::nullopt;
   const bool wantsDouble =
       !plane && (options_.finerShells || needsDouble(snapshot_.view, node, v, *batch.shell));

@@ -101,13 +101,7 @@ struct Shell {
   double medianRadius = 0;
   /// Where no direction leads out of the triangles around a vertex, and the shell may leave out some of the
   /// surface near it: these boxes hold what they leave out. Object space.
-  struct Pinch {
-    Vec3 center{0};
-    double reach = 0;
-
-    [[nodiscard]] Box box() const { return {center - Vec3(reach), center + Vec3(reach)}; }
-  };
-  std::vector<Pinch> pinches;
+  std::vector<Box> pinches;
   /// The surface is enclosed. False where the mesh has no finite bound, triangles are missing, or turn so
   /// sharply that no direction leads out (pinch points): the shell is then as good as one can be made. Where
   /// a surface is thinner than the tolerance, slabs of its parts overlap.

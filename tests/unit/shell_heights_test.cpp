@@ -165,9 +165,7 @@ TEST(ShellHeights, WhatIsNotFollowedIsTold) {
   EXPECT_FALSE(shell->proven);
   ASSERT_FALSE(shell->pinches.empty());
   const auto isHeld = [&](const Vec3& point) {
-    return std::ranges::any_of(shell->pinches, [&](const Shell::Pinch& pinch) {
-      return glm::all(glm::lessThanEqual(glm::abs(point - pinch.center), Vec3(pinch.reach)));
-    });
+    return std::ranges::any_of(shell->pinches, [&](const Box& pinch) { return pinch.contains(point); });
   };
   for (const std::size_t t : frame.heights().unfollowed) {
     Vec2 middle(0);
