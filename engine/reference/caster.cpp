@@ -403,6 +403,12 @@ std::optional<std::uint32_t> Caster::nodeOf(NodeId id) const {
   return static_cast<std::uint32_t>(node - snapshot_.nodes.begin());
 }
 
+double Caster::cosineLoss(const SnapshotLight& light, const Hit& hit) const {
+  if (light.directional()) return 1;
+  const double distance = glm::distance(Vec3(light.positionWorld), hit.position);
+  return 1 + glm::distance(hit.position, snapshot_.view.eye) / (8 * std::max(distance, 1e-300));
+}
+
 Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
                      const Vec3& toViewer, const Vec3& visible, double tilt) const {
   const Material& material = materialOf(hit.node);
@@ -413,8 +419,9 @@ Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Reflectio
   const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
   const Vec3 arriving = light.radiance * (fades ? 1 / (distance * distance) : 1.0);
   if (material.drawsLesson()) return lessonOf(reflection).added(l, arriving, visible);
-  const double cosine = glm::dot(reflection.normal, l) + tilt;
-  if ((cosine <= 0 || glm::dot(hit.normal, l) + tilt <= 0) && !material.lectureSpecular) return Vec3(0);
+  const double lift = tilt == 0 ? 0 : tilt * cosineLoss(light, hit);
+  const double cosine = glm::dot(reflection.normal, l) + lift;
+  if ((cosine <= 0 || glm::dot(hit.normal, l) + lift <= 0) && !material.lectureSpecular) return Vec3(0);
   const Vec3 h = unit(l + toViewer);
   const double nh = std::clamp(glm::dot(reflection.normal, h), 0.0, 1.0);
   const Vec3 reflectance =
@@ -550,7 +557,8 @@ Vec3 Caster::illuminated(const Ray& ray, const Hit& hit, bool& certified, double
   for (const SnapshotLight& light : snapshot_.lights) {
     if (shareOf(light, hit, reflection, toViewer, Vec3(1), tilt) == Vec3(0)) continue;
     const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
-    const bool liftsAbove = tilt > 0 && std::abs(glm::dot(hit.normal, unit(toLight))) <= tilt;
+    const bool liftsAbove =
+        tilt > 0 && std::abs(glm::dot(hit.normal, unit(toLight))) <= tilt * cosineLoss(light, hit);
     const Vec3 visible = liftsAbove ? Vec3(1) : reaching(light, hit, certified);
     sum += shareOf(light, hit, reflection, toViewer, visible, tilt);
   }

@@ -96,11 +96,19 @@ class Caster {
                   std::size_t worth = 1) const;
 
   /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
-  /// was not decided. `tilt` is added to every cosine between a normal and the direction to a light: of a
-  /// light in a surface's own plane rounding decides whether it shines there, and whether what the plane
-  /// cuts stands before it: one that a tilt lifts above the plane shines freely. Of drawings it moves all edges
-  /// by kDrawnEdgePx: with either sign, between the two colours is that of any other measure of a gradient.
+  /// was not decided. `tilt` is added, cosineLoss() times, to every cosine between a normal and the direction
+  /// to a light: of a light in a surface's own plane rounding decides whether it shines there, and whether
+  /// what the plane cuts stands before it: one that a tilt lifts above the plane shines freely. Of drawings
+  /// it moves all edges by kDrawnEdgePx: with either sign, between the two colours is that of any other
+  /// measure of a gradient.
   [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified, double tilt = 0) const;
+
+  /// What single precision may leave of such a cosine, for 1 of a light that is far away: it has positions
+  /// from the eye, and 2^-23 of their length is the larger an angle the nearer the light is; 2^-20 stands
+  /// for 1.
+  [[nodiscard]] double cosineLoss(std::uint32_t light, const Hit& hit) const {
+    return cosineLoss(snapshot_.lights[light], hit);
+  }
 
   /// A light that may be in shadow at a hit: what it adds where it is seen (of an opaque surface), and
   /// whether it is.
@@ -210,6 +218,7 @@ class Caster {
   [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
     return snapshot_.materials[snapshot_.nodes[node].material.index];
   }
+  [[nodiscard]] double cosineLoss(const SnapshotLight& light, const Hit& hit) const;
   [[nodiscard]] Vec3 illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt) const;
   /// As shaders/lib/toon.glsl draws it, with the derivatives that the surface has there.
   [[nodiscard]] Vec3 drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt) const;

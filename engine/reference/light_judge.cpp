@@ -12,11 +12,6 @@ namespace {
 
 using enum LightVerdict;
 
-/// Where single precision cannot tell on which side of the horizon a light is.
-bool isOnHorizon(const Vec3& towardLight, const Vec3& normal) {
-  return std::abs(glm::dot(towardLight, normal)) <= kCosineRounding;
-}
-
 }  // namespace
 
 LightJudge::LightJudge(const ComparedPixels& pixels, const Caster& caster, bool coarse)
@@ -66,7 +61,7 @@ LightVerdict LightJudge::ofMesh(std::uint32_t i) const {
     if (!snapshot_.lights[light].hasShadow() || shares.back() == Vec3(0)) continue;
     const double cosine = glm::dot(normal, caster_.towardLight(light, *hit));
     // What vertices receive is no light on what turns away from it.
-    if (shading == Shading::Gouraud && std::abs(cosine) <= kCosineRounding) return Unjudged;
+    if (shading == Shading::Gouraud && isOnHorizon(light, *hit, normal)) return Unjudged;
     left.back() =
         shading == Shading::Gouraud && cosine < 0 ? Vec3(0) : caster_.reaching(light, *hit, certified);
     // In steps a part of a light has a border of its own.
@@ -92,7 +87,7 @@ LightVerdict LightJudge::ofMesh(std::uint32_t i) const {
     lights.push_back({.light = light,
                       .visible = visible,
                       .change = lit() - expected,
-                      .atBorder = isOnHorizon(caster_.towardLight(light, *hit), hit->normal)});
+                      .atBorder = isOnHorizon(light, *hit, hit->normal)});
     left[light] = truly;
   }
   return isTurned(i, valueAt(measured_.color, i) - expected, std::move(lights), at) ? Wrong : Right;
@@ -223,7 +218,7 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
       lights.push_back({.light = one.light,
                         .visible = one.visible,
                         .change = one.visible ? -one.share : one.share,
-                        .atBorder = isOnHorizon(caster_.towardLight(one.light, hit), hit.normal)});
+                        .atBorder = isOnHorizon(one.light, hit, hit.normal)});
   // Lights in the plane of what is seen may be on either side of it: with one there begins a highlight.
   const Vec3 shown = valueAt(measured_.color, i), truth = valueAt(truth_.color, i);
   Vec3 least = truth, most = truth;

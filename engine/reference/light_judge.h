@@ -42,6 +42,11 @@ class LightJudge : ComparedPixels {
     Vec3 change;          ///< of the colour
     bool atBorder = false;
   };
+  /// Whether single precision cannot tell on which side of the horizon a light is.
+  [[nodiscard]] bool isOnHorizon(std::uint32_t light, const Hit& hit, const Vec3& normal) const {
+    return std::abs(glm::dot(caster_.towardLight(light, hit), normal)) <=
+           kCosineRounding * caster_.cosineLoss(light, hit);
+  }
   [[nodiscard]] LightVerdict byLayers(std::uint32_t i) const;
   [[nodiscard]] LightVerdict byColor(std::uint32_t i, double reach) const;
   [[nodiscard]] LightVerdict ofMesh(std::uint32_t i) const;
