@@ -12,8 +12,8 @@
 namespace luxo::random {
 namespace {
 
-constexpr double kSameSheet =
-    1e-3;  // of parameters: far more than floats leave of them, far less than sheets are apart
+// Of parameters: far more than floats leave of them, far less than sheets are apart.
+constexpr double kSameSheet = 1e-3;
 constexpr double kSameColor = 2e-3;  // linear: half an 8-bit step of dark colours, 20 times what float leaves
 
 /// Adds the processors' time while it lives.

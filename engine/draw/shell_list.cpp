@@ -46,8 +46,10 @@ Vec3 marginOf(const View& view, const SnapshotNode& node, const VisibleNode& v) 
 }
 
 /// Whether a search has to hide the back. The back of what is flat has nothing to do with its front, and
-/// culling hides it, but not where its triangles may turn over.
-bool hidesTurned(const DrawBatch& batch) { return batch.frontOnly || (batch.flat && !batch.bothSides); }
+/// culling hides it, but not where its triangles may turn over. Equations hide it themselves.
+bool hidesTurned(const DrawBatch& batch) {
+  return batch.frontOnly || (batch.flat && !batch.bothSides && !batch.state.equation);
+}
 
 /// Whether some of the shell may not be in the picture.
 bool mayClip(const View& view, const SnapshotNode& node, const VisibleNode& v, const Shell& shell) {

@@ -175,7 +175,7 @@ TEST(Shell, WhatPinchesLeaveOutIsInTheirBoxes) {
           inPinch.push_back(v);
       ASSERT_FALSE(inPinch.empty());
       std::map<std::uint32_t, std::vector<Triangle>> slabs;
-      for (int k = 0; k < 2000; ++k) {
+      for (int k = 0; k < 1000; ++k) {
         const std::uint32_t v = inPinch[random() % inPinch.size()], patch = shell.patches[v];
         const Domain& domain = surface.patchDomain(patch);
         const Vec2 way(domain.u.width() * (2 * part(random) - 1), domain.v.width() * (2 * part(random) - 1));
