@@ -83,7 +83,7 @@ class Samples {
     add(v.wrong);
     trial_.silentlyWrong += beyond(v.wrong.total(), error);
     for (std::uint32_t i = 0; i < mean_.size(); ++i) {
-      mean_[i] += weight * colorAt(showsOtherSheet(measured, truth, i) ? measured.color : truth.color, i);
+      mean_[i] += weight * trueColor(snapshot, measured, truth, i);
       // Infinite where another layer is shown, be it within the outline's width; negative where a layer is
       // that touches the true one, which may have another colour.
       const float off = v.positionMap.samples()[i];
@@ -159,13 +159,23 @@ class Samples {
     trial_.wrong.pixels.insert(trial_.wrong.pixels.end(), wrong.pixels.begin(), wrong.pixels.end());
   }
 
-  /// Whether a sample shows, where sheets of one surface touch, another than the truth: either is right, and
-  /// which light is on it is judged with the sample.
-  static bool showsOtherSheet(const MeasuredPicture& measured, const ReferencePicture& truth,
-                              std::uint32_t i) {
-    const Vec3 uv = colorAt(measured.uv, i);
-    const Vec2& seen = truth.parameters[i];
-    return truth.number[i] != 0 && glm::distance(Vec2(uv), seen) > kSameSheet * (1 + glm::length(seen));
+  /// The truth's colour; where a sample shows, of sheets that touch, another than the truth, as it may, that
+  /// sheet's.
+  Vec3 trueColor(const Snapshot& snapshot, const MeasuredPicture& measured, const ReferencePicture& truth,
+                 std::uint32_t i) const {
+    const Vec2 shown(colorAt(measured.uv, i)), &seen = truth.parameters[i];
+    const auto node = layers_.nodeOf(truth.number[i]);
+    if (!node || glm::distance(shown, seen) <= kSameSheet * (1 + glm::length(seen)))
+      return colorAt(truth.color, i);
+    const reference::Caster caster(snapshot);
+    const auto width = static_cast<std::uint32_t>(snapshot.view.size.width);
+    const reference::Ray ray = caster.rayThrough(i % width + 0.5, i / width + 0.5);
+    reference::Caster::Sight sight = caster.look(ray);
+    const auto other = caster.pointAt(*node, shown, ray);
+    if (!other || sight.hits.empty()) return colorAt(truth.color, i);
+    sight.hits.front() = *other;
+    bool certified = true;
+    return caster.color(ray, sight, certified);
   }
 
   static bool near(const Vec3& color, const Vec3& least, const Vec3& most) {

@@ -14,7 +14,8 @@ const float kTraceMax = 4.0;    // the longest,
 const float kTraceMin = 0.02;   // and the shortest
 const float kBothEnds = 1.7;    // of what is clear ahead of a step: some is clear before its end, too
 const float kSteady = 0.1;      // of the offset: what the slopes at both ends of a step say of it may be wrong by that
-const float kFollows = 0.8;      // of what the trace moves along the ray: so much the point that it is nearest to does, too
+const float kFollows = 0.8;      // of what the trace moves along the ray: so much the point that it is nearest to does, too,
+const float kFollowsShort = 0.3; // and in a step that is no longer than half of kTraceStep so much
 const int kTraceSteps = 42;     // of a trace, both ways
 const float kBehind = 0.7;      // cells: so far it looks against the ray, if at all
 const float kBeyond = 1.0;      // cells beyond the domain that a trace looks at
@@ -362,8 +363,11 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
       real nears = turned ? ahead(from, length_) : -1.0;
       bool isRoot = rises || falls || touches || nears >= 0.0;
       real part = rises || falls ? crossing(from, to, length_) : touches ? (from.g > 0.0 ? 1.0 : 0.0) : max(nears, 0.0);
+      // The mean over a long step tells less.
+      bool isShort = length_ <= 0.5 * kTraceStep;
+      bool follows = to.reached - from.reached >= (isShort ? kFollowsShort : kFollows) * (to.depth - from.depth);
       // What a long step has passed, or may have, is walked again.
-      again = unsure ? length_ > kTraceMin : (rises || falls) && length_ > kTraceStep;
+      again = unsure ? length_ > kTraceMin : (rises || falls) && length_ > kTraceStep || !follows && !isShort;
       shorter = unsure ? max(back ? clearBefore : clear, kTraceMin) : 0.5 * length_;
       real2 candidate = mix(from.p, turned ? p : to.p, part);
       real depth = mix(from.depth, to.depth, part);
@@ -377,7 +381,6 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
         passedBorder = kFrontOnly || seesPastBorder();
         explained = true;
       }
-      bool follows = to.reached - from.reached >= kFollows * (to.depth - from.depth);
       blind = blind || (counts && !again && (unsure || !follows));
       explained = explained || (back && !again && now.g > 0.0 && cellsBeyond(now.p) > -kAtBorder);
     }
