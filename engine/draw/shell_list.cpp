@@ -128,7 +128,9 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
                                 : codeOf(geometry_.codes, node.surface, *batch.shell, part.patch,
                                          node.parameters.size(), number);
     batch.state.equation = batch.shell->patchData[part.patch].equation.has_value();
-    batch.culling = (inside && batch.bothSides) || turns ? FaceCulling::None : FaceCulling::Back;
+    const FaceCulling fromOutside =
+        (inside && batch.bothSides) || turns ? FaceCulling::None : FaceCulling::Back;
+    batch.culling = fromOutside;
     // A quadric's roots are all known at once.
     const std::optional<Equation>& equation = batch.shell->patchData[part.patch].equation;
     if (inside && !(equation && equation->form() == Equation::Form::Quadric))
@@ -136,12 +138,16 @@ std::optional<ShellList::Draws> ShellList::add(DrawBatch batch, const SnapshotNo
     batch.half = Half::Near;
     addDraws(draws.batches, batch, view, facing, part.firstIndex, part.frontCount);
     batch.half = Half::Far;
-    if (inside && snapshot_.view.perspective()) {
+    const bool fromInside = inside && snapshot_.view.perspective();
+    if (fromInside) {
       // From inside the slab its faces are seen from behind. A ray leaves it by the bottom behind the outer
       // side, or, having dipped into that, by the top.
       if (!batch.bothSides) batch.culling = FaceCulling::Front;
       addDraws(draws.batches, batch, view, facing, part.firstIndex, part.count);
-    } else if (batch.bothSides || batch.frontOnly) {
+    }
+    // Beside an eye that is in the slab rays come in by the bottom, too, and go on through the back.
+    if (batch.frontOnly || (batch.bothSides && !fromInside)) {
+      batch.culling = fromOutside;
       addDraws(draws.batches, batch, view, facing, part.wallIndex(), part.frontCount);
     }
   }
