@@ -5,41 +5,31 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "base/diagnostic.h"
 #include "base/error.h"
+#include "scene/glsl_tokens.h"
 #include "scene/shader_text.h"
 
 namespace luxo {
 namespace {
 
-bool isWordLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-/// Where a word stands, from `from` on.
-std::optional<std::size_t> findWord(std::string_view text, std::string_view word, std::size_t from = 0) {
-  for (std::size_t at = text.find(word, from); at != text.npos; at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || !isWordLetter(text[at - 1])) && (end == text.size() || !isWordLetter(text[end])))
-      return at;
-  }
-  return std::nullopt;
-}
-
-/// Whether `type name (` stands somewhere outside of comments.
-bool hasFunction(const MaterialShader& shader, std::string_view type, std::string_view name) {
-  constexpr std::string_view kBlank = " \t\r\n";
+/// Whether `type name (` stands somewhere, and `first` in it as the type of its first parameter, if there is
+/// any.
+bool hasFunction(const MaterialShader& shader, std::string_view type, std::string_view name,
+                 std::string_view first = {}) {
   return std::ranges::any_of(shader.files, [&](const MaterialShader::File& file) {
-    const std::string code = withoutComments(file.text);
-    for (auto at = findWord(code, name); at; at = findWord(code, name, *at + 1)) {
-      const std::size_t open = code.find_first_not_of(kBlank, *at + name.size());
-      const std::string_view before = std::string_view(code).substr(0, *at);
-      const std::size_t end = before.find_last_not_of(kBlank);
-      if (open != code.npos && code[open] == '(' && end != before.npos &&
-          before.substr(0, end + 1).ends_with(type))
-        return true;
+    const std::vector<GlslToken> tokens = glslTokens(file.text);
+    for (std::size_t i = 1; i + 2 < tokens.size(); ++i) {
+      if (tokens[i - 1].text != type || tokens[i].text != name || tokens[i + 1].text != "(") continue;
+      std::size_t parameter = i + 2;
+      while (parameter + 1 < tokens.size() &&
+             (tokens[parameter].text == "const" || tokens[parameter].text == "in"))
+        ++parameter;
+      if (first.empty() || tokens[parameter].text == first) return true;
     }
     return false;
   });
@@ -48,18 +38,40 @@ bool hasFunction(const MaterialShader& shader, std::string_view type, std::strin
 void refuseChannels(const MaterialShader& shader) {
   constexpr std::array<std::string_view, 6> kAbsent = {"iChannel0", "iChannel1",          "iChannel2",
                                                        "iChannel3", "iChannelResolution", "iChannelTime"};
-  for (const MaterialShader::File& file : shader.files) {
-    const std::string code = withoutComments(file.text);
+  for (const MaterialShader::File& file : shader.files)
     for (const std::string_view word : kAbsent)
-      if (const auto at = findWord(code, word))
+      if (const auto place = placeOf(word, file.text))
         throw Error(ErrorKind::Scene,
                     describe(file.name, file.text,
-                             {{*at, *at + word.size()},
+                             {*place,
                               fmt::format("there is no '{}': mainImage is given no textures, sounds or other "
                                           "passes yet",
                                           word),
                               "compute the pattern instead, as in shaders that need no channel"}));
+}
+
+/// What a material is given and a picture does not need: where a file has something else of that name, it
+/// keeps it. Gives lines that rename those, and lines that take that back.
+std::pair<std::string, std::string> renamingOfOwn(const MaterialShader& shader) {
+  constexpr std::array<std::string_view, 14> kNames = {
+      "Point",      "Light",    "Hit",         "trace",       "light",        "lightCount",  "ambientLight",
+      "blinnPhong", "colorMap", "specularMap", "worldVector", "objectVector", "worldNormal", "glowMap"};
+  std::set<std::string_view> own;
+  for (const MaterialShader::File& file : shader.files) {
+    const TextByName uniforms = typesOfUniforms(file.text);
+    const std::vector<GlslToken> tokens = outsideOfFunctions(file.text);
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+      const auto name = std::ranges::find(kNames, tokens[i].text);
+      const bool isDeclared = tokens[i - 1].isWord() || tokens[i - 1].text == "]";
+      if (name != kNames.end() && isDeclared && !uniforms.contains(*name)) own.insert(*name);
+    }
   }
+  std::pair<std::string, std::string> lines;
+  for (const std::string_view name : own) {
+    lines.first += fmt::format("#define {} {}{}\n", name, kWrappedName, name);
+    lines.second += fmt::format("#undef {}\n", name);
+  }
+  return lines;
 }
 
 // The file's own material, where it has one, is another function than the one that calls mainImage. luxo's
@@ -110,8 +122,12 @@ vec4 material(Point p) {
 
 MaterialShaderPtr wrapped(const MaterialShader& shader, const std::string& name, const char* material) {
   refuseChannels(shader);
+  // A material of its own beside it is given luxo's.
+  const auto [renamed, restored] =
+      hasMaterial(shader) ? std::pair<std::string, std::string>() : renamingOfOwn(shader);
   std::vector<MaterialShader::File> files{
-      {name, fmt::format("{}#include \"{}\"\n{}{}", kGiven, shader.files.front().name, kOwnAgain, material)}};
+      {name, fmt::format("{}{}#include \"{}\"\n{}{}{}", kGiven, renamed, shader.files.front().name, restored,
+                         kOwnAgain, material)}};
   files.insert(files.end(), shader.files.begin(), shader.files.end());
   return std::make_shared<const MaterialShader>(MaterialShader{.files = std::move(files), .wrapped = true});
 }
@@ -129,7 +145,7 @@ const char* const kMainImageScene = R"({ "luxo": 1,
   "camera": { "eye": [0, 0, 1], "look_at": [0, 0, 0], "type": "orthographic", "height": 2 } })";
 
 bool hasMainImage(const MaterialShader& shader) { return hasFunction(shader, "void", "mainImage"); }
-bool hasMaterial(const MaterialShader& shader) { return hasFunction(shader, "vec4", "material"); }
+bool hasMaterial(const MaterialShader& shader) { return hasFunction(shader, "vec4", "material", "Point"); }
 
 MaterialShaderPtr materialOfMainImage(const MaterialShaderPtr& shader) {
   const std::string& file = shader->files.front().name;
@@ -145,9 +161,8 @@ MaterialShaderPtr materialBesideMainImage(const MaterialShaderPtr& shader) {
   constexpr std::array<std::string_view, 7> kNumbers = {"iResolution", "iTime",  "iTimeDelta", "iFrameRate",
                                                         "iFrame",      "iMouse", "iDate"};
   const bool reads = std::ranges::any_of(shader->files, [&](const MaterialShader::File& file) {
-    const std::string code = withoutComments(file.text);
     return std::ranges::any_of(kNumbers,
-                               [&](std::string_view word) { return findWord(code, word).has_value(); });
+                               [&](std::string_view word) { return placeOf(word, file.text).has_value(); });
   });
   if (!reads || !hasMainImage(*shader) || !hasMaterial(*shader)) return shader;
   return wrapped(*shader, fmt::format("material of {}", shader->files.front().name), kBeside);

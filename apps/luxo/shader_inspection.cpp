@@ -12,7 +12,6 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <string_view>
 #include <vector>
 
@@ -21,9 +20,12 @@
 #include "draw/course_style.h"
 #include "draw/material_program.h"
 #include "gpu/shader_reflection.h"
+#include "gpu/shader_validation.h"
 #include "main_image.h"
 #include "open_scene.h"
 #include "scene/shader_files.h"
+#include "scene/shader_macros.h"
+#include "scene/shader_text.h"
 #include "shader_controls.h"
 #include "shader_scene.h"
 
@@ -53,12 +55,12 @@ std::vector<std::uint32_t> wordsOf(const fs::path& path) {
 }
 
 bool hasMain(const MaterialShader& shader) {
-  static const std::regex kMain(R"(\bvoid\s+main\s*\()");
-  return std::ranges::any_of(shader.files,
-                             [](const auto& file) { return std::regex_search(file.text, kMain); });
+  return std::ranges::any_of(
+      shader.files, [](const auto& file) { return placeOfFunction("void", "main", file.text).has_value(); });
 }
 
 gpu::ShaderInterface ofProgram(const MaterialShader& shader, gpu::ShaderStage stage) {
+  requireBounded(shader);
   std::vector<gpu::ShaderSource> files;
   for (const MaterialShader::File& file : shader.files) files.push_back({file.name, file.text});
   return gpu::reflect(gpu::ShaderCompiler()
@@ -178,7 +180,9 @@ Json inspectShader(const std::string& name, const ShaderUse& use) {
   gpu::ShaderInterface all;
   bool isMaterial = false, inStyle = false;
   if (suffix == ".spv") {
-    all = gpu::reflect(wordsOf(path));
+    const std::vector<std::uint32_t> words = wordsOf(path);
+    gpu::requireValid(words);
+    all = gpu::reflect(words);
   } else {
     // A stage by itself, whatever is beside it.
     MaterialShaderPtr shader = suffix == ".vert"

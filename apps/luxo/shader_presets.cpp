@@ -25,16 +25,16 @@ constexpr std::uintmax_t kMostBytes = 1 << 20;
 }
 
 /// As -P has it.
-std::string textOf(const Json& value) {
+std::string valueText(const Json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number()) return fmt::format("{}", value.get<double>());
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-std::string textOf(const std::filesystem::path& file, const std::string& name, const Json& value) {
-  std::string text = textOf(value);
+std::string valueText(const std::filesystem::path& file, const std::string& name, const Json& value) {
+  std::string text = valueText(value);
   if (value.is_array())
-    for (const Json& number : value) text += fmt::format("{}{}", text.empty() ? "" : ",", textOf(number));
+    for (const Json& number : value) text += fmt::format("{}{}", text.empty() ? "" : ",", valueText(number));
   if (text.empty())
     refuse(file, fmt::format("'{}' is no value: a number, a list of them, true, false or a name", name));
   return text;
@@ -83,7 +83,7 @@ ShaderPresets readPresets(const std::string& shader) {
       refuse(file, fmt::format("the preset '{}' is no list of names and values", name));
     std::vector<ParameterValue>& preset = presets[name];
     for (const auto& [uniform, value] : values.items())
-      preset.push_back({uniform, textOf(file, uniform, value)});
+      preset.push_back({uniform, valueText(file, uniform, value)});
   }
   return presets;
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <regex>
 #include <string_view>
 #include <utility>
 
@@ -56,14 +55,6 @@ std::string typeText(const ShaderVariable& variable) {
   return text;
 }
 
-/// In its declaration; empty: none.
-std::string initialiserOf(const std::string& file, const std::string& uniform) {
-  const std::string outside = outsideOfFunctions(file);
-  const std::regex initialised(fmt::format(R"(\b{}\s*(?:\[[^\]]*\]\s*)*=\s*([^;]*))", uniform));
-  std::smatch found;
-  return std::regex_search(outside, found, initialised) ? found[1].str() : std::string();
-}
-
 }  // namespace
 
 CourseProgram::CourseProgram(const MaterialShader& shader, const std::vector<std::string>& texts,
@@ -71,13 +62,20 @@ CourseProgram::CourseProgram(const MaterialShader& shader, const std::vector<std
                              const Refuse& refuse)
     : shader_(&shader), fragment_{"luxoFragment_", std::move(fragment)} {
   if (vertex) vertex_ = Stage{"luxoVertex_", *std::move(vertex)};
+  for (const MaterialShader::File& file : shader.files) {
+    initialisers_.push_back(initialisersIn(file.text));
+    for (const GlslToken& token : glslTokens(file.text))
+      if (token.isWord()) words_.emplace(token.text);
+  }
   link(refuse);
   name(fragment_, texts);
   if (vertex_) name(*vertex_, texts);
-  static const std::regex kDefine(R"((?:^|\n)[ \t]*#[ \t]*define[ \t]+(\w+))");
-  for (const std::string& text : texts)
-    for (std::sregex_iterator found(text.begin(), text.end(), kDefine), end; found != end; ++found)
-      macros_ += fmt::format("#undef {}\n", (*found)[1].str());
+  for (const std::string& text : texts) {
+    const std::vector<GlslToken> tokens = glslTokens(text);
+    for (const GlslDirective& directive : directivesIn(tokens))
+      if (directive.name == "define" && !directive.rest.empty())
+        macros_ += fmt::format("#undef {}\n", directive.rest.front().text);
+  }
   describe(refuse);
 }
 
@@ -89,12 +87,12 @@ void CourseProgram::name(Stage& stage, const std::vector<std::string>& texts) co
     names.insert(some->begin(), some->end());
   for (const auto* some : {&interface.inputs, &interface.outputs, &uniformsOf(interface)})
     for (const ShaderVariable& variable : *some) names.insert(variable.name);
-  static const std::regex kStructure(R"(\bstruct\s+(\w+))");
   for (const std::size_t i : includedBy(&stage == &fragment_ ? 0 : shader_->vertex)) {
     const std::string& text = texts[i];
     for (std::string& constant : constantsOf(outsideOfFunctions(text))) names.insert(std::move(constant));
-    for (std::sregex_iterator found(text.begin(), text.end(), kStructure), end; found != end; ++found)
-      names.insert((*found)[1].str());
+    const std::vector<GlslToken> tokens = glslTokens(text);
+    for (std::size_t k = 1; k < tokens.size(); ++k)
+      if (tokens[k - 1].text == "struct" && tokens[k].isWord()) names.emplace(tokens[k].text);
   }
   std::erase_if(names, [](const std::string& one) {
     return one == "main" || one.starts_with("gl_") || isOfTheLanguage(one);
@@ -112,39 +110,33 @@ void CourseProgram::name(Stage& stage, const std::vector<std::string>& texts) co
 /// The files of a program, which begins with that one: those that it includes have the name of a directive.
 std::vector<std::size_t> CourseProgram::includedBy(std::size_t program) const {
   std::vector<std::size_t> own{program};
-  static const std::regex kInclude("#[ \\t]*include[ \\t]*\"([^\"]*)\"");
   for (std::size_t k = 0; k < own.size(); ++k) {
-    const std::string& text = shader_->files[own[k]].text;
-    for (std::sregex_iterator found(text.begin(), text.end(), kInclude), end; found != end; ++found)
+    const std::vector<GlslToken> tokens = glslTokens(shader_->files[own[k]].text);
+    for (const GlslDirective& directive : directivesIn(tokens)) {
+      if (directive.name != "include" || directive.rest.empty()) continue;
+      const std::string_view quoted = directive.rest.front().text;
+      if (directive.rest.front().kind != GlslToken::Kind::Quoted) continue;
+      const auto last = std::filesystem::path(quoted.substr(1, quoted.size() - 2)).filename();
       for (std::size_t i = 0; i < shader_->files.size(); ++i)
-        if (std::filesystem::path(shader_->files[i].name).filename() ==
-                std::filesystem::path((*found)[1].str()).filename() &&
+        if (std::filesystem::path(shader_->files[i].name).filename() == last &&
             std::ranges::find(own, i) == own.end())
           own.push_back(i);
+    }
   }
   return own;
 }
 
 bool CourseProgram::isInitialised(const Stage& stage, const std::string& uniform) const {
-  return std::ranges::any_of(includedBy(&stage == &fragment_ ? 0 : shader_->vertex), [&](std::size_t i) {
-    return !initialiserOf(shader_->files[i].text, uniform).empty();
-  });
-}
-
-/// Whether a program has the word.
-bool CourseProgram::names(const std::string& word) const {
-  const std::regex whole(fmt::format("\\b{}\\b", word));
-  return std::ranges::any_of(shader_->files, [&](const MaterialShader::File& file) {
-    return std::regex_search(withoutComments(file.text), whole);
-  });
+  return std::ranges::any_of(includedBy(&stage == &fragment_ ? 0 : shader_->vertex),
+                             [&](std::size_t i) { return initialisers_[i].contains(uniform); });
 }
 
 void CourseProgram::link(const Refuse& refuse) {
   const std::string& file = shader_->files.front().name;
-  if (!names("gl_FragColor"))
+  if (!words_.contains("gl_FragColor"))
     throw Error(ErrorKind::Scene, fmt::format("{}: the program does not write gl_FragColor", file),
                 "it is the colour: gl_FragColor = vec4(0.0, 0.0, 1.0, 1.0);");
-  if (vertex_ && !names("gl_Position"))
+  if (vertex_ && !words_.contains("gl_Position"))
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: the program does not write gl_Position", shader_->files[shader_->vertex].name),
@@ -197,15 +189,16 @@ void CourseProgram::link(const Refuse& refuse) {
                          typeText(uniform), typeText(*other)),
              "declare it alike in both");
     std::string first;
-    for (const MaterialShader::File& one : shader_->files)
-      if (const std::string text = initialiserOf(one.text, spelled); !text.empty()) {
-        if (!first.empty() && text != first)
-          refuse(spelled,
-                 fmt::format("the uniform '{}' begins at {} here, and at {} in the vertex program", spelled,
-                             first, text),
-                 "let one of them say it");
-        first = text;
-      }
+    for (const TextByName& initialisers : initialisers_) {
+      const auto own = initialisers.find(spelled);
+      if (own == initialisers.end()) continue;
+      if (!first.empty() && own->second != first)
+        refuse(spelled,
+               fmt::format("the uniform '{}' begins at {} here, and at {} in the vertex program", spelled,
+                           first, own->second),
+               "let one of them say it");
+      first = own->second;
+    }
   }
 }
 
@@ -238,13 +231,13 @@ void CourseProgram::describe(const Refuse& refuse) {
                "declare what a scene may set as uniforms outside of blocks: uniform float roughness;");
       }
     }
+  TextByName types;
+  for (const MaterialShader::File& file : shader_->files) types.merge(typesOfUniforms(file.text));
   for (ShaderVariable& uniform : uniforms.members) {
     uniform.name = withoutCourseSpelling(uniform.name);
-    const std::regex sampler(fmt::format(R"(\b(sampler[12]D)\s[^;]*\b{}\b)", uniform.name));
-    for (const MaterialShader::File& file : shader_->files)
-      if (std::smatch found; std::regex_search(file.text, found, sampler)) uniform.type = found[1].str();
-    if (uniform.type.starts_with('u') && shader_->hasBool(uniform.name))
-      uniform.type = gpu::boolOf(uniform.type);
+    const std::string& type = types[uniform.name];
+    if (type == "sampler1D" || type == "sampler2D") uniform.type = type;
+    if (uniform.type.starts_with('u') && type.starts_with('b')) uniform.type = gpu::boolOf(uniform.type);
   }
   if (!uniforms.members.empty()) interface_.blocks.push_back(std::move(uniforms));
   // All outputs count as active.
@@ -266,10 +259,10 @@ void CourseProgram::describe(const Refuse& refuse) {
     return own;
   };
   const auto isActive = [](const ShaderVariable& variable) { return variable.active; };
-  interface_.outputs = vertex_
-                           ? taken(*vertex_, vertex_->interface.outputs,
-                                   [this](const ShaderVariable& variable) { return names(variable.name); })
-                           : taken(fragment_, fragment_.interface.inputs, isActive);
+  interface_.outputs =
+      vertex_ ? taken(*vertex_, vertex_->interface.outputs,
+                      [this](const ShaderVariable& variable) { return words_.contains(variable.name); })
+              : taken(fragment_, fragment_.interface.inputs, isActive);
   interface_.inputs =
       vertex_ ? taken(*vertex_, vertex_->interface.inputs, isActive) : std::vector<ShaderVariable>{};
 }

@@ -12,6 +12,7 @@
 
 #include "gpu/shader_reflection.h"
 #include "scene/material_shader.h"
+#include "scene/shader_text.h"
 
 namespace luxo {
 
@@ -53,13 +54,14 @@ class CourseProgram {
 
   [[nodiscard]] std::vector<std::string> ofStages(std::vector<std::string> Stage::*what) const;
   void name(Stage& stage, const std::vector<std::string>& texts) const;
-  [[nodiscard]] bool names(const std::string& word) const;
   [[nodiscard]] std::vector<std::size_t> includedBy(std::size_t program) const;
   void link(const Refuse& refuse);
   void describe(const Refuse& refuse);
   [[nodiscard]] bool isInitialised(const Stage& stage, const std::string& uniform) const;
 
   const MaterialShader* shader_;
+  std::vector<TextByName> initialisers_;      ///< of each of its files
+  std::set<std::string, std::less<>> words_;  ///< of all of them
   Stage fragment_;
   std::optional<Stage> vertex_;
   gpu::ShaderInterface interface_;

@@ -2,12 +2,14 @@
 #include "draw/course_style.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "base/diagnostic.h"
 #include "base/error.h"
+#include "scene/glsl_tokens.h"
 
 #include <fmt/format.h>
 
@@ -30,47 +32,6 @@ const Names& respelledWords() {
 bool isRespelled(std::string_view word) {
   static const Names kOfToday = {"gl_VertexIndex", "gl_InstanceIndex", "gl_FragDepth"};
   return word.starts_with("gl_") ? !kOfToday.contains(word) : respelledWords().contains(word);
-}
-
-bool isLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-/// A word, or a character that is part of none; comments are blanks.
-struct Token {
-  std::string_view text;
-  std::size_t begin = 0;
-  [[nodiscard]] bool isWord() const { return isLetter(text.front()); }
-};
-
-/// The next one from `at` on, which goes behind it; empty at the end.
-Token nextToken(std::string_view glsl, std::size_t& at) {
-  while (at < glsl.size()) {
-    const std::string_view rest = glsl.substr(at);
-    if (std::isspace(static_cast<unsigned char>(rest.front())) != 0) {
-      ++at;
-    } else if (rest.starts_with("//")) {
-      while (at < glsl.size() && glsl[at] != '\n') at += glsl[at] == '\\' ? 2 : 1;
-    } else if (rest.starts_with("/*")) {
-      const std::size_t end = glsl.find("*/", at + 2);
-      at = end == glsl.npos ? glsl.size() : end + 2;
-    } else {
-      std::size_t size = 1;
-      if (isLetter(rest.front()))
-        while (size < rest.size() && isLetter(rest[size])) ++size;
-      at += size;
-      return {rest.substr(0, size), at - size};
-    }
-  }
-  at = glsl.size();
-  return {{}, at};
-}
-
-template <typename Visit>
-void forEachToken(std::string_view glsl, Visit visit) {
-  for (std::size_t at = 0;;) {
-    const Token token = nextToken(glsl, at);
-    if (token.text.empty()) return;
-    visit(token);
-  }
 }
 
 /// Words that only such programs have.
@@ -96,15 +57,11 @@ bool isTelling(std::string_view word) {
   return kTelling.contains(word) || word.starts_with("gl_MultiTexCoord");
 }
 
-bool saysSo(std::string_view glsl) {
-  std::array<std::string_view, 4> last;
-  bool says = false;
-  forEachToken(glsl, [&](const Token& token) {
-    std::rotate(last.begin(), last.begin() + 1, last.end());
-    last.back() = token.text;
-    says = says || last == std::array<std::string_view, 4>{"#", "pragma", "luxo", "course"};
+bool saysSo(std::span<const GlslToken> tokens) {
+  return std::ranges::any_of(directivesIn(tokens), [](const GlslDirective& directive) {
+    return directive.name == "pragma" && directive.rest.size() > 1 && directive.rest[0].text == "luxo" &&
+           directive.rest[1].text == "course";
   });
-  return says;
 }
 
 struct Foreign {
@@ -135,12 +92,12 @@ constexpr Foreign kForeign[] = {
     {"gl_VerticesIn", "there are no geometry programs: surfaces are formulas",
      "change the surface's formula"}};
 
-[[noreturn]] void refuse(const MaterialShader::File& file, const Token& token, std::string_view why,
+[[noreturn]] void refuse(const MaterialShader::File& file, const GlslToken& token, std::string_view why,
                          std::string_view advice) {
-  throw Error(ErrorKind::Scene, describe(file.name, file.text,
-                                         {{token.begin, token.begin + token.text.size()},
-                                          fmt::format("'{}': {}", token.text, why),
-                                          std::string(advice)}));
+  throw Error(
+      ErrorKind::Scene,
+      describe(file.name, file.text,
+               {{token.begin, token.end()}, fmt::format("'{}': {}", token.text, why), std::string(advice)}));
 }
 
 }  // namespace
@@ -148,25 +105,25 @@ constexpr Foreign kForeign[] = {
 bool inCourseStyle(const MaterialShader& shader) {
   bool telling = false, hasMain = false, hasMaterial = false;
   for (const MaterialShader::File& file : shader.files) {
-    if (saysSo(file.text)) return true;
+    const std::vector<GlslToken> tokens = glslTokens(file.text);
+    if (saysSo(tokens)) return true;
     std::string_view before;
-    forEachToken(file.text, [&](const Token& token) {
+    for (const GlslToken& token : tokens) {
       telling = telling || isTelling(token.text);
       hasMain = hasMain || (before == "void" && token.text == "main");
       hasMaterial = hasMaterial || (before == "vec4" && token.text == "material");
       before = token.text;
-    });
+    }
   }
   return telling && hasMain && !hasMaterial;
 }
 
 std::string withCourseSpelling(std::string_view glsl) {
   std::string spelled(glsl);
-  forEachToken(glsl, [&](const Token& token) {
+  for (const GlslToken& token : glslTokens(glsl))
     if (token.isWord() && isRespelled(token.text))
       spelled[token.begin + 1] =
           static_cast<char>(std::toupper(static_cast<unsigned char>(spelled[token.begin + 1])));
-  });
   return spelled;
 }
 
@@ -174,7 +131,7 @@ std::string withoutCourseSpelling(std::string_view text) {
   std::string plain(text);
   for (std::size_t at = 0; at < plain.size();) {
     std::size_t end = at;
-    while (end < plain.size() && isLetter(plain[end])) ++end;
+    while (end < plain.size() && isGlslLetter(plain[end])) ++end;
     if (end > at + 1 && std::isupper(static_cast<unsigned char>(plain[at + 1])) != 0) {
       std::string word = plain.substr(at, end - at);
       word[1] = static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])));
@@ -188,11 +145,13 @@ std::string withoutCourseSpelling(std::string_view text) {
 std::string renamed(std::string_view glsl, const std::set<std::string, std::less<>>& names,
                     std::string_view prefix) {
   std::string text;
-  std::size_t copied = 0, at = 0;
+  std::size_t copied = 0;
   std::string_view before, last;                   // the last two tokens
   int braces = 0, brackets = 0, ofStructure = -1;  // where its members are
-  for (Token token = nextToken(glsl, at); !token.text.empty();) {
-    const Token next = nextToken(glsl, at);
+  const std::vector<GlslToken> tokens = glslTokens(glsl);
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const GlslToken& token = tokens[i];
+    const std::string_view next = i + 1 < tokens.size() ? tokens[i + 1].text : "";
     if (token.text == "{") {
       if (before == "struct" || last == "struct") ofStructure = braces;
       ++braces;
@@ -201,8 +160,7 @@ std::string renamed(std::string_view glsl, const std::set<std::string, std::less
     } else if (token.text == "[" || token.text == "]") {
       brackets += token.text == "[" ? 1 : -1;
     } else if (token.isWord() && last != "." && names.contains(token.text)) {
-      const bool isMember =
-          ofStructure >= 0 && brackets == 0 && (next.text == ";" || next.text == "," || next.text == "[");
+      const bool isMember = ofStructure >= 0 && brackets == 0 && (next == ";" || next == "," || next == "[");
       if (!isMember) {
         text += glsl.substr(copied, token.begin - copied);
         text += prefix;
@@ -211,7 +169,6 @@ std::string renamed(std::string_view glsl, const std::set<std::string, std::less
     }
     before = last;
     last = token.text;
-    token = next;
   }
   return text += glsl.substr(copied);
 }
@@ -220,14 +177,15 @@ void refuseForeign(const MaterialShader::File& file) {
   std::size_t start = file.text.find_first_not_of(" \t\r\n");
   if (start != file.text.npos && file.text.compare(start, 2, "!!") == 0)
     refuse(file,
-           {std::string_view(file.text).substr(start, file.text.find_first_of("\r\n", start) - start), start},
+           {.text = std::string_view(file.text).substr(start, file.text.find_first_of("\r\n", start) - start),
+            .begin = start},
            "this is an assembly program", "write it in GLSL, with void main()");
   std::string_view before;
-  forEachToken(file.text, [&](const Token& token) {
+  for (const GlslToken& token : glslTokens(file.text)) {
     const auto* const foreign = std::ranges::find(kForeign, token.text, &Foreign::word);
     if (foreign != std::end(kForeign) && before != ".") refuse(file, token, foreign->why, foreign->advice);
     before = token.text;
-  });
+  }
 }
 
 }  // namespace luxo

@@ -5,20 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <optional>
-#include <regex>
 
 #include "base/error.h"
 #include "base/suggestion.h"
-#include "draw/bounded_loops.h"
 #include "draw/course_style.h"
 #include "draw/indexed_arrays.h"
+#include "draw/material_errors.h"
+#include "draw/material_text.h"
 #include "draw/uniform_type.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
 #include "scene/shader_files.h"
+#include "scene/shader_macros.h"
 #include "scene/shader_text.h"
 #include "shared/scene_data.h"
 
@@ -34,184 +34,13 @@ constexpr std::string_view kPattern = "pattern", kSurface = "surface", kCurvatur
 // Measured on llvmpipe: 17,000 instructions take 3 s, 34,000 11 s, 68,000 37 s; those of apps/scenes/gallery
 // have at most 656.
 constexpr std::uint64_t kMostInstructions = 32'768, kMostVariableBytes = 65'536;
-
-/// Names of what a material is given (shaders/MATERIALS.md), and of luxo's own beside it.
-bool isGiven(const std::string& name) {
-  constexpr std::string_view kGiven[] = {"material",     "lightCount", "light",           "ambientLight",
-                                         "blinnPhong",   "colorMap",   "specularMap",     "glowMap",
-                                         "Point",        "Light",      "luxoStops",       "luxoRounds",
-                                         "Hit",          "trace",      "worldVector",     "worldNormal",
-                                         "objectVector", "texture",    "luxoPictureSize", "textureGrad"};
-  return std::ranges::find(kGiven, name) != std::end(kGiven);
-}
-
-/// Whether a name may follow a dot in a shader: of what it is given, or of a vector.
-bool isField(const std::string& name) {
-  constexpr std::string_view kFields[] = {
-      "position", "object",    "normal",    "viewer",   "tangent",  "bitangent", "Su",     "Sv",
-      "uv",       "footprint", "direction", "distance", "radiance", "visible",   "length", "found",
-      "inside",   "color",     "number",    "K",        "H",        "k1",        "k2"};
-  const auto isOf = [&](std::string_view letters) {
-    return name.size() <= 4 && name.find_first_not_of(letters) == name.npos;
-  };
-  return std::ranges::find(kFields, name) != std::end(kFields) || isOf("xyzw") || isOf("rgba") ||
-         isOf("stpq");
-}
-
-constexpr const char* kEntryHint =
-    "write one: it gives the colour and the opacity of the point p (shaders/MATERIALS.md)";
-
-[[noreturn]] void refuseAt(const MaterialShader::File& file, std::size_t begin, std::size_t length,
-                           const std::string& why, const std::string& advice) {
-  throw Error(ErrorKind::Scene, describe(file.name, file.text, {{begin, begin + length}, why, advice}));
-}
-
-/// Of the innermost one that is left open, outside of comments.
-std::optional<std::size_t> unclosedBrace(const std::string& glsl) {
-  const std::string code = withoutComments(glsl);
-  std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < code.size(); ++i) {
-    if (code[i] == '{') open.push_back(i);
-    if (code[i] == '}' && !open.empty()) open.pop_back();
-  }
-  return open.empty() ? std::nullopt : std::optional(open.back());
-}
-
-/// Error(Scene) where a file includes itself, by way of others or not; they are told apart by their last
-/// names.
-void refuseCycle(const MaterialShader& shader) {
-  static const std::regex kInclude(R"((?:^|\n)[ \t]*#[ \t]*include[ \t]*("[^"\n]*"))");
-  const auto included = [&](const MaterialShader::File& by, const auto& visit) {
-    const std::string code = withoutComments(by.text);
-    for (std::sregex_iterator found(code.begin(), code.end(), kInclude), end; found != end; ++found) {
-      const std::string name = (*found)[1].str();
-      const auto last = std::filesystem::path(name.substr(1, name.size() - 2)).filename();
-      for (const MaterialShader::File& one : shader.files)
-        if (std::filesystem::path(one.name).filename() == last)
-          visit(one, static_cast<std::size_t>(found->position(1)), name.size());
-    }
-  };
-  for (const MaterialShader::File& file : shader.files)
-    included(file, [&](const MaterialShader::File& next, std::size_t at, std::size_t length) {
-      std::vector<const MaterialShader::File*> reached{&next};
-      for (std::size_t i = 0; i < reached.size(); ++i) {
-        if (reached[i] == &file)
-          refuseAt(file, at, length,
-                   fmt::format("'{}' includes itself{}", file.name,
-                               &next == &file ? "" : fmt::format(", by way of '{}'", next.name)),
-                   "leave it out, or put #ifndef, #define and #endif around what it has");
-        included(*reached[i], [&](const MaterialShader::File& one, std::size_t, std::size_t) {
-          if (std::ranges::find(reached, &one) == reached.end()) reached.push_back(&one);
-        });
-      }
-    });
-}
-
-/// What is wrong with it, of what a compiler says of it joined with luxo's own.
-[[noreturn]] void explain(const MaterialShader& shader, const std::string& entry, std::string_view said) {
-  const std::string& file = shader.files.front().name;
-  if (said.find("No function definition") != said.npos && said.find("material(struct-Point") != said.npos)
-    throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'vec4 material(Point p)'", file),
-                kEntryHint);
-  static const std::regex kMain(R"(\bvoid\s+(main)\s*\()");
-  if (said.find("'main' : function already has a body") != said.npos)
-    for (const MaterialShader::File& one : shader.files)
-      if (std::smatch found; std::regex_search(one.text, found, kMain))
-        refuseAt(one, static_cast<std::size_t>(found.position(1)), 4,
-                 "'main' is of a program that has inputs and outputs of its own, which a material is not",
-                 "write vec4 material(Point p) { return vec4(1.0, 0.0, 0.0, 1.0); }, which is given the "
-                 "point, or a "
-                 "program in the course's style, with gl_FragColor (both: shaders/MATERIALS.md)");
-  if (said.find(fmt::format("\n{}:", kCourseAlone)) != said.npos)
-    throw Error(ErrorKind::Scene, fmt::format("{}: there is no function 'void main()'", entry),
-                "a program begins there");
-  if (const std::size_t calls = said.find("Recursion detected"); calls != said.npos) {
-    const std::size_t begin = said.find_first_not_of(" \n", said.find('\n', calls));
-    const std::string name = withoutCourseSpelling(said.substr(begin, said.find('(', begin) - begin));
-    for (const MaterialShader::File& one : shader.files)
-      if (std::smatch found;
-          std::regex_search(one.text, found, std::regex(fmt::format("\\b{}\\s*\\(", name))))
-        throw Error(ErrorKind::Scene,
-                    describe(one.name, one.text,
-                             {{static_cast<std::size_t>(found.position()),
-                               static_cast<std::size_t>(found.position()) + name.size()},
-                              fmt::format("the function '{}' calls itself, or one that calls it", name),
-                              "functions of GLSL cannot: repeat with a loop"}));
-  }
-  if (said.find("Could not process include directive") != said.npos) refuseCycle(shader);
-  if (said.find("syntax error") != said.npos || said.find("not allowed in nested scope") != said.npos)
-    for (const MaterialShader::File& one : shader.files)
-      if (const auto brace = unclosedBrace(one.text))
-        refuseAt(one, *brace, 1, "this '{' has no '}'", "what follows is taken for a part of what it begins");
-  // Line by line what is about the first of its own files that has errors, from where one begins to where the
-  // next message does: those of files that include it follow from them.
-  std::string message, first;
-  bool isOwn = false;
-  for (std::size_t at = said.find('\n'); at != said.npos;) {
-    const std::size_t end = said.find('\n', ++at);
-    const std::string_view line = said.substr(at, end == said.npos ? said.npos : end - at);
-    if (!line.starts_with(' ')) {
-      const auto own = std::ranges::find_if(
-          shader.files, [&](const auto& one) { return line.starts_with(one.name + ":"); });
-      isOwn = own != shader.files.end() && (first.empty() || first == own->name);
-      if (isOwn) first = own->name;
-    }
-    if (isOwn) message += fmt::format("{}{}", message.empty() ? "" : "\n", line);
-    at = end;
-  }
-  throw Error(ErrorKind::Scene, message.empty() ? fmt::format("{}: {}", file, said) : message);
-}
-
-/// A message about a program in the course's style. What the language has is in a block without a name.
-std::string asProgramsSpell(std::string_view message) {
-  constexpr std::string_view kNameless = " in structure 'anon@0'";
-  std::string spelled = withoutCourseSpelling(message);
-  if (const std::size_t at = spelled.find(kNameless); at != spelled.npos) spelled.erase(at, kNameless.size());
-  return spelled;
-}
+// It copies the constants of an array to each place that reads one.
+constexpr std::uint64_t kLongestTable = 256;
 
 /// 0 of what flattens space.
 Mat3 inverseOrZero(const Mat3& linear) {
   const double volume = std::abs(glm::dot(linear[0], glm::cross(linear[1], linear[2])));
   return volume > 0 && std::isfinite(1 / volume) ? glm::transpose(normalMatrix(linear)) / volume : Mat3(0);
-}
-
-/// As joined texts need it: with bounded loops, and uniforms where luxo's own numbers are.
-std::string joinable(std::string_view glsl) {
-  static const std::regex kLayout(
-      R"((\blayout\s*\([^()]*\)\s*)(?=uniform\b)|\buniform\s+(layout\s*\([^()]*\)))");
-  std::string text(glsl);
-  for (std::smatch found; std::regex_search(text, found, kLayout);) {
-    const int which = found[1].matched ? 1 : 2;
-    for (std::ptrdiff_t i = found.position(which); i < found.position(which) + found.length(which); ++i)
-      if (char& c = text[static_cast<std::size_t>(i)]; c != '\n') c = ' ';
-  }
-  return withBoundedLoops(text);
-}
-
-/// What directives must not say: macros with names of luxo's own change what is joined with the text, and a
-/// pragma that nobody knows does nothing.
-void refuseDirectives(const MaterialShader::File& file) {
-  static const std::regex kMacro(R"((?:^|\n)[ \t]*#[ \t]*(?:define|undef)[ \t]+(\w+))"),
-      kPragma(R"((?:^|\n)[ \t]*#[ \t]*pragma[ \t]+luxo[ \t]+(\w+))");
-  if (file.text.find('#') == file.text.npos) return;
-  const std::string code = withoutComments(file.text);
-  const auto forEach = [&](const std::regex& directive, const auto& look) {
-    for (std::sregex_iterator found(code.begin(), code.end(), directive), end; found != end; ++found)
-      look((*found)[1].str(), static_cast<std::size_t>(found->position(1)));
-  };
-  forEach(kMacro, [&](const std::string& name, std::size_t at) {
-    if (isGiven(name) || name == "uniform" || name == "sampler2D" || name.starts_with("luxo") ||
-        name.starts_with("LUXO"))
-      refuseAt(file, at, name.size(), fmt::format("'{}' is a name of luxo's own, which no macro has", name),
-               "choose another one");
-  });
-  forEach(kPragma, [&](const std::string& name, std::size_t at) {
-    const std::vector<std::string> known = {"opacity", "course"};
-    if (std::ranges::find(known, name) == known.end())
-      refuseAt(file, at, name.size(), fmt::format("'#pragma luxo {}' is not known", name),
-               didYouMean(name, known, fmt::format("there are {}", listed(known))));
-  });
 }
 
 }  // namespace
@@ -223,8 +52,12 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
       throw Error(ErrorKind::Scene,
                   fmt::format("the shader file '{}' has the name of one of luxo's own", file.name),
                   "give it another one");
+  requireBounded(*shader_);
+  if (shader_->vertex > 0) requireBounded(*shader_, shader_->vertex);
   for (std::size_t i = shader_->wrapped ? 1 : 0; i < shader_->files.size(); ++i)
     refuseDirectives(shader_->files[i]);
+  for (const MaterialShader::File& file : shader_->files)
+    for (const auto& [name, value] : initialisersIn(file.text)) initialised_.insert(name);
   if (luxo::inCourseStyle(*shader_)) {
     compileCourse();
   } else {
@@ -249,6 +82,11 @@ MaterialProgram::MaterialProgram(MaterialShaderPtr shader) : shader_(std::move(s
   requireAffordable();
 }
 
+/// Whether the first file, luxo's own, renames it in the others.
+bool MaterialProgram::isWrapped(const std::string& name) const {
+  return shader_->wrapped && placeOf(std::string(kWrappedName) + name, shader_->files.front().text);
+}
+
 /// Functions may have them for other arguments.
 void MaterialProgram::requireOwnNames() const {
   std::vector<std::string> names;
@@ -257,9 +95,11 @@ void MaterialProgram::requireOwnNames() const {
   for (const gpu::ShaderBlock& block : interface_.blocks)
     for (const gpu::ShaderVariable& uniform : block.members) names.push_back(uniform.name);
   for (const MaterialShader::File& file : shader_->files)
-    for (std::string& name : constantsOf(outsideOfFunctions(file.text))) names.push_back(std::move(name));
+    for (std::string& name : constantsOf(outsideOfFunctions(file.text)))
+      if (!isWrapped(name)) names.push_back(std::move(name));
   for (const std::string& name : names)
-    if (isGiven(name) && name != "luxoRounds" && name != "Point" && name != "Light" && name != "Hit")
+    if (isGivenToMaterials(name) && name != "luxoRounds" && name != "Point" && name != "Light" &&
+        name != "Hit")
       refuseWord(name, fmt::format("'{}' is a name of luxo's own (shaders/MATERIALS.md)", name),
                  "choose another one");
 }
@@ -282,11 +122,13 @@ std::vector<std::string> MaterialProgram::storagesOf(const gpu::ShaderVariable& 
 
 /// To the compiler samplers are numbers, and so is truth, where a buffer has it.
 void MaterialProgram::nameTypes() {
+  TextByName types;
+  for (const MaterialShader::File& file : shader_->files) types.merge(typesOfUniforms(file.text));
   for (gpu::ShaderBlock& block : interface_.blocks)
     for (gpu::ShaderVariable& uniform : block.members) {
-      if (uniform.type.starts_with('u') && shader_->hasBool(uniform.name))
-        uniform.type = gpu::boolOf(uniform.type);
-      if (uniform.type != "int" || !shader_->hasSampler(uniform.name)) continue;
+      const std::string& type = types[uniform.name];
+      if (uniform.type.starts_with('u') && type.starts_with('b')) uniform.type = gpu::boolOf(uniform.type);
+      if (uniform.type != "int" || type != "sampler2D") continue;
       uniform.type = "sampler2D";
       if (!uniform.array.empty())
         refuseWord(uniform.name, fmt::format("'{}' are several samplers", uniform.name),
@@ -324,9 +166,10 @@ gpu::ShaderInterface MaterialProgram::compileAlone(std::string_view in, std::siz
          .includes = sources,
          .preamble = stage == gpu::ShaderStage::Vertex ? "#define LUXO_VERTEX\n" : "",
          .forReflection = true,
-         .asShown = in == kCourseAlone ? asProgramsSpell : nullptr});
+         .asShown = in == kCourseAlone ? asProgramsSpell : asFilesSpell});
   } catch (const Error& error) {
-    explain(*shader_, entry, error.what());
+    if (error.kind() != ErrorKind::Scene) throw;
+    explainRefusal(*shader_, entry, in == kCourseAlone, error.what());
   }
   compiled_ = compiled_ || result.compiled;
   gpu::ShaderInterface interface = gpu::reflect(result.spirv);
@@ -334,6 +177,7 @@ gpu::ShaderInterface MaterialProgram::compileAlone(std::string_view in, std::siz
   const gpu::ShaderCost cost = gpu::costOf(result.spirv);
   cost_.instructions += cost.instructions;
   cost_.variableBytes += cost.variableBytes;
+  cost_.longestTable = std::max(cost_.longestTable, cost.longestTable);
   return interface;
 }
 
@@ -360,15 +204,9 @@ void MaterialProgram::requireSettable() {
 
 void MaterialProgram::refuseWord(const std::string& word, const std::string& why,
                                  const std::string& advice) const {
-  const std::regex whole(fmt::format("\\b{}\\b", word));
-  for (const MaterialShader::File& file : shader_->files) {
-    const std::string text = withoutComments(file.text);
-    if (std::smatch found; std::regex_search(text, found, whole)) {
-      const auto begin = static_cast<std::size_t>(found.position());
-      throw Error(ErrorKind::Scene,
-                  describe(file.name, file.text, {{begin, begin + word.size()}, why, advice}));
-    }
-  }
+  for (const MaterialShader::File& file : shader_->files)
+    if (const auto place = placeOf(word, file.text))
+      throw Error(ErrorKind::Scene, describe(file.name, file.text, {*place, why, advice}));
 }
 
 /// Points in, a colour out.
@@ -402,13 +240,10 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
                     fmt::format("{}: '{}' is an input or output of a program, which a material is not", file,
                                 variable.name),
                     "the point is the argument of material(), and the colour its result");
-}
-
-bool MaterialProgram::isInitialised(const std::string& uniform) const {
-  const std::regex initialised(fmt::format(R"(\b{}\s*(?:\[[^\]]*\]\s*)*=)", uniform));
-  return std::ranges::any_of(shader_->files, [&](const MaterialShader::File& file) {
-    return std::regex_search(outsideOfFunctions(file.text), initialised);
-  });
+  if (!interface.beyond.empty())
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: it asks for {}, which only some devices have", file, interface.beyond),
+                "write plain GLSL, of numbers and of what a material is given (shaders/MATERIALS.md)");
 }
 
 void MaterialProgram::requireAffordable() const {
@@ -421,11 +256,22 @@ void MaterialProgram::requireAffordable() const {
                     "most {} are compiled",
                     file, cost.instructions, kMostInstructions),
         "call functions in a loop instead of one by one");
+  if (cost.longestTable > kLongestTable) refuseTable();
   if (cost.variableBytes > kMostVariableBytes)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: its variables take {} bytes in every pixel; at most {} are there", file,
                             cost.variableBytes, kMostVariableBytes),
                 "keep less in arrays");
+}
+
+void MaterialProgram::refuseTable() const {
+  const std::string why = fmt::format("an array of constants has {} elements; at most {} are compiled",
+                                      cost_.longestTable, kLongestTable),
+                    advice = "make it a uniform, which is read where it lies, or compute each from its index";
+  for (const MaterialShader::File& file : shader_->files)
+    if (const auto place = placeOfList(kLongestTable, file.text))
+      throw Error(ErrorKind::Scene, describe(file.name, file.text, {*place, why, advice}));
+  throw Error(ErrorKind::Scene, fmt::format("{}: {}", shader_->files.front().name, why), advice);
 }
 
 const gpu::ShaderVariable* MaterialProgram::find(const std::string& name) const {
@@ -528,7 +374,7 @@ std::optional<std::string> MaterialProgram::valueOf(const gpu::ShaderVariable& u
     else
       first += count;
   }
-  if (isInitialised(uniform.name)) return std::nullopt;
+  if (initialised_.contains(uniform.name)) return std::nullopt;
   return fmt::format("{}(0)", typeOfElement(uniform));
 }
 
@@ -580,11 +426,11 @@ MaterialProgram::Joined MaterialProgram::joined(const Paint& paint) const {
   for (const gpu::ShaderVariable& uniform : uniforms_) names.push_back(uniform.name);
   // Constants leave no name behind: those of functions are renamed, too, which changes nothing.
   for (const MaterialShader::File& file : shader_->files)
-    for (std::string& name : constantsOf(file.text)) names.push_back(std::move(name));
+    for (std::string& name : constantsOf(glslTokens(file.text))) names.push_back(std::move(name));
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   std::erase_if(names, [&](const std::string& name) {
-    return isGiven(name) || name == "main" || name.starts_with("gl_") || isField(name);
+    return isGivenToMaterials(name) || name == "main" || name.starts_with("gl_") || isFieldOfMaterials(name);
   });
   joined.texts = texts_;
   const Loads load = loads(paint, joined.texts);

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -64,10 +65,10 @@ class MaterialProgram {
   [[nodiscard]] std::vector<std::string> storagesOf(const gpu::ShaderVariable& uniform) const;
   void requirePure(const gpu::ShaderInterface& interface) const;
   void requireAffordable() const;
+  [[noreturn]] void refuseTable() const;
+  [[nodiscard]] bool isWrapped(const std::string& name) const;
   /// Error(Scene) where the word stands in a file of its own; nothing where it stands in none.
   void refuseWord(const std::string& word, const std::string& why, const std::string& advice) const;
-  /// Whether its declaration says what it is where a scene does not.
-  [[nodiscard]] bool isInitialised(const std::string& uniform) const;
   /// What gives uniforms their values: a function for each, luxoAt_NAME(), of arrays by indices; and
   /// statements.
   struct Loads {
@@ -86,6 +87,8 @@ class MaterialProgram {
 
   MaterialShaderPtr shader_;
   std::vector<std::string> texts_;  ///< of its files, with bounded loops
+  std::set<std::string>
+      initialised_;  ///< variables whose declarations say what they are where a scene does not
   gpu::ShaderCost cost_;
   gpu::ShaderInterface interface_;
   std::optional<CourseProgram> course_;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <regex>
 #include <utility>
 
 namespace luxo {
@@ -16,8 +15,11 @@ std::optional<UniformType> typeNamed(std::string_view type) {
     if (type.size() == std::string_view(prefix).size() + 1 && type.starts_with(prefix))
       return UniformType{1, static_cast<std::uint32_t>(type.back() - '0'), scalar};
   if (type == "sampler1D" || type == "sampler2D") return UniformType{1, 1, "int"};
-  static const std::regex kMatrix("mat[2-4](x[2-4])?");
-  if (!std::regex_match(type.begin(), type.end(), kMatrix)) return std::nullopt;
+  const auto isSize = [&](std::size_t at) { return type[at] >= '2' && type[at] <= '4'; };
+  const bool isMatrix = type.starts_with("mat") &&
+                        (type.size() == 4 || (type.size() == 6 && type[4] == 'x')) && isSize(3) &&
+                        isSize(type.size() - 1);
+  if (!isMatrix) return std::nullopt;
   const auto columns = static_cast<std::uint32_t>(type[3] - '0');
   return UniformType{columns, type.size() > 5 ? static_cast<std::uint32_t>(type[5] - '0') : columns, "float"};
 }

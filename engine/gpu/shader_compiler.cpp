@@ -4,6 +4,7 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "gpu/cache_file.h"
+#include "gpu/deep_stack.h"
 #include "gpu/shader_optimizer.h"
 
 #include <fmt/format.h>
@@ -199,6 +200,7 @@ std::string explain(std::string_view line, const ShaderDesc& desc) {
   if (message.starts_with(kNoToken)) message.remove_prefix(kNoToken.size());
   message = message.substr(std::min(message.find_first_not_of(' '), message.size()));
   message = message.substr(0, message.find_last_not_of(' ') + 1);
+  if (message == "memory exhausted") message = "this is nested too deep";  // of the compiler's parser
   // The compiler knows the line and the token, not the column.
   const std::string_view token =
       message.starts_with('\'') ? message.substr(1, message.find('\'', 1) - 1) : "";
@@ -231,10 +233,7 @@ void startGlslang() {
   static const Glslang started;
 }
 
-std::vector<std::uint32_t> translate(const ShaderDesc& desc) {
-  // Its first use of each language version is not safe from several threads.
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
+std::vector<std::uint32_t> translateHere(const ShaderDesc& desc) {
   startGlslang();
 
   const EShLanguage language = languageOf(desc.stage);
@@ -263,6 +262,15 @@ std::vector<std::uint32_t> translate(const ShaderDesc& desc) {
   if (desc.forReflection && !program.mapIO()) reject(desc, program.getInfoLog());
   std::vector<std::uint32_t> words;
   glslang::GlslangToSpv(*program.getIntermediate(language), words);
+  return words;
+}
+
+std::vector<std::uint32_t> translate(const ShaderDesc& desc) {
+  // Its first use of each language version is not safe from several threads.
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  std::vector<std::uint32_t> words;
+  onDeepStack([&] { words = translateHere(desc); });
   return words;
 }
 

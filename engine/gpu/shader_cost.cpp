@@ -4,7 +4,9 @@
 #include <spirv_cross/spirv.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "gpu/spirv_instructions.h"
@@ -28,14 +30,16 @@ class Costs {
   ShaderCost ofEntry() {
     ShaderCost cost = of(entry_);
     cost.variableBytes = sum(cost.variableBytes, globalBytes_);
+    cost.longestTable = longestTable_;
     return cost;
   }
 
  private:
   struct Function {
-    ShaderCost own;
+    ShaderCost own, total;  ///< without calls, and with them
     std::vector<std::uint32_t> calls;
-    bool known = false;  ///< `own` is with the calls'
+    std::size_t next = 0;  ///< call to be added
+    bool isOpen = false;   ///< or known
   };
 
   void read(spv::Op op, std::span<const std::uint32_t> words) {
@@ -70,6 +74,8 @@ class Costs {
       bytes_[id] = product(bytes_[words[1]], words[2]);
     } else if (op == spv::OpTypeArray && words.size() > 2) {
       bytes_[id] = product(bytes_[words[1]], constants_[words[2]]);
+      const auto inner = elements_.find(words[1]);
+      elements_[id] = product(constants_[words[2]], inner == elements_.end() ? 1 : inner->second);
     } else if (op == spv::OpTypeStruct) {
       std::uint64_t all = 0;
       for (const std::uint32_t member : words.subspan(1)) all = sum(all, bytes_[member]);
@@ -78,27 +84,39 @@ class Costs {
       bytes_[id] = bytes_[words[2]];
     } else if (op == spv::OpConstant && words.size() > 2) {
       constants_[words[1]] = words[2];
+    } else if (op == spv::OpConstantComposite) {
+      if (const auto table = elements_.find(id); table != elements_.end())
+        longestTable_ = std::max(longestTable_, table->second);
     }
   }
 
+  /// Without recursion: a thousand functions may call each other in a row.
   ShaderCost of(std::uint32_t id) {
-    Function& function = functions_[id];
-    if (function.known) return function.own;
-    function.known = true;
-    ShaderCost cost = function.own;
-    for (const std::uint32_t called : function.calls) {
-      const ShaderCost theirs = of(called);
-      cost.instructions = sum(cost.instructions, theirs.instructions);
-      cost.variableBytes = sum(cost.variableBytes, theirs.variableBytes);
+    std::vector<std::uint32_t> open{id};
+    while (!open.empty()) {
+      Function& function = functions_[open.back()];
+      if (!std::exchange(function.isOpen, true)) function.total = function.own;
+      if (function.next == function.calls.size()) {
+        open.pop_back();
+        continue;
+      }
+      const std::uint32_t called = function.calls[function.next];
+      const Function& other = functions_[called];
+      if (!other.isOpen) {
+        open.push_back(called);
+        continue;
+      }
+      function.total.instructions = sum(function.total.instructions, other.total.instructions);
+      function.total.variableBytes = sum(function.total.variableBytes, other.total.variableBytes);
+      ++function.next;
     }
-    functions_[id].own = cost;
-    return cost;
+    return functions_[id].total;
   }
 
-  std::map<std::uint32_t, std::uint64_t> bytes_, constants_;
+  std::map<std::uint32_t, std::uint64_t> bytes_, constants_, elements_;
   std::map<std::uint32_t, Function> functions_;
   Function* function_ = nullptr;
-  std::uint64_t globalBytes_ = 0;
+  std::uint64_t globalBytes_ = 0, longestTable_ = 0;
   std::uint32_t entry_ = 0;
 };
 

@@ -7,10 +7,11 @@
 
 namespace luxo::gpu {
 
-/// Both stop counting at 1e15.
+/// All stop counting at 1e15.
 struct ShaderCost {
   std::uint64_t instructions = 0;   ///< of the entry point, with a copy of each function at each of its calls
   std::uint64_t variableBytes = 0;  ///< that an invocation holds, the variables of those copies among them
+  std::uint64_t longestTable = 0;   ///< elements of the longest array that is a constant
 };
 
 /// Of SPIR-V without recursion, as GLSL is. Words that are none count as nothing. Cost: linear.

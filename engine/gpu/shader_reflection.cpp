@@ -59,6 +59,58 @@ std::string imageOf(const SPIRType& type) {
                      type.image.depth ? "Shadow" : "");
 }
 
+std::string textAt(std::span<const std::uint32_t> words, std::size_t first) {
+  if (first >= words.size()) return {};
+  const auto* text = reinterpret_cast<const char*>(&words[first]);
+  return {text, strnlen(text, 4 * (words.size() - first))};
+}
+
+/// Of a capability that plain GLSL has no need of; empty: it has.
+std::string beyondPlainGlsl(spv::Capability capability) {
+  constexpr spv::Capability kPlain[] = {
+      spv::CapabilityMatrix,           spv::CapabilityShader,           spv::CapabilityFloat64,
+      spv::CapabilitySampledRect,      spv::CapabilitySampled1D,        spv::CapabilityImage1D,
+      spv::CapabilitySampledCubeArray, spv::CapabilitySampledBuffer,    spv::CapabilityImageBuffer,
+      spv::CapabilityImageQuery,       spv::CapabilityDerivativeControl};
+  constexpr std::pair<spv::Capability, std::string_view> kNames[] = {
+      {spv::CapabilityRayQueryKHR, "ray queries"},
+      {spv::CapabilityRayTracingKHR, "ray tracing"},
+      {spv::CapabilityGroupNonUniform, "subgroups"},
+      {spv::CapabilityPhysicalStorageBufferAddresses, "addresses of buffers"},
+      {spv::CapabilityInt64, "64-bit integers"},
+      {spv::CapabilityInt16, "16-bit integers"},
+      {spv::CapabilityFloat16, "16-bit floats"},
+      {spv::CapabilityInt8, "8-bit integers"},
+      {spv::CapabilitySampleRateShading, "samples one by one"},
+      {spv::CapabilityInterpolationFunction, "interpolation at other places"},
+      {spv::CapabilityGeometry, "geometry programs"},
+      {spv::CapabilityInputAttachment, "input attachments"}};
+  if (std::ranges::find(kPlain, capability) != std::end(kPlain)) return {};
+  const auto* const known =
+      std::ranges::find(kNames, capability, &std::pair<spv::Capability, std::string_view>::first);
+  return known != std::end(kNames)
+             ? std::string(known->second)
+             : fmt::format("the capability {} of SPIR-V", static_cast<std::uint32_t>(capability));
+}
+
+std::string beyondPlainGlsl(const Instruction& instruction) {
+  const std::span<const std::uint32_t> words = instruction.words;
+  if (words.size() < 2) return {};
+  if (instruction.operation == spv::OpCapability)
+    return beyondPlainGlsl(static_cast<spv::Capability>(words[1]));
+  if (instruction.operation == spv::OpExtension) return fmt::format("the extension {}", textAt(words, 1));
+  if (instruction.operation == spv::OpExtInstImport)
+    return textAt(words, 2) == "GLSL.std.450" ? "" : fmt::format("the instructions {}", textAt(words, 2));
+  if (instruction.operation != spv::OpExecutionMode || words.size() < 3) return {};
+  constexpr spv::ExecutionMode kPlain[] = {spv::ExecutionModeOriginUpperLeft,
+                                           spv::ExecutionModeDepthReplacing, spv::ExecutionModeLocalSize};
+  const auto mode = static_cast<spv::ExecutionMode>(words[2]);
+  if (std::ranges::find(kPlain, mode) != std::end(kPlain)) return {};
+  return mode == spv::ExecutionModeEarlyFragmentTests
+             ? "early_fragment_tests"
+             : fmt::format("the execution mode {} of SPIR-V", words[2]);
+}
+
 class Reflection {
  public:
   explicit Reflection(std::span<const std::uint32_t> spirv)
@@ -152,16 +204,33 @@ class Reflection {
       std::string_view name, type;
       bool written;
     };
-    constexpr BuiltIn kKnown[] = {{spv::BuiltInPosition, "gl_Position", "vec4", true},
-                                  {spv::BuiltInPointSize, "gl_PointSize", "float", true},
-                                  {spv::BuiltInFragDepth, "gl_FragDepth", "float", true},
-                                  {spv::BuiltInVertexIndex, "gl_VertexIndex", "int", false},
-                                  {spv::BuiltInInstanceIndex, "gl_InstanceIndex", "int", false},
-                                  {spv::BuiltInFragCoord, "gl_FragCoord", "vec4", false},
-                                  {spv::BuiltInFrontFacing, "gl_FrontFacing", "bool", false},
-                                  {spv::BuiltInGlobalInvocationId, "gl_GlobalInvocationID", "uvec3", false},
-                                  {spv::BuiltInLocalInvocationId, "gl_LocalInvocationID", "uvec3", false},
-                                  {spv::BuiltInWorkgroupId, "gl_WorkGroupID", "uvec3", false}};
+    constexpr BuiltIn kKnown[] = {
+        {spv::BuiltInPosition, "gl_Position", "vec4", true},
+        {spv::BuiltInPointSize, "gl_PointSize", "float", true},
+        {spv::BuiltInFragDepth, "gl_FragDepth", "float", true},
+        {spv::BuiltInVertexIndex, "gl_VertexIndex", "int", false},
+        {spv::BuiltInInstanceIndex, "gl_InstanceIndex", "int", false},
+        {spv::BuiltInFragCoord, "gl_FragCoord", "vec4", false},
+        {spv::BuiltInFrontFacing, "gl_FrontFacing", "bool", false},
+        {spv::BuiltInGlobalInvocationId, "gl_GlobalInvocationID", "uvec3", false},
+        {spv::BuiltInLocalInvocationId, "gl_LocalInvocationID", "uvec3", false},
+        {spv::BuiltInWorkgroupId, "gl_WorkGroupID", "uvec3", false},
+        {spv::BuiltInNumWorkgroups, "gl_NumWorkGroups", "uvec3", false},
+        {spv::BuiltInLocalInvocationIndex, "gl_LocalInvocationIndex", "uint", false},
+        {spv::BuiltInPointCoord, "gl_PointCoord", "vec2", false},
+        {spv::BuiltInPrimitiveId, "gl_PrimitiveID", "int", false},
+        {spv::BuiltInSampleId, "gl_SampleID", "int", false},
+        {spv::BuiltInSamplePosition, "gl_SamplePosition", "vec2", false},
+        {spv::BuiltInSampleMask, "gl_SampleMaskIn", "int", false},
+        {spv::BuiltInSampleMask, "gl_SampleMask", "int", true},
+        {spv::BuiltInHelperInvocation, "gl_HelperInvocation", "bool", false},
+        {spv::BuiltInLayer, "gl_Layer", "int", false},
+        {spv::BuiltInViewportIndex, "gl_ViewportIndex", "int", false},
+        {spv::BuiltInClipDistance, "gl_ClipDistance", "float", false},
+        {spv::BuiltInCullDistance, "gl_CullDistance", "float", false},
+        {spv::BuiltInBaseVertex, "gl_BaseVertex", "int", false},
+        {spv::BuiltInBaseInstance, "gl_BaseInstance", "int", false},
+        {spv::BuiltInDrawIndex, "gl_DrawID", "int", false}};
     compiler_.update_active_builtins();
     for (const BuiltIn& known : kKnown)
       if (compiler_.has_active_builtin(known.which,
@@ -233,13 +302,13 @@ class Reflection {
       const std::span<const std::uint32_t> words = instruction.words;
       const std::uint32_t op = instruction.operation;
       const std::size_t length = words.size();
+      if (all.beyond.empty()) all.beyond = beyondPlainGlsl(instruction);
       const auto nameOf = [&](std::size_t word) {
         const auto known = names.find(words[word]);
         return known == names.end() ? std::string() : known->second;
       };
       if (op == spv::OpName && length > 2) {
-        const auto* text = reinterpret_cast<const char*>(&words[2]);
-        names[words[1]] = std::string(text, strnlen(text, 4 * (length - 2)));
+        names[words[1]] = textAt(words, 2);
       } else if (op == spv::OpKill || op == spv::OpTerminateInvocation ||
                  op == spv::OpDemoteToHelperInvocation) {
         all.discards = true;

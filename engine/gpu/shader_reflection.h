@@ -49,9 +49,11 @@ struct ShaderInterface {
   bool discards = false;           ///< some of its fragments may end with nothing
   std::vector<std::string> functions, structures, globals;  ///< names that the text gives
   std::vector<std::string> computedGlobals;                 ///< of these, what begins as no constant
+  std::string beyond;  ///< what it asks of a device beyond plain GLSL, the first of it: "ray queries"
 };
 
-/// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V. Cost: linear.
+/// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V; those of others
+/// are asked for that first (gpu/shader_validation.h). Cost: linear.
 [[nodiscard]] ShaderInterface reflect(std::span<const std::uint32_t> spirv);
 
 /// Truth in a buffer is a number, in SPIR-V as well: the type of GLSL, where whoever asks knows that

@@ -14,6 +14,10 @@
 
 namespace luxo {
 
+/// Before names that a wrapped shader has in common with luxo (MaterialShader::wrapped); messages leave it
+/// out.
+inline constexpr std::string_view kWrappedName = "luxoWrapped_";
+
 /// Immutable.
 struct MaterialShader {
   struct File {

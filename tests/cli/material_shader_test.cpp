@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "cli/program.h"
 
@@ -134,6 +136,100 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
               "'gl_FragDepth' is an input or output");
 }
 
+/// All that a search for words in the text meets, before a compiler does.
+TEST_F(MaterialShaderProgram, LongLinesAreErrors) {
+  constexpr int kMany = 250'000;
+  const std::string rest = "\nvec4 material(Point p) { return vec4(1); }\n";
+  for (const std::string& line :
+       {std::string(kMany, 'a'), std::string(kMany, '('), "uniform float " + std::string(kMany, 'a') + ";",
+        "const float " + std::string(kMany, '[') + ";"}) {
+    const Outcome outcome = drawn(line + rest);
+    EXPECT_EQ(outcome.code, 3) << line.substr(0, 20);
+    EXPECT_THAT(outcome.err, HasSubstr("m.frag:1:")) << line.substr(0, 20);
+  }
+  EXPECT_EQ(drawn(std::string(kMany, ' ') + rest).code, 0);
+  EXPECT_EQ(drawn("/*" + std::string(kMany, '*') + "*/" + rest).code, 0);
+}
+
+TEST_F(MaterialShaderProgram, BombsAreErrors) {
+  std::string macros = "#define A0 x x\n";
+  for (int i = 1; i < 40; ++i)
+    macros +=
+        "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A" + std::to_string(i - 1) + "\n";
+  const std::string rest = "vec4 material(Point p) { return vec4(1); }\n";
+  expectError(macros + "float f() { return A39; }\n" + rest,
+              "m.frag:41:20: macros come to more than 262144 words");
+  for (int i = 0; i < 30; ++i)
+    writeText(folder / ("f" + std::to_string(i) + ".glsl"),
+              i == 29 ? "\n"
+                      : "#include \"f" + std::to_string(i + 1) + ".glsl\"\n#include \"f" +
+                            std::to_string(i + 1) + ".glsl\"\n");
+  expectError("#include \"f0.glsl\"\n" + rest, "files are included more than 1000 times");
+  std::string structures = "struct S0 { float a; };\n";
+  for (int i = 1; i < 40; ++i)
+    structures += "struct S" + std::to_string(i) + " { S" + std::to_string(i - 1) + " a, b; };\n";
+  expectError(structures + rest, "m.frag:8:20: this structure has more than 256 members");
+}
+
+/// As deep as is allowed, and compiled; and deeper.
+TEST_F(MaterialShaderProgram, WhatIsNestedDeepIsCompiledOrAnError) {
+  const auto repeated = [](const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+  };
+  const auto shaderOf = [&](const std::string& open, const std::string& close, int times) {
+    return "vec4 material(Point p) { float x = p.uv.x; x = " + repeated(open, times) + "x" +
+           repeated(close, times) + "; return vec4(vec3(x * 0.0), 1); }\n";
+  };
+  for (const auto& [open, close] : {std::pair{"(", ")"}, {"1.0+", ""}, {"- ", ""}, {"abs(", ")"}}) {
+    const Outcome deep = drawn(shaderOf(open, close, 900));
+    EXPECT_EQ(deep.code, 0) << open << deep.err;
+    std::filesystem::remove(folder / "a.png");
+    expectError(shaderOf(open, close, 2100), "brackets and operators are nested more than 2000 deep here");
+  }
+  const auto branches = [&](int times) {
+    return "vec4 material(Point p) { float x = p.uv.x; " + repeated("if (x < 0.5) x += 0.1; else ", times) +
+           "x = 1.0; return vec4(vec3(x * 0.0), 1); }\n";
+  };
+  EXPECT_EQ(drawn(branches(100)).code, 0);
+  std::filesystem::remove(folder / "a.png");
+  EXPECT_EQ(drawn(shaderOf("x>0.1?x:", "", 100)).code, 0);
+  std::filesystem::remove(folder / "a.png");
+  expectError(shaderOf("x>0.1?x:", "", 300), "branches are nested more than 256 deep here");
+  expectError(branches(300), "branches are nested more than 256 deep here");
+}
+
+TEST_F(MaterialShaderProgram, WhatOnlySomeDevicesHaveIsRefused) {
+  const std::string rest = "vec4 material(Point p) { return vec4(1); }\n";
+  expectError("#extension GL_EXT_ray_query : require\n" + rest,
+              "m.frag:1:12: '#extension GL_EXT_ray_query': only some devices have it");
+  EXPECT_EQ(
+      drawn("#extension GL_OES_standard_derivatives : enable\n#extension GL_EXT_ray_query : disable\n" + rest)
+          .code,
+      0);
+  std::filesystem::remove(folder / "a.png");
+  expectError("layout(early_fragment_tests) in;\n" + rest,
+              "m.frag: it asks for early_fragment_tests, which only some devices have");
+  for (const char* name : {"gl_SampleID", "gl_PrimitiveID", "gl_FrontFacing"})
+    expectError("vec4 material(Point p) { return vec4(vec3(" + std::string(name) + "), 1); }\n",
+                "'" + std::string(name) + "' is an input or output");
+  expectError("vec4 material(Point p) { return vec4(gl_PointCoord, 0, 1); }\n",
+              "'gl_PointCoord' is an input or output");
+}
+
+TEST_F(MaterialShaderProgram, LongTablesAreRefusedAtTheirPlace) {
+  const auto shaderOf = [](int elements) {
+    std::string list = "0.0";
+    for (int i = 1; i < elements; ++i) list += ", " + std::to_string(i) + ".0";
+    return "const float table[] = float[](" + list +
+           ");\nvec4 material(Point p) { return vec4(vec3(table[int(p.uv.x * 9.0)]), 1); }\n";
+  };
+  EXPECT_EQ(drawn(shaderOf(256)).code, 0);
+  std::filesystem::remove(folder / "a.png");
+  expectError(shaderOf(257), "m.frag:1:30: an array of constants has 257 elements; at most 256 are compiled");
+}
+
 TEST_F(MaterialShaderProgram, AFileMayBeginWithAByteOrderMark) {
   EXPECT_EQ(drawn("\xef\xbb\xbfvec4 material(Point p) { return vec4(1); }\n").code, 0);
 }
@@ -194,6 +290,62 @@ TEST_F(MaterialShaderProgram, InspectTellsItsUniforms) {
   EXPECT_EQ(vertex.code, 0) << vertex.err;
   EXPECT_THAT(vertex.out, HasSubstr("place"));
   EXPECT_THAT(vertex.out, HasSubstr("block B: uniform, 64 bytes, set 1, binding 2"));
+}
+
+/// Of a material, of a program in the course's style, and of a picture: by the rules of std140.
+TEST_F(MaterialShaderProgram, InspectTellsWhereUniformsAre) {
+  const std::string uniforms = "uniform float x;\nuniform vec3 a[4];\nuniform mat2 m;\n";
+  const std::string value = "vec4(a[int(x)] + vec3(m[1], x), 1.0)";
+  for (const std::string& text :
+       {uniforms + "vec4 material(Point p) { return " + value + "; }\n",
+        uniforms + "void main() { gl_FragColor = " + value + "; }\n",
+        uniforms + "void mainImage(out vec4 c, in vec2 at) { c = " + value + "; }\n"}) {
+    writeText(folder / "m.frag", text);
+    const Outcome told = run(folder, {"inspect", "m.frag", "--json"});
+    ASSERT_EQ(told.code, 0) << told.err;
+    std::vector<std::string> names;
+    std::uint32_t first = 0;  // after those that a picture is given
+    const Json json = Json::parse(told.out);
+    for (const Json& uniform : json["uniforms"]) {
+      names.push_back(uniform["name"]);
+      EXPECT_EQ(uniform["stages"], Json::array({"fragment"})) << text;
+      if (uniform["name"] == "x") first = uniform["offset"];
+      if (uniform["name"] == "a") {
+        EXPECT_EQ(uniform["type"], "vec3");
+        EXPECT_EQ(uniform["array"], Json::array({4}));
+        EXPECT_EQ(uniform["offset"], (first + 4 + 15) / 16 * 16);
+        EXPECT_EQ(uniform["array_stride"], 16);
+      }
+      if (uniform["name"] == "m") {
+        EXPECT_EQ(uniform["type"], "mat2");
+        EXPECT_EQ(uniform["offset"], (first + 4 + 15) / 16 * 16 + 64);
+        EXPECT_EQ(uniform["matrix_stride"], 16);
+      }
+    }
+    EXPECT_THAT(names, testing::IsSupersetOf({"x", "a", "m"})) << text;
+    EXPECT_THAT(run(folder, {"inspect", "m.frag"}).out, HasSubstr("a[4]")) << text;
+  }
+}
+
+/// Words that begin as SPIR-V does and go on as anything.
+TEST_F(MaterialShaderProgram, InspectRefusesDamagedSpirv) {
+  std::uint32_t random = 1;
+  for (int length : {0, 1, 5, 6, 40, 400}) {
+    std::string bytes;
+    for (int i = 0; i < length; ++i) {
+      random = random * 1664525 + 1013904223;
+      const std::uint32_t header[] = {0x07230203, 0x00010600, 0, 100, 0};
+      const std::uint32_t word = i < 5        ? header[i]
+                                 : i % 3 == 0 ? random
+                                              : (random >> 28 << 16) + (random >> 8 & 255);
+      bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
+    }
+    writeText(folder / "a.spv", bytes);
+    const Outcome outcome = run(folder, {"inspect", "a.spv"});
+    EXPECT_EQ(outcome.code, 3) << length;
+    EXPECT_THAT(outcome.err, StartsWith("error: ")) << length;
+    EXPECT_THAT(outcome.err, HasSubstr("SPIR-V")) << length;
+  }
 }
 
 }  // namespace

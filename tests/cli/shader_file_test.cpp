@@ -174,6 +174,29 @@ TEST_F(ShaderFile, AMaterialBesideMainImageKnowsItsNumbers) {
   EXPECT_EQ(run(folder, {"inspect", "a.frag"}).code, 0);
 }
 
+/// What a material is given has names that a picture may have for something else.
+TEST_F(ShaderFile, MainImageMayHaveNamesOfLuxosOwn) {
+  const std::string own =
+      "struct Light { vec3 color; float k; };\nstruct Hit { float distance; };\n"
+      "struct Point { vec2 at; };\nconst float lightCount = 0.2;\n"
+      "vec3 ambientLight() { return vec3(lightCount, 0.0, 0.0); }\n"
+      "Hit trace(vec3 direction) { return Hit(direction.y); }\n"
+      "Light light(int i) { Light l; l.color = vec3(0.0, trace(vec3(0.4)).distance, 0.0); return l; }\n"
+      "vec4 material(vec3 p) { return vec4(0.0, 0.0, p.z, 1.0); }\n"
+      "void mainImage(out vec4 c, in vec2 at) {\n"
+      "  Point p = Point(at);\n"
+      "  c = vec4(ambientLight() + light(3).color, 1.0) + material(vec3(0.6));\n}\n";
+  const Outcome outcome = render(own);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  expectBall(51, 102, 153);
+  EXPECT_EQ(run(folder, {"inspect", "a.frag"}).code, 0);
+  const Outcome wrong = render(
+      "float light(float x) { return x; }\nvoid mainImage(out vec4 c, in vec2 at) {\n"
+      "  c = vec4(light(at, 1.0, at));\n}\n");
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_THAT(wrong.err, StartsWith("error: a.frag:3:12: 'light' : no matching overloaded function found\n"));
+}
+
 TEST_F(ShaderFile, TruthIsGivenByName) {
   const std::string shader =
       "uniform bool on = true;\nuniform bvec3 which = bvec3(false);\n"

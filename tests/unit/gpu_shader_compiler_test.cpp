@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace luxo::gpu {
 namespace {
@@ -167,6 +169,34 @@ TEST(ShaderCompilerErrors, AreFoundInWhatGlslForbids) {
   EXPECT_THAT(messageOf({}, body("c = texture2D(s, v2)")), HasSubstr("main.frag:"));
   EXPECT_THAT(messageOf({}, body("int i = 1.5; v2 = v4;")), HasSubstr("v2 = v4"))
       << "all errors, not the first";
+}
+
+/// On a thread whose own stack would not do.
+TEST(ShaderCompilerThreads, HaveRoomForWhatIsNestedDeep) {
+  std::string sum = "x";
+  for (int i = 0; i < 2000; ++i) sum = i % 2 == 0 ? "-(" + sum + ")" : sum + "+x";
+  const std::string text =
+      "#version 460\nlayout(location = 0) in float x;\nlayout(location = 0) out float c;\n"
+      "void main() { c = " +
+      sum + "; }\n";
+  const std::string small = "#version 460\nlayout(location = 0) out float c;\nvoid main() { c = 1.5; }\n";
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, std::size_t{512} << 10);
+  std::pair<std::string, std::size_t> given{text, 0};
+  pthread_t thread{};
+  ASSERT_EQ(pthread_create(
+                &thread, &attributes,
+                [](void* argument) -> void* {
+                  auto& [source, size] = *static_cast<std::pair<std::string, std::size_t>*>(argument);
+                  size = ShaderCompiler(fs::path()).compile(descOf({}, source)).spirv.size();
+                  return nullptr;
+                },
+                &given),
+            0);
+  pthread_attr_destroy(&attributes);
+  pthread_join(thread, nullptr);
+  EXPECT_GT(given.second, ShaderCompiler(fs::path()).compile(descOf({}, small)).spirv.size());
 }
 
 TEST(ShaderCompilerThreads, CompileTheSameAsOne) {

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "gpu/shader_compiler.h"
 
@@ -45,6 +47,29 @@ TEST(ShaderCost, InstructionsAreThoseOfEveryCopy) {
 TEST(ShaderCost, HugeArraysDoNotWrap) {
   EXPECT_EQ(costOfText("float a[100000][100000][100000];\n", "a[1][2][int(i)]").variableBytes,
             1'000'000'000'000'000U);
+}
+
+TEST(ShaderCost, TablesHaveTheElementsOfAllTheirArrays) {
+  EXPECT_EQ(costOfText("", "vec2(1.0, 2.0).y").longestTable, 0U);
+  EXPECT_EQ(costOfText("const float t[3] = float[3](1, 2, 4);\n", "t[int(i)]").longestTable, 3U);
+  EXPECT_EQ(
+      costOfText("const float t[2][3] = float[2][3](float[3](1, 2, 4), float[3](8, 9, 7));\n", "t[int(i)][2]")
+          .longestTable,
+      6U);
+}
+
+/// A call chain that no stack would hold, one frame for each.
+TEST(ShaderCost, OfFunctionsInALongRow) {
+  constexpr std::uint32_t kFunctions = 1'000'000, kOpEntryPoint = 15, kOpFunction = 54, kOpFunctionEnd = 56,
+                          kOpFunctionCall = 57;
+  std::vector<std::uint32_t> words(5);
+  words.insert(words.end(), {4U << 16 | kOpEntryPoint, 4, 1, 0});
+  for (std::uint32_t id = 1; id <= kFunctions; ++id) {
+    words.insert(words.end(), {5U << 16 | kOpFunction, 0, id, 0, 0});
+    if (id < kFunctions) words.insert(words.end(), {4U << 16 | kOpFunctionCall, 0, 0, id + 1});
+    words.insert(words.end(), {1U << 16 | kOpFunctionEnd});
+  }
+  EXPECT_EQ(costOf(words).instructions, 3U * kFunctions - 1);
 }
 
 TEST(ShaderCost, WordsThatAreNoneCostNothing) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "gpu/shader_validation.h"
 
 namespace luxo::gpu {
 namespace {
@@ -114,6 +115,61 @@ void main() {
                                         .spirv);
   EXPECT_THAT(stage.inputs, ElementsAre(0u, 1u, 2u, 3u, 4u));
   EXPECT_EQ(stage.pushConstantBytes, 64u + 16 + 8);
+}
+
+TEST(ShaderReflection, TellsWhatIsBeyondPlainGlsl) {
+  const auto beyond = [](const std::string& extension, const std::string& value) {
+    return reflected("#version 460\n" + extension +
+                     "\nlayout(location = 0) out vec4 o;\nvoid main() { o = vec4(" + value + "); }\n")
+        .beyond;
+  };
+  EXPECT_EQ(beyond("", "double(gl_FragCoord.x)"), "");
+  EXPECT_EQ(beyond("uniform sampler1D s;", "texture(s, 0.5).x + fwidthFine(gl_FragCoord.x)"), "");
+  EXPECT_EQ(beyond("", "gl_SampleID"), "samples one by one");
+  EXPECT_EQ(beyond("#extension GL_KHR_shader_subgroup_basic : require", "subgroupElect() ? 1.0 : 0.0"),
+            "subgroups");
+  EXPECT_EQ(beyond("#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require",
+                   "float(int64_t(gl_FragCoord.x))"),
+            "64-bit integers");
+  EXPECT_EQ(beyond("layout(early_fragment_tests) in;", "1.0"), "early_fragment_tests");
+}
+
+TEST(ShaderReflection, NamesWhatTheLanguageHands) {
+  const ShaderInterface all = reflected(
+      "#version 460\nlayout(location = 0) out vec4 o;\nvoid main() { o = vec4(gl_PointCoord, gl_FrontFacing, "
+      "gl_HelperInvocation); }\n");
+  std::vector<std::string> names;
+  for (const ShaderVariable& input : all.inputs) names.push_back(input.type + " " + input.name);
+  EXPECT_THAT(names, testing::UnorderedElementsAre("vec2 gl_PointCoord", "bool gl_FrontFacing",
+                                                   "bool gl_HelperInvocation"));
+}
+
+/// Each word of a good one in turn is another one: valid by chance, or refused.
+TEST(ShaderValidation, DamagedWordsAreRefusedOrRead) {
+  const std::vector<std::uint32_t> good =
+      ShaderCompiler("")
+          .compile(
+              {.source = {"a.frag",
+                          "#version 460\nlayout(location = 0) out vec4 o;\nuniform float a[3];\n"
+                          "float f(float x) { return a[int(x)]; }\nvoid main() { o = vec4(f(a[1])); }\n"},
+               .forReflection = true})
+          .spirv;
+  EXPECT_NO_THROW(requireValid(good));
+  EXPECT_THROW(requireValid({}), Error);
+  int refused = 0;
+  for (std::size_t i = 0; i < good.size(); ++i)
+    for (const std::uint32_t other : {0U, 1U, 0xffffffffU, good[i] ^ 0x10000U}) {
+      std::vector<std::uint32_t> damaged = good;
+      damaged[i] = other;
+      try {
+        requireValid(damaged);
+        static_cast<void>(reflect(damaged));
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Scene);
+        ++refused;
+      }
+    }
+  EXPECT_GT(refused, 2 * static_cast<int>(good.size()));
 }
 
 TEST(ShaderReflection, WhatIsNoSpirvIsRefused) {

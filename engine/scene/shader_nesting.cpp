@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/shader_nesting.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scene/glsl_tokens.h"
+
+namespace luxo {
+namespace {
+
+/// Whether it begins a statement that another one is a part of.
+bool holdsStatement(std::string_view word) {
+  constexpr std::array<std::string_view, 6> kWords = {"if", "else", "for", "while", "do", "switch"};
+  return std::ranges::find(kWords, word) != kWords.end();
+}
+
+/// Whether what follows may not be computed: compilers make branches of these.
+bool isChoice(std::string_view mark) { return mark == "?" || mark == "&&" || mark == "||"; }
+
+}  // namespace
+
+void ShaderNesting::Level::end() {
+  highest = std::max(highest, height());
+  statements = operators = parts = 0;
+}
+
+void ShaderNesting::open(std::string_view bracket) {
+  Level& outer = levels_.back();
+  const bool isBlock = bracket == "{";
+  const bool isCall =
+      last_ == "]" || (!last_.empty() && isGlslLetter(last_.back()) && !holdsStatement(last_));
+  const bool isInitialiser = last_ == "=" || (outer.isList && (last_ == "{" || last_ == ","));
+  if (bracket == "[") ++outer.operators;  // a[0][1] is an element of a[0]
+  outside_ += outer.statements + outer.operators + 1;
+  statements_ += outer.statements + (isBlock ? 1 : 0);
+  levels_.push_back({.isBlock = isBlock, .isList = isBlock ? isInitialiser : isCall});
+}
+
+void ShaderNesting::close() {
+  if (levels_.size() == 1) return;
+  Level inner = levels_.back();
+  inner.end();
+  levels_.pop_back();
+  Level& outer = levels_.back();
+  outside_ -= outer.statements + outer.operators + 1;
+  statements_ -= outer.statements + (inner.isBlock ? 1 : 0);
+  outer.parts = std::max(outer.parts, inner.highest + 1);
+  ended_ = inner.isBlock;
+}
+
+std::size_t ShaderNesting::heightWith(std::string_view token) {
+  if (ended_ && token != "else") levels_.back().end();
+  ended_ = false;
+  Level& level = levels_.back();
+  if (token == "(" || token == "[" || token == "{") {
+    open(token);
+  } else if (token == ")" || token == "]" || token == "}") {
+    close();
+  } else if (token == ";") {
+    ended_ = true;
+  } else if (token == "," && level.isList) {
+    level.end();
+  } else if (holdsStatement(token) || isChoice(token)) {
+    if (!(token == "if" && last_ == "else")) ++level.statements;  // one more branch of the same
+  } else if (!isGlslLetter(token.front()) && token != ":" && !(token.size() > 1 && token.front() == '.')) {
+    ++level.operators;
+  }
+  last_ = token;
+  return outside_ + levels_.back().height();
+}
+
+}  // namespace luxo

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texts that come to more than a compiler can hold, or to what is nested deeper than a stack is: refused at
+// their place, and fast; what real shaders do is not.
+#include "scene/shader_macros.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/glsl_tokens.h"
+
+namespace luxo {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+std::string refusalOf(const MaterialShader& shader) {
+  try {
+    requireBounded(shader);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    return error.what();
+  }
+  return "none";
+}
+
+std::string refusalOf(const std::string& text) { return refusalOf(MaterialShader{{{"m.frag", text}}}); }
+
+std::vector<std::string> wordsOf(std::string_view text) {
+  std::vector<std::string> words;
+  for (const GlslToken& token : glslTokens(text)) words.emplace_back(token.text);
+  return words;
+}
+
+TEST(GlslTokens, AreWordsNumbersAndOperators) {
+  EXPECT_THAT(wordsOf("a.b+=1.5e-3f<<0x1e-2 // c\n/* d */e[.5]"),
+              ElementsAre("a", ".", "b", "+=", "1.5e-3f", "<<", "0x1e", "-", "2", "e", "[", ".5", "]"));
+  EXPECT_THAT(wordsOf("a // goes on \\\n b\nc /* open"), ElementsAre("a", "c"));
+  EXPECT_THAT(wordsOf("\"a b\"\n#include \"a b\""),
+              ElementsAre("\"", "a", "b", "\"", "#", "include", "\"a b\""));
+}
+
+TEST(GlslTokens, DirectivesAreLines) {
+  const std::string text = "x # y\n #define N \\\n 3 /*\n*/ + 1\n#\nz\n#undef N";
+  const std::vector<GlslToken> tokens = glslTokens(text);
+  const std::vector<GlslDirective> all = directivesIn(tokens);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].name, "define");
+  EXPECT_EQ(all[0].rest.size(), 4u);
+  EXPECT_EQ(all[1].name, "");
+  EXPECT_EQ(all[2].name, "undef");
+  EXPECT_EQ(text.substr(all[2].rest.front().begin), "N");
+}
+
+TEST(GlslTokens, OfLongLines) {
+  constexpr int kMany = 1 << 20;  // letters
+  EXPECT_EQ(glslTokens(std::string(kMany, 'a')).size(), 1u);
+  EXPECT_EQ(glslTokens(std::string(kMany, ' ')).size(), 0u);
+  EXPECT_EQ(glslTokens(std::string(kMany, '(')).size(), std::size_t{kMany});
+  EXPECT_EQ(glslTokens("#" + std::string(kMany, '"')).size(), 1u + kMany / 2);
+}
+
+TEST(ShaderMacros, ThatDoubleAreRefusedWhereTheyAreNamed) {
+  std::string bomb = "#define A0 x x\n";
+  for (int i = 1; i < 40; ++i) bomb += fmt::format("#define A{} A{} A{}\n", i, i - 1, i - 1);
+  EXPECT_EQ(refusalOf(bomb), "none") << "nobody names it";
+  EXPECT_THAT(
+      refusalOf(bomb + "int f() { A39 }\n"),
+      StartsWith("m.frag:41:11: macros come to more than 262144 words here\n  41 | int f() { A39 }\n"));
+  EXPECT_EQ(refusalOf(bomb + "int f() { A9 }\n"), "none") << "1024 words";
+  EXPECT_THAT(refusalOf(bomb + "#if A39\n#endif\n"), StartsWith("m.frag:41:5: macros come"));
+  EXPECT_THAT(refusalOf(bomb + "#if 0\n#undef A39\n#define A39 1\n#endif\nA39\n"),
+              StartsWith("m.frag:45:1: macros"));
+}
+
+TEST(ShaderMacros, ThatDoubleTheirArguments) {
+  const std::string twice = "#define TWO(x) x x\n#define JOIN(a, b) a##b\n#define TWOOF TWO\n";
+  EXPECT_EQ(refusalOf(twice + repeated("TWO(", 10) + "y" + repeated(")", 10)), "none");
+  EXPECT_THAT(refusalOf(twice + repeated("TWO(", 40) + "y" + repeated(")", 40)),
+              AllOf(StartsWith("m.frag:4:"), HasSubstr(": macros come to")));
+  EXPECT_THAT(refusalOf(twice + repeated("TWOOF (", 40) + "y" + repeated(")", 40)),
+              AllOf(StartsWith("m.frag:4:"), HasSubstr(": macros come to")));
+  EXPECT_THAT(refusalOf(twice + repeated("JOIN(TW, O)(", 40) + "y" + repeated(")", 40)),
+              AllOf(StartsWith("m.frag:4:"), HasSubstr(": macros come to")));
+  EXPECT_THAT(refusalOf(twice + "TWO(y\n"),
+              StartsWith("m.frag:4:1: the arguments of the macro 'TWO' have no ')'"));
+  EXPECT_THAT(refusalOf("#define ONE(x) (x)\n" + repeated("ONE(", 300) + "y" + repeated(")", 300)),
+              HasSubstr("more than 200 deep"));
+}
+
+/// Each is a name within itself, as the preprocessor has it.
+TEST(ShaderMacros, ThatNameThemselvesEnd) {
+  EXPECT_EQ(refusalOf("#define A B\n#define B A\n#define f(x) f(x) A f\nfloat y = A + f(f(1));\n"), "none");
+  EXPECT_EQ(refusalOf("#define min(a, b) min(a, b)\n#define PI 3.0\nfloat y = min(PI, min(1.0, 2.0));\n"),
+            "none");
+  std::string each = " ";
+  for (int i = 0; i < 12; ++i) each += fmt::format("A{} ", i);
+  std::string cyclic;
+  for (int i = 0; i < 12; ++i) cyclic += fmt::format("#define A{}{}\n", i, each);
+  EXPECT_THAT(refusalOf(cyclic + "A0\n"), StartsWith("m.frag:13:1: macros")) << "11! words";
+}
+
+TEST(ShaderMacros, FilesThatIncludeTwoEach) {
+  MaterialShader shader;
+  const auto nameOf = [](int i) { return fmt::format("f{}.glsl", i); };
+  const auto include = [&](int i) { return fmt::format("#include \"{}\"\n", nameOf(i)); };
+  shader.files.push_back({"m.frag", include(0)});
+  for (int i = 0; i < 30; ++i) shader.files.push_back({nameOf(i), include(i + 1) + include(i + 1)});
+  shader.files.push_back({nameOf(30), "float x;\n"});
+  EXPECT_THAT(refusalOf(shader), HasSubstr(".glsl:1:10: files are included more than 1000 times\n"));
+  for (std::size_t i = 1; i < shader.files.size(); ++i)
+    shader.files[i].text = fmt::format("#ifndef H{0}\n#define H{0}\n{1}#endif\n", i, shader.files[i].text);
+  EXPECT_EQ(refusalOf(shader), "none") << "each is there once";
+  shader.files.back().text += "#undef H3\n";
+  EXPECT_EQ(refusalOf(shader), "none");
+  for (std::size_t i = 1; i < shader.files.size(); ++i)
+    shader.files.back().text += fmt::format("#undef H{}\n", i);
+  EXPECT_THAT(refusalOf(shader), HasSubstr("files are included more than 1000 times\n"));
+}
+
+TEST(ShaderMacros, FilesThatAreLong) {
+  MaterialShader shader{
+      {{"m.frag", repeated("#include \"a.glsl\"\n", 20)}, {"a.glsl", std::string(1 << 18, ' ')}}};
+  EXPECT_THAT(refusalOf(shader), StartsWith("m.frag:17:10: included files come to more than 4 MiB\n"));
+}
+
+/// 2000 of anything a compiler follows by recursion, and one more.
+TEST(ShaderNesting, OfEveryShape) {
+  const auto inMain = [](const std::string& value) { return "void main() { float y = " + value + "; }\n"; };
+  const auto expectBound = [&](const std::string& open, const std::string& middle, const std::string& close) {
+    EXPECT_EQ(refusalOf(inMain(repeated(open, 900) + middle + repeated(close, 900))), "none") << open;
+    EXPECT_THAT(refusalOf(inMain(repeated(open, 2001) + middle + repeated(close, 2001))),
+                HasSubstr("m.frag:1:"))
+        << open;
+    EXPECT_THAT(refusalOf(inMain(repeated(open, 2001) + middle + repeated(close, 2001))),
+                HasSubstr("brackets and operators are nested more than 2000 deep here\n"))
+        << open;
+  };
+  expectBound("(", "x", ")");
+  expectBound("1.0+", "x", "");
+  expectBound("- ", "x", "");
+  expectBound("!", "x", "");
+  expectBound("", "x", ".x");
+  expectBound("", "x", "[0]");
+  expectBound("x=", "x", "");
+  expectBound("f(", "x", ")");
+  expectBound("(x*", "x", ")");
+  expectBound("", "(x", ",x");
+  EXPECT_EQ(refusalOf("float a[9000] = float[9000](" + repeated("-x*2.0,", 9000) + "1.0);\n"), "none");
+  EXPECT_EQ(refusalOf("float a[9000] = {" + repeated("-x*2.0,", 9000) + "1.0};\n"), "none");
+  EXPECT_EQ(refusalOf("void main() { " + repeated("y = x + 1.0; if (x > 0.0) { y = 2.0; }\n", 5000) + "}\n"),
+            "none");
+  const std::string deep = "#define P(x) " + repeated("(", 22) + "x" + repeated(")", 22) + "\n";
+  EXPECT_THAT(refusalOf(deep + repeated("P(", 100) + "x" + repeated(")", 100)),
+              StartsWith("m.frag:2:1: brackets"))
+      << "that macros make";
+  EXPECT_THAT(refusalOf("#if " + std::string(3000, '(') + "\n#endif\n"),
+              StartsWith("m.frag:1:2005: brackets"));
+}
+
+TEST(ShaderNesting, OfStatements) {
+  const auto refusal = [](const std::string& open, const std::string& close, int times) {
+    return refusalOf("void main() {\n" + repeated(open, times) + "y = 1.0;" + repeated(close, times) +
+                     "\n}\n");
+  };
+  for (const auto& [open, close] : {std::pair{"if (x > 0.0) {", "}"},
+                                    {"if (x > 0.0) ", ""},
+                                    {"if (x > 0.0) y = 2.0; else ", ""},
+                                    {"if (x > 0.0) { y = 2.0; } else ", ""},
+                                    {"for (;;) ", ""},
+                                    {"do ", "while (x > 0.0);"},
+                                    {"x > 0.0 ? 1.0 : ", ""},
+                                    {"a && (", ")"},
+                                    {"{", "}"}}) {
+    EXPECT_EQ(refusal(open, close, 120), "none") << open;
+    EXPECT_THAT(refusal(open, close, 257), StartsWith("m.frag:2:")) << open;
+    EXPECT_THAT(refusal(open, close, 257), HasSubstr("branches are nested more than 256 deep here\n"))
+        << open;
+  }
+}
+
+TEST(ShaderDeclarations, StructuresThatDouble) {
+  std::string text = "struct S0 { float a; };\n";
+  for (int i = 1; i < 40; ++i) text += fmt::format("struct S{} {{ S{} a, b; }};\n", i, i - 1);
+  EXPECT_THAT(refusalOf(text), StartsWith("m.frag:8:20: this structure has more than 256 members"));
+  EXPECT_EQ(
+      refusalOf("struct S { vec3 a, b[900]; float c; };\nstruct { S a, b; } x;\nS f(S a) { return a; }\n"),
+      "none");
+}
+
+TEST(ShaderDeclarations, CallsThatTakeACompilerLong) {
+  std::string text = "float f0(float x) { return x; }\n";
+  for (int i = 1; i < 3000; ++i) text += fmt::format("float f{}(float x) {{ return f{}(x); }}\n", i, i - 1);
+  EXPECT_THAT(refusalOf(text), StartsWith("m.frag:2050:"));
+  EXPECT_EQ(refusalOf("float f(float x) { return x; }\nvoid main() { " + repeated("f(1.0);", 5000) + "}\n"),
+            "none");
+}
+
+TEST(ShaderMacros, WordsDoNotHideBehindTheEndsOfLines) {
+  EXPECT_THAT(refusalOf("#def\\\nine A B B\n"), StartsWith("m.frag:1:5: a word goes on in the next line\n"));
+  EXPECT_THAT(refusalOf("/\\\n/ x\n"), StartsWith("m.frag:1:2: a word goes on"));
+  EXPECT_EQ(refusalOf("#define A(x) \\\n  (x); \\\n(x)\n"), "none");
+}
+
+}  // namespace
+}  // namespace luxo
