@@ -106,17 +106,12 @@ ExportRequest requestOf(const ExportOptions& options) {
   return request;
 }
 
-/// In the unit of the file.
-std::string shown(double metres, const LengthUnit& unit) {
-  return fmt::format("{:.3g} {}", metres / unit.metres, unit.name);
-}
-
 void tell(const ExportRequest& request, const ExportedModel& made) {
   std::uint64_t triangles = 0;
   for (const ModelNode& node : made.model.nodes)
     if (node.mesh != kNone) triangles += made.model.meshes[node.mesh].triangleCount();
   const std::string distance = std::isfinite(made.claim.deviation)
-                                   ? "at most " + shown(made.claim.deviation, request.unit) + " from"
+                                   ? "at most " + shownUpward(made.claim.deviation, request.unit, 3) + " from"
                                    : "an unknown distance from";
   printNote(fmt::format("{}: {} triangles, {} their surfaces, {}{}",
                         request.printed ? "standard output" : request.output.string(), triangles, distance,
@@ -128,12 +123,14 @@ void tell(const ExportRequest& request, const ExportedModel& made) {
 
 void requireWithin(const ExportRequest& request, const ModelClaim& claim) {
   if (!request.tolerance || claim.deviation <= *request.tolerance) return;
-  throw Error(ErrorKind::Requirement,
-              std::isfinite(claim.deviation)
-                  ? fmt::format("the triangles are proven to be within {} of their surfaces, not within {}",
-                                shown(claim.deviation, request.unit), shown(*request.tolerance, request.unit))
-                  : "nothing is proven of how far the triangles are from their surfaces",
-              "luxo inspect names holes; a coarser --tolerance, or a scene nearer to the origin, may do");
+  throw Error(
+      ErrorKind::Requirement,
+      std::isfinite(claim.deviation)
+          ? fmt::format("the triangles are proven to be within {} of their surfaces, not within {:.3g} {}",
+                        shownUpward(claim.deviation, request.unit, 3),
+                        *request.tolerance / request.unit.metres, request.unit.name)
+          : "nothing is proven of how far the triangles are from their surfaces",
+      "luxo inspect names holes; a coarser --tolerance, or a scene nearer to the origin, may do");
 }
 
 /// Into a GLB, or why not, as a warning.
@@ -151,6 +148,17 @@ void addFormulas(const ExportRequest& request, std::optional<SceneFile> descript
   model.sceneFiles = std::move(carried.files);
 }
 
+std::vector<NamedFile> named(const std::vector<std::filesystem::path>& files) {
+  std::vector<NamedFile> outputs;
+  for (const std::filesystem::path& file : files) outputs.push_back({"-o", file});
+  return outputs;
+}
+std::vector<std::filesystem::path> pathsOf(const std::vector<ModelFile>& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const ModelFile& file : files) paths.push_back(file.path);
+  return paths;
+}
+
 int runExport(const ExportOptions& options) {
   const ExportRequest request = requestOf(options);
   rememberInterruptions();
@@ -163,11 +171,7 @@ int runExport(const ExportOptions& options) {
                                            .inputs = &inputs,
                                            .allowOutside = request.scene.allowOutside,
                                            .showsProgress = request.scene.verbosity == Verbosity::Normal});
-  if (!request.printed) {
-    std::vector<NamedFile> outputs;
-    for (const std::filesystem::path& file : namesOf(request.output)) outputs.push_back({"-o", file});
-    requireOutputs(outputs, inputs);
-  }
+  if (!request.printed) requireOutputs(named(namesOf(request.output)), inputs);
   const Scene& scene = opened.scene;
   const double time = settingsOf(scene, request.scene).time;
   ExportedModel made;
@@ -179,13 +183,17 @@ int runExport(const ExportOptions& options) {
                           .camera = cameraOf(scene, request.scene),
                           .singlePrecision = !request.glb(),
                           .glb = request.glb(),
+                          .kept = keptBy(request.output),
+                          .ownLights = opened.ownLights,
                           .progress = [&](double done) { bar.show(done); }});
   }
   addFormulas(request, std::move(opened.description), made.model, warnings);
   warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
   if (request.talks())
     for (const std::string& warning : warnings) printWarning(warning);
-  for (const ModelFile& file : filesOf(made.model, request.output, made.claim, request.unit))
+  const std::vector<ModelFile> files = filesOf(made.model, request.output, made.claim, request.unit);
+  if (!request.printed) requireOutputs(named(pathsOf(files)), inputs);  // images are known only now
+  for (const ModelFile& file : files)
     if (request.printed)
       printData(std::string(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()));
     else

@@ -147,7 +147,7 @@ OpenedScene openModel(const std::string& file, const Opening& opening, const Fil
   refuseParameters(file, opening.parameters);
   if (opening.warnings)
     opening.warnings->insert(opening.warnings->end(), model->warnings.begin(), model->warnings.end());
-  return {modelScene(model), std::nullopt};
+  return {modelScene(model), std::nullopt, model->duration, model->lit()};
 }
 
 }  // namespace

@@ -41,7 +41,9 @@ struct Opening {
 struct OpenedScene {
   Scene scene;
   std::optional<SceneFile>
-      description;  ///< what it was built from; none: a program, a model's triangles, a shader
+      description;        ///< what it was built from; none: a program, a model's triangles, a shader
+  double duration = 0;    ///< seconds, of what moves in a model; 0: it does not, or for ever
+  bool ownLights = true;  ///< false: those of a model that has none (scene/model_scene.h)
 };
 
 /// The scene of that name: built-in ones first, then files (so ./teapot is the file), a model (mesh/model.h),

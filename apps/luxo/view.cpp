@@ -29,12 +29,13 @@ void addView(CLI::App& app, Command& chosen) {
       if (namesMaterialShader(name)) return showShader(name, use, request);
       const auto read = [name, request] {
         std::vector<NamedFile> inputs;
-        ViewedScene viewed =
-            viewedScene(openScene(name, {.parameters = request.parameters,
-                                         .inputs = &inputs,
-                                         .allowOutside = request.allowOutside,
-                                         .showsProgress = request.verbosity == Verbosity::Normal}),
-                        request);
+        OpenedScene opened =
+            openDescribedScene(name, {.parameters = request.parameters,
+                                      .inputs = &inputs,
+                                      .allowOutside = request.allowOutside,
+                                      .showsProgress = request.verbosity == Verbosity::Normal});
+        ViewedScene viewed = viewedScene(std::move(opened.scene), request);
+        viewed.loop = opened.duration;
         for (NamedFile& input : inputs) viewed.files.push_back(std::move(input.path));
         return viewed;
       };

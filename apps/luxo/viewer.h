@@ -35,6 +35,7 @@ struct ViewedScene {
   std::vector<ParameterControl> controls = {};    ///< other parameters with a range have a slider each
   /// Parameters that follow the mouse (viewer/picture_mouse.h): four, or none.
   std::vector<std::string> mouse = {};
+  double loop = 0;  ///< seconds after which it plays from 0 on again; 0: never
 };
 
 struct ViewerOptions {

@@ -13,6 +13,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "base/suggestion.h"
 #include "export/thickened.h"
 #include "image/codes.h"
 #include "image/png.h"
@@ -20,6 +21,7 @@
 #include "mesh/gltf_material.h"
 #include "mesh/turn.h"
 #include "scene/snapshot.h"
+#include "surface/surface_triangles.h"
 #include "tessellate/shape_cache.h"
 #include "tessellate/tessellator.h"
 
@@ -118,6 +120,7 @@ class Exporter {
     addCameras();
     addLights();
     if (desc_.glb) addSurroundings();
+    tellLosses();
     return std::move(out_);
   }
 
@@ -190,57 +193,82 @@ class Exporter {
     return arrays;
   }
 
+  [[nodiscard]] bool writesObj() const { return desc_.kept == Kept::Materials; }
+
   [[nodiscard]] bool exportsMaps(const SnapshotNode& from) const {
     const Material& material = snapshot_.materials[from.material.index];
     const bool plate = desc_.thickness > 0 && !from.surface.closed();
-    return desc_.glb && !plate && material.hasMaps();
+    return (desc_.glb || writesObj()) && !plate && material.hasMaps();
   }
 
-  /// Each texture is one image for each way to read it.
+  /// Each texture is one image for each way to read it. None, if the file has no words for how it is read.
   [[nodiscard]] ModelMap mapOf(const TextureMap& from, Codes codes) {
-    if (!from.valid()) return {};
+    ModelMap map{.wrapU = wrapOf(from.wrapU),
+                 .wrapV = wrapOf(from.wrapV),
+                 .nearest = from.filter == TextureFilter::Nearest,
+                 .offset = from.offset,
+                 .scale = from.scale,
+                 .angle = from.angle};
+    if (!from.valid() || (writesObj() && !saidByMtl(map))) return {};
     const auto next = static_cast<std::uint32_t>(out_.model.images.size());
     const auto [known, fresh] = images_.try_emplace({from.texture, codes}, next);
     if (fresh) out_.model.images.push_back(imageOf(*from.texture, codes));
-    return {.image = known->second,
-            .wrapU = wrapOf(from.wrapU),
-            .wrapV = wrapOf(from.wrapV),
-            .nearest = from.filter == TextureFilter::Nearest,
-            .offset = from.offset,
-            .scale = from.scale,
-            .angle = from.angle};
+    map.image = known->second;
+    return map;
   }
 
   void addMaps(const SnapshotNode& from, const Material& material, ModelMaterial& made) {
-    const bool along = exportsMaps(from), tangential = material.normalSpace == NormalSpace::Tangent;
-    if (along) {
-      made.map = mapOf(material.map, Codes::Srgb);
+    const bool tangential = material.normalSpace == NormalSpace::Tangent;
+    if (exportsMaps(from)) {
+      // Of an MTL colours that are black are those of their maps.
+      const auto coloured = [&](const Vec3& colour) { return !writesObj() || colour != Vec3(0); };
+      if (coloured(material.diffuse)) made.map = mapOf(material.map, Codes::Srgb);
       if (tangential) made.normalMap = mapOf(material.normalMap, Codes::Data);
       made.normalScale = material.normalScale;
-      if (!material.lesson) made.specularMap = mapOf(material.specularMap, Codes::Srgb);
-      made.specularColors = true;
-      made.glowMap = mapOf(material.glowMap, Codes::Srgb);
+      made.specularColors = !writesObj();
+      if (!material.lesson && coloured(material.specular))
+        made.specularMap = mapOf(material.specularMap, made.specularColors ? Codes::Srgb : Codes::Data);
+      if (coloured(material.glow)) made.glowMap = mapOf(material.glowMap, Codes::Srgb);
       if (made.glowMap.given()) made.glow = material.glow;
-      made.opacityFromMap = material.mapOpacity;
-      made.cutoff = material.cutoff;
+      made.opacityFromMap = material.mapOpacity && made.map.given();
+      made.cutoff = made.opacityFromMap ? material.cutoff : 0;
     }
-    const auto tell = [&](bool left, const char* map) {
-      if (left) warn(fmt::format("material '{}': its {} is not exported", material.name, map));
+    tellLosses(material, made);
+  }
+
+  /// Of a material: what the file has no word for. One without colours has lost them all, and that is told
+  /// once.
+  void tellLosses(const Material& material, const ModelMaterial& made) {
+    const auto tell = [&](bool left, const char* what) {
+      if (left) warn(fmt::format("material '{}': its {} is not exported", material.name, what));
     };
-    tell(material.map.valid() && !along, "map");
-    tell(material.glowMap.valid() && !along, "glow_map");
-    tell(material.normalMap.valid() && !(along && tangential),
+    if (desc_.kept == Kept::Triangles) return;
+    tell(material.map.valid() && !made.map.given(), "map");
+    if (desc_.kept == Kept::Colours) return;
+    const bool tangential = material.normalSpace == NormalSpace::Tangent;
+    tell(material.glowMap.valid() && !made.glowMap.given(), "glow_map");
+    tell(material.normalMap.valid() && !made.normalMap.given(),
          tangential ? "normal_map" : "normal_map, in the axes of the object,");
-    tell(material.specularMap.valid() && !(along && !material.lesson), "specular_map");
-    if (desc_.glb) {
+    tell(material.specularMap.valid() && !made.specularMap.given(), "specular_map");
+    if (desc_.glb || writesObj()) {
       tell(material.lesson || material.shading, "shading");
       tell(material.isolines.valid(), "isolines");
       tell(material.lectureSpecular, "lecture_specular");
+    }
+    if (desc_.glb) {
       const double strongest = std::max({material.specular.x, material.specular.y, material.specular.z});
       if (strongest > strongestGltfSpecular(material.shininess) || material.shininess > kMaxGltfShininess)
         warn(fmt::format("material '{}': its highlights are weaker there, or wider", material.name));
     }
+    if (writesObj()) {
+      tell(made.cutoff > 0, "cutoff");
+      for (const ModelMap* map : {&made.map, &made.normalMap, &made.specularMap, &made.glowMap})
+        if (map->given() && map->nearest)
+          warn(fmt::format("material '{}': its texels have no borders there", material.name));
+    }
     tell(material.shader != nullptr, "shader");
+    if (material.blend != Blend::Over)
+      warn(fmt::format("material '{}': it blends as 'over' does", material.name));
   }
 
   [[nodiscard]] MeshArrays plateOf(const SnapshotNode& from, const Mesh& mesh) {
@@ -290,11 +318,10 @@ class Exporter {
       }
       made.diffuse = colour / double(mesh.parameters.size());
       made.opacity = std::clamp(opacity / double(mesh.parameters.size()), 0.0, 1.0);
-      warn(fmt::format("material '{}': its colour is a formula; the mesh has the mean", material.name));
+      if (desc_.kept > Kept::Triangles)
+        warn(fmt::format("material '{}': its colour is a formula; the mesh has the mean", material.name));
     }
     addMaps(from, material, made);
-    if (material.blend != Blend::Over)
-      warn(fmt::format("material '{}': it blends as 'over' does", material.name));
     out_.model.materials.push_back(std::move(made));
     return next;
   }
@@ -363,7 +390,8 @@ class Exporter {
       if (!directional && sum.attenuation == Light::Attenuation::None) {
         const Vec3 way = 0.5 * (framing.min + framing.max) - position;
         light.intensity *= glm::dot(way, way);
-        warn(fmt::format("light '{}' is as bright everywhere; the model's falls off with distance", name));
+        if (desc_.kept == Kept::All)
+          warn(fmt::format("light '{}' is as bright everywhere; the model's falls off with distance", name));
       }
       ModelNode at{.name = name, .light = static_cast<std::uint32_t>(out_.model.lights.size())};
       if (directional)
@@ -373,6 +401,48 @@ class Exporter {
       out_.model.nodes.push_back(std::move(at));
       out_.model.lights.push_back(std::move(light));
     }
+  }
+
+  /// What of the scene the file has no room for at all.
+  void tellLosses() {
+    std::vector<std::string> lost;
+    const auto differs = [&](const SnapshotNode& shown) {
+      Material material = snapshot_.materials[shown.material.index];
+      const Material plain;
+      material.name = plain.name;
+      if (!material.glowMap.valid()) material.glow = plain.glow;  // of nothing
+      if (desc_.kept == Kept::Colours) material.diffuse = plain.diffuse;
+      return material != plain;
+    };
+    if (desc_.kept < Kept::Materials && std::ranges::any_of(snapshot_.nodes, differs))
+      lost.emplace_back(desc_.kept == Kept::Colours ? "materials but their colours" : "materials");
+    if (desc_.kept < Kept::All && !out_.model.cameras.empty()) lost.emplace_back("cameras");
+    if (desc_.kept < Kept::All && desc_.ownLights && !out_.model.lights.empty()) lost.emplace_back("lights");
+    if (!lost.empty()) warn(fmt::format("the file has no room for {}", listed(lost)));
+    if (desc_.kept == Kept::All ? scene_.movesWithTime() : trianglesMove())
+      warn(fmt::format("the triangles stand still, as they are at {:g} s: no movement is exported", time_));
+  }
+
+  /// Whether they, or their materials, are others at another time.
+  [[nodiscard]] bool trianglesMove() const {
+    const bool parametersMove = std::ranges::any_of(
+        scene_.parameters(), [](const Parameter& parameter) { return parameter.value.movesWithTime(); });
+    // A function of parameters moves with them.
+    const auto moves = [&](const auto& value) {
+      return value.movesWithTime() || (parametersMove && !value.isConstant());
+    };
+    std::vector<bool> places;  // of nodes, with what they hang on
+    for (const Scene::Entry& entry : scene_.nodes()) {
+      const Node& node = entry.node;
+      places.push_back(moves(node.translation) || moves(node.rotation) || moves(node.scale) ||
+                       moves(node.visible) || (node.parent.valid() && places[node.parent.index]));
+      if (entry.removed || !node.surface.valid()) continue;
+      if (places.back() || std::ranges::any_of(node.surface.parameters(), moves) ||
+          (node.surface.triangles() && node.surface.triangles()->cloth))
+        return true;
+      if (desc_.kept > Kept::Triangles && node.material.valid() && moves(scene_[node.material])) return true;
+    }
+    return false;
   }
 
   /// A rotation that takes +Z, where a light's light comes from, to a unit direction.

@@ -30,6 +30,10 @@ struct ExportDesc {
   /// Into a GLB: it has maps, and the uvs for them (not of plates, nor of normals in the axes of the object),
   /// light and background; and what it has no word for is told.
   bool glb = false;
+  /// What the file keeps; of what it does not, as far as the scene has it, there is a warning.
+  /// Kept::Materials is an OBJ: it has the maps, too, that an MTL can say.
+  Kept kept = Kept::All;
+  bool ownLights = true;  ///< false: luxo lights a model that has none, and nothing is lost with these lights
   /// Called now and then, in the caller's thread, with the part that is done: 0 to 1, ascending. It may
   /// throw.
   std::function<void(double)> progress = {};

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/assert.h"
+#include "base/srgb_curve.h"
 #include "image/bytes.h"
 #include "image/srgb.h"
 
@@ -12,6 +13,7 @@ namespace luxo {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 18;
+constexpr int kIndexed = 1;
 constexpr int kTrueColour = 2;
 constexpr int kGrey = 3;
 constexpr int kRunLength = 8;
@@ -19,39 +21,59 @@ constexpr int kTopRowFirst = 0x20;
 constexpr int kRightColumnFirst = 0x10;
 constexpr int kAlphaBits = 0x0f;
 
+constexpr bool areColourBits(int bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
+
+constexpr std::size_t bytesOfBits(int bits) { return std::size_t(bits + 7) / 8; }
+
 struct Header {
   int idBytes, paletteKind, kind;
+  int firstColour, colours, colourBits;  // of the palette
   int width, height, bitsPerPixel, descriptor;
 
   explicit Header(std::span<const std::byte> bytes) {
     const auto byte = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
+    const auto word = [&](std::size_t i) { return byte(i) + 256 * byte(i + 1); };
     idBytes = byte(0);
     paletteKind = byte(1);
     kind = byte(2);
-    width = byte(12) + 256 * byte(13);
-    height = byte(14) + 256 * byte(15);
+    firstColour = word(3);
+    colours = word(5);
+    colourBits = byte(7);
+    width = word(12);
+    height = word(14);
     bitsPerPixel = byte(16);
     descriptor = byte(17);
   }
 
   [[nodiscard]] bool runLength() const { return (kind & kRunLength) != 0; }
-  [[nodiscard]] std::size_t bytesPerPixel() const { return std::size_t(bitsPerPixel) / 8; }
+  [[nodiscard]] bool indexed() const { return (kind & ~kRunLength) == kIndexed; }
+  [[nodiscard]] std::size_t bytesPerPixel() const { return bytesOfBits(bitsPerPixel); }
   [[nodiscard]] std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
+  /// True colours may come with one, too, which says nothing of them.
+  [[nodiscard]] std::size_t paletteBytes() const {
+    return paletteKind == 1 ? std::size_t(colours) * bytesOfBits(colourBits) : 0;
+  }
+  /// Of a pixel, or of the colour that it is the number of.
+  [[nodiscard]] int bitsOfColour() const { return indexed() ? colourBits : bitsPerPixel; }
   [[nodiscard]] int channels() const {
-    if (bitsPerPixel == 8) return 1;
-    return bitsPerPixel == 32 && (descriptor & kAlphaBits) == 8 ? 4 : 3;
+    const int bits = bitsOfColour(), alphaBits = descriptor & kAlphaBits;
+    if (bits == 8) return 1;
+    return (bits == 32 && alphaBits == 8) || (bits == 16 && alphaBits == 1) ? 4 : 3;
   }
 };
 
 void requireSupported(const Header& header, std::string_view name) {
-  const int kind = header.kind & ~kRunLength;
-  const bool grey = kind == kGrey && header.bitsPerPixel == 8;
-  const bool colour = kind == kTrueColour && (header.bitsPerPixel == 24 || header.bitsPerPixel == 32);
-  if (header.paletteKind != 0 || (!grey && !colour))
+  const int kind = header.kind & ~kRunLength, bits = header.bitsPerPixel;
+  const bool grey = kind == kGrey && bits == 8;
+  const bool colour = kind == kTrueColour && areColourBits(bits);
+  const bool indexed = kind == kIndexed && (bits == 8 || bits == 16) && header.paletteKind == 1;
+  const bool palette = header.paletteKind == 1 && areColourBits(header.colourBits);
+  if ((header.paletteKind != 0 && !palette) || (!grey && !colour && !indexed))
     throwBadImage(
         name, "TGA",
-        fmt::format("type {} with {} bits per pixel is not supported (8 bit grey, 24 and 32 bit colour are)",
-                    header.kind, header.bitsPerPixel));
+        fmt::format("type {} with {} bits per pixel is not supported, a palette of {} bits included (8 "
+                    "bit grey and 15, 16, 24, 32 bit colour are, and palettes of these)",
+                    header.kind, bits, header.paletteKind == 0 ? 0 : header.colourBits));
 }
 
 // Packets of up to 128 pixels: a count and one pixel to repeat, or a count and as many pixels.
@@ -77,19 +99,62 @@ std::vector<std::byte> expandRuns(std::span<const std::byte> in, const Header& h
   return out;
 }
 
-// Blue, green, red, alpha in the file; red, green, blue, alpha in an image.
-void readPixel(std::span<const std::byte> stored, std::span<float> pixel, Codes codes) {
-  const auto linear = [&](std::size_t i) {
-    const auto code = std::to_integer<std::uint8_t>(stored[i]);
+// Blue, green, red, alpha in the file, of which 15 and 16 bits have five of each colour; red, green, blue,
+// alpha in an image.
+void readColour(std::span<const std::byte> stored, std::span<float> pixel, Codes codes) {
+  const auto byte = [&](std::size_t i) { return std::to_integer<std::uint8_t>(stored[i]); };
+  const auto linear = [&](std::uint8_t code) {
     return codes == Codes::Data ? float(code) / 255.0f : decodeSrgb8(code);
   };
   if (pixel.size() == 1) {
-    pixel[0] = linear(0);
+    pixel[0] = linear(byte(0));
     return;
   }
-  for (std::size_t c = 0; c < 3; ++c) pixel[c] = linear(2 - c);
-  if (pixel.size() == 4) pixel[3] = float(std::to_integer<int>(stored[3])) / 255.0f;
+  if (stored.size() == 2) {
+    const int bits = byte(0) + 256 * byte(1);
+    for (int c = 0; c < 3; ++c) {
+      const double part = (bits >> (10 - 5 * c) & 31) / 31.0;
+      pixel[std::size_t(c)] = float(codes == Codes::Data ? part : linearFromSrgb(part));
+    }
+    if (pixel.size() == 4) pixel[3] = float(bits >> 15);
+    return;
+  }
+  for (std::size_t c = 0; c < 3; ++c) pixel[c] = linear(byte(2 - c));
+  if (pixel.size() == 4) pixel[3] = float(byte(3)) / 255.0f;
 }
+
+/// What each pixel's bytes stand for.
+class Colours {
+ public:
+  Colours(const Header& header, std::span<const std::byte> palette, std::string_view name, Codes codes)
+      : header_(header), name_(name), codes_(codes), channels_(std::size_t(header.channels())) {
+    if (!header.indexed()) return;
+    const std::size_t bytes = bytesOfBits(header.colourBits), colours = std::size_t(header.colours);
+    palette_.resize(colours * channels_);
+    for (std::size_t i = 0; i < colours; ++i)
+      readColour(palette.subspan(i * bytes, bytes), std::span(palette_).subspan(i * channels_, channels_),
+                 codes);
+  }
+
+  void read(std::span<const std::byte> stored, std::span<float> pixel) const {
+    if (!header_.indexed()) return readColour(stored, pixel, codes_);
+    const auto byte = [&](std::size_t i) { return std::to_integer<int>(stored[i]); };
+    const int number = stored.size() == 1 ? byte(0) : byte(0) + 256 * byte(1);
+    const int colour = number - header_.firstColour;
+    if (colour < 0 || colour >= header_.colours)
+      throwBadImage(name_, "TGA",
+                    fmt::format("a pixel has colour {} of a palette of {} from {} on", number,
+                                header_.colours, header_.firstColour));
+    std::copy_n(palette_.begin() + std::ptrdiff_t(std::size_t(colour) * channels_), channels_, pixel.begin());
+  }
+
+ private:
+  const Header& header_;
+  std::string_view name_;
+  Codes codes_;
+  std::size_t channels_;
+  std::vector<float> palette_;
+};
 
 }  // namespace
 
@@ -134,7 +199,12 @@ Image decodeTga(std::span<const std::byte> bytes, std::string_view name, Codes c
   const double runLengthGain =
       header.runLength() ? 128.0 * double(header.bytesPerPixel()) / (1.0 + double(header.bytesPerPixel()))
                          : 1.0;
-  const auto body = bytes.subspan(std::min(bytes.size(), kHeaderBytes + std::size_t(header.idBytes)));
+  const auto rest = bytes.subspan(std::min(bytes.size(), kHeaderBytes + std::size_t(header.idBytes)));
+  if (rest.size() < header.paletteBytes())
+    throwBadImage(name, "TGA",
+                  fmt::format("a palette of {} colours cannot be in {} bytes; is the file cut short?",
+                              header.colours, rest.size()));
+  const auto body = rest.subspan(header.paletteBytes());
   requirePlausibleSize(name, "TGA", header.width, header.height,
                        double(header.bytesPerPixel()) / runLengthGain, body.size());
 
@@ -142,6 +212,7 @@ Image decodeTga(std::span<const std::byte> bytes, std::string_view name, Codes c
   if (header.runLength()) expanded = expandRuns(body, header, name);
   const std::span<const std::byte> stored = header.runLength() ? std::span<const std::byte>(expanded) : body;
 
+  const Colours colours(header, rest.first(header.paletteBytes()), name, codes);
   Image image(header.width, header.height, header.channels());
   for (int row = 0; row < header.height; ++row) {
     for (int column = 0; column < header.width; ++column) {
@@ -149,7 +220,7 @@ Image decodeTga(std::span<const std::byte> bytes, std::string_view name, Codes c
       const int x = (header.descriptor & kRightColumnFirst) != 0 ? header.width - 1 - column : column;
       const std::size_t at =
           (std::size_t(row) * std::size_t(header.width) + std::size_t(column)) * header.bytesPerPixel();
-      readPixel(stored.subspan(at, header.bytesPerPixel()), image.pixel(x, y), codes);
+      colours.read(stored.subspan(at, header.bytesPerPixel()), image.pixel(x, y));
     }
   }
   return image;

@@ -20,9 +20,11 @@ namespace luxo {
 /// have, of a kind that is read or not.
 [[nodiscard]] bool mayBeTga(std::span<const std::byte> bytes);
 
-/// Grey (8 bit: one channel) or true colour (24, 32 bit: three or four channels), uncompressed or run-length
-/// encoded, in any of the four orders of rows and columns; read as `codes` says and given linear. `name`
-/// is for messages. Error(Scene): damaged, or a kind not named here (palettes, 15 and 16 bit).
+/// Grey (8 bit: one channel), true colour (15, 16, 24, 32 bit: three or four channels) or a palette of such
+/// colours (numbers of 8 or 16 bits), uncompressed or run-length encoded, in any of the four orders of rows
+/// and columns; read as `codes` says and given linear. A channel of 5 bits is n / 31, one of 8 n / 255. There
+/// is an alpha where the header promises one, of 1 bit (of 16) or of 8 (of 32). `name` is for messages.
+/// Error(Scene): damaged, a number beyond the palette, or a kind not named here.
 [[nodiscard]] Image decodeTga(std::span<const std::byte> bytes, std::string_view name,
                               Codes codes = Codes::Srgb);
 

@@ -95,12 +95,17 @@ class GltfReader {
 
   void readLights() {
     const GltfValue lights = file_.root()["extensions"]["KHR_lights_punctual"]["lights"];
+    bool ranged = false;
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const std::string type = lights[i]["type"].text();
       if (type == "spot")
         warn(lights[i], "a spot light shines as a point, to all sides");
       else if (type != "point" && type != "directional")
         lights[i]["type"].refuse("it is no kind of light");
+      if (!ranged && type != "directional" && lights[i].has("range")) {
+        ranged = true;
+        warn(lights[i], "ranges of lights are not read: it fades with the squared distance, and has no end");
+      }
       ModelLight light{.name = printable(lights[i]["name"].textOr("light")),
                        .directional = type == "directional"};
       light.color = lights[i]["color"].colourOr(Vec3(1));

@@ -109,7 +109,8 @@ struct ModelCamera {
 };
 
 /// At its node; directional ones shine along -Z. KHR_lights_punctual, whose unit of light is kept: candela of
-/// points (they fall with the square of the distance), lux of directions. Spots are points, with a warning.
+/// points (they fall with the square of the distance), lux of directions. Spots are points, with a warning,
+/// and so is that a range is not read.
 struct ModelLight {
   std::string name;
   bool directional = false;
@@ -137,6 +138,8 @@ struct Model {
   std::vector<std::filesystem::path> files;  ///< what it is made of, and what it names, there or not
 
   [[nodiscard]] std::uint64_t triangleCount() const;
+  /// Whether it says how it is lit.
+  [[nodiscard]] bool lit() const { return !lights.empty() || ambient; }
 };
 
 /// Where a node is at a time. Cost: that of its ancestors.

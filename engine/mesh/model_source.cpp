@@ -9,7 +9,8 @@ namespace luxo {
 namespace {
 
 /// With all links of the file followed: one may lead out of a folder, too. What cannot be followed (a loop,
-/// too long a name) cannot be opened, either.
+/// too long a name) cannot be opened, either. The file's path is absolute: of one that is not, and does not
+/// exist, weakly_canonical() makes no absolute one.
 bool leadsOut(const std::filesystem::path& file, const std::filesystem::path& folder) {
   std::error_code failure;
   const std::filesystem::path followed = std::filesystem::weakly_canonical(file, failure);
@@ -37,7 +38,8 @@ std::filesystem::path ModelSource::besides(std::string_view name, std::string_vi
   const std::filesystem::path inside = std::filesystem::path(slashed).lexically_normal();
   const std::filesystem::path file = path_.parent_path() / inside;
   const bool drive = slashed.size() > 1 && slashed[1] == ':';
-  if (!options_.allowOutside && from().isDisk() && (inside.is_absolute() || drive || leadsOut(file, folder_)))
+  if (!options_.allowOutside && from().isDisk() &&
+      (inside.is_absolute() || drive || leadsOut(folder_ / inside, folder_)))
     refuseModel(inFile, fmt::format("'{}' is outside of the model's folder", printable(name.substr(0, 200))),
                 line, "copy the file beside the model, or --allow-outside");
   if (named_.insert(file).second) files_.push_back(file);

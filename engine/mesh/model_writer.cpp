@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/file_suffix.h"
@@ -39,12 +41,25 @@ std::vector<PlacedMesh> placedMeshes(const Model& model, const LengthUnit& unit)
   return placed;
 }
 
+std::string shownUpward(double metres, const LengthUnit& unit, int digits) {
+  double length = metres / unit.metres;
+  if (std::fma(length, unit.metres, -metres) < 0)
+    length = std::nextafter(length, std::numeric_limits<double>::infinity());
+  // Below a unit of the last digit, so that none is passed over.
+  const double step = std::max(length * std::pow(10, -digits), std::numeric_limits<double>::denorm_min());
+  std::string number;
+  double read = -1;
+  for (double up = length; !(read >= length); up += step) {
+    number = fmt::format("{:.{}g}", up, digits);
+    std::from_chars(number.data(), number.data() + number.size(), read);
+  }
+  return fmt::format("{} {}", number, unit.name);
+}
+
 std::vector<std::string> comments(const ModelClaim& claim, const LengthUnit& unit) {
-  // Rounded up, so that what is said holds.
-  const double deviation = claim.deviation / unit.metres * (1 + 1e-3);
   std::vector<std::string> lines;
-  lines.push_back(std::isfinite(deviation)
-                      ? fmt::format("luxo: proven deviation {:.4g} {}, {}", deviation, unit.name,
+  lines.push_back(std::isfinite(claim.deviation)
+                      ? fmt::format("luxo: proven deviation {}, {}", shownUpward(claim.deviation, unit, 4),
                                     claim.closed ? "closed" : "open")
                       : fmt::format("luxo: deviation unknown, {}", claim.closed ? "closed" : "open"));
   if (claim.thickness > 0)
@@ -60,6 +75,18 @@ bool namesWrittenModel(const std::filesystem::path& path) {
 }
 
 bool namesGlb(const std::filesystem::path& path) { return fileSuffix(path) == ".glb"; }
+
+Kept keptBy(const std::filesystem::path& path) {
+  const std::string suffix = fileSuffix(path);
+  return suffix == ".stl"   ? Kept::Triangles
+         : suffix == ".ply" ? Kept::Colours
+         : suffix == ".obj" ? Kept::Materials
+                            : Kept::All;
+}
+
+bool saidByMtl(const ModelMap& map) {
+  return map.wrapU == map.wrapV && map.wrapU != ModelMap::Wrap::Mirror && map.angle == 0;
+}
 
 std::vector<std::filesystem::path> namesOf(const std::filesystem::path& path) {
   if (fileSuffix(path) != ".obj") return {path};

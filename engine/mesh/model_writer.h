@@ -4,10 +4,11 @@
 //
 //     for (const ModelFile& file : filesOf(model, "ring.obj")) writeFileAtomically(file.path, file.bytes);
 //
-// GLB has all of a model: nodes, materials, cameras, lights, the scene that it carries. The others have what
-// stands in the world at time 0: OBJ an object a node, with materials; PLY one list of vertices with their
-// colours; STL triangles. Maps of colours and of glow are written to a GLB; others are not, nor movements.
-// What was one point of a mesh is one point of the file, bit for bit.
+// GLB has all of a model but its movements: nodes, materials, cameras, lights, the scene that it carries. The
+// others have what stands in the world at time 0: OBJ an object a node, with materials; PLY one list of
+// vertices with their colours; STL triangles. A GLB embeds the images of maps, which are PNGs; an OBJ has
+// them beside it (ring_map0.png), for the maps that an MTL can say (saidByMtl()). What was one point of a
+// mesh is one point of the file, bit for bit.
 #pragma once
 
 #include <cstddef>
@@ -34,6 +35,9 @@ struct LengthUnit {
   double metres = 1;
 };
 
+/// "0.0101 mm": with so many digits, and read again no less than it is. Required: 0 or more, finite.
+[[nodiscard]] std::string shownUpward(double metres, const LengthUnit& unit, int digits);
+
 struct ModelFile {
   std::filesystem::path path;
   std::vector<std::byte> bytes;
@@ -45,13 +49,27 @@ struct ModelFile {
 /// Whether it is .glb, in either case.
 [[nodiscard]] bool namesGlb(const std::filesystem::path& path);
 
-/// The names of the files that a model becomes; the one that names the others is the last: scene.mtl,
-/// scene.obj. Required: namesWrittenModel().
+/// What a format keeps of a model beside its triangles; each keeps what those before it do.
+enum class Kept {
+  Triangles,  ///< STL
+  Colours,    ///< PLY: the diffuse ones
+  Materials,  ///< OBJ
+  All,        ///< GLB: cameras and lights, too
+};
+/// Required: namesWrittenModel().
+[[nodiscard]] Kept keptBy(const std::filesystem::path& path);
+
+/// Whether an MTL has words for the way in which a map is read: it repeats or ends in both directions, and is
+/// not turned.
+[[nodiscard]] bool saidByMtl(const ModelMap& map);
+
+/// The names of the files that a model without maps becomes; the one that names the others is the last:
+/// scene.mtl, scene.obj. Required: namesWrittenModel().
 [[nodiscard]] std::vector<std::filesystem::path> namesOf(const std::filesystem::path& path);
 
-/// Those files. OBJ, PLY and STL round every coordinate to single precision, 2^-24 of itself, or nearer.
-/// Error(Usage): the suffix names none; a GLB in another unit. Error(Scene): nothing to write, more than the
-/// format has room for (4 GiB).
+/// Those files, images first. OBJ, PLY and STL round every coordinate to single precision, 2^-24 of itself,
+/// or nearer. Error(Usage): the suffix names none; a GLB in another unit. Error(Scene): nothing to write,
+/// more than the format has room for (4 GiB).
 [[nodiscard]] std::vector<ModelFile> filesOf(const Model& model, const std::filesystem::path& path,
                                              const ModelClaim& claim = {}, const LengthUnit& unit = {});
 

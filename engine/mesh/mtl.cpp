@@ -34,9 +34,9 @@ class MtlReader {
  private:
   void readKey(std::string_view key) {
     if (key == "Kd")
-      material_.diffuse = colour("Kd");
+      material_.diffuse = colour("Kd"), diffuseGiven_ = true;
     else if (key == "Ks")
-      material_.specular = colour("Ks");
+      material_.specular = colour("Ks"), specularGiven_ = true;
     else if (key == "Ke")
       material_.glow = colour("Ke");
     else if (key == "Ns")
@@ -145,13 +145,13 @@ class MtlReader {
 
   void finish(MtlLibrary& library) {
     if (!named_) return;
-    const auto unmapped = [](const ModelMap& map, Vec3& colour, const Vec3& plain) {
-      if (map.given() && (colour == plain || colour == Vec3(0))) colour = Vec3(1);
+    const auto unmapped = [](const ModelMap& map, Vec3& colour, bool given) {
+      if (map.given() && (!given || colour == Vec3(0))) colour = Vec3(1);
     };
-    const ModelMaterial plain;
-    unmapped(material_.map, material_.diffuse, plain.diffuse);
-    unmapped(material_.specularMap, material_.specular, plain.specular);
-    unmapped(material_.glowMap, material_.glow, plain.glow);
+    unmapped(material_.map, material_.diffuse, diffuseGiven_);
+    unmapped(material_.specularMap, material_.specular, specularGiven_);
+    unmapped(material_.glowMap, material_.glow, true);  // it is black where it is not given
+    diffuseGiven_ = specularGiven_ = false;
     if (alphaMap_.given() && alphaMap_.image == material_.map.image)
       material_.opacityFromMap = true;
     else if (alphaMap_.given())
@@ -166,6 +166,7 @@ class MtlReader {
   Model& model_;
   std::string name_;
   ModelMaterial material_;
+  bool diffuseGiven_ = false, specularGiven_ = false;
   ModelMap alphaMap_;
   std::size_t alphaLine_ = 0;
   std::vector<std::string> ignored_;

@@ -198,8 +198,10 @@ class ObjReader {
       if (std::find(libraries_.begin(), libraries_.end(), file) != libraries_.end()) continue;
       libraries_.push_back(file);
       const FileBytes bytes = source_.from().read(file);
+      const std::size_t named = source_.files().size();
       readMtl(source_, printable(file.string()),
               {reinterpret_cast<const char*>(bytes->data()), bytes->size()}, model_, library_);
+      namesMaps_ |= source_.files().size() > named;
     }
   }
 
@@ -224,14 +226,15 @@ class ObjReader {
       else if (!libraries_.empty())
         warn(line, fmt::format("no file has the material '{}'; it is plain", material.name));
     }
-    if (libraries_.empty() && model_.materials.size() == 1) findLessonMaps();
+    if (!namesMaps_ && model_.materials.size() == 1) findLessonMaps();
     for (const auto& [number, line] : withoutUvs_)
       if (const ModelMaterial& material = model_.materials[number]; material.hasMaps())
         warn(line,
              fmt::format("this face has no uvs, which the maps of its material '{}' need", material.name));
   }
 
-  // A lesson's model names no files: its maps lie beside it, by their names.
+  // A lesson's model names no maps: they lie beside it, by their names. Its formula takes the map as it is,
+  // whatever a material file says of colours.
   void findLessonMaps() {
     const auto map = [&](const char* suffix) {
       const std::filesystem::path file = source_.path().stem().string() + suffix + ".tga";
@@ -242,8 +245,8 @@ class ObjReader {
       return found;
     };
     ModelMaterial& material = model_.materials.front();
-    if (material.map = map("_diffuse"); material.map.given()) material.diffuse = Vec3(1);
-    material.lesson = material.map.given();
+    if (const ModelMap diffuse = map("_diffuse"); diffuse.given())
+      material = {.name = material.name, .diffuse = Vec3(1), .lesson = true, .map = diffuse};
     material.normalMap = map("_nm_tangent");
     if (!material.normalMap.given()) {
       material.normalMap = map("_nm");
@@ -298,6 +301,7 @@ class ObjReader {
   std::vector<std::pair<std::string, std::size_t>> materialLines_;
   MtlLibrary library_;
   std::vector<std::filesystem::path> libraries_;
+  bool namesMaps_ = false;  ///< one of them, whether they are there or not
   std::vector<std::string> ignored_;
 };
 

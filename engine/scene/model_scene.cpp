@@ -262,7 +262,7 @@ Scene modelScene(const ModelPtr& model) {
   ModelBuilder builder(model, scene);
   builder.addNodes(builder.addMaterials());
   builder.addCameras();
-  if (model->lights.empty() && !model->ambient) builder.addLights();
+  if (!model->lit()) builder.addLights();
   RenderSettings settings = scene.settings();
   settings.ambient = model->ambient.value_or(settings.ambient);
   settings.background = model->background.value_or(settings.background);

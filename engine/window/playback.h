@@ -8,7 +8,8 @@
 namespace luxo::window {
 
 /// Plays, pauses, steps. A moment is a start, in seconds, plus what was played since, in whole nanoseconds:
-/// however often it pauses, it never drifts. Every call that takes `now` needs one that does not go back.
+/// however often it pauses, it never drifts. One that loops begins anew at 0 as it plays, and stays where it
+/// is put. Every call that takes `now` needs one that does not go back.
 class Playback {
  public:
   using Clock = std::chrono::steady_clock;
@@ -17,9 +18,16 @@ class Playback {
       : start_(startSeconds), playing_(playing), since_(now) {}
 
   [[nodiscard]] double seconds(Clock::time_point now) const {
-    return start_ + std::chrono::duration<double>(played(now)).count();
+    const std::chrono::nanoseconds since = played(now);
+    const double moment = start_ + std::chrono::duration<double>(since).count();
+    if (loop_ == 0 || since.count() == 0 || (moment >= 0 && moment < loop_)) return moment;
+    const double part = std::fmod(moment, loop_);
+    return part < 0 ? part + loop_ : part;
   }
   [[nodiscard]] bool playing() const { return playing_; }
+  /// Seconds that it lasts; 0: it goes on for ever.
+  [[nodiscard]] double loop() const { return loop_; }
+  void setLoop(double seconds) { loop_ = seconds; }
 
   void setPlaying(bool playing, Clock::time_point now) {
     played_ = played(now);
@@ -49,7 +57,7 @@ class Playback {
     return playing_ ? played_ + std::chrono::nanoseconds(now - since_) : played_;
   }
 
-  double start_;
+  double start_, loop_ = 0;
   bool playing_;
   std::chrono::nanoseconds played_{};  // between `start_` and `since_`
   Clock::time_point since_;

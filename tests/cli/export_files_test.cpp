@@ -119,6 +119,25 @@ TEST_F(ExportFiles, WhatWasOutsideIsInside) {
   EXPECT_TRUE(pictureOf("b.glb", reference) == expected);
 }
 
+/// And takes none of the scene's for them.
+TEST_F(ExportFiles, AnObjHasItsImagesBesideIt) {
+  writeNoise("work/s_map0.png", 8, 8, Codes::Srgb);
+  writeText(folder / "work/s.luxo.json", R"scene({ "luxo": 1, "textures": { "t": { "file": "s_map0.png" } },
+    "materials": { "m": { "map": "t" } }, "surfaces": { "ball": { "type": "sphere" } },
+    "nodes": [ { "surface": "ball", "material": "m" } ] })scene");
+  const Outcome outcome = run(folder, {"export", "work/s.luxo.json", "-o", "a.obj", "--tolerance", "5cm"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_FALSE(contains(outcome.err, "warning")) << outcome.err;
+  EXPECT_EQ(folder.entries(), 4U);  // work, a.obj, a.mtl, a_map0.png
+  EXPECT_TRUE(std::filesystem::exists(folder / "a_map0.png"));
+  EXPECT_TRUE(readModel(folder / "a.obj").materials[0].map.given());
+  const std::string image = textOf(folder / "work/s_map0.png");
+  expectFailure(run(folder, {"export", "work/s.luxo.json", "-o", "work/s.obj", "-q"}), 2,
+                "'work/s_map0.png' would overwrite a file of the scene");
+  EXPECT_TRUE(textOf(folder / "work/s_map0.png") == image);
+  EXPECT_FALSE(std::filesystem::exists(folder / "work/s.obj"));
+}
+
 /// A scene that was drawn without an image is still; one whose model is not there shows its triangles.
 /// Neither reads what lies beside the GLB by that name.
 TEST_F(ExportFiles, NothingIsReadFromTheDisk) {

@@ -211,6 +211,32 @@ TEST_F(Export, WhatIsNotCarriedIsSaid) {
   EXPECT_EQ(run(folder, {"render", "a.glb", "-o", "a.png", "-P", "minor=0.2"}).code, 2);
 }
 
+/// Of what moves and of what the format has no room for, as far as there is some.
+TEST_F(Export, WhatTheFileHasNoRoomForIsTold) {
+  const Outcome moving = exported({"luxo-grandpa", "-o", "a.glb", "--time", "3", "--tolerance", "1cm"});
+  EXPECT_TRUE(contains(moving.err, "the triangles stand still, as they are at 3 s")) << moving.err;
+  const Outcome ring = exported({"ring.luxo.json", "-o", "a.stl", "--tolerance", "1mm"});
+  EXPECT_TRUE(contains(ring.err, "no room for materials, cameras, lights")) << ring.err;
+  EXPECT_FALSE(contains(ring.err, "stand still")) << ring.err;
+  const Outcome bare = exported({"a.stl", "-o", "b.stl", "--tolerance", "1mm"});
+  EXPECT_EQ(bare.code, 0) << bare.err;
+  EXPECT_FALSE(contains(bare.err, "warning")) << bare.err;  // those lights were none of its own
+}
+
+/// What people are told is what the file says, or more.
+TEST_F(Export, TheDeviationIsToldRoundedUp) {
+  for (const char* tolerance : {"1mm", "1.7mm", "2.9mm", "4.3mm"}) {
+    const Outcome outcome = exported({"ring.luxo.json", "-o", "a.glb", "--tolerance", tolerance});
+    const std::size_t at = outcome.err.find("at most ");
+    ASSERT_NE(at, std::string::npos) << outcome.err;
+    const std::string bytes = textOf(folder / "a.glb");
+    const std::string key = R"("deviation":)";
+    const double proven = std::stod(bytes.substr(bytes.find(key) + key.size(), 30));
+    EXPECT_GE(std::stod(outcome.err.substr(at + 8)), proven) << tolerance;
+    EXPECT_LE(std::stod(outcome.err.substr(at + 8)), proven * 1.01) << tolerance;
+  }
+}
+
 // A file that others have changed: its triangles are there still.
 TEST_F(Export, FormulasThatCannotBeReadAreNotUsed) {
   expectExported({"ring.luxo.json", "-o", "a.glb", "--no-formulas"});

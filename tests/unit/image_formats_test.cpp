@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The four formats: bytes that others agree on, round trips, and damaged files.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
+#include "base/srgb_curve.h"
 #include "image/exr.h"
 #include "image/format.h"
 #include "image/pfm.h"
@@ -16,6 +19,8 @@
 
 namespace luxo {
 namespace {
+
+using ::testing::HasSubstr;
 
 // As colours, which is what their readers take codes for.
 const auto readPng = [](std::span<const std::byte> bytes, std::string_view name) {
@@ -230,6 +235,101 @@ TEST(Tga, RunLengthPacketsMayCrossRows) {
   auto tooLong = file;
   tooLong[18] = std::byte{0x86};  // seven pixels for six
   EXPECT_FALSE(readsOrRefuses(readTga, tooLong));
+}
+
+/// Linear values of a level of 31, as sRGB has them.
+float level(int of31) { return float(linearFromSrgb(of31 / 31.0)); }
+
+/// A TGA of 2 x 2 in which the top row is stored first, or of another header.
+std::vector<std::byte> tgaOf(int kind, int bits, int descriptor, std::vector<int> palette, int paletteBits,
+                             const std::vector<int>& data, int firstColour = 0) {
+  const int colours = paletteBits == 0 ? 0 : int(palette.size()) / ((paletteBits + 7) / 8);
+  auto file = bytesOf({0, paletteBits != 0, kind, firstColour, 0, colours, 0, paletteBits, 0, 0, 0, 0, 2, 0,
+                       2, 0, bits, descriptor});
+  for (const auto* part : {&std::as_const(palette), &data})
+    for (const int value : *part) file.push_back(std::byte(value));
+  return file;
+}
+
+TEST(Tga, FiveBitsAreAThirtyFirstEach) {
+  // A1R5G5B5, the low byte first: red, green, blue with 1 for alpha, and levels 16, 8, 4 of 31 with 0.
+  const std::vector<int> raw = {0x00, 0xfc, 0xe0, 0x83, 0x1f, 0x80, 0x04, 0x41},
+                         runs = {0x02, 0x00, 0xfc, 0xe0, 0x83, 0x1f, 0x80, 0x80, 0x04, 0x41};
+  const std::vector<float> colours = {1, 0, 0, 0, 1, 0, 0, 0, 1, level(16), level(8), level(4)};
+  const auto samples = [](const Image& image) {
+    return std::vector<float>(image.samples().begin(), image.samples().end());
+  };
+  for (const int bits : {15, 16}) {
+    EXPECT_EQ(samples(decodeTga(tgaOf(2, bits, 0x20, {}, 0, raw), "a.tga")), colours);
+    EXPECT_EQ(samples(decodeTga(tgaOf(10, bits, 0x20, {}, 0, runs), "a.tga")), colours);
+    // From the bottom row on, and from the right column on.
+    const auto turned = samples(decodeTga(tgaOf(2, bits, 0x10, {}, 0, raw), "a.tga"));
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(turned[i], colours[3 * (3 - i / 3) + i % 3]) << i;
+    expectEveryTruncationRefused(readTga, tgaOf(10, bits, 0x20, {}, 0, runs));
+    expectEveryTruncationRefused(readTga, tgaOf(2, bits, 0x20, {}, 0, raw));
+    expectDamageSurvived(readTga, tgaOf(10, bits, 0x21, {}, 0, runs), 2000);
+  }
+  const Image alpha = decodeTga(tgaOf(2, 16, 0x21, {}, 0, raw), "a.tga", Codes::Data);
+  ASSERT_EQ(alpha.channels(), 4);
+  EXPECT_EQ(samples(alpha), (std::vector<float>{1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, float(16 / 31.0),
+                                                float(8 / 31.0), float(4 / 31.0), 0}));
+}
+
+TEST(Tga, PalettesAreTheColoursOfTheirNumbers) {
+  // Blue, green, red of three colours; pixels 2 0 / 1 1.
+  const std::vector<int> palette = {1, 2, 3, 4, 5, 6, 7, 8, 9}, raw = {2, 0, 1, 1},
+                         runs = {0x01, 2, 0, 0x81, 1}, wide = {2, 0, 0, 0, 1, 0, 1, 0};
+  const std::vector<int> codes = {9, 8, 7, 3, 2, 1, 6, 5, 4, 6, 5, 4};
+  const auto read = [](const std::vector<std::byte>& file) { return codesOf(decodeTga(file, "a.tga")); };
+  EXPECT_EQ(read(tgaOf(1, 8, 0x20, palette, 24, raw)), codes);
+  EXPECT_EQ(read(tgaOf(9, 8, 0x20, palette, 24, runs)), codes);
+  EXPECT_EQ(read(tgaOf(1, 16, 0x20, palette, 24, wide)), codes);
+  EXPECT_EQ(read(tgaOf(1, 8, 0x00, palette, 24, raw)),
+            (std::vector<int>{6, 5, 4, 6, 5, 4, 9, 8, 7, 3, 2, 1}));
+  EXPECT_EQ(read(tgaOf(9, 8, 0x10, palette, 24, runs)),
+            (std::vector<int>{6, 5, 4, 6, 5, 4, 3, 2, 1, 9, 8, 7}));
+  EXPECT_EQ(read(tgaOf(1, 8, 0x20, palette, 24, {12, 10, 11, 11}, 10)), codes);  // they count from 10
+
+  // Colours of 16 bits, and of 32 with an alpha: white that is half seen, then blue.
+  EXPECT_EQ(decodeTga(tgaOf(1, 8, 0x20, {0x04, 0x41}, 16, {0, 0, 0, 0}), "a.tga").pixel(1, 1)[1], level(8));
+  const Image alpha =
+      decodeTga(tgaOf(1, 8, 0x28, {255, 255, 255, 51, 255, 0, 0, 255}, 32, {0, 1, 1, 0}), "a.tga");
+  ASSERT_EQ(alpha.channels(), 4);
+  EXPECT_EQ(alpha.pixel(1, 1)[3], 0.2f);
+  EXPECT_EQ(alpha.pixel(1, 0)[2], 1);
+  EXPECT_EQ(alpha.pixel(1, 0)[0], 0);
+
+  // Of true colours it says nothing.
+  const std::vector<int> pixels = {9, 8, 7, 6, 5, 4, 3, 2, 1, 0, 1, 2};
+  EXPECT_EQ(read(tgaOf(2, 24, 0x20, palette, 24, pixels)), read(tgaOf(2, 24, 0x20, {}, 0, pixels)));
+}
+
+TEST(Tga, PalettesThatLieAreRefused) {
+  const std::vector<int> palette = {1, 2, 3, 4, 5, 6, 7, 8, 9}, runs = {0x01, 2, 0, 0x81, 1};
+  for (const auto& file :
+       {tgaOf(1, 8, 0x20, palette, 24, {2, 0, 1, 1}), tgaOf(9, 8, 0x20, palette, 24, runs)}) {
+    expectEveryTruncationRefused(readTga, file);
+    expectDamageSurvived(readTga, file, 4000);
+  }
+  const auto refusal = [](const std::vector<std::byte>& file) {
+    try {
+      (void)decodeTga(file, "a.tga");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal(tgaOf(1, 8, 0x20, palette, 24, {2, 3, 1, 1})),
+              HasSubstr("'a.tga' as TGA: a pixel has colour 3 of a palette of 3 from 0 on"));
+  EXPECT_THAT(refusal(tgaOf(1, 8, 0x20, palette, 24, {2, 3, 1, 1}, 2)),
+              HasSubstr("colour 1 of a palette of 3 from 2 on"));
+  EXPECT_THAT(refusal(tgaOf(1, 8, 0x20, {}, 24, {0, 0, 0, 0})), HasSubstr("colour 0 of a palette of 0"));
+  EXPECT_THAT(refusal(tgaOf(1, 8, 0x20, palette, 12, {0, 0, 0, 0})), HasSubstr("is not supported"));
+  EXPECT_THAT(refusal(tgaOf(1, 24, 0x20, palette, 24, {0, 0, 0, 0})), HasSubstr("is not supported"));
+  EXPECT_THAT(refusal(tgaOf(1, 8, 0x20, {}, 0, {0, 0, 0, 0})), HasSubstr("is not supported"));
+  auto many = tgaOf(1, 8, 0x20, palette, 32, {0, 0, 0, 0});
+  many[5] = many[6] = std::byte{0xff};
+  EXPECT_THAT(refusal(many), HasSubstr("a palette of 65535 colours cannot be in 13 bytes"));
 }
 
 TEST(Tga, DamageIsRefused) {

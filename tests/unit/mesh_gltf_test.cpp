@@ -194,6 +194,15 @@ TEST_F(ReadGltf, CamerasAndLightsStandAtTheirNodes) {
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("lights[2]: a spot light shines as a point")));
 }
 
+TEST_F(ReadGltf, RangesOfLightsAreToldThatAreNotRead) {
+  Json json = square();
+  json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(
+      R"([{"type": "directional", "range": 5}, {"type": "point"}, {"type": "point", "range": 5}, {"type": "point", "range": 2}])");
+  const Model model = read(json);
+  EXPECT_EQ(model.lights.size(), 4u);
+  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("lights[2]: ranges of lights are not read")));
+}
+
 /// Nothing is below a cutoff of 0, and everything below one above 1.
 TEST_F(ReadGltf, CutoffsBesideOneToZeroAreAllOrNothing) {
   Json json = square();
@@ -261,6 +270,15 @@ TEST_F(ReadGltf, MaterialsAreBlinnsOfTheSameLobe) {
   };
   EXPECT_LT(glm::distance(turned(0, 0), Vec2(0, 1)), 1e-15);
   EXPECT_LT(glm::distance(turned(1, 1), Vec2(0.5, 0.5)), 1e-15);
+}
+
+TEST_F(ReadGltf, AMapOfMetalAndRoughnessIsToldOnceAMaterial) {
+  Json json = square();
+  json["materials"].push_back({{"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}}}}}});
+  const Model model = read(json);
+  EXPECT_EQ(model.materials.at(0).diffuse, Vec3(1));  // no metal, though a map may say where it is one
+  EXPECT_THAT(model.warnings,
+              ElementsAre(HasSubstr("materials[0]: its metallic and roughness map is not read")));
 }
 
 TEST_F(ReadGltf, StripsFansAndUnindexedTrianglesAreTheSame) {

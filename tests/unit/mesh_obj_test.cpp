@@ -8,10 +8,25 @@
 namespace luxo {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+
+/// The current folder, for as long as this lives.
+class InFolder {
+ public:
+  explicit InFolder(const std::filesystem::path& folder) : before_(std::filesystem::current_path()) {
+    std::filesystem::current_path(folder);
+  }
+  InFolder(const InFolder&) = delete;
+  InFolder& operator=(const InFolder&) = delete;
+  ~InFolder() { std::filesystem::current_path(before_); }
+
+ private:
+  std::filesystem::path before_;
+};
 
 constexpr const char* kQuad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -115,6 +130,26 @@ TEST(ReadObj, MaterialsComeFromTheirFile) {
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("a.mtl:10: the bump map is taken for a normal map")));
 }
 
+/// One that is not given, or black, is the map's own.
+TEST(ReadObj, AMapIsTimesTheColourThatIsGiven) {
+  ModelFolder folder;
+  folder.write("a.png", "not read here");
+  folder.write("a.mtl",
+               "newmtl usual\nKd 0.7 0.7 0.7\nKs 0.2\nmap_Kd a.png\nmap_Ks a.png\n"
+               "newmtl none\nmap_Kd a.png\nmap_Ks a.png\nmap_Ke a.png\n"
+               "newmtl black\nKd 0\nKs 0\nKe 0\nmap_Kd a.png\nmap_Ks a.png\nmap_Ke a.png\n");
+  const Model model = folder.read(
+      "a.obj",
+      std::string("mtllib a.mtl\n") + kQuad +
+          "vt 0 0\nusemtl usual\nf 1/1 2/1 3/1\nusemtl none\nf 1/1 2/1 4/1\nusemtl black\nf 2/1 3/1 4/1\n");
+  EXPECT_EQ(model.materials.at(0).diffuse, Vec3(0.7));
+  EXPECT_EQ(model.materials.at(0).specular, Vec3(0.2));
+  for (const std::size_t i : {1, 2})
+    for (const Vec3& colour :
+         {model.materials.at(i).diffuse, model.materials.at(i).specular, model.materials.at(i).glow})
+      EXPECT_EQ(colour, Vec3(1)) << i;
+}
+
 TEST(ReadObj, WhatIsMissingIsOneWarning) {
   ModelFolder folder;
   folder.write("b.mtl", "newmtl m\nmap_Kd gone.png\nmap_Ks gone.png\n");
@@ -138,6 +173,36 @@ TEST(ReadObj, ALessonsMapsAreFoundByTheirNames) {
   EXPECT_FALSE(model.materials[0].glowMap.given());
   EXPECT_TRUE(model.materials[0].lesson && model.materials[0].map.nearest);
   EXPECT_FALSE(folder.read("other.obj", std::string(kQuad) + "f 1 2 3\n").materials[0].lesson);
+}
+
+/// As without a material file, where it names no maps.
+TEST(ReadObj, ALessonsMapsAreFoundBesidesAnMtlWithoutMaps) {
+  ModelFolder folder;
+  for (const char* name : {"head_diffuse.tga", "head_nm_tangent.tga", "head_spec.tga", "head_glow.tga"})
+    folder.write(name, "x");
+  const std::string face = std::string(kQuad) + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
+  const auto materialWith = [&](const char* mtl) {
+    folder.write("head.mtl", mtl);
+    return folder.read("head.obj", "mtllib head.mtl\n" + face).materials.at(0);
+  };
+  const ModelMaterial bare = folder.read("head.obj", face).materials.at(0),
+                      beside = materialWith("newmtl m\nKd 0.8 0.5 0\nKs 1\nNs 5\nd 0.5\nillum 2\n");
+  for (const ModelMaterial& material : {bare, beside}) {
+    EXPECT_TRUE(material.lesson && material.map.given() && material.map.nearest);
+    EXPECT_TRUE(material.normalMap.given() && material.specularMap.given() && material.glowMap.given());
+    EXPECT_FALSE(material.objectNormals);
+    EXPECT_EQ(material.diffuse, Vec3(1));
+    EXPECT_EQ(material.glow, Vec3(1));
+    EXPECT_EQ(material.specular, bare.specular);
+    EXPECT_EQ(material.shininess, bare.shininess);
+    EXPECT_EQ(material.opacity, 1);
+    EXPECT_EQ(material.name, "m");
+  }
+  for (const char* own : {"newmtl m\nmap_Kd head_spec.tga\n", "newmtl m\nmap_Kd gone.png\n"})
+    EXPECT_FALSE(materialWith(own).lesson) << own;
+  std::filesystem::remove(folder / "head_diffuse.tga");
+  EXPECT_EQ(materialWith("newmtl m\nKd 0.8 0.5 0\n").diffuse, Vec3(0.8, 0.5, 0));
+  EXPECT_TRUE(materialWith("newmtl m\n").normalMap.given());
 }
 
 TEST(ReadObj, BadFilesAreRefusedWithTheirLine) {
@@ -237,6 +302,49 @@ TEST(ReadObj, LinksMayLeadOutsideOnlyWhereThatIsAllowed) {
   const std::string longName(5000, 'x');
   EXPECT_THAT(folder.read("in/a.obj", text(longName.c_str())).warnings,
               ElementsAre(HasSubstr("there is no material file")));
+}
+
+/// However the model is named: what is beside it is found, what is missing is missing, what is outside is
+/// that.
+TEST(ReadObj, TheFolderOfAModelMayBeTheCurrentOne) {
+  ModelFolder folder;
+  std::filesystem::create_directory(folder / "in");
+  std::filesystem::create_directory_symlink(folder / "in", folder / "link");
+  folder.write("out.mtl", "newmtl m\nKd 0.25\n");
+  folder.write("in/in.mtl", "newmtl m\nKd 0.5\nmap_Kd gone.png\nmap_Ks maps/gone.png\n");
+  folder.write("in/a_diffuse.tga", "x");
+  const std::string face = std::string(kQuad) + "usemtl m\nf 1 2 3\n";
+  folder.write("in/a.obj", face);
+  folder.write("in/b.obj", "mtllib in.mtl\n" + face);
+  folder.write("in/c.obj", "mtllib gone.mtl\n" + face);
+  folder.write("in/d.obj", "mtllib ../out.mtl\n" + face);
+  folder.write("in/e.obj", "mtllib ../gone.mtl\n" + face);
+  folder.write("in/f.gltf", R"({ "asset": { "version": "2.0" },
+                                 "buffers": [{ "uri": "gone.bin", "byteLength": 4 }] })");
+  const auto refusal = [](const std::filesystem::path& path) {
+    try {
+      (void)readModel(path);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const InFolder current(folder / "in");
+  for (const std::filesystem::path from : {"", ".", "../in", "../link", "../in/../link/./"}) {
+    SCOPED_TRACE(from);
+    EXPECT_TRUE(readModel(from / "a.obj").materials[0].map.given());
+    const Model found = readModel(from / "b.obj");
+    EXPECT_EQ(found.materials[0].diffuse, Vec3(0.5));
+    EXPECT_THAT(found.warnings, ElementsAre(HasSubstr("in.mtl:3: there is no image 'gone.png'"),
+                                            HasSubstr("in.mtl:4: there is no image 'maps/gone.png'")));
+    EXPECT_THAT(readModel(from / "c.obj").warnings,
+                ElementsAre(HasSubstr("there is no material file 'gone.mtl'")));
+    for (const char* outside : {"d.obj", "e.obj"})
+      EXPECT_THAT(refusal(from / outside), HasSubstr("is outside of the model's folder")) << outside;
+    EXPECT_EQ(readModel(from / "d.obj", {.allowOutside = true}).materials[0].diffuse, Vec3(0.25));
+    EXPECT_THAT(refusal(from / "f.gltf"),
+                AllOf(HasSubstr("cannot read"), HasSubstr("gone.bin': No such file")));
+  }
 }
 
 TEST(ReadObj, FilesOutsideMayBeAllowed) {

@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <limits>
+#include <random>
 #include <sstream>
 #include <tuple>
 
@@ -162,6 +165,29 @@ TEST_F(WriteModel, FilesSayWhatTheyAre) {
   (void)written(twoBodies(), "a.glb");
   EXPECT_THAT(text("a.glb"),
               HasSubstr(R"("extras":{"luxo":{"deviation":1e-05,"closed":true,"thickness":0.5}})"));
+}
+
+/// What is proven is not less than what is said, nor is more said than digits ask for.
+TEST(ShownUpward, IsNoLessAndLessThanAUnitOfTheLastDigitMore) {
+  EXPECT_EQ(shownUpward(0.125, {}, 3), "0.125 m");
+  EXPECT_EQ(shownUpward(0.125, {}, 2), "0.13 m");
+  EXPECT_EQ(shownUpward(0.1201, {}, 2), "0.13 m");
+  EXPECT_EQ(shownUpward(9.9901, {}, 3), "10 m");
+  EXPECT_EQ(shownUpward(0.75, {"cm", 0.01}, 1), "8e+01 cm");
+  EXPECT_EQ(shownUpward(0, {}, 3), "0 m");
+  EXPECT_EQ(shownUpward(std::numeric_limits<double>::denorm_min(), {}, 3), "4.94e-324 m");
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> exponent(-12, 3);
+  for (int k = 0; k < 20'000; ++k) {
+    const double metres = std::pow(10, exponent(random));
+    for (const LengthUnit& unit : {LengthUnit{}, {"mm", 1e-3}, {"in", 0.0254}})
+      for (const int digits : {1, 3, 4}) {
+        const long double length = static_cast<long double>(metres) / static_cast<long double>(unit.metres),
+                          read = std::strtod(shownUpward(metres, unit, digits).c_str(), nullptr);
+        EXPECT_GE(read * (1 + 1e-18L), length) << metres << unit.name;
+        EXPECT_LT(read - length, length * std::pow(10.0L, 1 - digits)) << metres << unit.name;
+      }
+  }
 }
 
 TEST_F(WriteModel, Refusals) {

@@ -66,5 +66,33 @@ TEST(WindowPlayback, GoesOnFromWhereItWasPut) {
   EXPECT_EQ(playback.seconds(kStart + seconds(10)), 6.5);
 }
 
+TEST(WindowPlayback, LoopsAsItPlays) {
+  Playback playback(0.5, true, kStart);
+  playback.setLoop(2);
+  EXPECT_EQ(playback.seconds(kStart + seconds(1)), 1.5);
+  EXPECT_EQ(playback.seconds(kStart + seconds(2)), 0.5);
+  EXPECT_EQ(playback.seconds(kStart + nanoseconds(1'500'000'000)), 0);  // the end is the beginning
+  EXPECT_EQ(playback.seconds(kStart + seconds(1'000'001)), 1.5);
+  playback.setPlaying(false, kStart + seconds(3));
+  EXPECT_EQ(playback.seconds(kStart + seconds(90)), 1.5);
+  playback.setPlaying(true, kStart + seconds(90));
+  EXPECT_EQ(playback.seconds(kStart + seconds(91)), 0.5);
+  playback.setLoop(0);
+  EXPECT_EQ(playback.seconds(kStart + seconds(91)), 4.5);
+}
+
+// What is asked for is shown: the end of a loop, what is before it and what is after.
+TEST(WindowPlayback, StaysWhereItIsPutThoughItLoops) {
+  Playback playback(7, false, kStart);
+  playback.setLoop(2);
+  EXPECT_EQ(playback.seconds(kStart + seconds(9)), 7);
+  playback.pauseAt(2, kStart);
+  EXPECT_EQ(playback.seconds(kStart), 2);
+  playback.pauseAt(-0.25, kStart);
+  EXPECT_EQ(playback.seconds(kStart), -0.25);
+  playback.setPlaying(true, kStart);
+  EXPECT_EQ(playback.seconds(kStart + nanoseconds(125'000'000)), 1.875);
+}
+
 }  // namespace
 }  // namespace luxo::window

@@ -57,6 +57,7 @@ Controls::Controls(const ViewedScene& viewed, const ViewerOptions& options, bool
       draw_(luxo::drawOptions(viewed.settings)),
       solidShading_(draw_.shading == Shading::Wireframe ? Shading::Exact : draw_.shading),
       playback_(viewed.settings.time, options.playing && moving_, now) {
+  playback_.setLoop(viewed.loop);
   draw_.skips = options.skips;
   draw_.samples = samplesOfPass(draw_.samples);
   shade(draw_.shading);
@@ -66,6 +67,7 @@ void Controls::adopt(const ViewedScene& before, const ViewedScene& next, Time no
   const bool moves = next.scene.movesWithTime();
   if (moves != moving_) playback_.setPlaying(moves && startsPlaying_, now);
   moving_ = moves;
+  playback_.setLoop(next.loop);
   fps_ = next.settings.fps;
   draw_.tolerancePx = next.settings.tolerance;
   if (next.settings.hiddenLines != before.settings.hiddenLines) draw_.hiddenLines = next.settings.hiddenLines;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "draw/exact_data.h"
+#include "error_lines.h"
 #include "scene/shading.h"
 
 namespace luxo {
@@ -49,6 +50,11 @@ std::vector<Panel::Row> passRows(std::vector<PassTime> passes) {
   return rows;
 }
 
+std::string timeText(double seconds, const window::Playback& playback) {
+  const std::string end = playback.loop() > 0 ? fmt::format(" of {:.3g}", playback.loop()) : "";
+  return fmt::format("{:.3f}{} s{}", seconds, end, playback.playing() ? "" : ", paused");
+}
+
 std::string drawnText(const FrameCounts& count) {
   return fmt::format("{}, {}", counted(count.triangles, "triangle"), counted(count.drawCalls, "draw"));
 }
@@ -83,16 +89,6 @@ std::size_t fitting(int pixels, double contentScale, double unitPx) {
   return static_cast<std::size_t>(std::max(1.0, (pixels / contentScale - kFramePx) / unitPx));
 }
 
-// At most that many characters of a UTF-8 text.
-std::string shortened(std::string_view line, std::size_t length) {
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool begins = (static_cast<unsigned char>(line[i]) & 0xC0) != 0x80;
-    if (begins && ++characters > length) return std::string(line.substr(0, i)) + "...";
-  }
-  return std::string(line);
-}
-
 }  // namespace
 
 Panel numbersPanel(const Status& status, const Controls& controls) {
@@ -104,7 +100,7 @@ Panel numbersPanel(const Status& status, const Controls& controls) {
       {"geometry", drawnText(status.statistics.count)},
       {"nodes", nodesText(status.statistics.count)},
       {"error", errorText(status.statistics.error)},
-      {"time", fmt::format("{:.3f} s{}", status.seconds, controls.playback().playing() ? "" : ", paused")},
+      {"time", timeText(status.seconds, controls.playback())},
   };
   if (status.tellsPasses) {
     const std::vector<Panel::Row> passes = passRows(status.reading.passes);
@@ -136,14 +132,10 @@ Panel errorPanel(const std::string& title, const std::string& text, PixelSize wi
   Panel panel{.place = Panel::Place::Center, .title = title, .rows = {}, .alert = true, .monospaced = true};
   const std::size_t lines = fitting(window.height, contentScale, kLineHeightPx);
   const std::size_t columns = fitting(window.width, contentScale, kLetterWidthPx);
-  for (std::size_t begin = 0; begin <= text.size();) {
-    if (panel.rows.size() + 1 == lines) {
-      panel.rows.push_back({"", "..."});
-      break;
-    }
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    panel.rows.push_back({"", shortened(std::string_view(text).substr(begin, end - begin), columns)});
-    begin = end + 1;
+  for (const std::string& line : errorLines(text, columns)) {
+    const bool isLast = panel.rows.size() + 1 == lines;
+    panel.rows.push_back({"", isLast ? "..." : line});
+    if (isLast) break;
   }
   return panel;
 }
