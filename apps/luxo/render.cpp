@@ -14,6 +14,7 @@
 #include "background.h"
 #include "base/error.h"
 #include "console.h"
+#include "depth_picture.h"
 #include "draw/accumulation.h"
 #include "exit_code.h"
 #include "frame_names.h"
@@ -180,6 +181,7 @@ class Run {
       report_.frames[index].statistics = picture->statistics;
       report_.frames[index].reference = picture->reference;
       finishPending();
+      if (showsGreyDepths()) picture->image = greyDepths(std::move(picture->image), job.file);
       pending_ = Pending{index, inBackground([image = std::move(picture->image), file = job.file] {
                            return encodeToFile(image, file);
                          })};
@@ -195,6 +197,22 @@ class Run {
       fitted_ =
           fitCamera(takeSnapshot(scene_, scene_.settings().time, settings_.size, Camera{}), settings_.size);
     return *fitted_;
+  }
+
+  [[nodiscard]] bool showsGreyDepths() const {
+    return request_.fromLight && storesSrgb8(requireImageFormat(request_.output));
+  }
+
+  /// Says which depths the greys are.
+  [[nodiscard]] Image greyDepths(Image depths, const std::filesystem::path& file) const {
+    const std::optional<Interval> range = depthsIn(depths);
+    if (request_.verbosity != Verbosity::Quiet)
+      printNote(
+          range ? fmt::format("{}: depths from {:.6g} m (white) to {:.6g} m (dark grey); black: nothing that "
+                              "casts a shadow; write .exr or .pfm for metres",
+                              file.string(), range->lo, range->hi)
+                : fmt::format("{}: black, as the light sees nothing that casts a shadow", file.string()));
+    return luxo::greyDepths(std::move(depths), range.value_or(Interval{0, 0}));
   }
 
   void tellOfNoOcclusion(const Snapshot& snapshot) const {
@@ -306,8 +324,8 @@ class Run {
   }
 
   void warnAboutClampedValues() const {
-    if (request_.aov != Output::Color && storesSrgb8(requireImageFormat(request_.output)) &&
-        request_.verbosity != Verbosity::Quiet)
+    if (request_.aov != Output::Color && !request_.fromLight &&
+        storesSrgb8(requireImageFormat(request_.output)) && request_.verbosity != Verbosity::Quiet)
       printNote(
           "8-bit files clamp values to 0..1; write .exr or .pfm for numbers, or use --shading for a view");
   }

@@ -92,12 +92,16 @@ Json jsonOf(const CoverageErrors& c, const NodeNames& nameOfNode) {
       {"farthest_px", c.farthestPx}, {"beyond_0.01_px", c.beyond},  {"worst", jsonOf(c.worst, nameOfNode)}};
 }
 
-Json jsonOf(const WrongPixels& wrong) {
+/// What shadows have too much and too little is told where some are approximations.
+Json jsonOf(const WrongPixels& wrong, bool approximateShadows) {
+  const auto ofShadows = [&](std::uint64_t pixels) { return approximateShadows ? Json(pixels) : Json(); };
   return {{"pixels", wrong.total()},
           {"hit_miss", wrong.hitMiss},
           {"layer", wrong.layer},
           {"point", wrong.point},
-          {"light", wrong.light}};
+          {"light", wrong.light},
+          {"shadow_extra", ofShadows(wrong.shadowExtra)},
+          {"shadow_missing", ofShadows(wrong.shadowMissing)}};
 }
 
 Json jsonOf(const ColorErrors& c) {
@@ -166,9 +170,10 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
   text += fmt::format("wrong      {} pixels: {} hit or miss, {} layer, {} point, {} light\n", wrong.total(),
                       wrong.hitMiss, wrong.layer, wrong.point, wrong.light);
   if (report.approximateShadows > 0)
-    text +=
-        fmt::format("shadows    {} of the lights has no exact shadow: the light is held against exact ones\n",
-                    report.approximateShadows);
+    text += fmt::format(
+        "shadows    {} of the lights has no exact shadow: the light is held against exact ones\n"
+        "           {} pixels are dark that are lit in truth (extra), {} lit that are dark (missing)\n",
+        report.approximateShadows, wrong.shadowExtra, wrong.shadowMissing);
   if (v.color.byShader > 0)
     text += fmt::format(
         "shaders    {} pixels are lit by materials' shaders, which the truth cannot run, or seen through "
@@ -225,7 +230,7 @@ std::string verificationJson(const VerificationReport& report, const Scene& scen
       {"truth_ms", report.truthMs},
       {"nan_pixels", v.nanPixels},
       {"coverage", jsonOf(v.coverage, nameOfNode)},
-      {"wrong", jsonOf(v.wrong)},
+      {"wrong", jsonOf(v.wrong, report.approximateShadows > 0)},
   };
   for (const Metric& m : metricsOf(v)) json[std::string(m.key)] = jsonOf(m.spread, nameOfNode);
   json["color"] = jsonOf(v.color);

@@ -83,7 +83,7 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   const Place& place = placeOf(entry.cells, node, found);
   shared::ShadowCaster& caster = entry.caster.emplace(shared::ShadowCaster{
       .gridFromRelative = Mat3f(grid->axes * inverse),
-      .gridOrigin = Vec3f(grid->axes * (origin - grid->light)),
+      .gridOrigin = Vec3f(grid->fromLight(origin)),
       .objectFromRelative = Mat3f(inverse),
       .objectOrigin = Vec3f(origin),
       .lightObject = Vec4f(fromObject),

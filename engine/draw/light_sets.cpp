@@ -30,6 +30,22 @@ double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& opti
   return options.tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
 }
 
+/// Metres: what is farther away is a direction, as floats have no room for its square.
+constexpr double kFarthest = 1e18;
+
+shared::LightData lightData(const SnapshotLight& light, const Vec3& origin) {
+  const bool fades = light.attenuation == Light::Attenuation::InverseSquare;
+  const Vec3 position(light.positionWorld), toLight = position - light.positionWorld.w * origin;
+  const double distance = glm::length(toLight);
+  if (light.directional() || distance <= kFarthest)
+    return {.position = Vec4f(Vec3f(toLight), light.positionWorld.w),
+            .radiance = Vec3f(light.radiance),
+            .inverseSquare = fades};
+  return {.position = Vec4f(Vec3f(toLight / distance), 0),
+          .radiance = Vec3f(fades ? light.radiance / distance / distance : light.radiance),
+          .inverseSquare = false};
+}
+
 /// Of a light's node among those that have lights.
 std::uint32_t orderOf(const Snapshot& snapshot, NodeId node) {
   std::set<std::uint32_t> before;
@@ -77,11 +93,7 @@ shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const
   std::size_t shade = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const SnapshotLight& light = snapshot_.lights[order[i]];
-    const Vec3 position =
-        light.directional() ? Vec3(light.positionWorld) : Vec3(light.positionWorld) - origin_;
-    set.lights[i] = {.position = Vec4f(Vec3f(position), light.positionWorld.w),
-                     .radiance = Vec3f(light.radiance),
-                     .inverseSquare = light.attenuation == Light::Attenuation::InverseSquare};
+    set.lights[i] = lightData(light, origin_);
     set.order[i] = orderOf(snapshot_, light.id);
     if (light.shade && options_.shadows != ShadowKinds::None) set.shades[shade++] = shadeData(*light.shade);
   }

@@ -13,6 +13,7 @@
 #include "draw/caster_list.h"
 #include "draw/closed_caster.h"
 #include "draw/exact_data.h"
+#include "draw/light_map_list.h"
 #include "draw/place_list.h"
 #include "math/transform.h"
 #include "scene/light_view.h"
@@ -28,8 +29,9 @@ constexpr double kInPlane = 1e-4;
 /// by no more than the inverse, as far as tolerances go.
 constexpr double kNearLight = 1.0 / 16;
 
-/// Texels along a side of all faces of a depth map together: what CPU devices, and most others, have at most.
-constexpr std::uint32_t kMaxMapSide = 16384;
+/// Of the size of all there is: rays whose ends are nearer to where they should be are right, as far as a
+/// caster's rounding goes, which is 2^-21 of the distances involved.
+constexpr double kParallel = 0x1p-30;
 
 const SnapshotNode* nodeOf(const Snapshot& snapshot, NodeId id) {
   const auto node = std::ranges::lower_bound(snapshot.nodes, id.index, {},
@@ -69,10 +71,11 @@ class ShadowLister {
 
   void list(LightGroup& group, std::uint32_t bit, std::uint32_t light) {
     group_ = &group;
+    const SnapshotLight from = seen(snapshot_.lights[light]);
     std::vector<const SnapshotNode*> casters;
-    for (const NodeId caster : snapshot_.lights[light].casters)
+    for (const NodeId caster : from.casters)
       if (const SnapshotNode* node = nodeOf(snapshot_, caster);
-          node && !materialOf(*node).invisible() && !behind(snapshot_.lights[light], *node).empty())
+          node && !materialOf(*node).invisible() && !behind(from, *node).empty())
         casters.push_back(node);
     // By what they are: what rounding leaves of a product depends on the order.
     std::ranges::stable_sort(casters, {}, [&](const SnapshotNode* node) {
@@ -82,8 +85,7 @@ class ShadowLister {
                         box.max.y,          box.max.z,         material.opacity, material.diffuse.x,
                         material.diffuse.y, material.diffuse.z};
     });
-    const SnapshotLight& from = snapshot_.lights[light];
-    if (from.map) mapOf(from, casters);
+    if (from.map) mapOf(snapshot_.lights[light], casters);
     for (const SnapshotNode* caster : casters) {
       if (from.plane)
         flatten(bit, from, *caster);
@@ -112,74 +114,20 @@ class ShadowLister {
     return snapshot_.materials[node.material.index];
   }
 
-  /// What the light sees of its opaque casters.
-  void mapOf(const SnapshotLight& light, std::span<const SnapshotNode* const> nodes) {
-    LightMapDrawn drawn{.map = settingsOf(light), .casters = {}};
-    Box box;
-    for (const SnapshotNode* node : nodes)
-      if (!materialOf(*node).letsLightThrough()) box.add(finiteBoundsOf(*node));
-    if (box.empty() || !isFinite(box) || receivers_.empty()) return;
-    const int size = static_cast<int>(drawn.map.size);
-    const std::vector<View> views = lightViews(light, box, isFinite(receivers_) ? receivers_ : box, size);
-    if (views.size() > 1 && drawn.map.size > kMaxMapSide / shared::kLightMapFacesInRow)
-      throw Error(
-          ErrorKind::Scene,
-          fmt::format("the depth map of node {} has {} faces of {} texels: they fit with up to {} alone",
-                      light.id.index + 1, views.size(), drawn.map.size,
-                      kMaxMapSide / shared::kLightMapFacesInRow),
-          "give its map a smaller \"size\", or move the light away from what casts its shadow");
-    drawn.map.faceCount = static_cast<std::uint32_t>(views.size());
-    drawn.map.texel = static_cast<float>(1 / views[0].pixelsPerUnit);
-    drawn.map.depthOfBuffer =
-        views[0].perspective() ? Vec2f(views[0].near, 0) : Vec2f(views[0].far, views[0].near - views[0].far);
-    for (std::size_t i = 0; i < views.size(); ++i)
-      drawn.map.faces[i] = {.right = Vec3f(views[i].right()),
-                            .down = Vec3f(-views[i].up()),
-                            .forward = Vec3f(views[i].forward()),
-                            .origin = Vec3f(views[i].eye - list_.origin)};
-    for (const SnapshotNode* node : nodes)
-      if (!materialOf(*node).letsLightThrough()) addToMap(*node, views, light, drawn);
-    group_->map = std::move(drawn);
+  /// A point light as what it shines on and through sees it.
+  [[nodiscard]] SnapshotLight seen(SnapshotLight light) const {
+    Box all = receivers_;
+    for (const NodeId caster : light.casters)
+      if (const SnapshotNode* node = nodeOf(snapshot_, caster); node && isFinite(node->boundsWorld))
+        all.add(node->boundsWorld);
+    light.positionWorld = parallelWhereFar(light.positionWorld, all, kParallel);
+    return light;
   }
 
-  [[nodiscard]] static Box finiteBoundsOf(const SnapshotNode& node) {
-    return isFinite(node.boundsWorld)
-               ? node.boundsWorld
-               : transformBounds(node.worldFromObject, node.surface.framing(node.parameters));
-  }
-
-  [[nodiscard]] shared::LightMap settingsOf(const SnapshotLight& light) const {
-    const ShadowMapThen& map = *light.map;
-    const Vec4& at = light.positionWorld;
-    return {.light = Vec4f(Vec4(Vec3(at) - at.w * list_.origin, at.w)),
-            .size = map.size,
-            .bias = static_cast<float>(map.bias),
-            .slopeBias = static_cast<float>(map.slopeBias),
-            .normalOffset = static_cast<float>(map.normalOffset),
-            .pcf = map.pcf,
-            .receiverPlane = map.receiverPlane,
-            .radius = static_cast<float>(map.radius)};
-  }
-
-  /// Its mesh is as near to it as half a texel.
-  void addToMap(const SnapshotNode& node, std::span<const View> views, const SnapshotLight& light,
-                LightMapDrawn& drawn) const {
-    const Box box = finiteBoundsOf(node);
-    const Vec3 at(light.positionWorld);
-    const double distance = light.directional() ? 1 : std::max(distanceTo(box, at), views[0].near);
-    const double size = glm::length(box.extent()),
-                 tolerance = std::clamp(0.5 * distance / views[0].pixelsPerUnit, 1e-4 * size, 1e-2 * size);
-    const auto mesh = geometry_.meshes.get(
-        node.surface, node.parameters,
-        {.uniform = node.segments, .tolerance = tolerance / largestStretch(node.worldFromObject.linear)});
-    if (mesh->indices.empty()) return;
-    LightMapDrawn::Caster& caster = drawn.casters.emplace_back(LightMapDrawn::Caster{mesh, {}});
-    for (const View& view : views) {
-      const Transform placed = eyeFromObject(view, node.worldFromObject);
-      Mat4 eyeFromMesh(placed.linear);
-      eyeFromMesh[3] = Vec4(transformPoint(placed, mesh->origin), 1);
-      caster.clipFromObject.push_back(Mat4f(view.clipFromEye * eyeFromMesh));
-    }
+  /// Of the opaque ones: light that gets through others is exact.
+  void mapOf(const SnapshotLight& light, std::vector<const SnapshotNode*> casters) {
+    std::erase_if(casters, [&](const SnapshotNode* node) { return materialOf(*node).letsLightThrough(); });
+    group_->map = listLightMap(light, casters, receivers_, list_.origin, geometry_.meshes);
   }
 
   [[nodiscard]] static Vec3 pointOf(const SnapshotNode& node) {

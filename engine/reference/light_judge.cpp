@@ -12,6 +12,9 @@ namespace {
 
 using enum LightVerdict;
 
+/// Of a colour that is so much off.
+LightVerdict wrongBy(const Vec3& off) { return off.x + off.y + off.z < 0 ? TooDark : TooBright; }
+
 }  // namespace
 
 LightJudge::LightJudge(const ComparedPixels& pixels, const Caster& caster, bool coarse)
@@ -90,7 +93,8 @@ LightVerdict LightJudge::ofMesh(std::uint32_t i) const {
                       .atBorder = isOnHorizon(light, *hit, hit->normal)});
     left[light] = truly;
   }
-  return isTurned(i, valueAt(measured_.color, i) - expected, std::move(lights), at) ? Wrong : Right;
+  const Vec3 off = valueAt(measured_.color, i) - expected;
+  return isTurned(i, off, std::move(lights), at) ? wrongBy(off) : Right;
 }
 
 /// How far beside a pixel what it shows may be from: the width of an outline, and of drawings as far as
@@ -157,7 +161,8 @@ LightVerdict LightJudge::byColor(std::uint32_t i, double reach) const {
   const double tolerance = throughTexture ? kOtherTexture : kOtherLight;
   const auto slack = [&](double value) { return tolerance * (1 + value); };
   for (int c = 0; c < 3; ++c)
-    if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c])) return Wrong;
+    if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c]))
+      return wrongBy(shown - glm::clamp(shown, least, most));
   return Right;
 }
 
@@ -230,7 +235,7 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
     }
   // At a crease the colour is that of either side.
   if (isTurned(i, shown - glm::clamp(shown, least, most), std::move(lights), center))
-    return byColor(i, kSilhouettePx) == Right ? Right : Wrong;
+    return byColor(i, kSilhouettePx) == Right ? Right : wrongBy(shown - truth);
   return certified ? Right : Unjudged;
 }
 

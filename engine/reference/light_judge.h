@@ -20,7 +20,8 @@ inline constexpr double kOtherTexture = 1.0 / 255;
 
 enum class LightVerdict {
   Right,
-  Wrong,
+  TooDark,   ///< in a shadow that there is not
+  TooBright,
   Unjudged  ///< the truth does not know it, or the picture does not tell enough
 };
 

@@ -44,6 +44,7 @@ class Sums {
 
  private:
   [[nodiscard]] WrongPixels wrongPixels() const {
+    using enum reference::LightVerdict;
     WrongPixels wrong;
     for (std::size_t k = 0; k < judged_.pixels.size(); ++k) {
       const JudgedPixel& pixel = judged_.pixels[k];
@@ -54,12 +55,13 @@ class Sums {
         count = &wrong.hitMiss;
       else if (away)
         count = &wrong.layer;
-      else if (pixel.light == reference::LightVerdict::Wrong)
+      else if (pixel.light == TooDark || pixel.light == TooBright)
         count = &wrong.light;
       else if (pixel.nan || pixel.offPoint)
         count = &wrong.point;
       if (count == nullptr) continue;
       ++*count;
+      if (count == &wrong.light) ++(pixel.light == TooDark ? wrong.shadowExtra : wrong.shadowMissing);
       wrong.pixels.push_back(judged_.chosen[k]);
     }
     return wrong;

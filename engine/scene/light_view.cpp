@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "math/transform.h"
+#include "surface/spread.h"
 
 namespace luxo {
 namespace {
@@ -53,15 +55,38 @@ View directionalView(const Vec3& toward, const Box& casters, const Box& receiver
   return viewAt(camera, {}, {size, size}, casters);
 }
 
-View pointView(const Vec3& at, const Vec3& toward, double tangent, double near, int size) {
-  const Camera camera{
-      .eye = at, .lookAt = at + toward, .up = acrossOf(toward), .fovY = 2 * std::atan(tangent), .near = near};
+/// `distance`: to what there is, so that rounding leaves something of the way there.
+View pointView(const Vec3& at, const Vec3& toward, double distance, double tangent, double near, int size) {
+  const Camera camera{.eye = at,
+                      .lookAt = at + distance * toward,
+                      .up = acrossOf(toward),
+                      .fovY = 2 * std::atan(tangent),
+                      .near = near};
   return viewAt(camera, {}, {size, size});
 }
 
 }  // namespace
 
-std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, const Box& receivers, int size) {
+Vec4 parallelWhereFar(const Vec4& light, const Box& all, double most) {
+  if (light.w == 0 || all.empty() || !isFinite(all)) return light;
+  const Vec3 way = Vec3(light) - all.center();
+  return most * glm::length(way) > glm::length(all.extent()) ? Vec4(unit(way), 0) : light;
+}
+
+SnapshotLight asMapped(SnapshotLight light, const Box& casters, const Box& receivers, int size) {
+  Box all = casters;
+  all.add(receivers);
+  const double texel = glm::length(casters.extent()) / size;
+  const Vec4 at = parallelWhereFar(light.positionWorld, all, 0.25 * texel / glm::length(all.extent()));
+  if (at.w != light.positionWorld.w && light.map)
+    light.map->radius =
+        std::atan(light.map->radius / glm::distance(Vec3(light.positionWorld), casters.center()));
+  light.positionWorld = at;
+  return light;
+}
+
+std::vector<View> lightViews(SnapshotLight light, const Box& casters, const Box& receivers, int size) {
+  light = asMapped(std::move(light), casters, receivers, size);
   const Vec3 at(light.positionWorld);
   if (light.directional()) return {directionalView(at, casters, receivers, size)};
   const double farthest = glm::distance(at, casters.center()) + glm::length(casters.extent());
@@ -77,11 +102,12 @@ std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, con
     const double aside = std::max(std::abs(glm::dot(to, right)), std::abs(glm::dot(to, up)));
     widest = std::max(widest, aside <= kWidest * depth ? aside / depth : 2 * kWidest);
   }
-  if (widest <= kWidest) return {pointView(at, ahead, withMargin(std::max(widest, 1e-9), size), near, size)};
+  if (widest <= kWidest)
+    return {pointView(at, ahead, farthest, withMargin(std::max(widest, 1e-9), size), near, size)};
   std::vector<View> views;
   for (const Vec3& axis :
        {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
-    views.push_back(pointView(at, axis, withMargin(1, size), kNearest * farthest, size));
+    views.push_back(pointView(at, axis, farthest, withMargin(1, size), kNearest * farthest, size));
   return views;
 }
 
@@ -104,7 +130,8 @@ Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size) {
   const Vec3 at(seen.positionWorld), way = casters.center() - at;
   snapshot.view = views.size() == 1 ? views[0]
                                     : pointView(at, glm::length(way) > 0 ? unit(way) : Vec3(0, -1, 0),
-                                                kWidest, views[0].near, size.value_or(usual));
+                                                glm::length(casters.extent()), kWidest, views[0].near,
+                                                size.value_or(usual));
   return snapshot;
 }
 

@@ -109,8 +109,9 @@ struct Material {
   /// Whether something behind it may be seen.
   [[nodiscard]] bool transparent() const { return letsLightThrough() || (shader && shader->hasOpacity()); }
   /// Whether what is in its shadow may get some light: what is seen through, unless only a shader says so.
+  /// Where the opacity is 1 everywhere mode Multiply lets through as little as Over.
   [[nodiscard]] bool letsLightThrough() const {
-    return opacity < 1 || blend != Blend::Over || diffusePattern.hasOpacity() || mapOpacity;
+    return opacity < 1 || blend == Blend::Add || diffusePattern.hasOpacity() || mapOpacity;
   }
   /// Whether its map says how much: by its alpha, or, where it tints the light, by its colour.
   [[nodiscard]] bool mapSaysLightThrough() const {

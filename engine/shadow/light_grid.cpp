@@ -38,9 +38,10 @@ class GridMaker {
   GridMaker(const CasterCells& caster, const Vec4& light, double margin, int size)
       : caster_(caster), parallel_(light.w == 0), margin_(margin) {
     grid_.size = size;
-    if (!parallel_) grid_.light = Vec3(light);
-    const Vec3 ahead = parallel_ ? -Vec3(light) : caster.bounds.center() - grid_.light;
+    if (!parallel_) grid_.middle = caster.bounds.center();
+    const Vec3 ahead = parallel_ ? -Vec3(light) : grid_.middle - Vec3(light);
     const double length = glm::length(ahead);
+    if (!parallel_) grid_.distance = length;
     grid_.axes = axesAlong(length > 0 ? ahead / length : Vec3(0, 0, 1));
   }
 
@@ -56,7 +57,7 @@ class GridMaker {
   /// Where a cell is on a face, if it is.
   [[nodiscard]] std::optional<Spread> spread(std::uint32_t index, std::uint32_t face) const {
     const CasterCell& cell = caster_.cells[index];
-    const Vec3 middle = grid_.axes * (cell.middle - grid_.light);
+    const Vec3 middle = grid_.fromLight(cell.middle);
     Vec3 reach;
     for (int i = 0; i < 3; ++i) {
       const Vec3 axis(grid_.axes[0][i], grid_.axes[1][i], grid_.axes[2][i]);

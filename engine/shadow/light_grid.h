@@ -30,13 +30,15 @@ struct LightGrid {
     float nearest = 0;       ///< lower bound of its distance from the light along the face's axis
   };
 
-  /// From object space, less `light` where it is a point, to the cube's axes: x, y, z. Face 2 k (2 k + 1)
-  /// looks along the positive (negative) k-th axis; its own x and y are the next two in turn, divided, for a
-  /// point light, by the distance along its axis. The face of a directional light looks along +z, away from
-  /// the light, with x and y as they are.
+  /// Of the cube: x, y, z from object space. Face 2 k (2 k + 1) looks along the positive (negative) k-th
+  /// axis; its own x and y are the next two in turn, divided, for a point light, by the distance along its
+  /// axis. The face of a directional light looks along +z, away from the light, with x and y as they are.
   Mat3 axes{1};
-  Vec3 light{0};  ///< object space; 0 for a directional light
-  int size = 0;   ///< texels along a side
+  /// What a point light looks at along +z, and how far away that is: of points beside it nothing cancels,
+  /// however far away the light is. 0 for a directional light.
+  Vec3 middle{0};
+  double distance = 0;
+  int size = 0;  ///< texels along a side
   std::array<Face, 6> faces;
   /// Of each face that is not empty, row by row: where the entries of a texel start; then where the last
   /// end.
@@ -44,6 +46,9 @@ struct LightGrid {
   std::vector<Entry> entries;
 
   static constexpr std::uint32_t kFirstFace = 4;  ///< the one that looks along +z
+
+  /// From object space to the cube's axes, from a point light on.
+  [[nodiscard]] Vec3 fromLight(const Vec3& p) const { return axes * (p - middle) + Vec3(0, 0, distance); }
 };
 
 /// Texels along a side; and so many entries at most: where there would be more there are fewer texels.

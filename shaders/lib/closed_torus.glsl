@@ -14,11 +14,18 @@
 
 const int kMostSteps = 32;
 
+// Whether a ray keeps, from t to `end`, more than `off` inside of the ring, as r is convex along it, or outside.
+bool missesRing(vec3 q, vec3 d, float t, float end, float off) {
+  float nearest = clamp(-dot(q.xz, d.xz) / max(dot(d.xz, d.xz), kTiny), t, end);
+  float farthest = max(length(q.xz + t * d.xz), length(q.xz + end * d.xz));
+  return farthest < 1.0 - off || length(q.xz + nearest * d.xz) > 1.0 + off;
+}
+
 int meetsTorus(ClosedCaster caster, ClosedRay ray) {
   vec3 q = ray.from, d = ray.way;
   float tube = caster.tube, e = length(ray.e), ed = length(ray.eOfWay);
   float dd = dot(d, d), dRound = dot(d.xz, d.xz), size = sqrt(dd);
-  if (!(e < 1e-2 * tube)) return kOpen;
+  if (!(e < 1.0)) return kOpen;
   // Where the ray is in a slab and in a ball around it.
   float slab = 1.01 * tube + 4.0 * e, ball = 1.01 * (1.0 + tube) + 4.0 * e;
   float perY = 1.0 / (abs(d.y) > 1e-20 * size ? d.y : 1e-20 * size), middleY = -q.y * perY, halfY = slab * abs(perY);
@@ -28,6 +35,8 @@ int meetsTorus(ClosedCaster caster, ClosedRay ray) {
   float t = max(0.0, max(middleY - halfY, middle - halfBall)), end = min(middleY + halfY, middle + halfBall);
   if (caster.light.w != 0.0) end = min(end, 1.0);
   if (square < 0.0 || t >= end) return kPassed;
+  if (!ray.isOwn && missesRing(q, d, t, end, 1.01 * tube + 8.0 * e)) return kPassed;
+  if (!(e < 1e-2 * tube)) return kOpen;
 
   float least = 0.5 * (1.0 - tube);  // s, where r is less: near the axis parabolas are narrow
   bool isOwn = ray.isOwn;

@@ -8,7 +8,8 @@ void findLayerTransmittances() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     LayerPoint point = layerPoints[index];
-    if ((point.material & kLayerByRay) != 0) continue;
+    // Of no light nothing more is left, whatever lets it through.
+    if ((point.material & kLayerByRay) != 0 || point.transmittance == vec3(0)) continue;
     LayerStart start = startOf(point, place, ray);
     if (facesAway(start.drawn, start.drawnNormal)) continue;
     vec3 transmittance = transmittanceAt(start.position, start.normal, point.depth,

@@ -252,6 +252,38 @@ TEST_F(RenderFiles, ThePrimitivesToo) {
   }
 }
 
+/// Two discs straight below a light, 2 and 4 m away: white and an eighth of it in codes, metres in floats.
+TEST_F(RenderFiles, DepthsOfALightAreGreyOrMetres) {
+  writeText(folder / "discs.luxo.json",
+            R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk", "radius": 1 } },
+    "nodes": [ { "surface": "disc", "translate": [0, 2, 0] },
+               { "surface": "disc", "translate": [0, 4, 0], "scale": [0.2, 0.2, 0.2] },
+               { "translate": [0, 6, 0], "light": { "shadow": "exact" } } ] })");
+  const auto render = [&](const char* file) {
+    const Outcome outcome =
+        run(folder, {"render", "discs.luxo.json", "--aov", "light-depth", "--size", "65x65", "-o", file});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_TRUE(contains(render("a.png"), "a.png: depths from 2 m (white) to 4 m (dark grey); black: nothing"));
+  EXPECT_FALSE(contains(render("a.pfm"), "white"));
+  const std::vector<std::uint8_t> codes = codesOfPng(textOf(folder / "a.png"), 65, 65);
+  const Image metres = pictureOfPfm(textOf(folder / "a.pfm"));
+  const auto codeAt = [&](std::size_t x, std::size_t y) { return int{codes[3 * (65 * y + x)]}; };
+  EXPECT_EQ(codeAt(32, 32), 255);
+  EXPECT_EQ(codeAt(42, 32), 32);  // 255 / 8, rounded
+  EXPECT_EQ(codeAt(0, 0), 0);
+  EXPECT_NEAR(metres.row(32)[32], 2, 1e-5);
+  EXPECT_NEAR(metres.row(32)[42], 4, 1e-5);
+  EXPECT_TRUE(std::isinf(metres.row(0)[0]));
+  // The light sees nothing: black, and said.
+  writeText(folder / "discs.luxo.json",
+            R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk", "radius": 1 } },
+    "materials": { "air": { "opacity": 0 } },
+    "nodes": [ { "surface": "disc", "material": "air" }, { "translate": [0, 6, 0], "light": { "shadow": "exact" } } ] })");
+  EXPECT_TRUE(contains(render("b.png"), "black, as the light sees nothing"));
+}
+
 TEST_F(RenderFiles, AnotherCompositionThanAskedForIsTold) {
   const auto said = [&](const char* scene, const char* composition, std::vector<std::string> more = {}) {
     std::vector<std::string> arguments{"render", scene,           "-o",       "a.png", "--size",

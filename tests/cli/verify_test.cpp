@@ -134,6 +134,35 @@ TEST_F(VerifyPictureTest, LightsOnTrianglesAreJudgedInEveryShading) {
   }
 }
 
+/// What a depth map has too much and too little is told; a scene of exact shadows has no such numbers.
+TEST_F(VerifyPictureTest, ShadowsOfMapsAreTooManyOrTooFew) {
+  const auto write = [&](const std::string& shadow) {
+    writeText(folder / "ball.json", R"({ "luxo": 1, "camera": { "eye": [3, 4, 5], "look_at": [0, 0.5, 0] },
+      "surfaces": { "ball": { "type": "sphere" }, "floor": { "type": "rectangle", "size": [9, 9] } },
+      "nodes": [ { "surface": "ball", "translate": [0, 1.5, 0] }, { "surface": "floor" },
+                 { "translate": [-3, 6, 1], "light": )" +
+                                        shadow + " } ] }");
+  };
+  const auto wrong = [&](const std::string& shadow) {
+    write(shadow);
+    return numbersOf({"ball.json", "--size", "80x60"})["wrong"];
+  };
+  const Json biased = wrong(R"({ "shadow": "map", "map": { "size": 64, "bias": 1000 } })"),
+             acne = wrong(R"({ "shadow": "map", "map": { "size": 64 } })"),
+             exact = wrong(R"({ "shadow": "exact" })");
+  EXPECT_EQ(biased["shadow_extra"], 0);
+  EXPECT_GT(biased["shadow_missing"], 100);
+  EXPECT_GT(acne["shadow_extra"], 50);
+  EXPECT_EQ(acne["shadow_extra"].get<int>() + acne["shadow_missing"].get<int>(), acne["light"].get<int>());
+  EXPECT_TRUE(exact["shadow_extra"].is_null() && exact["shadow_missing"].is_null()) << exact;
+  write(R"({ "shadow": "map", "map": { "size": 64, "bias": 1000 } })");
+  const Outcome text = verify({"ball.json", "--size", "80x60"});
+  EXPECT_TRUE(contains(text.out, "\n           0 pixels are dark that are lit in truth (extra), " +
+                                     std::to_string(biased["shadow_missing"].get<int>()) +
+                                     " lit that are dark (missing)\n"))
+      << text.out;
+}
+
 TEST_F(VerifyPictureTest, WritesTheHeatMapAndTheReport) {
   const Outcome outcome =
       verify({"thin-torus", "--size", "120x80", "-o", "heat.png", "--report", "r.json", "-q"});

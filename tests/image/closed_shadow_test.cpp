@@ -122,5 +122,32 @@ TEST_F(ClosedShadowTest, OfWhatGoesOnBeyondItsEdgesAreSettled) {
   EXPECT_LE(found.statistics.error.shadowRaysPx, 4U);
 }
 
+/// A wire over the camera, thinner than what floats leave of where rays are: only those that come as near to
+/// it as that are left over, not those through its hole, beside it or above.
+TEST_F(ClosedShadowTest, OfAThinRingAskFewRays) {
+  for (const char* light : {R"("translate": [-0.2, 6, 0.1], "light": { "shadow": "exact" })",
+                            R"("translate": [0.1, 2.5, 0], "light": { "shadow": "exact" })",
+                            R"("rotate": { "axis": [1, 0.2, 0], "angle": -1.4 },
+                               "light": { "type": "directional", "shadow": "exact" })"}) {
+    SCOPED_TRACE(light);
+    const Scene scene = buildScene(parseScene(
+        fmt::format(R"({{ "luxo": 1, "surfaces": {{ "floor": {{ "type": "rectangle", "size": [9, 9] }},
+                                          "wire": {{ "type": "torus", "major": 0.5, "minor": 2e-4 }} }},
+             "camera": {{ "eye": [0.6, 1.4, 0.8], "look_at": [0, 0, 0], "fov_y": "50deg" }},
+             "nodes": [ {{ "surface": "floor" }}, {{ {} }},
+                        {{ "surface": "wire", "translate": [0, 1.7, 0],
+                           "rotate": {{ "axis": [1, 0, 0.4], "angle": 0.3 }} }} ] }})",
+                    light),
+        "wire"));
+    const Verified found = verified(takeSnapshot(scene, 0, {320, 240}));
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.auditFailedPx, 0U);
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+    // Its shadow is up to 1,000 pixels long and a tenth of one wide: of the picture's 76,800.
+    EXPECT_GT(found.statistics.error.shadowRaysPx, 0U);
+    EXPECT_LE(found.statistics.error.shadowRaysPx, 200U);
+  }
+}
+
 }  // namespace
 }  // namespace luxo::test

@@ -123,11 +123,34 @@ TEST_F(LayersTest, ModesAreWhatTheySay) {
   EXPECT_TRUE(near(through(R"("opacity": 0.25, "blend": "multiply")"), {0.21875, 0.21875, 0.21875}, 1e-6));
   EXPECT_TRUE(near(through(R"("opacity": 0, "blend": "multiply")"), {0.125, 0.125, 0.125}, 1e-6));
   EXPECT_TRUE(near(through(R"("opacity": 1, "blend": "add")"), {1, 0.75, 0.625}, 1e-6));
+  EXPECT_TRUE(near(through(R"("opacity": 1, "blend": "multiply")"), {0.5, 0.5, 0.5}, 1e-6));
   EXPECT_TRUE(near(through(R"("opacity": "u*0+0.25")"), {0.5, 0.3125, 0.21875}, 1e-6));
   EXPECT_TRUE(near(through(R"_("opacity": "if(u < 2, 0.25, v)")_"), {0.5, 0.3125, 0.21875}, 1e-6));
   EXPECT_TRUE(near(through(R"("opacity": "-u*u")"), {0.5, 0.25, 0.125}, 1e-6)) << "cut off at 0";
   EXPECT_TRUE(near(through(R"_("opacity": "sqrt(-1-u*u)")_"), {0.5, 0.25, 0.125}, 1e-6))
       << "without a value nothing is seen of it";
+}
+
+/// Nothing comes through 1 - opacity = 0 of it, white or not: it is drawn, and casts its shadow, as what is
+/// opaque.
+TEST_F(LayersTest, MultiplyOfOpacityOneIsOpaque) {
+  const auto pictureOf = [&](const std::string& blend) {
+    return draw(
+        buildScene(parseScene(
+            R"_({ "luxo": 1, "materials": { "m": { "diffuse": [1, 1, 1], "opacity": 1, )_" + blend + R"_( } },
+      "surfaces": { "ball": { "type": "sphere" }, "floor": { "type": "rectangle", "size": [6, 6] } },
+      "camera": { "eye": [1, 5, 5] },
+      "nodes": [ { "surface": "ball", "material": "m", "translate": [0, 1.5, 0] }, { "surface": "floor" },
+                 { "translate": [-1, 5, 1], "light": { "shadow": "exact" } } ] })_",
+            "multiply")),
+        {64, 48});
+  };
+  const Picture opaque = pictureOf(R"("blend": "over")"), multiplied = pictureOf(R"("blend": "multiply")"),
+                added = pictureOf(R"("blend": "add")");
+  EXPECT_TRUE(sameBytes(multiplied.image, opaque.image));
+  EXPECT_EQ(multiplied.statistics.count.layerPoints, 0U);
+  EXPECT_EQ(multiplied.statistics.count.passes, opaque.statistics.count.passes);
+  EXPECT_GT(added.statistics.count.layerPoints, 0U) << "what is behind comes through all of it";
 }
 
 TEST_F(LayersTest, OrderOfNodesChangesNoByte) {

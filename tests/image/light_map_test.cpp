@@ -45,13 +45,13 @@ class LightMapTest : public VerifiedPictureTest {
          "light": { "type": "directional",)";
 
   /// Calls `check(point, colour)` for all pixels that show the floor, and gives how many these are.
-  int forEachOfFloor(const Scene& scene, const auto& check) {
-    const Image image = draw(scene, kLightMapSize).image;
-    const Image id = draw(scene, kLightMapSize, {.output = Output::Id}).image;
-    const CameraModel camera(scene.cameras()[0], kLightMapSize);
+  int forEachOfFloor(const Scene& scene, const auto& check, PixelSize size = kLightMapSize) {
+    const Image image = draw(scene, size).image;
+    const Image id = draw(scene, size, {.output = Output::Id}).image;
+    const CameraModel camera(scene.cameras()[0], size);
     int seen = 0;
-    for (int y = 0; y < kLightMapSize.height; ++y)
-      for (int x = 0; x < kLightMapSize.width; ++x) {
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) {
         if (id.pixel(x, y)[0] != 1) continue;
         const Ray ray = camera.through(centerOf(x, y));
         check(ray.at(*hitPlane(ray, Vec3(0), Vec3(0, 1, 0))), colorAt(image, x, y));
@@ -111,6 +111,29 @@ TEST_F(LightMapTest, GetsBetterWithSizeAndWithABias) {
   EXPECT_GT(none, 400U);
   for (const std::uint64_t biased : {lesson, slope, plane, normal}) EXPECT_LT(biased, none / 3);
   EXPECT_LT(larger, slope / 2) << "borders are as thin as texels";
+}
+
+/// A bias without end leaves no shadow; and where the light is in the eye there is none to be seen: what is
+/// dark then is acne.
+TEST_F(LightMapTest, IsTooBrightByItsBiasAndTooDarkWithoutOne) {
+  constexpr PixelSize kSize{160, 120};
+  const auto wrongIn = [&](const char* light, const char* map) {
+    return verified(takeSnapshot(sceneOf(kBall, light, map), 0, kSize)).verification.wrong;
+  };
+  const char* biased = R"({ "size": 256, "bias": 1000 })";
+  const WrongPixels bright = wrongIn(kLamp, biased),
+                    dark = wrongIn(R"("translate": [1, 7, 6], "light": {)", R"({ "size": 256 })");
+  std::uint64_t inShadow = 0;
+  forEachOfFloor(
+      sceneOf(kBall, kLamp, biased), [&](const Vec3& p, const Vec3&) { inShadow += !isLit(p); }, kSize);
+  EXPECT_GT(inShadow, 500U);
+  EXPECT_LE(bright.shadowMissing, inShadow);
+  EXPECT_GE(bright.shadowMissing + 5, inShadow) << "but for 0.01 px of its border, which is some 130 px long";
+  EXPECT_EQ(bright.shadowExtra, 0U);
+  EXPECT_GT(dark.shadowExtra, 100U);
+  EXPECT_EQ(dark.shadowMissing, 0U);
+  for (const WrongPixels& wrong : {bright, dark})
+    EXPECT_EQ(wrong.shadowExtra + wrong.shadowMissing, wrong.light);
 }
 
 /// Behind a wall on the floor, a bias b along the rays leaves light to b cos 45 degrees.

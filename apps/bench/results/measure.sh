@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Measures this folder anew, in minutes on a machine that does nothing else: measure.sh [BUILD]. Replaces results.csv,
-# results.json, summary.md, pareto.svg, povray.txt and, in the project's README, the table between the benchmark's marks.
+# results.json, summary.md, pareto.svg, shadows.csv, shadows.svg, povray.txt and, in the project's README, the table between the benchmark's marks.
 # The page with all pictures, tens of megabytes, is BUILD/bench/index.html. Needs gnuplot and povray.
 set -euo pipefail
 here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
@@ -12,6 +12,8 @@ readme=$root/README.md
 cmake --build "$build" --target luxo_program luxo_povray_parametric
 "$build/bin/luxo" bench standard -o "$build/bench"
 cp "$build/bench/"{results.csv,results.json,summary.md,pareto.svg} "$here"
+"$build/bin/luxo" bench shadows -o "$build/bench"
+cp "$build/bench/"{shadows.csv,shadows.svg} "$here"
 # A missed goal (exit code 6) is a result, too.
 "$build/bin/luxo_povray_parametric" | tee "$here/povray.txt" || [[ ${PIPESTATUS[0]} -eq 6 ]]
 

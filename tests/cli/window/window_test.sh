@@ -308,6 +308,36 @@ case_keys() {
   quit
 }
 
+# The key X turns shadows off and on: without them the picture is that of a light that has none.
+case_shadows() {
+  open_screen
+  local shadow
+  for shadow in exact none; do
+    cat >"$folder/$shadow.luxo.json" <<END
+{ "luxo": 1, "surfaces": { "floor": { "type": "rectangle", "size": [6, 6] }, "ball": { "type": "sphere" } },
+  "nodes": [ { "surface": "floor" }, { "surface": "ball", "translate": [0, 1.5, 0] },
+             { "translate": [-2, 5, 1], "light": { "type": "point", "shadow": "$shadow" } } ],
+  "camera": { "eye": [1, 5, 5] } }
+END
+    (unset DISPLAY && "$bin/luxo" render "$folder/$shadow.luxo.json" -q --size 320x180 -o "$folder/$shadow.png") ||
+      fail "cannot render headless"
+  done
+  differ exact.png none.png "the ball has a shadow"
+  view exact.luxo.json --size 320x180
+  photo with.png
+  same with.png exact.png "shadows are on at first"
+  keys x
+  photo without.png
+  same without.png none.png "X turns shadows off"
+  keys 3 5  # another shading and back: they stay off
+  photo still.png
+  same still.png none.png "shadows stay off"
+  keys x
+  photo again.png
+  same again.png exact.png "X turns shadows on again"
+  quit
+}
+
 case_smooths() {
   open_screen
   start --size 240x150 --time 3
