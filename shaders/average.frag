@@ -2,10 +2,12 @@
 // A picture joins a mean (gpu::Blend::Mean). Its alpha tells how good a point is, negative where nothing is certain; the
 // largest stays, and what is uncertain is always larger.
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/picture_set.h"
 
-layout(constant_id = 0) const float kUncertain = 0;
+layout(constant_id = kConstantUncertain) const float kUncertain = 0;
 
-layout(set = 0, binding = 0) uniform sampler2D picture;
+layout(set = kSetPicture, binding = kBindingPicture) uniform sampler2D picture;
 
 layout(location = 0) out vec4 outColor;
 

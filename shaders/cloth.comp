@@ -9,8 +9,8 @@
 layout(local_size_x = 128) in;
 
 layout(push_constant, scalar) uniform Constants { ClothData cloth; };
-layout(set = 0, binding = 0, scalar) coherent buffer Points { vec4 points[]; };
-layout(set = 0, binding = 1, scalar) readonly buffer Iterations { vec2 iterations[]; };
+layout(set = kSetCloth, binding = kBindingClothPoints, scalar) coherent buffer Points { vec4 points[]; };
+layout(set = kSetCloth, binding = kBindingClothIterations, scalar) readonly buffer Iterations { vec2 iterations[]; };
 
 uint count;
 uint width;  // points of a row

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene-linear picture -> window: clamped and encoded as sRGB here, because drivers disagree on their own encode.
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/picture_set.h"
 
-layout(set = 0, binding = 0) uniform sampler2D picture;
+layout(set = kSetPicture, binding = kBindingPicture) uniform sampler2D picture;
 
 layout(location = 0) out vec4 outColor;
 

@@ -8,7 +8,7 @@
 #include "lib/surface_fragment.glsl"
 #include "lib/lit_plain.glsl"
 
-layout(location = 14) sample in vec3 inDetail;
+layout(location = kLocationDetail) sample in vec3 inDetail;
 layout(location = 15) flat in vec4 inParameterBounds;
 
 vec2 foundParameters() { return clamp(inDetail.xy, inParameterBounds.xy, inParameterBounds.zw); }

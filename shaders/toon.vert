@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/surface_vertex.glsl"
 
-layout(location = 14) sample out vec3 outDetail;  // no parameters; silhouette()
+layout(location = kLocationDetail) sample out vec3 outDetail;  // no parameters; silhouette()
 
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];

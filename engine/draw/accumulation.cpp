@@ -12,6 +12,7 @@
 #include "luxo/shaders/average_frag.h"
 #include "luxo/shaders/whole_target_vert.h"
 #include "math/sampling.h"
+#include "shared/picture_set.h"
 
 namespace luxo {
 namespace {
@@ -64,13 +65,14 @@ Accumulator::Accumulator(gpu::Context& context)
     : context_(&context),
       layout_(context, {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}}),
       sampler_(gpu::createSampler(context, VK_FILTER_NEAREST)),
-      pipeline_(context, {.name = "average",
-                          .vertexShader = luxo_whole_target_vert,
-                          .fragmentShader = luxo_average_frag,
-                          .colorFormats = {kSumFormat},
-                          .blend = gpu::Blend::Mean,
-                          .specialization = {{0, std::bit_cast<std::uint32_t>(kUncertain)}},
-                          .setLayouts = {layout_}}) {}
+      pipeline_(context,
+                {.name = "average",
+                 .vertexShader = luxo_whole_target_vert,
+                 .fragmentShader = luxo_average_frag,
+                 .colorFormats = {kSumFormat},
+                 .blend = gpu::Blend::Mean,
+                 .specialization = {{shared::kConstantUncertain, std::bit_cast<std::uint32_t>(kUncertain)}},
+                 .setLayouts = {layout_}}) {}
 
 void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Texture& picture, int before) {
   const VkExtent2D extent = picture.extent();
@@ -104,7 +106,7 @@ void Accumulator::add(gpu::FrameRing& frames, VkCommandBuffer commands, gpu::Tex
   vkCmdBeginRendering(commands, &rendering);
   gpu::setViewport(commands, extent);
   pipeline_.bind(commands);
-  pipeline_.bindSet(commands, 0, set);
+  pipeline_.bindSet(commands, shared::kSetPicture, set);
   const float part = 1.0f / static_cast<float>(before + 1);
   const float constants[] = {part, part, part, part};
   vkCmdSetBlendConstants(commands, constants);

@@ -82,10 +82,9 @@ class DeviceClothSimulation::Stepper {
  public:
   explicit Stepper(gpu::Context& context)
       : context_(context),
-        layout_(context, {{.stages = VK_SHADER_STAGE_COMPUTE_BIT}, {.stages = VK_SHADER_STAGE_COMPUTE_BIT}}),
-        pipeline_(context, {.name = "cloth",
-                            .shader = luxo_cloth_comp,
-                            .setLayouts = {layout_}}),
+        layout_(context, std::vector<gpu::DescriptorBinding>(shared::kClothBindings,
+                                                             {.stages = VK_SHADER_STAGE_COMPUTE_BIT})),
+        pipeline_(context, {.name = "cloth", .shader = luxo_cloth_comp, .setLayouts = {layout_}}),
         frames_(context) {}
 
   void advance(const Cloth& cloth, ClothState& state, std::uint32_t steps) {
@@ -125,7 +124,8 @@ class DeviceClothSimulation::Stepper {
     gpu::use(commands, {{points_, gpu::Use::ComputeStorage}});
     pipeline_.bind(commands);
     pipeline_.push(commands, std::as_bytes(std::span(&data, 1)));
-    pipeline_.bindSet(commands, 0, frames_.descriptors().write(layout_, {points_, iterations_}));
+    pipeline_.bindSet(commands, shared::kSetCloth,
+                      frames_.descriptors().write(layout_, {points_, iterations_}));
     vkCmdDispatch(commands, 1, 1, 1);
     gpu::use(commands, {{points_, gpu::Use::TransferSource}, {read_, gpu::Use::TransferDestination}});
     const VkBufferCopy state{.size = read_.size()};

@@ -197,7 +197,7 @@ void PassRecorder::draw(const DrawBatch& batch) {
   if (batch.state.form == Form::Again) pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   if (batch.shell) {
     pipeline.bindSet(commands_, shared::kSetExact, bindings_.exact);
-    const ShellDraw draw{batch.half == Half::Far ? -1.0f : 1.0f, view_.targets().guard()};
+    const shared::ShellDraw draw{batch.half == Half::Far ? -1.0f : 1.0f, view_.targets().guard()};
     pipeline.push(commands_, std::as_bytes(std::span(&draw, 1)));
   }
   gpu::setDepthBias(commands_, biasOf(batch));
@@ -283,7 +283,6 @@ void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
   bindPaint(pipeline, draw.state);
   pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   pipeline.push(commands_, std::as_bytes(std::span(&pushed, 1)));
-  gpu::setDepthBias(commands_, {});
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};
@@ -314,7 +313,6 @@ void PassRecorder::drawLightMap(std::size_t group) {
   const gpu::GraphicsPipeline& pipeline =
       pipelines_.get({.form = Form::LightDepth}, view_.targets().format());
   pipeline.bind(commands_);
-  gpu::setDepthBias(commands_, {});
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   const std::uint32_t size = drawn.map.size;
@@ -356,7 +354,6 @@ void PassRecorder::compareWithMap(Form form, std::size_t group) {
 }
 
 void PassRecorder::drawWhole(std::uint32_t instance) {
-  gpu::setDepthBias(commands_, {});
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   vkCmdDraw(commands_, 3, 1, 0, instance);
@@ -387,7 +384,7 @@ void PassRecorder::clearMisses(std::span<const PixelPlace> misses) {
 void PassRecorder::drawRays(const RayPoints& points) {
   clearMisses(points.misses);
   const VkExtent2D extent = view_.targets().extent();
-  const RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};
+  const shared::RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};
   std::uint32_t instance = 0;
   for (const RayPoints::Run& run : points.runs) {
     const FoundNode& node = view_.list().found[run.found];
@@ -397,7 +394,6 @@ void PassRecorder::drawRays(const RayPoints& points) {
     pipeline.bindSet(commands_, shared::kSetScene, bindings_.sceneOfRays, {&lightOffset, 1});
     bindPaint(pipeline, node.state);
     pipeline.push(commands_, std::as_bytes(std::span(&target, 1)));
-    gpu::setDepthBias(commands_, {});
     vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
     vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
     constexpr VkDeviceSize kOffset = 0;
@@ -430,9 +426,8 @@ void PassRecorder::drawTriangles(const DrawState& state, VkBuffer vertices, std:
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
   }
   const VkExtent2D extent = view_.targets().extent();
-  const RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};
+  const shared::RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};
   pipeline.push(commands_, std::as_bytes(std::span(&target, 1)));
-  gpu::setDepthBias(commands_, {});
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   constexpr VkDeviceSize kOffset = 0;

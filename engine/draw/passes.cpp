@@ -30,108 +30,180 @@ Pass lightDepths(std::size_t group) {
 
 /// Points are found, by searches and triangles or by rays, and then lit, by one group of lights after the
 /// other.
-std::vector<Pass> deferredPasses(const DrawList& list, const FrameDesc& frame,
-                                 std::span<const DrawBatch> found, Begin begin, bool replaces) {
-  const auto firstMesh = std::ranges::find_if(found, [](const DrawBatch& batch) { return !batch.finds(); });
-  const std::span<const DrawBatch> searched(found.begin(), firstMesh), meshes(firstMesh, found.end());
-  std::vector<Attachment> targets{{Target::Found, begin}};
-  std::vector<Target> reads{Target::Found};
-  if (list.findsParameters) {
-    targets.push_back({Target::FoundParameters, begin});
-    reads.push_back(Target::FoundParameters);
-  }
-  if (list.findsFootprints) {
-    targets.push_back({Target::FoundFootprint, begin});
-    reads.push_back(Target::FoundFootprint);
-  }
-  if (list.findsFrames) {
-    targets.push_back({Target::FoundFrame, begin});
-    reads.push_back(Target::FoundFrame);
-  }
-  Pass finds{.name = replaces ? "rays" : "found",
-             .colors = targets,
-             .depth = begin,
-             .searches = list.exact() && !replaces,
-             .batches = replaces ? std::span<const DrawBatch>() : searched,
-             .rays = frame.rays,
-             .probes = frame.probes && (!replaces || meshes.empty())};  // else meshes have been drawn over it
-  std::vector<Pass> passes{std::move(finds)};
-  // After rays, which know nothing of meshes.
-  if (!replaces && !meshes.empty()) {
-    for (Attachment& target : targets) target.begin = Begin::Keep;
-    if (list.findsPlaces && !list.findsParameters) targets.push_back({Target::FoundParameters, begin});
-    passes.push_back({.name = "found meshes", .colors = targets, .batches = meshes});
-  }
-  if (!replaces && !list.places.empty())
-    passes.push_back({.name = "places",
-                      .colors = {{Target::Places, Begin::Clear}},
-                      .reads = {Target::Found, Target::FoundParameters},
-                      .searches = true,
-                      .casters = list.places});
-  // The shadows of many groups share one target, which holds those of the last; and points of rays are
-  // compared with a map, too.
-  const bool shadowsStay = replaces && list.groups.size() == 1 && !list.hasLightMaps();
-  // Rays tell the shadows of all their pixels: the light of the others is there. A miss is cleared with all.
-  const bool shadesStay = shadowsStay && !frame.answers && frame.rays->misses.empty() && !list.layers.any() &&
-                          frame.rays->shadows.size() == 1 && !frame.rays->shadows[0].empty() &&
-                          !list.occludes;
-  if (list.occludes) {
-    passes.push_back({.name = "openness",
-                      .colors = {{Target::Openness, Begin::Clear}},
-                      .reads = {Target::Found},
-                      .shades = kOpenness});
-    reads.push_back(Target::Openness);
-  }
-  for (std::size_t i = 0; i < list.groups.size(); ++i) {
-    const LightGroup& group = list.groups[i];
-    Pass shades{.name = "shade",
-                .colors = color(i == 0 && !shadesStay ? Begin::Clear : Begin::Keep),
-                .reads = reads,
-                .group = i,
-                .shades = group.shades,
-                .asks = list.traces};
-    if (shadesStay) shades.pixels = frame.rays->shadows[i];
-    // Meshes that are drawn again ask for the shadows of every group: one without has to say so.
-    const bool asks = !group.again.empty() && list.findsShadows();
-    if (!group.lights.empty() || group.transmits || asks) {
-      passes.push_back({.name = "shadows",
-                        .colors = {{Target::Shadows, shadowsStay ? Begin::Keep : Begin::Clear}},
-                        .reads = {Target::Found, Target::Places},
-                        .searches = !shadowsStay,
-                        .group = i,
-                        .casters = shadowsStay ? std::span<const CasterDraw>() : group.shadows,
-                        .flatShadows = shadowsStay ? std::span<const FlatShadowDraw>() : group.flatShadows,
-                        .rays = frame.rays,
-                        .probes = frame.probes});
-      shades.reads.push_back(Target::Shadows);
+class DeferredPasses {
+ public:
+  /// `replaces`: points of rays replace what the last frame has found.
+  DeferredPasses(const DrawList& list, const FrameDesc& frame, bool replaces)
+      : list_(list),
+        frame_(frame),
+        replaces_(replaces),
+        // The shadows of many groups share one target, which holds those of the last; and points of rays are
+        // compared with a map, too.
+        shadowsStay_(replaces && list.groups.size() == 1 && !list.hasLightMaps()) {}
+
+  [[nodiscard]] std::vector<Pass> of(std::span<const DrawBatch> found) && {
+    const auto firstMesh = std::ranges::find_if(found, [](const DrawBatch& b) { return !b.finds(); });
+    const std::span<const DrawBatch> searched(found.begin(), firstMesh), meshes(firstMesh, found.end());
+    findPoints(searched, meshes);
+    if (!replaces_) {
+      findMeshes(meshes);
+      findPlaces();
     }
-    if (group.map) passes.push_back(lightDepths(i));
-    if (group.transmits) {
-      passes.push_back(
-          {.name = "transmittance",
-           .colors = {{Target::Transmittance, shadowsStay ? Begin::Keep : Begin::Clear}},
-           .reads = {Target::Found, Target::Places},
-           .searches = !shadowsStay,
-           .group = i,
-           .casters = shadowsStay ? std::span<const CasterDraw>() : group.transmittances,
-           .flatShadows = shadowsStay ? std::span<const FlatShadowDraw>() : group.flatTransmittances,
-           .readsLightMap = group.map.has_value(),
-           .rays = frame.rays,
-           .probes = frame.probes});
-      if (group.map) passes.back().reads.push_back(Target::LightDepth);
-      shades.reads.push_back(Target::Transmittance);
+    findOpenness();
+    for (std::size_t group = 0; group < list_.groups.size(); ++group) {
+      findShadows(group);
+      drawLightMap(group);
+      findTransmittance(group);
+      shade(group);
+      drawAgain(group);
     }
-    Pass again{.name = "meshes again",
-               .colors = color(Begin::Keep),
-               .reads = shades.reads,
-               .batches = group.again,
-               .group = i};
-    if (asks && list.findsTransmittances() && !group.transmits) again.reads.push_back(Target::Transmittance);
-    passes.push_back(std::move(shades));
-    if (!group.again.empty()) passes.push_back(std::move(again));
+    return std::move(passes_);
   }
-  return passes;
-}
+
+ private:
+  /// What light may ask of a point.
+  [[nodiscard]] std::vector<Target> foundTargets() const {
+    std::vector<Target> targets{Target::Found};
+    if (list_.findsParameters) targets.push_back(Target::FoundParameters);
+    if (list_.findsFootprints) targets.push_back(Target::FoundFootprint);
+    if (list_.findsFrames) targets.push_back(Target::FoundFrame);
+    return targets;
+  }
+
+  [[nodiscard]] std::vector<Attachment> foundAttachments(Begin begin) const {
+    std::vector<Attachment> all;
+    for (const Target target : foundTargets()) all.push_back({target, begin});
+    return all;
+  }
+
+  void findPoints(std::span<const DrawBatch> searched, std::span<const DrawBatch> meshes) {
+    const Begin begin = replaces_ ? Begin::Keep : Begin::Clear;
+    passes_.push_back(
+        {.name = replaces_ ? "rays" : "found",
+         .colors = foundAttachments(begin),
+         .depth = begin,
+         .searches = list_.exact() && !replaces_,
+         .batches = replaces_ ? std::span<const DrawBatch>() : searched,
+         .rays = frame_.rays,
+         .probes = frame_.probes && (!replaces_ || meshes.empty())});  // else meshes have been drawn over it
+  }
+
+  /// After rays, which know nothing of meshes.
+  void findMeshes(std::span<const DrawBatch> meshes) {
+    if (meshes.empty()) return;
+    std::vector<Attachment> colors = foundAttachments(Begin::Keep);
+    if (list_.findsPlaces && !list_.findsParameters)
+      colors.push_back({Target::FoundParameters, Begin::Clear});
+    passes_.push_back({.name = "found meshes", .colors = std::move(colors), .batches = meshes});
+  }
+
+  void findPlaces() {
+    if (list_.places.empty()) return;
+    passes_.push_back({.name = "places",
+                       .colors = {{Target::Places, Begin::Clear}},
+                       .reads = {Target::Found, Target::FoundParameters},
+                       .searches = true,
+                       .casters = list_.places});
+  }
+
+  void findOpenness() {
+    if (!list_.occludes) return;
+    passes_.push_back({.name = "openness",
+                       .colors = {{Target::Openness, Begin::Clear}},
+                       .reads = {Target::Found},
+                       .shades = kOpenness});
+  }
+
+  /// Meshes that are drawn again ask for the shadows of every group: one without has to say so.
+  [[nodiscard]] bool againAsksForShadows(const LightGroup& group) const {
+    return !group.again.empty() && list_.findsShadows();
+  }
+
+  [[nodiscard]] bool asksForShadows(const LightGroup& group) const {
+    return !group.lights.empty() || group.transmits || againAsksForShadows(group);
+  }
+
+  void findShadows(std::size_t index) {
+    const LightGroup& group = list_.groups[index];
+    if (!asksForShadows(group)) return;
+    passes_.push_back(occlusion("shadows", Target::Shadows, index, group.shadows, group.flatShadows));
+  }
+
+  void drawLightMap(std::size_t index) {
+    if (list_.groups[index].map) passes_.push_back(lightDepths(index));
+  }
+
+  void findTransmittance(std::size_t index) {
+    const LightGroup& group = list_.groups[index];
+    if (!group.transmits) return;
+    Pass pass = occlusion("transmittance", Target::Transmittance, index, group.transmittances,
+                          group.flatTransmittances);
+    pass.readsLightMap = group.map.has_value();
+    if (pass.readsLightMap) pass.reads.push_back(Target::LightDepth);
+    passes_.push_back(std::move(pass));
+  }
+
+  /// What keeps lights from what was found.
+  [[nodiscard]] Pass occlusion(const char* name, Target target, std::size_t group,
+                               std::span<const CasterDraw> casters,
+                               std::span<const FlatShadowDraw> flat) const {
+    Pass pass{.name = name,
+              .colors = {{target, shadowsStay_ ? Begin::Keep : Begin::Clear}},
+              .reads = {Target::Found, Target::Places},
+              .searches = !shadowsStay_,
+              .group = group,
+              .rays = frame_.rays,
+              .probes = frame_.probes};
+    if (shadowsStay_) return pass;
+    pass.casters = casters;
+    pass.flatShadows = flat;
+    return pass;
+  }
+
+  /// Rays tell the shadows of all their pixels: the light of the others is there. A miss is cleared with all.
+  [[nodiscard]] bool shadesStay() const {
+    return shadowsStay_ && !frame_.answers && frame_.rays->misses.empty() && !list_.layers.any() &&
+           frame_.rays->shadows.size() == 1 && !frame_.rays->shadows[0].empty() && !list_.occludes;
+  }
+
+  [[nodiscard]] std::vector<Target> readsOf(const LightGroup& group) const {
+    std::vector<Target> reads = foundTargets();
+    if (list_.occludes) reads.push_back(Target::Openness);
+    if (asksForShadows(group)) reads.push_back(Target::Shadows);
+    if (group.transmits) reads.push_back(Target::Transmittance);
+    return reads;
+  }
+
+  void shade(std::size_t index) {
+    const LightGroup& group = list_.groups[index];
+    Pass pass{.name = "shade",
+              .colors = color(index == 0 && !shadesStay() ? Begin::Clear : Begin::Keep),
+              .reads = readsOf(group),
+              .group = index,
+              .shades = group.shades,
+              .asks = list_.traces};
+    if (shadesStay()) pass.pixels = frame_.rays->shadows[index];
+    passes_.push_back(std::move(pass));
+  }
+
+  void drawAgain(std::size_t index) {
+    const LightGroup& group = list_.groups[index];
+    if (group.again.empty()) return;
+    std::vector<Target> reads = readsOf(group);
+    if (againAsksForShadows(group) && list_.findsTransmittances() && !group.transmits)
+      reads.push_back(Target::Transmittance);
+    passes_.push_back({.name = "meshes again",
+                       .colors = color(Begin::Keep),
+                       .reads = std::move(reads),
+                       .batches = group.again,
+                       .group = index});
+  }
+
+  const DrawList& list_;
+  const FrameDesc& frame_;
+  bool replaces_, shadowsStay_;
+  std::vector<Pass> passes_;
+};
 
 /// What is seen through: its points are found, in any order, lit by one group of lights after the other, and
 /// blended over what is not.
@@ -197,7 +269,7 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
       (!list.layers.any() || (list.deferred && frame.layerBands == 1 && !list.hasLightMaps()));
   const Begin begin = replaces ? Begin::Keep : Begin::Clear;
   if (list.deferred)
-    passes = deferredPasses(list, frame, opaque.found, begin, replaces);
+    passes = DeferredPasses(list, frame, replaces).of(opaque.found);
   else if (replaces)
     passes.push_back({.name = "rays", .colors = color(begin), .depth = begin, .rays = frame.rays});
   else if (opaque.found.empty() && !opaque.meshes.empty())

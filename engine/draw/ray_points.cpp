@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "draw/ray_layers.h"
 #include "math/sampling.h"
 #include "reference/audit.h"
 #include "reference/verification.h"
@@ -33,24 +34,6 @@ double depthInBuffer(const View& view, double depth) {
 double depthOf(const View& view, float inBuffer) {
   if (inBuffer == 0) return std::numeric_limits<double>::infinity();
   return view.perspective() ? view.near / inBuffer : view.far - inBuffer * (view.far - view.near);
-}
-
-/// Rounding must not lead across the end of the domain, where a pattern may jump.
-Vec2 inside(const Domain& domain, const reference::Hit& hit) {
-  const auto within = [](double x, const Interval& range) {
-    const double margin = 1e-6 * range.width();
-    return std::clamp(x, range.lo + margin, range.hi - margin);
-  };
-  return {within(hit.u, domain.u), within(hit.v, domain.v)};
-}
-
-/// A unit vector as shaders/lib/octahedral.glsl has it.
-Vec2f octahedral(const Vec3& n) {
-  const double size = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-  if (!(size > 0)) return Vec2f(0);
-  const Vec2 p(n.x / size, n.y / size);
-  if (n.z >= 0) return Vec2f(p);
-  return Vec2f(std::copysign(1 - std::abs(p.y), p.x), std::copysign(1 - std::abs(p.x), p.y));
 }
 
 /// Upper bound of the distances that points of a node's pixels are computed from; of a surface without end,
@@ -80,6 +63,23 @@ std::optional<MeshPoint> pointOf(const ShownMeshes& shown, PixelPlace pixel) {
 }
 
 }  // namespace
+
+double depthRounding(const View& view, const SnapshotNode& node) {
+  return shared::kDepthRounding * reachOf(view, node);
+}
+
+shared::ReachingLight reachingLight(const reference::Caster& caster, const reference::Hit& hit,
+                                    const LightGroup& group, bool& certified, bool ofMesh) {
+  shared::ReachingLight reaches = kAllReaches;
+  for (std::size_t bit = 0; bit < group.lights.size(); ++bit) {
+    const auto light = group.lights[bit];
+    if (!light || (!ofMesh && !caster.shinesOn(*light, hit))) continue;
+    const Vec3 part = caster.reaching(*light, hit, certified);
+    if (part == Vec3(0)) reaches.shadows |= 1U << bit;
+    if (group.transmits) reaches.transmittance = Vec3f(part);
+  }
+  return reaches;
+}
 
 std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
                                       std::span<const PixelPlace> outlines) {
@@ -136,8 +136,7 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
     const Material& material = snapshot.materials[snapshot.nodes[i].material.index];
     if (!material.invisible() && !seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
     if (surface && snapshot.nodes[i].surface.triangles()) mostRoundingPx_ = kMostOfTrianglesPx;
-    if (surface || layers)
-      rounding_ = std::max(rounding_, shared::kDepthRounding * reachOf(snapshot.view, snapshot.nodes[i]));
+    if (surface || layers) rounding_ = std::max(rounding_, depthRounding(snapshot.view, snapshot.nodes[i]));
   }
 }
 
@@ -158,6 +157,22 @@ std::vector<reference::Ray> CertifiedRays::prepare(std::size_t count, const auto
   caster_->prepareFor(rays, layers_, worth);
   treesMs_ += watch.milliseconds();
   return rays;
+}
+
+void CertifiedRays::lookTwice(std::size_t count, const auto& look, const auto& certified,
+                              const auto& refineCells) {
+  std::vector<std::size_t> chosen(count);
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  const auto lookAtAll = [&] {
+    forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
+      if (goesOn_()) look(chosen[k]);
+    });
+  };
+  lookAtAll();
+  std::erase_if(chosen, certified);
+  if (chosen.empty()) return;
+  refineCells(std::span<const std::size_t>(chosen));
+  lookAtAll();
 }
 
 double CertifiedRays::rounding() const {
@@ -213,21 +228,14 @@ std::vector<char> CertifiedRays::addPoints(std::span<const Doubt> doubts, const 
   const auto pixelAt = [&](std::size_t i) { return doubts[i].pixel; };
   const std::vector<reference::Ray> rays = prepare(doubts.size(), pixelAt);
   std::vector<reference::Caster::First> seen(doubts.size());
-  const auto cast = [&](std::span<const std::size_t> chosen) {
-    forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
-      if (goesOn_()) seen[chosen[k]] = caster_->firstOf(nodes_, rays[chosen[k]]);
-    });
-  };
-  std::vector<std::size_t> chosen(doubts.size());
-  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-  cast(chosen);
-  // What few cells leave undecided many may not.
-  std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
-  if (!chosen.empty()) {
-    static_cast<void>(prepare(
-        chosen.size(), [&](std::size_t k) { return pixelAt(chosen[k]); }, reference::kRaysForFinestCells));
-    cast(chosen);
-  }
+  lookTwice(
+      doubts.size(), [&](std::size_t i) { seen[i] = caster_->firstOf(nodes_, rays[i]); },
+      [&](std::size_t i) { return seen[i].certified; },
+      [&](std::span<const std::size_t> undecided) {
+        static_cast<void>(prepare(
+            undecided.size(), [&](std::size_t k) { return pixelAt(undecided[k]); },
+            reference::kRaysForFinestCells));
+      });
 
   std::vector<char> confirmed(doubts.size());
   std::vector<std::pair<std::size_t, std::size_t>> hits;  // index into found, pixel
@@ -267,19 +275,6 @@ std::vector<char> CertifiedRays::addPoints(std::span<const Doubt> doubts, const 
   return confirmed;
 }
 
-shared::ReachingLight CertifiedRays::reaching(const reference::Hit& hit, const LightGroup& group,
-                                              bool& certified, bool ofMesh) const {
-  shared::ReachingLight reaches = kAllReaches;
-  for (std::size_t bit = 0; bit < group.lights.size(); ++bit) {
-    const auto light = group.lights[bit];
-    if (!light || (!ofMesh && !caster_->shinesOn(*light, hit))) continue;
-    const Vec3 part = caster_->reaching(*light, hit, certified);
-    if (part == Vec3(0)) reaches.shadows |= 1U << bit;
-    if (group.transmits) reaches.transmittance = Vec3f(part);
-  }
-  return reaches;
-}
-
 std::vector<std::uint32_t> CertifiedRays::receiversBut(const ShownMeshes& shown) const {
   std::vector<std::uint32_t> others = receivers_;
   std::erase_if(others, [&](std::uint32_t node) {
@@ -301,42 +296,35 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, const ShownMe
     bool certified = true;
   };
   std::vector<Found> all(pixels.size());
-  const auto find = [&](std::span<const std::size_t> chosen) {
-    forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
-      if (!goesOn_()) return;
-      const reference::Ray& ray = rays[chosen[k]];
-      Found found;
-      if (const auto point = pointOf(shown, pixels[chosen[k]])) {
-        found.ofMesh = true;
-        found.seen.hit = caster_->pointAt(point->node, point->parameters, ray);
-        found.seen.certified = found.seen.hit.has_value();
-      } else {
-        found.seen = caster_->firstOf(others, ray);
-      }
-      found.certified = found.seen.certified;
-      for (const LightGroup& group : groups)
-        found.light.push_back(found.seen.hit ? reaching(*found.seen.hit, group, found.certified, found.ofMesh)
-                                             : kAllReaches);
-      all[chosen[k]] = std::move(found);
-    });
-  };
-  std::vector<std::size_t> chosen(pixels.size());
-  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-  find(chosen);
-  // What few cells leave undecided many may not.
-  std::erase_if(chosen, [&](std::size_t i) { return all[i].certified; });
-  std::vector<reference::Ray> undecided;
-  for (const std::size_t i : chosen) {
-    undecided.push_back(rays[i]);
+  const auto find = [&](std::size_t i) {
+    Found found;
+    if (const auto point = pointOf(shown, pixels[i])) {
+      found.ofMesh = true;
+      found.seen.hit = caster_->pointAt(point->node, point->parameters, rays[i]);
+      found.seen.certified = found.seen.hit.has_value();
+    } else {
+      found.seen = caster_->firstOf(others, rays[i]);
+    }
+    found.certified = found.seen.certified;
     for (const LightGroup& group : groups)
-      for (const std::optional<std::uint32_t>& light : group.lights)
-        if (light && all[i].seen.hit)
-          undecided.push_back({all[i].seen.hit->position, caster_->towardLight(*light, *all[i].seen.hit)});
-  }
-  if (!undecided.empty()) {
-    caster_->prepareFor(undecided, all_, reference::kRaysForFinestCells);
-    find(chosen);
-  }
+      found.light.push_back(
+          found.seen.hit ? reachingLight(*caster_, *found.seen.hit, group, found.certified, found.ofMesh)
+                         : kAllReaches);
+    all[i] = std::move(found);
+  };
+  lookTwice(
+      pixels.size(), find, [&](std::size_t i) { return all[i].certified; },
+      [&](std::span<const std::size_t> undecided) {
+        std::vector<reference::Ray> again;
+        for (const std::size_t i : undecided) {
+          again.push_back(rays[i]);
+          for (const LightGroup& group : groups)
+            for (const std::optional<std::uint32_t>& light : group.lights)
+              if (light && all[i].seen.hit)
+                again.push_back({all[i].seen.hit->position, caster_->towardLight(*light, *all[i].seen.hit)});
+        }
+        caster_->prepareFor(again, all_, reference::kRaysForFinestCells);
+      });
   points.shadows.resize(groups.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     points.shadowsUndecided += !all[i].certified;
@@ -348,125 +336,26 @@ void CertifiedRays::addShadows(std::span<const PixelPlace> pixels, const ShownMe
   }
 }
 
-std::optional<reference::Hit> CertifiedRays::ofMesh(const shared::LayerPoint& point, std::uint32_t node,
-                                                    const reference::Ray& ray, double originDepth,
-                                                    const reference::Caster::Sight& sight) const {
-  const View& view = caster_->snapshot().view;
-  const SnapshotNode& of = caster_->snapshot().nodes[node];
-  if (!of.surface.triangles()) return caster_->pointAt(node, Vec2(point.parameters), ray);
-  const double depth = originDepth + point.depth, rounding = shared::kDepthRounding * reachOf(view, of);
-  std::optional<reference::Hit> nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const reference::Hit& hit : sight.hits) {
-    const double off = std::abs(glm::dot(hit.position - view.eye, view.forward()) - depth);
-    const double pixel = (view.perspective() ? depth : 1) / view.pixelsPerUnit;
-    const double allowed = rounding + kPointPx * pixel / std::abs(glm::dot(hit.facet, ray.direction));
-    if (hit.node != node || off > allowed || off >= least) continue;
-    least = off;
-    nearest = hit;
-  }
-  return nearest;
-}
-
 void CertifiedRays::addLayers(std::span<const Doubt* const> doubts, const RayDraws& draws,
                               RayPoints& points) {
   const bool asked = !draws.layers.empty() || std::ranges::any_of(doubts, &Doubt::layers);
   if (!asked || doubts.empty()) return;
-  const auto pixelAt = [&](std::size_t i) { return doubts[i]->pixel; };
-  const std::vector<reference::Ray> rays = prepare(doubts.size(), pixelAt);
-  struct Lit {
-    reference::Hit hit;
-    shared::LayerPoint point;
-    std::vector<shared::ReachingLight> light;  // of all groups
-  };
-  struct Layered {
-    std::vector<Lit> found, meshes;
-    bool certified = true;
-  };
-  std::vector<Layered> seen(doubts.size());
-  const View& view = caster_->snapshot().view;
-  const Vec3 forward = view.forward();
-  const double originDepth = glm::dot(draws.origin - view.eye, forward);
-  const auto lightOn = [&](const reference::Hit& hit, bool ofMesh, bool& certified) {
-    std::vector<shared::ReachingLight> light;
-    for (const LightGroup& group : draws.groups) light.push_back(reaching(hit, group, certified, ofMesh));
-    return light;
-  };
-  const auto look = [&](std::span<const std::size_t> chosen) {
-    forEachIndex(chosen.size(), chosen.size() >= reference::kRaysForAllCores, [&](std::size_t k) {
-      if (!goesOn_()) return;
-      const reference::Ray& ray = rays[chosen[k]];
-      const Doubt& doubt = *doubts[chosen[k]];
-      const reference::Caster::Sight sight = caster_->look(ray, reference::Caster::Invisible::Told);
-      Layered layered{.certified = sight.certified};
-      for (const reference::Hit& hit : sight.hits) {
-        const auto node = std::ranges::lower_bound(draws.layers, hit.node, {}, &FoundLayer::node);
-        if (node == draws.layers.end() || node->node != hit.node) continue;
-        layered.found.push_back({hit, {.material = node->material}, lightOn(hit, false, layered.certified)});
-      }
-      // Which points these are no ray tells, but what reaches them.
-      layered.certified &= !doubt.layers || draws.layerMeshes.empty() || doubt.meshes;
-      for (const shared::LayerPoint& point : doubt.meshes.value_or(std::vector<shared::LayerPoint>())) {
-        const auto node = std::ranges::find(draws.layerMeshes, point.material & shared::kLayerMaterial,
-                                            &FoundLayer::material);
-        const auto hit = node == draws.layerMeshes.end() ? std::nullopt
-                                                         : ofMesh(point, node->node, ray, originDepth, sight);
-        layered.certified &= hit.has_value();
-        if (hit) layered.meshes.push_back({*hit, point, lightOn(*hit, true, layered.certified)});
-      }
-      seen[chosen[k]] = std::move(layered);
-    });
-  };
-  std::vector<std::size_t> chosen(doubts.size());
-  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-  look(chosen);
-  // What few cells leave undecided many may not.
-  std::erase_if(chosen, [&](std::size_t i) { return seen[i].certified; });
-  std::vector<reference::Ray> undecided;
-  for (const std::size_t i : chosen) {
-    undecided.push_back(rays[i]);
-    for (const auto* lit : {&seen[i].found, &seen[i].meshes})
-      for (const Lit& one : *lit)
-        for (const LightGroup& group : draws.groups)
-          for (const std::optional<std::uint32_t>& light : group.lights)
-            if (light) undecided.push_back({one.hit.position, caster_->towardLight(*light, one.hit)});
-  }
-  if (!undecided.empty()) {
-    caster_->prepareFor(undecided, all_, reference::kRaysForFinestCells);
-    look(chosen);
-  }
-  const auto add = [&](const shared::LayerPoint& point, const Lit& lit) {
-    points.layerPoints.push_back(point);
-    points.layerLights.insert(points.layerLights.end(), lit.light.begin(), lit.light.end());
-    points.layerDetails.push_back({.footprint = Vec4f(Vec4(lit.hit.footprint[0], lit.hit.footprint[1])),
-                                   .frame = Vec4f(lit.hit.frame)});
-  };
-  for (std::size_t i = 0; i < doubts.size(); ++i) {
-    RayLayers layers{.place = Vec2f(pixelAt(i).x + 0.5, pixelAt(i).y + 0.5),
-                     .first = static_cast<std::uint32_t>(points.layerPoints.size()),
-                     .count = static_cast<std::uint32_t>(seen[i].found.size()),
-                     .ofMeshes = static_cast<std::uint32_t>(seen[i].meshes.size()),
-                     .groups = static_cast<std::uint32_t>(draws.groups.size())};
-    float last = -std::numeric_limits<float>::infinity();
-    for (const Lit& lit : seen[i].found) {
-      const reference::Hit& hit = lit.hit;
-      const Surface& surface = caster_->snapshot().nodes[hit.node].surface;
-      // Their order, which the ray knows, has to outlive the rounding of their depths.
-      last = std::max(static_cast<float>(glm::dot(hit.position - draws.origin, forward)),
-                      std::nextafter(last, std::numeric_limits<float>::infinity()));
-      add({.depth = last,
-           .material =
-               lit.point.material | shared::kLayerByRay | (caster_->cutsOut(hit) ? shared::kLayerHole : 0),
-           .shadows = lit.light.empty() ? 0 : lit.light[0].shadows,
-           .normal = octahedral(hit.normal),
-           .parameters = Vec2f(surface.triangles() ? Vec2(hit.u, hit.v) : inside(surface.domain(), hit)),
-           .transmittance = lit.light.empty() ? Vec3f(1) : lit.light[0].transmittance},
-          lit);
-    }
-    for (const Lit& lit : seen[i].meshes) add(lit.point, lit);
-    points.layersUndecided += !seen[i].certified;
-    points.layers.insert(points.layers.end(), 3, layers);
-  }
+  const std::vector<reference::Ray> rays =
+      prepare(doubts.size(), [&](std::size_t i) { return doubts[i]->pixel; });
+  const LayerRays layers(*caster_, draws);
+  std::vector<LayerRays::Seen> seen(doubts.size());
+  lookTwice(
+      doubts.size(), [&](std::size_t i) { seen[i] = layers.look(rays[i], *doubts[i]); },
+      [&](std::size_t i) { return seen[i].certified; },
+      [&](std::span<const std::size_t> undecided) {
+        std::vector<reference::Ray> again;
+        for (const std::size_t i : undecided) {
+          again.push_back(rays[i]);
+          layers.appendRaysToLights(seen[i], again);
+        }
+        caster_->prepareFor(again, all_, reference::kRaysForFinestCells);
+      });
+  for (std::size_t i = 0; i < doubts.size(); ++i) layers.append(seen[i], doubts[i]->pixel, points);
 }
 
 AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const RayDraws& draws,

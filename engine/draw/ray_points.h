@@ -48,12 +48,6 @@ struct RayLayers {
   std::uint32_t groups = 0;            ///< of lights
 };
 
-/// Pushed to those shaders.
-struct RayTarget {
-  Vec2f size;  ///< of the target
-  float guard = 1;
-};
-
 /// What rays have found in some pixels.
 struct RayPoints {
   std::vector<RayPoint> vertices;  ///< by node
@@ -139,6 +133,15 @@ struct AuditResult {
 [[nodiscard]] std::vector<PixelPlace> auditedPixels(PixelSize size, const Audit& audit,
                                                     std::span<const PixelPlace> outlines);
 
+/// What single precision leaves of the depths of a node's points, metres; of a surface without end, of most
+/// of it.
+[[nodiscard]] double depthRounding(const View& view, const SnapshotNode& node);
+
+/// What of the lights of a group reaches a hit, or, of a mesh, whose normal is another one, a point that may
+/// face away from them. `certified` turns false where a ray proves nothing.
+[[nodiscard]] shared::ReachingLight reachingLight(const reference::Caster& caster, const reference::Hit& hit,
+                                                  const LightGroup& group, bool& certified, bool ofMesh);
+
 /// Casts rays of one picture after the other, and keeps what it casts them against. Single-threaded; all
 /// cores work.
 class CertifiedRays {
@@ -169,6 +172,10 @@ class CertifiedRays {
   [[nodiscard]] double roundingAt(double depth) const;
   /// Builds what rays through the pixels are cast against, each worth so many.
   std::vector<reference::Ray> prepare(std::size_t count, const auto& pixelAt, std::size_t worth = 1);
+  /// Calls `look` with the indices below `count`, on all cores if there are many; then, once more, with those
+  /// that are not `certified`, after `refineCells` was given these: what few cells leave undecided many may
+  /// not.
+  void lookTwice(std::size_t count, const auto& look, const auto& certified, const auto& refineCells);
   /// Whether the point that is shown at that depth is what a ray has seen.
   [[nodiscard]] bool confirms(const reference::Caster::First& seen, float shown) const;
   /// Adds the points of pixels, and tells which are confirmed by their rays instead.
@@ -180,14 +187,6 @@ class CertifiedRays {
                   std::span<const LightGroup> groups, RayPoints& points);
   /// Adds all points that are seen through in pixels, with their shadows, and those of the meshes there.
   void addLayers(std::span<const Doubt* const> doubts, const RayDraws& draws, RayPoints& points);
-  /// The point of a surface that a mesh shows in a pixel: of triangles where the ray of the pixel meets them.
-  [[nodiscard]] std::optional<reference::Hit> ofMesh(const shared::LayerPoint& point, std::uint32_t node,
-                                                     const reference::Ray& ray, double originDepth,
-                                                     const reference::Caster::Sight& sight) const;
-  /// What of the lights of a group reaches a hit, or, of a mesh, whose normal is another one, a point that
-  /// may face away from them.
-  [[nodiscard]] shared::ReachingLight reaching(const reference::Hit& hit, const LightGroup& group,
-                                               bool& certified, bool ofMesh = false) const;
   [[nodiscard]] Vec2 sampled(PixelPlace pixel) const;
   /// What is not seen through, but for the nodes whose points are shown.
   [[nodiscard]] std::vector<std::uint32_t> receiversBut(const ShownMeshes& shown) const;

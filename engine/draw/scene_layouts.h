@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The descriptor sets that the scene's shaders read: which buffers and textures, by the numbers of
-// shared/scene_data.h.
+// shared/bindings.h.
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ namespace {
 /// which compiles to machine code, 2.8 MB of 18 KB (toon), 3.0 of 22 (a pattern in phong), 5.2 to 7 of 98
 /// (exact). Others keep less.
 std::size_t bytesOf(const gpu::GraphicsPipelineDesc& desc) {
-  constexpr std::size_t kAlways = std::size_t{2} << 20, kPerByte = 48;
+  constexpr std::size_t kAlways = std::size_t{2} << 20, kPerByte = 45;
   return kAlways + kPerByte * (desc.vertexShader.size_bytes() + desc.fragmentShader.size_bytes());
 }
 
@@ -169,6 +169,25 @@ void setTargets(const DrawState& state, const TargetFormat& format, gpu::Graphic
   }
 }
 
+/// Which fragments of surfaces count: the nearest, and points that rays have found, which replace what is
+/// there.
+void setSurfaceFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
+  if (state.blended && state.output == Output::Color) desc.blend = gpu::Blend::Color;
+  desc.depthWrite = !state.blended;
+  if (state.surface) desc.depthClamp = true;
+  if (state.byRays) desc.depthCompare = VK_COMPARE_OP_ALWAYS;
+  if (!state.surface && inspectionOf(state)) {
+    // Geometry is not seen through: the nearest surface counts, transparent or not.
+    desc.depthWrite = true;
+    desc.blend = gpu::Blend::None;
+  } else if (state.shading == Shading::Wireframe) {
+    if (state.hidesLines)
+      desc.blend = gpu::Blend::Keep;
+    else
+      desc.polygonMode = VK_POLYGON_MODE_LINE;
+  }
+}
+
 /// Which fragments count, and how they join what is there.
 void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   using enum Form;
@@ -181,21 +200,7 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
     case Fused:
     case Found:
     case FoundWithParameters:
-      if (state.blended && state.output == Output::Color) desc.blend = gpu::Blend::Color;
-      desc.depthWrite = !state.blended;
-      if (state.surface) desc.depthClamp = true;
-      // Points that rays have found replace what is there.
-      if (state.byRays) desc.depthCompare = VK_COMPARE_OP_ALWAYS;
-      if (!state.surface && inspectionOf(state)) {
-        // Geometry is not seen through: the nearest surface counts, transparent or not.
-        desc.depthWrite = true;
-        desc.blend = gpu::Blend::None;
-      } else if (state.shading == Shading::Wireframe) {
-        if (state.hidesLines)
-          desc.blend = gpu::Blend::Keep;
-        else
-          desc.polygonMode = VK_POLYGON_MODE_LINE;
-      }
+      setSurfaceFragments(state, desc);
       break;
     case Shade:
       overAllFound();

@@ -17,12 +17,6 @@
 
 namespace luxo {
 
-/// Pushed to the vertex shaders of shells.
-struct ShellDraw {
-  float side = 1;   ///< of the surface that these triangles lead to: +1 front, -1 back
-  float guard = 1;  ///< how many times as large as the picture the viewport is
-};
-
 /// Keeps what pictures use again and again. Of what the last two have not used it keeps the most recent, so
 /// many bytes, or so many times as much as those two use, as pictures of one view's outputs take turns: a
 /// formula that is edited would leave its pipelines behind for ever.

@@ -207,7 +207,6 @@ std::string meant(std::string_view what) { return fmt::format("did you mean '{}'
 
 }  // namespace
 
-std::span<const FormulaFunction> formulaFunctions() { return kFunctions; }
 std::span<const FormulaConstant> formulaConstants() { return kConstants; }
 
 const FormulaFunction* findFunction(std::string_view name) {

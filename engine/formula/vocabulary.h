@@ -20,7 +20,6 @@ struct FormulaFunction {
   Expr (*build)(std::span<const Expr>);
 };
 
-[[nodiscard]] std::span<const FormulaFunction> formulaFunctions();
 [[nodiscard]] const FormulaFunction* findFunction(std::string_view name);
 
 struct FormulaConstant {

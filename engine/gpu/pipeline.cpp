@@ -216,7 +216,7 @@ VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& de
   const bool depth = desc.depthFormat != VK_FORMAT_UNDEFINED;
   const VkPipelineDepthStencilStateCreateInfo depthState{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-      .depthTestEnable = depth && desc.depthTest,
+      .depthTestEnable = depth,
       .depthWriteEnable = depth && desc.depthWrite,
       .depthCompareOp = desc.depthCompare};
   const auto attachments = blendStates(desc);
@@ -274,7 +274,6 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
   });
   for (std::size_t i = 0; i < descs.size(); ++i) {
     pipelines[i].pushConstantBytes_ = asked[i].pushConstantBytes;
-    pipelines[i].depthBias_ = descs[i].depthBias;
     pipelines[i].layout_ = createLayout(context, descs[i], asked[i].pushConstantBytes, kStages);
   }
   // What is counted, and named, is for one thread.
@@ -301,7 +300,7 @@ std::vector<GraphicsPipeline> GraphicsPipeline::makeAll(Context& context,
 
 void GraphicsPipeline::bind(VkCommandBuffer commands) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
-  setDepthBias(commands, depthBias_);
+  setDepthBias(commands, {});
 }
 
 void GraphicsPipeline::push(VkCommandBuffer commands, std::span<const std::byte> constants) const {

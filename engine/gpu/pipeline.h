@@ -52,15 +52,13 @@ struct GraphicsPipelineDesc {
 
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   std::vector<VkFormat> colorFormats;          ///< none: fragments write buffers, or depth
-  VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth buffer, and none of the next three
+  VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth buffer, and none of the next two
 
   /// Triangles are not cut where they are nearer than the near plane: their depth is clamped. Where
   /// features().depthClamp is missing they are cut.
   bool depthClamp = false;
-  bool depthTest = true;
   bool depthWrite = true;
   VkCompareOp depthCompare = VK_COMPARE_OP_GREATER;  ///< reversed depth: nearer is greater, cleared to 0
-  DepthBias depthBias;
 
   Blend blend = Blend::None;  ///< of the first attachment; the others are always overwritten
 
@@ -84,7 +82,7 @@ class GraphicsPipeline {
   explicit operator bool() const noexcept { return static_cast<bool>(pipeline_); }
   [[nodiscard]] VkPipelineLayout layout() const noexcept { return layout_; }
 
-  /// Sets the depth bias of the description, too.
+  /// Sets no depth bias, too.
   void bind(VkCommandBuffer commands) const;
   /// Requires as many bytes as the shaders have.
   void push(VkCommandBuffer commands, std::span<const std::byte> constants) const;
@@ -93,7 +91,6 @@ class GraphicsPipeline {
 
  private:
   std::uint32_t pushConstantBytes_ = 0;
-  DepthBias depthBias_;
   Handle<VkPipelineLayout> layout_;
   Handle<VkPipeline> pipeline_;
 };

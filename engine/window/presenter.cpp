@@ -4,6 +4,7 @@
 #include "base/assert.h"
 #include "gpu/barrier.h"
 #include "gpu/debug.h"
+#include "shared/picture_set.h"
 
 #include <luxo/shaders/present_frag.h>
 #include <luxo/shaders/present_vert.h>
@@ -57,7 +58,7 @@ void Presenter::show(gpu::FrameRing& frames, VkCommandBuffer commands, const gpu
   vkCmdBeginRendering(commands, &rendering);
   gpu::setViewport(commands, swapchain.extent());
   pipeline_.bind(commands);
-  pipeline_.bindSet(commands, 0, set);
+  pipeline_.bindSet(commands, shared::kSetPicture, set);
   vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   vkCmdDraw(commands, 3, 1, 0, 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle around the place at which a pixel is sampled, so small that no other pixel is.
-layout(push_constant) uniform Target { vec2 size; float guard; } target;
+#include "shared/scene_data.h"
+
+layout(push_constant, scalar) uniform Target { RayTarget target; };
 
 // `place`: in the target, pixels; `depth`: as in the depth buffer.
 vec4 aroundPlace(vec2 place, float depth) {

@@ -13,22 +13,10 @@
 #include "lib/exact_root.glsl"
 #endif
 #include "lib/inspection.glsl"
+#include "lib/packed_lights.glsl"
 #include "lib/show.glsl"
 
 layout(scalar, set = kSetExact, binding = kBindingDoubts) buffer Doubts { uint ofPixels[]; } doubts;
-
-LightData lightAt(uint i) {
-  if (i >= kVaryingLights) return lightSet.lights[i];
-  uint first = kLightNumbers * i;
-  return LightData(vec4(packed3(first), has(kPointLight << kFlagsOfLight * i)), packed3(first + 3),
-                   has(kInverseSquare << kFlagsOfLight * i) ? 1 : 0);
-}
-
-ShadeData shadeAt(uint i) {
-  if (i >= kVaryingShades) return lightSet.shades[i];
-  uint first = kFirstShade + kShadeNumbers * i;
-  return ShadeData(packed3(first), packed(first + 3), packed(first + 4));
-}
 
 void doubtPixel() {
   uint width = uint(2.0 * varyingCellHalf.z), pixel = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x);

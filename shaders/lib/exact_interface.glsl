@@ -42,9 +42,8 @@ const bool kDouble = false;
 // What differs in length shares one array: lights and shades as far as they are carried, what makes numbers double, then
 // as many parameters of the formula as there is room for: with these, vertices have all the outputs that devices commonly
 // allow. What does not fit is read from buffers, which takes a CPU device longer.
-const uint kRoom = kVaryings - 15;
-layout(location = 15) flat LUXO_VARYING vec4 varyingPacked[kRoom];
-const uint kLightNumbers = 6, kShadeNumbers = 5;
+const uint kRoom = kVaryings - kLocationPacked;
+layout(location = kLocationPacked) flat LUXO_VARYING vec4 varyingPacked[kRoom];
 const uint kLights = kPlainLights + kShadedLights;
 const uint kVaryingLights = kLights < kCarriedLights ? kLights : kCarriedLights;
 const uint kVaryingShades = kShadedLights < kCarriedShades ? kShadedLights : kCarriedShades;
@@ -56,7 +55,12 @@ const uint kFirstParameter = kFirstDomainLow + (kDouble && !kEquation ? 4 : 0);
 const uint kFloats = kDouble ? 2 : 1;  // of each parameter
 const uint kCarriedParameters = (4 * kRoom - kFirstParameter) / kFloats;
 
-#ifndef LUXO_VERTEX
+#ifdef LUXO_VERTEX
+void pack(uint k, float number) { varyingPacked[k / 4][k % 4] = number; }
+void pack3(uint k, vec3 numbers) {
+  for (uint i = 0; i < 3; ++i) pack(k + i, numbers[i]);
+}
+#else
 layout(constant_id = kConstantManySamples) const bool kManySamples = false;
 
 // llvmpipe takes inputs of a sample times the w of the pixel's centre over that of the sample, and so the 1.

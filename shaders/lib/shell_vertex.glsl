@@ -2,6 +2,7 @@
 // Vertices of a shell around a surface (engine/shell/shell.h): where the search for the surface begins.
 #define LUXO_VERTEX
 #include "lib/exact_interface.glsl"
+#include "lib/packed_lights.glsl"
 #include "lib/scene.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -13,8 +14,7 @@ layout(scalar, set = kSetExact, binding = kBindingExactInstances) readonly buffe
 layout(scalar, set = kSetExact, binding = kBindingExactPatches) readonly buffer ExactPatches { ExactPatch exactPatches[]; };
 layout(scalar, set = kSetExact, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
 
-// Which side of the surface these triangles lead to: +1 front, -1 back.
-layout(push_constant) uniform Draw { float side, guard; } draw;
+layout(push_constant, scalar) uniform Draw { ShellDraw draw; };
 
 invariant gl_Position;
 
@@ -41,7 +41,6 @@ vec4 clipOfVertex(InstanceData instance, ExactInstance exact) {
 
 #endif
 
-void pack(uint k, float number) { varyingPacked[k / 4][k % 4] = number; }
 
 void main() {
   InstanceData instance = instances[gl_InstanceIndex];
@@ -58,22 +57,7 @@ void main() {
                     surfacePatch.firstParameter, kQuantity == kFoundTexel ? instance.material : material.firstPatternParameter,
                     gl_InstanceIndex);
   varyingViewerSecond = vec4(view.viewer.xyz, inCell.z);
-  for (uint i = 0; i < kVaryingLights; ++i) {
-    LightData light = lightSet.lights[i];
-    varyingFlags.x |= (light.position.w != 0.0 ? kPointLight << kFlagsOfLight * i : 0) |
-                   (light.inverseSquare != 0 ? kInverseSquare << kFlagsOfLight * i : 0);
-    for (uint k = 0; k < 3; ++k) {
-      pack(kLightNumbers * i + k, light.position[k]);
-      pack(kLightNumbers * i + 3 + k, light.radiance[k]);
-    }
-  }
-  for (uint i = 0; i < kVaryingShades; ++i) {
-    ShadeData shade = lightSet.shades[i];
-    uint first = kFirstShade + kShadeNumbers * i;
-    for (uint k = 0; k < 3; ++k) pack(first + k, shade.axis[k]);
-    pack(first + 3, shade.cosRim);
-    pack(first + 4, shade.reach);
-  }
+  carryLights();
   varyingX = exact.x;
   varyingY = exact.y;
   varyingDepth = exact.depth;

@@ -4,7 +4,7 @@
 
 layout(location = 2) in vec2 inParameters;
 
-layout(location = 14) sample out vec3 outDetail;  // u, v, silhouette()
+layout(location = kLocationDetail) sample out vec3 outDetail;  // u, v, silhouette()
 layout(location = 15) flat out vec4 outParameterBounds;
 #ifdef LUXO_RAY_FOOTPRINT
 layout(location = 4) in vec4 inFootprint;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vertices of a surface that is shaded per fragment. Out: positions as shared/scene_data.h has them.
-#include "lib/lights.glsl"
+#define LUXO_VERTEX
+#include "lib/carried_lights.glsl"
 #include "lib/placed_vertex.glsl"
 
 layout(location = 0) sample out vec3 outPosition;
@@ -11,10 +12,6 @@ layout(location = 4) flat out vec3 outSpecular;
 layout(location = 5) flat out vec2 outShininessOpacity;
 layout(location = 6) flat out uvec3 outNumbers;  // flags; the material's number; where its pattern's parameters start
 layout(location = 7) flat out vec4 outViewer;
-layout(location = 8) flat out vec4 outLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
-layout(location = 12) flat out vec4 outShades[2 * kCarriedShades];  // axis, cosine of the rim; reach
-
-layout(constant_id = kConstantCarries) const bool kCarries = true;  // lib/carried_lights.glsl
 
 invariant gl_Position;
 
@@ -25,14 +22,7 @@ void carryDraw(MaterialData material) {
   outSpecular = material.specular;
   outShininessOpacity = vec2(material.shininess, material.opacity);
   outViewer = view.viewer;
-  for (uint i = 0; i < kCarriedLights; ++i) {
-    outLights[2 * i] = lightSet.lights[i].position;
-    outLights[2 * i + 1] = vec4(lightSet.lights[i].radiance, lightSet.lights[i].inverseSquare);
-  }
-  for (uint i = 0; i < kCarriedShades; ++i) {
-    outShades[2 * i] = vec4(lightSet.shades[i].axis, lightSet.shades[i].cosRim);
-    outShades[2 * i + 1] = vec4(lightSet.shades[i].reach, 0, 0, 0);
-  }
+  carryLights();
 }
 
 void writeSurfaceVertex(InstanceData instance) {

@@ -3,7 +3,7 @@
 // ray has found: from there.
 #include "lib/surface_fragment.glsl"
 
-layout(location = 14) sample in vec3 inDetail;
+layout(location = kLocationDetail) sample in vec3 inDetail;
 
 vec2 foundParameters() { return inDetail.xy; }
 

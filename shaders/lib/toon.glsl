@@ -8,7 +8,7 @@ const float kBright = 0.5;        // N.L from which the colour is full
 const float kShaded = 0.5;        // the level below
 const float kOutlineWidth = 2.0;  // pixels
 
-layout(location = 14) sample in vec3 inDetail;  // u, v where there is a pattern; (N.V) |N.V|
+layout(location = kLocationDetail) sample in vec3 inDetail;  // u, v where there is a pattern; (N.V) |N.V|
 
 #ifdef LUXO_NORMAL_MAP
 vec3 bentNormal(vec3 normal, vec2 parameters);

@@ -6,7 +6,7 @@
 #include "lib/pattern_of_mesh.glsl"
 #include "lib/lit_pattern.glsl"
 
-layout(location = 14) sample in vec3 inDetail;
+layout(location = kLocationDetail) sample in vec3 inDetail;
 
 vec2 foundParameters() { return inDetail.xy; }
 

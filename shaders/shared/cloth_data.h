@@ -16,6 +16,11 @@ using uint = std::uint32_t;
 #define LUXO_CONSTANT const uint
 #endif
 
+LUXO_CONSTANT kSetCloth = 0;
+LUXO_CONSTANT kBindingClothPoints = 0;
+LUXO_CONSTANT kBindingClothIterations = 1;
+LUXO_CONSTANT kClothBindings = 2;
+
 LUXO_CONSTANT kClothInvocations = 128;  // what every device has in a workgroup
 
 // Parts of the buffer of points, each as long as there are points.
@@ -40,6 +45,8 @@ struct ClothData {
 
 #ifdef __cplusplus
 #undef LUXO_CONSTANT
+static_assert(sizeof(ClothData) == 88);
+static_assert(kClothMoves + 2 == kClothChanges && kClothForces + 1 == kClothParts);
 }  // namespace luxo::shared
 #endif
 #endif

@@ -17,6 +17,7 @@ struct FlatPattern {
 };
 
 #ifdef __cplusplus
+static_assert(sizeof(FlatPattern) == 16 && sizeof(FlatShadow) + sizeof(FlatPattern) <= 128, "pushed together");
 }  // namespace luxo::shared
 #endif
 #endif

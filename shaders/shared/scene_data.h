@@ -4,8 +4,10 @@
 // instance_data.h), with the axes of the world; directions have the axes of the world.
 #ifndef LUXO_SHARED_SCENE_DATA_H
 #define LUXO_SHARED_SCENE_DATA_H
+#include "shared/bindings.h"
 
 #ifdef __cplusplus
+#include <cstddef>
 #include <cstdint>
 
 #include "math/vec.h"
@@ -23,108 +25,6 @@ using uint = std::uint32_t;
 #define LUXO_CONSTANT const uint
 #define LUXO_NUMBER const float
 #endif
-
-// Descriptor sets: of all draws; of draws with a pattern; of draws that find the surface itself in every pixel.
-LUXO_CONSTANT kSetScene = 0;
-LUXO_CONSTANT kSetPattern = 1;
-LUXO_CONSTANT kSetExact = 2;
-LUXO_CONSTANT kSetFound = 2;  // of draws that light what an earlier pass has found
-LUXO_CONSTANT kSetShadow = 1;  // of draws that find what is in shadow there; they read its points from kSetFound
-
-LUXO_CONSTANT kSetLayers = 3;  // of draws of what is seen through
-
-// Bindings of kSetPattern.
-LUXO_CONSTANT kBindingPatternParameters = 0;
-LUXO_CONSTANT kBindingTexels = 1;          // of textures
-LUXO_CONSTANT kBindingFoundFootprint = 2;  // of textures that light what an earlier pass has found
-LUXO_CONSTANT kBindingFoundFrame = 3;      // the same
-
-// Bindings of kSetScene.
-LUXO_CONSTANT kBindingView = 0;
-LUXO_CONSTANT kBindingInstances = 1;
-LUXO_CONSTANT kBindingLights = 2;  // dynamic offset: the set of lights that reach the draw
-LUXO_CONSTANT kBindingMaterials = 3;
-LUXO_CONSTANT kBindingShaderFaults = 4;
-LUXO_CONSTANT kSceneBindings = 5;
-
-// Bindings of kSetExact.
-LUXO_CONSTANT kBindingExactInstances = 0;
-LUXO_CONSTANT kBindingExactPatches = 1;
-LUXO_CONSTANT kBindingExactParameters = 2;
-LUXO_CONSTANT kBindingDoubts = 3;
-LUXO_CONSTANT kExactBindings = 4;
-
-// Bindings of kSetFound.
-LUXO_CONSTANT kBindingFound = 0;
-LUXO_CONSTANT kBindingFoundParameters = 1;
-LUXO_CONSTANT kBindingUniformMaterials = 2;  // the first kUniformMaterials of them all
-LUXO_CONSTANT kBindingShadows = 3;
-LUXO_CONSTANT kBindingTransmittance = 4;
-LUXO_CONSTANT kBindingPlaces = 5;
-LUXO_CONSTANT kBindingOpenness = 6;
-LUXO_CONSTANT kBindingTraceQuestions = 7;
-LUXO_CONSTANT kBindingTraceStarts = 8;
-LUXO_CONSTANT kBindingTraceAnswers = 9;
-LUXO_CONSTANT kFoundBindings = 10;
-
-// Bindings of kSetShadow.
-LUXO_CONSTANT kBindingCasters = 0;
-LUXO_CONSTANT kBindingGridStarts = 1;
-LUXO_CONSTANT kBindingGridEntries = 2;
-LUXO_CONSTANT kBindingCasterCells = 3;
-LUXO_CONSTANT kBindingCasterParameters = 4;
-LUXO_CONSTANT kBindingShadowDoubts = 5;
-LUXO_CONSTANT kBindingCasterPatterns = 6;  // their parameters
-LUXO_CONSTANT kBindingLightMaps = 7;
-LUXO_CONSTANT kBindingLightDepths = 8;
-LUXO_CONSTANT kBindingClosedCasters = 9;
-LUXO_CONSTANT kBindingMeshPlaces = 10;
-LUXO_CONSTANT kBindingShownPoints = 11;
-LUXO_CONSTANT kBindingCasterTexels = 12;  // of their textures
-LUXO_CONSTANT kShadowBindings = 13;
-
-// Bindings of kSetLayers.
-LUXO_CONSTANT kBindingLayerHeads = 0;
-LUXO_CONSTANT kBindingLayerPoints = 1;
-LUXO_CONSTANT kBindingLayerCount = 2;
-LUXO_CONSTANT kBindingLayerDoubts = 3;
-LUXO_CONSTANT kBindingLayerDepth = 4;      // of what is not seen through
-LUXO_CONSTANT kBindingRayLayers = 5;       // points that rays have found
-LUXO_CONSTANT kBindingLayerMaterials = 6;  // the first kUniformMaterials of them all
-LUXO_CONSTANT kBindingLayerSums = 7;
-LUXO_CONSTANT kBindingRayLayerLight = 8;
-LUXO_CONSTANT kBindingLayerDetails = 9;     // of the points, where some material asks for them
-LUXO_CONSTANT kBindingRayLayerDetails = 10;
-LUXO_CONSTANT kBindingLayersFound = 11;  // what is not seen through
-LUXO_CONSTANT kLayerBindings = 12;
-
-// Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
-// reach a draw costs nothing.
-LUXO_CONSTANT kConstantPlainLights = 0;
-LUXO_CONSTANT kConstantShadedLights = 1;
-LUXO_CONSTANT kConstantFacetNormal = 2;     // of meshes
-LUXO_CONSTANT kConstantQuantity = 3;        // of the next
-LUXO_CONSTANT kConstantAsColor = 4;
-LUXO_CONSTANT kConstantParameterCount = 5;  // of a formula
-LUXO_CONSTANT kConstantPoles = 6;
-LUXO_CONSTANT kConstantCertificate = 7;     // of all points that are not searched for
-LUXO_CONSTANT kConstantEquation = 8;
-LUXO_CONSTANT kConstantManySamples = 9;
-LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a draw lights: MaterialData::pattern
-LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
-LUXO_CONSTANT kConstantAddsLight = 12;      // to what is lit already: no ambient light
-LUXO_CONSTANT kConstantManyGroups = 13;     // of lights, for the same points
-LUXO_CONSTANT kConstantTransmits = 14;      // there is one light, some of which gets through its casters
-LUXO_CONSTANT kConstantClosedCasters = 15;  // of a draw
-LUXO_CONSTANT kConstantClosedKind = 16;     // of them all
-LUXO_CONSTANT kConstantFirstLight = 17;     // of kVertexLights of a group
-LUXO_CONSTANT kConstantExactShadows = 18;   // the lights, a bit each, that have exact ones
-LUXO_CONSTANT kConstantPlaces = 19;         // some points are of meshes, whose surfaces' own points are known
-LUXO_CONSTANT kConstantOcclusion = 20;      // of the ambient light
-LUXO_CONSTANT kConstantGivenOrder = 21;     // what is seen through is blended node by node
-LUXO_CONSTANT kConstantLayerDetails = 22;   // points of what is seen through come with them
-LUXO_CONSTANT kConstantCarries = 23;        // vertices carry what is the same all over the draw
-LUXO_CONSTANT kConstantFrontOnly = 24;       // only the front of the surface is shown, and rays go on through its back
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
 // that lights it later (shaders/lib/found_texel.glsl).
@@ -201,16 +101,6 @@ LUXO_CONSTANT kMaxFoundMaterials = 1 << 20;
 LUXO_CONSTANT kUniformMaterials = 256;
 
 LUXO_CONSTANT kMaxLights = 32;  // that may reach one object
-
-// So many of them are carried from vertices to fragments; more are read from a buffer, which takes a CPU device longer.
-LUXO_CONSTANT kCarriedLights = 2;
-LUXO_CONSTANT kCarriedShades = 1;
-
-// So many lights are interpolated between vertices, each by itself, in one draw.
-LUXO_CONSTANT kVertexLights = 8;
-
-// vec4 that vertices of a shell hand to fragments: more than Vulkan promises, as many as devices have.
-LUXO_CONSTANT kVaryings = 30;
 
 // Instance flags.
 LUXO_CONSTANT kTwoSided = 1;    // the normal turns toward the viewer
@@ -337,6 +227,18 @@ struct ExactPatch {
   vec4 domain, domainLow;  // lowest u and v, highest u and v
   uint flags;
   uint firstParameter;     // of the formula's parameters, in the buffer of them all: two floats each
+};
+
+// Pushed to vertices of a shell.
+struct ShellDraw {
+  float side;   // of the surface, that these triangles lead to: +1 front, -1 back
+  float guard;  // how many times as large as the picture the viewport is
+};
+
+// Pushed to vertices that cover a pixel each (shaders/lib/around_place.glsl).
+struct RayTarget {
+  vec2 size;  // of the target, pixels
+  float guard;  // as above
 };
 
 // The shade of a light in its focus: what is lit is known in closed form.
@@ -568,12 +470,32 @@ inline constexpr uint kLightFlags = ((1u << kFlagsOfLight * kCarriedLights) - 1)
 static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
               (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
+inline constexpr uint kLayerFlags =
+    kLayerOfMesh | kLayerAtBorder | kLayerByRay | kLayerPlaced | kLayerOfSurface | kLayerHole;
+static_assert((kLayerMaterial & kLayerFlags) == 0 && (kMaxFoundMaterials & kLayerMaterial) == 0, "a mask, below the flags");
+// What vertices carry: lights, then their shades, do not reach into what follows; of packed numbers at least all but parameters
+// have room, 22 that make the others double among them.
+static_assert(kCarriedLights <= kMaxLights && kCarriedShades <= kCarriedLights && kVertexLights <= kMaxLights);
+static_assert(kLocationShades + 2 * kCarriedShades <= kLocationDetail);
+static_assert(kLightNumbers * kCarriedLights + kShadeNumbers * kCarriedShades + 22 <= 4 * (kVaryings - kLocationPacked));
+// What every device has room for: a uniform buffer, what is pushed.
+static_assert(kUniformMaterials * sizeof(MaterialData) <= 16384 && sizeof(LightSet) <= 16384);
+static_assert(sizeof(ShellDraw) <= 128 && sizeof(RayTarget) <= 128 && sizeof(FlatShadow) <= 128);
+// Every number of an equation has a place of its own, and a point with a fault is told by the signs of three channels.
+static_assert(kQuadricCenter < kEquationLowest && kTorusTube < kEquationLowest && kEquationScale + 3 == kEquationNumbers);
+static_assert(kEquationLowest + 3 == kEquationHighest && kEquationHighest + 3 == kEquationU && kEquationU + 3 == kEquationV &&
+              kEquationV + 3 == kEquationScale);
+static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kFaultSeenThrough < 8);
 static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 272 && sizeof(ExactPatch) == 40);
+static_assert(sizeof(LightSet) == 1792 && offsetof(LightSet, shades) == 1024 && offsetof(LightSet, order) == 1664);
+static_assert(sizeof(FlatShadow) == 104 && sizeof(LightMapFace) == 48 && sizeof(LightMap) == 348);
+static_assert(sizeof(TraceRay) == 16 && sizeof(TraceQuestion) == 32 && sizeof(TraceAnswer) == 68 && sizeof(ShaderFaults) == 16);
+static_assert(sizeof(ShellDraw) == 8 && sizeof(RayTarget) == 12);
 }  // namespace luxo::shared
 #endif
 #endif

@@ -65,6 +65,7 @@ class PipelineTest : public test::GpuTest {
     const GraphicsPipeline* pipeline;
     Color tint{1, 1, 1, 1};
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
+    DepthBias bias = {};
   };
 
   Texture attachment(VkFormat format, VkImageUsageFlags usage,
@@ -95,6 +96,7 @@ class PipelineTest : public test::GpuTest {
                                                                .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT});
     vertices.write(0, std::as_bytes(std::span(layer.vertices)));
     layer.pipeline->bind(commands);
+    setDepthBias(commands, layer.bias);
     layer.pipeline->push(commands, std::as_bytes(std::span(layer.tint)));
     setViewport(commands, kTargetExtent);
     vkCmdSetCullMode(commands, layer.cull);
@@ -179,7 +181,7 @@ TEST_F(PipelineTest, NearerIsGreaterWhateverTheOrder) {
 
 TEST_F(PipelineTest, DepthIsData) {
   GraphicsPipelineDesc desc = colorPipeline();
-  desc.depthTest = false;
+  desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   const GraphicsPipeline untested(context(), desc);
   desc = colorPipeline();
   desc.depthWrite = false;
@@ -205,19 +207,18 @@ TEST_F(PipelineTest, AttributesThatNoShaderReadsAreLeftOut) {
 }
 
 TEST_F(PipelineTest, DepthBiasPullsCoplanarThingsForward) {
-  GraphicsPipelineDesc desc = colorPipeline();
-  desc.depthBias.constant =
-      16;  // units of the last place of the depth, toward the viewer as depth is reversed
-  const GraphicsPipeline biased(context(), desc);
-  const GraphicsPipeline usual(context(), colorPipeline());
-  EXPECT_EQ(at(picture({{covering(kRed), &usual}, {covering(kGreen), &usual}}), 8, 8), kRed);
-  EXPECT_EQ(at(picture({{covering(kRed), &usual}, {covering(kGreen), &biased}}), 8, 8), kGreen);
+  const GraphicsPipeline pipeline(context(), colorPipeline());
+  const Layer red{covering(kRed), &pipeline}, green{covering(kGreen), &pipeline};
+  Layer biased = green;
+  biased.bias.constant = 16;  // units of the last place of the depth, toward the viewer as depth is reversed
+  EXPECT_EQ(at(picture({red, green}), 8, 8), kRed);
+  EXPECT_EQ(at(picture({red, biased}), 8, 8), kGreen);
 }
 
 TEST_F(PipelineTest, BlendsSourceOverDestination) {
   GraphicsPipelineDesc desc = colorPipeline();
   desc.blend = Blend::Alpha;
-  desc.depthTest = false;
+  desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   const GraphicsPipeline blended(context(), desc);
   const Color half{1, 0, 0, 0.5f};
   // Exact in floats: every term is a sum of few powers of two.

@@ -2,9 +2,15 @@
 // Nodes of one shape share a shell: few draws, and the same picture.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "cull/cull.h"
+#include "draw/draw_list.h"
+#include "luxo_grandpa/lamp.h"
 #include "support/picture.h"
 #include "surface/catalogue.h"
 
@@ -13,14 +19,14 @@ namespace {
 
 class InstancesTest : public PictureTest {
  protected:
-  /// So many of each shape in a cloud, in 4 materials.
+  /// So many of each shape in a cloud, in so many materials.
   static Snapshot cloud(std::initializer_list<const char*> shapes, int count, PixelSize size,
-                        double scale = 1) {
+                        double scale = 1, int materialCount = 4) {
     Scene scene;
     std::vector<MaterialId> materials;
-    for (int i = 0; i < 4; ++i)
-      materials.push_back(
-          scene.add(Material{.name = "m" + std::to_string(i), .diffuse = Vec3(0.2 + 0.2 * i)}));
+    for (int i = 0; i < materialCount; ++i)
+      materials.push_back(scene.add(
+          Material{.name = "m" + std::to_string(i), .diffuse = Vec3(0.2 + 0.8 * i / materialCount)}));
     std::mt19937 random(7);
     const auto between = [&](double low, double high) {
       return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
@@ -34,7 +40,7 @@ class InstancesTest : public PictureTest {
                        .rotation = Rotation{.axis = Vec3(1, 2, 3), .angle = turn},
                        .scale = Vec3(scale),
                        .surface = surface,
-                       .material = materials[static_cast<std::size_t>(i) % 4]});
+                       .material = materials[static_cast<std::size_t>(i) % materials.size()]});
       }
     }
     scene.add(Node{.translation = Vec3(5, 20, 30), .light = Light{.intensity = 0.9}});
@@ -56,8 +62,8 @@ class InstancesTest : public PictureTest {
 };
 
 // Distances from 12 to 52 metres are up to 7 levels of detail, each a root of 2 finer than the next, in four
-// materials; of those with a second side each twice, and what the picture's edge cuts by itself. Few are drawn
-// by themselves as they are large.
+// materials; of those with a second side each twice, and what the picture's edge cuts by itself. Few are
+// drawn by themselves as they are large.
 TEST_F(InstancesTest, QuadricsShareTheirDraws) {
   expectTheSamePicture(cloud({"sphere"}, 600, {320, 200}), 7 * 4 * 2 + 4);
   expectTheSamePicture(cloud({"cylinder", "paraboloid"}, 300, {320, 200}), 2 * 7 * 4 * 2);
@@ -65,6 +71,57 @@ TEST_F(InstancesTest, QuadricsShareTheirDraws) {
 
 TEST_F(InstancesTest, FormulasShareTheirDraws) {
   expectTheSamePicture(cloud({"torus", "klein_figure8"}, 250, {320, 200}, 0.15), 2 * 2 * 4 * 2);
+}
+
+// Of what is small draws are counted by levels, not by nodes: distances from 12 to 52 metres are at most 7 of
+// them, and nodes at the picture's edge have draws of their own. Materials are data. What rays find is a draw
+// for each node that they find it of.
+TEST_F(InstancesTest, TenThousandSpheresOfEightMaterialsAreAtMostSixtyDraws) {
+  const Picture picture =
+      renderer().render(cloud({"sphere"}, 10'000, {1280, 720}, 0.15, 8), {.audit = {AuditExtent::None}});
+  EXPECT_GT(picture.statistics.count.drawn, 5000U);
+  EXPECT_LE(picture.statistics.count.drawCalls, 60U);
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
+}
+
+/// Ten thousand lamps of the same parts, each in its own pose, seen from 60 metres above.
+Scene tenThousandLamps() {
+  constexpr int kSide = 100;
+  constexpr double kSpacing = 6;
+  const Scene one = luxoGrandpa();
+  Scene scene;
+  for (std::size_t i = 1; i < one.materials().size(); ++i) scene.add(one.materials()[i]);
+  for (int lamp = 0; lamp < kSide * kSide; ++lamp) {
+    const NodeId place = scene.add(
+        Node{.translation = Vec3((lamp % kSide - kSide / 2) * kSpacing, 0, -(lamp / kSide) * kSpacing),
+             .rotation = Rotation{.axis = Vec3(0, 1, 0), .angle = 0.37 * lamp}});
+    std::vector<NodeId> copies;
+    for (const Scene::Entry& entry : one.nodes()) {
+      Node part = entry.node;
+      part.parent = part.parent.valid() ? copies.at(part.parent.index) : place;
+      part.light.reset();
+      if (part.name == "floor") part.surface = Surface{};
+      copies.push_back(scene.add(std::move(part)));
+    }
+  }
+  scene.add(Node{.translation = Vec3(8, 140, 60), .light = Light{}});
+  scene.add(Camera{.eye = Vec3(0, 60, 60), .lookAt = Vec3(0, 0, -60), .fovY = radians(50)});
+  return scene;
+}
+
+// Five shapes at up to 9 levels, which are a root of 2 apart; of the rods, which show their front alone, and
+// of the shade two sides each; and, as above, what the picture's edge cuts by itself.
+TEST(Crowds, TenThousandLampsAreAtMost150Draws) {
+  const Snapshot snapshot = takeSnapshot(tenThousandLamps(), 21, {1280, 720});
+  Geometry geometry;
+  const DrawList list = listDraws(snapshot, cull(snapshot), {}, geometry);
+  std::uint64_t draws = 0, instances = 0;
+  for (const DrawBatch& batch : list.opaque) {
+    draws += std::max<std::size_t>(batch.parts.size(), 1);
+    instances += batch.instanceCount;
+  }
+  EXPECT_GT(instances, 60'000U);
+  EXPECT_LE(draws, 150U);
 }
 
 // Beyond so many nodes large ones share draws, too: what 240 of them add are levels and materials, of which

@@ -191,6 +191,29 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   EXPECT_EQ(passes[2].reads, (std::vector{Target::Found, Target::Shadows}));
 }
 
+/// What comes through casters, and through a depth map, is known before the light that asks for it.
+TEST(Passes, EachStepComesBeforeWhatReadsIt) {
+  DrawList list = deferredList();
+  list.occludes = list.traces = true;
+  LightGroup& group = list.groups[0];
+  group.transmits = true;
+  group.map.emplace();
+  group.transmittances.resize(2);
+  group.again.resize(1);
+  const std::vector<Pass> passes = passesOf(list, {});
+  Names names;
+  for (const Pass& pass : passes) names.emplace_back(pass.name);
+  ASSERT_EQ(names, (Names{"found", "openness", "shadows", "light depths", "transmittance", "shade",
+                          "meshes again"}));
+  EXPECT_EQ(passes[4].casters.size(), 2U);
+  EXPECT_TRUE(passes[4].readsLightMap && !passes[2].readsLightMap);
+  EXPECT_EQ(passes[4].reads, (std::vector{Target::Found, Target::Places, Target::LightDepth}));
+  const std::vector read{Target::Found, Target::Openness, Target::Shadows, Target::Transmittance};
+  EXPECT_EQ(passes[5].reads, read);
+  EXPECT_EQ(passes[6].reads, read);
+  EXPECT_TRUE(passes[5].asks) << "shaders may send rays";
+}
+
 TEST(Passes, WhatIsSeenThroughComesAfterWhatIsNot) {
   DrawList list = deferredList();
   const auto namesOf = [&](const FrameDesc& frame) {
