@@ -156,7 +156,7 @@ TEST_F(VerifyPictureTest, ShadowsOfMapsAreTooManyOrTooFew) {
   EXPECT_EQ(acne["shadow_extra"].get<int>() + acne["shadow_missing"].get<int>(), acne["light"].get<int>());
   EXPECT_TRUE(exact["shadow_extra"].is_null() && exact["shadow_missing"].is_null()) << exact;
   write(R"({ "shadow": "map", "map": { "size": 64, "bias": 1000 } })");
-  const Outcome text = verify({"ball.json", "--size", "80x60"});
+  const Outcome text = verify({"ball.json", "--size", "80x60", "--shading", "phong"});
   EXPECT_TRUE(contains(text.out, "\n           0 pixels are dark that are lit in truth (extra), " +
                                      std::to_string(biased["shadow_missing"].get<int>()) +
                                      " lit that are dark (missing)\n"))
