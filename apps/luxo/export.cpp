@@ -121,12 +121,13 @@ void tell(const ExportRequest& request, const ExportedModel& made) {
     printNote("programs for printing mostly take coordinates for millimetres: see --unit");
 }
 
+/// The tolerance is told as asked, but for what changing its unit rounds.
 void requireWithin(const ExportRequest& request, const ModelClaim& claim) {
   if (!request.tolerance || claim.deviation <= *request.tolerance) return;
   throw Error(
       ErrorKind::Requirement,
       std::isfinite(claim.deviation)
-          ? fmt::format("the triangles are proven to be within {} of their surfaces, not within {:.3g} {}",
+          ? fmt::format("the triangles are proven to be within {} of their surfaces, not within {:.15g} {}",
                         shownUpward(claim.deviation, request.unit, 3),
                         *request.tolerance / request.unit.metres, request.unit.name)
           : "nothing is proven of how far the triangles are from their surfaces",
@@ -181,8 +182,6 @@ int runExport(const ExportOptions& options) {
                          {.tolerance = request.tolerance,
                           .thickness = request.thickness,
                           .camera = cameraOf(scene, request.scene),
-                          .singlePrecision = !request.glb(),
-                          .glb = request.glb(),
                           .kept = keptBy(request.output),
                           .ownLights = opened.ownLights,
                           .progress = [&](double done) { bar.show(done); }});

@@ -119,7 +119,7 @@ class Exporter {
                   "see luxo inspect; is everything invisible at that time?");
     addCameras();
     addLights();
-    if (desc_.glb) addSurroundings();
+    if (writesGlb()) addSurroundings();
     tellLosses();
     return std::move(out_);
   }
@@ -181,7 +181,7 @@ class Exporter {
   [[nodiscard]] double roundingOf(const Transform& place, const Box& box,
                                   const Vec3& origin = Vec3(0)) const {
     return largestStretch(place.linear) * kSingle * largestCoordinate({box.min - origin, box.max - origin}) +
-           (desc_.singlePrecision ? kSingle : kDouble) * largestCoordinate(place, box);
+           (writesGlb() ? kDouble : kSingle) * largestCoordinate(place, box);
   }
 
   [[nodiscard]] MeshArrays arraysOf(const SnapshotNode& from, const Mesh& mesh) const {
@@ -193,12 +193,13 @@ class Exporter {
     return arrays;
   }
 
+  [[nodiscard]] bool writesGlb() const { return desc_.kept == Kept::All; }
   [[nodiscard]] bool writesObj() const { return desc_.kept == Kept::Materials; }
 
   [[nodiscard]] bool exportsMaps(const SnapshotNode& from) const {
     const Material& material = snapshot_.materials[from.material.index];
     const bool plate = desc_.thickness > 0 && !from.surface.closed();
-    return (desc_.glb || writesObj()) && !plate && material.hasMaps();
+    return desc_.kept >= Kept::Materials && !plate && material.hasMaps();
   }
 
   /// Each texture is one image for each way to read it. None, if the file has no words for how it is read.
@@ -250,12 +251,10 @@ class Exporter {
     tell(material.normalMap.valid() && !made.normalMap.given(),
          tangential ? "normal_map" : "normal_map, in the axes of the object,");
     tell(material.specularMap.valid() && !made.specularMap.given(), "specular_map");
-    if (desc_.glb || writesObj()) {
-      tell(material.lesson || material.shading, "shading");
-      tell(material.isolines.valid(), "isolines");
-      tell(material.lectureSpecular, "lecture_specular");
-    }
-    if (desc_.glb) {
+    tell(material.lesson || material.shading, "shading");
+    tell(material.isolines.valid(), "isolines");
+    tell(material.lectureSpecular, "lecture_specular");
+    if (writesGlb()) {
       const double strongest = std::max({material.specular.x, material.specular.y, material.specular.z});
       if (strongest > strongestGltfSpecular(material.shininess) || material.shininess > kMaxGltfShininess)
         warn(fmt::format("material '{}': its highlights are weaker there, or wider", material.name));
@@ -263,11 +262,10 @@ class Exporter {
     if (writesObj()) {
       tell(made.cutoff > 0, "cutoff");
       for (const ModelMap* map : {&made.map, &made.normalMap, &made.specularMap, &made.glowMap})
-        if (map->given() && map->nearest)
-          warn(fmt::format("material '{}': its texels have no borders there", material.name));
+        tell(map->given() && map->nearest, "filter, nearest,");
     }
     tell(material.shader != nullptr, "shader");
-    if (material.blend != Blend::Over)
+    if (material.blend != Blend::Over && material.transparent())
       warn(fmt::format("material '{}': it blends as 'over' does", material.name));
   }
 
@@ -352,12 +350,8 @@ class Exporter {
 
   /// What no other program reads: see mesh/gltf_writer.cpp.
   void addSurroundings() {
-    const RenderSettings& settings = scene_.settings();
     out_.model.ambient = snapshot_.ambient;
     out_.model.background = snapshot_.background;
-    if (settings.shading != Shading::Exact)
-      warn(fmt::format("the scene's shading, {}, is not exported", luxo::nameOf(settings.shading)));
-    if (settings.ambientOcclusion.any()) warn("ambient occlusion is not exported");
     for (const SnapshotLight& light : snapshot_.lights)
       if (light.hasShadow()) warn(fmt::format("light '{}': its shadow is not exported", nameOf(light.id)));
   }
@@ -390,7 +384,7 @@ class Exporter {
       if (!directional && sum.attenuation == Light::Attenuation::None) {
         const Vec3 way = 0.5 * (framing.min + framing.max) - position;
         light.intensity *= glm::dot(way, way);
-        if (desc_.kept == Kept::All)
+        if (writesGlb())
           warn(fmt::format("light '{}' is as bright everywhere; the model's falls off with distance", name));
       }
       ModelNode at{.name = name, .light = static_cast<std::uint32_t>(out_.model.lights.size())};
@@ -409,36 +403,53 @@ class Exporter {
     const auto differs = [&](const SnapshotNode& shown) {
       Material material = snapshot_.materials[shown.material.index];
       const Material plain;
+      if (material.invisible()) return false;  // of a node that is not exported
       material.name = plain.name;
       if (!material.glowMap.valid()) material.glow = plain.glow;  // of nothing
-      if (desc_.kept == Kept::Colours) material.diffuse = plain.diffuse;
+      if (desc_.kept == Kept::Colours) {
+        // Maps and formulas are told of one by one; how opaque they are is lost beside their colours.
+        material.diffuse = plain.diffuse;
+        material.map = plain.map;
+        if (!material.diffusePattern.hasOpacity()) {
+          material.diffusePattern = plain.diffusePattern;
+          material.patternParameters = plain.patternParameters;
+        }
+      }
       return material != plain;
     };
     if (desc_.kept < Kept::Materials && std::ranges::any_of(snapshot_.nodes, differs))
       lost.emplace_back(desc_.kept == Kept::Colours ? "materials but their colours" : "materials");
-    if (desc_.kept < Kept::All && !out_.model.cameras.empty()) lost.emplace_back("cameras");
-    if (desc_.kept < Kept::All && desc_.ownLights && !out_.model.lights.empty()) lost.emplace_back("lights");
+    if (!writesGlb() && !out_.model.cameras.empty()) lost.emplace_back("cameras");
+    if (!writesGlb() && desc_.ownLights && !out_.model.lights.empty()) lost.emplace_back("lights");
     if (!lost.empty()) warn(fmt::format("the file has no room for {}", listed(lost)));
-    if (desc_.kept == Kept::All ? scene_.movesWithTime() : trianglesMove())
-      warn(fmt::format("the triangles stand still, as they are at {:g} s: no movement is exported", time_));
+    const RenderSettings& settings = scene_.settings();
+    if (desc_.kept >= Kept::Materials && settings.shading != Shading::Exact)
+      warn(fmt::format("the scene's shading, {}, is not exported", luxo::nameOf(settings.shading)));
+    if (desc_.kept >= Kept::Materials && settings.ambientOcclusion.any())
+      warn("ambient occlusion is not exported");
+    tellMovement();
   }
 
-  /// Whether they, or their materials, are others at another time.
-  [[nodiscard]] bool trianglesMove() const {
-    const bool parametersMove = std::ranges::any_of(
-        scene_.parameters(), [](const Parameter& parameter) { return parameter.value.movesWithTime(); });
-    // A function of parameters moves with them.
-    const auto moves = [&](const auto& value) {
-      return value.movesWithTime() || (parametersMove && !value.isConstant());
-    };
+  void tellMovement() {
+    const auto moves = [](const auto& value) { return value.movesWithTime(); };
+    // Which of the parameters a function reads it does not say.
+    const auto varies = [](const auto& value) { return !value.isConstant(); };
+    if (writesGlb() ? scene_.movesWithTime() : trianglesMove(moves))
+      warn(fmt::format("the triangles stand still, as they are at {:g} s", time_));
+    else if (!writesGlb() && scene_.parametersMove() && trianglesMove(varies))
+      warn(fmt::format("the triangles stand still, as they are at {:g} s; parameters may move them", time_));
+  }
+
+  /// Whether they, or their materials, are others at another time, where `moves` says that of a value.
+  template <class Moves>
+  [[nodiscard]] bool trianglesMove(const Moves& moves) const {
     std::vector<bool> places;  // of nodes, with what they hang on
     for (const Scene::Entry& entry : scene_.nodes()) {
       const Node& node = entry.node;
       places.push_back(moves(node.translation) || moves(node.rotation) || moves(node.scale) ||
                        moves(node.visible) || (node.parent.valid() && places[node.parent.index]));
       if (entry.removed || !node.surface.valid()) continue;
-      if (places.back() || std::ranges::any_of(node.surface.parameters(), moves) ||
-          (node.surface.triangles() && node.surface.triangles()->cloth))
+      if (places.back() || isCloth(node.surface) || std::ranges::any_of(node.surface.parameters(), moves))
         return true;
       if (desc_.kept > Kept::Triangles && node.material.valid() && moves(scene_[node.material])) return true;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene at one moment -> a model, whose triangles are proven to be near the scene's surfaces.
 //
-//     const ExportedModel ring = exportedModel(scene, 0, {.tolerance = 1e-5});
+//     const ExportedModel ring = exportedModel(scene, 0, {.tolerance = 1e-5, .kept = keptBy("ring.stl")});
 //     filesOf(ring.model, "ring.stl", ring.claim);      // mesh/model_writer.h
 #pragma once
 
@@ -25,13 +25,10 @@ struct ExportDesc {
   /// Metres in the world; 0: none. Surfaces that are open become plates.
   double thickness = 0;
   CameraId camera = {};  ///< the model's first; none: the scene's first
-  /// Coordinates in the world are written in single precision: those of OBJ, PLY, STL.
-  bool singlePrecision = false;
-  /// Into a GLB: it has maps, and the uvs for them (not of plates, nor of normals in the axes of the object),
-  /// light and background; and what it has no word for is told.
-  bool glb = false;
-  /// What the file keeps; of what it does not, as far as the scene has it, there is a warning.
-  /// Kept::Materials is an OBJ: it has the maps, too, that an MTL can say.
+  /// What the file keeps; of what it does not, as far as the scene has it, there is a warning. Kept::All is a
+  /// GLB: it has maps, and the uvs for them (not of plates, nor of normals in the axes of the object), light
+  /// and background. Kept::Materials is an OBJ: it has the maps, too, that an MTL can say. All but a GLB have
+  /// coordinates in the world, in single precision.
   Kept kept = Kept::All;
   bool ownLights = true;  ///< false: luxo lights a model that has none, and nothing is lost with these lights
   /// Called now and then, in the caller's thread, with the part that is done: 0 to 1, ascending. It may

@@ -99,6 +99,16 @@ std::vector<std::byte> expandRuns(std::span<const std::byte> in, const Header& h
   return out;
 }
 
+// There are few codes, and the curve is a power.
+float decodeSrgb5(std::size_t code) {
+  static const auto kLinear = [] {
+    std::array<float, 32> linear{};
+    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = float(linearFromSrgb(double(i) / 31.0));
+    return linear;
+  }();
+  return kLinear[code];
+}
+
 // Blue, green, red, alpha in the file, of which 15 and 16 bits have five of each colour; red, green, blue,
 // alpha in an image.
 void readColour(std::span<const std::byte> stored, std::span<float> pixel, Codes codes) {
@@ -113,8 +123,8 @@ void readColour(std::span<const std::byte> stored, std::span<float> pixel, Codes
   if (stored.size() == 2) {
     const int bits = byte(0) + 256 * byte(1);
     for (int c = 0; c < 3; ++c) {
-      const double part = (bits >> (10 - 5 * c) & 31) / 31.0;
-      pixel[std::size_t(c)] = float(codes == Codes::Data ? part : linearFromSrgb(part));
+      const int code = bits >> (10 - 5 * c) & 31;
+      pixel[std::size_t(c)] = codes == Codes::Data ? float(code / 31.0) : decodeSrgb5(std::size_t(code));
     }
     if (pixel.size() == 4) pixel[3] = float(bits >> 15);
     return;

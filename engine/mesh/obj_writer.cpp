@@ -42,6 +42,12 @@ std::filesystem::path imagePath(const std::filesystem::path& obj, std::uint32_t 
   return obj.parent_path() / fmt::format("{}_map{}.png", obj.stem().string(), image);
 }
 
+/// A file beside the text that names it. Of words a '#' would begin a comment, and a '-' an option.
+std::string wordOf(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.starts_with('#') || name.starts_with('-') ? "./" + name : name;
+}
+
 /// The materials, and the images that their maps name.
 class MtlWriter {
  public:
@@ -89,7 +95,7 @@ class MtlWriter {
     fmt::format_to(std::back_inserter(text_), "{} -o {} {} 0 -s {} {} 1{} {}\n", word, map.offset.x,
                    1 - map.scale.y - map.offset.y, map.scale.x, map.scale.y,
                    map.wrapU == ModelMap::Wrap::Clamp ? " -clamp on" : "",
-                   imagePath(obj_, map.image).filename().string());
+                   wordOf(imagePath(obj_, map.image)));
   }
 
   const Model& model_;
@@ -155,7 +161,7 @@ std::vector<ModelFile> writeObj(const Model& model, const std::filesystem::path&
   const std::vector<std::filesystem::path> names = namesOf(path);
   ObjWriter writer(model);
   addComments(writer.text(), claim, unit);
-  fmt::format_to(std::back_inserter(writer.text()), "mtllib {}\n", names[0].filename().string());
+  fmt::format_to(std::back_inserter(writer.text()), "mtllib {}\n", wordOf(names[0]));
   for (const PlacedMesh& placed : placedMeshes(model, unit)) writer.add(placed);
   MtlWriter materials(model, path);
   const fmt::memory_buffer text = materials.text();

@@ -82,8 +82,6 @@ bool constantParameters(const Surface& surface) {
   return std::ranges::all_of(surface.parameters(), &Animated<double>::isConstant);
 }
 
-bool isCloth(const Surface& surface) { return surface.triangles() && surface.triangles()->cloth; }
-
 bool movesWithTime(const Node& node) {
   return isCloth(node.surface) || node.translation.movesWithTime() || node.rotation.movesWithTime() ||
          node.scale.movesWithTime() || node.visible.movesWithTime() ||
@@ -112,6 +110,8 @@ std::optional<Id> findNamed(const Things& things, Name matches) {
 }
 
 }  // namespace
+
+bool isCloth(const Surface& surface) { return surface.triangles() && surface.triangles()->cloth; }
 
 Animated<Rotation> spin(const Vec3& axis, double radiansPerSecond) {
   return [=](double t) { return Rotation{axis, angleAt(radiansPerSecond, t)}; };
@@ -278,8 +278,11 @@ bool Scene::movesWithTime() const {
   return std::ranges::any_of(
              nodes_, [](const Entry& entry) { return !entry.removed && luxo::movesWithTime(entry.node); }) ||
          std::ranges::any_of(cameras_, &Camera::movesWithTime) ||
-         std::ranges::any_of(materials_, &Animated<Material>::movesWithTime) ||
-         std::ranges::any_of(parameters_,
+         std::ranges::any_of(materials_, &Animated<Material>::movesWithTime) || parametersMove();
+}
+
+bool Scene::parametersMove() const {
+  return std::ranges::any_of(parameters_,
                              [](const Parameter& parameter) { return parameter.value.movesWithTime(); });
 }
 

@@ -59,6 +59,9 @@ struct Node {
   std::optional<Segments> segments = std::nullopt;  ///< a uniform grid instead of a tolerance
 };
 
+/// Whether its triangles are a cloth, which moves by itself.
+[[nodiscard]] bool isCloth(const Surface& surface);
+
 /// What the picture is when nobody asks otherwise. Ranges: scene/ranges.h.
 struct RenderSettings {
   PixelSize size = {1280, 720};  ///< each side 1 to kMaxPictureSide
@@ -144,6 +147,8 @@ class Scene {
   /// Whether anything is a function of time: if not, one snapshot is right for all times (while no parameter
   /// is set).
   [[nodiscard]] bool movesWithTime() const;
+  /// Whether a parameter is one.
+  [[nodiscard]] bool parametersMove() const;
   /// Grows with every change made through this interface.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 

@@ -190,6 +190,9 @@ TEST_F(Export, WhatCannotBeKeptIsExitCode6) {
   const Outcome outcome = exported({"far.luxo.json", "-o", "a.stl", "--tolerance", "1mm"});
   EXPECT_EQ(outcome.code, 6);
   EXPECT_TRUE(contains(outcome.err, "proven to be within")) << outcome.err;
+  EXPECT_TRUE(
+      contains(exported({"far.luxo.json", "-o", "b.stl", "--tolerance", "1.0001mm", "--unit", "mm"}).err,
+               "not within 1.0001 mm"));
   EXPECT_GT(readModel(folder / "a.stl").meshes[0].triangleCount(), 1000U);
   expectExported({"far.luxo.json", "-o", "a.glb", "--tolerance", "1mm"});  // has an origin in double
   writeText(folder / "holed.luxo.json", R"scene({ "luxo": 1,

@@ -35,12 +35,7 @@ Scene sceneOf(const std::string& text) {
 
 /// Of an export into a file of that name.
 Warnings warningsOf(const Scene& scene, const char* file, double time = 0) {
-  return exportedModel(scene, time,
-                       {.tolerance = 0.05,
-                        .singlePrecision = !namesGlb(file),
-                        .glb = namesGlb(file),
-                        .kept = keptBy(file)})
-      .warnings;
+  return exportedModel(scene, time, {.tolerance = 0.05, .kept = keptBy(file)}).warnings;
 }
 
 constexpr const char* kFormats[] = {"a.glb", "a.obj", "a.ply", "a.stl"};
@@ -88,6 +83,40 @@ TEST(ExportLosses, WhatHasNoRoomIsToldOnce) {
   const Warnings glb = warningsOf(scene, "a.glb");
   EXPECT_THAT(glb, Contains(HasSubstr("'bulb' is as bright everywhere")));
   EXPECT_THAT(glb, Not(Contains(HasSubstr("no room"))));
+  // A PLY has lost nothing else of these.
+  const auto ply = [](const std::string& material) {
+    return warningsOf(sceneOf(R"("textures": { "tiles": { "checker": [0, 1] } }, "materials": { "m": { )" +
+                              material + R"( } }, "surfaces": { "s": { "type": "rectangle" } },
+                              "nodes": [ { "surface": "s", "material": "m" } ])"),
+                      "a.ply");
+  };
+  const char* const others = "the file has no room for materials but their colours";
+  EXPECT_THAT(ply(R"("diffuse": ["u", 0, 0])"), ElementsAre(HasSubstr("its colour is a formula")));
+  EXPECT_THAT(ply(R"("map": "tiles")"), ElementsAre("material 'm': its map is not exported"));
+  EXPECT_THAT(ply(R"("diffuse": ["u", 0, 0], "shininess": 9)"),
+              ElementsAre(HasSubstr("its colour is a formula"), others));
+  EXPECT_THAT(ply(R"("diffuse": ["u", 0, 0], "opacity": "v")"),
+              ElementsAre(HasSubstr("its colour is a formula"), others));
+}
+
+/// What is not exported has lost nothing.
+TEST(ExportLosses, NothingIsToldOfWhatIsInvisible) {
+  const Scene scene =
+      sceneOf(R"("materials": { "air": { "diffuse": [1, 0, 0], "specular": 1, "opacity": 0 } },
+    "surfaces": { "s": { "type": "sphere" } },
+    "nodes": [ { "surface": "s" }, { "surface": "s", "material": "air" } ])");
+  for (const char* file : kFormats) EXPECT_THAT(warningsOf(scene, file), IsEmpty()) << file;
+}
+
+/// By each format that keeps materials, which are lit otherwise there.
+TEST(ExportLosses, ShadingIsTold) {
+  const Scene scene = sceneOf(R"("render": { "shading": "toon", "ambient_occlusion": { "radius": 1 } },
+    "surfaces": { "s": { "type": "sphere" } }, "nodes": [ { "surface": "s" } ])");
+  for (const char* file : {"a.glb", "a.obj"})
+    EXPECT_THAT(warningsOf(scene, file), ElementsAre("the scene's shading, toon, is not exported",
+                                                     "ambient occlusion is not exported"))
+        << file;
+  for (const char* file : {"a.ply", "a.stl"}) EXPECT_THAT(warningsOf(scene, file), IsEmpty()) << file;
 }
 
 /// Whether a movement is told of, file by file.
@@ -129,6 +158,23 @@ TEST(ExportLosses, WhatMovesStandsStillAndThatIsTold) {
             (std::vector<bool>{true, true, true, false}));
 }
 
+/// Which parameters a value reads is not known: of one that may read what moves no more than that is said.
+TEST(ExportLosses, WhatParametersMayMoveIsTold) {
+  const auto told = [](const std::string& radius, const char* file) {
+    return warningsOf(sceneOf(R"x("params": { "a": "0.5 + 0.1*sin(t)", "b": 2 },
+                                 "surfaces": { "s": { "type": "sphere", "radius": )x" +
+                              radius + R"( } }, "nodes": [ { "surface": "s" } ])"),
+                      file, 2.5);
+  };
+  const char* const still = "the triangles stand still, as they are at 2.5 s";
+  for (const char* file : {"a.obj", "a.ply", "a.stl"}) {
+    EXPECT_THAT(told("2", file), IsEmpty()) << file;
+    EXPECT_THAT(told(R"("b")", file), ElementsAre(std::string(still) + "; parameters may move them")) << file;
+    EXPECT_THAT(told(R"("b + t")", file), ElementsAre(still)) << file;
+  }
+  EXPECT_THAT(told(R"("a")", "a.glb"), ElementsAre(still));
+}
+
 /// A model that moves in its file stands still in the next.
 TEST(ExportLosses, AnimatedModelsStandStill) {
   Model model;
@@ -139,7 +185,8 @@ TEST(ExportLosses, AnimatedModelsStandStill) {
   model.nodes[0].translationKeys = Keyframes{.times = {0, 1}, .values = {Vec4(0), Vec4(1)}};
   const Scene scene = modelScene(std::make_shared<const Model>(model));
   for (const char* file : kFormats)
-    EXPECT_THAT(warningsOf(scene, file), ElementsAre(HasSubstr("stand still, as they are at 0 s"))) << file;
+    EXPECT_THAT(warningsOf(scene, file), ElementsAre("the triangles stand still, as they are at 0 s"))
+        << file;
 }
 
 class ExportMaps : public testing::Test {
@@ -164,12 +211,12 @@ class ExportMaps : public testing::Test {
                                  "scene", folder_.path()));
   }
   [[nodiscard]] ExportedModel exported(const Scene& scene) const {
-    return exportedModel(scene, 0, {.tolerance = 1e-3, .singlePrecision = true, .kept = Kept::Materials});
+    return exportedModel(scene, 0, {.tolerance = 1e-3, .kept = Kept::Materials});
   }
-  [[nodiscard]] Model writtenAndRead(const ExportedModel& made) const {
-    for (const ModelFile& file : filesOf(made.model, folder_ / "a sheet.obj", made.claim))
+  [[nodiscard]] Model writtenAndRead(const ExportedModel& made, const char* name = "a sheet.obj") const {
+    for (const ModelFile& file : filesOf(made.model, folder_ / name, made.claim))
       writeFileAtomically(file.path, file.bytes);
-    return readModel(folder_ / "a sheet.obj");
+    return readModel(folder_ / name);
   }
 
   ScratchFolder folder_;
@@ -216,6 +263,16 @@ TEST_F(ExportMaps, GoAlongIntoAnObj) {
                 2e-6)
           << k << " " << i;
     }
+  }
+}
+
+/// Though an MTL has words for what begins like these.
+TEST_F(ExportMaps, AreFoundWhateverTheFileIsCalled) {
+  const ExportedModel made = exported(scene(R"("map": "colours", "normal_map": "numbers")"));
+  for (const char* name : {"-x.obj", "-o.obj", "#x.obj", "# x.obj"}) {
+    const Model model = writtenAndRead(made, name);
+    EXPECT_THAT(model.warnings, IsEmpty()) << name;
+    EXPECT_TRUE(model.materials[0].map.given() && model.materials[0].normalMap.given()) << name;
   }
 }
 
@@ -272,7 +329,7 @@ TEST_F(ExportMaps, ThatAnMtlCannotSayAreTold) {
   EXPECT_THAT(told(R"("diffuse": 0, "map": "colours")"),
               ElementsAre("material 'm': its map is not exported"));
   EXPECT_THAT(told(R"("map": "colours")", R"("filter": "nearest")"),
-              ElementsAre("material 'm': its texels have no borders there"));
+              ElementsAre("material 'm': its filter, nearest, is not exported"));
   EXPECT_THAT(told(R"("normal_map": { "texture": "numbers", "space": "object" })"),
               ElementsAre("material 'm': its normal_map, in the axes of the object, is not exported"));
 }

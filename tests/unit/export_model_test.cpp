@@ -141,7 +141,7 @@ TEST(ExportedModel, WhatRoundingMovesIsPartOfTheClaim) {
   const Scene scene = sceneOf(torus(2, 0.5), {.translation = Vec3(1000, 0, 0)});
   const double there = exportedModel(scene, 0, {.tolerance = 1e-4}).claim.deviation;
   EXPECT_LE(there, 1e-4);
-  const ExportedModel rounded = exportedModel(scene, 0, {.tolerance = 1e-4, .singlePrecision = true});
+  const ExportedModel rounded = exportedModel(scene, 0, {.tolerance = 1e-4, .kept = Kept::Triangles});
   EXPECT_GT(rounded.claim.deviation, 1e-4);
   EXPECT_LT(rounded.claim.deviation, 2e-4);
   for (const ModelFile& file : filesOf(rounded.model, "a.stl")) {
@@ -340,7 +340,7 @@ TEST(ExportedModel, MapsGoAlongIntoAGlb) {
     "surfaces": { "sheet": { "type": "formula", "u": [-1, 3], "v": [2, 4], "position": ["u", "0.1*u*v", "v"] } },
     "nodes": [ { "surface": "sheet", "material": "tiled" } ] })scene",
                                             "scene"));
-  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-2, .glb = true});
+  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-2});
   EXPECT_TRUE(made.warnings.empty());
   const ScratchFolder folder;
   const std::filesystem::path file = folder / "sheet.glb";
@@ -388,7 +388,7 @@ TEST(ExportedModel, MapsOfNormalsAndHighlightsGoAlong) {
                              "position": ["u + 0.3*v", "0.1*u*v", "v"] } },
     "nodes": [ { "surface": "sheet", "material": "rough" } ] })scene";
   const Scene scene = buildScene(readSceneFile(folder / "s.luxo.json"));
-  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-4, .glb = true});
+  const ExportedModel made = exportedModel(scene, 0, {.tolerance = 1e-4});
   EXPECT_TRUE(made.warnings.empty());
   const std::vector<std::byte> bytes = filesOf(made.model, "s.glb", made.claim).at(0).bytes;
   write(folder / "s.glb", bytes);
@@ -433,10 +433,11 @@ TEST(ExportedModel, MapsThatAreLeftOutAreTold) {
     "surfaces": { "sheet": { "type": "rectangle" } },
     "nodes": [ { "surface": "sheet", "material": "tiled" } ] })scene",
                                             "scene"));
-  EXPECT_THAT(exportedModel(scene, 0, {}).warnings, Contains(HasSubstr("its map is not exported")));
-  EXPECT_THAT(exportedModel(scene, 0, {.glb = true}).warnings,
+  EXPECT_THAT(exportedModel(scene, 0, {.kept = Kept::Colours}).warnings,
+              Contains(HasSubstr("its map is not exported")));
+  EXPECT_THAT(exportedModel(scene, 0, {}).warnings,
               ElementsAre(HasSubstr("normal_map, in the axes of the object,")));
-  EXPECT_THAT(exportedModel(scene, 0, {.thickness = 0.1, .glb = true}).warnings,
+  EXPECT_THAT(exportedModel(scene, 0, {.thickness = 0.1}).warnings,
               Contains(HasSubstr("its map is not exported")));
 }
 
@@ -449,7 +450,7 @@ TEST(ExportedModel, WhatAGlbHasNoWordForIsTold) {
     "nodes": [ { "surface": "s", "material": "m" },
                { "name": "sun", "light": { "type": "directional", "shadow": "exact" } } ] })scene",
                                             "scene"));
-  const std::vector<std::string> told = exportedModel(scene, 0, {.glb = true}).warnings;
+  const std::vector<std::string> told = exportedModel(scene, 0, {}).warnings;
   for (const char* what : {"its shading", "its isolines", "its lecture_specular", "its highlights are weaker",
                            "the scene's shading, flat,", "ambient occlusion", "light 'sun': its shadow"})
     EXPECT_THAT(told, Contains(HasSubstr(what)));
@@ -466,7 +467,7 @@ TEST(ExportedModel, APlateDoesNotTakeTheMapFromOthers) {
       "surfaces": { "sheet": { "type": "rectangle" }, "ball": { "type": "sphere", "radius": 1 } },
       "nodes": )scene") + nodes + "}",
                                               "scene"));
-    const Model model = exportedModel(scene, 0, {.tolerance = 0.1, .thickness = 0.1, .glb = true}).model;
+    const Model model = exportedModel(scene, 0, {.tolerance = 0.1, .thickness = 0.1}).model;
     for (const TriangleMesh& mesh : model.meshes)
       EXPECT_EQ(model.materials[mesh.groups()[0].material].map.given(), !mesh.uvs().empty()) << mesh.name();
     EXPECT_EQ(

@@ -51,7 +51,7 @@ std::vector<Panel::Row> passRows(std::vector<PassTime> passes) {
 }
 
 std::string timeText(double seconds, const window::Playback& playback) {
-  const std::string end = playback.loop() > 0 ? fmt::format(" of {:.3g}", playback.loop()) : "";
+  const std::string end = playback.loop() > 0 ? fmt::format(" of {:.3f}", playback.loop()) : "";
   return fmt::format("{:.3f}{} s{}", seconds, end, playback.playing() ? "" : ", paused");
 }
 
