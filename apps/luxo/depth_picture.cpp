@@ -26,9 +26,11 @@ std::optional<Interval> depthsIn(const Image& depths) {
 
 Image greyDepths(Image depths, const Interval& range) {
   const double perMetre = range.width() > 0 ? (1 - kFarthestGrey) / range.width() : 0;
+  const auto grey = [&](float depth) {
+    return linearFromSrgb(std::clamp(1 - (depth - range.lo) * perMetre, kFarthestGrey, 1.0));
+  };
   for (float& sample : depths.samples())
-    sample =
-        std::isfinite(sample) ? static_cast<float>(linearFromSrgb(1 - (sample - range.lo) * perMetre)) : 0.0F;
+    sample = std::isfinite(sample) ? static_cast<float>(grey(sample)) : 0.0F;
   return depths;
 }
 

@@ -13,7 +13,7 @@ namespace luxo {
 [[nodiscard]] std::optional<Interval> depthsIn(const Image& depths);
 
 /// For files of 8-bit codes, which fall evenly from white where it is nearest to 1/8 of that where it is
-/// farthest; black where there is nothing.
+/// farthest, and no further beyond the range; black where there is nothing.
 [[nodiscard]] Image greyDepths(Image depths, const Interval& range);
 
 }  // namespace luxo

@@ -203,16 +203,19 @@ class Run {
     return request_.fromLight && storesSrgb8(requireImageFormat(request_.output));
   }
 
-  /// Says which depths the greys are.
-  [[nodiscard]] Image greyDepths(Image depths, const std::filesystem::path& file) const {
-    const std::optional<Interval> range = depthsIn(depths);
-    if (request_.verbosity != Verbosity::Quiet)
-      printNote(
-          range ? fmt::format("{}: depths from {:.6g} m (white) to {:.6g} m (dark grey); black: nothing that "
-                              "casts a shadow; write .exr or .pfm for metres",
-                              file.string(), range->lo, range->hi)
-                : fmt::format("{}: black, as the light sees nothing that casts a shadow", file.string()));
-    return luxo::greyDepths(std::move(depths), range.value_or(Interval{0, 0}));
+  /// By the depths of the first picture that has any, so that in a sequence what stands still keeps its grey;
+  /// says which these are.
+  [[nodiscard]] Image greyDepths(Image depths, const std::filesystem::path& file) {
+    if (!greys_) {
+      greys_ = depthsIn(depths);
+      if (request_.verbosity != Verbosity::Quiet)
+        printNote(
+            greys_ ? fmt::format("{}: depths from {:.6g} m (white) to {:.6g} m (dark grey); black: nothing "
+                                 "that casts a shadow; write .exr or .pfm for metres",
+                                 file.string(), greys_->lo, greys_->hi)
+                   : fmt::format("{}: black, as the light sees nothing that casts a shadow", file.string()));
+    }
+    return luxo::greyDepths(std::move(depths), greys_.value_or(Interval{0, 0}));
   }
 
   void tellOfNoOcclusion(const Snapshot& snapshot) const {
@@ -346,7 +349,8 @@ class Run {
   std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
   Stopwatch told_;                    ///< of progress
   ParameterId swept_;
-  std::optional<Camera> fitted_;  ///< to a scene without a camera
+  std::optional<Camera> fitted_;   ///< to a scene without a camera
+  std::optional<Interval> greys_;  ///< depths of a light that greys are of
   RunReport report_;
   std::optional<Pending> pending_;
   bool oneOfMany_ = false;

@@ -117,7 +117,7 @@ struct WrongPixels {
   /// A light is seen that is in shadow, or the other way round; or, in exact shading, a texture's
   /// colour is off by 1/255.
   std::uint64_t light = 0;
-  /// Of `light`: dark where the truth is lit, and lit where it is dark.
+  /// Of `light`: darker than the truth, as by a shadow too much, and brighter, as by one too few.
   std::uint64_t shadowExtra = 0, shadowMissing = 0;
   std::uint64_t point = 0;  ///< off by more than kPointPx and rounding, or a value that is not a number
   std::vector<std::uint32_t> pixels;  ///< row * width + column, ascending

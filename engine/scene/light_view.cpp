@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "base/error.h"
 #include "math/transform.h"
@@ -74,19 +73,23 @@ Vec4 parallelWhereFar(const Vec4& light, const Box& all, double most) {
 }
 
 SnapshotLight asMapped(SnapshotLight light, const Box& casters, const Box& receivers, int size) {
+  const Vec3 way = Vec3(light.positionWorld) - receivers.center();
+  if (light.directional() || !(glm::length(way) > 0)) return light;
+  const Vec3 toward = unit(way);
+  const double texel = 1 / directionalView(toward, casters, receivers, size).pixelsPerUnit;
   Box all = casters;
   all.add(receivers);
-  const double texel = glm::length(casters.extent()) / size;
-  const Vec4 at = parallelWhereFar(light.positionWorld, all, 0.25 * texel / glm::length(all.extent()));
-  if (at.w != light.positionWorld.w && light.map)
+  // A ray from the rim of what receives is so much askew, and may be as long as all there is.
+  const double askew = 0.5 * glm::length(receivers.extent()) / glm::length(way);
+  if (askew * glm::length(all.extent()) > 0.25 * texel) return light;
+  if (light.map)
     light.map->radius =
         std::atan(light.map->radius / glm::distance(Vec3(light.positionWorld), casters.center()));
-  light.positionWorld = at;
+  light.positionWorld = Vec4(toward, 0);
   return light;
 }
 
-std::vector<View> lightViews(SnapshotLight light, const Box& casters, const Box& receivers, int size) {
-  light = asMapped(std::move(light), casters, receivers, size);
+std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, const Box& receivers, int size) {
   const Vec3 at(light.positionWorld);
   if (light.directional()) return {directionalView(at, casters, receivers, size)};
   const double farthest = glm::distance(at, casters.center()) + glm::length(casters.extent());
@@ -117,13 +120,15 @@ Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size) {
   if (light == snapshot.lights.end())
     throw Error(ErrorKind::Scene, "no light of the scene has a shadow: none has a depth picture",
                 "give a light a \"shadow\"");
-  const SnapshotLight seen = *light;
+  SnapshotLight seen = *light;
   std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
     return std::ranges::find(seen.casters, node.id) == seen.casters.end() &&
            !(seen.shade && seen.shade->caster == node.id);
   });
   const Box casters = framingOf(snapshot);
   if (casters.empty()) throw Error(ErrorKind::Scene, "what casts the light's shadow has no points");
+  // What no perspective view has room for; a nearer light's depths are distances from it.
+  seen.positionWorld = parallelWhereFar(seen.positionWorld, casters, 0x1p-30);
   const int usual = seen.map ? static_cast<int>(seen.map->size)
                              : std::min(snapshot.view.size.width, snapshot.view.size.height);
   const std::vector<View> views = lightViews(seen, casters, casters, size.value_or(usual));

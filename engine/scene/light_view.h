@@ -10,25 +10,28 @@
 
 namespace luxo {
 
-/// `light`: w = 1: where it is; w = 0: the direction toward it. A point so far from `all` (world) that between
-/// points of that box its rays are less than `most` of the box's size from parallel ones: the direction toward
-/// it, of which floats keep what they lose of the point. Else the light as it is.
+/// `light`: w = 1: where it is; w = 0: the direction toward it. A point so far from `all` (world) that
+/// between points of that box its rays are less than `most` of the box's size from parallel ones: the
+/// direction toward it, of which floats keep what they lose of the point. Else the light as it is.
 [[nodiscard]] Vec4 parallelWhereFar(const Vec4& light, const Box& all, double most);
 
-/// The light as a depth map of `size` texels along a side has it: a direction where parallel rays are within
-/// a quarter of a texel, with the angle as its map's radius.
+/// The light as a depth map of `size` texels along a side has it: a direction where from all of `receivers`
+/// parallel rays stay within a quarter of a texel, with the angle as its map's radius. Boxes: world, finite,
+/// not empty.
 [[nodiscard]] SnapshotLight asMapped(SnapshotLight light, const Box& casters, const Box& receivers, int size);
 
 /// Square pictures with `size` texels along a side, which show all of `casters` that may stand before
-/// `receivers` (both world, finite, not empty): one, as narrow as can be, of a directional light, one that
-/// is asMapped() included, and of a point light that has all casters before it; else six, the faces of a
-/// cube. Depths from the nearest caster on.
-[[nodiscard]] std::vector<View> lightViews(SnapshotLight light, const Box& casters, const Box& receivers,
-                                           int size);
+/// `receivers` (both world, finite, not empty): one, as narrow as can be, of a directional light, and of
+/// a point light that has all casters before it; else six, the faces of a cube. Depths from the nearest
+/// caster on.
+[[nodiscard]] std::vector<View> lightViews(const SnapshotLight& light, const Box& casters,
+                                           const Box& receivers, int size);
 
 /// The scene as the first of its lights that have a shadow sees it: its casters alone, in one picture, which
-/// of a light amid them shows what is within 63 degrees of their middle. Pixels along a side as given; else those of its map, or as many as fit into the snapshot's
-/// picture. Throws Error(Scene) where no light has a shadow.
+/// of a light amid them shows what is within 63 degrees of their middle. Depths are distances along the view
+/// from a point light, up to 2^30 times the casters' size away; else from the nearest caster's. Pixels along
+/// a side as given; else those of its map, or as many as fit into the snapshot's picture. Throws Error(Scene)
+/// where no light has a shadow.
 [[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size = std::nullopt);
 
 }  // namespace luxo

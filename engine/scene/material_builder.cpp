@@ -34,7 +34,7 @@ std::optional<MapDesc> textureOf(const UniformDesc& uniform, const MaterialShade
 }  // namespace
 
 bool isOpaque(const MaterialDesc& material) {
-  return material.opacity == Quantity(1) && material.blend == Blend::Over &&
+  return material.opacity == Quantity(1) && material.blend != Blend::Add &&
          !(material.map && material.map->alpha);
 }
 

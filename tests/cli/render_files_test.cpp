@@ -284,6 +284,39 @@ TEST_F(RenderFiles, DepthsOfALightAreGreyOrMetres) {
   EXPECT_TRUE(contains(render("b.png"), "black, as the light sees nothing"));
 }
 
+/// From 2 km away as from 2 m, however fine the picture.
+TEST_F(RenderFiles, DepthsOfADistantLightAreMetres) {
+  writeText(folder / "far.luxo.json",
+            R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk", "radius": 1 } },
+    "nodes": [ { "surface": "disc", "translate": [0, 2, 0] },
+               { "translate": [0, 2000, 0], "light": { "shadow": "exact" } } ] })");
+  for (const char* size : {"33x33", "1025x1025"}) {
+    const Outcome outcome =
+        run(folder, {"render", "far.luxo.json", "--aov", "light-depth", "--size", size, "-o", "far.png"});
+    EXPECT_TRUE(contains(outcome.err, "depths from 1998 m (white)")) << size << ": " << outcome.err;
+  }
+}
+
+/// The large disc stays 4 m away, and keeps its grey, though a small one sinks beside it.
+TEST_F(RenderFiles, GreysOfASequenceAreOfTheSameDepths) {
+  writeText(folder / "sinking.luxo.json",
+            R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk", "radius": 1 } },
+    "nodes": [ { "surface": "disc", "translate": [0, 2, 0] },
+               { "surface": "disc", "translate": [0, 4, 0], "scale": [0.2, 0.2, 0.2] },
+               { "surface": "disc", "translate": [1.5, "2-8*t", 0], "scale": [0.2, 0.2, 0.2] },
+               { "translate": [0, 6, 0], "light": { "shadow": "exact" } } ] })");
+  const Outcome outcome = run(folder, {"render", "sinking.luxo.json", "--aov", "light-depth", "--size",
+                                       "65x65", "--fps", "8", "--frames", "1-2", "-o", "s%d.png"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "s1.png: depths from")) << outcome.err;
+  EXPECT_FALSE(contains(outcome.err, "s2.png: depths")) << outcome.err;
+  for (const char* file : {"s1.png", "s2.png"}) {
+    const std::vector<std::uint8_t> codes = codesOfPng(textOf(folder / file), 65, 65);
+    EXPECT_GT(std::ranges::count_if(codes, [](int code) { return code >= 32 && code <= 34; }), 3 * 300)
+        << file;
+  }
+}
+
 TEST_F(RenderFiles, AnotherCompositionThanAskedForIsTold) {
   const auto said = [&](const char* scene, const char* composition, std::vector<std::string> more = {}) {
     std::vector<std::string> arguments{"render", scene,           "-o",       "a.png", "--size",

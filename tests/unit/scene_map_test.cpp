@@ -142,6 +142,12 @@ TEST(SceneMaps, TheLessonsFormulaIsAShadingOfMaterials) {
       &warnings));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].message.find("lesson's formula"), std::string::npos);
+  // Nothing comes through what multiplies by its opacity of 1.
+  warnings.clear();
+  static_cast<void>(built(
+      R"("materials": { "m": { "shading": "lesson", "blend": "multiply" } }, "nodes": [ { "material": "m" } ])",
+      &warnings));
+  EXPECT_TRUE(warnings.empty());
 }
 
 TEST(SceneMaps, AreWrittenAsTheyAreRead) {
