@@ -56,13 +56,20 @@ std::pair<std::string, std::string> renamingOfOwn(const MaterialShader& shader) 
   constexpr std::array<std::string_view, 14> kNames = {
       "Point",      "Light",    "Hit",         "trace",       "light",        "lightCount",  "ambientLight",
       "blinnPhong", "colorMap", "specularMap", "worldVector", "objectVector", "worldNormal", "glowMap"};
+  // What stands before a name that is not declared there.
+  constexpr std::array<std::string_view, 7> kQualifiers = {"const", "in",      "out", "inout",
+                                                           "highp", "mediump", "lowp"};
   std::set<std::string_view> own;
   for (const MaterialShader::File& file : shader.files) {
     const TextByName uniforms = typesOfUniforms(file.text);
     const std::vector<GlslToken> tokens = outsideOfFunctions(file.text);
     for (std::size_t i = 1; i < tokens.size(); ++i) {
       const auto name = std::ranges::find(kNames, tokens[i].text);
-      const bool isDeclared = tokens[i - 1].isWord() || tokens[i - 1].text == "]";
+      const GlslToken& before = tokens[i - 1];
+      if (tokens[i].directive > 0 || before.directive > 0) continue;
+      const bool isDeclared =
+          before.text == "]" ||
+          (before.isWord() && std::ranges::find(kQualifiers, before.text) == kQualifiers.end());
       if (name != kNames.end() && isDeclared && !uniforms.contains(*name)) own.insert(*name);
     }
   }

@@ -13,12 +13,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "base/error.h"
 #include "base/log.h"
 #include "draw/course_style.h"
 #include "draw/material_program.h"
+#include "gpu/deep_stack.h"
 #include "gpu/shader_reflection.h"
 #include "gpu/shader_validation.h"
 #include "main_image.h"
@@ -45,6 +47,11 @@ gpu::ShaderStage stageOf(const std::string& suffix) {
 }
 
 std::vector<std::uint32_t> wordsOf(const fs::path& path) {
+  std::error_code failure;
+  if (const std::uintmax_t size = fs::file_size(path, failure); !failure && size > kMaxShaderBytes)
+    throw Error(ErrorKind::Scene,
+                fmt::format("cannot read the shader '{}': it has {} bytes; at most {} are read",
+                            path.string(), size, kMaxShaderBytes));
   std::ifstream stream(path, std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream && bytes.empty())
@@ -182,7 +189,7 @@ Json inspectShader(const std::string& name, const ShaderUse& use) {
   if (suffix == ".spv") {
     const std::vector<std::uint32_t> words = wordsOf(path);
     gpu::requireValid(words);
-    all = gpu::reflect(words);
+    gpu::onDeepStack([&] { all = gpu::reflect(words); });
   } else {
     // A stage by itself, whatever is beside it.
     MaterialShaderPtr shader = suffix == ".vert"

@@ -34,6 +34,9 @@ constexpr std::string_view kPattern = "pattern", kSurface = "surface", kCurvatur
 // Measured on llvmpipe: 17,000 instructions take 3 s, 34,000 11 s, 68,000 37 s; those of apps/scenes/gallery
 // have at most 656.
 constexpr std::uint64_t kMostInstructions = 32'768, kMostVariableBytes = 65'536;
+// llvmpipe keeps the masks of 80 branches in each other, and draws what is deeper wrong without a word:
+// luxo's own around material() are among them.
+constexpr std::uint64_t kDeepestBranches = 64;
 // It copies the constants of an array to each place that reads one.
 constexpr std::uint64_t kLongestTable = 256;
 
@@ -178,6 +181,7 @@ gpu::ShaderInterface MaterialProgram::compileAlone(std::string_view in, std::siz
   cost_.instructions += cost.instructions;
   cost_.variableBytes += cost.variableBytes;
   cost_.longestTable = std::max(cost_.longestTable, cost.longestTable);
+  cost_.nesting = std::max(cost_.nesting, cost.nesting);
   return interface;
 }
 
@@ -256,6 +260,13 @@ void MaterialProgram::requireAffordable() const {
                     "most {} are compiled",
                     file, cost.instructions, kMostInstructions),
         "call functions in a loop instead of one by one");
+  if (cost.nesting > kDeepestBranches)
+    throw Error(ErrorKind::Scene,
+                fmt::format("{}: its branches are nested {} deep, counting those of the functions that are "
+                            "called in them, and each return, break and continue in a branch as one around "
+                            "what follows; at most {} are drawn right by every driver",
+                            file, cost.nesting, kDeepestBranches),
+                "use an array and a loop, or a switch");
   if (cost.longestTable > kLongestTable) refuseTable();
   if (cost.variableBytes > kMostVariableBytes)
     throw Error(ErrorKind::Scene,

@@ -22,7 +22,8 @@ namespace {
   throw Error(ErrorKind::Scene, describe(file.name, file.text, {{token.begin, token.end()}, why, advice}));
 }
 
-/// What is allowed since.
+/// Of those that may be asked for: what they added has long been in the language, or is luxo's own way to
+/// include.
 bool isPlainExtension(std::string_view name) {
   constexpr std::array<std::string_view, 3> kPlain = {
       "GL_GOOGLE_include_directive", "GL_OES_standard_derivatives", "GL_ARB_shading_language_420pack"};
@@ -93,7 +94,9 @@ void refuseDirectives(const MaterialShader::File& file) {
       refuseToken(file, first, fmt::format("'{}' is a name of luxo's own, which no macro has", name),
                   "choose another one");
     if (directive.name == "extension" && !isPlainExtension(name) && directive.rest.back().text != "disable")
-      refuseToken(file, first, fmt::format("'#extension {}': only some devices have it", name),
+      refuseToken(file, first,
+                  name == "all" ? "'#extension all' asks for what only some devices have"
+                                : fmt::format("'#extension {}': only some devices have it", name),
                   "write plain GLSL: leave the line out, and what needs it");
     if (directive.name != "pragma" || name != "luxo" || directive.rest.size() < 2) continue;
     const GlslToken& asked = directive.rest[1];

@@ -37,19 +37,33 @@ class Costs {
  private:
   struct Function {
     ShaderCost own, total;  ///< without calls, and with them
-    std::vector<std::uint32_t> calls;
+    struct Call {
+      std::uint32_t function = 0;
+      std::uint64_t nesting = 0;  ///< where it is
+    };
+    std::vector<Call> calls;
     std::size_t next = 0;  ///< call to be added
     bool isOpen = false;   ///< or known
+  };
+  /// A branch or a loop, of which there may be some around it.
+  struct Construct {
+    std::uint64_t outside = 0;  ///< nesting
+    std::size_t left = 0;       ///< how many constructs are around where jumps out of it go to
   };
 
   void read(spv::Op op, std::span<const std::uint32_t> words) {
     if (op == spv::OpEntryPoint && words.size() > 1) entry_ = words[1];
+    if (function_) readStructure(op, words);
     if (words.size() < 2) return count();
     readType(op, words);
     if (op == spv::OpFunction) {
       function_ = &functions_[words[1]];
+      constructs_.clear();
+      ends_.clear();
+      loops_.clear();
+      nesting_ = 0;
     } else if (op == spv::OpFunctionCall && function_ && words.size() > 2) {
-      function_->calls.push_back(words[2]);
+      function_->calls.push_back({words[2], nesting_});
     } else if (op == spv::OpVariable && words.size() > 2) {
       const std::uint64_t bytes = bytes_[words[0]];
       if (words[2] == spv::StorageClassPrivate) globalBytes_ = sum(globalBytes_, bytes);
@@ -57,6 +71,42 @@ class Costs {
         function_->own.variableBytes = sum(function_->own.variableBytes, bytes);
     }
     count();
+  }
+
+  void readStructure(spv::Op op, std::span<const std::uint32_t> words) {
+    if (op == spv::OpReturn || op == spv::OpReturnValue || op == spv::OpKill ||
+        op == spv::OpTerminateInvocation)
+      return leaveTo(0);
+    if (words.empty()) return;
+    if (op == spv::OpSelectionMerge || op == spv::OpLoopMerge) {
+      constructs_.push_back({nesting_, constructs_.size() + 1});
+      ends_[words[0]] = constructs_.size();
+      if (op == spv::OpLoopMerge)
+        for (const std::uint32_t label : words.first(std::min<std::size_t>(2, words.size())))
+          loops_[label] = constructs_.size();
+      function_->own.nesting = std::max(function_->own.nesting, ++nesting_);
+    } else if (op == spv::OpLabel) {
+      if (const auto end = ends_.find(words[0]); end != ends_.end()) close(end->second);
+    } else if (op == spv::OpBranch || op == spv::OpBranchConditional) {
+      for (const std::uint32_t label : words)
+        if (const auto loop = loops_.find(label); loop != loops_.end()) leaveTo(loop->second);
+    }
+  }
+
+  /// To what that many constructs are around.
+  void leaveTo(std::size_t constructs) {
+    if (!constructs_.empty()) constructs_.back().left = std::min(constructs_.back().left, constructs);
+  }
+
+  /// All from that one on.
+  void close(std::size_t number) {
+    while (constructs_.size() >= number) {
+      const Construct construct = constructs_.back();
+      const bool isLeft = construct.left < constructs_.size();
+      constructs_.pop_back();
+      nesting_ = construct.outside + (isLeft ? 1 : 0);
+      leaveTo(construct.left);
+    }
   }
 
   void count() {
@@ -100,7 +150,7 @@ class Costs {
         open.pop_back();
         continue;
       }
-      const std::uint32_t called = function.calls[function.next];
+      const auto [called, nesting] = function.calls[function.next];
       const Function& other = functions_[called];
       if (!other.isOpen) {
         open.push_back(called);
@@ -108,6 +158,7 @@ class Costs {
       }
       function.total.instructions = sum(function.total.instructions, other.total.instructions);
       function.total.variableBytes = sum(function.total.variableBytes, other.total.variableBytes);
+      function.total.nesting = std::max(function.total.nesting, sum(nesting, other.total.nesting));
       ++function.next;
     }
     return functions_[id].total;
@@ -116,6 +167,9 @@ class Costs {
   std::map<std::uint32_t, std::uint64_t> bytes_, constants_, elements_;
   std::map<std::uint32_t, Function> functions_;
   Function* function_ = nullptr;
+  std::vector<Construct> constructs_;                  ///< of the function, that are open
+  std::map<std::uint32_t, std::size_t> ends_, loops_;  ///< by labels: the number of a construct
+  std::uint64_t nesting_ = 0;
   std::uint64_t globalBytes_ = 0, longestTable_ = 0;
   std::uint32_t entry_ = 0;
 };

@@ -281,7 +281,8 @@ class Reflection {
         if (member.columns > 1) variable.matrixStride = compiler_.type_struct_member_matrix_stride(type, i);
         variable.active = used.contains(i);
       }
-      if (member.basetype == SPIRType::Struct) {
+      // What is pointed to may have a pointer to itself.
+      if (member.basetype == SPIRType::Struct && !member.pointer) {
         // Which of its members are used nobody tells.
         std::unordered_set<std::uint32_t> theirs;
         if (variable.active)

@@ -44,22 +44,15 @@ class Scanner {
   [[nodiscard]] bool isDigitAt(std::size_t i) const {
     return std::isdigit(static_cast<unsigned char>(at(i))) != 0;
   }
-  /// Of a backslash that ends a line.
-  [[nodiscard]] std::size_t continuationAt(std::size_t i) const {
-    if (at(i) != '\\') return 0;
-    if (at(i + 1) == '\r' && at(i + 2) == '\n') return 3;
-    return isLineEnd(at(i + 1)) ? 2 : 0;
-  }
-
   /// To what is next; false where nothing is.
   bool skipBlank() {
     while (at_ < text_.size()) {
       const std::string_view next = text_.substr(at_, 2);
-      if (const std::size_t joined = continuationAt(at_)) {
+      if (const std::size_t joined = continuationAt(text_, at_)) {
         at_ += joined;
       } else if (next == "//") {
         while (at_ < text_.size() && !isLineEnd(text_[at_]))
-          at_ += std::max<std::size_t>(1, continuationAt(at_));
+          at_ += std::max<std::size_t>(1, continuationAt(text_, at_));
       } else if (next == "/*") {
         const std::size_t end = text_.find("*/", at_ + 2);
         at_ = end == text_.npos ? text_.size() : end + 2;
@@ -80,9 +73,14 @@ class Scanner {
   [[nodiscard]] GlslToken::Kind kindHere() const {
     if (isDigitAt(at_) || (text_[at_] == '.' && isDigitAt(at_ + 1))) return GlslToken::Kind::Number;
     if (isGlslLetter(text_[at_])) return GlslToken::Kind::Word;
-    if (text_[at_] == '"' && inDirective_ && at(text_.find_first_of("\"\r\n", at_ + 1)) == '"')
+    if (text_[at_] == '"' && at(text_.find_first_of("\"\r\n", at_ + 1)) == '"')
       return GlslToken::Kind::Quoted;
     return GlslToken::Kind::Mark;
+  }
+
+  [[nodiscard]] std::size_t behindDigits(std::size_t i) const {
+    while (isDigitAt(i)) ++i;
+    return i;
   }
 
   [[nodiscard]] std::size_t endOf(GlslToken::Kind kind) const {
@@ -92,12 +90,20 @@ class Scanner {
         while (isGlslLetter(at(end))) ++end;
         return end;
       case GlslToken::Kind::Number: {
-        const bool isHexadecimal = at(at_) == '0' && (at(end) == 'x' || at(end) == 'X');
-        const auto isExponent = [&](std::size_t i) {
-          return !isHexadecimal && (at(i) == 'e' || at(i) == 'E') &&
-                 (isDigitAt(i + 1) || ((at(i + 1) == '+' || at(i + 1) == '-') && isDigitAt(i + 2)));
-        };
-        while (isGlslLetter(at(end)) || at(end) == '.') end += isExponent(end) ? 2 : 1;
+        // No longer than the language has it: what follows it is a name, which may be a macro's.
+        constexpr std::string_view kSuffixes = "uUlLfFhHsS";
+        if (at(at_) == '0' && (at(end) == 'x' || at(end) == 'X')) {
+          ++end;
+          while (std::isxdigit(static_cast<unsigned char>(at(end))) != 0) ++end;
+        } else {
+          end = behindDigits(at_);
+          if (at(end) == '.') end = behindDigits(end + 1);
+          if (at(end) == 'e' || at(end) == 'E') {
+            const std::size_t digits = end + (at(end + 1) == '+' || at(end + 1) == '-' ? 2 : 1);
+            if (isDigitAt(digits)) end = behindDigits(digits);
+          }
+        }
+        while (at(end) != '\0' && kSuffixes.find(at(end)) != kSuffixes.npos) ++end;
         return end;
       }
       case GlslToken::Kind::Quoted:
@@ -118,6 +124,12 @@ class Scanner {
 };
 
 }  // namespace
+
+std::size_t continuationAt(std::string_view glsl, std::size_t at) {
+  const std::string_view rest = glsl.substr(std::min(at, glsl.size()), 3);
+  if (rest.size() < 2 || rest[0] != '\\' || !isLineEnd(rest[1])) return 0;
+  return rest.ends_with("\r\n") ? 3 : 2;
+}
 
 std::vector<GlslToken> glslTokens(std::string_view glsl) { return Scanner(glsl).tokens(); }
 

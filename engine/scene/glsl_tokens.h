@@ -11,7 +11,7 @@
 namespace luxo {
 
 struct GlslToken {
-  /// A word is a name or a keyword. On a directive's line a text in quotes is one token.
+  /// A word is a name or a keyword. A text in quotes is one token, where they are on one line.
   enum class Kind { Word, Number, Mark, Quoted };
 
   Kind kind = Kind::Mark;
@@ -27,6 +27,9 @@ struct GlslToken {
 [[nodiscard]] inline bool isGlslLetter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
+
+/// Of a backslash there that ends a line, how long it is with that end; 0: there is none.
+[[nodiscard]] std::size_t continuationAt(std::string_view glsl, std::size_t at);
 
 /// Without blanks and comments. Valid as long as the text. Cost: linear, whatever the text is.
 [[nodiscard]] std::vector<GlslToken> glslTokens(std::string_view glsl);

@@ -6,17 +6,42 @@
 #include "scene/glsl_tokens.h"
 
 namespace luxo {
+namespace {
+
+/// Whether a name behind it is declared there.
+bool isType(std::string_view word) {
+  return !word.empty() && isGlslLetter(word.front()) && word != "return" && word != "else" && word != "do" &&
+         word != "case";
+}
+
+}  // namespace
 
 void ShaderDeclarations::take(std::string_view token) {
   if (token == "{") ++depth_;
-  if (token == "}" && depth_ > 0) --depth_;
+  if (token == "}" && depth_ > (alternatives_.empty() ? 0 : alternatives_.back().depth)) --depth_;
   takeOfStructure(token);
   takeOfFunction(token);
+  before_ = last_;
   last_ = token;
+}
+
+void ShaderDeclarations::openAlternative() { alternatives_.push_back({depth_, openStructure(), each_}); }
+
+bool ShaderDeclarations::closeAlternative() {
+  if (alternatives_.empty()) return true;
+  const Alternative begin = alternatives_.back();
+  alternatives_.pop_back();
+  each_ = std::max(each_, begin.each);
+  return openStructure() == begin.structure;
+}
+
+std::size_t ShaderDeclarations::openStructure() const {
+  return last_ == "struct" ? declared_ + 1 : structure_.empty() ? 0 : declared_;
 }
 
 void ShaderDeclarations::takeOfStructure(std::string_view token) {
   if (last_ == "struct") {
+    ++declared_;
     structure_ = token;  // `{` of one without a name
     declaredAt_ = token == "{" ? depth_ - 1 : depth_;
     members_ = each_ = 1;
@@ -37,8 +62,8 @@ void ShaderDeclarations::takeOfStructure(std::string_view token) {
 
 void ShaderDeclarations::takeOfFunction(std::string_view token) {
   if (token != "(" || last_.empty() || !isGlslLetter(last_.front())) return;
-  if (depth_ == 0) {
-    function_ = last_;
+  if (depth_ == 0 || isType(before_)) {
+    ++function_;  // others may have the name, for other arguments or under other conditions
     functions_.insert(last_);
   } else if (functions_.contains(last_)) {
     calls_.emplace(function_, last_);

@@ -94,6 +94,35 @@ Definition definitionOf(Tokens tokens) {
   return definition;
 }
 
+/// glslTokens(), and behind a number what its suffix and a name right behind it may be together: some
+/// suffixes are none to some compilers, of some numbers.
+std::vector<GlslToken> tokensOf(std::string_view glsl) {
+  constexpr std::size_t kLongestSuffix = 2;
+  std::vector<GlslToken> tokens;
+  for (const std::vector<GlslToken> all = glslTokens(glsl); const GlslToken& token : all) {
+    tokens.push_back(token);
+    if (token.kind != GlslToken::Kind::Number) continue;
+    const bool isHexadecimal = token.text.starts_with("0x") || token.text.starts_with("0X");
+    const std::size_t digits =
+        token.text.find_last_of(isHexadecimal ? "0123456789abcdefABCDEFxX" : "0123456789.") + 1;
+    std::size_t end = token.end();
+    while (end < glsl.size() && isGlslLetter(glsl[end])) ++end;
+    const std::string_view suffix = token.text.substr(digits);
+    if (end == token.end() &&
+        (suffix.empty() || suffix == "f" || suffix == "F" || suffix == "u" || suffix == "U"))
+      continue;
+    for (std::size_t i = 0; i < std::min(suffix.size(), kLongestSuffix); ++i) {
+      GlslToken name = token;
+      name.kind = GlslToken::Kind::Word;
+      name.begin += digits + i;
+      name.text = glsl.substr(name.begin, end - name.begin);
+      name.afterBlank = false;
+      tokens.push_back(name);
+    }
+  }
+  return tokens;
+}
+
 /// Words with macros in them, as a preprocessor expands these: each where it stands, its arguments first.
 class Expansion {
  public:
@@ -167,6 +196,9 @@ class Expansion {
     if (!isCall && !macro.hasAny(false)) return false;
     const Words call = isCall ? takeCall(name, below) : Words{};
     Arguments arguments(call);
+    // A compiler expands them all, whatever becomes of them.
+    for (std::size_t i = 0; i < arguments.plain.size(); ++i)
+      static_cast<void>(expandedArgument(arguments, i, name.place));
     Words words;
     for (const Definition& definition : macro.alternatives) {
       if (definition.takesArguments && !isCall) continue;
@@ -188,7 +220,7 @@ class Expansion {
       const std::optional<Word> word = next(below);
       if (!word)
         refuse(name.place, fmt::format("the arguments of the macro '{}' have no ')'", name.text),
-               "let it follow, before the next #define or #undef");
+               "let it follow, before the next #define, #undef or #if");
       spend(1, name.place);
       depth += word->text == "(" ? 1 : 0;
       depth -= word->text == ")" ? 1 : 0;
@@ -272,21 +304,27 @@ class Reader {
  public:
   explicit Reader(const MaterialShader& shader) : shader_(shader) {
     for (const File& file : shader.files) {
-      if (file.text.find("undef") == file.text.npos) continue;
-      const std::vector<GlslToken> tokens = glslTokens(file.text);
-      for (const GlslDirective& directive : directivesIn(tokens))
-        if (directive.name == "undef" && !directive.rest.empty())
-          undefined_.insert(directive.rest.front().text);
+      const std::vector<GlslToken> tokens = tokensOf(file.text);
+      for (const GlslDirective& directive : directivesIn(tokens)) {
+        if (directive.rest.empty()) continue;
+        if (directive.name == "undef") undefined_.insert(directive.rest.front().text);
+        if (directive.name == "define") ++definitions_[directive.rest.front().text];
+      }
     }
   }
 
   void read(std::size_t index) {
     const File& file = shader_.files[index];
-    const std::vector<GlslToken> all = glslTokens(file.text);
+    const std::vector<GlslToken> all = tokensOf(file.text);
     const Tokens tokens = all;
     const std::string_view guard = guardOf(tokens);
     if (!guard.empty() && !undefined_.contains(guard) && !read_.insert(index).second) return;
-    refuseHiddenWords(file);
+    refuseHiddenWords(file, tokens);
+    // The condition around all of it is true the first time, unless something else defines what it asks for:
+    // a compiler, or luxo's own text, whose macros have small letters.
+    const bool isSure = !guard.empty() && !undefined_.contains(guard) && definitions_[guard] == 1 &&
+                        std::ranges::none_of(guard, [](char c) { return c >= 'a' && c <= 'z'; }) &&
+                        !guard.starts_with("GL_") && !guard.starts_with("__") && guard != "VULKAN";
     for (std::size_t i = 0; i < tokens.size();) {
       if (tokens[i].directive == 0) {
         pending_.push_back(
@@ -295,7 +333,8 @@ class Reader {
         continue;
       }
       const GlslDirective directive = directiveAt(tokens.subspan(i));
-      obey(directive, index);
+      const bool isGuard = tokens[i].directive == 1 || tokens[i].directive == tokens.back().directive;
+      if (!isSure || !isGuard) obey(directive, {&file, {tokens[i].begin, tokens[i].end()}});
       i += directive.name.empty() ? 1 : 2 + directive.rest.size();
     }
     if (depth_ == 0) give();
@@ -321,23 +360,27 @@ class Reader {
   }
 
   /// A line that goes on within a word, or within what begins a comment, reads as something else.
-  static void refuseHiddenWords(const File& file) {
+  static void refuseHiddenWords(const File& file, Tokens tokens) {
+    for (const GlslToken& token : tokens)
+      if (token.text.front() == '"' && (token.text.size() == 1 || token.text.find('\\') != token.text.npos))
+        refuse({&file, {token.begin, token.end()}}, "a text in quotes has a backslash, or no end on its line",
+               "write a plain one");
     const std::string_view text = file.text;
     for (std::size_t at = text.find('\\'); at != text.npos; at = text.find('\\', at + 1)) {
-      const std::size_t next = text.find_first_not_of("\r\n", at + 1);
-      if (at == 0 || next == text.npos || next == at + 1) continue;
-      constexpr std::string_view kParts = "/*#";
-      const char before = text[at - 1], after = text[next];
-      if ((isGlslLetter(before) && isGlslLetter(after)) ||
-          (kParts.find(before) != kParts.npos && kParts.find(after) != kParts.npos))
+      std::size_t next = at;
+      while (const std::size_t joined = continuationAt(text, next)) next += joined;
+      if (at == 0 || next == at || next == text.size()) continue;
+      constexpr std::string_view kApart = " \t\v\f\r\n(){};,";  // none of which is a part of something longer
+      if (kApart.find(text[at - 1]) == kApart.npos && kApart.find(text[next]) == kApart.npos)
         refuse({&file, {at, at + 1}}, "a word goes on in the next line", "begin that with a blank");
+      at = next - 1;
     }
   }
 
-  void obey(const GlslDirective& directive, std::size_t index) {
+  void obey(const GlslDirective& directive, const Place& place) {
     const std::string_view name = directive.name;
     const Tokens rest = directive.rest;
-    const File& file = shader_.files[index];
+    const File& file = *place.file;
     if (name == "define" && !rest.empty()) {
       give();
       expansion_.define(rest, conditions_ == 0, file);
@@ -346,9 +389,14 @@ class Reader {
       if (conditions_ == 0) expansion_.undefine(rest.front().text);
     } else if (name == "include" && !rest.empty() && rest.front().kind == GlslToken::Kind::Quoted) {
       include(file, rest.front());
-    } else if (name.starts_with("if")) {
+    } else if (name == "if" || name == "ifdef" || name == "ifndef") {
+      openAlternative();
       ++conditions_;
+    } else if ((name == "elif" || name == "else") && conditions_ > 0) {
+      closeAlternative(place);
+      openAlternative();
     } else if (name == "endif" && conditions_ > 0) {
+      closeAlternative(place);
       --conditions_;
     }
     if (name != "if" && name != "elif" && name != "line") return;
@@ -357,6 +405,20 @@ class Reader {
       words.push_back({token.text, token.isWord(), false, {&file, {token.begin, token.end()}}});
     ShaderNesting nesting;
     expansion_.expand(std::move(words), [&](const Word& word) { requireShallow(word, nesting); });
+  }
+
+  void openAlternative() {
+    give();
+    nesting_.openAlternative();
+    declarations_.openAlternative();
+  }
+
+  void closeAlternative(const Place& end) {
+    give();
+    nesting_.closeAlternative();
+    if (!declarations_.closeAlternative())
+      refuse(end, "a structure begins or ends under a condition, and not all of it is under that",
+             "put all of it there, or its members");
   }
 
   void include(const File& by, const GlslToken& quoted) {
@@ -413,6 +475,7 @@ class Reader {
 
   const MaterialShader& shader_;
   std::set<std::string_view> undefined_;
+  std::map<std::string_view, std::size_t> definitions_;
   std::set<std::size_t> read_;
   Words pending_;
   Expansion expansion_;

@@ -23,6 +23,56 @@ bool isChoice(std::string_view mark) { return mark == "?" || mark == "&&" || mar
 void ShaderNesting::Level::end() {
   highest = std::max(highest, height());
   statements = operators = parts = 0;
+  hasEnded = false;
+}
+
+/// Whether it is there or not.
+void ShaderNesting::Level::add(const Level& alternative) {
+  highest = std::max(highest, alternative.highest);
+  if (alternative.goesOn) {
+    statements += alternative.statements;
+    operators += alternative.operators;
+    parts = std::max({parts, alternative.parts, alternative.highest});
+    hasEnded = hasEnded && alternative.hasEnded;
+    goesOn = goesOn || isFresh;
+  } else {
+    statements = std::max(statements, alternative.statements);
+    operators = std::max(operators, alternative.operators);
+    parts = std::max(parts, alternative.parts);
+    hasEnded = alternative.hasEnded;
+  }
+}
+
+void ShaderNesting::openAlternative() {
+  const Level& outer = levels_.back();
+  outside_ += outer.statements + outer.operators;
+  statements_ += outer.statements;
+  alternatives_.push_back(levels_.size());
+  levels_.push_back({.isBlock = outer.isBlock,
+                     .isList = outer.isList,
+                     .isAlternative = true,
+                     .hasEnded = true,
+                     .goesOn = !outer.hasEnded && outer.height() > 0});
+  last_ = {};
+}
+
+void ShaderNesting::closeAlternative() {
+  if (alternatives_.empty()) return;
+  const std::size_t at = alternatives_.back();
+  alternatives_.pop_back();
+  const Level inner = levels_[at];
+  Level& outer = levels_[at - 1];
+  const bool isLast = at + 1 == levels_.size();  // or it has brackets that are open still
+  outside_ -= outer.statements + outer.operators;
+  statements_ -= outer.statements;
+  outer.add(inner);
+  if (!isLast) {
+    outside_ += outer.statements + outer.operators - inner.statements - inner.operators;
+    statements_ += outer.statements - inner.statements;
+    outer.hasEnded = false;
+  }
+  levels_.erase(levels_.begin() + static_cast<std::ptrdiff_t>(at));
+  last_ = {};
 }
 
 void ShaderNesting::open(std::string_view bracket) {
@@ -38,7 +88,7 @@ void ShaderNesting::open(std::string_view bracket) {
 }
 
 void ShaderNesting::close() {
-  if (levels_.size() == 1) return;
+  if (levels_.size() == 1 || levels_.back().isAlternative) return;
   Level inner = levels_.back();
   inner.end();
   levels_.pop_back();
@@ -46,19 +96,21 @@ void ShaderNesting::close() {
   outside_ -= outer.statements + outer.operators + 1;
   statements_ -= outer.statements + (inner.isBlock ? 1 : 0);
   outer.parts = std::max(outer.parts, inner.highest + 1);
-  ended_ = inner.isBlock;
+  outer.hasEnded = inner.isBlock;
 }
 
 std::size_t ShaderNesting::heightWith(std::string_view token) {
-  if (ended_ && token != "else") levels_.back().end();
-  ended_ = false;
   Level& level = levels_.back();
+  if (level.hasEnded && token != "else") level.end();
+  level.hasEnded = false;
+  if (level.isFresh && token == "else") level.goesOn = true;
+  level.isFresh = false;
   if (token == "(" || token == "[" || token == "{") {
     open(token);
   } else if (token == ")" || token == "]" || token == "}") {
     close();
   } else if (token == ";") {
-    ended_ = true;
+    level.hasEnded = true;
   } else if (token == "," && level.isList) {
     level.end();
   } else if (holdsStatement(token) || isChoice(token)) {

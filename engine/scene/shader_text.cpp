@@ -69,7 +69,8 @@ void forEachDeclared(Tokens tokens, std::string_view keyword, const Take& take) 
       while (end < tokens.size() && tokens[end].directive == tokens[i].directive) ++end;
     }
     const std::string_view text = tokens[i++].text;
-    parentheses += (text == "(" ? 1 : 0) - (text == ")" ? 1 : 0);
+    if (text == "(") ++parentheses;
+    if (text == ")" && parentheses > 0) --parentheses;  // of a call that a directive stands in
     if (text == keyword && parentheses == 0) i += takeDeclared(tokens.subspan(i, end - i), take);
   }
 }

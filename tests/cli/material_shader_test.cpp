@@ -3,11 +3,14 @@
 // and luxo verify say.
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/program.h"
+#include "image/format.h"
 
 namespace luxo::test {
 namespace {
@@ -192,18 +195,79 @@ TEST_F(MaterialShaderProgram, WhatIsNestedDeepIsCompiledOrAnError) {
     return "vec4 material(Point p) { float x = p.uv.x; " + repeated("if (x < 0.5) x += 0.1; else ", times) +
            "x = 1.0; return vec4(vec3(x * 0.0), 1); }\n";
   };
-  EXPECT_EQ(drawn(branches(100)).code, 0);
-  std::filesystem::remove(folder / "a.png");
-  EXPECT_EQ(drawn(shaderOf("x>0.1?x:", "", 100)).code, 0);
+  expectError(branches(100), "m.frag: its branches are nested 100 deep");
+  EXPECT_EQ(drawn(shaderOf("x>0.1?x:", "", 50)).code, 0);
   std::filesystem::remove(folder / "a.png");
   expectError(shaderOf("x>0.1?x:", "", 300), "branches are nested more than 256 deep here");
   expectError(branches(300), "branches are nested more than 256 deep here");
+}
+
+/// Drivers draw what is deeper than their stacks wrong, without a word.
+TEST_F(MaterialShaderProgram, WhatIsNestedDeepIsDrawnRightOrRefused) {
+  const auto branches = [](const std::string& each, int from, int to, const std::string& innermost) {
+    std::string text, end;
+    for (int i = from; i < to; ++i) {
+      text += "if (x > " + std::to_string(i) + ".0) {" + each;
+      end += "}";
+    }
+    return text + innermost + end;
+  };
+  // Each counts the steps that are taken, which are all.
+  const auto nested = [&](int depth) {
+    return "float f(float x) { float v = 0.0;\n" + branches(" v += cos(v * 0.0);\n", 0, depth, "") +
+           "return v; }\n";
+  };
+  const auto calling = [&](int depth) {
+    return "float g(float x, float v) {\n" + branches(" v += cos(v * 0.0);\n", depth / 2, depth, "") +
+           "return v; }\nfloat f(float x) { float v = 0.0;\n" +
+           branches(" v += cos(v * 0.0);\n", 0, depth / 2, "v = g(x, v);") + "return v; }\n";
+  };
+  const auto returning = [](int depth) {
+    std::string text = "float f(float x) { float v = 0.0;\n";
+    for (int i = 0; i < depth; ++i)
+      text += "if (x < " + std::to_string(i) + ".0) return v; v += cos(v * 0.0);\n";
+    return text + "return v - 1.0; }\n";
+  };
+  const auto shaderOf = [](const std::string& functions, int depth) {
+    const std::string steps = std::to_string(depth);
+    return functions + "vec4 material(Point p) { float v = f(" + steps +
+           ".0 - 0.5 + p.uv.x * 0.0); return vec4(v == " + steps + ".0 ? 1.0 : 0.0, v == " + steps +
+           ".0 - 1.0 ? 1.0 : 0.0, 0, 1); }\n";
+  };
+  for (const auto& [functions, green] :
+       {std::pair{std::function<std::string(int)>(nested), 0.0}, {calling, 0.0}, {returning, 1.0}}) {
+    const Outcome outcome = drawn(shaderOf(functions(50), 50));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Image image = loadImage(folder / "a.png");
+    EXPECT_NEAR(image.pixel(16, 12)[0], 1.0 - green, 1e-6);
+    EXPECT_NEAR(image.pixel(16, 12)[1], green, 1e-6);
+    std::filesystem::remove(folder / "a.png");
+    expectError(shaderOf(functions(100), 100), "m.frag: its branches are nested 1");
+  }
+}
+
+TEST_F(MaterialShaderProgram, WordsInQuotesHideNoDirective) {
+  expectError(
+      "#if 0\n\" /* \"\n#endif\n#define LUXO_X\n#if 0\n\" */ \"\n#endif\nvec4 material(Point p) { return "
+      "vec4(1); }\n",
+      "m.frag:4:9: 'LUXO_X' is a name of luxo's own");
+}
+
+/// A call that a directive stands in does not change what is read of uniforms behind it.
+TEST_F(MaterialShaderProgram, UniformsBehindADirectiveInACall) {
+  const Outcome outcome = drawn(
+      "float f(float a, float b) { return max(\n#ifdef HIGH\n a,\n#endif\n b, 1.0); }\nuniform bool on;\n"
+      "vec4 material(Point p) { return vec4(on ? 1 : 0); }\n",
+      R"({ "on": true })");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST_F(MaterialShaderProgram, WhatOnlySomeDevicesHaveIsRefused) {
   const std::string rest = "vec4 material(Point p) { return vec4(1); }\n";
   expectError("#extension GL_EXT_ray_query : require\n" + rest,
               "m.frag:1:12: '#extension GL_EXT_ray_query': only some devices have it");
+  expectError("#extension all : warn\n" + rest,
+              "m.frag:1:12: '#extension all' asks for what only some devices");
   EXPECT_EQ(
       drawn("#extension GL_OES_standard_derivatives : enable\n#extension GL_EXT_ray_query : disable\n" + rest)
           .code,
@@ -325,6 +389,13 @@ TEST_F(MaterialShaderProgram, InspectTellsWhereUniformsAre) {
     EXPECT_THAT(names, testing::IsSupersetOf({"x", "a", "m"})) << text;
     EXPECT_THAT(run(folder, {"inspect", "m.frag"}).out, HasSubstr("a[4]")) << text;
   }
+}
+
+TEST_F(MaterialShaderProgram, InspectRefusesLongSpirv) {
+  writeText(folder / "a.spv", std::string((std::size_t{1} << 18) + 4, 'a'));
+  const Outcome outcome = run(folder, {"inspect", "a.spv"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("a.spv': it has 262148 bytes; at most 262144 are read"));
 }
 
 /// Words that begin as SPIR-V does and go on as anything.

@@ -197,6 +197,20 @@ TEST_F(ShaderFile, MainImageMayHaveNamesOfLuxosOwn) {
   EXPECT_THAT(wrong.err, StartsWith("error: a.frag:3:12: 'light' : no matching overloaded function found\n"));
 }
 
+/// What a picture only uses keeps its meaning.
+TEST_F(ShaderFile, MainImageMayUseWhatMaterialsAreGiven) {
+  for (const std::string& text :
+       {std::string(
+            "vec3 f(in Light l) { return l.direction; }\nvoid mainImage(out vec4 c, in vec2 at) { c = "
+            "vec4(f(light(0)).x * 0.0 + 0.2); }\n"),
+        std::string("#define LAMP light\nvoid mainImage(out vec4 c, in vec2 at) { c = "
+                    "vec4(LAMP(0).direction.x * 0.0 + 0.2); }\n")}) {
+    const Outcome outcome = render(text);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    expectBall(51, 51, 51);
+  }
+}
+
 TEST_F(ShaderFile, TruthIsGivenByName) {
   const std::string shader =
       "uniform bool on = true;\nuniform bvec3 which = bvec3(false);\n"

@@ -58,6 +58,33 @@ TEST(ShaderCost, TablesHaveTheElementsOfAllTheirArrays) {
       6U);
 }
 
+/// Counted by hand.
+TEST(ShaderCost, NestingIsThatOfBranchesThroughCalls) {
+  const auto nested = [](const std::string& body, const std::string& more = "") {
+    return costOfText(more + "float f(float x) { float y = x;\n" + body + "return y; }\n", "f(i)").nesting;
+  };
+  EXPECT_EQ(nested(""), 0U);
+  EXPECT_EQ(nested("if (x > 1.0) y = 2.0; if (x > 2.0) y = 3.0;"), 1U);
+  EXPECT_EQ(nested("if (x > 1.0) { if (x > 2.0) y = 3.0; }"), 2U);
+  EXPECT_EQ(nested("if (x > 1.0) y = 2.0; else if (x > 2.0) y = 3.0; else if (x > 3.0) y = 4.0;"), 3U);
+  EXPECT_EQ(nested("for (int k = 0; k < 3; ++k) if (x > 2.0) y += 3.0;"), 2U);
+  EXPECT_EQ(nested("switch (int(x)) { case 0: y = 2.0; break; case 1: y = 3.0; break; default: y = 4.0; }"),
+            1U);
+  const std::string g =
+      "float g(float x) { float y = x; if (x > 1.0) { if (x > 2.0) y = 3.0; } return y; }\n";
+  EXPECT_EQ(nested("y = g(x);", g), 2U);
+  EXPECT_EQ(nested("if (x > 1.0) { y = 2.0; } y = g(x);", g), 2U);
+  EXPECT_EQ(nested("if (x > 1.0) { if (x < 0.0) y = g(x); }", g), 4U);
+  // What follows a branch that leaves.
+  EXPECT_EQ(nested("if (x > 1.0) return 2.0; if (x > 2.0) return 3.0; if (x > 3.0) y = 4.0;"), 3U);
+  EXPECT_EQ(nested("if (x > 1.0) { if (x > 2.0) return 3.0; } if (x > 3.0) y = 4.0;"), 2U);
+  EXPECT_EQ(
+      nested("for (int k = 0; k < 3; ++k) { if (x > 1.0) continue; if (x > 2.0) break; if (x > 3.0) y = "
+             "4.0; } if (x > 4.0) y = 5.0;"),
+      4U);
+  EXPECT_EQ(nested("for (int k = 0; k < 3; ++k) { if (x > 1.0) return 2.0; } if (x > 4.0) y = g(x);", g), 4U);
+}
+
 /// A call chain that no stack would hold, one frame for each.
 TEST(ShaderCost, OfFunctionsInALongRow) {
   constexpr std::uint32_t kFunctions = 1'000'000, kOpEntryPoint = 15, kOpFunction = 54, kOpFunctionEnd = 56,

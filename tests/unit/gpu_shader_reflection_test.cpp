@@ -172,6 +172,18 @@ TEST(ShaderValidation, DamagedWordsAreRefusedOrRead) {
   EXPECT_GT(refused, 2 * static_cast<int>(good.size()));
 }
 
+TEST(ShaderReflection, ABufferThatPointsToItself) {
+  const ShaderInterface all = reflected(
+      "#version 460\n#extension GL_EXT_buffer_reference : require\n"
+      "layout(buffer_reference) buffer B;\nlayout(buffer_reference) buffer B { B next; float x; };\n"
+      "layout(push_constant) uniform P { B first; float y; };\nlayout(location = 0) out vec4 o;\n"
+      "void main() { o = vec4(first.next.x + y); }\n");
+  ASSERT_EQ(all.blocks.size(), 1u);
+  ASSERT_EQ(all.blocks[0].members.size(), 2u);
+  EXPECT_THAT(all.blocks[0].members[0].members, testing::IsEmpty());
+  EXPECT_EQ(all.blocks[0].members[1].offset, 8u);
+}
+
 TEST(ShaderReflection, WhatIsNoSpirvIsRefused) {
   EXPECT_THROW(static_cast<void>(reflect({})), Error);
   EXPECT_THROW(static_cast<void>(stageInterface({})), Error);

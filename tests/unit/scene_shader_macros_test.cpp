@@ -50,8 +50,15 @@ TEST(GlslTokens, AreWordsNumbersAndOperators) {
   EXPECT_THAT(wordsOf("a.b+=1.5e-3f<<0x1e-2 // c\n/* d */e[.5]"),
               ElementsAre("a", ".", "b", "+=", "1.5e-3f", "<<", "0x1e", "-", "2", "e", "[", ".5", "]"));
   EXPECT_THAT(wordsOf("a // goes on \\\n b\nc /* open"), ElementsAre("a", "c"));
-  EXPECT_THAT(wordsOf("\"a b\"\n#include \"a b\""),
-              ElementsAre("\"", "a", "b", "\"", "#", "include", "\"a b\""));
+  EXPECT_THAT(wordsOf("\"a b\"\n#include \"a b\""), ElementsAre("\"a b\"", "#", "include", "\"a b\""));
+  EXPECT_THAT(wordsOf("\" /* \"b \" c\n */"), ElementsAre("\" /* \"", "b", "\"", "c", "*", "/"));
+}
+
+/// No longer than to a compiler: what follows may be a macro's name.
+TEST(GlslTokens, NumbersEndWhereTheLanguageHasIt) {
+  EXPECT_THAT(wordsOf("1.A18 1.5.x 0x1fuG 07u 1e5f 1e+x 2.lf .5hf"),
+              ElementsAre("1.", "A18", "1.5", ".", "x", "0x1fu", "G", "07u", "1e5f", "1", "e", "+", "x",
+                          "2.lf", ".5hf"));
 }
 
 TEST(GlslTokens, DirectivesAreLines) {
@@ -64,6 +71,9 @@ TEST(GlslTokens, DirectivesAreLines) {
   EXPECT_EQ(all[1].name, "");
   EXPECT_EQ(all[2].name, "undef");
   EXPECT_EQ(text.substr(all[2].rest.front().begin), "N");
+  const std::vector<GlslToken> quoted =
+      glslTokens("#if 0\n\" /* \"\n#endif\n#define X\n#if 0\n\" */ \"\n#endif\n");
+  EXPECT_EQ(directivesIn(quoted).size(), 5u) << "quotes are no comments";
 }
 
 TEST(GlslTokens, OfLongLines) {
@@ -100,6 +110,49 @@ TEST(ShaderMacros, ThatDoubleTheirArguments) {
               StartsWith("m.frag:4:1: the arguments of the macro 'TWO' have no ')'"));
   EXPECT_THAT(refusalOf("#define ONE(x) (x)\n" + repeated("ONE(", 300) + "y" + repeated(")", 300)),
               HasSubstr("more than 200 deep"));
+}
+
+/// A compiler expands all arguments, whatever the macro does with them.
+TEST(ShaderMacros, ArgumentsThatNobodyNames) {
+  std::string bomb = "#define A0 x x\n";
+  for (int i = 1; i < 40; ++i) bomb += fmt::format("#define A{} A{} A{}\n", i, i - 1, i - 1);
+  for (const char* macro : {"F(x)", "F(a) a##z", "F(a) b", "F()"}) {
+    EXPECT_THAT(refusalOf(bomb + "#define " + macro + "\nF(A39)\n"),
+                StartsWith("m.frag:42:3: macros come to more than 262144 words"))
+        << macro;
+    EXPECT_EQ(refusalOf(bomb + "#define " + macro + "\nF(A9)\n"), "none") << macro;
+  }
+}
+
+TEST(ShaderMacros, BehindNumbers) {
+  for (const char* number : {"1.", "1.f", "0x1u", "1.s", "1l"}) {
+    const std::string suffix =
+        number[std::string_view(number).size() - 1] == '.' ? "" : std::string(1, std::string(number).back());
+    for (const std::string& name : {std::string("A"), suffix + "A"}) {
+      std::string bomb = fmt::format("#define {}0 x x\n", name);
+      for (int i = 1; i < 40; ++i) bomb += fmt::format("#define {0}{1} 1.{0}{2} 1.{0}{2}\n", name, i, i - 1);
+      const std::string before = name == "A" ? number : std::string(number).substr(0, 2);
+      EXPECT_THAT(refusalOf(bomb + before + name + "39\n"), HasSubstr("macros come to")) << before + name;
+    }
+  }
+  EXPECT_EQ(refusalOf("#define f(x) x\n#define F 1.0f\nfloat a = f(1.0f) + 2.0F;\n"), "none");
+}
+
+/// What is around all of a file is no condition, once nothing undefines or defines it elsewhere.
+TEST(ShaderMacros, DefinitionsInAGuardedFile) {
+  std::string many;
+  for (int i = 0; i < 70; ++i)
+    many += fmt::format("#undef N\n#define N {}\nfloat f{}() {{ return N; }}\n", i, i);
+  const auto guarded = [&](const std::string& guard) {
+    return fmt::format("#ifndef {0}\n#define {0}\n{1}#endif\n", guard, many);
+  };
+  EXPECT_EQ(refusalOf(guarded("G")), "none");
+  const std::string said = "the macro 'N' has more than 64 definitions";
+  EXPECT_THAT(refusalOf(guarded("G") + "float x;\n"), HasSubstr(said)) << "no guard";
+  EXPECT_THAT(
+      refusalOf(MaterialShader{{{"m.frag", "#define G\n#include \"g.glsl\"\n"}, {"g.glsl", guarded("G")}}}),
+      HasSubstr(said));
+  EXPECT_THAT(refusalOf(guarded("GL_ES")), HasSubstr(said));
 }
 
 /// Each is a name within itself, as the preprocessor has it.
@@ -193,6 +246,30 @@ TEST(ShaderNesting, OfStatements) {
   }
 }
 
+/// What may not be there closes nothing.
+TEST(ShaderNesting, OfWhatStandsUnderConditions) {
+  const auto refusal = [](const std::string& each, int times) {
+    return refusalOf("void main() {\n" + repeated(each, times) + "y = 1.0;\n}\n");
+  };
+  for (const char* each :
+       {"if (x < 0.5) { x += 0.1;\n#if 0\n}\n#endif\n", "if (x < 0.5)\n#if 0\n;\n#endif\n",
+        "if (x < 0.5)\n#if 0\n{ }\n#else\n#endif\n", "if (x < 0.5) y = 2.0;\n#if 1\nelse\n#endif\n",
+        "if (x < 0.5) y = 2.0;\n#if 0\ny = 3.0;\n#endif\nelse ",
+        "#if 1\nif (x < 0.5) {\n#elif 0\n}\n#endif\n"}) {
+    EXPECT_EQ(refusal(each, 80), "none") << each;
+    EXPECT_THAT(refusal(each, 300), HasSubstr("branches are nested more than 256 deep here\n")) << each;
+  }
+  EXPECT_THAT(refusal("y = (x\n#if 0\n)\n#endif\n", 1100), HasSubstr("nested more than 2000 deep"));
+  // And what real shaders do.
+  for (const char* each :
+       {"#ifdef A\nif (x < 0.5) y = 2.0;\n#endif\n",
+        "#ifdef A\ny = 2.0;\n#else\nif (x < 0.5) { y = 3.0; }\n#endif\n",
+        "#if A\n#if B\nif (x < 0.5) { y = -x * 2.0; }\n#endif\n#elif C\nfor (;;) { }\n#endif\n",
+        "y = x\n#ifdef A\n* 2.0;\n#else\n* 3.0;\n#endif\n",
+        "if (x < 0.5) { y = 2.0; }\n#ifdef A\nelse y = 3.0;\n#endif\n"})
+    EXPECT_EQ(refusal(each, 300), "none") << each;
+}
+
 TEST(ShaderDeclarations, StructuresThatDouble) {
   std::string text = "struct S0 { float a; };\n";
   for (int i = 1; i < 40; ++i) text += fmt::format("struct S{} {{ S{} a, b; }};\n", i, i - 1);
@@ -200,6 +277,30 @@ TEST(ShaderDeclarations, StructuresThatDouble) {
   EXPECT_EQ(
       refusalOf("struct S { vec3 a, b[900]; float c; };\nstruct { S a, b; } x;\nS f(S a) { return a; }\n"),
       "none");
+}
+
+TEST(ShaderDeclarations, StructuresUnderConditions) {
+  std::string text = "struct S0 { float a; };\n";
+  for (int i = 1; i < 11; ++i)
+    text += fmt::format("struct S{} {{\n#if 0\n}};\n#endif\nS{} a, b; }};\n", i, i - 1);
+  EXPECT_THAT(refusalOf(text), StartsWith("m.frag:36:8: this structure has more than 256 members"));
+  EXPECT_THAT(refusalOf("#if 1\nstruct S\n#else\nstruct T\n#endif\n{ float a; };\n"),
+              HasSubstr(": a structure begins or ends under a condition"));
+  EXPECT_EQ(refusalOf("#ifdef A\nstruct T { float a; };\n#endif\nstruct S {\n#ifdef A\nT a;\n#else\n"
+                      "vec3 a, b;\n#endif\n};\n"),
+            "none");
+}
+
+TEST(ShaderDeclarations, CallsUnderConditions) {
+  std::string functions, calls;
+  for (int i = 0; i < 2100; ++i) {
+    functions += fmt::format("float f{}(float x) {{ return x; }}\n", i);
+    calls += fmt::format("f{}(1.0);", i);
+  }
+  EXPECT_THAT(refusalOf(functions + "void g() {\n#if 0\n}\n#endif\n" + calls + "\n}\n"),
+              HasSubstr("functions call others more than 2048 times"));
+  EXPECT_THAT(refusalOf("#if 0\nvoid z() {\n#endif\n" + functions + "void g() {\n" + calls + "\n}\n"),
+              HasSubstr("functions call others more than 2048 times"));
 }
 
 TEST(ShaderDeclarations, CallsThatTakeACompilerLong) {
@@ -214,6 +315,13 @@ TEST(ShaderMacros, WordsDoNotHideBehindTheEndsOfLines) {
   EXPECT_THAT(refusalOf("#def\\\nine A B B\n"), StartsWith("m.frag:1:5: a word goes on in the next line\n"));
   EXPECT_THAT(refusalOf("/\\\n/ x\n"), StartsWith("m.frag:1:2: a word goes on"));
   EXPECT_EQ(refusalOf("#define A(x) \\\n  (x); \\\n(x)\n"), "none");
+  EXPECT_EQ(refusalOf("#define A(x) {\\\r\n\\\r\nx;\\\n}\n"), "none");
+  for (const char* text :
+       {"#def\\\n\\\nine A B B\n", "#def\\\r\n\\\nine A B B\n", "x &\\\n& y\n", "1.\\\nA\n"})
+    EXPECT_THAT(refusalOf(text), HasSubstr(": a word goes on in the next line\n")) << text;
+  for (const char* text : {"#include \"inc. \\\nglsl\"\n", "#include \"inc(\\\nglsl\"\n", "\" \\\" /* \"\n"})
+    EXPECT_THAT(refusalOf(text), HasSubstr(": a text in quotes has a backslash, or no end on its line\n"))
+        << text;
 }
 
 }  // namespace
