@@ -297,22 +297,24 @@ TEST_F(RenderFiles, DepthsOfADistantLightAreMetres) {
   }
 }
 
-/// The large disc stays 4 m away, and keeps its grey, though a small one sinks beside it.
+/// The large disc stays 4 m away, and keeps its grey, though small ones sink on both sides of it.
 TEST_F(RenderFiles, GreysOfASequenceAreOfTheSameDepths) {
   writeText(folder / "sinking.luxo.json",
             R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk", "radius": 1 } },
     "nodes": [ { "surface": "disc", "translate": [0, 2, 0] },
                { "surface": "disc", "translate": [0, 4, 0], "scale": [0.2, 0.2, 0.2] },
                { "surface": "disc", "translate": [1.5, "2-8*t", 0], "scale": [0.2, 0.2, 0.2] },
+               { "surface": "disc", "translate": [-1.5, "2-8*t", 0], "scale": [0.2, 0.2, 0.2] },
                { "translate": [0, 6, 0], "light": { "shadow": "exact" } } ] })");
   const Outcome outcome = run(folder, {"render", "sinking.luxo.json", "--aov", "light-depth", "--size",
                                        "65x65", "--fps", "8", "--frames", "1-2", "-o", "s%d.png"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "s1.png: depths from")) << outcome.err;
   EXPECT_FALSE(contains(outcome.err, "s2.png: depths")) << outcome.err;
+  // 9.6 pixels in radius, less 3.8 that are hidden: 241 of them.
   for (const char* file : {"s1.png", "s2.png"}) {
     const std::vector<std::uint8_t> codes = codesOfPng(textOf(folder / file), 65, 65);
-    EXPECT_GT(std::ranges::count_if(codes, [](int code) { return code >= 32 && code <= 34; }), 3 * 300)
+    EXPECT_GT(std::ranges::count_if(codes, [](int code) { return code >= 32 && code <= 34; }), 3 * 200)
         << file;
   }
 }
