@@ -57,7 +57,7 @@ std::vector<std::uint32_t> wordsOf(const fs::path& path) {
   if (!stream && bytes.empty())
     throw Error(ErrorKind::Scene, fmt::format("cannot read the shader '{}'", path.string()));
   std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
-  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  if (!words.empty()) std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
   return words;
 }
 
