@@ -47,6 +47,8 @@ struct PixelPlace {
 struct PixelRect {
   PixelPlace low, high;
 
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+
   [[nodiscard]] std::uint64_t count() const {
     return static_cast<std::uint64_t>(high.x - low.x) * static_cast<std::uint64_t>(high.y - low.y);
   }

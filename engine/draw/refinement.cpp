@@ -7,6 +7,23 @@
 #include "base/stopwatch.h"
 
 namespace luxo {
+namespace {
+
+/// What a list leaves to rays, and what their points are drawn with.
+struct LeftToRays {
+  explicit LeftToRays(const DrawList& list) : points(list.byRays), shadows(list.shadowsByRays) {
+    for (const FoundNode& found : list.found) nodes.push_back(found.node);
+    for (const FoundLayer& layer : list.layers.found) layers.push_back(layer.node);
+  }
+
+  std::vector<PixelRect> points, shadows;
+  std::vector<std::uint32_t> nodes, layers;
+
+  friend bool operator==(const LeftToRays&, const LeftToRays&) = default;
+};
+
+}  // namespace
+
 void Refinement::begin(const Snapshot& snapshot, const DrawOptions& options, std::function<bool()> goesOn) {
   snapshot_ = &snapshot;
   options_ = options;
@@ -132,8 +149,11 @@ FrameStatistics Refinement::paint(const Submit& submit) {
 }
 
 void Refinement::drawPoints(const Submit& submit) {
+  const LeftToRays left(view_->list());
   const bool anew = view_->makeRoomFor(points_);
   if (anew) addCost(statistics_, paint(submit));
+  // No ray was cast for what another list leaves to them.
+  const bool cast = LeftToRays(view_->list()) == left;
   std::vector<PixelPlace> pixels = points_.pixels;
   std::ranges::sort(pixels, {}, [](const PixelPlace& pixel) { return std::pair(pixel.y, pixel.x); });
   submit(
@@ -142,7 +162,9 @@ void Refinement::drawPoints(const Submit& submit) {
       },
       view_->list().onlyFound() && !anew ? Changed(pixels) : std::nullopt, statistics_);
   const std::uint64_t missing = view_->layerPoints().missing;
-  statistics_.error.unconvergedPx += missing;
+  const PixelSize size = snapshot_->view.size;
+  statistics_.error.unconvergedPx =
+      cast ? statistics_.error.unconvergedPx + missing : PixelRect{{0, 0}, {size.width, size.height}}.count();
   statistics_.error.layersMissing += missing;
 }
 

@@ -2,6 +2,7 @@
 #include "shell/shell_cache.h"
 
 #include <optional>
+#include <utility>
 
 #include "tessellate/mesh_cache.h"
 
@@ -36,8 +37,11 @@ std::shared_ptr<const Shell> ShellCache::get(const Surface& surface, std::span<c
                                              double tolerance, const Vec3& margin, double mostTriangles) {
   Key key{.shape = {surface, parameters}, .tolerance = toleranceLevel(tolerance)};
   for (int axis = 0; axis < 3; ++axis) key.margin[axis] = marginLevel(margin[axis] / key.tolerance);
-  if (auto shell = shells_.find(key))
+  // One answer, whether it is made now or was before: makeShell() counts before there are walls.
+  const auto unlessTooLarge = [&](std::shared_ptr<const Shell> shell) {
     return static_cast<double>(shell->triangleCount()) > mostTriangles ? nullptr : shell;
+  };
+  if (auto shell = shells_.find(key)) return unlessTooLarge(std::move(shell));
   Known& known = known_.get(surface, parameters, [&] {
     return Known{CurvatureMap(surface, parameters), {}};
   });
@@ -54,7 +58,7 @@ std::shared_ptr<const Shell> ShellCache::get(const Surface& surface, std::span<c
     return nullptr;
   }
   const std::size_t bytes = bytesOf(*shell);
-  return shells_.insert(std::move(key), surface, std::move(*shell), bytes);
+  return unlessTooLarge(shells_.insert(std::move(key), surface, std::move(*shell), bytes));
 }
 
 }  // namespace luxo

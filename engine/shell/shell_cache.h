@@ -25,7 +25,8 @@ class ShellCache {
 
   /// The shell for the level of the tolerance (toleranceLevel()) and of the half axes of the margin, object
   /// units (parts of the tolerance: the next powers of 4 at or above them, kLeastMargin at least); null where
-  /// it has more than so many triangles, and where it would have to be made since an interruption.
+  /// it has more than so many triangles, whether or not it was made before, and where it would have to be made
+  /// since an interruption.
   [[nodiscard]] std::shared_ptr<const Shell> get(const Surface& surface, std::span<const double> parameters,
                                                  double tolerance, const Vec3& margin, double mostTriangles);
 

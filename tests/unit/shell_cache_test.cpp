@@ -55,6 +55,23 @@ TEST(ShellCache, AShellOfTooManyTrianglesIsNotMade) {
   EXPECT_NE(another.get(ball, {}, 0.001, kThin, kAny), nullptr);
 }
 
+/// A rectangle has walls, which are counted once they are there.
+TEST(ShellCache, TheAnswerIsTheSameEachTime) {
+  const Surface sheet =
+      surface([](auto u, auto v) { return point(u, v, 0.1 * sin(u * v)); }, {{-1, 1}, {-1, 1}});
+  ShellCache whole;
+  const auto triangles = static_cast<int>(whole.get(sheet, {}, 0.01, kThin, kAny)->triangleCount());
+  int made = 0;
+  for (int most = 1; most <= triangles; ++most) {
+    ShellCache cache;
+    const bool given = cache.get(sheet, {}, 0.01, kThin, most) != nullptr;
+    made += static_cast<int>(cache.made());
+    EXPECT_EQ(given, most == triangles) << most;
+    EXPECT_EQ(cache.get(sheet, {}, 0.01, kThin, most) != nullptr, given) << most;
+  }
+  EXPECT_GT(made, 1) << "no shell turns out larger than it was counted";
+}
+
 TEST(ShellCache, AnInterruptedShellIsMadeWhenItIsAskedForAgain) {
   ShellCache cache;
   const Surface ball = sphere(1), ring = torus(1, 0.4);
