@@ -60,7 +60,7 @@ class Samples {
     Snapshot snapshot = snapshot_;
     snapshot.view = sampledAt(snapshot.view, offsetPx);
     MeasuredPicture measured;
-    const FrameError error = draw(snapshot, measured);
+    const Told told = draw(snapshot, measured);
     trial_.complete &= goesOn_();
     if (!trial_.complete) return;
     ReferencePicture truth;
@@ -81,7 +81,8 @@ class Samples {
     trial_.hits += v.coverage.covered;
     trial_.worstPx = std::max(trial_.worstPx, v.positionPx.max);
     add(v.wrong);
-    trial_.silentlyWrong += beyond(v.wrong.total(), error);
+    trial_.silentlyWrong +=
+        beyond(v.wrong.total() - v.wrong.light, told.found) + beyond(v.wrong.light, told.lit);
     for (std::uint32_t i = 0; i < mean_.size(); ++i) {
       mean_[i] += weight * trueColor(snapshot, measured, truth, i);
       // Infinite where another layer is shown, be it within the outline's width; negative where a layer is
@@ -116,13 +117,27 @@ class Samples {
   }
 
  private:
-  FrameError draw(const Snapshot& snapshot, MeasuredPicture& measured) {
+  /// What the pictures say of themselves: each is found and audited anew, and what is left open in one may
+  /// have been settled in another.
+  struct Told {
+    FrameError found, lit;  ///< the largest counts of those of points; those of that of colours
+  };
+
+  Told draw(const Snapshot& snapshot, MeasuredPicture& measured) {
     const Stopwatch watch(trial_.pictureSeconds);
     const auto show = [&](Output output) {
       DrawOptions options = options_;
       options.output = output;
       options.samples = 1;
       return renderer_.render(snapshot, options);
+    };
+    Told told;
+    const auto compared = [&](Output output) {
+      Picture picture = show(output);
+      const FrameError& error = picture.statistics.error;
+      told.found.unconvergedPx = std::max(told.found.unconvergedPx, error.unconvergedPx);
+      told.found.uncertifiedPx = std::max(told.found.uncertifiedPx, error.uncertifiedPx);
+      return std::move(picture.image);
     };
     Picture color;
     {
@@ -131,16 +146,16 @@ class Samples {
     }
     measured = {.color = std::move(color.image),
                 .depth = {},
-                .position = anyTriangles_ ? show(Output::Position).image : Image(),
+                .position = anyTriangles_ ? compared(Output::Position) : Image(),
                 .normal = {},
-                .uv = show(Output::Uv).image,
-                .id = show(Output::Id).image};
-    const FrameError& error = color.statistics.error;
+                .uv = compared(Output::Uv),
+                .id = compared(Output::Id)};
+    const FrameError& error = told.lit = color.statistics.error;
     trial_.unconverged += error.unconvergedPx;
     trial_.uncertified += error.uncertifiedPx;
     trial_.resolvedByRays += error.resolvedByRaysPx;
     trial_.auditFailed += error.auditFailedPx;
-    return error;
+    return told;
   }
 
   /// Of what a material's own shader lights there is no truth, be it seen through something.

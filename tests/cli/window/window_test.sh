@@ -24,12 +24,12 @@ trap finish EXIT
 
 fail() { echo "window.$case_name: $*" >&2; exit 1; }
 
-# Asks until COMMAND... succeeds; fails after 20 s (slow machines, sanitizers; LUXO_PATIENCE is another number of seconds),
+# Asks until COMMAND... succeeds; fails after 60 s (a busy machine is a minute behind; LUXO_PATIENCE is another number of seconds),
 # saying WHAT was waited for.
 await() {
   local what=$1 i
   shift
-  for ((i = 0; i < 20 * ${LUXO_PATIENCE:-20}; ++i)); do
+  for ((i = 0; i < 20 * ${LUXO_PATIENCE:-60}; ++i)); do
     "$@" && return
     sleep 0.05
   done
