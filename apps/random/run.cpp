@@ -175,10 +175,11 @@ RunTotals runRandom(Renderer& renderer, const RunRequest& request) {
   return totals;
 }
 
-Trial tryFile(Renderer& renderer, const std::filesystem::path& file) {
+Trial tryFile(Renderer& renderer, const std::filesystem::path& file, const Audit& audit) {
   const Scene scene = buildScene(readSceneFile(file));
   const RenderSettings& settings = scene.settings();
-  return tryScene(renderer, takeSnapshot(scene, settings.time, settings.size), {.samples = settings.samples});
+  return tryScene(renderer, takeSnapshot(scene, settings.time, settings.size),
+                  {.samples = settings.samples, .audit = audit});
 }
 
 }  // namespace luxo::random

@@ -49,6 +49,6 @@ struct RunTotals {
 
 /// What is wrong with a scene of a file: with the size and the samples that it asks for. Throws as
 /// Renderer::render and Error(Scene).
-[[nodiscard]] Trial tryFile(Renderer& renderer, const std::filesystem::path& file);
+[[nodiscard]] Trial tryFile(Renderer& renderer, const std::filesystem::path& file, const Audit& audit = {});
 
 }  // namespace luxo::random
