@@ -187,7 +187,9 @@ VkSurfaceKHR Window::createSurface(VkInstance instance) const {
 }
 
 Events Window::wait(double seconds) {
-  if (seconds > 0) {
+  // What asked() has taken from the window system is not waited for: that knows of it no more.
+  const bool isKnown = woken_.exchange(false) || !events_.inputs.empty() || events_.damaged;
+  if (seconds > 0 && !isKnown) {
     glfwWaitEventsTimeout(seconds);
   } else {
     glfwPollEvents();
@@ -200,7 +202,10 @@ bool Window::asked() {
   return !events_.inputs.empty() || closing();
 }
 
-void Window::wake() { glfwPostEmptyEvent(); }
+void Window::wake() {
+  woken_ = true;
+  glfwPostEmptyEvent();
+}
 
 VkExtent2D Window::framebufferSize() const {
   if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) return {0, 0};

@@ -10,6 +10,7 @@
 #include "gpu/vk.h"
 #include "math/vec.h"
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <utility>
@@ -138,6 +139,7 @@ class Window {
   Terminate glfw_;
   GLFWwindow* window_ = nullptr;
   Events events_;
+  std::atomic<bool> woken_ = false;  ///< since wait() returned
   Vec2 cursorPx_{0};
   int dragButton_ = -1;  // -1 = none
   bool panning_ = false;

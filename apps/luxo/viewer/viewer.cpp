@@ -109,6 +109,7 @@ class Viewer {
         if (shows) showNext();
         // What is about to take a while has been said.
         if (shows || !visible_) takePhotos();
+        noteRest();
         tidy();
       }
     } catch (const Error& error) {
@@ -134,6 +135,15 @@ class Viewer {
     double seconds = photographer_.busy() || mean_.casting() ? kWhileWorking : kForever;
     if (const auto end = notices_.end()) seconds = std::min(seconds, until(*end));
     return std::min(seconds, photographer_.secondsToRest().value_or(kForever));
+  }
+
+  // What is on the screen stays until something happens.
+  void noteRest() {
+    const bool rests = visible_ && !dirty_ && wanted_.empty() && !controls_.playback().playing() &&
+                       !photographer_.busy() && !mean_.casting();
+    if (!rests || submits() == restedSubmits_) return;
+    restedSubmits_ = submits();
+    log(LogLevel::Debug, fmt::format("rests after {} submits", restedSubmits_));
   }
 
   // Old pictures and other sizes of the window leave much behind. It goes when there is time, and now and
@@ -579,6 +589,7 @@ class Viewer {
   bool damaged_ = false;  // the window system asks for the picture again
   Clock::time_point nextFrame_;
   Clock::time_point tidied_ = Clock::now();
+  std::uint64_t restedSubmits_ = 0;  ///< when it was told last that nothing is left to do
   std::uint64_t tidiedSubmits_ = 0;
   std::uint64_t pictureVersion_ = 0;  // of what is shown, for the probe
   std::uint64_t pictures_ = 0, readings_ = 0, pipelines_ = 0;

@@ -77,9 +77,11 @@ shot() { cp "$folder/screen/Xvfb_screen0" "$folder/$1.xwd"; }
 screen_is() { cmp -s "$folder/screen/Xvfb_screen0" "$folder/$1.xwd"; }
 screen_is_not() { ! screen_is "$1"; }
 
-# The screen has stood still for a third of a second.
+# The window has nothing left to do, if there is one, and the screen has stood still for a third of a second. (A first picture
+# of coarse meshes may stand still for longer, while the machine is busy with its shaders.)
 settle() {
   local i
+  [[ -z ${program-} ]] || await "the window rests" rests
   for ((i = 0; i < 60; ++i)); do
     shot settling
     sleep 0.33
@@ -87,6 +89,8 @@ settle() {
   done
   fail "the screen never stands still"
 }
+
+rests() { tail -1 "$folder/log" | grep -q '^rests after'; }
 
 # The inside of the window, as it is on the screen, once that stands still. The pointer would be on it.
 window_png() {
