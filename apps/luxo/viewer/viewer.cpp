@@ -224,7 +224,9 @@ class Viewer {
       return;
     }
     if (mouse_.obey(grab, size(), viewed_.scene)) return;
+    const bool typed = sliders_.typing();
     if (sliders_.obey(grab, viewed_.scene)) log(LogLevel::Debug, "a parameter is turned");
+    if (!typed && sliders_.typing()) log(LogLevel::Debug, "a value is being typed");
   }
 
   void obey(const window::Drag& drag) { move(drag); }

@@ -160,6 +160,7 @@ case_lab_color() {
   write_tint tint
   lab tint.frag --size 640x360
   at_slider $((1048576 + 2)) 50 click 1
+  types 1
   xdotool type '#40ff1'
   keys Return
   await "it is no colour" logged "'tint=#40ff1': it is of type vec3" 1
@@ -170,6 +171,7 @@ case_lab_color() {
   render_tint -P tint=#40ff10 -o typed_file.png
   same typed.png typed_file.png "the colour that was typed"
   at_slider $((1048576 + 2)) 50 click 1
+  types 2
   xdotool type '0.25,1,0.5'
   keys Return
   await "numbers are taken, too" logged 'a parameter is typed' 2

@@ -575,6 +575,8 @@ ctrl_click() {
   at_slider "$1" 50 click 1
   xdotool keyup ctrl
 }
+# The window manager passes clicks on in its own time, and no keys.
+types() { await "what is typed is a value" logged 'a value is being typed' "$1"; }
 pipelines() { sed -n 's/^made \([0-9]*\) pipelines.*/\1/p' "$folder/log"; }
 
 case_sliders() {
@@ -600,6 +602,7 @@ case_sliders() {
 
   # A typed value needs no step of the slider; the keys that type it do nothing else, until it is taken or left.
   ctrl_click 0
+  types 1
   xdotool type 15.7
   keys Return
   await "what is out of range is said" logged 'parameter .k. is 15.7' 1
@@ -611,6 +614,7 @@ case_sliders() {
   render_wave --time 3 -P k=2.5 -o typed_file.png
   same typed.png typed_file.png "2.5 lobes"
   ctrl_click 1
+  types 2
   xdotool type '0q1'
   keys Escape
   photo left.png
