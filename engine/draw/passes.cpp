@@ -161,8 +161,9 @@ class DeferredPasses {
   }
 
   /// Rays tell the shadows of all their pixels: the light of the others is there. A miss is cleared with all.
+  /// Where shaders send rays, all ask anew: what has been asked is gone.
   [[nodiscard]] bool shadesStay() const {
-    return shadowsStay_ && !frame_.answers && frame_.rays->misses.empty() && !list_.layers.any() &&
+    return shadowsStay_ && !list_.traces && frame_.rays->misses.empty() && !list_.layers.any() &&
            frame_.rays->shadows.size() == 1 && !frame_.rays->shadows[0].empty() && !list_.occludes;
   }
 

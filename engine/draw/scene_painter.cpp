@@ -117,7 +117,7 @@ void ScenePainter::recordAnswers(gpu::FrameRing& frames, VkCommandBuffer command
                                  FrameStatistics& statistics) {
   view.traces().answer(rays.starts(), rays.answers());
   view.goOn(points);
-  recordPasses(frames, commands, view, {.rays = &points, .answers = true}, statistics);
+  recordPasses(frames, commands, view, {.rays = &points}, statistics);
 }
 
 void ScenePainter::recordRays(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
@@ -133,7 +133,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
   frame.probes = view.feedback().probes();
   frame.layerBands = view.layerLists().bands();
   const RenderView::Bindings bindings = view.bind(frames, pipelines_, texels_);
-  if (view.list().traces && !frame.answers) view.traces().clear(commands);
+  if (view.list().traces) view.traces().clear(commands);
   if (view.list().runsShaders && !frame.rays) {
     gpu::use(commands, {{view.faults(), gpu::Use::TransferDestination}});
     vkCmdFillBuffer(commands, view.faults(), 0, VK_WHOLE_SIZE, 0);

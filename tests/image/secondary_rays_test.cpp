@@ -201,6 +201,80 @@ TEST_F(SecondaryRays, GlassThatBendsNothingIsInvisible) {
   EXPECT_GT(differ, 150);
 }
 
+/// Rays find the shadows of a few pixels, which are lit again where no shader sends any: what others have
+/// asked is answered all the same. At these sizes there are such pixels.
+TEST_F(SecondaryRays, AreAskedWhereOtherPixelsAreLitAgain) {
+  const auto ringsBesideAMirror = [](const Material& ball) {
+    Scene scene;
+    scene.set(RenderSettings{.background = Vec3(0.3), .ambient = Vec3(0.2)});
+    const MaterialId matt = scene.add(Material{.diffuse = Vec3(0.8, 0.5, 0.2)});
+    scene.add(Node{.surface = rectangle(40, 40), .material = matt});
+    scene.add(Node{.translation = Vec3(0, 1.5, 0), .surface = sphere(1), .material = scene.add(ball)});
+    for (const double side : {-1.0, 1.0})
+      scene.add(Node{.translation = Vec3(2 * side, 1, 1),
+                     .rotation = Rotation{{1, 0, 0.4}, side < 0 ? kTau * 50 / 360 : kTau * 70 / 360},
+                     .surface = torus(1.2, 0.3),
+                     .material = matt});
+    scene.add(Node{.translation = Vec3(3, 6, 5),
+                   .light = Light{.intensity = 40,
+                                  .attenuation = Light::Attenuation::InverseSquare,
+                                  .shadow = Light::Shadow::Exact}});
+    return scene;
+  };
+  const Camera camera{.eye = Vec3(0, 3, 8), .lookAt = Vec3(0, 1, 0), .fovY = kTau * 40 / 360};
+  const Vec3 center(0, 1.5, 0);
+  std::uint64_t shadowsByRays = 0;
+  for (const PixelSize size : {PixelSize{320, 180}, PixelSize{400, 225}, PixelSize{480, 270}}) {
+    const Picture picture = draw(ringsBesideAMirror(tracedBy(R"(
+vec4 material(Point p) {
+  Hit hit = trace(-p.normal);
+  return vec4(hit.distance, hit.inside ? 1.0 : 0.0, 0.25, 1.0);
+})")),
+                                 camera, size);
+    shadowsByRays += picture.statistics.error.shadowRaysPx;
+    const CameraModel model(camera, size);
+    std::uint64_t onBall = 0;
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) {
+        const Vec3 color = colorAt(picture.image, x, y);
+        if (color.z != 0.25) continue;
+        ++onBall;
+        EXPECT_TRUE(hitSphere(model.through(centerOf(x, y)), center, 1));
+        EXPECT_TRUE(near(color, Vec3(2, 1, 0.25), kFloat)) << x << ", " << y << ": the diameter";
+      }
+    EXPECT_GT(onBall, 1000U) << size.width;
+    EXPECT_EQ(picture.statistics.count.tracedRays, onBall) << size.width;
+  }
+  EXPECT_GT(shadowsByRays, 0U);
+}
+
+/// Pixels at the borders of pictures that are no whole squares or blocks of fragments ask as all others do:
+/// whatever the size, each ray from a plate meets the other, 2 m above, and comes back.
+TEST_F(SecondaryRays, AreAnsweredInPicturesOfAllSizes) {
+  Scene scene;
+  const MaterialId plates = scene.add(tracedBy(R"(
+vec4 material(Point p) {
+  Hit up = trace(p.normal), back = trace(up, up.normal);
+  return vec4(up.distance, back.distance, back.position.y, 1.0);
+})"));
+  for (const double height : {0.0, 2.0})
+    scene.add(Node{.translation = Vec3(0, height, 0), .surface = rectangle(400, 400), .material = plates});
+  const Camera camera{.eye = Vec3(0, 1.7, 0), .lookAt = Vec3(0, 0, -1), .fovY = kTau * 40 / 360};
+  const auto wrongIn = [&](PixelSize size) {
+    const Picture picture = draw(scene, camera, size);
+    int wrong = 0;
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) wrong += !near(colorAt(picture.image, x, y), Vec3(2, 2, 0), 1e-4);
+    EXPECT_EQ(picture.statistics.count.tracedRays, 2U * size.width * size.height);
+    return wrong;
+  };
+  for (const int height : {1, 2, 7})
+    for (int width = 1; width < 200; width += height == 7 ? 2 : 22)
+      EXPECT_EQ(wrongIn({width, height}), 0) << width << " x " << height;
+  for (const PixelSize size : {PixelSize{160, 90}, PixelSize{65, 130}, PixelSize{3, 201}})
+    EXPECT_EQ(wrongIn(size), 0) << size.width << " x " << size.height;
+}
+
 /// A point that is found anew asks anew: what it was told before, and what it was told after that, goes. Who
 /// asks without end is left, and counted.
 TEST(SecondaryRaysProtocol, AskingAgainReplacesAnswers) {

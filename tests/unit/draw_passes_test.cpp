@@ -173,6 +173,11 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   const RayPoints missed{.misses = {{9, 3}}, .shadows = shadows.shadows};
   EXPECT_EQ(namesOf({.rays = &missed}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
       << "where a ray meets nothing there is no light";
+  list.traces = true;
+  EXPECT_EQ(namesOf({.rays = &shadows}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
+      << "every shader asks anew";
+  EXPECT_TRUE(passesOf(list, {.rays = &shadows})[2].pixels.empty());
+  list.traces = false;
 
   list.groups.resize(3);  // the last without shadows
   list.groups[1].lights.resize(1);
