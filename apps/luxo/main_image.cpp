@@ -11,7 +11,7 @@
 
 #include "base/diagnostic.h"
 #include "base/error.h"
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 #include "scene/shader_text.h"
 
 namespace luxo {

@@ -1,104 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/bounded_loops.h"
 
-#include <cctype>
 #include <cstddef>
+#include <span>
 #include <vector>
+
+#include "base/glsl_tokens.h"
 
 namespace luxo {
 namespace {
 
-constexpr std::string_view kAsks = " if (luxoStops()) break; else ";
+constexpr std::string_view kAsks = " LUXO_ASKS ";
 
-bool isWordPart(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-/// Copies a text word by word.
-class LoopBounder {
- public:
-  explicit LoopBounder(std::string_view text) : text_(text) {}
-
-  std::string bounded() {
-    while (at_ < text_.size()) {
-      const std::size_t begin = at_;
-      step();
-      const std::string_view token = text_.substr(begin, at_ - begin);
-      if (token == "do" || token == "for" || token == "while") {
-        loop(token);
-      } else if (!isBlank(token)) {
-        last_ = token;
-      }
-    }
-    return std::move(out_);
+/// Of each `(` the index of its `)`; 0 of the others, and where there is none.
+std::vector<std::size_t> closings(std::span<const GlslToken> tokens) {
+  std::vector<std::size_t> ends(tokens.size()), open;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].text == "(") open.push_back(i);
+    if (tokens[i].text != ")" || open.empty()) continue;
+    ends[open.back()] = i;
+    open.pop_back();
   }
-
- private:
-  static bool isBlank(std::string_view token) {
-    return std::isspace(static_cast<unsigned char>(token.front())) || token.starts_with("//") ||
-           token.starts_with("/*");
-  }
-
-  /// Copies one word, comment, blank or character.
-  void step() {
-    const std::size_t begin = at_;
-    if (isWordPart(text_[at_])) {
-      while (at_ < text_.size() && isWordPart(text_[at_])) ++at_;
-    } else if (text_.substr(at_).starts_with("//")) {
-      while (at_ < text_.size() && text_[at_] != '\n')
-        at_ += text_[at_] == '\\' && at_ + 1 < text_.size() ? 2 : 1;
-    } else if (text_.substr(at_).starts_with("/*")) {
-      const std::size_t end = text_.find("*/", at_ + 2);
-      at_ = end == text_.npos ? text_.size() : end + 2;
-    } else if (isVersion()) {
-      at_ = std::min(text_.find('\n', at_), text_.size());
-      out_.append(at_ - begin, ' ');
-      return;
-    } else {
-      if (text_[at_] == '{') ++depth_;
-      if (text_[at_] == '}') --depth_;
-      ++at_;
-    }
-    out_ += text_.substr(begin, at_ - begin);
-  }
-
-  [[nodiscard]] bool isVersion() const {
-    if (text_[at_] != '#') return false;
-    const std::size_t word = text_.find_first_not_of(" \t", at_ + 1);
-    return word != text_.npos && text_.substr(word).starts_with("version");
-  }
-
-  void loop(std::string_view word) {
-    const std::string_view before = last_;
-    last_ = word;
-    if (word == "do") {
-      open_.push_back(depth_);
-      out_ += kAsks;
-      return;
-    }
-    // Of a `do`: what it repeats is over, in braces of the same depth or with a semicolon.
-    if (word == "while" && !open_.empty() && open_.back() == depth_ && (before == "}" || before == ";")) {
-      open_.pop_back();
-      return;
-    }
-    while (at_ < text_.size() && isBlank(text_.substr(at_, 2))) step();
-    if (at_ >= text_.size() || text_[at_] != '(') return;
-    int parentheses = 0;
-    do {
-      parentheses += text_[at_] == '(' ? 1 : text_[at_] == ')' ? -1 : 0;
-      step();
-    } while (parentheses > 0 && at_ < text_.size());
-    if (parentheses == 0) out_ += kAsks;
-    last_ = ")";
-  }
-
-  std::string_view text_, last_;
-  std::string out_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
-  std::vector<int> open_;  ///< of each `do` the depth of braces that it stands in
-};
+  return ends;
+}
 
 }  // namespace
 
-std::string withBoundedLoops(std::string_view glsl) { return LoopBounder(glsl).bounded(); }
+std::string withBoundedLoops(std::string_view glsl) {
+  const std::vector<GlslToken> tokens = glslTokens(glsl);
+  const std::vector<std::size_t> ends = closings(tokens);
+  std::string bounded;
+  std::size_t copied = 0;
+  const auto copyTo = [&](std::size_t end) {
+    bounded += glsl.substr(copied, end - copied);
+    copied = end;
+  };
+  const auto ask = [&](const GlslToken& behind) {
+    copyTo(behind.end());
+    bounded += kAsks;
+  };
+  int depth = 0;          // of braces
+  std::vector<int> open;  // of each `do` the depth that it stands in
+  std::string_view before;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const GlslToken& token = tokens[i];
+    depth += token.text == "{" ? 1 : token.text == "}" ? -1 : 0;
+    if (token.text == "do") {
+      open.push_back(depth);
+      ask(token);
+    } else if (token.text == "while" && !open.empty() && open.back() == depth &&
+               (before == "}" || before == ";")) {
+      open.pop_back();  // what a `do` repeats is over, in braces of the same depth or with a semicolon
+    } else if (token.text == "for" || token.text == "while") {
+      if (const std::size_t end = i + 1 < tokens.size() ? ends[i + 1] : 0) {
+        i = end;
+        ask(tokens[i]);
+      }
+    } else if (token.text == "#" && token.directive > 0) {
+      const GlslDirective directive = directiveAt(std::span(tokens).subspan(i));
+      if (directive.name == "version") {
+        copyTo(token.begin);
+        copied = (directive.rest.empty() ? tokens[i + 1] : directive.rest.back()).end();
+        bounded.append(copied - token.begin, ' ');
+      }
+    }
+    before = tokens[i].text;
+  }
+  copyTo(glsl.size());
+  return bounded;
+}
 
 }  // namespace luxo

@@ -8,8 +8,8 @@
 namespace luxo {
 
 /// The same lines, where `#version` is blank (there is one in what includes them) and every `for`, `while`
-/// and `do` begins what it repeats with `if (luxoStops()) break; else` (shaders/lib/material.glsl). Loops
-/// that only a macro's expansion spells are left alone.
+/// and `do` begins what it repeats with one word more, LUXO_ASKS, which is `if (luxoStops()) break; else`
+/// (shaders/lib/material.glsl). Loops that only a macro's expansion spells are left alone.
 [[nodiscard]] std::string withBoundedLoops(std::string_view glsl);
 
 }  // namespace luxo

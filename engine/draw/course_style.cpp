@@ -9,7 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "base/error.h"
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 
 #include <fmt/format.h>
 

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "base/error.h"
+#include "base/glsl_tokens.h"
 #include "draw/course_style.h"
-#include "scene/glsl_tokens.h"
 #include "scene/shader_text.h"
 
 namespace luxo {
@@ -31,6 +33,19 @@ std::optional<SourceRange> unclosedBrace(std::string_view glsl) {
   for (const GlslToken& token : glslTokens(glsl)) {
     if (token.text == "{") open.push_back({token.begin, token.end()});
     if (token.text == "}" && !open.empty()) open.pop_back();
+  }
+  return open.empty() ? std::nullopt : std::optional(open.back());
+}
+
+/// Of the innermost #if, #ifdef or #ifndef that is left open.
+std::optional<SourceRange> unclosedCondition(std::string_view glsl) {
+  std::vector<SourceRange> open;
+  const std::vector<GlslToken> tokens = glslTokens(glsl);
+  for (std::size_t i = 0, last = 0; i < tokens.size(); ++i) {
+    if (tokens[i].directive == std::exchange(last, tokens[i].directive) || tokens[i].directive == 0) continue;
+    const GlslDirective directive = directiveAt(std::span(tokens).subspan(i));
+    if (directive.name.starts_with("if")) open.push_back({tokens[i].begin, tokens[i + 1].end()});
+    if (directive.name == "endif" && !open.empty()) open.pop_back();
   }
   return open.empty() ? std::nullopt : std::optional(open.back());
 }
@@ -116,10 +131,7 @@ void explainRefusal(const MaterialShader& shader, const std::string& entry, bool
     refuseRecursion(shader, asProgramsSpell(asFilesSpell(said.substr(begin, said.find('(', begin) - begin))));
   }
   if (said.find("Could not process include directive") != said.npos) refuseCycle(shader);
-  if (said.find("syntax error") != said.npos || said.find("not allowed in nested scope") != said.npos)
-    for (const MaterialShader::File& one : shader.files)
-      if (const auto brace = unclosedBrace(one.text))
-        refuseAt(one, *brace, "this '{' has no '}'", "what follows is taken for a part of what it begins");
+  refuseUnclosed(shader, said);
   // Line by line what is about the first of its own files that has errors, from where one begins to where the
   // next message does: those of files that include it follow from them.
   std::string message, first;
@@ -137,6 +149,18 @@ void explainRefusal(const MaterialShader& shader, const std::string& entry, bool
     at = end;
   }
   throw Error(ErrorKind::Scene, message.empty() ? fmt::format("{}: {}", file, said) : message);
+}
+
+void refuseUnclosed(const MaterialShader& shader, std::string_view said) {
+  if (said.find("#endif") != said.npos)
+    for (const MaterialShader::File& one : shader.files)
+      if (const auto condition = unclosedCondition(one.text))
+        refuseAt(one, *condition, "this condition has no '#endif'",
+                 "what follows is there only where it is true");
+  if (said.find("syntax error") != said.npos || said.find("not allowed in nested scope") != said.npos)
+    for (const MaterialShader::File& one : shader.files)
+      if (const auto brace = unclosedBrace(one.text))
+        refuseAt(one, *brace, "this '{' has no '}'", "what follows is taken for a part of what it begins");
 }
 
 // What the language has is in a block without a name.

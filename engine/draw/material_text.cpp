@@ -10,9 +10,9 @@
 
 #include "base/diagnostic.h"
 #include "base/error.h"
+#include "base/glsl_tokens.h"
 #include "base/suggestion.h"
 #include "draw/bounded_loops.h"
-#include "scene/glsl_tokens.h"
 
 namespace luxo {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/shader_compiler.h"
 
-#include "base/diagnostic.h"
 #include "base/error.h"
 #include "gpu/cache_file.h"
 #include "gpu/deep_stack.h"
+#include "gpu/shader_errors.h"
 #include "gpu/shader_optimizer.h"
 
 #include <fmt/format.h>
@@ -15,12 +15,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <mutex>
-#include <optional>
-#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -31,34 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSuffix = ".spv";
-
-const ShaderSource* find(std::span<const ShaderSource> sources, std::string_view name) {
-  const auto found = std::ranges::find(sources, name, &ShaderSource::name);
-  return found == sources.end() ? nullptr : &*found;
-}
-
-/// What a file of that name means by a name: what is beside it, or whatever is called so.
-const ShaderSource* find(std::span<const ShaderSource> sources, std::string_view name,
-                         std::string_view includer) {
-  const fs::path beside = (fs::path(includer).parent_path() / name).lexically_normal();
-  const ShaderSource* source = find(sources, beside.string());
-  return source ? source : find(sources, name);
-}
-
-/// The names in `#include "..."` of a text. Those in comments count, too, which is more than enough.
-std::vector<std::string_view> includedBy(std::string_view text) {
-  constexpr std::string_view kBlank = " \t", kDirective = "include";
-  std::vector<std::string_view> names;
-  for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1)) {
-    std::size_t name = text.find_first_not_of(kBlank, at + 1);
-    if (name == text.npos || !text.substr(name).starts_with(kDirective)) continue;
-    name = text.find_first_not_of(kBlank, name + kDirective.size());
-    if (name == text.npos || text[name] != '"') continue;
-    ++name;
-    names.push_back(text.substr(name, std::min(text.find('"', name), text.find('\n', name)) - name));
-  }
-  return names;
-}
 
 // -------------------------------------------------------------------------------------------------------------------
 // The name of a shader: all that decides its words.
@@ -83,15 +53,9 @@ std::string contentName(const ShaderDesc& desc) {
   hash.add(optimizerVersion());
   hash.add(desc.preamble);
   hash.add(desc.sharedFunction);
-  std::vector<const ShaderSource*> open{&desc.source};
-  std::set<std::string_view> seen;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    hash.add(open[i]->name);
-    hash.add(open[i]->text);
-    for (const std::string_view name : includedBy(open[i]->text))
-      if (const ShaderSource* source = find(desc.includes, name, open[i]->name);
-          source && seen.insert(source->name).second)
-        open.push_back(source);
+  for (const ShaderSource* source : reachedSources(desc)) {
+    hash.add(source->name);
+    hash.add(source->text);
   }
   return hash.name();
 }
@@ -143,7 +107,7 @@ class Includer : public glslang::TShader::Includer {
     constexpr std::size_t kDeepest = 32;
     constexpr std::string_view kTooDeep = "files include each other without end";
     if (depth > kDeepest) return new IncludeResult("", kTooDeep.data(), kTooDeep.size(), nullptr);
-    const ShaderSource* source = find(sources_, name, includer);
+    const ShaderSource* source = includedSource(sources_, name, includer);
     return source ? new IncludeResult(std::string(source->name), source->text.data(), source->text.size(),
                                       nullptr)
                   : nullptr;
@@ -162,66 +126,14 @@ EShLanguage languageOf(ShaderStage stage) {
       return EShLangFragment;
     case ShaderStage::Compute:
       return EShLangCompute;
+    case ShaderStage::Geometry:
+      return EShLangGeometry;
+    case ShaderStage::TessellationControl:
+      return EShLangTessControl;
+    case ShaderStage::TessellationEvaluation:
+      return EShLangTessEvaluation;
   }
   return EShLangFragment;
-}
-
-/// "ERROR: lib/pattern.glsl:12: 'foo' : undeclared identifier" with the line it is about. Other lines as they
-/// are.
-std::string explain(std::string_view line, const ShaderDesc& desc) {
-  constexpr std::string_view kPrefix = "ERROR: ";
-  if (!line.starts_with(kPrefix)) return std::string(line);
-  const std::string_view rest = line.substr(kPrefix.size());
-  const auto isNamed = [&](const ShaderSource& source) {
-    return rest.starts_with(source.name) && rest.substr(source.name.size()).starts_with(':');
-  };
-  const auto included = std::ranges::find_if(desc.includes, isNamed);
-  const ShaderSource* source = isNamed(desc.source)              ? &desc.source
-                               : included != desc.includes.end() ? &*included
-                                                                 : nullptr;
-  if (!source) return std::string(rest);
-  const std::string_view name = source->name, all = source->shown.empty() ? source->text : source->shown;
-  const std::size_t nameEnd = name.size(), numberEnd = rest.find(": ", nameEnd + 1);
-  if (numberEnd == rest.npos) return std::string(rest);
-  std::size_t number = 0;
-  std::from_chars(rest.data() + nameEnd + 1, rest.data() + numberEnd, number);
-  if (number == 0) return std::string(rest);
-
-  std::size_t begin = 0;
-  for (std::size_t i = 1; i < number; ++i) {
-    const std::size_t end = all.find('\n', begin);
-    if (end == all.npos) break;
-    begin = end + 1;
-  }
-  const std::string_view text = all.substr(begin, std::min(all.find('\n', begin), all.size()) - begin);
-  const std::string told(rest.substr(numberEnd + 2)), spelled = desc.asShown ? desc.asShown(told) : told;
-  std::string_view message = spelled;
-  constexpr std::string_view kNoToken = "'' : ";
-  if (message.starts_with(kNoToken)) message.remove_prefix(kNoToken.size());
-  message = message.substr(std::min(message.find_first_not_of(' '), message.size()));
-  message = message.substr(0, message.find_last_not_of(' ') + 1);
-  if (message == "memory exhausted") message = "this is nested too deep";  // of the compiler's parser
-  // The compiler knows the line and the token, not the column.
-  const std::string_view token =
-      message.starts_with('\'') ? message.substr(1, message.find('\'', 1) - 1) : "";
-  const std::size_t column = token.empty() ? text.npos : text.find(token);
-  const std::size_t from = begin + (column == text.npos ? 0 : column);
-  return describe(name, all,
-                  {.where = {from, column == text.npos ? begin + text.size() : from + token.size()},
-                   .message = std::string(message),
-                   .hint = {}});
-}
-
-[[noreturn]] void reject(const ShaderDesc& desc, std::string_view log) {
-  std::string message = fmt::format("cannot compile the shader {}:", desc.source.name);
-  while (!log.empty()) {
-    const std::string_view line = log.substr(0, log.find('\n'));
-    log.remove_prefix(std::min(line.size() + 1, log.size()));
-    // The last line only counts the others.
-    if (!line.empty() && line.find("compilation errors.") == line.npos)
-      message += fmt::format("\n{}", explain(line, desc));
-  }
-  throw Error(ErrorKind::Scene, message);
 }
 
 /// From its first use to the end of the process: its tables take long to build.
@@ -233,36 +145,82 @@ void startGlslang() {
   static const Glslang started;
 }
 
+std::string withoutPrefix(std::string_view message) {
+  constexpr std::string_view kPrefix = "ERROR: ";
+  return std::string(message.substr(message.starts_with(kPrefix) ? kPrefix.size() : 0));
+}
+
+/// A shader that the compiler reads.
+class Translation {
+ public:
+  explicit Translation(const ShaderDesc& desc)
+      : desc_(desc), language_(languageOf(desc.stage)), name_(desc.source.name), preamble_(desc.preamble) {}
+
+  /// False: it has errors.
+  bool parse() {
+    const char* const text = desc_.source.text.data();
+    const char* const names = name_.c_str();
+    const int size = static_cast<int>(desc_.source.text.size());
+    shader_.setStringsWithLengthsAndNames(&text, &size, &names, 1);
+    shader_.setPreamble(preamble_.c_str());
+    shader_.setEnvInput(glslang::EShSourceGlsl, language_, glslang::EShClientVulkan, 100);
+    shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
+    shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
+    if (desc_.forReflection) {
+      shader_.setEnvInputVulkanRulesRelaxed();
+      shader_.setAutoMapBindings(true);
+      shader_.setAutoMapLocations(true);
+    }
+    Includer includer(desc_.includes);
+    return shader_.parse(GetDefaultResources(), 460, false, messages(), includer);
+  }
+
+  /// Of one without errors; throws what makes none of its parts a program.
+  std::vector<std::uint32_t> words() {
+    glslang::TProgram program;
+    program.addShader(&shader_);
+    if (!program.link(messages()) || (desc_.forReflection && !program.mapIO()))
+      reject(program.getInfoLog(), withoutPrefix);
+    std::vector<std::uint32_t> words;
+    glslang::GlslangToSpv(*program.getIntermediate(language_), words);
+    return words;
+  }
+
+  [[nodiscard]] std::string_view log() { return shader_.getInfoLog(); }
+
+  [[noreturn]] void reject(std::string_view log,
+                           const std::function<std::string(std::string_view)>& explained) const {
+    std::string message = fmt::format("cannot compile the shader {}:", desc_.source.name);
+    while (!log.empty()) {
+      const std::string_view line = log.substr(0, log.find('\n'));
+      log.remove_prefix(std::min(line.size() + 1, log.size()));
+      // The last line only counts the others.
+      if (line.empty() || line.find("compilation errors.") != line.npos) continue;
+      if (const std::string told = explained(line); !told.empty()) message += fmt::format("\n{}", told);
+    }
+    throw Error(ErrorKind::Scene, message);
+  }
+
+ private:
+  [[nodiscard]] EShMessages messages() const {
+    return static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules |
+                                    (desc_.forReflection ? EShMsgKeepUncalled : EShMsgDefault));
+  }
+
+  const ShaderDesc& desc_;
+  EShLanguage language_;
+  std::string name_, preamble_;
+  glslang::TShader shader_{language_};
+};
+
 std::vector<std::uint32_t> translateHere(const ShaderDesc& desc) {
   startGlslang();
-
-  const EShLanguage language = languageOf(desc.stage);
-  const std::string name(desc.source.name), preamble(desc.preamble);
-  const char* const text = desc.source.text.data();
-  const char* const names = name.c_str();
-  const int size = static_cast<int>(desc.source.text.size());
-  glslang::TShader shader(language);
-  shader.setStringsWithLengthsAndNames(&text, &size, &names, 1);
-  shader.setPreamble(preamble.c_str());
-  shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
-  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
-  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
-  const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules |
-                                                 (desc.forReflection ? EShMsgKeepUncalled : EShMsgDefault));
-  if (desc.forReflection) {
-    shader.setEnvInputVulkanRulesRelaxed();
-    shader.setAutoMapBindings(true);
-    shader.setAutoMapLocations(true);
-  }
-  Includer includer(desc.includes);
-  if (!shader.parse(GetDefaultResources(), 460, false, messages, includer)) reject(desc, shader.getInfoLog());
-  glslang::TProgram program;
-  program.addShader(&shader);
-  if (!program.link(messages)) reject(desc, program.getInfoLog());
-  if (desc.forReflection && !program.mapIO()) reject(desc, program.getInfoLog());
-  std::vector<std::uint32_t> words;
-  glslang::GlslangToSpv(*program.getIntermediate(language), words);
-  return words;
+  Translation translation(desc);
+  if (translation.parse()) return translation.words();
+  const WordLines byWords(desc);
+  Translation again(byWords.desc());
+  if (again.parse()) translation.reject(translation.log(), withoutPrefix);  // it asks for its own lines
+  again.reject(again.log(), [&](std::string_view line) { return byWords.explain(line); });
 }
 
 std::vector<std::uint32_t> translate(const ShaderDesc& desc) {

@@ -19,7 +19,8 @@ struct ShaderSource {
   std::string_view shown = {};  ///< the lines that messages show, where the text is not as it was written
 };
 
-enum class ShaderStage { Vertex, Fragment, Compute };
+/// The last three are read (gpu/shader_reflection.h), and in no pipeline.
+enum class ShaderStage { Vertex, Fragment, Compute, Geometry, TessellationControl, TessellationEvaluation };
 
 struct ShaderDesc {
   ShaderSource source;  ///< with its #version

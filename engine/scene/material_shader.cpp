@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 #include "scene/shader_text.h"
 
 namespace luxo {

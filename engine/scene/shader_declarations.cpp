@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 
 namespace luxo {
 namespace {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 #include "scene/shader_declarations.h"
 #include "scene/shader_nesting.h"
 
@@ -320,6 +320,8 @@ class Reader {
     const std::string_view guard = guardOf(tokens);
     if (!guard.empty() && !undefined_.contains(guard) && !read_.insert(index).second) return;
     refuseHiddenWords(file, tokens);
+    if (const std::size_t comment = unendedComment(file.text); comment != std::string::npos)
+      refuse({&file, {comment, comment + 2}}, "this comment has no end", "close it with */");
     // The condition around all of it is true the first time, unless something else defines what it asks for:
     // a compiler, or luxo's own text, whose macros have small letters.
     const bool isSure = !guard.empty() && !undefined_.contains(guard) && definitions_[guard] == 1 &&
@@ -381,6 +383,7 @@ class Reader {
     const std::string_view name = directive.name;
     const Tokens rest = directive.rest;
     const File& file = *place.file;
+    if (name == "line") refuse(place, "'#line' would move the places of errors", "leave it out");
     if (name == "define" && !rest.empty()) {
       give();
       expansion_.define(rest, conditions_ == 0, file);
@@ -399,7 +402,7 @@ class Reader {
       closeAlternative(place);
       --conditions_;
     }
-    if (name != "if" && name != "elif" && name != "line") return;
+    if (name != "if" && name != "elif") return;
     Words words;
     for (const GlslToken& token : rest)
       words.push_back({token.text, token.isWord(), false, {&file, {token.begin, token.end()}}});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 
 namespace luxo {
 namespace {

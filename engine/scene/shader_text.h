@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 
 namespace luxo {
 

@@ -7,6 +7,7 @@
 #include "lib/course.glsl"
 
 bool luxoStops() { return luxoTexels[0].x > 0.0; }
+#define LUXO_ASKS if (luxoStops()) break; else
 
 #include "material"
 

@@ -66,6 +66,7 @@ vec4 material(Point p);
 const uint kLuxoMostRounds = 32768;
 uint luxoRounds = 0;
 bool luxoStops() { return ++luxoRounds > kLuxoMostRounds; }
+#define LUXO_ASKS if (luxoStops()) break; else
 
 // Whether a vertex program (lib/course_point.glsl) has led its vertex away from the point.
 bool luxoMoved = false;

@@ -157,6 +157,94 @@ TEST(ShaderCompilerErrors, NameTheFileTheLineAndTheToken) {
   EXPECT_THAT(messageOf({}), HasSubstr("lib/one.glsl"));
 }
 
+/// A shader of that body, and what is said of it without its first line.
+std::string errorIn(std::string_view body, std::string_view before = "") {
+  const std::string message =
+      messageOf({}, "#version 460\n" + std::string(before) + "void main() {\n" + std::string(body) + "\n}\n");
+  return message.substr(std::min(message.find('\n'), message.size() - 1) + 1);
+}
+
+/// Not where a word like it stands first.
+TEST(ShaderCompilerErrors, AreAtTheWordThatTheyAreAbout) {
+  using testing::StartsWith;
+  EXPECT_THAT(
+      errorIn("  float a = 1.0; vec2 b = 1.0;"),
+      StartsWith("main.frag:3:25: '=' :  cannot convert from ' const float' to ' temp highp 2-component"));
+  EXPECT_THAT(errorIn("  /* two */ float one = 1.0; one = two; // two"),
+              StartsWith("main.frag:3:36: 'two' : undeclared identifier\n"
+                         "  3 |   /* two */ float one = 1.0; one = two; // two\n"
+                         "    |                                    ^^^"));
+  EXPECT_THAT(errorIn("\tfloat one =\ttwo;"), StartsWith("main.frag:3:14: 'two' : undeclared identifier\n"
+                                                         "  3 | \tfloat one =\ttwo;\n"
+                                                         "    | \t           \t^^^"));
+  EXPECT_THAT(errorIn("  float x = 1.0; x = x + x.q.x - x.x;"), StartsWith("main.frag:3:28: 'q' : "));
+  EXPECT_THAT(errorIn("  float a = 1.0 return; float b;"),
+              StartsWith("main.frag:3:17: syntax error, unexpected RETURN, expecting COMMA or SEMICOLON\n"));
+  EXPECT_THAT(errorIn("  vec3 v = vec3(1.0) + vec3(vec2(1.0));"),
+              StartsWith("main.frag:3:24: 'constructor' : "));
+  EXPECT_THAT(errorIn("  float a = sin(1.0) + sin();"), StartsWith("main.frag:3:24: 'sin' : no matching"));
+  EXPECT_THAT(errorIn("  float a = 1.0;\n  float b = a\n    + c; float d = c;"),
+              StartsWith("main.frag:5:7: 'c' : undeclared identifier"));
+}
+
+/// Words of what a macro stands for are nowhere in the text.
+TEST(ShaderCompilerErrors, InMacrosAreWhereTheseAreUsed) {
+  using testing::StartsWith;
+  const std::string macros =
+      "#define TWICE(x) (2.0 * (x) * none)\n#define HALF (0.5 * none)\n#define SAME(x) (x)\n";
+  EXPECT_THAT(
+      errorIn("  float a = 1.0, b = HALF;", macros),
+      StartsWith("main.frag:6:22: 'none' : undeclared identifier, in what the macro 'HALF' stands for\n"
+                 "  6 |   float a = 1.0, b = HALF;\n"
+                 "    |                      ^^^^"));
+  EXPECT_THAT(
+      errorIn("  float a = 1.0, b = a + TWICE((a));", macros),
+      StartsWith("main.frag:6:26: 'none' : undeclared identifier, in what the macro 'TWICE' stands for\n"
+                 "  6 |   float a = 1.0, b = a + TWICE((a));\n"
+                 "    |                          ^^^^^"));
+  EXPECT_THAT(errorIn("  float a = 1.0, b = a + SAME(a + other);", macros),
+              StartsWith("main.frag:6:35: 'other' : undeclared identifier\n"));
+  EXPECT_THAT(errorIn("  float a = 1.0, b = a +\n SAME(\n a + (2.0 * other));", macros),
+              StartsWith("main.frag:8:13: 'other' : undeclared identifier\n"));
+}
+
+TEST(ShaderCompilerErrors, OfDirectivesAreOnTheirLines) {
+  using testing::StartsWith;
+  EXPECT_THAT(errorIn("", "#if 1 +\n#endif\n"), StartsWith("main.frag:2:"));
+  EXPECT_THAT(errorIn("", "#error too late\n"), StartsWith("main.frag:2:1: '#error' : too late"));
+  EXPECT_THAT(errorIn("", "\n  #version 330\n"), StartsWith("main.frag:3:3: '#version' : must occur first"));
+  // What asks for its line is as it was.
+  EXPECT_THAT(errorIn("#if __LINE__ == 3\n none;\n#endif"), testing::HasSubstr("main.frag:4"));
+}
+
+/// Of text that was added, and words that are spelled otherwise or gone.
+TEST(ShaderCompilerErrors, AreInTheTextAsItWasWritten) {
+  const std::string
+      shown =
+          "#version 460\nvoid main() {\n  for (;;) { layout() int b = 1; } mode = 1; float model = mode; }\n",
+      text =
+          "#version 460\nvoid mAin() {\n  for (;;)  ASK  {          int b = 1; } mOde = 1; float model "
+          "= mOde; }\n";
+  const auto told = [&](std::string_view in) {
+    try {
+      static_cast<void>(ShaderCompiler(fs::path())
+                            .compile({.source = {"main.frag", in, shown},
+                                      .preamble = "#define ASK if (false) break; else\n",
+                                      .asShown = [](std::string_view message) {
+                                        std::string all(message);
+                                        for (std::size_t at = all.find("mOde"); at != all.npos;
+                                             at = all.find("mOde", at))
+                                          all[at + 1] = 'o';
+                                        return all;
+                                      }}));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(told(text), HasSubstr("main.frag:3:36: 'mode' : undeclared identifier"));
+}
+
 TEST(ShaderCompilerErrors, AreFoundInWhatGlslForbids) {
   const auto body = [](std::string_view statement) {
     return "#version 460\nlayout(location = 0) out vec4 c;\nvoid main() {\n  vec4 v4 = vec4(1); vec2 v2; " +

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 
 namespace luxo {
 namespace {
@@ -76,12 +76,24 @@ TEST(GlslTokens, DirectivesAreLines) {
   EXPECT_EQ(directivesIn(quoted).size(), 5u) << "quotes are no comments";
 }
 
+TEST(GlslTokens, CommentsMayHaveNoEnd) {
+  EXPECT_EQ(unendedComment("a /* b */ // /* c\nd"), std::string_view::npos);
+  EXPECT_EQ(unendedComment("a /* b */ \n /*/ d"), 12u);
+  EXPECT_EQ(unendedComment("\" /* \""), std::string_view::npos);
+}
+
 TEST(GlslTokens, OfLongLines) {
   constexpr int kMany = 1 << 20;  // letters
   EXPECT_EQ(glslTokens(std::string(kMany, 'a')).size(), 1u);
   EXPECT_EQ(glslTokens(std::string(kMany, ' ')).size(), 0u);
   EXPECT_EQ(glslTokens(std::string(kMany, '(')).size(), std::size_t{kMany});
   EXPECT_EQ(glslTokens("#" + std::string(kMany, '"')).size(), 1u + kMany / 2);
+}
+
+TEST(ShaderMacros, WhatHidesPlacesIsRefused) {
+  EXPECT_THAT(refusalOf("float a;\n  #line 7\n"),
+              StartsWith("m.frag:2:3: '#line' would move the places of errors\n"));
+  EXPECT_THAT(refusalOf("float a; /* and\n so on"), StartsWith("m.frag:1:10: this comment has no end\n"));
 }
 
 TEST(ShaderMacros, ThatDoubleAreRefusedWhereTheyAreNamed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/glsl_tokens.h"
+#include "base/glsl_tokens.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +20,8 @@ bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
+
+  [[nodiscard]] std::size_t unended() const { return unended_; }
 
   std::vector<GlslToken> tokens() {
     std::vector<GlslToken> all;
@@ -55,6 +57,7 @@ class Scanner {
           at_ += std::max<std::size_t>(1, continuationAt(text_, at_));
       } else if (next == "/*") {
         const std::size_t end = text_.find("*/", at_ + 2);
+        if (end == text_.npos) unended_ = at_;
         at_ = end == text_.npos ? text_.size() : end + 2;
       } else if (std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
         if (isLineEnd(text_[at_])) {
@@ -119,7 +122,7 @@ class Scanner {
   }
 
   std::string_view text_;
-  std::size_t at_ = 0, directives_ = 0;
+  std::size_t at_ = 0, directives_ = 0, unended_ = std::string_view::npos;
   bool inDirective_ = false, beginsLine_ = true, afterBlank_ = true;
 };
 
@@ -132,6 +135,12 @@ std::size_t continuationAt(std::string_view glsl, std::size_t at) {
 }
 
 std::vector<GlslToken> glslTokens(std::string_view glsl) { return Scanner(glsl).tokens(); }
+
+std::size_t unendedComment(std::string_view glsl) {
+  Scanner scanner(glsl);
+  static_cast<void>(scanner.tokens());
+  return scanner.unended();
+}
 
 GlslDirective directiveAt(std::span<const GlslToken> tokens) {
   std::size_t size = 1;

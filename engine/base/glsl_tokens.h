@@ -34,6 +34,9 @@ struct GlslToken {
 /// Without blanks and comments. Valid as long as the text. Cost: linear, whatever the text is.
 [[nodiscard]] std::vector<GlslToken> glslTokens(std::string_view glsl);
 
+/// Where the comment begins that does not end; npos: there is none.
+[[nodiscard]] std::size_t unendedComment(std::string_view glsl);
+
 /// `#define N 3` is "define" and N, 3.
 struct GlslDirective {
   std::string_view name;
