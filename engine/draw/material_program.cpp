@@ -175,13 +175,14 @@ gpu::ShaderInterface MaterialProgram::compileAlone(std::string_view in, std::siz
     explainRefusal(*shader_, entry, in == kCourseAlone, error.what());
   }
   compiled_ = compiled_ || result.compiled;
-  gpu::ShaderInterface interface = gpu::reflect(result.spirv);
-  requirePure(interface);
   const gpu::ShaderCost cost = gpu::costOf(result.spirv);
   cost_.instructions += cost.instructions;
   cost_.variableBytes += cost.variableBytes;
   cost_.longestTable = std::max(cost_.longestTable, cost.longestTable);
   cost_.nesting = std::max(cost_.nesting, cost.nesting);
+  requireFewInstructions();  // reflection follows every call, too
+  gpu::ShaderInterface interface = gpu::reflect(result.spirv);
+  requirePure(interface);
   return interface;
 }
 
@@ -230,7 +231,7 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
                            name),
                "compute it in a function, or make it a constant");
   }
-  for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMostRounds"})
+  for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMostRounds", "LUXO_ASKS"})
     refuseWord(own, fmt::format("'{}' is a name of luxo's own", own), "choose another one");
   if (std::ranges::count(interface.calls, "luxoStops") < std::int64_t{interface.loops})
     throw Error(ErrorKind::Scene, fmt::format("{}: a macro spells a loop, which may have no end", file),
@@ -250,16 +251,19 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
                 "write plain GLSL, of numbers and of what a material is given (shaders/MATERIALS.md)");
 }
 
-void MaterialProgram::requireAffordable() const {
-  const gpu::ShaderCost& cost = cost_;
-  const std::string& file = shader_->files.front().name;
-  if (cost.instructions > kMostInstructions)
+void MaterialProgram::requireFewInstructions() const {
+  if (cost_.instructions > kMostInstructions)
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: with a copy of each function at each of its calls it has {} instructions; at "
                     "most {} are compiled",
-                    file, cost.instructions, kMostInstructions),
+                    shader_->files.front().name, cost_.instructions, kMostInstructions),
         "call functions in a loop instead of one by one");
+}
+
+void MaterialProgram::requireAffordable() const {
+  const gpu::ShaderCost& cost = cost_;
+  const std::string& file = shader_->files.front().name;
   if (cost.nesting > kDeepestBranches)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: its branches are nested {} deep, counting those of the functions that are "

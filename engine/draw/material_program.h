@@ -64,6 +64,7 @@ class MaterialProgram {
   /// The variables that it is in the joined texts.
   [[nodiscard]] std::vector<std::string> storagesOf(const gpu::ShaderVariable& uniform) const;
   void requirePure(const gpu::ShaderInterface& interface) const;
+  void requireFewInstructions() const;
   void requireAffordable() const;
   [[noreturn]] void refuseTable() const;
   [[nodiscard]] bool isWrapped(const std::string& name) const;

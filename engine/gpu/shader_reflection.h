@@ -18,13 +18,16 @@ struct ShaderVariable {
   std::string type;  ///< as GLSL writes it, arrays apart: "vec3"; of a structure its name
   std::vector<std::uint32_t> array = {};  ///< sizes, the outermost first; 0: as long as the buffer is
   std::optional<std::uint32_t> location = {}, set = {}, binding = {};
-  std::uint32_t offset = 0, size = 0;  ///< bytes, of a member
-  std::uint32_t arrayStride = 0, matrixStride = 0;
-  bool active = true;                        ///< something that runs reads or writes it
-  std::vector<ShaderVariable> members = {};  ///< of a structure
+  std::uint32_t offset = 0, size = 0;               ///< bytes, of a member
+  std::uint32_t arrayStride = 0, matrixStride = 0;  ///< the latter from column to column, or row to row
+  bool rowMajor = false;                            ///< of a matrix in a block
+  bool patch = false;                               ///< of a patch, not of each of its vertices
+  bool active = true;                               ///< something that runs reads or writes it
+  std::vector<ShaderVariable> members = {};         ///< of a structure
   std::vector<ShaderStage> stages = {};  ///< of two stages together: which of them have it, in their order
 
   [[nodiscard]] std::uint32_t elements() const;  ///< of the array, 1 of none
+  [[nodiscard]] bool runtimeSized() const { return !array.empty() && array.front() == 0; }
 };
 
 struct ShaderBlock {
@@ -32,13 +35,16 @@ struct ShaderBlock {
   std::string name;
   Kind kind = Kind::Uniform;
   bool loose = false;  ///< made of the uniforms that are outside of blocks
-  std::uint32_t set = 0, binding = 0, size = 0;
+  std::uint32_t set = 0, binding = 0;
+  std::uint32_t size = 0;  ///< bytes, without an array at its end that is as long as the buffer is
   bool active = true;
   std::vector<ShaderVariable> members;
 };
 
 struct ShaderInterface {
   ShaderStage stage = ShaderStage::Fragment;
+  /// What its stage takes and gives, in the words of `layout(...)`: "triangles", "max_vertices = 3".
+  std::vector<std::string> layout;
   std::vector<ShaderVariable> inputs,
       outputs;  ///< by location; then GLSL's own that it uses, which have none
   std::vector<ShaderBlock> blocks;
@@ -52,8 +58,8 @@ struct ShaderInterface {
   std::string beyond;  ///< what it asks of a device beyond plain GLSL, the first of it: "ray queries"
 };
 
-/// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V; those of others
-/// are asked for that first (gpu/shader_validation.h). Cost: linear.
+/// Names are there if the words were compiled for reflection. Error(Scene): they are no SPIR-V; those of
+/// others are asked for that first (gpu/shader_validation.h). Cost: linear.
 [[nodiscard]] ShaderInterface reflect(std::span<const std::uint32_t> spirv);
 
 /// Truth in a buffer is a number, in SPIR-V as well: the type of GLSL, where whoever asks knows that

@@ -95,6 +95,42 @@ TEST_F(MaterialShaderProgram, WhatFollowsFromAnErrorIsNotTold) {
               testing::AllOf(HasSubstr("m.frag:1:15: 'gl_FragData'"), HasSubstr("write gl_FragColor")));
 }
 
+/// Not where the file ends.
+TEST_F(MaterialShaderProgram, WhatHasNoEndIsToldWhereItBegins) {
+  const std::string rest = "vec4 material(Point p) { return vec4(1.0); }\n";
+  expectError("// a\n  /* b\n" + rest, "m.frag:2:3: this comment has no end\n");
+  expectError("#define N 2\n#if N > 1\n#ifdef A\n#endif\n" + rest,
+              "m.frag:2:1: this condition has no '#endif'\n");
+  expectError("#if 0\n" + rest, "m.frag:1:1: this condition has no '#endif'\n");
+  expectError("float f(float x) {\n  if (x > 1.0) { x = 2.0;\n  return x;\n}\n" + rest,
+              "m.frag:1:18: this '{' has no '}'\n");
+  writeText(folder / "open.glsl", "#ifndef OPEN\nfloat f(float x) { return x; }\n");
+  expectError("#include \"open.glsl\"\n" + rest, "open.glsl:1:1: this condition has no '#endif'\n");
+  writeText(folder / "open.glsl", "float f(float x) { return x; }\n/* it does");
+  expectError("#include \"open.glsl\"\n" + rest, "open.glsl:2:1: this comment has no end\n");
+  expectError("#line 90\n" + rest, "m.frag:1:1: '#line' would move the places of errors\n");
+}
+
+/// At the word itself, as it was written: behind loops, which are given another word, in macros, in the
+/// course's style, in what is included.
+TEST_F(MaterialShaderProgram, ErrorsAreAtTheirWords) {
+  expectError(
+      "vec4 material(Point p) {\n\tfor (int i = 0; i < 3; ++i) { do { vec2 a = p.uv; vec2 b = p.position; } "
+      "while "
+      "(false); }\n\treturn vec4(1.0);\n}\n",
+      "m.frag:2:59: '=' :  cannot convert from");
+  expectError("#define LIT(x) (x).norml\nvec4 material(Point p) { return vec4(1.0, 0.0, LIT(p), 1.0); }\n",
+              "m.frag:2:48: 'norml' : no such field in structure 'p', in what the macro 'LIT' stands for\n");
+  expectError(
+      "varying vec3 v;\nvoid main() { vec3 sample = v; gl_FragColor = vec4(sample, 1.0) + sample; }\n",
+      "m.frag:2:65: '+' :  wrong operand types");
+  expectError("void main() { vec3 sample = gl_Color.rgb; gl_FragColor = vec4(sample.r, 1.0, patch, 1.0); }\n",
+              "m.frag:1:78: 'patch' : undeclared identifier\n");
+  writeText(folder / "in.glsl", "// y\nfloat f(float x) { float z = x; return z * y; }\n");
+  expectError("#include \"in.glsl\"\nvec4 material(Point p) { return vec4(f(1.0)); }\n",
+              "in.glsl:2:44: 'y' : undeclared identifier\n");
+}
+
 /// Arrays that shaders only read element by element take no room of a point; others do.
 TEST_F(MaterialShaderProgram, ArraysThatAreCopiedAreLimited) {
   const std::string sum = "float sum(float x[20000]) { return x[3]; }\n";
@@ -118,6 +154,13 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
     doubling += "float f" + std::to_string(i) + "(float x) { return f" + std::to_string(i - 1) + "(x) + f" +
                 std::to_string(i - 1) + "(2.0 * x); }\n";
   expectError(doubling + "vec4 material(Point p) { return vec4(f19(p.uv.x)); }\n",
+              "at most 32768 are compiled");
+  for (int i = 20; i < 60; ++i)
+    doubling += "float f" + std::to_string(i) + "(float x) { return f" + std::to_string(i - 1) + "(x) + f" +
+                std::to_string(i - 1) + "(2.0 * x); }\n";
+  expectError(doubling + "vec4 material(Point p) { return vec4(f59(p.uv.x)); }\n",
+              "at most 32768 are compiled");
+  expectError(doubling + "void main() { gl_FragColor = vec4(f59(gl_Color.x)); }\n",
               "at most 32768 are compiled");
   expectError("float a[100000000];\nvec4 material(Point p) { return vec4(a[int(p.uv.x)]); }\n",
               "m.frag: its variables take 400000");

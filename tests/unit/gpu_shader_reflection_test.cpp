@@ -30,7 +30,8 @@ std::vector<std::string> tableOf(const ShaderBlock& block) {
     lines.push_back(fmt::format("{} {} @{} +{}", m.name, m.type, m.offset, m.size));
     for (const std::uint32_t size : m.array) lines.back() += fmt::format(" [{}]", size);
     if (m.arrayStride > 0) lines.back() += fmt::format(" stride {}", m.arrayStride);
-    if (m.matrixStride > 0) lines.back() += fmt::format(" columns {}", m.matrixStride);
+    if (m.matrixStride > 0)
+      lines.back() += fmt::format(" {} {}", m.rowMajor ? "rows" : "columns", m.matrixStride);
   }
   return lines;
 }
@@ -70,6 +71,139 @@ TEST(ShaderReflection, Scalar) {
   EXPECT_THAT(tableOf(block),
               ElementsAre("a float @0 +4", "b vec3 @4 +12", "c float @16 +4", "m mat3 @20 +36 columns 12",
                           "d float @56 +12 [3] stride 4", "e vec2 @68 +8"));
+}
+
+/// Of m columns and n rows, row major: n vectors of m.
+ShaderBlock rowMajorBlock(const std::string& layout, const std::string& kind) {
+  return reflected(
+             fmt::format("#version 460\n#extension GL_EXT_scalar_block_layout : require\n"
+                         "layout({}, row_major, set = 0, binding = 0) {} B {{ mat3 a; mat2x3 b; mat3x2 c; "
+                         "float d; layout(column_major) mat2x3 e; mat2 f[2]; }} k;\n"
+                         "layout(location = 0) out vec4 o;\n"
+                         "void main() {{ o = vec4(k.a[1], k.d); }}\n",
+                         layout, kind))
+      .blocks.at(0);
+}
+
+TEST(ShaderReflection, RowMajorMatrices) {
+  const ShaderBlock std140 = rowMajorBlock("std140", "uniform"), std430 = rowMajorBlock("std430", "buffer"),
+                    scalar = rowMajorBlock("scalar", "buffer");
+  EXPECT_THAT(tableOf(std140),
+              ElementsAre("a mat3 @0 +48 rows 16", "b mat2x3 @48 +48 rows 16", "c mat3x2 @96 +32 rows 16",
+                          "d float @128 +4", "e mat2x3 @144 +32 columns 16",
+                          "f mat2 @176 +64 [2] stride 32 rows 16"));
+  EXPECT_EQ(std140.size, 240u);
+  EXPECT_THAT(
+      tableOf(std430),
+      ElementsAre("a mat3 @0 +48 rows 16", "b mat2x3 @48 +24 rows 8", "c mat3x2 @80 +32 rows 16",
+                  "d float @112 +4", "e mat2x3 @128 +32 columns 16", "f mat2 @160 +32 [2] stride 16 rows 8"));
+  EXPECT_EQ(std430.size, 192u);
+  EXPECT_THAT(
+      tableOf(scalar),
+      ElementsAre("a mat3 @0 +36 rows 12", "b mat2x3 @36 +24 rows 8", "c mat3x2 @60 +24 rows 12",
+                  "d float @84 +4", "e mat2x3 @88 +24 columns 12", "f mat2 @112 +32 [2] stride 16 rows 8"));
+  EXPECT_EQ(scalar.size, 144u);
+}
+
+/// An array at the end of a buffer that is as long as this is: its size is not known, its stride is.
+TEST(ShaderReflection, RuntimeSizedArrays) {
+  const auto blockOfItems = [](const std::string& layout, const std::string& items) {
+    return reflected(
+               fmt::format("#version 460\n#extension GL_EXT_scalar_block_layout : require\n"
+                           "struct S {{ vec3 p; float w; mat2 m; }};\n"
+                           "layout({}, set = 0, binding = 0) buffer B {{ uint count; {} items[]; }} k;\n"
+                           "layout(location = 0) out vec4 o;\nvoid main() {{ o = vec4(k.count); }}\n",
+                           layout, items))
+        .blocks.at(0);
+  };
+  EXPECT_THAT(tableOf(blockOfItems("std430", "vec3")),
+              ElementsAre("count uint @0 +4", "items vec3 @16 +0 [0] stride 16"));
+  EXPECT_THAT(tableOf(blockOfItems("scalar", "vec3")),
+              ElementsAre("count uint @0 +4", "items vec3 @4 +0 [0] stride 12"));
+  EXPECT_THAT(tableOf(blockOfItems("std140", "float")),
+              ElementsAre("count uint @0 +4", "items float @16 +0 [0] stride 16"));
+  const auto structured = [&](const std::string& layout) { return blockOfItems(layout, "S"); };
+  const ShaderBlock std430 = structured("std430");
+  EXPECT_THAT(tableOf(std430), ElementsAre("count uint @0 +4", "items S @16 +0 [0] stride 32"));
+  EXPECT_TRUE(std430.members[1].runtimeSized() && !std430.members[0].runtimeSized());
+  EXPECT_EQ(std430.members[1].members.at(2).offset, 16u);
+  EXPECT_EQ(std430.members[1].members.at(2).matrixStride, 8u);
+  EXPECT_THAT(tableOf(structured("std140")), ElementsAre("count uint @0 +4", "items S @16 +0 [0] stride 48"));
+  EXPECT_THAT(tableOf(structured("scalar")), ElementsAre("count uint @0 +4", "items S @4 +0 [0] stride 32"));
+}
+
+/// What a stage takes and gives, in the words of its layouts; of what is there for each vertex an array.
+TEST(ShaderReflection, StagesBetweenVerticesAndFragments) {
+  const ShaderInterface geometry = reflected(R"(#version 460
+layout(triangles, invocations = 2) in;
+layout(line_strip, max_vertices = 6) out;
+in vec3 normal[];
+out vec4 color;
+uniform mat4 matrix;
+void main() {
+  color = vec4(normal[1], 1.0);
+  gl_Position = matrix * gl_in[0].gl_Position;
+  gl_Layer = gl_InvocationID;
+  EmitVertex();
+})",
+                                             ShaderStage::Geometry);
+  EXPECT_EQ(geometry.stage, ShaderStage::Geometry);
+  EXPECT_THAT(geometry.layout, ElementsAre("triangles", "line_strip", "max_vertices = 6", "invocations = 2"));
+  ASSERT_FALSE(geometry.inputs.empty());
+  EXPECT_EQ(geometry.inputs[0].name, "normal");
+  EXPECT_THAT(geometry.inputs[0].array, ElementsAre(3u));
+  const auto namesOf = [](const std::vector<ShaderVariable>& variables) {
+    std::vector<std::string> names;
+    for (const ShaderVariable& one : variables) names.push_back(one.name);
+    return names;
+  };
+  EXPECT_THAT(namesOf(geometry.inputs), testing::Contains("gl_InvocationID"));
+  EXPECT_THAT(namesOf(geometry.outputs), testing::IsSupersetOf({"color", "gl_Position", "gl_Layer"}));
+
+  const ShaderInterface control = reflected(R"(#version 460
+layout(vertices = 3) out;
+in vec2 uv[];
+out vec2 uvOut[];
+patch out float sharpness;
+void main() {
+  uvOut[gl_InvocationID] = uv[gl_InvocationID];
+  sharpness = 1.0;
+  gl_TessLevelInner[0] = 2.0;
+  gl_TessLevelOuter[0] = 3.0;
+})",
+                                            ShaderStage::TessellationControl);
+  EXPECT_THAT(control.layout, ElementsAre("vertices = 3"));
+  for (const ShaderVariable& output : control.outputs) EXPECT_EQ(output.patch, output.name == "sharpness");
+  EXPECT_THAT(namesOf(control.outputs), testing::IsSupersetOf({"uvOut", "sharpness", "gl_TessLevelOuter"}));
+
+  const ShaderInterface evaluation = reflected(R"(#version 460
+layout(quads, fractional_odd_spacing, cw) in;
+patch in float sharpness;
+void main() { gl_Position = vec4(gl_TessCoord * sharpness, 1.0); })",
+                                               ShaderStage::TessellationEvaluation);
+  EXPECT_THAT(evaluation.layout, ElementsAre("quads", "fractional_odd_spacing", "cw"));
+  EXPECT_TRUE(evaluation.inputs.at(0).patch);
+
+  EXPECT_THAT(reflected("#version 460\nlayout(local_size_x = 8, local_size_y = 4) in;\nvoid main() { }\n",
+                        ShaderStage::Compute)
+                  .layout,
+              ElementsAre("local_size_x = 8", "local_size_y = 4", "local_size_z = 1"));
+}
+
+/// Each function calls the one before twice: whoever follows all calls has no end.
+TEST(ShaderReflection, FunctionsThatDoubleAreRefused) {
+  std::string text =
+      "#version 460\nlayout(location = 0) out float o;\nfloat f0(float x) { return sin(x); }\n";
+  for (int i = 1; i <= 40; ++i)
+    text += fmt::format("float f{}(float x) {{ return f{}(x) + f{}(2.0 * x); }}\n", i, i - 1, i - 1);
+  text += "void main() { o = f40(gl_FragCoord.x); }\n";
+  try {
+    static_cast<void>(reflected(text));
+    ADD_FAILURE() << "it was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Scene);
+    EXPECT_THAT(error.what(), testing::HasSubstr("with a copy of each function at each of its calls"));
+  }
 }
 
 /// The uniforms of a lecture's vertex program, outside of blocks.
