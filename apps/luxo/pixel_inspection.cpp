@@ -185,6 +185,8 @@ class Inspector {
             {"points", light.points},
             {"has_shadow", light.shadows},
             {"visibility", vectorJson(light.visibility)},
+            {"radiance", vectorJson(light.radiance)},
+            {"arriving", vectorJson(light.arriving)},
             {"unshadowed", vectorJson(light.unshadowed)},
             {"share", vectorJson(light.share)},
             {"certified", light.certified}};
@@ -378,6 +380,8 @@ std::string lightText(const Json& light) {
   said += fmt::format(", cosine {}", numberText(light["cosine"]));
   if (shines && light.contains("share"))
     said += fmt::format(": adds {} of {}", listText(light["share"]), listText(light["unshadowed"]));
+  else if (shines)
+    said += fmt::format(": {} arrives of {}", listText(light["arriving"]), listText(light["radiance"]));
   return line("light", said);
 }
 
@@ -408,7 +412,9 @@ std::string pointText(const Json& point) {
     said += line("ambient", listText(point["ambient"]));
   }
   for (const Json& light : point["lights"]) said += lightText(light);
-  return byShader ? said : said + line("reflected", listText(point["reflected"]));
+  return said +
+         line("reflected", byShader ? "as the shader decides, of what arrives: the pixel's colour is its own"
+                                    : listText(point["reflected"]));
 }
 
 std::string stationsText(const Json& v) {

@@ -12,13 +12,16 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/log.h"
 #include "draw/course_style.h"
+#include "draw/material_errors.h"
 #include "draw/material_program.h"
 #include "gpu/deep_stack.h"
 #include "gpu/shader_reflection.h"
@@ -37,13 +40,23 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 3> kStages = {"vertex", "fragment", "compute"};
+constexpr std::array<std::string_view, 6> kStages = {
+    "vertex", "fragment", "compute", "geometry", "tessellation control", "tessellation evaluation"};
 constexpr std::array<std::string_view, 3> kBlockKinds = {"uniform", "storage", "push constants"};
 
-gpu::ShaderStage stageOf(const std::string& suffix) {
-  return suffix == ".vert"   ? gpu::ShaderStage::Vertex
-         : suffix == ".comp" ? gpu::ShaderStage::Compute
-                             : gpu::ShaderStage::Fragment;
+constexpr std::pair<std::string_view, gpu::ShaderStage> kSuffixes[] = {
+    {".vert", gpu::ShaderStage::Vertex},
+    {".frag", gpu::ShaderStage::Fragment},
+    {".glsl", gpu::ShaderStage::Fragment},
+    {".comp", gpu::ShaderStage::Compute},
+    {".geom", gpu::ShaderStage::Geometry},
+    {".tesc", gpu::ShaderStage::TessellationControl},
+    {".tese", gpu::ShaderStage::TessellationEvaluation}};
+
+/// Nothing of others than these.
+std::optional<gpu::ShaderStage> stageOf(std::string_view suffix) {
+  const auto* const known = std::ranges::find(kSuffixes, suffix, [](const auto& one) { return one.first; });
+  return known == std::end(kSuffixes) ? std::nullopt : std::optional(known->second);
 }
 
 std::vector<std::uint32_t> wordsOf(const fs::path& path) {
@@ -70,13 +83,19 @@ gpu::ShaderInterface ofProgram(const MaterialShader& shader, gpu::ShaderStage st
   requireBounded(shader);
   std::vector<gpu::ShaderSource> files;
   for (const MaterialShader::File& file : shader.files) files.push_back({file.name, file.text});
-  return gpu::reflect(gpu::ShaderCompiler()
-                          .compile({.source = files.front(),
-                                    .stage = stage,
-                                    .includes = std::span(files).subspan(1),
-                                    .preamble = "#extension GL_GOOGLE_include_directive : enable\n",
-                                    .forReflection = true})
-                          .spirv);
+  const auto compiled = [&] {
+    try {
+      return gpu::ShaderCompiler().compile({.source = files.front(),
+                                            .stage = stage,
+                                            .includes = std::span(files).subspan(1),
+                                            .preamble = "#extension GL_GOOGLE_include_directive : enable\n",
+                                            .forReflection = true});
+    } catch (const Error& error) {
+      refuseUnclosed(shader, error.what());
+      throw;
+    }
+  };
+  return gpu::reflect(compiled().spirv);
 }
 
 /// A vertex program with the fragment program that shows what it gives.
@@ -103,7 +122,9 @@ Json jsonOf(const gpu::ShaderVariable& variable, bool laidOut) {
     json["size"] = variable.size;
     if (variable.arrayStride > 0) json["array_stride"] = variable.arrayStride;
     if (variable.matrixStride > 0) json["matrix_stride"] = variable.matrixStride;
+    if (variable.rowMajor) json["row_major"] = true;
   }
+  if (variable.patch) json["patch"] = true;
   json["active"] = variable.active;
   for (const gpu::ShaderVariable& member : variable.members)
     json["members"].push_back(jsonOf(member, laidOut));
@@ -134,8 +155,13 @@ Json jsonOf(const gpu::ShaderBlock& block, gpu::ShaderStage stage) {
 std::string arrayOf(const Json& variable) {
   std::string text;
   if (variable.contains("array"))
-    for (const Json& size : variable["array"]) text += fmt::format("[{}]", size.get<std::uint32_t>());
+    for (const Json& size : variable["array"])
+      text += size == 0 ? "[]" : fmt::format("[{}]", size.get<std::uint32_t>());
   return text;
+}
+
+bool isRuntimeSized(const Json& variable) {
+  return variable.contains("offset") && variable.contains("array") && variable["array"].front() == 0;
 }
 
 /// `tellsStages`: there are two.
@@ -149,7 +175,11 @@ std::string lineOf(const Json& variable, int indent, bool tellsStages = false) {
                                    {"size", "bytes"},
                                    {"array_stride", "array stride"},
                                    {"matrix_stride", "matrix stride"}})
-    if (variable.contains(key)) line += fmt::format(" {} {:<4}", label, variable[key].get<std::uint32_t>());
+    if (variable.contains(key) && !(isRuntimeSized(variable) && std::string_view(key) == "size"))
+      line += fmt::format(" {} {:<4}", label, variable[key].get<std::uint32_t>());
+  if (variable.contains("row_major")) line += " row major";
+  if (variable.contains("patch")) line += " of the patch";
+  if (isRuntimeSized(variable)) line += " as long as the buffer is";
   if (tellsStages)
     line += fmt::format(" in {}", fmt::join(variable["stages"].get<std::vector<std::string>>(), ", "));
   if (!variable["active"].get<bool>()) line += " not used";
@@ -177,13 +207,14 @@ void tellPreset(const std::string& shader, const std::vector<ParameterValue>& pr
 }  // namespace
 
 bool isShader(const std::string& path) {
-  constexpr std::array kSuffixes = {".vert", ".frag", ".comp", ".glsl", ".spv"};
-  return std::ranges::find(kSuffixes, fs::path(path).extension().string()) != kSuffixes.end();
+  const std::string suffix = fs::path(path).extension().string();
+  return suffix == ".spv" || stageOf(suffix);
 }
 
 Json inspectShader(const std::string& name, const ShaderUse& use) {
   const fs::path path(name);
   const std::string suffix = path.extension().string();
+  const gpu::ShaderStage stage = stageOf(suffix).value_or(gpu::ShaderStage::Fragment);
   gpu::ShaderInterface all;
   bool isMaterial = false, inStyle = false;
   if (suffix == ".spv") {
@@ -196,10 +227,10 @@ Json inspectShader(const std::string& name, const ShaderUse& use) {
                                    ? ShaderFiles(path.parent_path()).get(path.filename().string())
                                    : openMaterialShader(name);
     const bool ofPicture = use.mainImage || (hasMainImage(*shader) && !hasMaterial(*shader));
-    inStyle = suffix != ".comp" && inCourseStyle(*shader) && !hasMainImage(*shader) && !ofPicture;
+    inStyle = (stage == gpu::ShaderStage::Vertex || stage == gpu::ShaderStage::Fragment) &&
+              inCourseStyle(*shader) && !hasMainImage(*shader) && !ofPicture;
     if (inStyle && suffix == ".vert") shader = withFragmentProgram(*shader);
-    isMaterial =
-        inStyle || use.mainImage || (!hasMain(*shader) && stageOf(suffix) == gpu::ShaderStage::Fragment);
+    isMaterial = inStyle || use.mainImage || (!hasMain(*shader) && stage == gpu::ShaderStage::Fragment);
     if (isMaterial) {
       shader = ofPicture ? materialOfMainImage(shader) : materialBesideMainImage(shader);
       const MaterialProgram program(shader);
@@ -208,7 +239,7 @@ Json inspectShader(const std::string& name, const ShaderUse& use) {
       static_cast<void>(uniformControls(*shader, program.uniforms(), &warnings));
       for (const std::string& warning : warnings) log(LogLevel::Warning, warning);
     } else {
-      all = ofProgram(*shader, stageOf(suffix));
+      all = ofProgram(*shader, stage);
     }
   }
   Json json = {
@@ -226,6 +257,7 @@ Json inspectShader(const std::string& name, const ShaderUse& use) {
           {{"attributes", jsonOf(all.inputs, all.stage)}, {"varyings", jsonOf(all.outputs, all.stage)}});
     return json;
   }
+  if (!all.layout.empty()) json["layout"] = all.layout;
   json["inputs"] = jsonOf(all.inputs, all.stage);
   json["outputs"] = jsonOf(all.outputs, all.stage);
   json["blocks"] = Json::array();
@@ -247,6 +279,8 @@ std::string shaderText(const Json& json) {
     text += fmt::format("{}\n", title);
     for (const Json& variable : json[key]) text += lineOf(variable, 2, json.contains("varyings"));
   };
+  if (json.contains("layout"))
+    text += fmt::format("layout {}\n", fmt::join(json["layout"].get<std::vector<std::string>>(), ", "));
   list("uniforms", "uniforms");
   list("attributes", "attributes");
   list("varyings", "varyings");
@@ -254,8 +288,10 @@ std::string shaderText(const Json& json) {
   list("outputs", json["stage"] == "vertex" ? "varyings" : "outputs");
   if (json.contains("blocks"))
     for (const Json& block : json["blocks"]) {
-      text += fmt::format("block {}: {}, {} bytes", block["name"].get<std::string>(),
-                          block["kind"].get<std::string>(), block["size"].get<std::uint32_t>());
+      const bool grows = !block["members"].empty() && isRuntimeSized(block["members"].back());
+      text += fmt::format("block {}: {}, {} bytes{}", block["name"].get<std::string>(),
+                          block["kind"].get<std::string>(), block["size"].get<std::uint32_t>(),
+                          grows ? " and what its last member has" : "");
       if (block.contains("set"))
         text += fmt::format(", set {}, binding {}", block["set"].get<std::uint32_t>(),
                             block["binding"].get<std::uint32_t>());

@@ -409,6 +409,14 @@ double Caster::cosineLoss(const SnapshotLight& light, const Hit& hit) const {
   return 1 + glm::distance(hit.position, snapshot_.view.eye) / (8 * std::max(distance, 1e-300));
 }
 
+/// Of a light where nothing is in its way: it fades with the distance, or does not.
+Vec3 Caster::radianceAt(const SnapshotLight& light, const Vec3& position) {
+  const Vec3 toLight = Vec3(light.positionWorld) - position * light.positionWorld.w;
+  const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
+  const double squared = glm::dot(toLight, toLight);
+  return squared > 0 ? light.radiance * (fades ? 1 / squared : 1.0) : Vec3(0);
+}
+
 Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
                      const Vec3& toViewer, const Vec3& visible, double tilt) const {
   const Material& material = materialOf(hit.node);
@@ -416,8 +424,7 @@ Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Reflectio
   const double distance = glm::length(toLight);
   if (!(distance > 0)) return Vec3(0);
   const Vec3 l = toLight / distance;
-  const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
-  const Vec3 arriving = light.radiance * (fades ? 1 / (distance * distance) : 1.0);
+  const Vec3 arriving = radianceAt(light, hit.position);
   if (material.drawsLesson()) return lessonOf(reflection).added(l, arriving, visible);
   const double lift = tilt == 0 ? 0 : tilt * cosineLoss(light, hit);
   const double cosine = glm::dot(reflection.normal, l) + lift;
@@ -437,7 +444,8 @@ LessonPoint Caster::lessonOf(const Reflection& reflection) const {
 Caster::Lit Caster::lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const {
   const Reflection reflection = reflectionAt(hit);
   const SnapshotLight& one = snapshot_.lights[light];
-  Lit lit{.unshadowed = shareOf(one, hit, reflection, toViewer, Vec3(1))};
+  Lit lit{.radiance = radianceAt(one, hit.position),
+          .unshadowed = shareOf(one, hit, reflection, toViewer, Vec3(1))};
   if (shinesOn(light, hit)) lit.reaching = reaching(light, hit, lit.certified);
   lit.share = shareOf(one, hit, reflection, toViewer, lit.reaching);
   return lit;

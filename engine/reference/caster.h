@@ -132,10 +132,11 @@ class Caster {
     return reaching(snapshot_.lights[light], hit, certified);
   }
 
-  /// A light at a hit: what it adds where nothing stands before it (to an opaque surface), how much of it
-  /// reaches the hit, which is only looked for where it shines on it, and what it adds so.
+  /// A light at a hit: its radiance there and what that adds where nothing stands before it (to an opaque
+  /// surface), how much of it reaches the hit, which is only looked for where it shines on it, and what it
+  /// adds so.
   struct Lit {
-    Vec3 unshadowed{0}, reaching{0}, share{0};
+    Vec3 radiance{0}, unshadowed{0}, reaching{0}, share{0};
     bool certified = true;
   };
   [[nodiscard]] Lit lightAt(std::uint32_t light, const Hit& hit, const Vec3& toViewer) const;
@@ -211,6 +212,7 @@ class Caster {
   /// The nearer one; at one distance what is seen through, by how it looks, so that the order of nodes does
   /// not matter; of two opaque points that of the earlier node.
   [[nodiscard]] bool isInFront(const Hit& a, const Hit& b) const;
+  [[nodiscard]] static Vec3 radianceAt(const SnapshotLight& light, const Vec3& position);
   /// What a light adds to a hit; `visible`: how much of it arrives, 0 to 1.
   [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
                              const Vec3& toViewer, const Vec3& visible, double tilt = 0) const;

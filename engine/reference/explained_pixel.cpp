@@ -36,6 +36,8 @@ std::vector<LightOnPoint> lightsOn(const Caster& caster, const Hit& hit, const V
     const Caster::Lit lit = caster.lightAt(i, hit, toViewer);
     sum.light.light = lights[i].id;
     sum.position += lights[i].positionWorld;
+    sum.light.radiance += lit.radiance;
+    sum.light.arriving += lit.radiance * lit.reaching;
     sum.light.unshadowed += lit.unshadowed;
     sum.light.share += lit.share;
     sum.light.visibility += lit.reaching;

@@ -137,7 +137,8 @@ TEST_F(Inspect, APixelOfABall) {
     EXPECT_TRUE(contains(text.out, said)) << text.out << "\nlacks: " << said;
 }
 
-/// Of a shader the colour is the picture's, and nothing of the light is told that the shader may not use.
+/// Of a shader the colour is the picture's, and of the light what arrives there: what becomes of that the
+/// shader alone knows.
 TEST_F(Inspect, APixelOfAShader) {
   requireDevice();
   writeText(folder / "red.frag", "vec4 material(Point p) { return vec4(1.0, 0.25, 0.0, 1.0); }\n");
@@ -147,11 +148,73 @@ TEST_F(Inspect, APixelOfAShader) {
   EXPECT_TRUE(contains(told["points"][0]["shader"], "red.frag"));
   for (const char* unknown : {"reflected", "diffuse", "ambient"})
     EXPECT_FALSE(told["points"][0].contains(unknown)) << unknown;
+  // A light of (4, 2, 1) at 2 m, which fades by the square, beside one behind the ball and one behind a
+  // plate.
+  writeText(folder / "s.luxo.json", R"({ "luxo": 1, "materials": { "m": { "shader": "red.frag" } },
+  "surfaces": { "ball": { "type": "sphere" }, "plate": { "type": "rectangle", "size": [1, 1] } },
+  "nodes": [ { "name": "ball", "surface": "ball", "material": "m" },
+    { "name": "near", "translate": [0, 0, 3], "light": { "type": "point", "color": [1, 0.5, 0.25], "intensity": 4,
+      "attenuation": "inverse-square" } },
+    { "name": "behind", "translate": [0, 0, -3], "light": { "type": "point", "intensity": 4 } },
+    { "name": "above", "translate": [0, 9, 1.5], "light": { "type": "point", "intensity": 4, "shadow": "exact" } },
+    { "translate": [0, 4, 1.2], "surface": "plate", "material": "m" } ],
+  "camera": { "eye": [0, 0, 5], "look_at": [0, 0, 0] } })");
+  const Json lit = inspected("s.luxo.json", {"--pixel", "31,23", "--size", "63x47"});
+  const Json& lights = lit["points"][0]["lights"];
+  ASSERT_EQ(lights.size(), 3u);
+  expectVector(lights[0]["radiance"], {1, 0.5, 0.25}, 1e-12);
+  expectVector(lights[0]["arriving"], {1, 0.5, 0.25}, 1e-12);
+  EXPECT_FALSE(lights[0].contains("share"));
+  expectVector(lights[1]["radiance"], {4, 4, 4}, 1e-12);
+  expectVector(lights[1]["arriving"], {0, 0, 0}, 0);
+  expectVector(lights[2]["radiance"], {4, 4, 4}, 1e-12);
+  expectVector(lights[2]["arriving"], {0, 0, 0}, 0);
+  EXPECT_EQ(lights[2]["state"], "in shadow");
+  const Outcome text = run(folder, {"inspect", "s.luxo.json", "--pixel", "31,23", "--size", "63x47"});
+  for (const char* said :
+       {": (1, 0.5, 0.25) arrives of (1, 0.5, 0.25)", "as the shader decides, of what arrives"})
+    EXPECT_TRUE(contains(text.out, said)) << text.out << "\nlacks: " << said;
   writeText(folder / "red.frag", "vec4 material(Point p) { return vec4(nothing); }\n");
   EXPECT_EQ(run(folder, {"inspect", "red.frag", "--pixel", "15,16", "--size", "48x32"}).code, 3);
   writeText(folder / "red.frag",
             "uniform float k = 0.5; // @slider 0\nvec4 material(Point p) { return vec4(k); }\n");
   EXPECT_EQ(run(folder, {"inspect", "red.frag"}).code, 3);
+}
+
+TEST_F(Inspect, StagesThatNoMaterialHas) {
+  writeText(folder / "a.geom",
+            "#version 460\nlayout(points) in;\nlayout(triangle_strip, max_vertices = 3) out;\n"
+            "layout(std430, row_major, binding = 1) buffer B { mat3x2 m; float items[]; };\n"
+            "void main() { gl_Position = vec4(items[0], m[1], 1.0); EmitVertex(); }\n");
+  const Json told = inspected("a.geom", {});
+  EXPECT_EQ(told["stage"], "geometry");
+  EXPECT_EQ(told["layout"], (Json{"points", "triangle_strip", "max_vertices = 3", "invocations = 1"}));
+  EXPECT_EQ(told["blocks"][0]["members"][0]["row_major"], true);
+  EXPECT_EQ(told["blocks"][0]["members"][1]["array"], Json::array({0}));
+  const Outcome text = run(folder, {"inspect", "a.geom"});
+  for (const char* said :
+       {"a.geom: a geometry shader", "layout points, triangle_strip, max_vertices = 3",
+        "32 bytes and what its last member has", "row major", "items[]", "as long as the buffer is"})
+    EXPECT_TRUE(contains(text.out, said)) << text.out << "\nlacks: " << said;
+  writeText(folder / "a.tesc",
+            "#version 460\nlayout(vertices = 4) out;\nvoid main() { gl_TessLevelOuter[0] = 1.0; }\n");
+  EXPECT_TRUE(contains(run(folder, {"inspect", "a.tesc"}).out, "a tessellation control shader"));
+  writeText(folder / "a.tese", "#version 460\nlayout(quads) in;\nvoid main() { gl_Position = vec4(1.0); }\n");
+  EXPECT_TRUE(contains(run(folder, {"inspect", "a.tese"}).out, "a tessellation evaluation shader"));
+  writeText(folder / "b.tese", "#version 460\nlayout(quads) in;\nvoid main() { gl_Position = none; }\n");
+  expectFailure(run(folder, {"inspect", "b.tese"}), 3, "b.tese:3:29: 'none' : undeclared identifier");
+  expectFailure(run(folder, {"render", "a.geom", "-o", "a.png"}), 2,
+                "is a shader that draws nothing by itself", "luxo inspect tells");
+  // SPIR-V of a stage that is not read: a kernel with nothing in it.
+  const std::uint32_t kernel[] = {0x07230203, 0x00010000, 0,          6,              // header
+                                  0x00020011, 4,          0x00020011, 6,              // Addresses, Kernel
+                                  0x0003000e, 1,          2,                          // physical32, OpenCL
+                                  0x0004000f, 6,          3,          0x00000061,     // entry point "a"
+                                  0x00020013, 1,          0x00030021, 2,          1,  // void, void()
+                                  0x00050036, 1,          3,          0,          2,
+                                  0x000200f8, 4,          0x000100fd, 0x00010038};
+  writeText(folder / "k.spv", std::string(reinterpret_cast<const char*>(kernel), sizeof kernel));
+  EXPECT_EQ(run(folder, {"inspect", "k.spv"}).code, 3);
 }
 
 TEST_F(Inspect, APixelOfTheBackground) {
