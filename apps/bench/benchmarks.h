@@ -34,4 +34,8 @@ void registerKnotFrames(gpu::Context& context);
 /// From the start of `luxo_grandpa -o` to a PNG on disk, with empty caches beside full ones.
 void registerStart();
 
+/// From a shader that is saved to its new picture, without the driver's own compiling (luxo/bench_reload.h).
+/// From its first run on this process keeps in no cache what it compiles: it comes last.
+void registerShaders();
+
 }  // namespace luxo::bench

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     bench::registerKnotFrames(context);
     bench::registerStages(lamp);
     bench::registerStart();
+    bench::registerShaders();
     bench::Report report;
     benchmark::RunSpecifiedBenchmarks(&report);
     benchmark::Shutdown();

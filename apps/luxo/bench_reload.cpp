@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -27,9 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// From the least to what is long and calls noise many times.
-constexpr std::array kShaders = {"gooch.frag", "steel.frag", "wood.frag", "ice.frag", "dent.frag"};
 
 constexpr std::string_view kMaterial = "vec4 material(Point p)";
 
@@ -69,6 +65,10 @@ void reload(Renderer& renderer, const fs::path& file, const std::string& text, P
 
 }  // namespace
 
+std::vector<std::string> reloadShaders() {
+  return {"gooch.frag", "steel.frag", "wood.frag", "ice.frag", "dent.frag"};
+}
+
 std::optional<ReloadBench> benchReload(const gpu::ContextDesc& desc, const ReloadPlan& plan,
                                        const std::function<bool(double)>& goesOn) {
   const TemporaryFolder folder;
@@ -78,9 +78,9 @@ std::optional<ReloadBench> benchReload(const gpu::ContextDesc& desc, const Reloa
   ReloadBench bench{
       .machine = fingerprintOf(context.deviceInfo()), .size = plan.size, .runs = plan.runs, .rows = {}};
   Renderer renderer(context);
-  const int all = static_cast<int>(kShaders.size()) * (plan.runs + 1);
+  const int all = static_cast<int>(plan.shaders.size()) * (plan.runs + 1);
   int done = 0;
-  for (const char* shader : kShaders) {
+  for (const std::string& shader : plan.shaders) {
     const MaterialShaderPtr ofGallery = galleryShaderFiles()->get(shader);
     for (const MaterialShader::File& file : ofGallery->files)
       save(folder.path() / fs::path(file.name).filename(), file.text);
@@ -96,7 +96,8 @@ std::optional<ReloadBench> benchReload(const gpu::ContextDesc& desc, const Reloa
     bench.rows.push_back({.shader = shader,
                           .totalMs = typicalOf(times.total),
                           .driverMs = typicalOf(times.driver),
-                          .ownMs = typicalOf(times.own)});
+                          .ownMs = typicalOf(times.own),
+                          .own = times.own});
   }
   return bench;
 }

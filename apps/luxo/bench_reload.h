@@ -22,8 +22,12 @@ struct ReloadRow {
   /// Of that, the driver's own: making pipelines, and compiling them when they first draw, which is by how
   /// much the device takes longer than for the same picture drawn again.
   Typical driverMs;
-  Typical ownMs;  ///< the rest, drawing included
+  Typical ownMs;            ///< the rest, drawing included
+  std::vector<double> own;  ///< that of each run
 };
+
+/// Those of the gallery that are edited: from the least to what is long and calls noise many times.
+[[nodiscard]] std::vector<std::string> reloadShaders();
 
 struct ReloadBench {
   Fingerprint machine;
@@ -35,6 +39,7 @@ struct ReloadBench {
 struct ReloadPlan {
   PixelSize size{640, 360};
   int runs = 15;  ///< of each shader, each by another text that no cache knows
+  std::vector<std::string> shaders = reloadShaders();
 };
 
 /// On a context of its own. `goesOn` as for measureScene(): nothing once it says no. Throws what Context,
