@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -45,33 +48,45 @@ int runLab(const LabOptions& options) {
   return showShader(options.file, use, request);
 }
 
+/// Of a shader that is there and has errors the scene without it, and these over it, until it is mended.
+ViewedScene readOrPlain(const std::string& shader, const ShaderUse& use, const RenderRequest& request,
+                        ViewerOptions& viewer) {
+  try {
+    return viewer.readAgain(viewer.files);
+  } catch (const Error& error) {
+    std::error_code ignored;
+    if (error.kind() != ErrorKind::Scene || !std::filesystem::exists(shader, ignored)) throw;
+    viewer.problem = error;
+    try {
+      return viewedScene(openSceneOf(use, {.allowOutside = request.allowOutside}), request);
+    } catch (const Error&) {
+      // The scene is wrong, not the shader.
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 int showShader(const std::string& shader, const ShaderUse& use, const RenderRequest& request) {
-  std::vector<std::string> warnings;
-  const auto read = [shader, use, request, &warnings] {
-    std::vector<NamedFile> inputs;
-    warnings.clear();
+  ViewerOptions viewer = viewerOptions(shader, request);
+  viewer.shader = shader;
+  viewer.readAgain = [shader, use, request](ViewerOptions::Files& files) {
+    std::vector<std::string> warnings;
     OpenedShader opened = openShader(shader, use,
                                      {.parameters = request.parameters,
                                       .warnings = &warnings,
                                       .about = WarningsAbout::WhatIsLacking,
-                                      .inputs = &inputs,
+                                      .files = &files,
                                       .allowOutside = request.allowOutside});
     ViewedScene viewed = viewedScene(std::move(opened.scene), request);
     viewed.controls = std::move(opened.controls);
     viewed.mouse = std::move(opened.mouse);
-    for (NamedFile& input : inputs) viewed.files.push_back(std::move(input.path));
-    return viewed;
-  };
-  ViewerOptions viewer = viewerOptions(shader, request);
-  viewer.shader = shader;
-  viewer.readAgain = [&read, &warnings] {
-    ViewedScene viewed = read();
     for (const std::string& warning : warnings) printWarning(warning);
     return viewed;
   };
-  return runViewer(viewer.readAgain(), viewer);
+  ViewedScene viewed = readOrPlain(shader, use, request, viewer);
+  return runViewer(std::move(viewed), viewer);
 }
 
 void addLab(CLI::App& app, Command& chosen) {

@@ -9,7 +9,8 @@
 
 namespace luxo {
 
-/// Until its user closes the window; gives the exit code. Errors as openShader() and runViewer() have them.
+/// Until its user closes the window; gives the exit code. Errors as openShader() and runViewer() have them;
+/// but one of the shader itself, where that is there, is shown in the window until it is mended.
 [[nodiscard]] int showShader(const std::string& shader, const ShaderUse& use, const RenderRequest& request);
 
 }  // namespace luxo

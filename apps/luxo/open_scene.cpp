@@ -25,6 +25,7 @@
 #include "scenes/embedded_scenes.h"
 #include "scenes/gallery.h"
 #include "scenes/primitives.h"
+#include "shader_inspection.h"
 #include "shader_scene.h"
 
 namespace luxo {
@@ -66,10 +67,25 @@ std::string summaryOf(std::string_view text) {
   return summary;
 }
 
-void addInputs(std::span<const std::filesystem::path> files, std::vector<NamedFile>* inputs) {
+/// Where it could be: files that the program carries have folders that are nowhere.
+void addNamed(const std::filesystem::path& file, const Opening& opening) {
   std::error_code ignored;
-  for (const std::filesystem::path& file : files)
-    if (inputs && std::filesystem::exists(file, ignored)) inputs->push_back({"a file of the scene", file});
+  if (opening.files && std::filesystem::exists(file.has_parent_path() ? file.parent_path() : ".", ignored))
+    opening.files->push_back(file);
+}
+
+void addFile(const char* what, const std::filesystem::path& file, const Opening& opening) {
+  if (opening.inputs) opening.inputs->push_back({what, file});
+  addNamed(file, opening);
+}
+
+void addFiles(std::span<const std::filesystem::path> files, const Opening& opening) {
+  std::error_code ignored;
+  for (const std::filesystem::path& file : files) {
+    addNamed(file, opening);
+    if (opening.inputs && std::filesystem::exists(file, ignored))
+      opening.inputs->push_back({"a file of the scene", file});
+  }
 }
 
 bool isBuiltin(const std::string& scene) {
@@ -104,16 +120,26 @@ void refuseParameters(const std::string& scene, std::span<const ParameterValue> 
                 fmt::format("{} has no parameters", scene));
 }
 
-OpenedScene openDescription(SceneFile file, const Opening& opening) {
-  Scene scene = buildScene(file, opening.parameters, opening.warnings, opening.about);
-  return {std::move(scene), std::move(file)};
+/// With the files that it names, as far as it is built.
+Scene builtScene(const SceneFile& file, std::span<const ParameterValue> parameters, const Opening& opening) {
+  const auto addFilesOf = [&opening](const SceneSource& source) {
+    if (source.models) addFiles(source.models->files(), opening);
+    if (source.textures) addFiles(source.textures->files(), opening);
+    if (source.shaders) addFiles(source.shaders->files(), opening);
+  };
+  try {
+    Scene scene = buildScene(file, parameters, opening.warnings, opening.about);
+    addFilesOf(file.source);
+    return scene;
+  } catch (const Error&) {
+    addFilesOf(file.source);
+    throw;
+  }
 }
 
-void addFilesOf(const SceneFile& description, std::vector<NamedFile>* inputs) {
-  const SceneSource& source = description.source;
-  if (source.models) addInputs(source.models->files(), inputs);
-  if (source.textures) addInputs(source.textures->files(), inputs);
-  if (source.shaders) addInputs(source.shaders->files(), inputs);
+OpenedScene openDescription(SceneFile file, const Opening& opening) {
+  Scene scene = builtScene(file, opening.parameters, opening);
+  return {std::move(scene), std::move(file)};
 }
 
 /// The formulas that a model carries, with the files that they name, which lead to no others. Nothing, with a
@@ -142,7 +168,7 @@ FileOptions fileOptionsOf(const Opening& opening, const std::weak_ptr<ProgressBa
 OpenedScene openModel(const std::string& file, const Opening& opening, const FileOptions& files) {
   const auto model = std::make_shared<const Model>(
       readModel(file, {.allowOutside = files.allowOutside, .progress = files.progress}));
-  addInputs(model->files, opening.inputs);
+  addFiles(model->files, opening);
   if (auto carried = openCarried(*model, file, opening)) return std::move(*carried);
   refuseParameters(file, opening.parameters);
   if (opening.warnings)
@@ -166,7 +192,12 @@ std::vector<BuiltinScene> builtinScenes() {
 OpenedScene openDescribedScene(const std::string& scene, const Opening& opening) {
   const bool isFile = !isBuiltin(scene);
   if (isFile && namesMaterialShader(scene)) return {openShader(scene, {}, opening).scene, std::nullopt};
-  if (opening.inputs && isFile && scene != kStandardInput) opening.inputs->push_back({"the scene", scene});
+  if (isFile && isShader(scene))
+    throw Error(
+        ErrorKind::Usage, fmt::format("'{}' is a shader that draws nothing by itself", scene),
+        "materials have fragment and vertex programs (.frag, .glsl, .vert); luxo inspect tells what any "
+        "shader takes and gives");
+  if (isFile && scene != kStandardInput) addFile("the scene", scene, opening);
   const auto bar = std::make_shared<ProgressBar>(opening.showsProgress);
   const FileOptions files = fileOptionsOf(opening, bar);
   if (isFile && namesModel(scene)) return openModel(scene, opening, files);
@@ -175,9 +206,7 @@ OpenedScene openDescribedScene(const std::string& scene, const Opening& opening)
     refuseParameters(scene, opening.parameters);
     return {primitives(), std::nullopt};
   }
-  OpenedScene opened = openDescription(std::move(*description), opening);
-  addFilesOf(*opened.description, opening.inputs);
-  return opened;
+  return openDescription(std::move(*description), opening);
 }
 
 std::optional<SceneFile> sceneDescription(const std::string& scene, const FileOptions& files) {
@@ -200,15 +229,20 @@ MaterialShaderPtr openMaterialShader(const std::string& shader) {
 }
 
 OpenedShader openShader(const std::string& shader, const ShaderUse& use, const Opening& opening) {
-  std::vector<NamedFile>* const inputs = opening.inputs;
-  if (inputs) inputs->push_back({"the shader", shader});
-  if (inputs && !use.scene.empty() && !isBuiltin(use.scene)) inputs->push_back({"the scene", use.scene});
+  addFile("the shader", shader, opening);
+  if (!use.scene.empty() && !isBuiltin(use.scene)) addFile("the scene", use.scene, opening);
+  if (opening.files)
+    for (const std::filesystem::path& program : programsOf(shader))
+      for (const std::filesystem::path& file : filesNamedBy(program)) addNamed(file, opening);
   ShaderScene shown =
       shaderScene(shader, use, opening.parameters, opening.warnings, {.allowOutside = opening.allowOutside});
-  Scene scene = buildScene(shown.description, shown.parameters, opening.warnings, opening.about);
-  addInputs(shown.files, inputs);
-  addFilesOf(shown.description, inputs);
+  addFiles(shown.files, opening);
+  Scene scene = builtScene(shown.description, shown.parameters, opening);
   return {std::move(scene), std::move(shown.controls), std::move(shown.mouse)};
+}
+
+Scene openSceneOf(const ShaderUse& use, const Opening& opening) {
+  return builtScene(sceneOfShader(use, {.allowOutside = opening.allowOutside}), {}, opening);
 }
 
 Scene openScene(const std::string& scene, const Opening& opening) {

@@ -34,6 +34,8 @@ struct Opening {
   WarningsAbout about = WarningsAbout::All;
   /// Takes the files that it is made of, so that none is overwritten.
   std::vector<NamedFile>* inputs = nullptr;
+  /// Takes all files that it names, there or not, also where it throws: what may mend it.
+  std::vector<std::filesystem::path>* files = nullptr;
   bool allowOutside = false;   ///< images and models may be outside of the folder of who names them
   bool showsProgress = false;  ///< of the reading of models that take a while (progress_bar.h)
 };
@@ -74,6 +76,8 @@ struct OpenedShader {
 };
 [[nodiscard]] OpenedShader openShader(const std::string& shader, const ShaderUse& use,
                                       const Opening& opening = {});
+/// The scene that it would be on, with materials of its own.
+[[nodiscard]] Scene openSceneOf(const ShaderUse& use, const Opening& opening = {});
 
 /// What -P says, as descriptions take it.
 [[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);

@@ -322,6 +322,17 @@ MaterialShaderPtr shaderInFile(const fs::path& file) {
              : shader;
 }
 
+std::vector<fs::path> programsOf(const fs::path& file) {
+  std::vector<fs::path> programs{file};
+  if (file.extension() == ".frag") programs.push_back(fs::path(file).replace_extension(".vert"));
+  if (file.extension() == ".vert") programs.push_back(fs::path(file).replace_extension(".frag"));
+  return programs;
+}
+
+SceneFile sceneOfShader(const ShaderUse& use, const FileOptions& files) {
+  return sceneOf("the scene of a shader", use.scene, files);
+}
+
 ShaderScene shaderScene(const std::string& shader, const ShaderUse& use,
                         std::span<const ParameterValue> given, std::vector<std::string>* warnings,
                         const FileOptions& files) {

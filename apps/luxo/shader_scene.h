@@ -23,6 +23,9 @@ namespace luxo {
 /// ShaderFiles::get().
 [[nodiscard]] MaterialShaderPtr shaderInFile(const std::filesystem::path& file);
 
+/// The files that it has, or would have: the file, and what would belong to it beside it.
+[[nodiscard]] std::vector<std::filesystem::path> programsOf(const std::filesystem::path& file);
+
 /// How a shader is shown.
 struct ShaderUse {
   std::string scene = {};  ///< a scene file, built-in scene or model; empty: luxo's own, of a ball and a ring
@@ -38,6 +41,9 @@ struct ShaderScene {
   std::vector<std::string> mouse;            ///< parameters that are iMouse, where the shader reads it
   std::vector<std::filesystem::path> files;  ///< of the shader
 };
+
+/// What shaderScene() gives the shader to, without it; `use.material` may be of none. Errors as there.
+[[nodiscard]] SceneFile sceneOfShader(const ShaderUse& use, const FileOptions& files = {});
 
 /// Whether a file is one that shaderScene() takes, by its suffix: .frag, .glsl, .vert.
 [[nodiscard]] bool namesMaterialShader(const std::string& path);

@@ -27,21 +27,19 @@ void addView(CLI::App& app, Command& chosen) {
       const std::string name = request.scene.empty() ? "luxo-grandpa" : request.scene;
       const ShaderUse use = shaderUse(name, *shader);
       if (namesMaterialShader(name)) return showShader(name, use, request);
-      const auto read = [name, request] {
-        std::vector<NamedFile> inputs;
+      ViewerOptions viewer = viewerOptions(name, request);
+      viewer.readAgain = [name, request](ViewerOptions::Files& files) {
         OpenedScene opened =
             openDescribedScene(name, {.parameters = request.parameters,
-                                      .inputs = &inputs,
+                                      .files = &files,
                                       .allowOutside = request.allowOutside,
                                       .showsProgress = request.verbosity == Verbosity::Normal});
         ViewedScene viewed = viewedScene(std::move(opened.scene), request);
         viewed.loop = opened.duration;
-        for (NamedFile& input : inputs) viewed.files.push_back(std::move(input.path));
         return viewed;
       };
-      ViewerOptions viewer = viewerOptions(name, request);
-      viewer.readAgain = read;
-      return runViewer(read(), viewer);
+      ViewedScene viewed = viewer.readAgain(viewer.files);
+      return runViewer(std::move(viewed), viewer);
     };
   });
 }

@@ -2,11 +2,14 @@
 // A scene in a window: what `luxo view` and `luxo_grandpa` open.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "draw/options.h"
 #include "math/interval.h"
 #include "scene/scene.h"
@@ -31,8 +34,7 @@ struct ViewedScene {
   Scene scene;
   RenderSettings settings = {};  ///< size, first moment, shading, samples, tolerance, frames per second
   CameraId camera = {};          ///< none: the scene's first
-  std::vector<std::filesystem::path> files = {};  ///< that it is made of: all are watched
-  std::vector<ParameterControl> controls = {};    ///< other parameters with a range have a slider each
+  std::vector<ParameterControl> controls = {};  ///< other parameters with a range have a slider each
   /// Parameters that follow the mouse (viewer/picture_mouse.h): four, or none.
   std::vector<std::string> mouse = {};
   double loop = 0;  ///< seconds after which it plays from 0 on again; 0: never
@@ -46,8 +48,13 @@ struct ViewerOptions {
   bool validate = false;    ///< Vulkan validation layers on; any message fails the run
   std::string shader = {};  ///< whose presets (shader_presets.h) can be taken and saved; empty: none
   /// Reads the scene: the viewer asks for it whenever one of its files is saved. What it throws is shown over
-  /// the last good scene, until the next time.
-  std::function<ViewedScene()> readAgain = {};
+  /// the last good scene, until the next time. `files` gets those that it is made of, there or not, also
+  /// where it throws.
+  using Files = std::vector<std::filesystem::path>;
+  std::function<ViewedScene(Files& files)> readAgain = {};
+  Files files = {};  ///< of the first time: all are watched
+  std::chrono::system_clock::time_point begun = std::chrono::system_clock::now();  ///< before that
+  std::optional<Error> problem = {};  ///< why the first scene is not the one that was asked for
 };
 
 /// Shows the scene until its user closes the window, and gives the exit code. Nothing is drawn while nothing

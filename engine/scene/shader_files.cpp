@@ -56,6 +56,25 @@ std::optional<Include> nextInclude(const std::string& text, std::size_t from) {
 const MaterialShader::File kFixedFragments = {
     "fixed functionality", "void main() { gl_FragColor = gl_Color * texture2D(0, gl_TexCoord[0].st); }\n"};
 
+std::vector<fs::path> filesNamedBy(const fs::path& shader) {
+  std::vector<fs::path> files{shader.lexically_normal()};
+  for (std::size_t i = 0; i < files.size() && i < kMaxShaderFiles; ++i) {
+    std::string text;
+    try {
+      text = readText(files[i], {});
+    } catch (const Error&) {
+      continue;
+    }
+    std::size_t from = 0;
+    while (const std::optional<Include> include = nextInclude(text, from)) {
+      from = include->where.end;
+      fs::path file = (files[i].parent_path() / include->name).lexically_normal();
+      if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));
+    }
+  }
+  return files;
+}
+
 void ShaderFiles::addIncluded(std::vector<MaterialShader::File>& files, std::size_t index,
                               const fs::path& folder) const {
   std::size_t from = 0;
@@ -111,7 +130,16 @@ void ShaderFiles::put(const std::string& name, MaterialShaderPtr shader) {
 }
 
 std::vector<fs::path> ShaderFiles::files() {
-  return options_.from.isDisk() ? read() : std::vector<fs::path>();
+  if (!options_.from.isDisk()) return {};
+  std::vector<fs::path> files = read();
+  const std::lock_guard lock(mutex_);
+  for (const auto& [names, shader] : shaders_)
+    for (const std::string* name : {&names.first, &names.second})
+      if (!shader && !name->empty()) {
+        const std::vector<fs::path> named = filesNamedBy(folder_ / *name);
+        files.insert(files.end(), named.begin(), named.end());
+      }
+  return files;
 }
 
 FilesInMemory ShaderFiles::inMemory() {

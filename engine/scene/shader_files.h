@@ -20,11 +20,15 @@ namespace luxo {
 /// Of one file, and of files of one shader: a hundred times what a long one has.
 inline constexpr std::size_t kMaxShaderBytes = std::size_t{1} << 18, kMaxShaderFiles = 64;
 
-/// Safe from any thread.
 /// The fragment program of a vertex program that has none: what the fixed functionality does with one
 /// texture. Its name is no file's.
 extern const MaterialShader::File kFixedFragments;
 
+/// All files on disk that the shader in one is made of, there or not: those that it includes, and those that
+/// they do, as far as they can be read. It comes first.
+[[nodiscard]] std::vector<std::filesystem::path> filesNamedBy(const std::filesystem::path& shader);
+
+/// Safe from any thread.
 class ShaderFiles {
  public:
   /// `folder`: of the scene; empty: the current one.
@@ -39,7 +43,8 @@ class ShaderFiles {
   [[nodiscard]] MaterialShaderPtr get(const std::string& name, const std::string& vertex = {});
   /// Gives a name to a shader that is in no file of that name: get() finds it first.
   void put(const std::string& name, MaterialShaderPtr shader);
-  /// On disk, of all shaders so far, what they include among them.
+  /// On disk, of all shaders so far, what they include among them; of one that cannot be read all that it
+  /// names.
   [[nodiscard]] std::vector<std::filesystem::path> files();
   /// What the shaders so far were read from (scene/scene_folder.h).
   [[nodiscard]] FilesInMemory inMemory();

@@ -87,6 +87,19 @@ TEST_F(SceneShader, IncludesAreRelativeToTheirFileAndInTheFolder) {
               HasSubstr("n.frag:2:11: the included file '../outside.glsl' is outside"));
 }
 
+// What may mend one that cannot be read: all that it names, there or not.
+TEST_F(SceneShader, FilesOfOnesWithErrorsAreNamed) {
+  write("m.frag", "#include \"lib/a.glsl\"\n#include \"gone.glsl\"\n");
+  write("lib/a.glsl", "#include \"b.glsl\"\n#include \"../m.frag\"\n");
+  const auto at = [&](const char* name) { return (folder / name).lexically_normal(); };
+  const auto all = testing::ElementsAre(at("m.frag"), at("lib/a.glsl"), at("gone.glsl"), at("lib/b.glsl"));
+  EXPECT_THAT(filesNamedBy(folder / "m.frag"), all);
+  EXPECT_THAT(filesNamedBy(folder / "none.frag"), testing::ElementsAre(at("none.frag")));
+  ShaderFiles files(folder.path());
+  EXPECT_NE(messageOf([&] { static_cast<void>(files.get("m.frag")); }), "");
+  EXPECT_THAT(files.files(), all);
+}
+
 // As the gallery's are: a program that carries its shaders reads no file.
 TEST_F(SceneShader, CarriedOnesAreNotLookedForOnDisk) {
   write("m.frag", "on disk");

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/inotify.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,14 +14,29 @@
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "base/log.h"
 
 namespace luxo {
 namespace {
 
+namespace fs = std::filesystem;
+
 // Written in place and closed, or renamed to it.
 constexpr std::uint32_t kSaved = IN_CLOSE_WRITE | IN_MOVED_TO;
+
+/// Of the system's clock that dates files: it stands still between two ticks, of which there are 100 a second
+/// or more.
+constexpr std::chrono::milliseconds kTick{10};
+
+/// When the file was written, or got its name; the earliest time where there is none.
+FileWatch::Clock::time_point savedAt(const fs::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0) return FileWatch::Clock::time_point::min();
+  return FileWatch::Clock::time_point(std::chrono::duration_cast<FileWatch::Clock::duration>(
+      std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec)));
+}
 
 }  // namespace
 
@@ -28,30 +44,56 @@ FileWatch::Descriptor::~Descriptor() {
   if (number >= 0) close(number);
 }
 
-FileWatch::FileWatch(const std::vector<std::filesystem::path>& files, std::function<void()> notify)
-    : notify_(std::move(notify)) {
-  if (files.empty()) return;
-  events_.number = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
-  end_.number = eventfd(0, EFD_CLOEXEC);
-  for (const std::filesystem::path& file : files) watch(file);
-  if (places_.empty() || end_.number < 0) return;
-  try {
-    listener_ = std::thread([this] { listen(); });
-  } catch (const std::system_error& error) {
-    log(LogLevel::Warning,
-        fmt::format("cannot watch '{}' for changes: {}", files.front().string(), error.what()));
+void FileWatch::watch(const std::vector<fs::path>& files, Clock::time_point begun) {
+  if (!files.empty() && events_.number < 0) open();
+  std::vector<fs::path> added;
+  for (const fs::path& file : files)
+    if (std::ranges::find(files_, file) == files_.end() && std::ranges::find(added, file) == added.end())
+      added.push_back(file);
+  std::vector<Place> places;
+  for (const fs::path& file : files) {
+    std::vector<Place> some = placesOf(file);
+    if (some.empty() && std::ranges::find(added, file) != added.end())
+      log(LogLevel::Warning,
+          fmt::format("cannot watch '{}' for changes: {}", file.string(), std::strerror(errno)));
+    for (Place& place : some)
+      if (std::ranges::find(places, place) == places.end()) places.push_back(std::move(place));
+  }
+  files_ = files;
+  {
+    const std::lock_guard lock(mutex_);
+    places_ = std::move(places);
+  }
+  // What is saved from here on is told.
+  if (std::ranges::any_of(added, [&](const fs::path& file) { return savedAt(file) + kTick >= begun; })) {
+    saved_ = true;
+    notify_();
   }
 }
 
-void FileWatch::watch(const std::filesystem::path& file) {
-  const std::size_t before = places_.size();
-  if (events_.number >= 0) add(file);
-  if (places_.size() == before)
-    log(LogLevel::Warning,
-        fmt::format("cannot watch '{}' for changes: {}", file.string(), std::strerror(errno)));
+void FileWatch::open() {
+  events_.number = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+  end_.number = eventfd(0, EFD_CLOEXEC);
+  if (events_.number < 0 || end_.number < 0) return;
+  try {
+    listener_ = std::thread([this] { listen(); });
+  } catch (const std::system_error& error) {
+    log(LogLevel::Warning, fmt::format("cannot watch files for changes: {}", error.what()));
+  }
+}
+
+std::vector<FileWatch::Place> FileWatch::placesOf(const fs::path& file) const {
+  std::vector<Place> places;
+  const auto add = [&](const fs::path& one) {
+    const fs::path folder = one.has_parent_path() ? one.parent_path() : ".";
+    const int watch = inotify_add_watch(events_.number, folder.c_str(), kSaved);
+    if (watch >= 0) places.push_back({watch, one.filename().string()});
+  };
+  add(file);
   std::error_code unresolved;
-  const std::filesystem::path target = std::filesystem::canonical(file, unresolved);
-  if (events_.number >= 0 && !unresolved && std::filesystem::is_symlink(file, unresolved)) add(target);
+  const fs::path target = fs::canonical(file, unresolved);
+  if (!places.empty() && !unresolved && fs::is_symlink(file, unresolved)) add(target);
+  return places;
 }
 
 FileWatch::~FileWatch() {
@@ -60,12 +102,6 @@ FileWatch::~FileWatch() {
   while (write(end_.number, &one, sizeof one) < 0 && errno == EINTR) {
   }
   listener_.join();
-}
-
-void FileWatch::add(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const int watch = inotify_add_watch(events_.number, folder.c_str(), kSaved);
-  if (watch >= 0) places_.push_back({watch, file.filename().string()});
 }
 
 void FileWatch::listen() {
@@ -80,6 +116,8 @@ void FileWatch::listen() {
     for (ssize_t at = 0; at < size;) {
       const auto* event = reinterpret_cast<const inotify_event*>(buffer + at);
       at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+      saved |= (event->mask & IN_Q_OVERFLOW) != 0;  // of which files nobody knows
+      const std::lock_guard lock(mutex_);
       saved |= event->len > 0 && std::ranges::any_of(places_, [&](const Place& place) {
                  return place.watch == event->wd && place.name == event->name;
                });

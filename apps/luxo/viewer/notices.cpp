@@ -39,13 +39,16 @@ std::optional<Notices::Clock::time_point> Notices::end() const {
 
 void Notices::file(const std::string& problem) {
   problem_ = problem;
+  neverRead_ = neverRead_ && !problem.empty();
   if (!problem_.empty()) log(LogLevel::Debug, problem_);
 }
 
 void Notices::addPanels(std::vector<window::Panel>& panels, const std::string& impossible,
                         const std::string& refused, PixelSize size, double contentScale) const {
   const std::pair<const char*, const std::string&> wrong[] = {
-      {"The file has errors. This is the scene before them.", problem_},
+      {neverRead_ ? "The shader has errors. This is the scene without it."
+                  : "The file has errors. This is the scene before them.",
+       problem_},
       {"There is no picture of this moment.", impossible},
       {"This cannot be drawn. The picture is the one before.", refused},
       {"Shaders do what they must not.", faults_}};

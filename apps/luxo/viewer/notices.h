@@ -32,6 +32,11 @@ class Notices {
   /// What is wrong: of the file as it was saved, with the moment, with what there is to draw, and with what
   /// shaders do. Empty: nothing.
   void file(const std::string& problem);
+  /// The file has been wrong from the beginning.
+  void neverRead(const std::string& problem) {
+    file(problem);
+    neverRead_ = true;
+  }
   void shaders(const std::string& faults) { faults_ = faults; }
   [[nodiscard]] const std::string& shaders() const { return faults_; }
 
@@ -43,6 +48,7 @@ class Notices {
   std::optional<Message> message_;
   Clock::time_point end_;
   std::string problem_, faults_;
+  bool neverRead_ = false;
 };
 
 }  // namespace luxo

@@ -91,13 +91,16 @@ class Viewer {
         controls_(viewed_, options, context_.supportedSamples(4) == VK_SAMPLE_COUNT_4_BIT, Clock::now()),
         moment_(viewed_, controls_),
         presets_(options.shader),
-        watch_(std::in_place, viewed_.files, [this] { window_.wake(); }) {
+        watch_([this] { window_.wake(); }) {
     status_.title = options.title;
     status_.tellsPasses = !options.shader.empty();
     status_.device = context_.deviceInfo().name;
     painter_.setInterruption([this] { return Clock::now() >= patienceEnd_ && window_.asked(); });
     look();
     endClothWithWindow(viewed_.scene);
+    if (options.problem) notices_.neverRead(inWords(*options.problem));
+    files_ = options.files;
+    watch_.watch(files_, options.begun);
   }
 
   void run() {
@@ -169,7 +172,7 @@ class Viewer {
     const bool wasPlaying = controls_.playback().playing();
     for (const window::Input& input : events.inputs)
       std::visit([this](const auto& what) { obey(what); }, input);
-    if (watch_->takeSaved()) readAgain();
+    if (watch_.takeSaved()) readAgain();
     if (controls_.playback().playing() != wasPlaying)
       log(LogLevel::Debug, fmt::format("{} at {:.3f} s after {} submits", wasPlaying ? "paused" : "going on",
                                        controls_.playback().seconds(now), submits()));
@@ -265,20 +268,27 @@ class Viewer {
   // A file of the scene was saved. What cannot be read leaves everything as it is.
   void readAgain() {
     ++readings_;
+    const FileWatch::Clock::time_point begun = FileWatch::Clock::now();
+    ViewerOptions::Files files;
     try {
-      ViewedScene next = options_.readAgain();
+      ViewedScene next = options_.readAgain(files);
       endClothWithWindow(next.scene);
       const double seconds = controls_.playback().seconds(Clock::now());
       painter_.check(takeSnapshot(next.scene, seconds, next.settings.size, next.camera), optionsOfNext());
       controls_.adopt(viewed_, next, Clock::now());
-      if (next.files != viewed_.files) watch_.emplace(next.files, [this] { window_.wake(); });
       viewed_ = std::move(next);
+      files_.clear();
       notices_.file({});
       look();
       log(LogLevel::Debug, "shows the scene as it was saved");
     } catch (const Error& error) {
       notices_.file(inWords(error));
     }
+    // Of what has errors the files that it names, and those that were good.
+    files_.insert(files_.end(), files.begin(), files.end());
+    std::ranges::sort(files_);
+    files_.erase(std::unique(files_.begin(), files_.end()), files_.end());
+    watch_.watch(files_, begun);
   }
 
   // A scene comes into view.
@@ -606,7 +616,8 @@ class Viewer {
   std::vector<window::GrabArea> areas_;
   std::uint64_t shownGeneration_ = 0;
 
-  std::optional<FileWatch> watch_;  // ends before what it wakes
+  ViewerOptions::Files files_;
+  FileWatch watch_;  // ends before what it wakes
 };
 
 }  // namespace

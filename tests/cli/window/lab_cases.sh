@@ -64,6 +64,60 @@ case_lab() {
   quit
 }
 
+# A shader that has errors from the beginning: they are told over the scene without it, until it is mended.
+case_lab_broken() {
+  open_screen
+  write_tint 'p.norml'
+  lab tint.frag --size 640x360
+  await "the mistake is told" logged "tint.frag:4:44: 'norml'" 1
+  settle
+  shot broken
+  write_tint 'tint'
+  await "it is mended" logged 'shows the scene as it was saved' 1
+  await "and shown" screen_is_not broken
+  photo mended.png
+  render_tint -o mended_file.png
+  same mended.png mended_file.png "as it was saved"
+  drag_slider 0 120
+  await "its uniforms have sliders" logged 'a parameter is turned' 1
+  quit
+}
+
+# write_with INCLUDES...: tint.frag by renaming, as editors save.
+write_with() {
+  local file
+  for file in "$@"; do echo "#include \"$file\""; done > "$folder/next.frag"
+  echo 'vec4 material(Point p) { return vec4(more(0.5), 0.25, 0.0, 1.0); }' >> "$folder/next.frag"
+  mv "$folder/next.frag" "$folder/tint.frag"
+}
+# What a save that has errors names is watched, too, whether it is there or not.
+case_lab_includes() {
+  open_screen
+  write_tint tint
+  lab tint.frag --size 640x360
+  echo 'float more(float x) { return y; }' > "$folder/more.glsl"
+  write_with more.glsl
+  await "the mistake in it is told" logged "more.glsl:1:30: 'y'" 1
+  echo 'float more(float x) { return x; }' > "$folder/more.glsl"
+  await "it alone mends the picture" logged 'shows the scene as it was saved' 1
+  write_with more.glsl gone.glsl
+  await "what is not there is told" logged "tint.frag:2:10: cannot read the shader 'gone.glsl'" 1
+  echo 'const float there = 1.0;' > "$folder/gone.glsl"
+  await "until it is" logged 'shows the scene as it was saved' 2
+  photo mended.png
+  render_tint -o mended_file.png
+  same mended.png mended_file.png "as it was saved"
+  # Save after save, each of other files, while the ones before are compiled: the last one is not lost.
+  local i
+  for ((i = 1; i <= 20; ++i)); do
+    cp "$folder/more.glsl" "$folder/more$i.glsl"
+    write_with "more$i.glsl"
+  done
+  write_tint 'theLast'
+  await "the last one is read" logged "tint.frag:4:42: 'theLast'" 1
+  quit
+}
+
 # What turns out when it is drawn: an endless loop is told over its picture, and ends soon; a scene that cannot be drawn
 # leaves the last one.
 case_lab_faults() {
