@@ -23,7 +23,7 @@ struct LightOnPoint {
   double distance = 0;  ///< metres; infinite of directional ones
   double cosine = 0;    ///< between `toward` and the normal that is lit
   Vec3 radiance{0};     ///< scene-linear RGB that arrives there where nothing stands before it
-  Vec3 arriving{0};     ///< that does arrive; 0 where it is behind the surface
+  Vec3 arriving{0};     ///< that does arrive: as shaders are told, from behind, too
   Vec3 unshadowed{0};   ///< scene-linear RGB that it would add where nothing stands before it
   Vec3 share{0};        ///< that it adds
   Vec3 visibility{0};   ///< the part of it that gets there, 0 to 1; 0 where it is behind the surface
