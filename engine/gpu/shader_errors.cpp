@@ -182,8 +182,8 @@ WordLines::Place WordLines::placeOf(const File& file, std::size_t line, std::str
   const std::optional<std::size_t> open = opening(all, at);
   const GlslToken* const called = open && *open > 0 ? nameBefore(all, *open) : nullptr;
   if (!called) return {where};
-  if (!macros_.contains(called->text))
-    return {asShown(called->text) == quoted || quoted == "constructor" ? rangeOf(*called) : where};
+  if (asShown(called->text) == quoted) return {rangeOf(*called)};
+  if (!macros_.contains(called->text)) return {quoted == "constructor" ? rangeOf(*called) : where};
   const GlslToken* const argument = find(Tokens(all).subspan(*open + 1, at - *open - 1));
   if (argument) return {rangeOf(*argument)};
   return {rangeOf(*called), called->text};

@@ -202,6 +202,8 @@ TEST(ShaderCompilerErrors, InMacrosAreWhereTheseAreUsed) {
       StartsWith("main.frag:6:26: 'none' : undeclared identifier, in what the macro 'TWICE' stands for\n"
                  "  6 |   float a = 1.0, b = a + TWICE((a));\n"
                  "    |                          ^^^^^"));
+  EXPECT_THAT(errorIn("  float a = sin();", "#define sin sin\n"),
+              StartsWith("main.frag:4:13: 'sin' : no matching"));
   EXPECT_THAT(errorIn("  float a = 1.0, b = a + SAME(a + other);", macros),
               StartsWith("main.frag:6:35: 'other' : undeclared identifier\n"));
   EXPECT_THAT(errorIn("  float a = 1.0, b = a +\n SAME(\n a + (2.0 * other));", macros),
