@@ -387,8 +387,11 @@ Vec3 Caster::reaching(const SnapshotLight& light, const Hit& hit, bool& certifie
 }
 
 bool Caster::shinesOn(std::uint32_t light, const Hit& hit) const {
-  const Material& material = materialOf(hit.node);
-  return material.lightsBelowHorizon() || glm::dot(hit.normal, towardLight(light, hit)) > 0;
+  return faces(light, hit) && snapshot_.lights[light].coneTo(hit.position) > 0;
+}
+
+bool Caster::faces(std::uint32_t light, const Hit& hit) const {
+  return materialOf(hit.node).lightsBelowHorizon() || glm::dot(hit.normal, towardLight(light, hit)) > 0;
 }
 
 Vec3 Caster::towardLight(std::uint32_t light, const Hit& hit) const {
@@ -411,16 +414,16 @@ double Caster::cosineLoss(const SnapshotLight& light, const Hit& hit) const {
 
 /// Of a light where nothing is in its way: it fades with the distance, or does not.
 Vec3 Caster::radianceAt(const SnapshotLight& light, const Vec3& position) {
-  const Vec3 toLight = Vec3(light.positionWorld) - position * light.positionWorld.w;
+  const Vec3 toLight = light.from(position);
   const bool fades = light.attenuation == Light::Attenuation::InverseSquare && !light.directional();
   const double squared = glm::dot(toLight, toLight);
-  return squared > 0 ? light.radiance * (fades ? 1 / squared : 1.0) : Vec3(0);
+  return squared > 0 ? light.radiance * light.coneTo(position) * (fades ? 1 / squared : 1.0) : Vec3(0);
 }
 
 Vec3 Caster::shareOf(const SnapshotLight& light, const Hit& hit, const Reflection& reflection,
                      const Vec3& toViewer, const Vec3& visible, double tilt) const {
   const Material& material = materialOf(hit.node);
-  const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
+  const Vec3 toLight = light.from(hit.position);
   const double distance = glm::length(toLight);
   if (!(distance > 0)) return Vec3(0);
   const Vec3 l = toLight / distance;
@@ -526,9 +529,10 @@ Vec3 Caster::drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt)
 
   Vec3 bright(0);
   for (const SnapshotLight& light : snapshot_.lights) {
+    // Where only a part of a light's cone gets, that part of the cosine counts.
     const auto cosineOf = [&](const Vec3& step, const Vec3& normal) {
-      return glm::dot(normal,
-                      unit(Vec3(light.positionWorld) - (hit.position + step) * light.positionWorld.w));
+      const Vec3 at = hit.position + step;
+      return glm::dot(normal, unit(light.from(at))) * light.coneTo(at);
     };
     if (light.radiance == Vec3(0) ||
         (materialOf(hit.node).normalMap.valid() && cosineOf(Vec3(0), hit.normal) <= 0))
@@ -564,9 +568,8 @@ Vec3 Caster::illuminated(const Ray& ray, const Hit& hit, bool& certified, double
   Vec3 sum = withoutLights(hit, reflection);
   for (const SnapshotLight& light : snapshot_.lights) {
     if (shareOf(light, hit, reflection, toViewer, Vec3(1), tilt) == Vec3(0)) continue;
-    const Vec3 toLight = Vec3(light.positionWorld) - hit.position * light.positionWorld.w;
-    const bool liftsAbove =
-        tilt > 0 && std::abs(glm::dot(hit.normal, unit(toLight))) <= tilt * cosineLoss(light, hit);
+    const bool liftsAbove = tilt > 0 && std::abs(glm::dot(hit.normal, unit(light.from(hit.position)))) <=
+                                            tilt * cosineLoss(light, hit);
     const Vec3 visible = liftsAbove ? Vec3(1) : reaching(light, hit, certified);
     sum += shareOf(light, hit, reflection, toViewer, visible, tilt);
   }

@@ -155,7 +155,9 @@ class Caster {
     return materialOf(hit.node).cutoff > 0 && opacityOf(hit) == 0;
   }
 
-  /// Whether a light would add something to a hit that sees it.
+  /// Whether a light is before a hit's surface, not behind it, or the material does not ask.
+  [[nodiscard]] bool faces(std::uint32_t light, const Hit& hit) const;
+  /// Whether a light would add something to a hit that sees it: it faces it, and has it in its cone.
   [[nodiscard]] bool shinesOn(std::uint32_t light, const Hit& hit) const;
   /// Unit.
   [[nodiscard]] Vec3 towardLight(std::uint32_t light, const Hit& hit) const;

@@ -28,6 +28,7 @@ std::vector<LightOnPoint> lightsOn(const Caster& caster, const Hit& hit, const V
   struct Sum {
     LightOnPoint light;
     Vec4 position{0};
+    double cone = 0;
   };
   std::map<std::uint32_t, Sum> sums;
   const std::vector<SnapshotLight>& lights = caster.snapshot().lights;
@@ -41,7 +42,8 @@ std::vector<LightOnPoint> lightsOn(const Caster& caster, const Hit& hit, const V
     sum.light.unshadowed += lit.unshadowed;
     sum.light.share += lit.share;
     sum.light.visibility += lit.reaching;
-    sum.light.faces |= caster.shinesOn(i, hit);
+    sum.light.faces |= caster.faces(i, hit);
+    sum.cone += lights[i].coneTo(hit.position);
     sum.light.shadows |= lights[i].hasShadow();
     sum.light.certified &= lit.certified;
     ++sum.light.points;
@@ -56,6 +58,7 @@ std::vector<LightOnPoint> lightsOn(const Caster& caster, const Hit& hit, const V
     light.distance = directional ? std::numeric_limits<double>::infinity() : glm::length(way);
     light.cosine = glm::dot(light.toward, hit.normal);
     light.visibility /= count;
+    light.cone = sum.cone / count;
     all.push_back(light);
   }
   return all;

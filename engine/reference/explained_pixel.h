@@ -28,6 +28,7 @@ struct LightOnPoint {
   Vec3 share{0};        ///< that it adds
   Vec3 visibility{0};   ///< the part of it that gets there, 0 to 1; 0 where it is behind the surface
   bool faces = false;   ///< it is before the surface, not behind
+  double cone = 1;      ///< the part of it that its cone sends there, 0 to 1: 1 of what is no spot
   std::uint32_t points = 0;
   bool shadows = false;   ///< something may stand before it: it has a shadow
   bool certified = true;  ///< the shadow is proven, of every point

@@ -68,4 +68,27 @@ double radiusAt(const Light& light, const Moment& moment, const std::function<st
   return radius;
 }
 
+SpotCone spotConeAt(const Light& light, const Vec3& axis, const Moment& moment,
+                    const std::function<std::string()>& nodeName) {
+  if (light.type != Light::Type::Point)
+    throw Error(ErrorKind::Scene,
+                fmt::format("light of node {}: a directional light has no cone", nodeName()),
+                "make it a point light, or take its spot away");
+  const SpotCone cone{
+      .axis = axis, .inner = light.spot->inner.at(moment), .outer = light.spot->outer.at(moment)};
+  if (!Interval{kLeastSpotAngle, kMaxLightAngle}.contains(cone.outer))
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("light of node {}: the outer angle of its spot is {} radians; it must be from 1e-9 to "
+                    "90 degrees",
+                    nodeName(), cone.outer));
+  if (!(cone.inner >= 0 && cone.inner < cone.outer))
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("light of node {}: the inner angle of its spot is {} radians; it must be from 0 to "
+                    "below the outer one, {}",
+                    nodeName(), cone.inner, cone.outer));
+  return cone;
+}
+
 }  // namespace luxo

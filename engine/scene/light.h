@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // A light shines from the node that carries it: a point light from the node's origin, a directional one along
-// its -Z.
+// its -Z, a spot, which is a point light with a cone, from the origin around -Z.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "math/animated.h"
 #include "math/vec.h"
 #include "scene/ids.h"
+#include "scene/spot_cone.h"
 
 namespace luxo {
 
@@ -32,6 +34,13 @@ struct ShadowMap {
   }
 };
 
+/// The half-angles of a spot's cone, radians (scene/spot_cone.h): 0 <= inner < outer <= a quarter turn.
+struct Spot {
+  Animated<double> inner = 0.0, outer = kPi / 4;
+
+  [[nodiscard]] bool movesWithTime() const { return inner.movesWithTime() || outer.movesWithTime(); }
+};
+
 struct Light {
   enum class Type { Point, Directional };
   enum class Attenuation {
@@ -50,6 +59,7 @@ struct Light {
   Animated<Vec3> color = Vec3(1);  ///< linear RGB
   Animated<double> intensity = 1.0;
   Attenuation attenuation = Attenuation::None;
+  std::optional<Spot> spot = {};  ///< of a point light alone
   Shadow shadow = Shadow::None;
   /// Of a light with exact shadows, which are soft then. A point light: metres, of a luminous ball that looks
   /// like an evenly bright disc from everywhere afar. A directional light: radians, the half-angle of its
@@ -62,7 +72,7 @@ struct Light {
 
   [[nodiscard]] bool movesWithTime() const {
     return color.movesWithTime() || intensity.movesWithTime() || radius.movesWithTime() ||
-           map.movesWithTime();
+           map.movesWithTime() || (spot && spot->movesWithTime());
   }
 };
 
@@ -93,5 +103,11 @@ struct ShadowMapThen {
 /// metres, or, of a directional light, to a quarter turn.
 [[nodiscard]] double radiusAt(const Light& light, const Moment& moment,
                               const std::function<std::string()>& nodeName);
+
+/// The spot's cone then, around `axis` (unit, world). Throws Error(Scene) naming the node and the value: the
+/// light must be a point light, `outer` from kLeastSpotAngle to kMaxLightAngle (scene/ranges.h), `inner` from
+/// 0 to below that. Required: light.spot.
+[[nodiscard]] SpotCone spotConeAt(const Light& light, const Vec3& axis, const Moment& moment,
+                                  const std::function<std::string()>& nodeName);
 
 }  // namespace luxo

@@ -105,6 +105,11 @@ std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, con
     const double aside = std::max(std::abs(glm::dot(to, right)), std::abs(glm::dot(to, up)));
     widest = std::max(widest, aside <= kWidest * depth ? aside / depth : 2 * kWidest);
   }
+  // What a spot's cone does not hold has no light to lose; its border, where texels beyond are taken for lit,
+  // has none either.
+  if (const double cone = light.cone ? std::tan(light.cone->outer) : kInfinity;
+      cone < std::min(widest, kWidest))
+    return {pointView(at, light.cone->axis, farthest, withMargin(cone, size), near, size)};
   if (widest <= kWidest)
     return {pointView(at, ahead, farthest, withMargin(std::max(widest, 1e-9), size), near, size)};
   std::vector<View> views;

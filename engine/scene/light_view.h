@@ -21,17 +21,17 @@ namespace luxo {
 [[nodiscard]] SnapshotLight asMapped(SnapshotLight light, const Box& casters, const Box& receivers, int size);
 
 /// Square pictures with `size` texels along a side, which show all of `casters` that may stand before
-/// `receivers` (both world, finite, not empty): one, as narrow as can be, of a directional light, and of
-/// a point light that has all casters before it; else six, the faces of a cube. Depths from the nearest
-/// caster on.
+/// `receivers` (both world, finite, not empty): one, as narrow as can be, of a directional light, of a point
+/// light that has all casters before it, and of a spot whose cone is within 63 degrees of its axis, of what
+/// is in that; else six, the faces of a cube. Depths from the nearest caster on.
 [[nodiscard]] std::vector<View> lightViews(const SnapshotLight& light, const Box& casters,
                                            const Box& receivers, int size);
 
 /// The scene as the first of its lights that have a shadow sees it: its casters alone, in one picture, which
-/// of a light amid them shows what is within 63 degrees of their middle. Depths are distances along the view
-/// from a point light, up to 2^30 times the casters' size away; else from the nearest caster's. Pixels along
-/// a side as given; else those of its map, or as many as fit into the snapshot's picture. Throws Error(Scene)
-/// where no light has a shadow.
+/// of a light amid them shows what is within 63 degrees of their middle, or of a spot its cone. Depths are
+/// distances along the view from a point light, up to 2^30 times the casters' size away; else from the
+/// nearest caster's. Pixels along a side as given; else those of its map, or as many as fit into the
+/// snapshot's picture. Throws Error(Scene) where no light has a shadow.
 [[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size = std::nullopt);
 
 }  // namespace luxo

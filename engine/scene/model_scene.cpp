@@ -193,7 +193,8 @@ class ModelBuilder {
     return {.type = from.directional ? Light::Type::Directional : Light::Type::Point,
             .color = from.color,
             .intensity = from.intensity / kPi,
-            .attenuation = Light::Attenuation::InverseSquare};
+            .attenuation = Light::Attenuation::InverseSquare,
+            .spot = from.spot ? std::optional(Spot{from.spot->inner, from.spot->outer}) : std::nullopt};
   }
 
   [[nodiscard]] static Camera lensOf(const ModelCamera& from) {

@@ -32,6 +32,9 @@ inline constexpr double kMaxReflected = 1e36;
 
 /// The largest half-angle of a directional light's disc, radians: a quarter turn, when it fills half the sky.
 inline constexpr double kMaxLightAngle = 1.5707963267948966;
+/// The least half-angle of a spot's outer cone, radians: its square is still within float's range, and so is
+/// the quotient by the next smaller inner one, 1e34.
+inline constexpr double kLeastSpotAngle = 1e-9;
 
 /// Pixels. The least is a thousandth of what float positions in the largest picture can say, 2^-10; the most
 /// is sixty of the largest pictures.

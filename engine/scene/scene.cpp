@@ -38,6 +38,10 @@ void validate(const Node& node, const ShownName& shown) {
   if (node.light && node.light->color.isConstant() && node.light->intensity.isConstant())
     static_cast<void>(radianceAt(*node.light, 0, shown));
   if (node.light && node.light->radius.isConstant()) static_cast<void>(radiusAt(*node.light, 0, shown));
+  if (node.light && node.light->spot &&
+      (node.light->type != Light::Type::Point ||
+       (node.light->spot->inner.isConstant() && node.light->spot->outer.isConstant())))
+    static_cast<void>(spotConeAt(*node.light, SpotCone().axis, 0, shown));
   if (node.light && (node.light->shadowSamples < 1 || node.light->shadowSamples > kMaxShadowSamples))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: {} shadow samples; they must be from 1 to {}", shown(),

@@ -97,6 +97,7 @@ class SceneConstruction {
   void warnOfCutColor(const NodeDesc& desc, const Domain& domain, const Animated<Material>& moving);
   void warnOfTangents(const NodeDesc& desc, const Surface& surface);
   Light light(const LightDesc& desc);
+  Spot spot(const SpotDesc& desc);
   ShadowMap shadowMap(const ShadowMapDesc& desc);
   void setCasters();
   void addCamera(const CameraDesc& desc);
@@ -327,10 +328,27 @@ Light SceneConstruction::light(const LightDesc& desc) {
           .color = formulas_.vector(desc.color, kLight),
           .intensity = formulas_.number(desc.intensity, kIntensity),
           .attenuation = desc.attenuation,
+          .spot = desc.spot ? std::optional(spot(*desc.spot)) : std::nullopt,
           .shadow = desc.shadow,
           .radius = formulas_.number(desc.radius, radius),
           .shadowSamples = static_cast<std::uint32_t>(samples.value_or(1)),
           .map = shadowMap(desc.map)};
+}
+
+Spot SceneConstruction::spot(const SpotDesc& desc) {
+  const Allowed outer{{kLeastSpotAngle, kMaxLightAngle}, "from 1e-9 to 90 degrees", true};
+  const Allowed inner{{0, kMaxLightAngle}, "from 0 to 90 degrees", true};
+  Spot spot{.inner = formulas_.number(desc.inner, inner), .outer = formulas_.number(desc.outer, outer)};
+  if (!spot.inner.isConstant() || !spot.outer.isConstant()) return spot;
+  const double a = spot.inner.at(0), b = spot.outer.at(0);  // 0 of what is a problem already
+  if (a < b) return spot;
+  if (b > 0)
+    problems_.add(
+        desc.inner == SpotDesc().inner ? desc.place : desc.inner.place(),
+        fmt::format("the inner angle is {:g} degrees, the outer one {:g}; the inner one must be smaller",
+                    a * 180 / kPi, b * 180 / kPi),
+        "all light is within the outer angle, and fades from the inner one on");
+  return {};
 }
 
 ShadowMap SceneConstruction::shadowMap(const ShadowMapDesc& desc) {

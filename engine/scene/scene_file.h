@@ -309,11 +309,19 @@ struct ShadowMapDesc {
   friend bool operator==(const ShadowMapDesc&, const ShadowMapDesc&) = default;
 };
 
+struct SpotDesc {
+  Quantity inner = 0, outer = "45deg";
+  FilePlace place = {};
+
+  friend bool operator==(const SpotDesc&, const SpotDesc&) = default;
+};
+
 struct LightDesc {
   Light::Type type = Light::Type::Point;
   Quantity3 color = repeated(1);
   Quantity intensity = 1;
   Light::Attenuation attenuation = Light::Attenuation::None;
+  std::optional<SpotDesc> spot = {};
   Light::Shadow shadow = Light::Shadow::None;
   Quantity radius = 0, shadowSamples = 16;
   ShadowMapDesc map = {};
@@ -334,7 +342,8 @@ struct NodeDesc {
   Quantity3 scale = repeated(1);
   Quantity visible = 1;  ///< not 0
   FileName surface = {}, material = {};
-  FileName model = {};  ///< instead of both: a file with its own, relative to the folder of the scene, and in it
+  FileName model =
+      {};  ///< instead of both: a file with its own, relative to the folder of the scene, and in it
   std::optional<LightDesc> light = {};
   FilePlace place = {};
 

@@ -60,9 +60,10 @@ inline constexpr std::array<Names, 2> kNamedNames = {"type", "segments"};
 inline constexpr std::array<Names, 10> kNodeNames = {"name",    "translate", "rotate", "scale", "visible",
                                                      "surface", "material",  "model",  "light", "children"};
 inline constexpr std::array<Names, 2> kRotationNames = {"axis", "angle"};
-inline constexpr std::array<Names, 10> kLightNames = {
-    "type",   "color",          "intensity", "attenuation",  "shadow",
-    "radius", "shadow_samples", "map",       "shadow_plane", "casters"};
+inline constexpr std::array<Names, 11> kLightNames = {"type", "color",        "intensity", "attenuation",
+                                                      "spot", "shadow",       "radius",    "shadow_samples",
+                                                      "map",  "shadow_plane", "casters"};
+inline constexpr std::array<Names, 2> kSpotNames = {"inner", "outer"};
 inline constexpr std::array<Names, 6> kMapNames = {"size",          "bias", "slope_bias",
                                                    "normal_offset", "pcf",  "receiver_plane"};
 inline constexpr std::array<Names, 7> kCameraNames = {"eye",  "look_at", "up",    "fov_y",
@@ -88,6 +89,7 @@ inline constexpr SceneKeys kClothBall{"the ball of a cloth", "cloth_ball", kClot
 inline constexpr SceneKeys kNode{"a node", "node", kNodeNames};
 inline constexpr SceneKeys kRotation{"a rotation", "rotation", kRotationNames, 2};
 inline constexpr SceneKeys kLight{"a light", "light", kLightNames};
+inline constexpr SceneKeys kSpot{"a spot", "spot", kSpotNames};
 inline constexpr SceneKeys kMap{"a shadow map", "map", kMapNames};
 inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 
@@ -95,7 +97,7 @@ inline constexpr SceneKeys kCamera{"a camera", "camera", kCameraNames};
 inline constexpr std::array kAll = {kRoot,     kRender,     kOcclusion, kParameter, kTexture,   kMaterial,
                                     kIsolines, kTextureMap, kColorMap,  kNormalMap, kFormula,   kRevolve,
                                     kTube,     kBezier,     kMesh,      kCloth,     kClothBall, kNode,
-                                    kRotation, kLight,      kMap,       kCamera};
+                                    kRotation, kLight,      kSpot,      kMap,       kCamera};
 
 // Words that stand for values, in the order of their enumerations.
 inline constexpr std::array<Names, 2> kLightTypes = {"point", "directional"};

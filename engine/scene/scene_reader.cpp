@@ -67,6 +67,7 @@ class SceneReader {
   void readUniforms(const JsonValue& value, std::vector<UniformDesc>& uniforms);
   void readVisible(const JsonValue& visible, Quantity& target);
   void readLight(const JsonValue& value, LightDesc& light);
+  void readSpot(const JsonValue& value, LightDesc& light);
   void readMap(const JsonValue& value, ShadowMapDesc& map);
   void readOcclusion(const JsonValue& value, OcclusionDesc& occlusion);
   void readCasters(const JsonValue& value, std::vector<FileName>& casters);
@@ -445,10 +446,17 @@ void SceneReader::readVisible(const JsonValue& visible, Quantity& target) {
 
 void SceneReader::readLight(const JsonValue& value, LightDesc& light) {
   const SceneMembers members(value, keys::kLight, problems_);
-  values_.readWord(members["type"], keys::kLightTypes, light.type);
+  if (const JsonValue type = members["type"];
+      type.exists() && type.kind() == JsonKind::String && type.string() == "spot")
+    problems_.add(
+        type.where(), "unknown word 'spot'",
+        "a spot is a point light with a cone: write \"type\": \"point\", \"spot\": { \"outer\": \"30deg\" }");
+  else
+    values_.readWord(type, keys::kLightTypes, light.type);
   readColor(members["color"], light.color);
   values_.read(members["intensity"], light.intensity);
   values_.readWord(members["attenuation"], keys::kAttenuations, light.attenuation);
+  readSpot(members["spot"], light);
   values_.readWord(members["shadow"], keys::kShadows, light.shadow);
   values_.read(members["radius"], light.radius);
   values_.read(members["shadow_samples"], light.shadowSamples);
@@ -458,6 +466,20 @@ void SceneReader::readLight(const JsonValue& value, LightDesc& light) {
     problems_.add(members["shadow"].where(), "a planar shadow needs a plane to fall on",
                   "write \"shadow_plane\": and the name of a flat node");
   readCasters(members["casters"], light.casters);
+}
+
+void SceneReader::readSpot(const JsonValue& value, LightDesc& light) {
+  if (!value.exists()) return;
+  const SceneMembers members(value, keys::kSpot, problems_);
+  SpotDesc& spot = light.spot.emplace();
+  spot.place = placeOf(value.where());
+  values_.read(members["inner"], spot.inner);
+  values_.read(members["outer"], spot.outer);
+  if (light.type != Light::Type::Directional) return;
+  light.spot.reset();
+  problems_.add(value.where(), "a directional light has no cone",
+                "write \"type\": \"point\": a spot shines from its node's origin along its -Z; or leave "
+                "\"spot\" out");
 }
 
 void SceneReader::readMap(const JsonValue& value, ShadowMapDesc& map) {

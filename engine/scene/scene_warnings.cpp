@@ -91,6 +91,7 @@ void visitNode(const NodeDesc& node, const Visit& visit) {
   if (!node.light) return;
   visitAll(node.light->color, visit);
   visitAll({{node.light->intensity, node.light->radius, node.light->shadowSamples}}, visit);
+  if (node.light->spot) visitAll({{node.light->spot->inner, node.light->spot->outer}}, visit);
   const ShadowMapDesc& map = node.light->map;
   visitAll({{map.size, map.bias, map.slopeBias, map.normalOffset, map.pcf}}, visit);
 }

@@ -353,6 +353,14 @@ JsonText written(const ShadowMapDesc& map) {
   return members.take();
 }
 
+JsonText written(const SpotDesc& spot) {
+  const SpotDesc usual;
+  Members members;
+  members.add("inner", spot.inner, usual.inner);
+  members.add("outer", spot.outer, usual.outer);
+  return members.take();
+}
+
 JsonText written(const LightDesc& light) {
   const LightDesc usual;
   Members members;
@@ -360,6 +368,7 @@ JsonText written(const LightDesc& light) {
   members.addColor("color", light.color, usual.color);
   members.add("intensity", light.intensity, usual.intensity);
   members.addWord("attenuation", light.attenuation, usual.attenuation, keys::kAttenuations);
+  if (light.spot) members.put("spot", written(*light.spot));
   members.addWord("shadow", light.shadow, usual.shadow, keys::kShadows);
   members.add("radius", light.radius, usual.radius);
   members.add("shadow_samples", light.shadowSamples, usual.shadowSamples);

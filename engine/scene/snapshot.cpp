@@ -214,12 +214,14 @@ void setShadow(const Scene& scene, const std::vector<Placed>& placed, const std:
 }
 
 /// By content, so that the order in which the scene was put together leaves no trace. What rarely changes
-/// with time comes first. Shaded lights last.
+/// with time comes first. Shaded lights last, and of either kind spots: which of a draw's lights are spots
+/// decides its program (DrawState::spots), and no order that changes as they move must change it.
 bool precedes(const SnapshotLight& a, const SnapshotLight& b) {
   const auto key = [](const SnapshotLight& l) {
-    return std::tuple(l.shade.has_value(), l.casters.size(), l.attenuation, l.radiance.x, l.radiance.y,
-                      l.radiance.z, l.positionWorld.w, l.positionWorld.x, l.positionWorld.y,
-                      l.positionWorld.z);
+    const SpotCone cone = l.cone.value_or(SpotCone());
+    return std::tuple(l.shade.has_value(), l.cone.has_value(), l.casters.size(), l.attenuation, l.radiance.x,
+                      l.radiance.y, l.radiance.z, l.positionWorld.w, l.positionWorld.x, l.positionWorld.y,
+                      l.positionWorld.z, cone.inner, cone.outer, cone.axis.x, cone.axis.y, cone.axis.z);
   };
   return key(a) < key(b);
 }
@@ -248,6 +250,13 @@ std::vector<SnapshotLight> sampledLight(const SnapshotLight& light, const Transf
   return sampled;
 }
 
+/// The node's +Z, where the light of a directional one comes from.
+Vec3 backwardOf(const NodeThen& then, const Transform& worldFromNode) {
+  const Vec3 backward = unit(transformDirection(worldFromNode, Vec3(0, 0, 1)));
+  if (backward == Vec3(0)) then.reject("its light has no direction: the scale along z is zero");
+  return backward;
+}
+
 std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Placed>& placed,
                                       const Moment& moment, std::uint32_t mostShadowSamples,
                                       std::uint32_t& cutNumbers) {
@@ -256,28 +265,28 @@ std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Plac
     const NodeThen then{scene, {i}, moment};
     const Node& node = scene.nodes()[i].node;
     if (!placed[i].visible || !node.light) continue;
+    const auto nodeName = [&] { return scene.shownName({i}); };
     SnapshotLight light{.id = {i},
                         .positionWorld = Vec4(placed[i].worldFromNode.translation, 1),
-                        .radiance = radianceAt(
-                            *node.light, moment, [&] { return scene.shownName({i}); }, &cutNumbers),
+                        .radiance = radianceAt(*node.light, moment, nodeName, &cutNumbers),
                         .attenuation = node.light->attenuation};
     if (node.light->type == Light::Type::Directional) {
-      const Vec3 towardLight = unit(transformDirection(placed[i].worldFromNode, Vec3(0, 0, 1)));
-      if (towardLight == Vec3(0)) then.reject("its light has no direction: the scale along z is zero");
+      const Vec3 towardLight = backwardOf(then, placed[i].worldFromNode);
       light.positionWorld = Vec4(towardLight, 0);
+    } else if (node.light->spot) {
+      light.cone = spotConeAt(*node.light, -backwardOf(then, placed[i].worldFromNode), moment, nodeName);
     }
     const std::vector<NodeId> casters = castersOf(then, placed);
     light.plane = planeOf(then);
     const std::uint32_t samples = std::min(node.light->shadowSamples, mostShadowSamples);
     if (node.light->shadow == Light::Shadow::Map && !casters.empty()) {
-      light.map = shadowMapAt(*node.light, moment, [&] { return scene.shownName({i}); });
+      light.map = shadowMapAt(*node.light, moment, nodeName);
       light.samples = light.map->radius > 0 ? samples : 1;
       light.casters = casters;
       lights.push_back(std::move(light));
       continue;
     }
-    const double radius =
-        casters.empty() ? 0 : radiusAt(*node.light, moment, [&] { return scene.shownName({i}); });
+    const double radius = casters.empty() ? 0 : radiusAt(*node.light, moment, nodeName);
     for (SnapshotLight& one : sampledLight(light, placed[i].worldFromNode, radius, samples)) {
       setShadow(scene, placed, casters, one);
       lights.push_back(std::move(one));

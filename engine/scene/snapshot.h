@@ -8,6 +8,7 @@
 
 #include "scene/scene.h"
 #include "scene/shade.h"
+#include "scene/spot_cone.h"
 #include "scene/view.h"
 
 namespace luxo {
@@ -37,6 +38,7 @@ struct SnapshotLight {
   Vec4 positionWorld{0};
   Vec3 radiance{0};  ///< color * intensity
   Light::Attenuation attenuation = Light::Attenuation::None;
+  std::optional<SpotCone> cone = {};  ///< of a spot
   /// Its exact shadow, if it has one: in closed form, of the lamp shade around this light; or what casts it,
   /// ascending.
   std::optional<ShadeRule> shade;
@@ -47,6 +49,14 @@ struct SnapshotLight {
   std::uint32_t samples = 1;  ///< of one with a map and a radius: points that would stand for it
 
   [[nodiscard]] bool directional() const { return positionWorld.w == 0; }
+  /// From a point to the light, metres; of one at infinity the unit direction.
+  [[nodiscard]] Vec3 from(const Vec3& pointWorld) const {
+    return Vec3(positionWorld) - positionWorld.w * pointWorld;
+  }
+  /// How much of its light its cone leaves a point, which is not where the light is: 0 to 1.
+  [[nodiscard]] double coneTo(const Vec3& pointWorld) const {
+    return cone ? spotAttenuation(*cone, -from(pointWorld)) : 1;
+  }
   [[nodiscard]] bool approximate() const { return plane || map; }
   [[nodiscard]] bool hasShadow() const { return shade.has_value() || !casters.empty(); }
   friend bool operator==(const SnapshotLight&, const SnapshotLight&) = default;

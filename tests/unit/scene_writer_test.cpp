@@ -273,6 +273,11 @@ class RandomScene {
                            .shadow = word<Light::Shadow>(4),
                            .radius = quantity(),
                            .shadowSamples = quantity()};
+    if (desc.light->type == Light::Type::Point && coin()) {
+      desc.light->spot.emplace();
+      if (coin()) desc.light->spot->inner = quantity();
+      if (coin()) desc.light->spot->outer = quantity();
+    }
     if (coin() || desc.light->shadow == Light::Shadow::Planar) desc.light->shadowPlane = name("n", i);
     for (int k = random_.below(3); k > 0; --k) desc.light->casters.push_back(name("n", k));
     return desc;
