@@ -45,7 +45,8 @@ void main() {
     if (i >= kPlainLights + kShadedLights) break;
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - position * light.position.w;
-    outReceived[k] = vec4(received(data, light, toLight, n, v), received(data, light, toLight, back, v));
+    outReceived[k] = vec4(received(data, light, toLight, n, v), received(data, light, toLight, back, v)) *
+                     spotAttenuation(i, position, toLight);
   }
   outNumbers = uvec3(data.flags, instance.material, data.firstPatternParameter);
   outAmbient = data.ambient;

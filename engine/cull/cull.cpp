@@ -170,10 +170,22 @@ VisibleNode describe(const Snapshot& snapshot, std::uint32_t index, const Bounds
   return visible;
 }
 
+/// Whether any point of the node may be in the light's cone. The shader finds its border in single precision,
+/// across the axis as far off as positions are, which are sums of these lengths, and along the border by an
+/// angle of some 2^-22.
+bool spotReaches(const View& view, const SnapshotLight& light, const SnapshotNode& node,
+                 const Bounds& bounds) {
+  double lengths = glm::length(light.from(view.eye));
+  for (const Vec3& corner : bounds.corners) lengths += glm::length(corner);
+  return canLight(*light.cone, Vec3(light.positionWorld), node.worldFromObject, node.boundsObject,
+                  4 * (bounds.slack + kVertexSlack * lengths));
+}
+
 /// Whether any of the light can arrive at the node. The shade itself is always lit: its normals decide.
 bool reaches(const Snapshot& snapshot, const SnapshotLight& light, const SnapshotNode& node,
              const Bounds& bounds) {
   if (light.radiance == Vec3(0)) return false;
+  if (light.cone && bounds.finite && !spotReaches(snapshot.view, light, node, bounds)) return false;
   if (!light.shade || light.shade->caster == node.id || !bounds.finite) return true;
   const ShadeRule& rule = *light.shade;
   // The shader decides in single precision, from positions relative to the eye. What it gets wrong near the

@@ -9,23 +9,24 @@ namespace luxo {
 
 namespace {
 
-/// Corners of the box in the shade's plane of symmetry through the box's centre: seen from the focus, `along`
-/// the axis and `aside` toward the centre. `distance` is the true distance from the focus.
+/// Corners of the box in the plane through an axis and the box's centre: seen from an apex on it, `along` the
+/// axis and `aside` toward the centre. `distance` is the true distance from the apex.
 struct Corner {
   double along = 0, aside = 0, distance = 0;
 };
 
 using Corners = std::array<Corner, 8>;
 
-Corners cornersFromFocus(const ShadeRule& rule, const Transform& worldFromObject, const Box& box) {
-  const auto fromFocus = [&](const Vec3& p) { return transformPoint(worldFromObject, p) - rule.focus; };
-  const Vec3 center = fromFocus(box.center());
-  const Vec3 toward = unit(center - glm::dot(center, rule.axis) * rule.axis);
+/// `axis`: unit.
+Corners cornersFrom(const Vec3& apex, const Vec3& axis, const Transform& worldFromObject, const Box& box) {
+  const auto fromApex = [&](const Vec3& p) { return transformPoint(worldFromObject, p) - apex; };
+  const Vec3 center = fromApex(box.center());
+  const Vec3 toward = unit(center - glm::dot(center, axis) * axis);
   Corners corners;
   for (int i = 0; i < 8; ++i) {
-    const Vec3 q = fromFocus(
+    const Vec3 q = fromApex(
         {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z});
-    corners[i] = {glm::dot(q, rule.axis), glm::dot(q, toward), glm::length(q)};
+    corners[i] = {glm::dot(q, axis), glm::dot(q, toward), glm::length(q)};
   }
   return corners;
 }
@@ -63,8 +64,14 @@ bool outsideShade(const Corners& corners, const ShadeRule& rule, double slack) {
 
 bool canLight(const ShadeRule& rule, const Transform& worldFromObject, const Box& boundsObject,
               double slack) {
-  const Corners corners = cornersFromFocus(rule, worldFromObject, boundsObject);
+  const Corners corners = cornersFrom(rule.focus, rule.axis, worldFromObject, boundsObject);
   return !(outsideCone(corners, rule.cosRim, slack) && outsideShade(corners, rule, slack));
+}
+
+bool canLight(const SpotCone& cone, const Vec3& positionWorld, const Transform& worldFromObject,
+              const Box& boundsObject, double slack) {
+  return !outsideCone(cornersFrom(positionWorld, cone.axis, worldFromObject, boundsObject),
+                      std::cos(cone.outer), slack);
 }
 
 }  // namespace luxo

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a light in a lamp shade can reach a box. "No" is a proof.
+// Whether a light in a lamp shade, or a spot, can reach a box. "No" is a proof.
 #pragma once
 
 #include "math/bounds.h"
 #include "scene/shade.h"
+#include "scene/spot_cone.h"
 
 namespace luxo {
 
@@ -12,5 +13,9 @@ namespace luxo {
 /// planes.
 [[nodiscard]] bool canLight(const ShadeRule& rule, const Transform& worldFromObject, const Box& boundsObject,
                             double slack);
+
+/// The same of a spot at a point: all are outside of its outer cone. Cost: 8 corners, 2 planes.
+[[nodiscard]] bool canLight(const SpotCone& cone, const Vec3& positionWorld, const Transform& worldFromObject,
+                            const Box& boundsObject, double slack);
 
 }  // namespace luxo

@@ -206,6 +206,7 @@ class DrawLister {
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
+    batch.state.spots = lights.spots;
     batch.state.details = list_.layers.details;
     batch.state.tangents = batch.state.details && node.surface.triangles();
     batch.flat = node.surface.flatNormal().has_value();
@@ -281,6 +282,7 @@ class DrawLister {
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
+    batch.state.spots = lights.spots;
     if (node.surface.triangles()) {
       batch.state.tangents = batch.state.frame || readsTangents(batch.state);
       if (batch.again) batch.again->tangents = readsTangents(*batch.again);

@@ -115,6 +115,7 @@ struct LightGroup {
   std::uint32_t lightSet = 0;
   bool transmits = false;  ///< it is one light, of which a part may come through: by casters, or by a map
   std::uint32_t plainLights = 0, shadedLights = 0;
+  std::uint32_t spots = 0;                     ///< which of them are spots, a bit each
   std::vector<DrawState> shades, layerShades;  ///< a draw for each pattern
   std::vector<DrawBatch> again, layerAgain;    ///< meshes that are drawn again
   /// With `lights`: what looks for the casters of each light that may keep it from what is seen.

@@ -47,6 +47,7 @@ struct DrawState {
   Output output = Output::Color;
   Form form = Form::Fused;
   std::uint32_t plainLights = 0, shadedLights = 0;
+  std::uint32_t spots = 0;  ///< which of them are spots, a bit each
   bool blended = false;
   Paint pattern = {};           ///< where light falls on it; none for views of geometry
   bool footprint = false;       ///< of Form::FoundWithParameters: and with the footprint of the pixel

@@ -33,17 +33,36 @@ double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& opti
 /// Metres: what is farther away is a direction, as floats have no room for its square.
 constexpr double kFarthest = 1e18;
 
+bool isDirection(const SnapshotLight& light, const Vec3& origin) {
+  return light.directional() || !(glm::length(light.from(origin)) <= kFarthest);
+}
+
+/// One that is so far away that it is a direction lights everything as its cone has it at the origin.
+bool isSpot(const SnapshotLight& light, const Vec3& origin) {
+  return light.cone && !isDirection(light, origin);
+}
+
 shared::LightData lightData(const SnapshotLight& light, const Vec3& origin) {
   const bool fades = light.attenuation == Light::Attenuation::InverseSquare;
-  const Vec3 position(light.positionWorld), toLight = position - light.positionWorld.w * origin;
+  const Vec3 toLight = light.from(origin);
   const double distance = glm::length(toLight);
-  if (light.directional() || distance <= kFarthest)
+  if (light.directional() || !isDirection(light, origin))
     return {.position = Vec4f(Vec3f(toLight), light.positionWorld.w),
             .radiance = Vec3f(light.radiance),
             .inverseSquare = fades};
   return {.position = Vec4f(Vec3f(toLight / distance), 0),
-          .radiance = Vec3f(fades ? light.radiance / distance / distance : light.radiance),
+          .radiance =
+              Vec3f(light.coneTo(origin) * (fades ? light.radiance / distance / distance : light.radiance)),
           .inverseSquare = false};
+}
+
+shared::SpotData spotData(const SnapshotLight& light, const Vec3& origin) {
+  const SpotCone& cone = *light.cone;
+  const Vec3 toLight = light.from(origin);
+  return {.axis = Vec3f(cone.axis),
+          .through = Vec3f(toLight - glm::dot(toLight, cone.axis) * cone.axis),
+          .rise = static_cast<float>(cone.rise()),
+          .perPenumbra = static_cast<float>(1 / cone.penumbra())};
 }
 
 /// Of a light's node among those that have lights.
@@ -77,6 +96,8 @@ LightSets::Choice LightSets::choose(std::span<const std::uint32_t> lights, const
   choice.shaded = static_cast<std::uint32_t>(order.end() - firstShaded);
   for (std::uint32_t i = 0; i < choice.shaded; ++i)
     if (snapshot_.lights[order[choice.plain + i]].shade->caster == node.id) choice.shadeOf = i + 1;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (isSpot(snapshot_.lights[order[i]], origin_)) choice.spots |= 1U << i;
   choice.index = indexOf(order);
   choice.lights = std::move(order);
   return choice;
@@ -95,6 +116,7 @@ shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const
     const SnapshotLight& light = snapshot_.lights[order[i]];
     set.lights[i] = lightData(light, origin_);
     set.order[i] = orderOf(snapshot_, light.id);
+    if (isSpot(light, origin_)) set.spots[i] = spotData(light, origin_);
     if (light.shade && options_.shadows != ShadowKinds::None) set.shades[shade++] = shadeData(*light.shade);
   }
   return set;

@@ -23,6 +23,7 @@ class LightSets {
 
   struct Choice {
     std::uint32_t index = 0, plain = 0, shaded = 0;
+    std::uint32_t spots = 0;    ///< which of them are spots, a bit each
     std::uint32_t shadeOf = 0;  ///< 1 + which of the shaded lights the node is the shade of; 0: none
     std::vector<std::uint32_t> lights = {};  ///< indices into Snapshot::lights, in the set's order
   };

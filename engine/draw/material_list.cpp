@@ -228,6 +228,7 @@ std::uint32_t MaterialList::shadeLater(const DrawState& shade, LightSets& lightS
       shades[i].insert({.form = shade.form,
                         .plainLights = choice.plain,
                         .shadedLights = choice.shaded,
+                        .spots = choice.spots,
                         .pattern = shade.pattern,
                         .patternNumber = patternNumber(shade.pattern),
                         .manyGroups = groups_.size() > 1,
@@ -236,6 +237,7 @@ std::uint32_t MaterialList::shadeLater(const DrawState& shade, LightSets& lightS
     list_.groups[i].lightSet = choice.index;
     list_.groups[i].plainLights = choice.plain;
     list_.groups[i].shadedLights = choice.shaded;
+    list_.groups[i].spots = choice.spots;
     groups_[i] = std::move(choice.lights);
     shadeOf = std::max(shadeOf, choice.shadeOf);
   }
@@ -254,6 +256,7 @@ void MaterialList::listAgain(const DrawBatch& batch, bool layer) {
       again.state = *batch.again;
       again.state.plainLights = group.plainLights;
       again.state.shadedLights = group.shadedLights;
+      again.state.spots = group.spots;
       again.state.manyGroups = groups_.size() > 1;
       again.state.addsLight = i > 0 || first > 0;
       again.state.firstLight = first;

@@ -58,6 +58,7 @@ std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, con
   const auto inspection = inspectionOf(state);
   return {{shared::kConstantPlainLights, state.plainLights},
           {shared::kConstantShadedLights, state.shadedLights},
+          {shared::kConstantSpots, state.spots},
           {shared::kConstantFacetNormal, state.shading == Shading::Flat},
           {shared::kConstantQuantity, inspection           ? inspection->quantity
                                       : isFoundOnly(state) ? shared::kFoundTexel

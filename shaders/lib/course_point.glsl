@@ -75,7 +75,14 @@ void luxoLoadLights() {
     vec3 away = data.position.xyz - litPoint.position * data.position.w;
     points[k] += 1.0;
     gL_LightSource[k].position += vec4(luxoEyeAxes * away + here * data.position.w, data.position.w);
-    gL_LightSource[k].diffuse.rgb += data.radiance * light(i).visible;
+    gL_LightSource[k].diffuse.rgb += data.radiance * light(i).visible * spotAttenuation(i, litPoint.position, away);
+    if ((kSpots & 1u << i) != 0) {
+      // Its cone is in its brightness: within it the exponent 0 leaves that as it is.
+      SpotData spot = spotAt(i);
+      gL_LightSource[k].spotDirection = luxoEyeAxes * spot.axis;
+      gL_LightSource[k].spotCosCutoff = 1.0 - spot.rise;
+      gL_LightSource[k].spotCutoff = degrees(2.0 * asin(sqrt(0.5 * spot.rise)));
+    }
     if (data.inverseSquare != 0) gL_LightSource[k].constantAttenuation = 0.0;
   }
   for (int i = 0; i < gL_MaxLights; ++i) {

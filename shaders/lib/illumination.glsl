@@ -9,6 +9,7 @@
 // Which lights they are, the shaded ones last: the including shader says where it has them from.
 LightData lightAt(uint i);
 ShadeData shadeAt(uint i);
+SpotData spotAt(uint i);  // of light i
 #ifdef LUXO_SHADOWS
 uint shadows();  // the lights, a bit each, that do not reach the point
 vec3 lightTransmittance();  // how much of the only light gets through to it
@@ -73,6 +74,19 @@ vec3 reflected(Material material, LightData light, vec3 toLight, vec3 n, vec3 v)
   return reflectance * light.radiance * (light.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMaxAttenuation) : 1.0);
 }
 
+// How much of light i goes from it to a point: 1, but of a spot what its cone has for the angle a there, by
+// 1 - cos a = sin^2 a / (1 + cos a), which keeps what cosines lose of small angles.
+float spotAttenuation(uint i, vec3 position, vec3 toLight) {
+  if ((kSpots & 1u << i) == 0) return 1.0;
+  SpotData spot = spotAt(i);
+  float inverseDistance = inversesqrt(max(dot(toLight, toLight), kTiny));
+  float cosine = -dot(toLight, spot.axis) * inverseDistance;
+  if (cosine <= 0.0) return 0.0;  // no cone is wider
+  vec3 from = position - spot.through, across = (from - dot(from, spot.axis) * spot.axis) * inverseDistance;
+  float part = clamp((spot.rise - dot(across, across) / (1.0 + cosine)) * spot.perPenumbra, 0.0, 1.0);
+  return part * part;
+}
+
 // What a light in the focus of a paraboloid shade lights: all inside the paraboloid, whose points are nearer to the
 // focus than to the directrix plane, and all that the rim lets through. No angle is ever computed.
 bool litThroughShade(ShadeData shade, vec3 fromFocus) {
@@ -104,7 +118,7 @@ vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
   for (uint i = 0; i < kPlainLights + kShadedLights; ++i) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - position * light.position.w;
-    vec3 reflection = reflected(material, light, toLight, n, v);
+    vec3 reflection = reflected(material, light, toLight, n, v) * spotAttenuation(i, position, toLight);
 #ifdef LUXO_SHADOWS
     if (kTransmits) reflection *= lightTransmittance();
 #endif

@@ -34,6 +34,7 @@ vec3 lessonLight(Material material, vec3 glow, Found found) {
     if (kTransmits) visible *= lightTransmittance();
 #endif
     float arriving = light.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMaxAttenuation) : 1.0;
+    arriving *= spotAttenuation(i, found.position, toLight);
     vec3 part = kLessonInShadow + (1.0 - kLessonInShadow) * visible;
     vec3 added = color * light.radiance * arriving * part * (kLessonDiffuse * max(cosine, 0.0) + kLessonReflected * reflected);
     sum += squared > 0.0 ? lessonShown(ground + added) - dark : vec3(0);

@@ -8,4 +8,6 @@
 
 layout(scalar, set = kSetScene, binding = kBindingLights) uniform Lights { LightSet lightSet; };
 
+SpotData spotAt(uint i) { return lightSet.spots[i]; }
+
 #endif

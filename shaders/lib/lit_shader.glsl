@@ -40,6 +40,7 @@ Light light(int index) {
   vec3 toLight = data.position.xyz - litPoint.position * data.position.w;
   float squared = dot(toLight, toLight), inverseDistance = inversesqrt(max(squared, kTiny));
   float arriving = data.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMaxAttenuation) : 1.0;
+  arriving *= spotAttenuation(i, litPoint.position, toLight);
   vec3 visible = vec3(squared > 0.0 && isReached(i, lightsInShadow(), foundMaterial(), toLight) ? 1 : 0);
 #ifdef LUXO_SHADOWS
   if (kTransmits) visible *= lightTransmittance();

@@ -20,7 +20,7 @@ struct Point {
 struct Light {
   vec3 direction;  // unit, toward the light
   float distance;  // metres; 1e30 of a light at infinity
-  vec3 radiance;   // that arrives where nothing is in the way: color * intensity, with its attenuation
+  vec3 radiance;   // that arrives where nothing is in the way: color * intensity, with its attenuation and cone
   vec3 visible;    // how much of that does arrive, 0 to 1
 };
 

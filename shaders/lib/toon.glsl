@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A surface as a drawing: its diffuse colour at two levels, full where some light that reaches it falls in at less than 60
 // degrees and half elsewhere, with an edge one pixel wide, and a black line along its silhouette. Where only a part of a
-// light gets through to it, that part of the cosine counts, in each colour.
+// light gets through to it, that part of the cosine counts, in each colour; or of a spot's within its cone.
 #include "lib/surface_fragment.glsl"
 
 const float kBright = 0.5;        // N.L from which the colour is full
@@ -36,7 +36,8 @@ vec3 brightness(vec3 n) {
     LightData light = lightAt(i);
     vec3 toLight = light.position.xyz - inPosition * light.position.w;
     float squared = dot(toLight, toLight);
-    float perDistance = inversesqrt(max(squared, kTiny)), cosine = dot(n, toLight) * perDistance;
+    float perDistance = inversesqrt(max(squared, kTiny)) * spotAttenuation(i, inPosition, toLight);
+    float cosine = dot(n, toLight) * perDistance;
 #ifdef LUXO_NORMAL_MAP
     // Of the surface without its map: pixels beside a triangle may read nothing of this (Mesa 22.3's lavapipe).
     float gradient = gradientLength(dot(horizonNormal, toLight) * perDistance);

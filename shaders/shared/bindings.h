@@ -112,6 +112,7 @@ LUXO_CONSTANT kConstantGivenOrder = 21;     // what is seen through is blended n
 LUXO_CONSTANT kConstantLayerDetails = 22;   // points of what is seen through come with them
 LUXO_CONSTANT kConstantCarries = 23;        // vertices carry what is the same all over the draw
 LUXO_CONSTANT kConstantFrontOnly = 24;       // only the front of the surface is shown, and rays go on through its back
+LUXO_CONSTANT kConstantSpots = 25;          // the lights, a bit each, that are spots
 
 // So many lights are carried from vertices to fragments; more are read from a buffer, which takes a CPU device longer.
 LUXO_CONSTANT kCarriedLights = 2;

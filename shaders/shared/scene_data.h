@@ -248,10 +248,20 @@ struct ShadeData {
   float reach;  // points nearer to the focus than `reach` more than they are along the axis are inside the shade
 };
 
+// The cone of a spot (engine/scene/spot_cone.h).
+struct SpotData {
+  vec3 axis;        // unit, the way that it shines
+  vec3 through;     // the point of the axis that is nearest to what positions are relative to: across from there floats are
+                    // as good as positions, however far the light is
+  float rise;       // 1 - cos outer
+  float perPenumbra;  // 1 / (cos inner - cos outer)
+};
+
 struct LightSet {
   LightData lights[kMaxLights];  // the shaded ones last
   ShadeData shades[kMaxLights];  // of the shaded ones, in their order
   uint order[kMaxLights];        // of a light's node among those that have some; points of a wide light share it
+  SpotData spots[kMaxLights];    // of those of kConstantSpots, at their index among all
 };
 
 // A cell of a caster (engine/shadow/caster_cells.h), object space.
@@ -492,7 +502,7 @@ static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 272 && sizeof(ExactPatch) == 40);
-static_assert(sizeof(LightSet) == 1792 && offsetof(LightSet, shades) == 1024 && offsetof(LightSet, order) == 1664);
+static_assert(sizeof(LightSet) == 2816 && sizeof(SpotData) == 32 && offsetof(LightSet, shades) == 1024 && offsetof(LightSet, order) == 1664 && offsetof(LightSet, spots) == 1792);
 static_assert(sizeof(FlatShadow) == 104 && sizeof(LightMapFace) == 48 && sizeof(LightMap) == 348);
 static_assert(sizeof(TraceRay) == 16 && sizeof(TraceQuestion) == 32 && sizeof(TraceAnswer) == 68 && sizeof(ShaderFaults) == 16);
 static_assert(sizeof(ShellDraw) == 8 && sizeof(RayTarget) == 12);

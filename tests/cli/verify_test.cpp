@@ -135,6 +135,31 @@ TEST_F(VerifyPictureTest, LightsOnTrianglesAreJudgedInEveryShading) {
 }
 
 /// What a depth map has too much and too little is told; a scene of exact shadows has no such numbers.
+TEST_F(VerifyPictureTest, SpotsAreRightInEveryShading) {
+  writeText(folder / "spots.json", R"({ "luxo": 1, "render": { "ambient": 0.1 },
+    "materials": { "m": { "diffuse": [0.6, 0.5, 0.4], "specular": 0.3 } },
+    "surfaces": { "floor": { "type": "rectangle", "size": [12, 12] }, "ball": { "type": "sphere", "radius": 0.7 },
+                  "ring": { "type": "torus", "major": 0.8, "minor": 0.3 } },
+    "camera": { "eye": [1, 7, 6], "look_at": [0.4, 0, 0], "fov_y": "50deg" },
+    "nodes": [ { "surface": "floor", "material": "m" }, { "surface": "ball", "material": "m", "translate": [1, 1, 0] },
+               { "surface": "ring", "material": "m", "translate": [-1, 0.8, 0.5] },
+               { "translate": [0, 4, 0], "rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                 "light": { "spot": { "inner": "15deg", "outer": "30deg" }, "shadow": "exact" } },
+               { "translate": [-3, 1, 3], "rotate": { "axis": [0, 1, 0], "angle": "-40deg" },
+                 "light": { "color": [0.2, 0.5, 1], "spot": { "outer": "25deg" } } } ] })");
+  for (const char* shading : {"flat", "gouraud", "phong", "exact", "toon"}) {
+    const Outcome outcome = verify({"spots.json", "--size", "120x90", "--json", "--shading", shading});
+    ASSERT_EQ(outcome.code, 0) << shading << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    // Meshes are off their surfaces, which is no matter of light.
+    EXPECT_EQ(json["wrong"][std::string(shading) == "exact" ? "pixels" : "light"], 0)
+        << shading << outcome.out;
+    if (std::string(shading) == "exact") {
+      EXPECT_GT(json["color"]["psnr_linear"], 110) << outcome.out;
+    }
+  }
+}
+
 TEST_F(VerifyPictureTest, ShadowsOfMapsAreTooManyOrTooFew) {
   const auto write = [&](const std::string& shadow) {
     writeText(folder / "ball.json", R"({ "luxo": 1, "camera": { "eye": [3, 4, 5], "look_at": [0, 0.5, 0] },

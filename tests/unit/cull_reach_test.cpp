@@ -54,6 +54,34 @@ TEST(Reach, SlackWidensTheLight) {
   EXPECT_TRUE(canLight(*rule, Transform{}, below, 1));
 }
 
+TEST(Reach, NoNodeWithAPointInASpotsConeIsOutOfReach) {
+  test::Random random(32);
+  int darkNodes = 0, darkFound = 0;
+  for (const double outer : {0.1, 0.5, 1.2, kPi / 2})
+    for (int i = 0; i < 1500; ++i) {
+      const SpotCone cone{.axis = random.direction(), .inner = 0.5 * outer, .outer = outer};
+      const Vec3 at = random.inCube(3);
+      const Rotation tilt = random.rotation();
+      const Surface surface = random.surface();
+      const Transform place = compose(random.inCube(4), rotation(tilt.axis, tilt.angle), random.scale());
+      const bool reached = canLight(cone, at, place, surface.bounds({}), 0);
+      const std::vector<Vec3> points = test::sample(surface, 20);
+      const bool anyLit = std::ranges::any_of(
+          points, [&](const Vec3& p) { return spotAttenuation(cone, transformPoint(place, p) - at) > 0; });
+      ASSERT_TRUE(reached || !anyLit);
+      darkNodes += !anyLit;
+      darkFound += !reached;
+    }
+  EXPECT_GT(darkNodes, 1000);
+  EXPECT_GT(darkFound, darkNodes * 8 / 10);
+  RecordProperty("found_percent", 100 * darkFound / darkNodes);
+  const SpotCone down{.axis = {0, -1, 0}, .inner = 0.1, .outer = kPi / 4};
+  const Box aside{Vec3(2, -1, -0.1), Vec3(3, 0, 0.1)};  // half a root of 2 from the cone at (0, 0, 0)
+  EXPECT_FALSE(canLight(down, Vec3(0), Transform{}, aside, 0));
+  EXPECT_FALSE(canLight(down, Vec3(0), Transform{}, aside, 0.7));
+  EXPECT_TRUE(canLight(down, Vec3(0), Transform{}, aside, 0.71));
+}
+
 TEST(Reach, LightsOfTheLampAreCounted) {
   const Scene scene = luxoGrandpa();
   const auto lightsOf = [&](double time, const char* name, const CullOptions& options = {}) {

@@ -69,8 +69,9 @@ std::string finish(const Material& m, const Vec3& ambientLight) {
 }
 
 std::string light(const SnapshotLight& light, double far) {
-  if (light.hasShadow() || (light.attenuation != Light::Attenuation::None && !light.directional()))
-    refuse("lights that fade or cast shadows");
+  if (light.hasShadow() || light.cone ||
+      (light.attenuation != Light::Attenuation::None && !light.directional()))
+    refuse("lights that fade, cast shadows or have a cone");
   const Vec3 position(light.positionWorld);
   return fmt::format("light_source {{ {} rgb {}{} }}\n",
                      text(light.directional() ? far * position : position), text(light.radiance),
