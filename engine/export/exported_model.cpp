@@ -363,6 +363,7 @@ class Exporter {
       Vec3 radiance{0};
       double count = 0;
       Light::Attenuation attenuation = Light::Attenuation::None;
+      std::optional<SpotCone> cone = {};
     };
     std::map<std::uint32_t, Sum> lights;
     for (const SnapshotLight& light : snapshot_.lights) {
@@ -371,6 +372,7 @@ class Exporter {
       sum.radiance += light.radiance;
       sum.count += 1;
       sum.attenuation = light.attenuation;
+      sum.cone = light.cone;
     }
     const Box framing = framingOf(snapshot_);
     for (const auto& [node, sum] : lights) {
@@ -381,6 +383,7 @@ class Exporter {
       const std::string name = nameOf({node});
       ModelLight light{
           .name = name, .directional = directional, .color = sum.radiance / most, .intensity = kPi * most};
+      if (sum.cone) light.spot = {sum.cone->inner, sum.cone->outer};
       if (!directional && sum.attenuation == Light::Attenuation::None) {
         const Vec3 way = 0.5 * (framing.min + framing.max) - position;
         light.intensity *= glm::dot(way, way);
@@ -392,6 +395,7 @@ class Exporter {
         at.rotation = turnTo(unit(position));
       else
         at.translation = position;
+      if (sum.cone) at.rotation = turnTo(-sum.cone->axis);
       out_.model.nodes.push_back(std::move(at));
       out_.model.lights.push_back(std::move(light));
     }

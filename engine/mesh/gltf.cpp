@@ -93,14 +93,31 @@ class GltfReader {
     }
   }
 
+  /// What scenes take (scene/ranges.h). Of angles that were rounded to float a quarter turn is above the
+  /// largest one.
+  ModelLight::Spot spotOf(const GltfValue& value) {
+    constexpr double kLeast = 1e-9, kQuarter = kPi / 2, kRounded = kQuarter * (1 + 1e-7);
+    ModelLight::Spot spot;
+    spot.outer = value["outerConeAngle"].numberOr(spot.outer);
+    if (!(spot.outer >= kLeast && spot.outer <= kRounded))
+      value["outerConeAngle"].refuse("it is not from 1e-9 to a quarter turn (in radians)");
+    spot.outer = std::min(spot.outer, kQuarter);
+    spot.inner = value["innerConeAngle"].numberOr(spot.inner);
+    if (!(spot.inner >= 0 && spot.inner <= spot.outer * (1 + 1e-6)))
+      value["innerConeAngle"].refuse("it is not from 0 to the outer one (in radians)");
+    if (spot.inner >= spot.outer) {
+      warn(value, "its inner cone is as wide as its outer one: its border is a thousandth of that wide");
+      spot.inner = 0.999 * spot.outer;
+    }
+    return spot;
+  }
+
   void readLights() {
     const GltfValue lights = file_.root()["extensions"]["KHR_lights_punctual"]["lights"];
     bool ranged = false;
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const std::string type = lights[i]["type"].text();
-      if (type == "spot")
-        warn(lights[i], "a spot light shines as a point, to all sides");
-      else if (type != "point" && type != "directional")
+      if (type != "point" && type != "spot" && type != "directional")
         lights[i]["type"].refuse("it is no kind of light");
       if (!ranged && type != "directional" && lights[i].has("range")) {
         ranged = true;
@@ -111,6 +128,7 @@ class GltfReader {
       light.color = lights[i]["color"].colourOr(Vec3(1));
       light.intensity = lights[i]["intensity"].numberOr(1);
       if (light.intensity < 0) lights[i]["intensity"].refuse("it is below 0");
+      if (type == "spot") light.spot = spotOf(lights[i]["spot"]);
       model_.lights.push_back(std::move(light));
     }
   }

@@ -239,11 +239,17 @@ class GlbWriter {
     if (!model_.lights.empty()) {
       used.push_back("KHR_lights_punctual");
       Object& lights = root_["extensions"]["KHR_lights_punctual"]["lights"];
-      for (const ModelLight& light : model_.lights)
+      for (const ModelLight& light : model_.lights) {
         lights.push_back({{"name", light.name},
-                          {"type", light.directional ? "directional" : "point"},
+                          {"type", light.spot          ? "spot"
+                                   : light.directional ? "directional"
+                                                       : "point"},
                           {"color", json(glm::clamp(light.color, 0.0, 1.0))},
                           {"intensity", light.intensity}});
+        if (light.spot)
+          lights.back()["spot"] = {{"innerConeAngle", light.spot->inner},
+                                   {"outerConeAngle", light.spot->outer}};
+      }
     }
     if (!model_.scene.empty()) {
       used.push_back("LUXO_parametric_surface");

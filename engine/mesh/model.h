@@ -109,12 +109,17 @@ struct ModelCamera {
 };
 
 /// At its node; directional ones shine along -Z. KHR_lights_punctual, whose unit of light is kept: candela of
-/// points (they fall with the square of the distance), lux of directions. Spots are points, with a warning,
-/// and so is that a range is not read.
+/// points and spots (they fall with the square of the distance), lux of directions. That a range is not read
+/// is a warning.
 struct ModelLight {
+  /// Half-angles in radians, 0 <= inner < outer <= a quarter turn, of a cone around -Z.
+  struct Spot {
+    double inner = 0, outer = kPi / 4;
+  };
   std::string name;
   bool directional = false;
-  Vec3 color{1};  ///< linear
+  std::optional<Spot> spot = {};  ///< of one that is not directional
+  Vec3 color{1};                  ///< linear
   double intensity = 1;
 };
 

@@ -90,7 +90,10 @@ TEST_F(GltfValidator, AcceptsWhatScenesCanSay) {
                  "children": [ { "surface": "ball", "material": "all", "rotate": { "axis": [0, 0, 1], "angle": 0.7 } } ] },
                { "translate": [0, 5, 0], "light": { "type": "point", "color": [3, 1, 1], "intensity": 40,
                                                     "attenuation": "inverse-square" } },
-               { "light": { "type": "directional", "color": [1, 0.5, 0] } } ],
+               { "light": { "type": "directional", "color": [1, 0.5, 0] } },
+               { "translate": [0, 3, 3], "rotate": { "axis": [1, 0.2, 0], "angle": -0.7 },
+                 "light": { "attenuation": "inverse-square", "spot": { "inner": "20deg", "outer": "90deg" } } },
+               { "light": { "spot": { "outer": 1e-9 } } } ],
     "cameras": { "top": { "eye": [0, 9, 0.1] }, "flat": { "type": "orthographic", "height": 5 },
                  "wide": { "fov_y": "170deg" } } })scene");
   expectValid("s.luxo.json", {"--tolerance", "10mm"});

@@ -319,6 +319,47 @@ TEST(ExportedModel, CamerasAndLightsComeAlong) {
   EXPECT_THAT(made.warnings, Contains(HasSubstr("'lecture' is as bright everywhere")));
 }
 
+/// What is read back shines as the scene's does: candela, half-angles, where from and where to.
+TEST(ExportedModel, SpotsReadBackTheSame) {
+  Scene scene = sceneOf(sphere(1));
+  const NodeId arm = scene.add(Node{.translation = Vec3(1, 2, 3), .rotation = Rotation{{1, 2, 3}, 0.8}});
+  scene.add(Node{.name = "stage",
+                 .parent = arm,
+                 .translation = Vec3(0.5, 4, 0),
+                 .rotation = Rotation{{1, 0, 0}, -1.2},
+                 .light = Light{.color = Vec3(1, 0.5, 0.25),
+                                .intensity = 8.0,
+                                .attenuation = Light::Attenuation::InverseSquare,
+                                .spot = Spot{0.2, 0.6}}});
+  scene.add(Node{.name = "soft",
+                 .translation = Vec3(0, 5, 0),
+                 .light = Light{.attenuation = Light::Attenuation::InverseSquare,
+                                .spot = Spot{0.0, kPi / 2},
+                                .shadow = Light::Shadow::Exact,
+                                .radius = 0.1}});
+  const ExportedModel made = exportedModel(scene, 0, {});
+  EXPECT_THAT(made.warnings, ElementsAre(HasSubstr("'soft': its shadow is not exported")));
+  const FilesInMemory files = {{"a.glb", std::make_shared<const std::vector<std::byte>>(
+                                             filesOf(made.model, "a.glb", made.claim).at(0).bytes)}};
+  const auto read = std::make_shared<const Model>(readModel("a.glb", {.from = FileSource(files)}));
+  EXPECT_TRUE(read->warnings.empty());
+  const auto byCone = [](std::vector<SnapshotLight> lights) {
+    std::ranges::sort(lights, {}, [](const SnapshotLight& light) { return light.cone.value().outer; });
+    return lights;
+  };
+  const std::vector<SnapshotLight> before = byCone(takeSnapshot(scene, 0, {64, 64}, CameraId{}, 1).lights),
+                                   after = byCone(takeSnapshot(modelScene(read), 0, {64, 64}).lights);
+  ASSERT_EQ(before.size(), 2U);
+  ASSERT_EQ(after.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    test::expectNear(after[i].radiance, before[i].radiance, 1e-12);
+    test::expectNear(Vec3(after[i].positionWorld), Vec3(before[i].positionWorld), 1e-12);
+    test::expectNear(after[i].cone->axis, before[i].cone->axis, 1e-12);
+    EXPECT_NEAR(after[i].cone->inner, before[i].cone->inner, 1e-15);
+    EXPECT_NEAR(after[i].cone->outer, before[i].cone->outer, 1e-15);
+  }
+}
+
 TEST(ExportedModel, AColourThatIsAFormulaBecomesItsMean) {
   const Scene scene = buildScene(parseScene(R"scene({ "luxo": 1,
     "materials": { "shades": { "diffuse": ["u", 0.5, 0], "opacity": 0.5 } },

@@ -178,7 +178,8 @@ TEST_F(ReadGltf, CamerasAndLightsStandAtTheirNodes) {
   json["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.25}},
                                     {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 3, "znear": 0, "zfar": 9}}])");
   json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(
-      R"([{"type": "point", "color": [1, 0.5, 0], "intensity": 40}, {"type": "directional"}, {"type": "spot"}])");
+      R"([{"type": "point", "color": [1, 0.5, 0], "intensity": 40}, {"type": "directional"},
+          {"type": "spot", "intensity": 7, "spot": {"innerConeAngle": 0.25, "outerConeAngle": 0.5}}, {"type": "spot", "spot": {}}])");
   json["nodes"][0]["camera"] = 1;
   json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 0;
   const Model model = read(json);
@@ -191,7 +192,43 @@ TEST_F(ReadGltf, CamerasAndLightsStandAtTheirNodes) {
   EXPECT_EQ(model.lights[0].color, Vec3(1, 0.5, 0));
   EXPECT_EQ(model.lights[0].intensity, 40);
   EXPECT_TRUE(model.lights[1].directional);
-  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("lights[2]: a spot light shines as a point")));
+  EXPECT_FALSE(model.lights[0].spot || model.lights[1].spot);
+  EXPECT_FALSE(model.lights[2].directional);
+  EXPECT_EQ(model.lights[2].intensity, 7);
+  EXPECT_EQ(model.lights[2].spot.value().inner, 0.25);
+  EXPECT_EQ(model.lights[2].spot.value().outer, 0.5);
+  EXPECT_EQ(model.lights[3].spot.value().inner, 0);
+  EXPECT_NEAR(model.lights[3].spot.value().outer, kPi / 4, 1e-15);
+  EXPECT_TRUE(model.warnings.empty());
+}
+
+TEST_F(ReadGltf, ConesOfSpots) {
+  const auto readSpot = [this](const std::string& spot) {
+    Json json = square();
+    json["extensions"]["KHR_lights_punctual"]["lights"] =
+        Json::parse(R"([{"type": "spot", "spot": )" + spot + "}]");
+    return read(json);
+  };
+  // A quarter turn as a float has it; and a border that has no width, which some programs write.
+  EXPECT_EQ(readSpot(R"({"outerConeAngle": 1.5707963705062866})").lights[0].spot.value().outer, kPi / 2);
+  const Model sharp = readSpot(R"({"innerConeAngle": 0.5, "outerConeAngle": 0.5})");
+  EXPECT_NEAR(sharp.lights[0].spot.value().inner, 0.4995, 1e-12);
+  EXPECT_EQ(sharp.lights[0].spot.value().outer, 0.5);
+  EXPECT_THAT(sharp.warnings,
+              ElementsAre(HasSubstr("lights[0].spot: its inner cone is as wide as its outer one")));
+  for (const auto& [spot, place] :
+       {std::pair(R"({"innerConeAngle": 0.6, "outerConeAngle": 0.5})", "innerConeAngle"),
+        {R"({"innerConeAngle": -0.1})", "innerConeAngle"},
+        {R"({"innerConeAngle": "wide"})", "innerConeAngle"},
+        {R"({"outerConeAngle": 0})", "outerConeAngle"},
+        {R"({"outerConeAngle": 1.6})", "outerConeAngle"},
+        {R"({"outerConeAngle": -1})", "outerConeAngle"}})
+    try {
+      static_cast<void>(readSpot(spot));
+      ADD_FAILURE() << "taken: " << spot;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr(place)) << spot;
+    }
 }
 
 TEST_F(ReadGltf, RangesOfLightsAreToldThatAreNotRead) {

@@ -46,7 +46,8 @@ Model twoBodies() {
                   .camera = 0,
                   .light = 0}};
   model.cameras = {{.name = "eye", .fovY = 0.75, .near = 0.25}};
-  model.lights = {{.name = "sun", .directional = true, .color = {1, 0.5, 0.25}, .intensity = 3}};
+  model.lights = {{.name = "sun", .directional = true, .color = {1, 0.5, 0.25}, .intensity = 3},
+                  {.name = "stage", .spot = ModelLight::Spot{0.125, 0.75}, .intensity = 5}};
   return model;
 }
 
@@ -138,6 +139,10 @@ TEST_F(WriteModel, GlbKeepsNodesMaterialsCamerasLightsAndTheScene) {
   EXPECT_EQ(read.cameras.at(0).near, 0.25);
   EXPECT_EQ(read.lights.at(0).color, Vec3(1, 0.5, 0.25));
   EXPECT_EQ(read.lights.at(0).intensity, 3);
+  EXPECT_FALSE(read.lights.at(0).spot);
+  EXPECT_FALSE(read.lights.at(1).directional);
+  EXPECT_EQ(read.lights.at(1).spot.value().inner, 0.125);
+  EXPECT_EQ(read.lights.at(1).spot.value().outer, 0.75);
   EXPECT_EQ(read.meshes.at(0).groups().size(), 2U);
 }
 
