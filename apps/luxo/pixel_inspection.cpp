@@ -174,14 +174,18 @@ class Inspector {
   Json lightJson(const LightOnPoint& light) const {
     const bool directional = !std::isfinite(light.distance);
     return {{"node", nameOf(light.light)},
-            {"type", directional ? "directional" : "point"},
+            {"type", scene_[light.light].light->spot ? "spot"
+                     : directional                   ? "directional"
+                                                     : "point"},
             {"toward", vectorJson(light.toward)},
             {"distance", numberJson(light.distance)},
             {"cosine", light.cosine},
             {"state", !light.faces                  ? "behind the surface"
+                      : light.cone == 0             ? "outside its cone"
                       : light.visibility == Vec3(1) ? "seen"
                       : light.visibility == Vec3(0) ? "in shadow"
                                                     : "partly in shadow"},
+            {"cone", light.cone},
             {"points", light.points},
             {"has_shadow", light.shadows},
             {"visibility", vectorJson(light.visibility)},
@@ -373,11 +377,12 @@ std::string line(const char* what, const std::string& said) {
 }
 
 std::string lightText(const Json& light) {
-  const bool shines = light["state"] != "behind the surface";
+  const bool shines = light["state"] != "behind the surface" && light["state"] != "outside its cone";
   std::string said = fmt::format("{}, {}", text(light["node"]), text(light["state"]));
   if (light["points"] != 1) said += fmt::format(", {} points", light["points"].get<std::uint32_t>());
   if (!light["distance"].is_null()) said += fmt::format(", {} m away", numberText(light["distance"]));
   said += fmt::format(", cosine {}", numberText(light["cosine"]));
+  if (shines && light["type"] == "spot") said += fmt::format(", cone {}", numberText(light["cone"]));
   if (shines && light.contains("share"))
     said += fmt::format(": adds {} of {}", listText(light["share"]), listText(light["unshadowed"]));
   else if (shines)

@@ -246,6 +246,13 @@ class Inspector {
     return list;
   }
 
+  [[nodiscard]] static Json coneJson(const SpotCone& cone) {
+    constexpr double kDegrees = 180 / kPi;
+    return {{"axis", vectorJson(cone.axis)},
+            {"inner_degrees", cone.inner * kDegrees},
+            {"outer_degrees", cone.outer * kDegrees}};
+  }
+
   [[nodiscard]] Json lightsJson() const {
     Json list = Json::array();
     // As the scene has them: one with a radius is one light.
@@ -255,10 +262,13 @@ class Inspector {
           light.attenuation == Light::Attenuation::InverseSquare ? "inverse-square" : "none";
       list.push_back(
           {{"node", scene_[light.id].name},
-           {"type", light.directional() ? "directional" : "point"},
+           {"type", light.cone            ? "spot"
+                    : light.directional() ? "directional"
+                                          : "point"},
            {light.directional() ? "toward_light" : "position", vectorJson(Vec3(light.positionWorld))},
            {"radiance", vectorJson(light.radiance)},
            {"attenuation", attenuation},
+           {"cone", light.cone ? coneJson(*light.cone) : Json()},
            {"shadow", light.hasShadow()},
            {"shadow_kind", keys::kShadows.at(static_cast<std::size_t>(scene_[light.id].light->shadow))},
            {"radius", scene_[light.id].light->radius.at(moment_)},
@@ -369,7 +379,7 @@ std::string parameterText(const Json& parameter) {
 }
 
 std::string lightText(const Json& light) {
-  const bool point = light["type"] == "point";
+  const bool point = light["type"] != "directional";
   std::string shadow =
       light["shadow"].get<bool>() ? fmt::format(", {} shadow", textOf(light["shadow_kind"])) : "";
   if (light["shadow"].get<bool>() && light["radius"] != 0)
@@ -380,10 +390,14 @@ std::string lightText(const Json& light) {
         ", map of {} texels, bias {}, slope {}, normal offset {}, pcf {}{}", map["size"].get<std::uint32_t>(),
         numberText(map["bias"]), numberText(map["slope_bias"]), numberText(map["normal_offset"]),
         map["pcf"].get<std::uint32_t>(), map["receiver_plane"].get<bool>() ? ", receiver plane" : "");
-  return fmt::format("  {:<20} {}, {} {}, radiance {}, attenuation {}{}\n", textOf(light["node"]),
+  std::string cone;
+  if (const Json& spot = light["cone"]; !spot.is_null())
+    cone = fmt::format(", cone along {} from {} to {} degrees", listText(spot["axis"]),
+                       numberText(spot["inner_degrees"]), numberText(spot["outer_degrees"]));
+  return fmt::format("  {:<20} {}, {} {}, radiance {}, attenuation {}{}{}\n", textOf(light["node"]),
                      textOf(light["type"]), point ? "at" : "toward",
                      listText(light[point ? "position" : "toward_light"]), listText(light["radiance"]),
-                     textOf(light["attenuation"]), shadow);
+                     textOf(light["attenuation"]), cone, shadow);
 }
 
 std::string cameraText(const Json& camera) {

@@ -137,6 +137,46 @@ TEST_F(Inspect, APixelOfABall) {
     EXPECT_TRUE(contains(text.out, said)) << text.out << "\nlacks: " << said;
 }
 
+/// A spot of which half of the cone is between 30 and 60 degrees, seen from where it is: of a floor 2 m
+/// below.
+TEST_F(Inspect, ASpotAndAPixelsShareOfIt) {
+  writeText(folder / "s.luxo.json", R"({ "luxo": 1, "render": { "ambient": 0 },
+    "materials": { "m": { "diffuse": 0.5, "specular": 0 } },
+    "surfaces": { "floor": { "type": "rectangle", "size": [40, 40] } },
+    "camera": { "eye": [0, 2, 0], "look_at": [0, 0, 0], "up": [0, 0, -1], "fov_y": "90deg" },
+    "nodes": [ { "name": "floor", "surface": "floor", "material": "m" },
+               { "name": "stage", "translate": [0, 2, 0], "rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                 "light": { "spot": { "inner": "30deg", "outer": "45deg" } } } ] })");
+  const auto lightAt = [&](const char* pixel) {
+    return inspected("s.luxo.json", {"--pixel", pixel, "--size", "101x101"})["points"][0]["lights"][0];
+  };
+  const Json axis = lightAt("50,50");  // the middle one
+  EXPECT_EQ(axis["type"], "spot");
+  EXPECT_EQ(axis["state"], "seen");
+  EXPECT_EQ(axis["cone"], 1);
+  expectVector(axis["share"], {0.5, 0.5, 0.5}, 1e-12);
+  // 40 of the 50.5 pixels from the middle to the border, which is at 45 degrees.
+  const double cosine = std::cos(std::atan(40 / 50.5));
+  const double part = (cosine - std::sqrt(0.5)) / (std::sqrt(0.75) - std::sqrt(0.5));
+  const Json middle = lightAt("90,50");
+  EXPECT_NEAR(middle["cone"].get<double>(), part * part, 1e-12);
+  EXPECT_NEAR(middle["share"][0].get<double>(), 0.5 * part * part * cosine, 1e-12);
+  const Json outside = lightAt("99,99");
+  EXPECT_EQ(outside["state"], "outside its cone");
+  expectVector(outside["share"], {0, 0, 0}, 0);
+
+  const Json light = inspected("s.luxo.json", {})["lights"][0];
+  EXPECT_EQ(light["type"], "spot");
+  expectVector(light["cone"]["axis"], {0, -1, 0}, 1e-15);
+  EXPECT_NEAR(light["cone"]["inner_degrees"].get<double>(), 30, 1e-12);
+  EXPECT_NEAR(light["cone"]["outer_degrees"].get<double>(), 45, 1e-12);
+  const Outcome text = run(folder, {"inspect", "s.luxo.json"});
+  EXPECT_TRUE(contains(text.out, "spot, at (0, 2, 0)")) << text.out;
+  EXPECT_TRUE(contains(text.out, "from 30 to 45 degrees")) << text.out;
+  const Outcome pixel = run(folder, {"inspect", "s.luxo.json", "--pixel", "99,99", "--size", "101x101"});
+  EXPECT_TRUE(contains(pixel.out, "stage, outside its cone")) << pixel.out;
+}
+
 /// Of a shader the colour is the picture's, and of the light what arrives there: what becomes of that the
 /// shader alone knows.
 TEST_F(Inspect, APixelOfAShader) {
