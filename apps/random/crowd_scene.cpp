@@ -106,6 +106,27 @@ std::string addLight(Json& json, int number, int surfaces, Numbers& n) {
   return kind;
 }
 
+/// Of some scenes a spot, aimed at something near the middle; from numbers of its own, so that all else of
+/// them is what it was before. Whether there is one.
+bool addSpot(Json& json, std::uint64_t seed, std::uint64_t index) {
+  constexpr std::uint64_t kOwnNumbers = 0x73706f74;
+  Numbers n(seed ^ kOwnNumbers, index);
+  if (!n.chance(0.15)) return false;
+  const double around = n.between(0, kTau), down = n.between(0.1, 1.5), distance = n.magnitude(1, 30);
+  const Vec3 way(-std::sin(around) * std::cos(down), -std::sin(down), -std::cos(around) * std::cos(down));
+  const Vec3 at = Vec3(n.between(-2, 2), n.between(0, 1), n.between(-2, 2)) - distance * way;
+  const double outer = n.magnitude(0.02, 1.57);
+  Json light = {{"intensity", 0.7},
+                {"shadow", "exact"},
+                {"spot", {{"inner", rounded(outer * n.between(0, 0.9))}, {"outer", rounded(outer)}}}};
+  json["nodes"].push_back({{"name", "spot"},
+                           {"translate", vectorJson(at.x, at.y, at.z)},
+                           {"rotate", Json::array({{{"axis", {0, 1, 0}}, {"angle", rounded(around)}},
+                                                   {{"axis", {1, 0, 0}}, {"angle", rounded(-down)}}})},
+                           {"light", std::move(light)}});
+  return true;
+}
+
 /// As people look at a table, mostly.
 HardCamera cameraOver(const Json& json, PixelSize size, Numbers& n) {
   if (n.chance(0.35)) return hardCamera(takeSnapshot(sceneOf(json), 0, size, Camera{}), n);
@@ -151,6 +172,7 @@ HardScene crowdScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpt
   if (n.chance(0.8)) addFloor(crowd.json, n);
   const int lights = n.chance(0.5) ? 1 : n.whole(2, 4);
   for (int i = 0; i < lights; ++i) crowd.kind += "+" + addLight(crowd.json, i, surfaces, n);
+  if (addSpot(crowd.json, seed, index)) crowd.kind += "+spot";
   const HardCamera camera = cameraOver(crowd.json, size, n);
   crowd.camera = camera.kind;
   crowd.json["camera"] = camera.json;

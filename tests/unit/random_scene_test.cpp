@@ -80,10 +80,11 @@ TEST(CrowdScenes, CanBeReadAndHaveAllSortsOfLights) {
     counts.insert(snapshot.nodes.size());
     for (const Json& node : crowd.json["nodes"])
       if (node.contains("light")) lights.insert(node["light"].contains("radius") ? "soft" : "hard");
-    for (const char* kind : {"low sun", "+sun", "direction", "far", "near", "inside", "grazing", "glass"})
+    for (const char* kind :
+         {"low sun", "+sun", "direction", "far", "near", "inside", "grazing", "glass", "+spot"})
       if (crowd.kind.find(kind) != std::string::npos) lights.insert(kind);
   }
-  EXPECT_EQ(lights.size(), 2U + 8U);
+  EXPECT_EQ(lights.size(), 2U + 9U);
   EXPECT_GT(counts.size(), 8U);
 }
 
