@@ -109,7 +109,7 @@ std::vector<Subject> subjectsOf(RenderRequest request, std::vector<NamedFile>& i
   for (const std::string& name : names) {
     Scene scene = openScene(
         name, {.parameters = request.parameters, .inputs = &inputs, .allowOutside = request.allowOutside});
-    moveCloth(scene, request.device);
+    moveByDevice(scene, request.device);
     const RenderSettings settings = settingsOf(scene, request);
     subjects.push_back({name, takeSnapshot(scene, settings.time, settings.size, cameraOf(scene, request))});
     if (std::ranges::find(builtin, name, &BuiltinScene::name) != builtin.end())

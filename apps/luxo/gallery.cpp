@@ -83,7 +83,7 @@ bool drawAll(const GalleryOptions& options, const Sheet& sheet, Verbosity verbos
   for (const EmbeddedScene& embedded : scenes) {
     const int index = static_cast<int>(report.frames.size());
     Scene scene = buildScene(galleryDescription(embedded));
-    moveCloth(scene, options.device);
+    moveByDevice(scene, options.device);
     RenderSettings settings = scene.settings();
     settings.size = sheet.cell;
     if (options.samples) settings.samples = parseSamples(*options.samples);

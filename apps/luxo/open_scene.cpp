@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "draw/device_cloth_simulation.h"
+#include "draw/device_vertex_movement.h"
 #include "interruption.h"
 #include "mesh/model.h"
 #include "progress_bar.h"
@@ -262,11 +263,12 @@ Scene buildScene(const SceneFile& file, std::span<const ParameterValue> paramete
   for (const Diagnostic& diagnostic : found)
     warnings->push_back(
         describe(file.source.name, file.source.text ? *file.source.text : std::string(), diagnostic));
-  moveCloth(scene, "auto");
+  moveByDevice(scene, "auto");
   return scene;
 }
 
-void moveCloth(Scene& scene, const std::string& device) {
+void moveByDevice(Scene& scene, const std::string& device) {
+  scene.set(std::make_shared<DeviceVertexMovement>(gpu::ContextDesc{.device = device}));
   if (!scene.hasCloth()) return;
   const auto simulation = std::make_shared<DeviceClothSimulation>(gpu::ContextDesc{.device = device});
   simulation->setInterruption([] { return interruptingSignal() != 0; });

@@ -383,7 +383,7 @@ int renderScene(const RenderRequest& request, const ShaderOptions& shader) {
 int renderToFiles(Scene scene, const RenderRequest& request, std::span<const NamedFile> inputs) {
   showLog(request.verbosity);
   rememberInterruptions();
-  moveCloth(scene, request.device);
+  moveByDevice(scene, request.device);
   return Run(std::move(scene), request, inputs).toExitCode();
 }
 

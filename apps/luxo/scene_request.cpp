@@ -72,7 +72,7 @@ ParameterId sweptParameter(const Scene& scene, const Sweep& sweep) {
 ViewedScene viewedScene(Scene scene, const RenderRequest& request) {
   const RenderSettings settings = settingsOf(scene, request);
   const CameraId camera = cameraOf(scene, request);
-  moveCloth(scene, request.device);
+  moveByDevice(scene, request.device);
   return {std::move(scene), settings, camera};
 }
 

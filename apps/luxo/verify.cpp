@@ -141,7 +141,7 @@ int verifyScene(const VerifyOptions& options) {
                                          .inputs = &inputs,
                                          .allowOutside = render.allowOutside,
                                          .showsProgress = render.verbosity == Verbosity::Normal});
-  moveCloth(scene, render.device);
+  moveByDevice(scene, render.device);
   requireOutputs(outputs, inputs);
   const RenderSettings settings = settingsOf(scene, render);
   requireGroundTruth(settings.shading);

@@ -24,6 +24,7 @@ struct Vertex {
   Vec3 position, normal;
   Vec2 parameters;
   Vec4 tangent;
+  Vec3 rest, restNormal;
 };
 
 double at(const Vec4& plane, const Vertex& vertex) { return glm::dot(plane, Vec4(vertex.position, 1)); }
@@ -33,8 +34,12 @@ Vertex crossing(const Vec4& plane, const Vertex* a, const Vertex* b) {
   const auto place = [](const Vertex& v) { return std::tie(v.position.x, v.position.y, v.position.z); };
   if (place(*b) < place(*a)) std::swap(a, b);
   const double ofA = at(plane, *a), part = ofA / (ofA - at(plane, *b));
-  return {glm::mix(a->position, b->position, part), glm::mix(a->normal, b->normal, part),
-          glm::mix(a->parameters, b->parameters, part), glm::mix(a->tangent, b->tangent, part)};
+  return {glm::mix(a->position, b->position, part),
+          glm::mix(a->normal, b->normal, part),
+          glm::mix(a->parameters, b->parameters, part),
+          glm::mix(a->tangent, b->tangent, part),
+          glm::mix(a->rest, b->rest, part),
+          glm::mix(a->restNormal, b->restNormal, part)};
 }
 
 /// The part of a convex polygon on a plane's positive side.
@@ -89,7 +94,9 @@ std::shared_ptr<const Mesh> clippedMesh(const View& view, const SnapshotNode& no
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = mesh->indices[i + k];
       polygon.push_back({mesh->positions[v], mesh->normals[v], mesh->parameters[v],
-                         mesh->tangents.empty() ? Vec4(0) : mesh->tangents[v]});
+                         mesh->tangents.empty() ? Vec4(0) : mesh->tangents[v],
+                         mesh->rest.empty() ? Vec3(0) : Vec3(mesh->rest[v]),
+                         mesh->rest.empty() ? Vec3(0) : Vec3(mesh->restNormals[v])});
     }
     for (const Vec4& plane : planes) clip(polygon, plane);
     const auto first = static_cast<std::uint32_t>(part.positions.size());
@@ -98,6 +105,10 @@ std::shared_ptr<const Mesh> clippedMesh(const View& view, const SnapshotNode& no
       part.normals.push_back(vertex.normal);
       part.parameters.push_back(vertex.parameters);
       if (!mesh->tangents.empty()) part.tangents.push_back(vertex.tangent);
+      if (!mesh->rest.empty()) {
+        part.rest.emplace_back(vertex.rest);
+        part.restNormals.emplace_back(vertex.restNormal);
+      }
       sum += vertex.position;
     }
     for (std::uint32_t k = 2; k < polygon.size(); ++k)

@@ -22,13 +22,14 @@ using gpu::ShaderVariable;
 /// What a vertex has beside what the language gives it, on the axes of its object.
 struct Attribute {
   std::string_view name, type, value;
+  std::string_view ofVertices = "vec3(luxoOther)";  // vertices of a mesh that moves have none
 };
 constexpr Attribute kAttributes[] = {{"tangent", "vec3", "luxoOnAxesOfObject(p.tangent)"},
                                      {"bitangent", "vec3", "luxoOnAxesOfObject(p.bitangent)"},
                                      {"binormal", "vec3", "luxoOnAxesOfObject(p.bitangent)"},
                                      {"Su", "vec3", "luxoObjectFromRelative * p.Su"},
                                      {"Sv", "vec3", "luxoObjectFromRelative * p.Sv"},
-                                     {"uv", "vec2", "p.uv"}};
+                                     {"uv", "vec2", "p.uv", "uv"}};
 
 constexpr std::string_view kState = "gL_State";
 
@@ -284,19 +285,36 @@ std::string CourseProgram::initialiserShared(const std::string& uniform) const {
   return fmt::format("  {} = {};\n", storages[ofFragment ? 1 : 0], storages[ofFragment ? 0 : 1]);
 }
 
-std::string CourseProgram::material(const std::string& functions, const std::string& loads) const {
+std::string CourseProgram::programs(const std::string& functions, const std::string& loads) const {
   std::string text = "#define uniform\n#include \"lib/course.glsl\"\n" + functions;
-  if (readsLights_) text += "#define LUXO_READS_LIGHTS\n";
   if (vertex_) text += fmt::format("#include \"{}\"\n{}", vertex_->paths[shader_->vertex], macros_);
   text += fmt::format("#include \"{}\"\n{}", fragment_.paths.front(), macros_);
-  text += fmt::format("void loadUniforms() {{\n{}", loads);
-  text += "}\n#include \"lib/course_point.glsl\"\nvec4 material(Point p) {\n  luxoLoadPoint(p);\n";
+  return text + fmt::format("void loadUniforms() {{\n{}}}\n", loads);
+}
+
+/// Statements that give the vertex program what a vertex has beside what the language gives it.
+std::string CourseProgram::attributes(bool inPixels) const {
+  std::string text;
+  for (const ShaderVariable& attribute : vertex_->interface.inputs)
+    if (const auto* const known = std::ranges::find(kAttributes, attribute.name, &Attribute::name);
+        known != std::end(kAttributes))
+      text += fmt::format("  {}{} = {};\n", vertex_->prefix, attribute.name,
+                          inPixels ? known->value : known->ofVertices);
+  return text;
+}
+
+std::string CourseProgram::movement(const std::string& functions, const std::string& loads) const {
+  return programs(functions, loads) +
+         fmt::format("void luxoMoveVertex(vec2 uv) {{\n{}  {}mAin();\n}}\n#undef uniform\n",
+                     attributes(false), vertex_->prefix);
+}
+
+std::string CourseProgram::material(const std::string& functions, const std::string& loads) const {
+  std::string text = readsLights_ ? "#define LUXO_READS_LIGHTS\n" : "";
+  text += programs(functions, loads) +
+          "#include \"lib/course_point.glsl\"\nvec4 material(Point p) {\n  luxoLoadPoint(p);\n";
   if (vertex_) {
-    for (const ShaderVariable& attribute : vertex_->interface.inputs)
-      if (const auto* const known = std::ranges::find(kAttributes, attribute.name, &Attribute::name);
-          known != std::end(kAttributes))
-        text += fmt::format("  {}{} = {};\n", vertex_->prefix, attribute.name, known->value);
-    text += fmt::format("  {}mAin();\n  luxoMoved = luxoIsMoved();\n", vertex_->prefix);
+    text += attributes(true) + fmt::format("  {}mAin();\n  luxoMoved = luxoIsMoved();\n", vertex_->prefix);
     for (const ShaderVariable& varying : fragment_.interface.inputs)
       if (!isOfTheLanguage(varying.name) && find(vertex_->interface.outputs, varying.name))
         text +=

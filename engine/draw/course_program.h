@@ -40,6 +40,9 @@ class CourseProgram {
   /// The text that is the material's: it includes files of the paths, and has `loads` in its function
   /// loadUniforms().
   [[nodiscard]] std::string material(const std::string& functions, const std::string& loads) const;
+  /// The same for shaders/lib/vertex_movement.glsl: its function luxoMoveVertex() runs the vertex program,
+  /// which there has to be.
+  [[nodiscard]] std::string movement(const std::string& functions, const std::string& loads) const;
   /// Of the programs' files as they are joined.
   [[nodiscard]] std::vector<std::string> paths() const { return ofStages(&Stage::paths); }
   [[nodiscard]] std::vector<std::string> texts() const { return ofStages(&Stage::texts); }
@@ -52,6 +55,8 @@ class CourseProgram {
     std::vector<std::string> paths = {}, texts = {};  ///< of the shader's files
   };
 
+  [[nodiscard]] std::string programs(const std::string& functions, const std::string& loads) const;
+  [[nodiscard]] std::string attributes(bool inPixels) const;
   [[nodiscard]] std::vector<std::string> ofStages(std::vector<std::string> Stage::*what) const;
   void name(Stage& stage, const std::vector<std::string>& texts) const;
   [[nodiscard]] std::vector<std::size_t> includedBy(std::size_t program) const;

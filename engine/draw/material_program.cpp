@@ -423,16 +423,27 @@ bool MaterialProgram::readElements(std::vector<std::string>& texts, const std::s
   return true;
 }
 
+MaterialProgram::Joined MaterialProgram::joinedCourse(const Paint& paint, CourseText text) const {
+  Joined joined;
+  joined.texts = course_->texts();
+  const Loads load = loads(paint, joined.texts);
+  joined.material = ((*course_).*text)(load.functions, load.statements);
+  joined.names = course_->paths();
+  joined.shown.resize(joined.names.size());
+  return joined;
+}
+
+MaterialProgram::Joined MaterialProgram::movement(const Paint& paint) const {
+  return joinedCourse(paint, &CourseProgram::movement);
+}
+
 MaterialProgram::Joined MaterialProgram::joined(const Paint& paint) const {
   Joined joined;
   if (paint.curvature().valid()) joined.curvature = paint.curvature().glsl();
   if (course_) {
-    joined.texts = course_->texts();
-    const Loads load = loads(paint, joined.texts);
-    joined.material = course_->material(load.functions, load.statements);
-    joined.names = course_->paths();
-    joined.shown.resize(joined.names.size());
-    return joined;
+    Joined ofCourse = joinedCourse(paint, &CourseProgram::material);
+    ofCourse.curvature = std::move(joined.curvature);
+    return ofCourse;
   }
   // What the shader names is its own, whatever luxo's own shaders call theirs.
   std::vector<std::string> names;
@@ -471,6 +482,11 @@ std::vector<gpu::ShaderSource> MaterialProgram::Joined::sources() const {
   return sources;
 }
 
+void appendUniforms(const Material& material, std::vector<float>& numbers) {
+  for (const UniformValue& uniform : material.uniforms)
+    for (const double value : uniform.values) numbers.push_back(static_cast<float>(value));
+}
+
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
                   std::vector<float>& numbers) {
   const auto add = [&](const Vec3& v) {
@@ -483,8 +499,7 @@ void appendShader(const Material& material, const SnapshotNode& node, const Vec3
   add(objectFromWorld * (origin - node.worldFromObject.translation));
   add(ambient);
   for (int column = 0; column < 3; ++column) add(node.worldFromObject.linear[column] * node.evened[column]);
-  for (const UniformValue& uniform : material.uniforms)
-    for (const double value : uniform.values) numbers.push_back(static_cast<float>(value));
+  appendUniforms(material, numbers);
   for (const double parameter : material.curvatureParameters)
     numbers.push_back(static_cast<float>(parameter));
 }

@@ -52,12 +52,16 @@ class MaterialProgram {
     [[nodiscard]] std::vector<gpu::ShaderSource> sources() const;
   };
   [[nodiscard]] Joined joined(const Paint& paint) const;
+  /// What lib/vertex_movement.glsl includes in the same way. Requires a vertex program in the course's style.
+  [[nodiscard]] Joined movement(const Paint& paint) const;
 
  private:
   /// By itself, in one of luxo's own shaders, of which it is the file "material": the files[index].
   [[nodiscard]] gpu::ShaderInterface compileAlone(std::string_view in, std::size_t index,
                                                   gpu::ShaderStage stage);
   void compileCourse();
+  using CourseText = std::string (CourseProgram::*)(const std::string&, const std::string&) const;
+  [[nodiscard]] Joined joinedCourse(const Paint& paint, CourseText text) const;
   void requireSettable();
   void requireOwnNames() const;
   void addCopiedArrays();
@@ -103,5 +107,7 @@ class MaterialProgram {
 inline constexpr std::uint32_t kShaderNumbers = 27;
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
                   std::vector<float>& numbers);
+/// Those of the uniforms alone.
+void appendUniforms(const Material& material, std::vector<float>& numbers);
 
 }  // namespace luxo

@@ -97,10 +97,11 @@ void refuseShaders(const Snapshot& snapshot, const shared::ShaderFaults& faults)
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: in {} pixels the vertex program moves the vertex: gl_Position is not that of "
-                    "gl_Vertex, and an exact surface is where its formula has it",
+                    "gl_Vertex, and a surface of a formula is where that has it, as a mesh is whose vertices "
+                    "stay",
                     fmt::join(vertexNames, ", "), faults.moved),
-        "write gl_Position = ftransform(), and the movement into the surface's \"position\": formulas "
-        "take time and parameters");
+        "write gl_Position = ftransform(), and the movement into the surface's \"position\" or the material's "
+        "\"displacement\", formulas of time and parameters; or give it a mesh that is fine enough to move");
   if (faults.manyTraces > 0)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: in {} pixels the shader sends more than {} rays into the scene", all,

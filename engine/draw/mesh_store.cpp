@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "draw/rest_frame.h"
+
 namespace luxo {
 namespace {
 
@@ -40,6 +42,14 @@ std::vector<ShellVertex> verticesOf(const Shell& shell) {
   return vertices;
 }
 
+std::vector<Vec4f> restFrames(const Mesh& mesh) {
+  std::vector<Vec4f> frames;
+  frames.reserve(mesh.rest.size());
+  for (std::size_t i = 0; i < mesh.rest.size(); ++i)
+    frames.push_back(restFrame(mesh.rest[i], Vec3(mesh.restNormals[i])));
+  return frames;
+}
+
 void uploadIndices(gpu::Context& context, DeviceMesh& mesh, const std::vector<std::uint32_t>& indices,
                    std::size_t vertices) {
   mesh.indexCount = static_cast<std::uint32_t>(indices.size());
@@ -71,6 +81,7 @@ const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool w
   }
   if (withTangents && !device.tangents) {
     std::vector<Vec4f> tangents(mesh->tangents.begin(), mesh->tangents.end());
+    if (!mesh->rest.empty()) tangents = restFrames(*mesh);
     tangents.resize(mesh->positions.size(), Vec4f(0));
     device.tangents = upload(*context_, tangents, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "mesh tangents");
   }

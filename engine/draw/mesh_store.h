@@ -17,7 +17,9 @@ namespace luxo {
 struct DeviceMesh {
   gpu::Buffer vertices;    ///< position and normal interleaved: 24 bytes a vertex; or ShellVertex
   gpu::Buffer parameters;  ///< (u, v): 8 bytes a vertex; empty until a view of geometry needs it
-  gpu::Buffer tangents;    ///< 16 bytes a vertex, 0 of meshes without; empty until a map of normals needs it
+  /// 16 bytes a vertex, 0 of meshes without; of what has moved where that was (draw/rest_frame.h). Empty
+  /// until a map of normals or a shader needs it.
+  gpu::Buffer tangents;
   gpu::Buffer indices;
   VkIndexType indexType = VK_INDEX_TYPE_UINT16;
   std::uint32_t indexCount = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "draw/rest_frame.h"
 #include "math/numbers.h"
 #include "reference/verification.h"
 
@@ -104,7 +105,7 @@ void LayerRays::append(const Seen& seen, PixelPlace pixel, RayPoints& points) co
     points.layerPoints.push_back(told);
     points.layerLights.insert(points.layerLights.end(), point.light.begin(), point.light.end());
     points.layerDetails.push_back({.footprint = Vec4f(Vec4(point.hit.footprint[0], point.hit.footprint[1])),
-                                   .frame = Vec4f(point.hit.frame)});
+                                   .frame = frameOf(caster_.snapshot().nodes[point.hit.node], point.hit)});
   };
   constexpr float kEnd = std::numeric_limits<float>::infinity();
   float last = -kEnd;

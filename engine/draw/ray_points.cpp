@@ -9,6 +9,7 @@
 
 #include "base/stopwatch.h"
 #include "draw/ray_layers.h"
+#include "draw/rest_frame.h"
 #include "math/sampling.h"
 #include "reference/audit.h"
 #include "reference/verification.h"
@@ -270,7 +271,7 @@ std::vector<char> CertifiedRays::addPoints(std::span<const Doubt> doubts, const 
                             .parameters = Vec2f(hit.u, hit.v),
                             .place = Vec4f(pixel.x + 0.5, pixel.y + 0.5, depthInBuffer(view, depth), depth),
                             .footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])),
-                            .frame = Vec4f(hit.frame)});
+                            .frame = frameOf(caster_->snapshot().nodes[hit.node], hit)});
   }
   return confirmed;
 }

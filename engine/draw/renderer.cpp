@@ -95,10 +95,13 @@ Renderer::Renderer(gpu::Context& context)
 
 Snapshot Renderer::snapshotOf(const Scene& scene) {
   const RenderSettings& settings = scene.settings();
-  if (!scene.hasCloth()) return takeSnapshot(scene, settings.time, settings.size);
-  if (!cloth_) cloth_ = std::make_shared<DeviceClothSimulation>(*context_);
+  const bool hasCloth = scene.hasCloth(), movesVertices = scene.movesVertices();
+  if (!hasCloth && !movesVertices) return takeSnapshot(scene, settings.time, settings.size);
+  if (hasCloth && !cloth_) cloth_ = std::make_shared<DeviceClothSimulation>(*context_);
+  if (movesVertices && !vertices_) vertices_ = std::make_shared<DeviceVertexMovement>(*context_);
   Scene moved = scene;
-  moved.set(cloth_);
+  if (hasCloth) moved.set(cloth_);
+  if (movesVertices) moved.set(vertices_);
   return takeSnapshot(moved, settings.time, settings.size);
 }
 

@@ -11,6 +11,7 @@
 
 #include "draw/accumulation.h"
 #include "draw/device_cloth_simulation.h"
+#include "draw/device_vertex_movement.h"
 #include "draw/options.h"
 #include "draw/refinement.h"
 #include "draw/scene_painter.h"
@@ -42,8 +43,8 @@ class Renderer {
   /// On a device of the caller's, which must outlive the renderer.
   explicit Renderer(gpu::Context& context);
 
-  /// The scene as its own settings describe it: size, time, shading, first camera. Its cloth is moved by this
-  /// renderer's device.
+  /// The scene as its own settings describe it: size, time, shading, first camera. Its cloth, and the
+  /// meshes that vertex programs move, are moved by this renderer's device.
   [[nodiscard]] Picture render(const Scene& scene);
   /// Asked for the same picture again it submits nothing and reads that once more; with skips.unchanged off
   /// it draws.
@@ -71,7 +72,7 @@ class Renderer {
   /// picture of its own, with its own certificates and audit: no slower, as searches run once per sample
   /// anyway.
   [[nodiscard]] bool inOnePass(const Snapshot& snapshot, const DrawOptions& options) const;
-  /// As its settings ask for, with cloth that this renderer's device moves.
+  /// As its settings ask for, with cloth and meshes that this renderer's device moves.
   [[nodiscard]] Snapshot snapshotOf(const Scene& scene);
   /// Draws one sample of each pixel into the view, refines it, and reads that back.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
@@ -93,7 +94,8 @@ class Renderer {
   gpu::Readback readback_;
   VkExtent2D readbackExtent_{};
   std::optional<Shown> shown_;
-  std::shared_ptr<DeviceClothSimulation> cloth_;  ///< of scenes; made for the first that has some
+  std::shared_ptr<DeviceClothSimulation> cloth_;    ///< of scenes; made for the first that has some
+  std::shared_ptr<DeviceVertexMovement> vertices_;  ///< the same
 };
 
 }  // namespace luxo

@@ -455,6 +455,9 @@ class Exporter {
       if (entry.removed || !node.surface.valid()) continue;
       if (places.back() || isCloth(node.surface) || std::ranges::any_of(node.surface.parameters(), moves))
         return true;
+      if (node.surface.triangles() && node.material.valid() && moves(scene_[node.material]) &&
+          snapshot_.materials[node.material.index].movesVertices())
+        return true;
       if (desc_.kept > Kept::Triangles && node.material.valid() && moves(scene_[node.material])) return true;
     }
     return false;

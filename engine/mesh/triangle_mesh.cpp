@@ -50,6 +50,8 @@ std::span<const Vec3f> TriangleMesh::positions() const { return data_->vertices.
 const Vec3& TriangleMesh::origin() const { return data_->origin; }
 std::span<const Vec3f> TriangleMesh::normals() const { return data_->vertices.normals; }
 std::span<const Vec2f> TriangleMesh::uvs() const { return data_->vertices.uvs; }
+std::span<const Vec3f> TriangleMesh::rest() const { return data_->vertices.rest; }
+std::span<const Vec3f> TriangleMesh::restNormals() const { return data_->vertices.restNormals; }
 std::span<const Vec4f> TriangleMesh::tangents() const { return data_->tangents; }
 std::span<const std::uint32_t> TriangleMesh::indices() const { return data_->indices; }
 std::span<const MeshCluster> TriangleMesh::clusters() const { return data_->clusters; }
@@ -89,6 +91,9 @@ void validate(const MeshArrays& arrays, std::string_view name, const MeshOptions
   };
   requireLength("normals", arrays.normals.size(), vertices);
   requireLength("uvs", arrays.uvs.size(), vertices);
+  requireLength("points at rest", arrays.rest.size(), vertices);
+  requireLength("normals at rest", arrays.restNormals.size(), arrays.rest.size());
+  if (!arrays.rest.empty() && arrays.normals.empty()) refuse(name, "vertices that have moved need normals");
   requireLength("materials", arrays.materials.size(), triangles);
   requireLength("smoothing numbers", arrays.smoothing.size(), triangles);
   if (options.tangents && arrays.uvs.empty()) refuse(name, "tangents need uvs");
@@ -101,6 +106,9 @@ void validate(const MeshArrays& arrays, std::string_view name, const MeshOptions
   }
   for (std::size_t i = 0; i < arrays.normals.size(); ++i)
     if (!isFinite(arrays.normals[i])) refuse(name, fmt::format("the normal of vertex {} is not finite", i));
+  for (const auto* some : {&arrays.rest, &arrays.restNormals})
+    for (std::size_t i = 0; i < some->size(); ++i)
+      if (!isFinite((*some)[i])) refuse(name, fmt::format("vertex {} is not finite at rest", i));
   for (std::size_t i = 0; i < arrays.uvs.size(); ++i)
     if (!isFinite(arrays.uvs[i])) refuse(name, fmt::format("the uv of vertex {} is not finite", i));
   for (std::size_t i = 0; i < arrays.indices.size(); ++i)
@@ -226,6 +234,10 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   vertices.normals = std::move(arrays.normals);
   vertices.uvs = std::move(arrays.uvs);
   for (Vec2f& uv : vertices.uvs) uv += 0.0f;
+  vertices.rest = std::move(arrays.rest);
+  vertices.restNormals = std::move(arrays.restNormals);
+  for (auto* some : {&vertices.rest, &vertices.restNormals})
+    for (Vec3f& v : *some) v += 0.0f;
 
   if (!vertices.normals.empty()) turnFronts(vertices, arrays.indices);
   // Slivers that fill the gap beside a vertex on an edge belong to the whole, so edges are counted with them.
@@ -243,6 +255,8 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   vertices.positions = reordered(vertices.positions, order);
   vertices.normals = reordered(vertices.normals, order);
   vertices.uvs = reordered(vertices.uvs, order);
+  vertices.rest = reordered(vertices.rest, order);
+  vertices.restNormals = reordered(vertices.restNormals, order);
   data->tangents = reordered(data->tangents, order);
   data->indices = std::move(arrays.indices);
   boundClusters(data->clusters, vertices.positions, data->origin, data->indices);

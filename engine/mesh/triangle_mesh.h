@@ -45,6 +45,9 @@ struct MeshArrays {
   /// None, or one a triangle, of smooth normals: edges between equal numbers are smooth whatever their
   /// crease, others sharp; triangles of number 0 are flat.
   std::vector<std::uint32_t> smoothing = {};
+  /// None, or one a position with a normal for each: where the vertex was, and its normal, before a program
+  /// moved it (scene/vertex_movement.h). Then `normals` are all given.
+  std::vector<Vec3f> rest = {}, restNormals = {};
 };
 
 struct MeshOptions {
@@ -113,6 +116,9 @@ class TriangleMesh {
   [[nodiscard]] Vec3 point(std::uint32_t vertex) const { return origin() + Vec3(positions()[vertex]); }
   [[nodiscard]] std::span<const Vec3f> normals() const;  ///< one a vertex, unit to 2e-7
   [[nodiscard]] std::span<const Vec2f> uvs() const;      ///< one a vertex, or none; finite
+  /// One a vertex, or none: MeshArrays::rest, object space, metres; and unit to 2e-7.
+  [[nodiscard]] std::span<const Vec3f> rest() const;
+  [[nodiscard]] std::span<const Vec3f> restNormals() const;
   /// One a vertex, or none. x, y, z: unit to 2e-7, perpendicular to the normal to 1e-6; w: 1 or -1, the
   /// bitangent, w * cross(normal, tangent), points to the top of an image, where v is 0
   /// (mesh/vertex_tangents.h).

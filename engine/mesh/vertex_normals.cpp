@@ -109,18 +109,28 @@ class NormalMaker {
 /// Vertices that differ, as they come.
 class WeldedVertices {
  public:
-  explicit WeldedVertices(bool uvs) : uvs_(uvs) {}
+  explicit WeldedVertices(const MeshVertices& given)
+      : given_(given), uvs_(!given.uvs.empty()), rest_(!given.rest.empty()) {}
 
-  std::uint32_t numberOf(const Vec3f& position, const Vec3f& normal, const Vec2f& uv) {
+  /// Of a vertex that is given, with that normal.
+  std::uint32_t numberOf(std::uint32_t vertex, const Vec3f& normal) {
     const auto last = std::uint32_t(vertices_.positions.size());
-    vertices_.positions.push_back(position);
+    vertices_.positions.push_back(given_.positions[vertex]);
     vertices_.normals.push_back(normal);
-    if (uvs_) vertices_.uvs.push_back(uv);
+    if (uvs_) vertices_.uvs.push_back(given_.uvs[vertex]);
+    if (rest_) {
+      vertices_.rest.push_back(given_.rest[vertex]);
+      vertices_.restNormals.push_back(given_.restNormals[vertex]);
+    }
     const std::uint32_t number = table_.firstEqual(last);
     if (number != last) {
       vertices_.positions.pop_back();
       vertices_.normals.pop_back();
       if (uvs_) vertices_.uvs.pop_back();
+      if (rest_) {
+        vertices_.rest.pop_back();
+        vertices_.restNormals.pop_back();
+      }
     }
     return number;
   }
@@ -131,7 +141,8 @@ class WeldedVertices {
     const WeldedVertices& welded;
     std::uint64_t operator()(std::uint32_t i) const {
       const MeshVertices& vertices = welded.vertices_;
-      const std::uint64_t hash = mixed(mixed(0, vertices.positions[i]), vertices.normals[i]);
+      std::uint64_t hash = mixed(mixed(0, vertices.positions[i]), vertices.normals[i]);
+      if (welded.rest_) hash = mixed(mixed(hash, vertices.rest[i]), vertices.restNormals[i]);
       return welded.uvs_ ? mixed(hash, vertices.uvs[i]) : hash;
     }
   };
@@ -140,18 +151,21 @@ class WeldedVertices {
     bool operator()(std::uint32_t i, std::uint32_t j) const {
       const MeshVertices& vertices = welded.vertices_;
       return vertices.positions[i] == vertices.positions[j] && vertices.normals[i] == vertices.normals[j] &&
-             (!welded.uvs_ || vertices.uvs[i] == vertices.uvs[j]);
+             (!welded.uvs_ || vertices.uvs[i] == vertices.uvs[j]) &&
+             (!welded.rest_ ||
+              (vertices.rest[i] == vertices.rest[j] && vertices.restNormals[i] == vertices.restNormals[j]));
     }
   };
 
-  bool uvs_;
+  const MeshVertices& given_;
+  bool uvs_, rest_;
   MeshVertices vertices_;
   WeldingTable<Hash, Equal> table_{Hash{*this}, Equal{*this}};
 };
 
 void weld(MeshVertices& vertices, std::vector<std::uint32_t>& indices, const CornerNormals& corners) {
   constexpr std::uint32_t kNone = 0xffffffff;
-  WeldedVertices welded(!vertices.uvs.empty());
+  WeldedVertices welded(vertices);
   // Corners that share a normal mostly share a vertex, too: then there is nothing to search for.
   struct Vertex {
     std::uint32_t given = kNone, welded = kNone;
@@ -160,9 +174,7 @@ void weld(MeshVertices& vertices, std::vector<std::uint32_t>& indices, const Cor
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const std::uint32_t normal = corners.numbers[i];
     Vertex& last = lastOf[normal];
-    if (last.given != indices[i])
-      last = {indices[i], welded.numberOf(vertices.positions[indices[i]], corners.normals[normal],
-                                          vertices.uvs.empty() ? Vec2f(0) : vertices.uvs[indices[i]])};
+    if (last.given != indices[i]) last = {indices[i], welded.numberOf(indices[i], corners.normals[normal])};
     indices[i] = last.welded;
   }
   vertices = welded.take();

@@ -111,6 +111,10 @@ std::vector<Vec4f> giveTangents(MeshVertices& vertices, std::vector<std::uint32_
     split.positions.push_back(vertices.positions[vertex]);
     split.normals.push_back(vertices.normals[vertex]);
     split.uvs.push_back(vertices.uvs[vertex]);
+    if (!vertices.rest.empty()) {
+      split.rest.push_back(vertices.rest[vertex]);
+      split.restNormals.push_back(vertices.restNormals[vertex]);
+    }
     tangents.push_back(tangentOf(sums[i], maker.normalAt(corners[i]), maker.direction(corners[i]).sign));
   }
   vertices = std::move(split);

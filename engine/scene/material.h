@@ -99,6 +99,8 @@ struct Material {
   Pattern curvature = {};
   std::vector<double> curvatureParameters = {};  ///< of the surface: as many as that has
 
+  /// Whether its shader may move the vertices of meshes.
+  [[nodiscard]] bool movesVertices() const { return shader && shader->movesVertices(); }
   [[nodiscard]] Vec3 ambientOrDiffuse() const { return ambient.value_or(diffuse); }
   [[nodiscard]] Shading shadingIn(Shading picture) const {
     if (showsData(picture)) return picture;

@@ -25,6 +25,26 @@ bool MaterialShader::traces() const {
   return std::ranges::any_of(files, [](const File& file) { return hasWord(file.text, "trace"); });
 }
 
+bool MaterialShader::movesVertices() const {
+  if (vertex == 0) return false;
+  constexpr std::array<std::string_view, 5> kTransform = {"=", "ftransform", "(", ")", ";"},
+                                            kProduct = {"=", "gl_ModelViewProjectionMatrix", "*", "gl_Vertex",
+                                                        ";"};
+  return std::ranges::any_of(std::span(files).subspan(vertex), [&](const File& file) {
+    const std::vector<GlslToken> tokens = glslTokens(file.text);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      if (tokens[i].text != "gl_Position") continue;
+      const auto rest = std::span(tokens).subspan(i + 1);
+      const auto follows = [&](const auto& words) {
+        return rest.size() >= words.size() &&
+               std::ranges::equal(rest.first(words.size()), words, {}, &GlslToken::text);
+      };
+      if (tokens[i].directive > 0 || !(follows(kTransform) || follows(kProduct))) return true;
+    }
+    return false;
+  });
+}
+
 bool MaterialShader::readsCurvature() const {
   constexpr std::array<std::string_view, 4> kFields = {"K", "H", "k1", "k2"};
   const std::span<const File> own(files.data(), vertex > 0 ? vertex : files.size());

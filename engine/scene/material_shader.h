@@ -36,6 +36,9 @@ struct MaterialShader {
   /// Whether some point may send rays into the scene: its text has the word. This and the others: comments do
   /// not count, what #if leaves out does. Cost: reads the text.
   [[nodiscard]] bool traces() const;
+  /// Whether its vertex program may lead a vertex elsewhere: it has one, and says more of gl_Position than
+  /// ftransform() or the product that this stands for.
+  [[nodiscard]] bool movesVertices() const;
   /// Whether it reads how its surface bends: there is a .K, .H, .k1 or .k2, be it of a struct of its own; a
   /// vertex program cannot.
   [[nodiscard]] bool readsCurvature() const;

@@ -9,6 +9,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "scene/vertex_movement.h"
 #include "surface/cloth_simulation.h"
 #include "surface/surface_triangles.h"
 
@@ -123,7 +124,8 @@ Animated<Rotation> spin(const Vec3& axis, double radiansPerSecond) {
 
 Scene::Scene()
     : materials_{Animated<Material>(Material{.name = "default"})},
-      clothSimulation_(std::make_shared<ClothSimulation>()) {}
+      clothSimulation_(std::make_shared<ClothSimulation>()),
+      vertexMovement_(std::make_shared<VertexMovement>()) {}
 
 Scene::Entry Scene::checked(Node node, std::uint32_t index) const {
   const auto exists = [&](NodeId id) { return id.index < nodes_.size() && !nodes_[id.index].removed; };
@@ -191,6 +193,12 @@ void Scene::set(const RenderSettings& settings) {
 void Scene::set(std::shared_ptr<ClothSimulation> simulation) {
   LUXO_REQUIRE(simulation != nullptr);
   clothSimulation_ = std::move(simulation);
+  ++version_;
+}
+
+void Scene::set(std::shared_ptr<VertexMovement> movement) {
+  LUXO_REQUIRE(movement != nullptr);
+  vertexMovement_ = std::move(movement);
   ++version_;
 }
 
@@ -276,6 +284,13 @@ std::vector<double> Scene::parametersAt(double timeSeconds) const {
 bool Scene::hasCloth() const {
   return std::ranges::any_of(
       nodes_, [](const Entry& entry) { return !entry.removed && isCloth(entry.node.surface); });
+}
+
+bool Scene::movesVertices() const {
+  const std::vector<double> values = parametersAt(settings_.time);
+  return std::ranges::any_of(materials_, [&](const Animated<Material>& material) {
+    return material.at({settings_.time, values}).movesVertices();
+  });
 }
 
 bool Scene::movesWithTime() const {

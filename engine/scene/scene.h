@@ -33,6 +33,7 @@
 namespace luxo {
 
 class ClothSimulation;
+class VertexMovement;
 
 /// Right-handed, about an axis of any length; a zero axis is allowed only with angle 0.
 struct Rotation {
@@ -106,6 +107,9 @@ class Scene {
   /// What moves its cloth (surface/cloth_simulation.h). One that cannot unless it is set: then snapshots
   /// after step 0 throw Error(Scene). Copies of a scene share it.
   void set(std::shared_ptr<ClothSimulation> simulation);
+  /// What runs vertex programs that move meshes (scene/vertex_movement.h). One that cannot unless it is set:
+  /// then snapshots with such a mesh throw Error(Scene). Copies of a scene share it.
+  void set(std::shared_ptr<VertexMovement> movement);
   /// Nothing is rebuilt: only the version and the next snapshot change. Throws Error(Scene) for a constant
   /// out of range.
   void setParameter(ParameterId id, Animated<double> value);
@@ -144,6 +148,11 @@ class Scene {
   /// Never null. It remembers, and so changes, while the scene does not.
   [[nodiscard]] const std::shared_ptr<ClothSimulation>& clothSimulation() const { return clothSimulation_; }
 
+  /// Whether a material's vertex program may move meshes. Cost: the materials, then.
+  [[nodiscard]] bool movesVertices() const;
+  /// Never null. It remembers, and so changes, while the scene does not.
+  [[nodiscard]] const std::shared_ptr<VertexMovement>& vertexMovement() const { return vertexMovement_; }
+
   /// Whether anything is a function of time: if not, one snapshot is right for all times (while no parameter
   /// is set).
   [[nodiscard]] bool movesWithTime() const;
@@ -163,6 +172,7 @@ class Scene {
   std::vector<Parameter> parameters_;
   RenderSettings settings_;
   std::shared_ptr<ClothSimulation> clothSimulation_;
+  std::shared_ptr<VertexMovement> vertexMovement_;
   std::uint64_t version_ = 0;
 };
 

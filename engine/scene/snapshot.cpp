@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "math/sampling.h"
 #include "scene/fitted_camera.h"
+#include "scene/vertex_movement.h"
 #include "surface/cloth_simulation.h"
 #include "surface/surface_triangles.h"
 
@@ -318,12 +319,28 @@ void cutLights(Snapshot& snapshot) {
     snapshot.cutNumbers += cutToRange(light.radiance, kMaxReflected / brightest);
 }
 
+/// Triangles are where their materials' vertex programs move them.
+void moveVertices(const Scene& scene, Snapshot& snapshot) {
+  for (SnapshotNode& node : snapshot.nodes) {
+    const Material& material = snapshot.materials[node.material.index];
+    if (!node.surface.triangles() || !material.movesVertices()) continue;
+    node.surface = scene.vertexMovement()->moved(node.surface, material);
+    node.boundsObject = node.surface.bounds({});
+    node.boundsWorld = transformBounds(node.worldFromObject, node.boundsObject);
+  }
+}
+
 /// A planar shadow falls on what hides all else.
 void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Moment& moment) {
   for (const SnapshotLight& light : snapshot.lights) {
     if (!light.plane) continue;
     const auto plane = std::ranges::find(snapshot.nodes, *light.plane, &SnapshotNode::id);
-    if (plane != snapshot.nodes.end() && snapshot.materials[plane->material.index].transparent())
+    if (plane == snapshot.nodes.end()) continue;
+    if (!plane->surface.flatNormal())
+      NodeThen{scene, plane->id, moment}.reject(
+          "its vertex program moves it, and it is not flat any more, as what a planar shadow falls on is",
+          "set the light's shadow to \"exact\"");
+    if (snapshot.materials[plane->material.index].transparent())
       NodeThen{scene, plane->id, moment}.reject(
           "it is seen through, and the plane of a planar shadow, which is not supported",
           "set its material's opacity to 1, or the light's shadow to \"exact\"");
@@ -352,6 +369,7 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t most
                     .ambientOcclusion = scene.settings().ambientOcclusion};
   snapshot.lights = takeLights(scene, placed, moment, mostShadowSamples, snapshot.cutNumbers);
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
+  moveVertices(scene, snapshot);
   cutLights(snapshot);
   openShades(snapshot);
   requirePlanarShadows(scene, snapshot, moment);

@@ -18,6 +18,7 @@ struct Mesh {
   std::vector<Vec3> normals;     ///< unit, outward, exact at the vertex; the limit at poles
   std::vector<Vec2> parameters;  ///< (u, v) of each vertex; at poles the middle of the triangle's
   std::vector<Vec4> tangents;    ///< of triangles that have some (TriangleMesh::tangents()); else none
+  std::vector<Vec3f> rest, restNormals;  ///< of triangles that a program has moved (TriangleMesh::rest())
   std::vector<std::uint32_t> indices;
   /// Proven: no point of the surface is farther (object units) from its own triangle, and no point of a
   /// triangle from its own point of the surface. Infinite where nothing could be proven, and where triangles

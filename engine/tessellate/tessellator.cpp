@@ -32,6 +32,10 @@ Mesh meshOf(const SurfaceTriangles& triangles) {
         mesh.normals.emplace_back(all.normals()[vertex]);
         mesh.parameters.emplace_back(all.uvs().empty() ? Vec2f(0) : all.uvs()[vertex]);
         if (!all.tangents().empty()) mesh.tangents.emplace_back(all.tangents()[vertex]);
+        if (!all.rest().empty()) {
+          mesh.rest.push_back(all.rest()[vertex]);
+          mesh.restNormals.push_back(all.restNormals()[vertex]);
+        }
       }
       mesh.indices.push_back(number);
     }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // A point as programs in the style of GLSL 1.20 see it. Their vertex program runs at the point itself, in the pixel: it
 // is what interpolation between vertices comes to where these are ever nearer to each other. So all shadings have the
-// same, and nobody has to know of triangles.
+// same, and nobody has to know of triangles. Of triangles whose vertices it has moved (lib/vertex_movement.glsl) it runs
+// at the point that was moved to here.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/course_matrices.glsl"
+#include "lib/rest_frame.glsl"
 
 // Columns: the axes of the object in the scene, and back.
 mat3 luxoRelativeFromObject, luxoObjectFromRelative;
 mat3 luxoEyeAxes;  // from the scene's
+bool luxoHasMoved;
+vec4 luxoHere;     // where the point is, in the object: gL_Vertex, unless that has moved
 
 vec3 luxoOnAxesOfObject(vec3 direction) { return unitOrZero(luxoObjectFromRelative * direction); }
 
@@ -29,19 +35,9 @@ void luxoLoadMatrices() {
   gL_ProjectionMatrix[2] = perspective ? vec4(0, 0, -(far + near) / (far - near), -1) : vec4(0, 0, -2.0 / (far - near), 0);
   gL_ProjectionMatrix[3] = perspective ? vec4(0, 0, -2.0 * far * near / (far - near), 0)
                                        : vec4(0, 0, -(far + near) / (far - near), 1);
-  gL_ModelViewProjectionMatrix = gL_ProjectionMatrix * gL_ModelViewMatrix;
   gL_ModelViewMatrixInverse = inverse(gL_ModelViewMatrix);
   gL_ProjectionMatrixInverse = inverse(gL_ProjectionMatrix);
-  gL_ModelViewProjectionMatrixInverse = gL_ModelViewMatrixInverse * gL_ProjectionMatrixInverse;
-  gL_ModelViewMatrixTranspose = transpose(gL_ModelViewMatrix);
-  gL_ProjectionMatrixTranspose = transpose(gL_ProjectionMatrix);
-  gL_ModelViewProjectionMatrixTranspose = transpose(gL_ModelViewProjectionMatrix);
-  gL_ModelViewMatrixInverseTranspose = transpose(gL_ModelViewMatrixInverse);
-  gL_ProjectionMatrixInverseTranspose = transpose(gL_ProjectionMatrixInverse);
-  gL_ModelViewProjectionMatrixInverseTranspose = transpose(gL_ModelViewProjectionMatrixInverse);
-  for (int i = 0; i < gL_MaxTextureCoords; ++i) gL_TextureMatrix[i] = mat4(1);
-  gL_NormalScale = 1.0;
-  gL_DepthRange = gL_DepthRangeParameters(0.0, 1.0, 1.0);
+  luxoDeriveMatrices();
 }
 
 void luxoLoadMaterial() {
@@ -67,7 +63,7 @@ void luxoLoadLights() {
     gL_LightSource[i] = gL_LightSourceParameters(vec4(0, 0, 0, 1), vec4(0, 0, 0, 1), vec4(0, 0, 0, 1), vec4(0), vec4(0),
                                                  vec3(0, 0, -1), 0.0, 180.0, -1.0, 1.0, 0.0, 0.0);
   }
-  vec3 here = (gL_ModelViewMatrix * vec4(gL_Vertex.xyz, 1)).xyz;
+  vec3 here = (gL_ModelViewMatrix * luxoHere).xyz;
   for (int i = 0; i < lightCount(); ++i) {
     LightData data = lightSet.lights[i];
     uint k = lightSet.order[i];
@@ -99,22 +95,24 @@ void luxoLoadLights() {
 
 void luxoLoadPoint(Point p) {
   luxoLoadMatrices();
-  gL_Vertex = vec4(p.object, 1);
+  luxoHere = gL_Vertex = vec4(p.object, 1);
   gL_Normal = unitOrZero(transpose(luxoRelativeFromObject) * p.normal);
+  vec4 frame = normalFrame();
+  luxoHasMoved = isRest(frame);
+  if (luxoHasMoved) {
+    gL_Vertex.xyz = frame.xyz;
+    gL_Normal = restNormal(frame);
+  }
   luxoLoadMaterial();
 #ifdef LUXO_READS_LIGHTS
   luxoLoadLights();
 #endif
-  vec4 uv = vec4(p.uv, 0, 1);
-  gL_MultiTexCoord0 = gL_MultiTexCoord1 = gL_MultiTexCoord2 = gL_MultiTexCoord3 = uv;
-  gL_MultiTexCoord4 = gL_MultiTexCoord5 = gL_MultiTexCoord6 = gL_MultiTexCoord7 = uv;
-  for (int i = 0; i < gL_MaxTextureCoords; ++i) gL_TexCoord[i] = uv;
-  vec4 clip = gL_ModelViewProjectionMatrix * gL_Vertex;
+  luxoLoadTexCoords(p.uv);
+  vec4 clip = gL_ModelViewProjectionMatrix * luxoHere;
   gL_FragCoord = vec4(gl_FragCoord.x, 2.0 * view.middle.y - gl_FragCoord.y, 0.5 * clip.z / clip.w + 0.5, 1.0 / clip.w);
   gL_FrontFacing = dot(p.normal, p.viewer) >= 0.0;
-  gL_SecondaryColor = gL_FrontSecondaryColor = gL_BackSecondaryColor = vec4(0, 0, 0, 1);
-  gL_FrontColor = gL_BackColor = gL_Color = gL_FrontMaterial.diffuse;
-  gL_FogCoord = gL_FogFragCoord = -(gL_ModelViewMatrix * gL_Vertex).z;
+  luxoLoadColors();
+  gL_FogCoord = gL_FogFragCoord = -(gL_ModelViewMatrix * luxoHere).z;
   gL_Position = gL_FragColor = vec4(0);
   luxoDiscarded = false;
 }
@@ -128,11 +126,12 @@ vec4 luxoFixedColor() {
 
 mat4 luxoMagnitudes(mat4 m) { return mat4(abs(m[0]), abs(m[1]), abs(m[2]), abs(m[3])); }
 
-// Whether gl_Position is another place than the vertex's own: a surface is where its formula has it. A product of four
-// terms is rounded by at most 4 half units in the last place of the sum of their magnitudes, the product of two matrices
-// and a vector by 8, and two ways to compute it differ by 16, which is 2^-20 of it. Four times that is left for those
-// that go by more matrices.
+// Whether gl_Position is another place than the vertex's own: a surface is where its formula has it, and triangles whose
+// vertices stay are where they are. A product of four terms is rounded by at most 4 half units in the last place of the
+// sum of their magnitudes, the product of two matrices and a vector by 8, and two ways to compute it differ by 16, which
+// is 2^-20 of it. Four times that is left for those that go by more matrices.
 bool luxoIsMoved() {
+  if (luxoHasMoved) return false;
   vec4 own = gL_ModelViewProjectionMatrix * gL_Vertex, q = gL_Position;
   vec4 rounding = 3.8147e-6 * (luxoMagnitudes(gL_ProjectionMatrix) * (luxoMagnitudes(gL_ModelViewMatrix) * abs(gL_Vertex)));
   vec3 allowed = rounding.xyz * abs(q.w) + rounding.w * abs(q.xyz);

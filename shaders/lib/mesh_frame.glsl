@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frame of maps of normals (engine/scene/normal_map.h) at a point of triangles: with LUXO_BY_RAYS from the ray that has
-// found it; with LUXO_VERTEX_TANGENTS between those of the vertices; of formulas from how (u, v) lie on the triangle.
+// found it; with LUXO_VERTEX_TANGENTS between those of the vertices, or where a point was that has moved; of formulas from
+// how (u, v) lie on the triangle.
+#include "lib/rest_frame.glsl"
 #if defined(LUXO_BY_RAYS)
 layout(location = 17) flat in vec4 inFrame;
 vec4 normalFrame() { return inFrame; }
@@ -15,8 +17,14 @@ bool isTurned(vec3 v) {
 
 #ifdef LUXO_VERTEX_TANGENTS
 layout(location = 17) sample in vec4 inTangent;
+layout(location = 18) sample in vec3 inRestNormal;
 
 vec4 normalFrame() {
+  vec3 facet = kFacetNormal ? cross(dFdx(inTangent.xyz), dFdy(inTangent.xyz)) : vec3(0);
+  if (isRest(inTangent)) {
+    vec3 n = dot(facet, facet) > 0.0 ? (dot(facet, inRestNormal) < 0.0 ? -facet : facet) : inRestNormal;
+    return restFrame(inTangent.xyz, isTurned(towardViewer(viewerOfDraw(), inPosition)) ? -n : n);
+  }
   vec4 frame = vec4(inTangent.xyz, inTangent.w * length(inNormal));
   return isTurned(towardViewer(viewerOfDraw(), inPosition)) ? -frame : frame;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vertices of a surface with a pattern, for shading per fragment.
+#include "lib/rest_frame.glsl"
 #include "lib/surface_vertex.glsl"
 
 layout(location = 2) in vec2 inParameters;
@@ -17,6 +18,7 @@ layout(location = 17) flat out vec4 outFrame;
 #ifdef LUXO_TANGENTS
 layout(location = 5) in vec4 inTangent;
 layout(location = 17) sample out vec4 outTangent;
+layout(location = 18) sample out vec3 outRestNormal;  // of what has moved: then the tangent is a point, and 4
 #endif
 
 void main() {
@@ -33,5 +35,10 @@ void main() {
 #ifdef LUXO_TANGENTS
   float handed = determinant(instance.relativeFromObject) < 0.0 ? -inTangent.w : inTangent.w;
   outTangent = vec4(unitOrZero(instance.relativeFromObject * inTangent.xyz), handed);
+  outRestNormal = vec3(0);
+  if (isRest(inTangent)) {
+    outTangent = vec4(inTangent.xyz, 4.0);
+    outRestNormal = restNormal(inTangent);
+  }
 #endif
 }

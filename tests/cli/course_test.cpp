@@ -5,6 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <utility>
+
 #include "cli/program.h"
 
 namespace luxo::test {
@@ -149,6 +154,56 @@ TEST_F(CourseFiles, ScenesNameBothPrograms) {
   expectRefused(R"({ "shader": "own.frag", "vertex": "a.vert" })", "it is no program in the course's style");
   expectRefused(R"({ "shader": "m.frag", "vertex": "a.vert", "uniforms": { "skin": 3 } })",
                 "there is no map 3");
+}
+
+// As pictures have it so do models, and what is wrong with it is told where it is.
+TEST_F(CourseFiles, VertexProgramsMoveMeshes) {
+  const auto program = [&](const std::string& place) {
+    writeText(folder / "m.vert", "uniform float rise;\nvoid main() {\n  gl_Position = " + place + ";\n}\n");
+  };
+  writeText(folder / "m.frag", "void main() { gl_FragColor = vec4(1.0); }\n");
+  writeText(folder / "flat.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  const auto sceneOf = [&](const std::string& surface) {
+    writeText(folder / "s.luxo.json", R"({ "luxo": 1,
+  "materials": { "m": { "shader": "m.frag", "vertex": "m.vert", "uniforms": { "rise": "2*t + 0.25" } } },
+  "surfaces": { "s": )" + surface + R"( }, "nodes": [ { "surface": "s", "material": "m" } ] })");
+  };
+  sceneOf(R"({ "type": "mesh", "file": "flat.obj" })");
+  program("gl_ModelViewProjectionMatrix * vec4(gl_Vertex.xy, rise * gl_Vertex.x, 1.0)");
+  for (const auto& [time, height] : {std::pair("0", 0.25), std::pair("0.5", 1.25)}) {
+    const Outcome outcome = run(folder, {"export", "s.luxo.json", "-o", "moved.obj", "--time", time});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream lines(textOf(folder / "moved.obj"));
+    int vertices = 0;
+    for (std::string line; std::getline(lines, line);) {
+      double x = 0, y = 0, z = 0;
+      if (std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) != 3) continue;
+      EXPECT_EQ(z, height * x);
+      ++vertices;
+    }
+    EXPECT_EQ(vertices, 4);
+  }
+  EXPECT_THAT(run(folder, {"export", "s.luxo.json", "-o", "moved.obj"}).err, HasSubstr("stand still"));
+  const Arguments verify{"verify", "s.luxo.json", "--size", "40x30"};
+  EXPECT_EQ(run(folder, verify).code, 0);
+  const auto expectRefused = [&](const std::string& place, const std::string& said) {
+    program(place);
+    for (const Arguments& arguments :
+         {verify,
+          {"render", "s.luxo.json", "-o", "a.png", "--size", "16x12"},
+          {"render", "s.luxo.json", "-o", "a.png", "--size", "16x12", "--engine", "reference"}}) {
+      const Outcome outcome = run(folder, arguments);
+      EXPECT_EQ(outcome.code, 3);
+      EXPECT_THAT(outcome.err, HasSubstr(said));
+    }
+  };
+  expectRefused("gl_Vertex", "m.vert:3:3: where the program moves vertices is not the same for all views");
+  expectRefused("vec4(gl_Vertx)", "m.vert:3:22: 'gl_Vertx' : undeclared identifier");
+  expectRefused("vec4(0.0)", "m.vert:3:3: of the vertex (");
+  sceneOf(R"({ "type": "sphere" })");
+  program("2.0 * gl_ModelViewProjectionMatrix * vec4(1.5 * gl_Vertex.xyz, 1.0)");
+  expectFailure(run(folder, {"render", "s.luxo.json", "-o", "a.png", "--size", "16x12"}), 3,
+                "the vertex program moves the vertex");
 }
 
 TEST_F(CourseFiles, InspectTellsAttributesUniformsAndVaryings) {

@@ -259,7 +259,8 @@ TEST_F(CoursePicture, EachProgramOfTheCourseCompiles) {
                                                                   {"functions.frag", "types.vert"},
                                                                   {"coordinates.frag", ""},
                                                                   {"holes.frag", ""},
-                                                                  {"varying.frag", "qualifiers.vert"}})
+                                                                  {"varying.frag", "qualifiers.vert"},
+                                                                  {"wave.frag", "wave.vert"}})
     EXPECT_TRUE(MaterialProgram(ofTheCourse(fragment, vertex)).inCourseStyle()) << fragment;
 }
 

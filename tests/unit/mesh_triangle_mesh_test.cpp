@@ -130,6 +130,40 @@ TEST(TriangleMesh, WeldsEqualVerticesOnly) {
   EXPECT_EQ(seam.edges().border, 4u);  // the seam of uvs is no border
 }
 
+// Vertices of one place that come from two stay two, each with where it came from, tangents or not.
+TEST(TriangleMesh, WhatHasMovedTellsWhereItWas) {
+  MeshArrays arrays = oneTriangle();
+  arrays.positions.insert(arrays.positions.end(), {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  arrays.indices.insert(arrays.indices.end(), {3, 4, 5});
+  arrays.normals.assign(6, Vec3f(0, 0, 1));
+  arrays.uvs = {{0, 0}, {1, 0}, {0, 1}, {1, 0}, {1, 1}, {0, 1}};
+  for (const Vec3& p : arrays.positions) arrays.rest.emplace_back(p + Vec3(5, 0, 0));
+  arrays.restNormals.assign(6, Vec3f(1, 0, 0));
+  EXPECT_EQ(triangleMesh(arrays).positions().size(), 4u);
+  arrays.rest[3] = Vec3f(7, 0, 0);
+  for (const bool tangents : {false, true}) {
+    const TriangleMesh mesh = triangleMesh(arrays, "m", {.tangents = tangents});
+    ASSERT_EQ(mesh.rest().size(), mesh.positions().size());
+    ASSERT_EQ(mesh.restNormals().size(), mesh.positions().size());
+    EXPECT_GE(mesh.rest().size(), 5u);
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < mesh.rest().size(); ++i) {
+      const bool other = mesh.rest()[i] == Vec3f(7, 0, 0);
+      moved += other;
+      if (!other) EXPECT_EQ(mesh.rest()[i], mesh.positions()[i] + Vec3f(5, 0, 0));
+    }
+    EXPECT_EQ(moved, 1u);
+  }
+  EXPECT_TRUE(triangleMesh(oneTriangle()).rest().empty());
+  arrays.restNormals.pop_back();
+  EXPECT_THROW(static_cast<void>(triangleMesh(arrays)), Error);
+  arrays.restNormals.clear();
+  EXPECT_THROW(static_cast<void>(triangleMesh(arrays)), Error);
+  arrays.restNormals.assign(6, Vec3f(1, 0, 0));
+  arrays.rest[0].x = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(static_cast<void>(triangleMesh(arrays)), Error);
+}
+
 TEST(TriangleMesh, CountsEdgesByThePointsTheyJoin) {
   const MeshEdges open = triangleMesh(oneTriangle()).edges();
   EXPECT_EQ(open.border, 3u);
