@@ -201,7 +201,7 @@ TEST_F(CourseFiles, VertexProgramsMoveMeshes) {
   expectRefused("vec4(gl_Vertx)", "m.vert:3:22: 'gl_Vertx' : undeclared identifier");
   expectRefused("vec4(0.0)", "m.vert:3:3: of the vertex (");
   sceneOf(R"({ "type": "sphere" })");
-  program("2.0 * gl_ModelViewProjectionMatrix * vec4(1.5 * gl_Vertex.xyz, 1.0)");
+  program("gl_ModelViewProjectionMatrix * vec4((1.5 + rise) * gl_Vertex.xyz, 1.0)");
   expectFailure(run(folder, {"render", "s.luxo.json", "-o", "a.png", "--size", "16x12"}), 3,
                 "the vertex program moves the vertex");
 }
