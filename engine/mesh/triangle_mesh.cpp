@@ -92,7 +92,8 @@ void validate(const MeshArrays& arrays, std::string_view name, const MeshOptions
   requireLength("normals", arrays.normals.size(), vertices);
   requireLength("uvs", arrays.uvs.size(), vertices);
   requireLength("points at rest", arrays.rest.size(), vertices);
-  requireLength("normals at rest", arrays.restNormals.size(), arrays.rest.size());
+  if (arrays.restNormals.size() != arrays.rest.size())
+    refuse(name, fmt::format("{} normals at rest, not {}", arrays.restNormals.size(), arrays.rest.size()));
   if (!arrays.rest.empty() && arrays.normals.empty()) refuse(name, "vertices that have moved need normals");
   requireLength("materials", arrays.materials.size(), triangles);
   requireLength("smoothing numbers", arrays.smoothing.size(), triangles);

@@ -129,11 +129,12 @@ mat4 luxoMagnitudes(mat4 m) { return mat4(abs(m[0]), abs(m[1]), abs(m[2]), abs(m
 // Whether gl_Position is another place than the vertex's own: a surface is where its formula has it, and triangles whose
 // vertices stay are where they are. A product of four terms is rounded by at most 4 half units in the last place of the
 // sum of their magnitudes, the product of two matrices and a vector by 8, and two ways to compute it differ by 16, which
-// is 2^-20 of it. Four times that is left for those that go by more matrices.
+// is 2^-20 of it. Sixteen times that is left for those that go by more matrices, and for what they make of the rounding of
+// gl_Vertex itself (a twist by two radians a metre of a plane that it leaves where it is took more than four).
 bool luxoIsMoved() {
   if (luxoHasMoved) return false;
   vec4 own = gL_ModelViewProjectionMatrix * gL_Vertex, q = gL_Position;
-  vec4 rounding = 3.8147e-6 * (luxoMagnitudes(gL_ProjectionMatrix) * (luxoMagnitudes(gL_ModelViewMatrix) * abs(gL_Vertex)));
+  vec4 rounding = 1.5259e-5 * (luxoMagnitudes(gL_ProjectionMatrix) * (luxoMagnitudes(gL_ModelViewMatrix) * abs(gL_Vertex)));
   vec3 allowed = rounding.xyz * abs(q.w) + rounding.w * abs(q.xyz);
   return !(q.w > 0.0 && all(lessThanEqual(abs(q.xyz * own.w - own.xyz * q.w), allowed)));
 }

@@ -204,6 +204,17 @@ TEST_F(MovedMeshes, AreTheSameWhereNothingMoves) {
   EXPECT_EQ(movement()->moved(ball, moves).identity(), movement()->moved(ball, moves).identity());
 }
 
+// What a program makes of the rounding of a point that it leaves where it is, is no movement.
+TEST_F(MovedMeshes, StayWherePointsDoButForRounding) {
+  const Material twist{
+      .shader =
+          moving(placed("vec3(cos(2.3 * gl_Vertex.z) * gl_Vertex.x - sin(2.3 * gl_Vertex.z) * gl_Vertex.y, "
+                        "sin(2.3 * gl_Vertex.z) * gl_Vertex.x + cos(2.3 * gl_Vertex.z) * gl_Vertex.y, "
+                        "gl_Vertex.z)"))};
+  Node node{.translation = Vec3(0.3, 0.2, 0.1), .rotation = Rotation{{1, 0.3, 0.2}, -1.1}};
+  EXPECT_NO_THROW(static_cast<void>(draw(shown(quadMesh(), twist, node), kCamera, {320, 240})));
+}
+
 // Every pixel of movements that nobody thought of, with the shadows of what they make.
 TEST_F(MovedMeshes, AreThoseOfTheReference) {
   std::mt19937 random(22);

@@ -150,7 +150,7 @@ TEST(TriangleMesh, WhatHasMovedTellsWhereItWas) {
     for (std::size_t i = 0; i < mesh.rest().size(); ++i) {
       const bool other = mesh.rest()[i] == Vec3f(7, 0, 0);
       moved += other;
-      if (!other) EXPECT_EQ(mesh.rest()[i], mesh.positions()[i] + Vec3f(5, 0, 0));
+      EXPECT_EQ(mesh.rest()[i] == mesh.positions()[i] + Vec3f(5, 0, 0), !other);
     }
     EXPECT_EQ(moved, 1u);
   }
