@@ -174,10 +174,11 @@ TriangleMesh movedMesh(const SurfaceTriangles& triangles, Part part, VerticesAtR
                        std::span<const Vec4f> positions, const Surface& surface, const Material& material) {
   const TriangleMesh& mesh = triangles.mesh;
   MeshArrays arrays{.indices = std::move(part.indices)};
+  // By as much as the program moves what it was given, which floats had rounded.
   for (std::size_t i = 0; i < positions.size(); ++i)
-    arrays.positions.push_back(positions[i] == Vec4f(rest.positions[i], 1)
-                                   ? mesh.point(part.vertices[i])
-                                   : placeOf(positions[i], rest.positions[i], mesh, *material.shader));
+    arrays.positions.push_back(
+        mesh.point(part.vertices[i]) +
+        (placeOf(positions[i], rest.positions[i], mesh, *material.shader) - Vec3(rest.positions[i])));
   const auto before = [&](std::uint32_t vertex) { return mesh.point(part.vertices[vertex]); };
   const auto now = [&](std::uint32_t vertex) { return arrays.positions[vertex]; };
   const MeanNormals means(rest, arrays.indices);
