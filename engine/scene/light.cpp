@@ -61,8 +61,8 @@ double radiusAt(const Light& light, const Moment& moment, const std::function<st
   if (!range.contains(radius))
     throw Error(ErrorKind::Scene,
                 fmt::format("light of node {}: radius is {}; {}", nodeName(), radius,
-                            angle ? "of a directional light it is the half-angle of its disc, from 0 to 90 "
-                                    "degrees (in radians)"
+                            angle ? "of a directional light it is the half-angle of its disc in radians, "
+                                    "from 0 to pi/2, half the sky"
                                   : "it must be from 0 to 1e18 metres"),
                 "0 makes hard shadows");
   return radius;

@@ -322,7 +322,10 @@ void SceneConstruction::warnOfTangents(const NodeDesc& desc, const Surface& surf
 Light SceneConstruction::light(const LightDesc& desc) {
   const Allowed radius = desc.type == Light::Type::Point
                              ? Allowed{{0, kMaxSceneNumber}, "from 0 to 1e18 metres"}
-                             : Allowed{{0, kMaxLightAngle}, "from 0 to 90 degrees", true};
+                             : Allowed{{0, kMaxLightAngle},
+                                       "from 0 to pi/2 radians, 90 degrees: a directional light's radius is "
+                                       "the half-angle of its disc",
+                                       true};
   const std::optional<int> samples = count(desc.shadowSamples, kMaxShadowSamples);
   return {.type = desc.type,
           .color = formulas_.vector(desc.color, kLight),
@@ -374,12 +377,12 @@ void SceneConstruction::setCasters() {
   bool known = false;
   for (std::uint32_t i = 0; i < file_.nodes.size(); ++i) {
     const NodeDesc& desc = file_.nodes[i];
-    if (!desc.light || (desc.light->casters.empty() && desc.light->shadowPlane.empty())) continue;
+    if (!desc.light || (!desc.light->casters && desc.light->shadowPlane.empty())) continue;
     for (std::uint32_t k = 0; k < file_.nodes.size() && !known; ++k)
       if (!file_.nodes[k].name.empty()) nodes.addFirst(file_.nodes[k].name, NodeId{k});
     known = true;
     std::vector<NodeId> casters;
-    for (const FileName& name : desc.light->casters)
+    for (const FileName& name : desc.light->casters.value_or(std::vector<FileName>()))
       if (const NodeId* caster = nodes.find(name, problems_)) {
         const auto model = partsOfModels_.find(caster->index);
         if (model == partsOfModels_.end())
@@ -391,6 +394,7 @@ void SceneConstruction::setCasters() {
         desc.light->shadowPlane.empty() ? nullptr : nodes.find(desc.light->shadowPlane, problems_);
     if (problems_.any()) continue;
     Node node = scene_[NodeId{i}];
+    if (desc.light->casters && casters.empty()) node.light->shadow = Light::Shadow::None;
     node.light->casters = std::move(casters);
     if (plane) node.light->shadowPlane = *plane;
     attempt(desc.place, [&] { scene_.set(NodeId{i}, std::move(node)); });

@@ -326,7 +326,7 @@ struct LightDesc {
   Quantity radius = 0, shadowSamples = 16;
   ShadowMapDesc map = {};
   FileName shadowPlane = {};
-  std::vector<FileName> casters = {};  ///< empty: all
+  std::optional<std::vector<FileName>> casters = {};  ///< not given: all
 
   friend bool operator==(const LightDesc&, const LightDesc&) = default;
 };

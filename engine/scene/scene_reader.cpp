@@ -70,7 +70,7 @@ class SceneReader {
   void readSpot(const JsonValue& value, LightDesc& light);
   void readMap(const JsonValue& value, ShadowMapDesc& map);
   void readOcclusion(const JsonValue& value, OcclusionDesc& occlusion);
-  void readCasters(const JsonValue& value, std::vector<FileName>& casters);
+  void readCasters(const JsonValue& value, std::optional<std::vector<FileName>>& casters);
   CameraDesc readCamera(const JsonValue& value, const FileName& name);
   /// Calls read(member, name) for every member of an object of named things.
   template <class Read>
@@ -493,18 +493,16 @@ void SceneReader::readMap(const JsonValue& value, ShadowMapDesc& map) {
   values_.read(members["receiver_plane"], map.receiverPlane);
 }
 
-void SceneReader::readCasters(const JsonValue& value, std::vector<FileName>& casters) {
+void SceneReader::readCasters(const JsonValue& value, std::optional<std::vector<FileName>>& casters) {
   if (!value.exists()) return;
   if (value.kind() == JsonKind::String && value.string() == "all") return;
   if (value.kind() != JsonKind::Array) {
     values_.reject(value, "\"all\" or an array of node names");
     return;
   }
-  if (value.size() == 0)
-    problems_.add(value.where(), "no node casts this shadow",
-                  "leave it out for \"all\", or set the shadow to \"none\"");
+  casters.emplace();
   for (JsonValue element = value.first(); element.exists(); element = element.next())
-    values_.read(element, casters.emplace_back());
+    values_.read(element, casters->emplace_back());
 }
 
 CameraDesc SceneReader::readCamera(const JsonValue& value, const FileName& name) {

@@ -149,8 +149,8 @@ void warnOfShadow(const LightDesc& light, std::vector<Diagnostic>& warnings) {
     warnings.push_back({rangeOf(light.shadowSamples.place()),
                         "the shadow of a light without a radius is one sample",
                         "give the light a \"radius\", or leave \"shadow_samples\" out"});
-  if (!light.casters.empty() && light.shadow == Light::Shadow::None)
-    warnings.push_back({rangeOf(light.casters[0].place), "a light without a shadow has no casters",
+  if (light.casters && !light.casters->empty() && light.shadow == Light::Shadow::None)
+    warnings.push_back({rangeOf(light.casters->front().place), "a light without a shadow has no casters",
                         "write \"shadow\": \"exact\", or leave \"casters\" out"});
   if (!light.shadowPlane.empty() && light.shadow != Light::Shadow::Planar)
     warnings.push_back({rangeOf(light.shadowPlane.place), "only a planar shadow falls on a plane alone",

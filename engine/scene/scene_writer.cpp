@@ -374,9 +374,9 @@ JsonText written(const LightDesc& light) {
   members.add("shadow_samples", light.shadowSamples, usual.shadowSamples);
   if (light.map != usual.map) members.put("map", written(light.map));
   if (!light.shadowPlane.empty()) members.put("shadow_plane", JsonText::string(light.shadowPlane.text));
-  if (!light.casters.empty()) {
+  if (light.casters) {
     JsonText casters = JsonText::array();
-    for (const FileName& name : light.casters) casters.add(JsonText::string(name.text));
+    for (const FileName& name : *light.casters) casters.add(JsonText::string(name.text));
     members.put("casters", std::move(casters));
   }
   return members.take();

@@ -453,6 +453,20 @@ TEST(SceneBuilder, WarnsOfWhatIsOfAnotherShadow) {
             (std::vector<std::string>{"2:36 only a planar shadow falls on a plane alone (write \"shadow\": "
                                       "\"planar\", or leave \"shadow_plane\" out)"}));
   EXPECT_TRUE(found(R"("shadow": "planar", "shadow_plane": "floor", "casters": ["floor"])").empty());
+  EXPECT_TRUE(found(R"("casters": [])").empty());
+}
+
+/// Not everything, as without casters.
+TEST(SceneBuilder, OfNoCastersThereIsNoShadow) {
+  const auto shadowOf = [](const std::string& casters) {
+    const SceneFile file = parseScene(
+        R"({ "luxo": 1, "nodes": [{ "light": { "shadow": "exact", "casters": )" + casters + " } }] }",
+        "casters");
+    EXPECT_EQ(parseScene(writeScene(file), "casters"), file);
+    return buildScene(file)[NodeId{0}].light->shadow;
+  };
+  EXPECT_EQ(shadowOf("[]"), Light::Shadow::None);
+  EXPECT_EQ(shadowOf("\"all\""), Light::Shadow::Exact);
 }
 
 /// One mistake, one message; and no help that would be refused.
@@ -472,7 +486,11 @@ TEST(SceneBuilder, TellsMistakesOfShadowsOnce) {
   const std::string light = R"("type": "directional", "shadow": "exact", "radius": )";
   EXPECT_NE(told(light + "30").find("write \"30deg\""), std::string::npos) << told(light + "30");
   EXPECT_EQ(told(light + "1e9").find("deg\""), std::string::npos) << told(light + "1e9");
-  EXPECT_NE(told(light + "1e9").find("from 0 to 90 degrees"), std::string::npos);
+  const std::string huge = told(light + "1e9");
+  EXPECT_NE(huge.find("this is 1000000000 radians; it must be from 0 to pi/2 radians, 90 degrees: a "
+                      "directional light's radius is the half-angle of its disc"),
+            std::string::npos)
+      << huge;
 }
 
 TEST(SceneBuilder, FormulasThatAreFlatAreKnownAsThat) {

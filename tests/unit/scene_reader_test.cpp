@@ -116,7 +116,6 @@ TEST(SceneReader, PointsAtMistakesOfForm) {
        "'exact'"},
       {scene("\"nodes\": [{ \"light\": { \"casters\": \"none\" } }]"), "2:35",
        "expected \"all\" or an array of node names"},
-      {scene("\"nodes\": [{ \"light\": { \"casters\": [] } }]"), "2:35", "no node casts this shadow"},
       {scene("\"materials\": { \"m\": 3 }"), "2:21", "expected a material: an object, found a number"},
       {scene("\"materials\": { \"m\": { \"color\": 3 } }"), "2:23", "unknown key \"color\" in a material"},
       {scene("\"materials\": { \"m\": { \"two_sided\": 1 } }"), "2:36", "expected true, false or \"auto\""},

@@ -291,7 +291,6 @@ TEST_F(SceneSchema, RefusesWhatTheReaderRefuses) {
         R"({ "luxo": 1, "nodes": [ { "name": "" } ] })",
         R"({ "luxo": 1, "nodes": [ { "children": [ { "x": 1 } ] } ] })",
         R"({ "luxo": 1, "nodes": [ { "light": { "type": "spot" } } ] })",
-        R"({ "luxo": 1, "nodes": [ { "light": { "casters": [] } } ] })",
         R"({ "luxo": 1, "nodes": [ { "rotate": { "angle": 1 } } ] })",
         R"({ "luxo": 1, "params": { "k": { "range": [0, 1] } } })",
         R"({ "luxo": 1, "materials": { "m": { "two_sided": "yes" } } })",

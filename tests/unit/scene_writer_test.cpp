@@ -43,7 +43,9 @@ TEST(SceneWriter, IsCanonical) {
                     .segments = QuantityPair{64, 32}}};
   file.nodes = {{.name = "a", .translate = {0, 0.4, 0}, .rotate = {{{0, 1, 0}, "0.5t"}}, .surface = "ball"},
                 {.parent = 0, .surface = "flag", .material = "red"},
-                {.name = "sun", .visible = 0, .light = LightDesc{.intensity = 40, .casters = {"a"}}}};
+                {.name = "sun",
+                 .visible = 0,
+                 .light = LightDesc{.intensity = 40, .casters = std::vector<FileName>{"a"}}}};
   file.camera = CameraDesc{.eye = {"18*sin(t/4)", 9, "18*cos(t/4)"}, .fovY = "50deg"};
   EXPECT_EQ(writeScene(file), R"_({
   "luxo": 1,
@@ -279,7 +281,9 @@ class RandomScene {
       if (coin()) desc.light->spot->outer = quantity();
     }
     if (coin() || desc.light->shadow == Light::Shadow::Planar) desc.light->shadowPlane = name("n", i);
-    for (int k = random_.below(3); k > 0; --k) desc.light->casters.push_back(name("n", k));
+    if (coin()) desc.light->casters.emplace();
+    for (int k = desc.light->casters ? random_.below(3) : 0; k > 0; --k)
+      desc.light->casters->push_back(name("n", k));
     return desc;
   }
   CameraDesc camera(std::string title) {
