@@ -8,7 +8,7 @@
 
 layout(constant_id = kConstantQuantity) const uint kQuantity = kPosition;
 layout(constant_id = kConstantAsColor) const bool kAsColor = false;
-layout(constant_id = kConstantCertificate) const uint kCertificateOfAll = kUncertified;
+layout(constant_id = kConstantCertificate) const uint kCertificateOfAll = kUncertified;  // but of undecided points
 
 layout(location = 0) sample in vec3 inPosition;
 layout(location = 1) sample in vec3 inNormal;
@@ -24,7 +24,8 @@ void main() {
   if ((inFlagsId.x & kTwoSided) != 0 && !seenFromFront(n, towardViewer(view.viewer, position), gl_FrontFacing)) n = -n;
   float depth = inDepth + dot(position - inPosition, view.forward.xyz);
   // Triangles are drawn where their fragments are: they have no residual.
-  Inspected inspected = Inspected(position, n, inParameters, depth, inFlagsId.y, 0.0, kCertificateOfAll);
+  uint certificate = (inFlagsId.x & kUndecided) != 0 ? kUncertified : kCertificateOfAll;
+  Inspected inspected = Inspected(position, n, inParameters, depth, inFlagsId.y, 0.0, certificate);
   vec4 domain = vec4(inDomain.xy, inDomain.xy + inDomain.zw);
   outValue = vec4(inspectedValue(inspected, kQuantity, kAsColor, domain), kAsColor ? 0 : 1);
 }

@@ -64,7 +64,9 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
     add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
         "NAME=FROM:TO:STEP");
     add("--aov", t.aov,
-        "what to write: color depth position normal uv id residual certificate light-depth (color)", "NAME");
+        "what to write: color depth position normal uv id residual light-depth certificate (1 by a search, "
+        "2 by a ray, 3 not proven) (color)",
+        "NAME");
     add("--sample", t.sample, "the sample of each pixel that --aov is of, from 0 (the pixel's centre)", "I");
     add("--report", t.report, "times, counts and errors of each frame, as JSON; - is stdout", "FILE");
   }

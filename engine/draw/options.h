@@ -9,8 +9,8 @@
 namespace luxo {
 
 /// What the pixels hold: the picture, or an auxiliary output (AOV) of the geometry.
-/// Certificate: how the point shown is known: 1 by a search that certified it, 2 by a ray cast in double, 3
-/// neither; 0 where nothing is shown.
+/// Certificate: how the point shown is known: 1 by a search that certified it, 2 by a ray cast in double that
+/// proves it to be the nearest, 3 neither, or by a ray that does not; 0 where nothing is shown.
 enum class Output { Color, Depth, Position, Normal, Uv, Id, Residual, Certificate };
 
 /// How many pixels of an exact picture are cast by the reference and compared (Audit::pixels).

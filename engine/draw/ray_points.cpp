@@ -271,7 +271,8 @@ std::vector<char> CertifiedRays::addPoints(std::span<const Doubt> doubts, const 
                             .parameters = Vec2f(hit.u, hit.v),
                             .place = Vec4f(pixel.x + 0.5, pixel.y + 0.5, depthInBuffer(view, depth), depth),
                             .footprint = Vec4f(Vec4(hit.footprint[0], hit.footprint[1])),
-                            .frame = frameOf(caster_->snapshot().nodes[hit.node], hit)});
+                            .frame = frameOf(caster_->snapshot().nodes[hit.node], hit),
+                            .flags = seen[i].certified ? 0U : shared::kUndecided});
   }
   return confirmed;
 }

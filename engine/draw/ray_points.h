@@ -28,8 +28,9 @@ struct RayPoint {
   Vec3f normal;    ///< unit; toward the viewer where two-sided
   Vec2f parameters;
   Vec4f place;  ///< of the sample in the target, pixels; its depth as in the depth buffer, and in metres
-  Vec4f footprint{0};  ///< of the pixel, where there is a texture: u, v to the right, u, v below
-  Vec4f frame{0};      ///< with it (scene/normal_map.h)
+  Vec4f footprint{0};       ///< of the pixel, where there is a texture: u, v to the right, u, v below
+  Vec4f frame{0};           ///< with it (scene/normal_map.h)
+  std::uint32_t flags = 0;  ///< shared::kUndecided where the ray proves nothing
 };
 
 /// A vertex of the triangle that tells the shadows in a pixel (shaders/ray_shadows.vert); three that are

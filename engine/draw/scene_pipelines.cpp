@@ -111,7 +111,8 @@ void setVertices(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
                                    {2, 0, kFloat2, offsetof(RayPoint, parameters)},
                                    {3, 0, kFloat4, offsetof(RayPoint, place)},
                                    {4, 0, kFloat4, offsetof(RayPoint, footprint)},
-                                   {5, 0, kFloat4, offsetof(RayPoint, frame)}});
+                                   {5, 0, kFloat4, offsetof(RayPoint, frame)},
+                                   {6, 0, VK_FORMAT_R32_UINT, offsetof(RayPoint, flags)}});
   else if (state.surface)
     interleaved(sizeof(ShellVertex), {{0, 0, kFloat3, offsetof(ShellVertex, position)},
                                       {1, 0, kFloat2, offsetof(ShellVertex, parameters)},

@@ -20,6 +20,6 @@ void main() {
   outParameters = inParameters;
   outDepth = depthOfVertex(outPosition);
   outDomain = instance.domain;
-  outFlagsId = uvec2(instance.flags, instance.id);
+  outFlagsId = uvec2(flagsOfVertex(instance), instance.id);
   gl_Position = clipOfVertex(outPosition);
 }

@@ -10,9 +10,12 @@ layout(location = 1) in vec3 inNormal;
 #include "lib/around_place.glsl"
 
 layout(location = 3) in vec4 inPlace;  // of the sample, in the target; its depth in the depth buffer, and in metres
+layout(location = 6) in uint inPointFlags;
 vec3 positionOfVertex(InstanceData instance) { return inPosition; }  // relative already
 vec3 normalOfVertex(InstanceData instance) { return inNormal; }
 float depthOfVertex(vec3 relative) { return inPlace.w; }
+
+uint flagsOfVertex(InstanceData instance) { return instance.flags | inPointFlags; }
 
 vec4 clipOfVertex(vec3 relative) { return aroundPlace(inPlace.xy, inPlace.z); }
 
@@ -21,6 +24,7 @@ vec4 clipOfVertex(vec3 relative) { return aroundPlace(inPlace.xy, inPlace.z); }
 vec3 positionOfVertex(InstanceData instance) { return relativeFromObject(instance, inPosition); }
 vec3 normalOfVertex(InstanceData instance) { return unitOrZero(instance.normalFromObject * inNormal); }
 float depthOfVertex(vec3 relative) { return dot(vec4(relative, 1), view.forward); }
+uint flagsOfVertex(InstanceData instance) { return instance.flags; }
 vec4 clipOfVertex(vec3 relative) { return view.clipFromRelative * vec4(relative, 1); }
 
 #endif

@@ -39,7 +39,7 @@ LUXO_CONSTANT kLight = 7;
 LUXO_CONSTANT kFoundTexel = 8;
 
 // Values of a certificate: by the search that found the point, or as a triangle that is the surface has it; by a ray cast
-// in double; or none.
+// in double that proves it; or none.
 LUXO_CONSTANT kBySearch = 1;
 LUXO_CONSTANT kByRay = 2;
 LUXO_CONSTANT kUncertified = 3;
@@ -108,6 +108,9 @@ LUXO_CONSTANT kPlane = 8;       // all in one plane
 LUXO_CONSTANT kShowsBack = 16;  // not only the outer side is seen
 LUXO_CONSTANT kFromAbove = 32;  // of a plane: seen from where cross(z axis, x axis) of the transform points to
 LUXO_CONSTANT kIsSurface = 64;  // the triangles are the surface itself, and rays find its points where it is seen through
+
+// Of a point that a ray has found, and that it does not prove to be the nearest.
+LUXO_CONSTANT kUndecided = 128;
 
 // Material flags, which join these.
 LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
@@ -470,7 +473,7 @@ struct ReachingLight {
 #undef LUXO_CONSTANT
 #undef LUXO_NUMBER
 // All flags share one word.
-inline constexpr uint kInstanceFlags = kTwoSided | kPlane | kShowsBack | kFromAbove | kIsSurface;
+inline constexpr uint kInstanceFlags = kTwoSided | kPlane | kShowsBack | kFromAbove | kIsSurface | kUndecided;
 inline constexpr uint kMaterialFlags = kLectureSpecular | kPatternAmbient;
 inline constexpr uint kShadeFlags = 0xffu << kShadeShift;
 inline constexpr uint kPatchFlags =

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "cull/cull.h"
@@ -61,6 +62,18 @@ TEST_F(RayPointsTest, CertificatesSayWhoFoundThePoint) {
       }
     }
   EXPECT_GT(ofRoof, 5000U);
+}
+
+/// Four sheets in one place: some rays do not prove which is the nearest.
+TEST_F(RayPointsTest, WhatARayDoesNotProveIsNotCertified) {
+  const Scene scene =
+      buildScene(readSceneFile(std::filesystem::path(LUXO_CASES) / "covered_four_times_3603_169.luxo.json"));
+  const Picture picture = draw(scene, scene.settings().size, {.output = Output::Certificate});
+  std::uint64_t unproven = 0;
+  for (int y = 0; y < picture.image.height(); ++y)
+    for (int x = 0; x < picture.image.width(); ++x) unproven += picture.image.pixel(x, y)[0] == 3;
+  EXPECT_GT(unproven, 0U);
+  EXPECT_EQ(unproven, picture.statistics.error.uncertifiedPx);
 }
 
 // What a window shows until rays are done is a coarse mesh of what they find, and else nothing is drawn
