@@ -64,6 +64,40 @@ std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
   return groups;
 }
 
+/// Why a group of lights is one of several.
+std::string reasonFor(const Snapshot& snapshot, std::span<const std::vector<std::uint32_t>> groups) {
+  for (const std::vector<std::uint32_t>& group : groups)
+    for (const std::uint32_t number : group) {
+      const SnapshotLight& light = snapshot.lights[number];
+      if (!transmits(snapshot, light)) continue;
+      if (light.map) return fmt::format("that of node number {} has a depth map", light.id.index + 1);
+      const auto caster = std::ranges::find_if(light.casters, [&](NodeId id) {
+        const auto node = std::ranges::find(snapshot.nodes, id, &SnapshotNode::id);
+        return node != snapshot.nodes.end() && snapshot.materials[node->material.index].letsLightThrough();
+      });
+      return fmt::format("that of node number {} shines through node number {}", light.id.index + 1,
+                         caster->index + 1);
+    }
+  return fmt::format("there are more than {} of them", shared::kMaxLights);
+}
+
+/// A shader makes one colour of all lights at once: what it makes of some does not add up to that.
+void requireNoShader(const Snapshot& snapshot, std::span<const std::vector<std::uint32_t>> groups) {
+  const auto node = std::ranges::find_if(snapshot.nodes, [&](const SnapshotNode& one) {
+    return snapshot.materials[one.material.index].shader != nullptr;
+  });
+  if (node == snapshot.nodes.end()) return;
+  throw Error(
+      ErrorKind::Scene,
+      fmt::format(
+          "the shader of node number {} makes one colour of all lights together, but these come in {} "
+          "passes: {}",
+          node->number, groups.size(), reasonFor(snapshot, groups)),
+      "leave it the only light, set its shadow to \"none\", name its \"casters\" without what is seen "
+      "through, "
+      "or take the shader's material without its shader");
+}
+
 void requireScreen(const AmbientOcclusion& occlusion, bool possible) {
   if (occlusion.method == OcclusionMethod::Rays)
     throw Error(ErrorKind::Scene, "ambient occlusion by rays is what the reference casts",
@@ -111,14 +145,7 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
       options.output == Output::Color &&
       std::ranges::any_of(materials, [](const Material& material) { return material.shader != nullptr; });
   if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
-  if (groups_.size() > 1 && std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
-        return materials[node.material.index].shader != nullptr;
-      }))
-    throw Error(ErrorKind::Scene,
-                "the light on a material with a shader comes in several passes, which is not supported yet: "
-                "there are more than 32 lights, or some shine through what is transparent",
-                "leave out some lights, set their shadow to \"none\", or take the shader's material without "
-                "it");
+  if (groups_.size() > 1) requireNoShader(snapshot, groups_);
   list_.groups.resize(groups_.size());
   shades_.resize(groups_.size());
   layerShades_.resize(groups_.size());
