@@ -12,14 +12,14 @@ namespace {
 
 /// The lights of a picture whose shadows fall on meshes of formulas, or on triangles that are lit otherwise
 /// than at each of their points; none where there are none, or too many.
-std::vector<SnapshotLight> lightsOnMeshes(const Snapshot& snapshot, const DrawOptions& options) {
+std::vector<WholeLight> lightsOnMeshes(const Snapshot& snapshot, const DrawOptions& options) {
   const bool meshes = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
     const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
     return isLitMesh(shading) && !(node.surface.triangles() && shading == Shading::Phong);
   });
-  std::vector<SnapshotLight> lights = withExactShadows(snapshot).lights;
-  if (!meshes || lights.size() > kMostAlone || std::ranges::none_of(lights, &SnapshotLight::hasShadow))
-    lights.clear();
+  std::vector<WholeLight> lights = wholeLights(withExactShadows(snapshot));
+  const auto hasShadow = [](const WholeLight& whole) { return whole.light.hasShadow(); };
+  if (!meshes || lights.size() > kMostAlone || std::ranges::none_of(lights, hasShadow)) lights.clear();
   return lights;
 }
 
@@ -50,8 +50,8 @@ MeasuredFrame measure(Renderer& renderer, const Snapshot& snapshot, DrawOptions 
     lit.lights = std::move(lights);
     return draw(lit, Output::Color).image;
   };
-  for (const SnapshotLight& one : lightsOnMeshes(snapshot, options))
-    frame.picture.alone.push_back(light({withoutShadow(one)}));
+  for (const WholeLight& one : lightsOnMeshes(snapshot, options))
+    frame.picture.alone.push_back(light({withoutShadow(one.light)}));
   if (!frame.picture.alone.empty()) frame.picture.dark = light({});
   return frame;
 }

@@ -16,7 +16,8 @@ struct MeasuredFrame {
 inline constexpr std::size_t kMostAlone = 32;
 
 /// Draws colour, depth, position, normal, uv and id, one sample per pixel; where meshes of formulas are in
-/// shadow the light of each light alone, too, as withExactShadows() has them. Errors as Renderer::render.
+/// shadow the light of each light alone, too, as wholeLights() of withExactShadows() has them. Errors as
+/// Renderer::render.
 [[nodiscard]] MeasuredFrame measure(Renderer& renderer, const Snapshot& snapshot, DrawOptions options);
 
 }  // namespace luxo

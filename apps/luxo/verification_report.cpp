@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "measured_picture.h"
+#include "reference/caster.h"
 
 namespace luxo {
 namespace {
@@ -92,8 +94,9 @@ Json jsonOf(const CoverageErrors& c, const NodeNames& nameOfNode) {
       {"farthest_px", c.farthestPx}, {"beyond_0.01_px", c.beyond},  {"worst", jsonOf(c.worst, nameOfNode)}};
 }
 
-/// What shadows have too much and too little is told where some are approximations.
-Json jsonOf(const WrongPixels& wrong, bool approximateShadows) {
+/// What shadows have too much and too little is told where some are approximations, and how much of the light
+/// where a map estimates that.
+Json jsonOf(const WrongPixels& wrong, bool approximateShadows, bool estimates) {
   const auto ofShadows = [&](std::uint64_t pixels) { return approximateShadows ? Json(pixels) : Json(); };
   return {{"pixels", wrong.total()},
           {"hit_miss", wrong.hitMiss},
@@ -101,7 +104,8 @@ Json jsonOf(const WrongPixels& wrong, bool approximateShadows) {
           {"point", wrong.point},
           {"light", wrong.light},
           {"shadow_extra", ofShadows(wrong.shadowExtra)},
-          {"shadow_missing", ofShadows(wrong.shadowMissing)}};
+          {"shadow_missing", ofShadows(wrong.shadowMissing)},
+          {"seen_part_off", estimates ? Json(reference::kSeenPartOff) : Json()}};
 }
 
 Json jsonOf(const ColorErrors& c) {
@@ -116,6 +120,13 @@ Json jsonOf(const ColorErrors& c) {
   if (c.flipMean)
     json["flip"] = {{"mean", finite(c.flipMean)}, {"p99.9", finite(c.flipP999)}, {"max", finite(c.flipMax)}};
   return json;
+}
+
+/// Of how many lights a map estimates how much is seen.
+std::ptrdiff_t estimatedLights(const Snapshot& snapshot) {
+  return std::ranges::count_if(wholeLights(snapshot), [](const WholeLight& whole) {
+    return whole.light.map && whole.light.map->radius > 0;
+  });
 }
 
 std::string textOf(const Offence& o, const NodeNames& nameOfNode) {
@@ -174,6 +185,10 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
         "shadows    {} of the lights has no exact shadow: the light is held against exact ones\n"
         "           {} pixels are dark that are lit in truth (extra), {} lit that are dark (missing)\n",
         report.approximateShadows, wrong.shadowExtra, wrong.shadowMissing);
+  if (const std::ptrdiff_t count = estimatedLights(snapshot); count > 0)
+    text += fmt::format(
+        "           of {} with a radius and a map it is right within {} of the part of it that {} rays see\n",
+        count, reference::kSeenPartOff, reference::kSeenPartRays);
   if (v.color.byShader > 0)
     text += fmt::format(
         "shaders    {} pixels are lit by materials' shaders, which the truth cannot run, or seen through "
@@ -230,7 +245,7 @@ std::string verificationJson(const VerificationReport& report, const Scene& scen
       {"truth_ms", report.truthMs},
       {"nan_pixels", v.nanPixels},
       {"coverage", jsonOf(v.coverage, nameOfNode)},
-      {"wrong", jsonOf(v.wrong, report.approximateShadows > 0)},
+      {"wrong", jsonOf(v.wrong, report.approximateShadows > 0, estimatedLights(snapshot) > 0)},
   };
   for (const Metric& m : metricsOf(v)) json[std::string(m.key)] = jsonOf(m.spread, nameOfNode);
   json["color"] = jsonOf(v.color);

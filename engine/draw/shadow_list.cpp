@@ -41,6 +41,9 @@ const SnapshotNode* nodeOf(const Snapshot& snapshot, NodeId id) {
 
 /// Of the distances involved: what double leaves of one.
 constexpr double kRoundingBehind = 1e-13;
+/// Of a light's distance: as near it is in a plane for rays (Caster::reaching) that are as little as 1e-6
+/// aslant.
+constexpr double kInItsPlane = 1e-14;
 
 double distanceTo(const Box& box, const Vec3& p) { return glm::distance(p, glm::clamp(p, box.min, box.max)); }
 
@@ -72,24 +75,13 @@ class ShadowLister {
   void list(LightGroup& group, std::uint32_t bit, std::uint32_t light) {
     group_ = &group;
     const SnapshotLight from = seen(snapshot_.lights[light]);
-    std::vector<const SnapshotNode*> casters;
-    for (const NodeId caster : from.casters)
-      if (const SnapshotNode* node = nodeOf(snapshot_, caster);
-          node && !materialOf(*node).invisible() && !behind(from, *node).empty())
-        casters.push_back(node);
-    // By what they are: what rounding leaves of a product depends on the order.
-    std::ranges::stable_sort(casters, {}, [&](const SnapshotNode* node) {
-      const Box& box = node->boundsWorld;
-      const Material& material = materialOf(*node);
-      return std::array{box.min.x,          box.min.y,         box.min.z,        box.max.x,
-                        box.max.y,          box.max.z,         material.opacity, material.diffuse.x,
-                        material.diffuse.y, material.diffuse.z};
-    });
-    if (from.map) mapOf(snapshot_.lights[light], casters);
+    const std::vector<const SnapshotNode*> casters = castersOf(
+        from, [&](const SnapshotNode& node) { return !from.map || materialOf(node).letsLightThrough(); });
+    if (from.map) mapOf(snapshot_.lights[light]);
     for (const SnapshotNode* caster : casters) {
       if (from.plane)
         flatten(bit, from, *caster);
-      else if (!from.map || materialOf(*caster).letsLightThrough())
+      else
         list(bit, from, *caster);
     }
     drawClosed();
@@ -124,10 +116,31 @@ class ShadowLister {
     return light;
   }
 
-  /// Of the opaque ones: light that gets through others is exact.
-  void mapOf(const SnapshotLight& light, std::vector<const SnapshotNode*> casters) {
-    std::erase_if(casters, [&](const SnapshotNode* node) { return materialOf(*node).letsLightThrough(); });
+  /// Of the opaque ones: light that gets through others is exact. Of a light's point it is the light's.
+  void mapOf(SnapshotLight light) {
+    if (light.pointOf) light.positionWorld = light.pointOf->middle;
+    const std::vector<const SnapshotNode*> casters =
+        castersOf(light, [&](const SnapshotNode& node) { return !materialOf(node).letsLightThrough(); });
     group_->map = listLightMap(light, casters, receivers_, list_.origin, geometry_.meshes);
+  }
+
+  /// Those of a light that may shadow something, and are as asked, by what they are: what rounding leaves of
+  /// a product depends on the order.
+  [[nodiscard]] std::vector<const SnapshotNode*> castersOf(const SnapshotLight& light,
+                                                           const auto& isAsked) const {
+    std::vector<const SnapshotNode*> casters;
+    for (const NodeId caster : light.casters)
+      if (const SnapshotNode* node = nodeOf(snapshot_, caster);
+          node && !materialOf(*node).invisible() && isAsked(*node) && !behind(light, *node).empty())
+        casters.push_back(node);
+    std::ranges::stable_sort(casters, {}, [&](const SnapshotNode* node) {
+      const Box& box = node->boundsWorld;
+      const Material& material = materialOf(*node);
+      return std::array{box.min.x,          box.min.y,         box.min.z,        box.max.x,
+                        box.max.y,          box.max.z,         material.opacity, material.diffuse.x,
+                        material.diffuse.y, material.diffuse.z};
+    });
+    return casters;
   }
 
   [[nodiscard]] static Vec3 pointOf(const SnapshotNode& node) {
@@ -342,12 +355,14 @@ class ShadowLister {
   }
 
   /// All that may be in the caster's shadow: of a flat one no box that is on the light's side, if not in the
-  /// plane, as all is of a floor, mostly.
+  /// plane, as all is of a floor, mostly; and nothing where the light is on it.
   [[nodiscard]] Box behind(const SnapshotLight& light, const SnapshotNode& node) const {
     const std::optional<Vec3> flat = node.surface.flatNormal();
     if (!flat) return receivers_;
     const Vec3 at = pointOf(node), normal = unit(normalMatrix(node.worldFromObject.linear) * *flat);
     const double side = glm::dot(normal, Vec3(light.positionWorld) - light.positionWorld.w * at);
+    if (light.positionWorld.w != 0 && std::abs(side) <= kInItsPlane * glm::length(Vec3(light.positionWorld)))
+      return {};
     if (side == 0) return receivers_;
     Box behind;
     for (const SnapshotNode* receiver : seen_) {

@@ -28,6 +28,15 @@ inline Vec2 quasirandomPoint(double n, const Vec2& shift = Vec2(0.5)) {
   return {fraction(shift.x + n / kPlastic), fraction(shift.y + n / (kPlastic * kPlastic))};
 }
 
+inline constexpr double kGoldenAngle = 2.399963229728653;  ///< pi (3 - sqrt 5)
+
+/// Point k of n of the disc of radius 1, spread evenly: a spiral (H. Vogel, A better way to construct the
+/// sunflower head, 1979).
+inline Vec2 discPoint(std::uint32_t k, std::uint32_t n) {
+  const double radius = std::sqrt((k + 0.5) / n), turn = kGoldenAngle * k;
+  return radius * Vec2(std::cos(turn), std::sin(turn));
+}
+
 /// Point k of n of a luminous ball of radius 1 that looks like an evenly bright disc from everywhere afar.
 ///
 /// For that all its projections onto planes must be uniform in the unit disc. Those of the uniform
@@ -50,11 +59,10 @@ inline Vec3 luminousBallPoint(std::uint32_t k, std::uint32_t n) {
 }
 
 /// Point k of n in a cap of the unit sphere around +Z, `angle` from its middle to its rim, spread evenly over
-/// its area: a spiral (H. Vogel, A better way to construct the sunflower head, 1979), whose heights are even
-/// by Archimedes' hat-box theorem. One point is the middle.
+/// its area: the spiral of discPoint(), whose heights are even by Archimedes' hat-box theorem. One point is
+/// the middle.
 inline Vec3 capPoint(std::uint32_t k, std::uint32_t n, double angle) {
   if (n == 1) return Vec3(0, 0, 1);
-  constexpr double kGoldenAngle = 2.399963229728653;                                   // pi (3 - sqrt 5)
   const double half = std::sin(0.5 * angle), below = 2 * half * half * (k + 0.5) / n;  // 1 - cosine
   const double sine = std::sqrt(below * (2 - below)), turn = kGoldenAngle * k;
   return {sine * std::cos(turn), sine * std::sin(turn), 1 - below};

@@ -78,9 +78,7 @@ Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes
     const Caster::First first = caster.firstOf(nodes, caster.rayThrough(at.x, at.y));
     certified &= first.certified;
     if (!first.hit) return std::nullopt;
-    const SnapshotLight& from = caster.snapshot().lights[light];
-    if (!(glm::dot(first.hit->normal, from.from(first.hit->position)) > 0)) return std::nullopt;
-    if (!(from.coneTo(first.hit->position) > 0)) return std::nullopt;
+    if (!caster.shinesOn(light, *first.hit)) return std::nullopt;
     return caster.reaching(light, *first.hit, certified);
   };
   bool certified = true;

@@ -9,6 +9,10 @@
 #include <limits>
 #include <memory>
 
+#include "math/basis.h"
+#include "math/sampling.h"
+#include "scene/ranges.h"
+
 namespace luxo::reference {
 namespace {
 
@@ -16,6 +20,8 @@ namespace {
 constexpr double kHitRounding = 1e-11;
 constexpr double kRootRounding = 1e-12;  // and how far a root may be from where another search finds it
 constexpr double kGrazing = 1e-4;        // the cosine below which a ray leaves its own surface no sooner
+// The cosine of a light that is in the plane of what it falls on, or lower.
+constexpr double kInPlane = 1e-12;
 // Of a pixel: the step of differences that measure derivatives, which leave some 1e-4 of these.
 constexpr double kDerivativePx = 1e-4;
 
@@ -38,7 +44,7 @@ double rootOff(const Ray& ray, const Hit& hit) {
 }  // namespace
 
 Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells, Shading shading)
-    : snapshot_(snapshot) {
+    : snapshot_(snapshot), wholes_(wholeLights(snapshot)) {
   std::vector<ShapeCache::Request> requests;
   for (const SnapshotNode& node : snapshot.nodes) requests.emplace_back(node.surface, node.parameters);
   const auto shapes = cache.shapes(requests);
@@ -339,19 +345,16 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
   if (!mayMeet(ray, node)) return Vec3(1);
   double nearest = ownReach(hit, ray.direction);
   const Body& body = bodies_[node];
-  // Of a light that is on the caster rounding decides on which side it is.
+  // A light that is on the caster is behind none of it: the ray ends before it, by more than rounding moves a
+  // root.
   const double reach = glm::length(hit.position) + glm::length(Vec3(light.positionWorld));
   const double margin = light.directional() ? 0 : std::max(1e-9 * distance, kRootRounding * reach / kGrazing);
-  const RootQuery query{nearest, distance + margin, Facing::Both, false};
-  const auto isBeforeLight = [&](const Hit& met) {
-    certified &= std::abs(met.t - distance) > rootOff(ray, met);
-    return met.t < distance;
-  };
+  if (!(nearest < distance - margin)) return Vec3(1);
+  const RootQuery query{nearest, distance - margin, Facing::Both, false};
   if (!materialOf(node).letsLightThrough()) {
     const Roots roots = body.shape.nearestRoot(ray, query);
     certified &= roots.certified;
-    if (!roots.nearest || roots.nearest->t < distance - margin) return Vec3(roots.nearest ? 0 : 1);
-    return Vec3(isBeforeLight(hitAt({ray}, node, *roots.nearest)) ? 0 : 1);
+    return Vec3(roots.nearest ? 0 : 1);
   }
   RootWalk walk(body.shape, ray, query);
   Vec3 left(1);
@@ -360,7 +363,6 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
     certified &= roots.certified;
     if (!roots.nearest) return left;
     Hit met = hitAt({ray}, node, *roots.nearest);
-    if (!isBeforeLight(met)) return left;
     met.footprint = Footprint(0);  // light has no pixels
     left *= materialOf(node).lightThrough(opacityOf(met), diffuseOf(met));
     // A ray leaves a plane where it meets it.
@@ -386,16 +388,52 @@ Vec3 Caster::reaching(const SnapshotLight& light, const Hit& hit, bool& certifie
   return left;
 }
 
+Caster::SeenPart Caster::seenPart(const WholeLight& whole, const Hit& hit) const {
+  constexpr std::uint32_t kRim = 16;
+  SnapshotLight point = whole.light;
+  const Vec3 at(point.positionWorld);
+  const bool directional = point.directional();
+  const Vec3 ahead = directional ? at : unit(at - hit.position);
+  const auto [right, up] = completed(ahead);
+  const Mat3 axes(right, up, ahead);
+  // Of a disc that is 1 away, of a directional light.
+  const double size = directional ? std::tan(std::min(whole.radius, 0.999 * kMaxLightAngle)) : whole.radius;
+  const auto from = [&](const Vec2& place) -> SeenPart {
+    const Vec3 aside = size * (axes * Vec3(place, 0));
+    point.positionWorld = directional ? Vec4(unit(at + aside), 0) : Vec4(at + aside, 1);
+    const Vec3 way = Vec3(point.positionWorld) - hit.position * point.positionWorld.w;
+    bool known = glm::dot(hit.normal, way) > 0 || materialOf(hit.node).lightsBelowHorizon();
+    const Vec3 left = known ? reaching(point, hit, known) : Vec3(0);
+    return known ? SeenPart{left, left} : SeenPart{Vec3(0), Vec3(1)};
+  };
+  SeenPart part = from(Vec2(0));
+  bool agree = part.least == part.most;
+  for (std::uint32_t k = 0; k < kRim && agree; ++k) {
+    const SeenPart rim = from(Vec2(std::cos(kTau * k / kRim), std::sin(kTau * k / kRim)));
+    agree = rim.least == part.least && rim.most == part.most;
+  }
+  if (!agree) {
+    part = {};
+    for (std::uint32_t k = 0; k < kSeenPartRays; ++k) {
+      const SeenPart one = from(discPoint(k, kSeenPartRays));
+      part.least += one.least / double(kSeenPartRays);
+      part.most += one.most / double(kSeenPartRays);
+    }
+  }
+  return {glm::max(part.least - kSeenPartOff, Vec3(0)), glm::min(part.most + kSeenPartOff, Vec3(1))};
+}
+
 bool Caster::shinesOn(std::uint32_t light, const Hit& hit) const {
   return faces(light, hit) && snapshot_.lights[light].coneTo(hit.position) > 0;
 }
 
 bool Caster::faces(std::uint32_t light, const Hit& hit) const {
-  return materialOf(hit.node).lightsBelowHorizon() || glm::dot(hit.normal, towardLight(light, hit)) > 0;
+  const Material& material = materialOf(hit.node);
+  return material.lightsBelowHorizon() || glm::dot(hit.normal, towardLight(light, hit)) > kInPlane;
 }
 
-Vec3 Caster::towardLight(std::uint32_t light, const Hit& hit) const {
-  const Vec4& at = snapshot_.lights[light].positionWorld;
+Vec3 Caster::towardLight(const SnapshotLight& light, const Hit& hit) {
+  const Vec4& at = light.positionWorld;
   return unit(Vec3(at) - hit.position * at.w);
 }
 
@@ -561,16 +599,25 @@ Vec3 Caster::drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt)
   return (reflection.diffuse * (kShaded + (1 - kShaded) * bright) + reflection.glow) * (1 - outline);
 }
 
-Vec3 Caster::illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt) const {
+Vec3 Caster::illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt, Wide wide) const {
   if (bodies_[hit.node].drawing) return drawn(ray, hit, certified, tilt);
   const Vec3 toViewer = -ray.direction;
   const Reflection reflection = reflectionAt(hit);
   Vec3 sum = withoutLights(hit, reflection);
+  for (const WholeLight& whole : wholes_) {
+    if (wide == Wide::Points || whole.number) continue;
+    if (shareOf(whole.light, hit, reflection, toViewer, Vec3(1), tilt) == Vec3(0)) continue;
+    const SeenPart part = seenPart(whole, hit);
+    sum +=
+        shareOf(whole.light, hit, reflection, toViewer, wide == Wide::Least ? part.least : part.most, tilt);
+  }
   for (const SnapshotLight& light : snapshot_.lights) {
+    if (wide != Wide::Points && light.pointOf) continue;
     if (shareOf(light, hit, reflection, toViewer, Vec3(1), tilt) == Vec3(0)) continue;
-    const bool liftsAbove = tilt > 0 && std::abs(glm::dot(hit.normal, unit(light.from(hit.position)))) <=
-                                            tilt * cosineLoss(light, hit);
-    const Vec3 visible = liftsAbove ? Vec3(1) : reaching(light, hit, certified);
+    // Along its own plane no ray proves anything.
+    const double lifted = std::max(tilt * cosineLoss(light, hit), kInPlane);
+    const bool isFree = std::abs(glm::dot(hit.normal, towardLight(light, hit))) <= lifted;
+    const Vec3 visible = isFree ? Vec3(1) : reaching(light, hit, certified);
     sum += shareOf(light, hit, reflection, toViewer, visible, tilt);
   }
   return sum;
@@ -581,7 +628,7 @@ std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3&
   const Reflection reflection = reflectionAt(hit);
   for (std::uint32_t i = 0; i < snapshot_.lights.size(); ++i) {
     const SnapshotLight& light = snapshot_.lights[i];
-    if (!light.hasShadow()) continue;
+    if (!light.hasShadow() || light.pointOf || !shinesOn(i, hit)) continue;
     const auto share = [&](const Vec3& visible) {
       return shareOf(light, hit, reflection, toViewer, visible);
     };
@@ -596,7 +643,7 @@ std::vector<Caster::Shadowed> Caster::shadowedLights(const Hit& hit, const Vec3&
   return lights;
 }
 
-Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified, double tilt) const {
+Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified, double tilt, Wide wide) const {
   std::vector<Hit> hits(sight.hits.rbegin(), sight.hits.rend());
   if (snapshot_.blendOrder == BlendOrder::Given)
     std::ranges::stable_sort(hits, {}, [this](const Hit& hit) {
@@ -604,7 +651,7 @@ Vec3 Caster::color(const Ray& ray, const Sight& sight, bool& certified, double t
     });
   Vec3 color = snapshot_.background;
   for (const Hit& hit : hits) {
-    const Vec3 reflected = illuminated(ray, hit, certified, tilt);
+    const Vec3 reflected = illuminated(ray, hit, certified, tilt, wide);
     if (!bodies_[hit.node].transparent) {
       color = reflected;
       continue;

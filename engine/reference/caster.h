@@ -36,6 +36,11 @@ struct Hit {
 };
 
 inline constexpr int kOpennessRays = 256;
+/// Of a light with a radius whose shadow a map estimates: points of its disc, a sunflower's, whose rays tell
+/// which part of it is seen; and how far off that is where what hides it ends in a straight edge, at most.
+/// Measured: 0.052 over all edges; of n points 1.2 n^-0.75.
+inline constexpr std::uint32_t kSeenPartRays = 64;
+inline constexpr double kSeenPartOff = 0.06;
 inline constexpr int kMaxLayers = 1024;  ///< of surfaces that are seen through, behind each other
 
 /// Of drawings: edges are a pixel wide, half of which is beside them, measured over the pixels of two rows
@@ -95,20 +100,38 @@ class Caster {
   void prepareFor(std::span<const Ray> rays, std::span<const std::uint32_t> nodes,
                   std::size_t worth = 1) const;
 
+  /// What lights add that maps estimate (SnapshotLight::pointOf): what their points do; or what the light at
+  /// their middle does, of which the least, or the most, is seen that the truth may be taken for.
+  enum class Wide { Points, Least, Most };
   /// Scene-linear colour of a ray's sight over the background. `certified` turns false when a shadow's ray
   /// was not decided. `tilt` is added, cosineLoss() times, to every cosine between a normal and the direction
   /// to a light: of a light in a surface's own plane rounding decides whether it shines there, and whether
   /// what the plane cuts stands before it: one that a tilt lifts above the plane shines freely. Of drawings
   /// it moves all edges by kDrawnEdgePx: with either sign, between the two colours is that of any other
   /// measure of a gradient.
-  [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified, double tilt = 0) const;
+  [[nodiscard]] Vec3 color(const Ray& ray, const Sight& sight, bool& certified, double tilt = 0,
+                           Wide wide = Wide::Points) const;
+
+  /// The snapshot's lights, those that maps estimate as a whole.
+  [[nodiscard]] std::span<const WholeLight> wholes() const { return wholes_; }
+  /// The least and the most that may be taken for the part of a wide light that is seen from a hit, by
+  /// kSeenPartRays; or, where 16 around its rim and one to its middle agree, all or nothing: a straight edge
+  /// hides no more than 0.002 of what is within. What is below the horizon there, or where rays prove
+  /// nothing, is seen or not.
+  struct SeenPart {
+    Vec3 least{0}, most{0};
+  };
+  [[nodiscard]] SeenPart seenPart(const WholeLight& whole, const Hit& hit) const;
+  /// What of a light is added to a hit of which so much arrives.
+  [[nodiscard]] Vec3 shareOf(const SnapshotLight& light, const Hit& hit, const Vec3& toViewer,
+                             const Vec3& visible) const {
+    return shareOf(light, hit, reflectionAt(hit), toViewer, visible);
+  }
 
   /// What single precision may leave of such a cosine, for 1 of a light that is far away: it has positions
   /// from the eye, and 2^-23 of their length is the larger an angle the nearer the light is; 2^-20 stands
   /// for 1.
-  [[nodiscard]] double cosineLoss(std::uint32_t light, const Hit& hit) const {
-    return cosineLoss(snapshot_.lights[light], hit);
-  }
+  [[nodiscard]] double cosineLoss(const SnapshotLight& light, const Hit& hit) const;
 
   /// A light that may be in shadow at a hit: what it adds where it is seen (of an opaque surface), and
   /// whether it is.
@@ -117,8 +140,8 @@ class Caster {
     Vec3 share{0};
     bool visible = true, certified = true;
   };
-  /// The lights that have a shadow (SnapshotLight::hasShadow) and would add something, in the snapshot's
-  /// order.
+  /// The lights that have a shadow (SnapshotLight::hasShadow), no estimate, and would add something, in the
+  /// snapshot's order.
   [[nodiscard]] std::vector<Shadowed> shadowedLights(const Hit& hit, const Vec3& toViewer) const;
   /// Whether a light adds something to a hit that it adds something to where it sees it.
   [[nodiscard]] bool sees(std::uint32_t light, const Hit& hit) const {
@@ -126,8 +149,10 @@ class Caster {
     return shinesOn(light, hit) && reaching(light, hit, certified) != Vec3(0);
   }
 
-  /// How much of a light (index into Snapshot::lights) reaches a hit that faces it, for what stands between.
-  /// `certified` turns false where that was not decided.
+  /// How much of a light (index into Snapshot::lights) reaches a hit that faces it, for what stands between:
+  /// from the hit, its own point apart, to so far before the light as is more than roots are off (1e-9 of the
+  /// way or 1e-8 of the distances from the origin). So a light that is on a caster is behind none of it, and
+  /// shines to both of its sides. `certified` turns false where that was not decided.
   [[nodiscard]] Vec3 reaching(std::uint32_t light, const Hit& hit, bool& certified) const {
     return reaching(snapshot_.lights[light], hit, certified);
   }
@@ -155,12 +180,15 @@ class Caster {
     return materialOf(hit.node).cutoff > 0 && opacityOf(hit) == 0;
   }
 
-  /// Whether a light is before a hit's surface, not behind it, or the material does not ask.
+  /// Whether a light is above the plane of a hit's surface, or the material does not ask.
   [[nodiscard]] bool faces(std::uint32_t light, const Hit& hit) const;
   /// Whether a light would add something to a hit that sees it: it faces it, and has it in its cone.
   [[nodiscard]] bool shinesOn(std::uint32_t light, const Hit& hit) const;
   /// Unit.
-  [[nodiscard]] Vec3 towardLight(std::uint32_t light, const Hit& hit) const;
+  [[nodiscard]] Vec3 towardLight(std::uint32_t light, const Hit& hit) const {
+    return towardLight(snapshot_.lights[light], hit);
+  }
+  [[nodiscard]] static Vec3 towardLight(const SnapshotLight& light, const Hit& hit);
 
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
   /// Of a node (an index into Snapshot::nodes), as its material has it.
@@ -222,8 +250,8 @@ class Caster {
   [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
     return snapshot_.materials[snapshot_.nodes[node].material.index];
   }
-  [[nodiscard]] double cosineLoss(const SnapshotLight& light, const Hit& hit) const;
-  [[nodiscard]] Vec3 illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt) const;
+  [[nodiscard]] Vec3 illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt,
+                                 Wide wide) const;
   /// As shaders/lib/toon.glsl draws it, with the derivatives that the surface has there.
   [[nodiscard]] Vec3 drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt) const;
   /// A small step away from a hit, in the plane that touches the surface there, metres, and the surface's
@@ -249,6 +277,7 @@ class Caster {
 
   const Snapshot& snapshot_;
   std::vector<Body> bodies_;  // as Snapshot::nodes
+  std::vector<WholeLight> wholes_;
 };
 
 }  // namespace luxo::reference

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "math/numbers.h"
@@ -21,6 +22,8 @@ LightJudge::LightJudge(const ComparedPixels& pixels, const Caster& caster, bool 
     : ComparedPixels(pixels),
       caster_(caster),
       coarse_(coarse),
+      hasEstimates_(std::ranges::any_of(
+          snapshot_.lights, [](const SnapshotLight& light) { return light.pointOf.has_value(); })),
       occluded_(snapshot_.ambientOcclusion.any() && snapshot_.ambient != Vec3(0)) {}
 
 LightVerdict LightJudge::of(std::uint32_t i, double off) const {
@@ -48,53 +51,85 @@ std::pair<std::optional<Hit>, Vec2> LightJudge::litPoint(std::uint32_t i, std::u
 /// and the surface's own point, which the pixel shows, whether it is.
 LightVerdict LightJudge::ofMesh(std::uint32_t i) const {
   if (measured_.id.samples()[i] != truth_.number[i]) return Right;  // of layers that touch the other one
-  if (measured_.normal.empty() || measured_.alone.size() != snapshot_.lights.size()) return Unjudged;
+  const std::span<const WholeLight> wholes = caster_.wholes();
+  if (measured_.normal.empty() || measured_.alone.size() != wholes.size()) return Unjudged;
   const std::uint32_t node = *layers_.nodeOf(truth_.number[i]);
   const auto [hit, at] = litPoint(i, node);
   if (!hit) return Unjudged;
   const Vec3 normal = valueAt(measured_.normal, i), dark = valueAt(measured_.dark, i);
   const Shading shading = shadingOf(node);
 
-  std::vector<Vec3> shares, left;
-  std::vector<std::uint32_t> shadowed;
+  struct Arriving {
+    Vec3 share;
+    Caster::SeenPart part;  // both the same, but of what a map estimates
+  };
+  std::vector<Arriving> arriving;
+  std::vector<std::size_t> shadowed;
   bool certified = true;
-  for (std::uint32_t light = 0; light < snapshot_.lights.size(); ++light) {
-    shares.push_back(valueAt(measured_.alone[light], i) - dark);
-    left.emplace_back(1);
-    if (!snapshot_.lights[light].hasShadow() || shares.back() == Vec3(0)) continue;
-    const double cosine = glm::dot(normal, caster_.towardLight(light, *hit));
+  for (std::size_t k = 0; k < wholes.size(); ++k) {
+    const WholeLight& whole = wholes[k];
+    arriving.push_back({valueAt(measured_.alone[k], i) - dark, {Vec3(1), Vec3(1)}});
+    if (!whole.light.hasShadow() || arriving.back().share == Vec3(0)) continue;
+    const double cosine = glm::dot(normal, Caster::towardLight(whole.light, *hit));
     // What vertices receive is no light on what turns away from it.
-    if (shading == Shading::Gouraud && isOnHorizon(light, *hit, normal)) return Unjudged;
-    left.back() =
-        shading == Shading::Gouraud && cosine < 0 ? Vec3(0) : caster_.reaching(light, *hit, certified);
+    if (shading == Shading::Gouraud && isOnHorizon(whole.light, *hit, normal)) return Unjudged;
+    Caster::SeenPart& part = arriving.back().part;
+    if (shading == Shading::Gouraud && cosine < 0) {
+      part = {};
+    } else if (whole.number) {
+      part.least = part.most = caster_.reaching(*whole.number, *hit, certified);
+    } else {
+      part = caster_.seenPart(whole, *hit);
+    }
     // In steps a part of a light has a border of its own.
-    if (shading == Shading::Toon && left.back() != Vec3(0) && left.back() != Vec3(1)) return Unjudged;
-    shadowed.push_back(light);
+    const bool isPart = part.least != part.most || (part.least != Vec3(0) && part.least != Vec3(1));
+    if (shading == Shading::Toon && isPart) return Unjudged;
+    shadowed.push_back(k);
   }
   if (!certified) return Unjudged;
   // A drawing is as bright as its brightest light.
-  const auto lit = [&] {
+  const auto lit = [&](Vec3 Caster::SeenPart::*part) {
     Vec3 all(0);
-    for (std::size_t light = 0; light < shares.size(); ++light) {
-      const Vec3 more = left[light] * shares[light];
+    for (const Arriving& one : arriving) {
+      const Vec3 more = one.part.*part * one.share;
       all = shading == Shading::Toon ? glm::max(all, more) : all + more;
     }
     return dark + all;
   };
-  const Vec3 expected = lit();
+  const Vec3 least = lit(&Caster::SeenPart::least), most = lit(&Caster::SeenPart::most);
+  const Vec3 shown = valueAt(measured_.color, i), off = shown - glm::clamp(shown, least, most);
   std::vector<Turned> lights;
-  for (const std::uint32_t light : shadowed) {
-    const Vec3 truly = left[light];
-    const bool visible = truly != Vec3(0);
-    left[light] = Vec3(visible ? 0 : 1);
-    lights.push_back({.light = light,
+  for (const std::size_t k : shadowed) {
+    Arriving& one = arriving[k];
+    if (!wholes[k].number) {
+      lights.push_back(estimate(one.share, one.part, off));
+      continue;
+    }
+    const Caster::SeenPart truly = one.part;
+    const bool visible = truly.most != Vec3(0);
+    one.part.least = Vec3(visible ? 0 : 1);
+    lights.push_back({.light = *wholes[k].number,
                       .visible = visible,
-                      .change = lit() - expected,
-                      .atBorder = isOnHorizon(light, *hit, hit->normal)});
-    left[light] = truly;
+                      .change = lit(&Caster::SeenPart::least) - least,
+                      .atBorder = isOnHorizon(wholes[k].light, *hit, hit->normal)});
+    one.part = truly;
   }
-  const Vec3 off = valueAt(measured_.color, i) - expected;
   return isTurned(i, off, std::move(lights), at) ? wrongBy(off) : Right;
+}
+
+/// What a light may be to blame for of which more, or less, is seen than may be.
+LightJudge::Turned LightJudge::estimate(const Vec3& share, const Caster::SeenPart& part,
+                                        const Vec3& off) const {
+  const bool isDark = wrongBy(off) == TooDark;
+  return {.light = std::nullopt,
+          .visible = isDark,
+          .change = isDark ? -part.least * share : (Vec3(1) - part.most) * share};
+}
+
+Vec3 LightJudge::Turned::leaves(const Vec3& off) const {
+  const double square = glm::dot(change, change);
+  const double part = light || square == 0 ? 1 : std::clamp(glm::dot(off, change) / square, 0.0, 1.0);
+  return off - part * change;
 }
 
 /// How far beside a pixel what it shows may be from: the width of an outline, and of drawings as far as
@@ -142,6 +177,11 @@ LightVerdict LightJudge::byColor(std::uint32_t i, double reach) const {
     return {sight.hits.size(), color};
   };
   const std::size_t layers = look(Vec2(0)).layers;
+  if (hasEstimates_)
+    for (const Caster::Wide wide : {Caster::Wide::Least, Caster::Wide::Most}) {
+      const Ray ray = caster_.rayThrough(center.x, center.y);
+      count(caster_.color(ray, caster_.look(ray), certified, 0, wide));
+    }
   constexpr int kDirections = 8, kHalvings = 14;  // to 1e-6 px
   for (int k = 0; k < 2 * kDirections && certified; ++k) {
     const double angle = kTau * k / kDirections;
@@ -199,7 +239,8 @@ void LightJudge::findBorders(std::uint32_t i, const Vec2& center, std::vector<Tu
       const auto sight = caster_.look(caster_.rayThrough(at.x, at.y));
       const bool sameLayer = seesLayerOf(i, sight, at);
       for (Turned& one : lights) {
-        if (one.atBorder || (sameLayer && caster_.sees(one.light, sight.hits.front()) == one.visible))
+        if (one.atBorder ||
+            (sameLayer && (!one.light || caster_.sees(*one.light, sight.hits.front()) == one.visible)))
           continue;
         one.atBorder = true;
         --left;
@@ -216,26 +257,41 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
   if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
     return Unjudged;  // seen through: no closed form
   const Hit& hit = sight.hits.front();
-  std::vector<Turned> lights;
   bool certified = true;
+  const Vec3 shown = valueAt(measured_.color, i), truth = valueAt(truth_.color, i);
+  Vec3 least = truth, most = truth;
+  const auto count = [&](const Vec3& color) {
+    least = glm::min(least, color);
+    most = glm::max(most, color);
+  };
+  const auto isOff = [&] {
+    return glm::any(glm::greaterThan(glm::abs(shown - glm::clamp(shown, least, most)), Vec3(kOtherLight)));
+  };
+  if (hasEstimates_ && isOff()) {
+    if (shadingOf(hit.node) == Shading::Toon) return Unjudged;  // in steps a part has a border of its own
+    for (const Caster::Wide wide : {Caster::Wide::Least, Caster::Wide::Most})
+      count(caster_.color(ray, sight, certified, 0, wide));
+    if (!isOff()) return certified ? Right : Unjudged;
+  }
+  // Lights in the plane of what is seen may be on either side of it: with one there begins a highlight.
+  std::vector<Turned> lights;
   for (const Caster::Shadowed& one : caster_.shadowedLights(hit, -ray.direction))
     if (certified &= one.certified; one.certified)
       lights.push_back({.light = one.light,
                         .visible = one.visible,
                         .change = one.visible ? -one.share : one.share,
-                        .atBorder = isOnHorizon(one.light, hit, hit.normal)});
-  // Lights in the plane of what is seen may be on either side of it: with one there begins a highlight.
-  const Vec3 shown = valueAt(measured_.color, i), truth = valueAt(truth_.color, i);
-  Vec3 least = truth, most = truth;
-  if (glm::any(glm::greaterThan(glm::abs(shown - truth), Vec3(kOtherLight))))
-    for (const double tilt : {-kCosineRounding, kCosineRounding}) {
-      const Vec3 tilted = caster_.color(ray, sight, certified, tilt);
-      least = glm::min(least, tilted);
-      most = glm::max(most, tilted);
-    }
+                        .atBorder = isOnHorizon(snapshot_.lights[one.light], hit, hit.normal)});
+  if (isOff())
+    for (const double tilt : {-kCosineRounding, kCosineRounding})
+      count(caster_.color(ray, sight, certified, tilt));
+  const Vec3 off = shown - glm::clamp(shown, least, most);
+  for (const WholeLight& whole : caster_.wholes())
+    if (!whole.number && off != Vec3(0))
+      lights.push_back(estimate(caster_.shareOf(whole.light, hit, -ray.direction, Vec3(1)),
+                                caster_.seenPart(whole, hit), off));
   // At a crease the colour is that of either side.
-  if (isTurned(i, shown - glm::clamp(shown, least, most), std::move(lights), center))
-    return byColor(i, kSilhouettePx) == Right ? Right : wrongBy(shown - truth);
+  if (isTurned(i, off, std::move(lights), center))
+    return byColor(i, kSilhouettePx) == Right ? Right : wrongBy(off);
   return certified ? Right : Unjudged;
 }
 
@@ -245,23 +301,21 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
 /// a border nearby do so first.
 bool LightJudge::isTurned(std::uint32_t i, Vec3 off, std::vector<Turned> lights, const Vec2& center) const {
   const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  std::erase_if(lights, [&](const Turned& one) { return !(size(off - one.change) < size(off)); });
+  const auto helps = [&](const Turned& one) { return size(one.leaves(off)) < size(off); };
+  std::erase_if(lights, std::not_fn(helps));
   if (!(size(off) > kOtherLight) || lights.empty()) return false;
   findBorders(i, center, lights);
   const auto others =
       std::partition(lights.begin(), lights.end(), [](const Turned& one) { return one.atBorder; });
-  std::vector<Vec3> bordering;
-  for (auto one = lights.begin(); one != others; ++one) bordering.push_back(one->change);
+  std::vector<Turned> bordering(lights.begin(), others);
   while (!bordering.empty()) {
     const auto best =
-        std::ranges::min_element(bordering, {}, [&](const Vec3& change) { return size(off - change); });
-    if (!(size(off - *best) < size(off))) break;
-    off -= *best;
+        std::ranges::min_element(bordering, {}, [&](const Turned& one) { return size(one.leaves(off)); });
+    if (!helps(*best)) break;
+    off = best->leaves(off);
     bordering.erase(best);
   }
-  return size(off) > kOtherLight && std::any_of(others, lights.end(), [&](const Turned& one) {
-           return size(off - one.change) < size(off);
-         });
+  return size(off) > kOtherLight && std::any_of(others, lights.end(), helps);
 }
 
 }  // namespace luxo::reference

@@ -20,7 +20,7 @@ inline constexpr double kOtherTexture = 1.0 / 255;
 
 enum class LightVerdict {
   Right,
-  TooDark,   ///< in a shadow that there is not
+  TooDark,  ///< in a shadow that there is not
   TooBright,
   Unjudged  ///< the truth does not know it, or the picture does not tell enough
 };
@@ -36,16 +36,20 @@ class LightJudge : ComparedPixels {
   [[nodiscard]] LightVerdict of(std::uint32_t i, double off) const;
 
  private:
-  /// A light of which the colour shown may have it that it is seen where it is not, or the other way round.
+  /// A light of which the colour shown may have it that it is seen where it is not, or the other way round;
+  /// or of which more or less is seen than a map may estimate.
   struct Turned {
-    std::uint32_t light;  ///< index into Snapshot::lights
-    bool visible;         ///< in truth
-    Vec3 change;          ///< of the colour
+    std::optional<std::uint32_t> light;  ///< index into Snapshot::lights; nothing of an estimate
+    bool visible;                        ///< in truth
+    Vec3 change;                         ///< of the colour; of an estimate at most
     bool atBorder = false;
+
+    /// What of a colour that is so much off the change leaves.
+    [[nodiscard]] Vec3 leaves(const Vec3& off) const;
   };
   /// Whether single precision cannot tell on which side of the horizon a light is.
-  [[nodiscard]] bool isOnHorizon(std::uint32_t light, const Hit& hit, const Vec3& normal) const {
-    return std::abs(glm::dot(caster_.towardLight(light, hit), normal)) <=
+  [[nodiscard]] bool isOnHorizon(const SnapshotLight& light, const Hit& hit, const Vec3& normal) const {
+    return std::abs(glm::dot(Caster::towardLight(light, hit), normal)) <=
            kCosineRounding * caster_.cosineLoss(light, hit);
   }
   [[nodiscard]] LightVerdict byLayers(std::uint32_t i) const;
@@ -53,6 +57,7 @@ class LightJudge : ComparedPixels {
   [[nodiscard]] LightVerdict ofMesh(std::uint32_t i) const;
   [[nodiscard]] LightVerdict ofPoint(std::uint32_t i) const;
   [[nodiscard]] std::pair<std::optional<Hit>, Vec2> litPoint(std::uint32_t i, std::uint32_t node) const;
+  [[nodiscard]] Turned estimate(const Vec3& share, const Caster::SeenPart& part, const Vec3& off) const;
   [[nodiscard]] std::optional<double> reachOfColors(const Caster::Sight& sight) const;
   [[nodiscard]] bool isTurned(std::uint32_t i, Vec3 off, std::vector<Turned> lights,
                               const Vec2& center) const;
@@ -62,7 +67,8 @@ class LightJudge : ComparedPixels {
 
   const Caster& caster_;
   bool coarse_;
-  bool occluded_;  ///< of the ambient light the picture knows less than the truth: no colour is the same
+  bool hasEstimates_;  ///< of some light a map estimates how much is seen
+  bool occluded_;      ///< of the ambient light the picture knows less than the truth: no colour is the same
 };
 
 }  // namespace luxo::reference

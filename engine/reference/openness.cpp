@@ -5,21 +5,10 @@
 #include <cstdint>
 
 #include "math/basis.h"
+#include "math/sampling.h"
 #include "reference/caster.h"
 
 namespace luxo::reference {
-namespace {
-
-/// Point k of n in the unit disc, spread evenly (H. Vogel, A better way to construct the sunflower head,
-/// 1979). What is above it on the half sphere is spread by the cosine (Malley's method).
-Vec2 discPoint(int k, int n) {
-  constexpr double kGoldenAngle = 2.399963229728653;  // pi (3 - sqrt 5)
-  const double radius = std::sqrt((k + 0.5) / n), turn = kGoldenAngle * k;
-  return {radius * std::cos(turn), radius * std::sin(turn)};
-}
-
-}  // namespace
-
 bool Caster::occludes(std::uint32_t node, const Ray& ray, double nearest, double farthest) const {
   const RootQuery query{nearest, farthest, Facing::Both, false};
   if (!mayMeet(ray, node)) return false;
@@ -43,6 +32,7 @@ double Caster::openness(const Hit& hit) const {
   if (!(radius > 0)) return 1;
   const auto [right, up] = completed(hit.normal);
   int open = 0;
+  // What is above points of the disc on the half sphere is spread by the cosine (Malley's method).
   for (int k = 0; k < kOpennessRays; ++k) {
     const Vec2 at = discPoint(k, kOpennessRays);
     const double height = std::sqrt(std::max(1 - glm::dot(at, at), 0.0));

@@ -13,7 +13,9 @@
 // another layer, or a point that is more than kPointPx and what float32 leaves of (u, v) off, or a light that
 // the truth has in shadow (or the other way round): each only away from outlines and borders of shadows by
 // more than kSilhouettePx. Of a mesh, whose points are off, lights are judged from the point that is shown,
-// by what each of them alone gives the picture (MeasuredPicture::alone). Layers touch, and either may be
+// by what each of them alone gives the picture (MeasuredPicture::alone). Where a map estimates how much is
+// seen of a light with a radius, a pixel is wrong whose light differs from the part that is seen in truth, of
+// the light's disc around its middle, by more than kSeenPartOff. Layers touch, and either may be
 // shown, whose points on the ray are as near to each other as the depth buffer's rounding, or the one to the
 // other's surface as kPointPx in space.
 #pragma once
@@ -35,7 +37,7 @@ namespace luxo {
 struct MeasuredPicture {
   Image color, depth, position, normal, uv, id;
   /// Of pictures with meshes of formulas, for the light on these to be judged: the colour without any light,
-  /// and with each of the snapshot's lights alone, without its shadow.
+  /// and with each of the snapshot's lights (wholeLights()) alone, without its shadow.
   Image dark = {};
   std::vector<Image> alone = {};
 };
@@ -136,7 +138,7 @@ struct ColorErrors {
   /// Pixels in whose light something may be wrong, which is not judged: of see-through meshes that are off,
   /// of meshes where `alone` is missing or ambient occlusion is on, and where the truth proves nothing.
   std::uint64_t unjudged = 0;
-  ErrorSpread difference;        ///< largest channel's, scene-linear, same pixels as the PSNRs
+  ErrorSpread difference;  ///< largest channel's, scene-linear, same pixels as the PSNRs
   /// Of the whole picture (image/flip.h); nothing when not all pixels' colours were judged.
   std::optional<double> flipMean, flipP999, flipMax;
 };

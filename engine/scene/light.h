@@ -51,7 +51,9 @@ struct Light {
     None,
     Exact,  ///< right in every pixel; hard, or, of a light with a radius, of as many hard ones as are asked
             ///< for
-    Map,    ///< of a depth map, with its errors: for teaching; soft, by an estimate, of a light with a radius
+    /// Of a depth map, with its errors: for teaching; soft, by an estimate, of a light with a radius. Casters
+    /// that are seen through are in no map: their shadows are exact ones, of `shadowSamples` points.
+    Map,
     Planar,  ///< on one plane alone, of flattened meshes: for teaching
   };
 

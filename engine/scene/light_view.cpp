@@ -126,6 +126,7 @@ Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size) {
     throw Error(ErrorKind::Scene, "no light of the scene has a shadow: none has a depth picture",
                 "give a light a \"shadow\"");
   SnapshotLight seen = *light;
+  if (seen.pointOf) seen.positionWorld = seen.pointOf->middle;
   std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
     return std::ranges::find(seen.casters, node.id) == seen.casters.end() &&
            !(seen.shade && seen.shade->caster == node.id);

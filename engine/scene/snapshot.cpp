@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -347,6 +348,27 @@ void requirePlanarShadows(const Scene& scene, const Snapshot& snapshot, const Mo
   }
 }
 
+/// What a map shows of a wide light is of all of it; what glass lets through is of each of its points.
+void spreadOverGlass(Snapshot& snapshot) {
+  const auto isGlass = [&](NodeId id) {
+    const auto node = std::ranges::find(snapshot.nodes, id, &SnapshotNode::id);
+    return node != snapshot.nodes.end() && snapshot.materials[node->material.index].letsLightThrough();
+  };
+  std::vector<SnapshotLight> lights;
+  for (SnapshotLight light : std::move(snapshot.lights)) {
+    if (light.samples == 1 || std::ranges::none_of(light.casters, isGlass)) {
+      lights.push_back(std::move(light));
+      continue;
+    }
+    light.pointOf = WidePlace{light.positionWorld, light.map->radius};
+    const std::uint32_t samples = std::exchange(light.samples, 1U);
+    for (SnapshotLight& one : sampledLight(light, Transform(), light.map->radius, samples))
+      lights.push_back(std::move(one));
+  }
+  snapshot.lights = std::move(lights);
+  std::ranges::sort(snapshot.lights, precedes);
+}
+
 /// A shade that lets light through has no closed form.
 void openShades(Snapshot& snapshot) {
   for (SnapshotLight& light : snapshot.lights) {
@@ -372,6 +394,7 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t most
   moveVertices(scene, snapshot);
   cutLights(snapshot);
   openShades(snapshot);
+  spreadOverGlass(snapshot);
   requirePlanarShadows(scene, snapshot, moment);
   return snapshot;
 }
@@ -436,9 +459,10 @@ Snapshot withExactShadows(Snapshot snapshot) {
 Snapshot withoutShadowMaps(Snapshot snapshot) {
   std::vector<SnapshotLight> lights;
   for (SnapshotLight light : std::move(snapshot.lights)) {
-    const double radius = light.map ? light.map->radius : 0;
+    const double radius = light.map && !light.pointOf ? light.map->radius : 0;
     light.map.reset();
     const std::uint32_t samples = std::exchange(light.samples, 1U);
+    if (radius > 0) light.pointOf = WidePlace{light.positionWorld, radius};
     for (SnapshotLight& one : sampledLight(light, Transform(), radius, samples))
       lights.push_back(std::move(one));
   }
@@ -447,9 +471,30 @@ Snapshot withoutShadowMaps(Snapshot snapshot) {
   return snapshot;
 }
 
+std::vector<WholeLight> wholeLights(const Snapshot& snapshot) {
+  std::vector<WholeLight> wholes;
+  std::map<std::uint32_t, std::size_t> known;  // of nodes whose lights are points: of wholes
+  for (std::uint32_t i = 0; i < snapshot.lights.size(); ++i) {
+    const SnapshotLight& light = snapshot.lights[i];
+    if (!light.pointOf) {
+      wholes.push_back({light, i});
+      continue;
+    }
+    const auto [whole, isNew] = known.try_emplace(light.id.index, wholes.size());
+    if (!isNew) {
+      wholes[whole->second].light.radiance += light.radiance;
+      continue;
+    }
+    wholes.push_back({light, std::nullopt, light.pointOf->radius});
+    wholes.back().light.positionWorld = light.pointOf->middle;
+    wholes.back().light.pointOf.reset();
+  }
+  return wholes;
+}
+
 std::size_t approximateShadows(const Snapshot& snapshot) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(snapshot.lights, [](const SnapshotLight& light) { return light.approximate(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      wholeLights(snapshot), [](const WholeLight& whole) { return whole.light.approximate(); }));
 }
 
 Box framingOf(const Snapshot& snapshot) {

@@ -30,6 +30,15 @@ struct SnapshotNode {
   friend bool operator==(const SnapshotNode& a, const SnapshotNode& b);
 };
 
+/// Where a light with a radius is: its middle, as SnapshotLight has positions; metres, or of a directional
+/// light radians.
+struct WidePlace {
+  Vec4 middle{0};
+  double radius = 0;
+
+  friend bool operator==(const WidePlace&, const WidePlace&) = default;
+};
+
 /// A light of a visible node; of one with a radius and exact shadows one of the points that stand for it,
 /// which share its light evenly.
 struct SnapshotLight {
@@ -44,9 +53,12 @@ struct SnapshotLight {
   std::optional<ShadeRule> shade;
   std::vector<NodeId> casters;
   std::optional<NodeId> plane = {};  ///< what a planar shadow falls on: it is on nothing else
-  /// Its shadow is that of a depth map, but of what is seen through, which is exact.
+  /// Its shadow is that of a depth map, but of what is seen through, which is exact: of a light with a radius
+  /// that has such casters from each of its points.
   std::optional<ShadowMapThen> map = {};
   std::uint32_t samples = 1;  ///< of one with a map and a radius: points that would stand for it
+  /// Of each of these points, where they do: the place of the light, whose map they share.
+  std::optional<WidePlace> pointOf = {};
 
   [[nodiscard]] bool directional() const { return positionWorld.w == 0; }
   /// From a point to the light, metres; of one at infinity the unit direction.
@@ -98,6 +110,14 @@ struct Snapshot {
 [[nodiscard]] Snapshot withExactShadows(Snapshot snapshot);
 /// The same with exact shadows instead of depth maps; planar ones stay on their plane alone.
 [[nodiscard]] Snapshot withoutShadowMaps(Snapshot snapshot);
+/// A snapshot's light, or all points together that stand for one whose shadow a map estimates.
+struct WholeLight {
+  SnapshotLight light;                  ///< of points that share a place the light there, with all they have
+  std::optional<std::uint32_t> number;  ///< index into Snapshot::lights; nothing of points
+  double radius = 0;                    ///< of what they stand for
+};
+/// By their first in Snapshot::lights.
+[[nodiscard]] std::vector<WholeLight> wholeLights(const Snapshot& snapshot);
 /// Of the lights, how many have such shadows.
 [[nodiscard]] std::size_t approximateShadows(const Snapshot& snapshot);
 

@@ -17,8 +17,8 @@
 //
 // A point that is off its own surface by `off` meets that surface near t = 0, by as much as that moves the solution. Such a
 // meeting is no shadow; but where there are two of them, or one that cannot be the point's own, no float tells, and rays do
-// (kOpen). Rectangles smaller than `grain` are not cut: one that is plain is a meeting, and where a ray grazes the surface as
-// near as that, rays decide, too.
+// (kOpen), as where the ray's other end, a light, may be on the surface. Rectangles smaller than `grain` are not cut: one that
+// is plain is a meeting, and where a ray grazes the surface as near as that, rays decide, too.
 
 const int kMet = 1, kPassed = 0, kOpen = 2;
 const int kCuts = 31;              // of a cell, each in half: a bit each
@@ -118,6 +118,8 @@ int meetsCell(CellRay ray, CasterCell cell) {
     // Where floats are as coarse as that borders would be off.
     if (!passes && kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
     bool isGrain = size + bend <= max(grain, 4.0 * ray.rounding);
+    // The ray ends where the surface is, or before or behind it.
+    if (!passes && isGrain && isHere && !isOwn && abs(tMiddle - ray.last) <= tOff) return kOpen;
     bool isMet = !passes && isPlain && ((isInside && tMiddle - tOff > ray.first + own && tMiddle + tOff < ray.last) ||
                                         (isGrain && isHere && !isOwn && tMiddle > ray.first + own && tMiddle < ray.last));
     if (isMet && endsAt(ray, cell, rectangle.xy + h * middle, !isInside)) return kMet;

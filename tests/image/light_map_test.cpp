@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "reference/reference.h"
 #include "scene/light_view.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
@@ -188,6 +189,67 @@ TEST_F(LightMapTest, OfALightWithARadiusHasPenumbrae) {
   });
   EXPECT_LT(nearest, 0.35);
   EXPECT_GT(farthest, 0.65);
+}
+
+/// The middle of a penumbra is right where as much of the light is seen as there; a hard shadow in its place
+/// is wrong in all of it, and so is one whose light is twice as large.
+TEST_F(LightMapTest, OfALightWithARadiusIsHeldAgainstThePartOfItThatIsSeen) {
+  const auto snapshotOf = [](const std::string& radius) {
+    return takeSnapshot(sceneOf(R"({ "surface": "pane", "material": "m", "translate": [-2, 2, 0] },)",
+                                R"("rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                                   "light": { "type": "directional", "radius": )" +
+                                    radius + ",",
+                                R"({ "size": 1024, "bias": 0.02 })"),
+                        0, {160, 120});
+  };
+  const Snapshot small = snapshotOf("0.1");
+  const auto show = [&](const Snapshot& snapshot, Output output) {
+    return renderer().render(snapshot, {.output = output}).image;
+  };
+  const Snapshot exact = withExactShadows(small);
+  const ReferencePicture truth = castPicture(exact);
+  const auto wrongWith = [&](const Snapshot& shown) {
+    return verify(exact, truth,
+                  {.color = show(shown, Output::Color),
+                   .position = show(small, Output::Position),
+                   .normal = show(small, Output::Normal),
+                   .uv = show(small, Output::Uv),
+                   .id = show(small, Output::Id)})
+        .wrong;
+  };
+  const WrongPixels right = wrongWith(small), hard = wrongWith(snapshotOf("0")),
+                    large = wrongWith(snapshotOf("0.2"));
+  // Some 200 pixels see parts of the light, and the corners of the pane are round in a map.
+  EXPECT_LT(right.light, 30U);
+  EXPECT_EQ(right.total(), right.light);
+  EXPECT_GT(hard.light, 150U);
+  EXPECT_GT(large.light, 150U);
+  EXPECT_GT(hard.shadowExtra, 50U);
+  EXPECT_GT(hard.shadowMissing, 50U);
+}
+
+/// Below the edge of a pane of glass the sun's light is as soft as below one that is opaque: the chord's part
+/// of its disc comes through the glass, within what 64 points know of it.
+TEST_F(LightMapTest, OfALightWithARadiusIsSoftBehindGlass) {
+  constexpr double kHalf = 0.2;  // 2 m below, tan(0.1) wide
+  const Scene scene = sceneOf(R"({ "surface": "pane", "material": "glass", "translate": [-2, 2, 0] },)",
+                              R"("rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                                 "light": { "type": "directional", "radius": 0.1, "shadow_samples": 64,)",
+                              R"({ "size": 64, "bias": 0.02 })");
+  int between = 0;
+  forEachOfFloor(scene,
+                 [&](const Vec3& p, const Vec3& color) {
+                   if (std::abs(p.z) > 1 || p.x < -1 || p.x > 2) return;
+                   const double x = std::clamp(p.x / kHalf, -1.0, 1.0);
+                   const double part = 0.5 + (std::asin(x) + x * std::sqrt(1 - x * x)) / kPi;
+                   EXPECT_NEAR(color.x, 0.5 + 0.5 * part, 0.5 * 0.053 + 0.005) << p.x;
+                   between += color.x > 0.55 && color.x < 0.95;
+                 },
+                 {160, 120});
+  EXPECT_GT(between, 60);
+  // A light is one, of however many points.
+  EXPECT_EQ(approximateShadows(takeSnapshot(scene, 0, kLightMapSize)), 1U);
+  EXPECT_EQ(withExactShadows(takeSnapshot(scene, 0, kLightMapSize)).lights.size(), 64U);
 }
 
 /// A light amid its casters sees them on six faces.

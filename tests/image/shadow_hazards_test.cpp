@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
+#include "support/meshes.h"
 #include "support/verified_picture.h"
 
 namespace luxo::test {
@@ -23,6 +24,7 @@ class ShadowHazards : public VerifiedPictureTest {
       "surfaces": { "floor": { "type": "rectangle", "size": [20, 20] }, "ball": { "type": "sphere" },
                     "cone": { "type": "cone", "radius": 1, "top_radius": 0, "height": 2 },
                     "pot": { "type": "teapot" }, "torus": { "type": "torus" },
+                    "roof": { "type": "rectangle", "size": [1.5, 1.5] },
                     "endless": { "type": "formula", "position": ["u", "1/v", "v"], "u": [-1, 1], "v": [-1, 1] },
                     "poles": { "type": "formula", "position": ["tan(u)", "v", "0"], "u": [-2, 2], "v": [-1, 1] },
                     "torn": { "type": "formula", "position": ["u", "sqrt(u)*v", "v"], "u": [-1, 1], "v": [-1, 1] },
@@ -49,6 +51,14 @@ class ShadowHazards : public VerifiedPictureTest {
     EXPECT_EQ(found.verification.nanPixels, 0U);
     return found.statistics;
   }
+
+  /// And none is left undecided.
+  void expectProven(const Scene& scene) {
+    const FrameError error = expectRightOrTold(scene, {48, 36}).error;
+    EXPECT_EQ(error.uncertifiedPx, 0U);
+    EXPECT_EQ(error.unconvergedPx, 0U);
+    EXPECT_EQ(error.auditUndecidedPx, 0U);
+  }
 };
 
 constexpr PixelSize kShadowHazardsSize{48, 36};
@@ -65,6 +75,40 @@ TEST_F(ShadowHazards, LightsOnCornersAndInsideOfCasters) {
     SCOPED_TRACE(nodes);
     expectRightOrTold(sceneOf(nodes), kShadowHazardsSize);
   }
+}
+
+/// It is behind none of it: what nothing else hides is lit on both sides, and rays prove that.
+TEST_F(ShadowHazards, LightsOnTheirCasters) {
+  const std::string ball = caster("ball", R"("translate": [0, 1.2, 0])"),
+                    torus = caster("torus", R"("translate": [0, 1, 0])"),
+                    pot = caster("pot", R"("translate": [0, 0, 0])"),
+                    roof = caster("roof", R"("translate": [0, 2, 0])"),
+                    glass = R"({ "surface": "ball", "material": "glass", "translate": [0, 1.2, 0] }, )";
+  for (const std::string& nodes :
+       {ball + lightAt("[0, 2.2, 0]"), ball + lightAt("[1, 1.2, 0]"), ball + lightAt("[0.6, 1.2, 0.8]"),
+        torus + lightAt("[0, 1.4, 1]"), torus + lightAt("[1.4, 1, 0]"), torus + lightAt("[0.6, 1, 0]"),
+        torus + lightAt("[0.84, 1.32, 0]"), roof + lightAt("[0, 2, 0]"), roof + lightAt("[0.4, 2, -0.3]"),
+        pot + lightAt("[0, 3.15, 0]"), glass + lightAt("[0, 2.2, 0]"), lightAt("[0.5, 0, 0.5]")}) {
+    SCOPED_TRACE(nodes);
+    expectProven(sceneOf(nodes));
+  }
+  // On a corner, an edge and a face of triangles.
+  for (const Vec3& at : {Vec3(1, 1, 1), Vec3(0.25, 1, 1), Vec3(0.5, 1, 0.25)}) {
+    SCOPED_TRACE(at.x);
+    Scene scene = sceneOf(R"({ "name": "none" })");
+    scene.add(Node{.surface = cubeMesh(), .translation = Vec3(0, 1.1, 0)});
+    scene.add(Node{.translation = at + Vec3(0, 1.1, 0), .light = Light{.shadow = Light::Shadow::Exact}});
+    expectProven(scene);
+  }
+}
+
+TEST_F(ShadowHazards, ALightInARoofShinesOnBothSides) {
+  const std::string light = lightAt("[0.4, 2, -0.3]"), roof = caster("roof", R"("translate": [0, 2, 0])");
+  const auto pictureOf = [&](const std::string& nodes) {
+    return draw(sceneOf(nodes), kShadowHazardsSize, {.composition = Composition::Deferred}).image;
+  };
+  const std::string bare = R"({ "translate": [0.4, 2, -0.3], "light": {} })";
+  EXPECT_TRUE(sameBytes(pictureOf(roof + light), pictureOf(roof + bare)));
 }
 
 TEST_F(ShadowHazards, ACasterAroundTheCamera) {
@@ -111,7 +155,7 @@ TEST_F(ShadowHazards, CastersThatAreNone) {
                              {.composition = Composition::Deferred})
                             .image;
   for (const char* casters :
-       {R"(["lamp"])", R"(["group"])", R"(["hidden"])", R"(["lamp", "group", "hidden"])"})
+       {"[]", R"(["lamp"])", R"(["group"])", R"(["hidden"])", R"(["lamp", "group", "hidden"])"})
     EXPECT_TRUE(sameBytes(pictureOf(std::string(R"(, "casters": )") + casters), without)) << casters;
   EXPECT_FALSE(sameBytes(pictureOf(""), without));
   EXPECT_TRUE(sameBytes(pictureOf(R"(, "casters": ["caster", "caster", "caster"])"), pictureOf("")));

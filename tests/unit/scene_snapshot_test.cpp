@@ -174,7 +174,7 @@ TEST(Snapshot, RadiiOutOfRangeAreErrors) {
   using T = Light::Type;
   EXPECT_NO_THROW(snapped(T::Point, 1e18));
   EXPECT_NO_THROW(snapped(T::Directional, 1.5707));
-  expectSceneError([&] { snapped(T::Directional, 1e9); }, {"'sun'", "radius", "90 degrees"});
+  expectSceneError([&] { snapped(T::Directional, 1e9); }, {"'sun'", "radius", "in radians, from 0 to pi/2"});
   expectSceneError([&] { snapped(T::Point, -1); }, {"'sun'", "radius is -1"});
   expectSceneError([&] { snapped(T::Point, std::numeric_limits<double>::quiet_NaN()); },
                    {"'sun'", "radius is nan"});
@@ -319,6 +319,10 @@ TEST(Snapshot, AMapIsOneLightAndItsTruthAreItsPoints) {
   EXPECT_EQ(exact.lights.size(), 9U);
   EXPECT_EQ(approximateShadows(exact), 0U);
   EXPECT_EQ(withoutShadowMaps(map), exact);
+  for (const SnapshotLight& point : exact.lights)
+    EXPECT_EQ(point.pointOf, (WidePlace{map.lights[0].positionWorld, 0.1}));
+  ASSERT_EQ(wholeLights(exact).size(), 1U);
+  EXPECT_NEAR(wholeLights(exact)[0].light.radiance.x, map.lights[0].radiance.x, 1e-12);
   light.map.pcf = 4;
   expectSceneError([&] { (void)lamp(Vec3(1), light); }, {"bulb", "pcf", "odd"});
   light.map = {};

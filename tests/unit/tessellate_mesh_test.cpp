@@ -17,7 +17,7 @@
 namespace luxo {
 namespace {
 
-constexpr double kUlp = 0x1p-52;
+constexpr double kMeshUlp = 0x1p-52;
 constexpr std::uint32_t kCounts[] = {1, 2, 3, 20, 257};
 
 /// A mesh, and what was asked for.
@@ -111,7 +111,7 @@ TEST(Mesh, EveryVertexIsFiniteUsedAndHasAUnitNormal) {
       ASSERT_TRUE(used[i]) << "vertex " << i;
       const Vec3 &p = mesh.positions[i], &n = mesh.normals[i];
       ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << "vertex " << i;
-      ASSERT_NEAR(glm::length(n), 1, 4 * kUlp) << "vertex " << i;  // false for NaN and zero
+      ASSERT_NEAR(glm::length(n), 1, 4 * kMeshUlp) << "vertex " << i;  // false for NaN and zero
       ASSERT_TRUE(d.u.contains(mesh.parameters[i].x) && d.v.contains(mesh.parameters[i].y)) << "vertex " << i;
     }
   });
@@ -282,7 +282,7 @@ TEST(Mesh, AnApexHasTheNormalOfEachColumnsMiddle) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       if (mesh.parameters[i].y != v) continue;
       const double middle = (apexes++ + 0.5) / 8;
-      EXPECT_NEAR(mesh.parameters[i].x, middle, kUlp);
+      EXPECT_NEAR(mesh.parameters[i].x, middle, kMeshUlp);
       const double up = v == 1 ? 1.5 : -1.5;
       const Vec3 expected = Vec3(2 * std::cos(kTau * middle), up, -2 * std::sin(kTau * middle)) / 2.5;
       EXPECT_LE(glm::length(mesh.normals[i] - expected), 1e-14);
@@ -370,7 +370,7 @@ TEST(Mesh, ASingularEdgeIsCutUntilItsBoxesAreSmall) {
     EXPECT_LE(mesh.bound, tolerance);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       ASSERT_TRUE(std::isfinite(glm::length(mesh.positions[i])));
-      ASSERT_NEAR(glm::length(mesh.normals[i]), 1, 4 * kUlp);
+      ASSERT_NEAR(glm::length(mesh.normals[i]), 1, 4 * kMeshUlp);
     }
     for (std::size_t t = 0; t < mesh.triangleCount(); ++t) ASSERT_GT(glm::length(areaVector(mesh, t)), 0);
   }
