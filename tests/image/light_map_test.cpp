@@ -219,6 +219,8 @@ TEST_F(LightMapTest, OfALightWithARadiusIsHeldAgainstThePartOfItThatIsSeen) {
   };
   const WrongPixels right = wrongWith(small), hard = wrongWith(snapshotOf("0")),
                     large = wrongWith(snapshotOf("0.2"));
+  // As many hard shadows as are soft are right everywhere.
+  EXPECT_EQ(wrongWith(withExactShadows(snapshotOf("0.1, \"shadow_samples\": 256"))).total(), 0U);
   // Some 200 pixels see parts of the light, and the corners of the pane are round in a map.
   EXPECT_LT(right.light, 30U);
   EXPECT_EQ(right.total(), right.light);
