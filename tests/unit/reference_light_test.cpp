@@ -76,7 +76,9 @@ TEST(ReferenceLight, OnItsCasterIsBehindNoneOfIt) {
           return caster.reaching(0, hit, certified);
         });
         EXPECT_TRUE(certified);
-        if (one.isLit) EXPECT_EQ(left, Vec3(one.isLit(Vec3(x, 0, z)) ? 1 : 0));
+        if (one.isLit) {
+          EXPECT_EQ(left, Vec3(one.isLit(Vec3(x, 0, z)) ? 1 : 0));
+        }
       }
   }
 }

@@ -14,6 +14,7 @@
 #include "base/srgb_curve.h"
 #include "luxo_grandpa/lamp.h"
 #include "scene/scene_reader.h"
+#include "scene/scene_writer.h"
 #include "scene_examples.h"
 #include "scene_test_support.h"
 
