@@ -96,7 +96,7 @@ TEST_F(ShadowHazards, LightsOnTheirCasters) {
   for (const Vec3& at : {Vec3(1, 1, 1), Vec3(0.25, 1, 1), Vec3(0.5, 1, 0.25)}) {
     SCOPED_TRACE(at.x);
     Scene scene = sceneOf(R"({ "name": "none" })");
-    scene.add(Node{.surface = cubeMesh(), .translation = Vec3(0, 1.1, 0)});
+    scene.add(Node{.translation = Vec3(0, 1.1, 0), .surface = cubeMesh()});
     scene.add(Node{.translation = at + Vec3(0, 1.1, 0), .light = Light{.shadow = Light::Shadow::Exact}});
     expectProven(scene);
   }
