@@ -16,6 +16,8 @@
 
 #include "base/error.h"
 #include "draw/device_vertex_movement.h"
+#include "draw/render_view.h"
+#include "draw/scene_painter.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scene/shader_files.h"
@@ -114,6 +116,27 @@ std::vector<Movement> movements() {
           {"scale", "gl_Vertex.xyz * vec3(0.5, 1.5, 1.25)", Node{.scale = Vec3(0.5, 1.5, 1.25)}},
           {"rotation", turned, Node{.rotation = Rotation{{0, 1, 0}, angle}}},
           {"mirror", "gl_Vertex.xyz * vec3(-1.0, 1.0, 1.0)", Node{.scale = Vec3(-1, 1, 1)}}};
+}
+
+/// Behind everything there is no point that a program could have moved: windows ask the device for faults, of
+/// pixels that are not in the picture, too.
+TEST_F(MovedMeshes, HaveNoFaultsWhereNothingIsFound) {
+  for (const Light::Shadow shadow : {Light::Shadow::Exact, Light::Shadow::None}) {
+    const Scene scene =
+        shown(cubeMesh(), Material{.shader = moving(placed("gl_Vertex.xyz + vec3(0.5)"))}, {}, shadow);
+    const Camera camera{.eye = Vec3(3, 0.5, 7), .lookAt = Vec3(0.4, 1.5, 0.2)};  // above the floor's border
+    const Snapshot snapshot = takeSnapshot(scene, 0, kSize, camera);
+    gpu::FrameRing frames(context());
+    ScenePainter painter(context());
+    RenderView view(context(), Precision::Half);
+    const VkCommandBuffer commands = frames.begin();
+    FrameStatistics statistics;
+    painter.record(frames, commands, view, snapshot,
+                   {.shading = Shading::Exact, .composition = Composition::Deferred}, statistics);
+    frames.wait(frames.submit());
+    EXPECT_TRUE(view.list().deferred);
+    EXPECT_EQ(view.shaderFaults().moved, 0U);
+  }
 }
 
 // Lights between what is seen and what is seen through, and how they are held, apart: all have where points
