@@ -163,7 +163,7 @@ case_lab_refused() {
   settle
   shot good
   write_ball 40
-  await "it is refused" logged 'makes one colour of all lights together' 1
+  await "it is refused" logged 'the shader of node number 1 makes one colour of all lights together' 1
   await "which is shown" screen_is_not good
   photo still_good.png
   same still_good.png good.png "the last good scene stays"
