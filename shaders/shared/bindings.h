@@ -3,13 +3,10 @@
 // constants, and where vertices carry what.
 #ifndef LUXO_SHARED_BINDINGS_H
 #define LUXO_SHARED_BINDINGS_H
+#include "shared/types.h"
 
 #ifdef __cplusplus
-#include <cstdint>
 namespace luxo::shared {
-#define LUXO_CONSTANT inline constexpr std::uint32_t
-#else
-#define LUXO_CONSTANT const uint
 #endif
 
 // Descriptor sets: of all draws; of draws with a pattern; of draws that find the surface itself in every pixel.
@@ -135,7 +132,6 @@ LUXO_CONSTANT kLightNumbers = 6;
 LUXO_CONSTANT kShadeNumbers = 5;
 
 #ifdef __cplusplus
-#undef LUXO_CONSTANT
 }  // namespace luxo::shared
 #endif
 #endif

@@ -2,18 +2,10 @@
 // What the CPU hands to cloth.comp: one definition for C++ and GLSL, scalar block layout. Metres, seconds, kilograms.
 #ifndef LUXO_SHARED_CLOTH_DATA_H
 #define LUXO_SHARED_CLOTH_DATA_H
+#include "shared/types.h"
 
 #ifdef __cplusplus
-#include <cstdint>
-
-#include "math/vec.h"
 namespace luxo::shared {
-using vec3 = Vec3f;
-using uint = std::uint32_t;
-#define LUXO_CONSTANT inline constexpr uint
-#else
-#extension GL_EXT_scalar_block_layout : require
-#define LUXO_CONSTANT const uint
 #endif
 
 LUXO_CONSTANT kSetCloth = 0;
@@ -44,7 +36,6 @@ struct ClothData {
 };
 
 #ifdef __cplusplus
-#undef LUXO_CONSTANT
 static_assert(sizeof(ClothData) == 88);
 static_assert(kClothMoves + 2 == kClothChanges && kClothForces + 1 == kClothParts);
 }  // namespace luxo::shared

@@ -2,13 +2,10 @@
 // What programs read that turn a whole picture into another: C++ and GLSL.
 #ifndef LUXO_SHARED_PICTURE_SET_H
 #define LUXO_SHARED_PICTURE_SET_H
+#include "shared/types.h"
 
 #ifdef __cplusplus
-#include <cstdint>
 namespace luxo::shared {
-#define LUXO_CONSTANT inline constexpr std::uint32_t
-#else
-#define LUXO_CONSTANT const uint
 #endif
 
 LUXO_CONSTANT kSetPicture = 0;
@@ -16,7 +13,6 @@ LUXO_CONSTANT kBindingPicture = 0;
 LUXO_CONSTANT kConstantUncertain = 0;  // of a mean: added to how good a point is where nothing is certain
 
 #ifdef __cplusplus
-#undef LUXO_CONSTANT
 }  // namespace luxo::shared
 #endif
 #endif

@@ -5,25 +5,12 @@
 #ifndef LUXO_SHARED_SCENE_DATA_H
 #define LUXO_SHARED_SCENE_DATA_H
 #include "shared/bindings.h"
+#include "shared/types.h"
 
 #ifdef __cplusplus
 #include <cstddef>
-#include <cstdint>
 
-#include "math/vec.h"
 namespace luxo::shared {
-using vec2 = Vec2f;
-using vec3 = Vec3f;
-using vec4 = Vec4f;
-using mat3 = Mat3f;
-using mat4 = Mat4f;
-using uint = std::uint32_t;
-#define LUXO_CONSTANT inline constexpr uint
-#define LUXO_NUMBER inline constexpr float
-#else
-#extension GL_EXT_scalar_block_layout : require
-#define LUXO_CONSTANT const uint
-#define LUXO_NUMBER const float
 #endif
 
 // What a fragment tells of its point: geometry, as numbers (auxiliary outputs) or colours (debug views); its light; or all
@@ -470,8 +457,6 @@ struct ReachingLight {
 };
 
 #ifdef __cplusplus
-#undef LUXO_CONSTANT
-#undef LUXO_NUMBER
 // All flags share one word.
 inline constexpr uint kInstanceFlags = kTwoSided | kPlane | kShowsBack | kFromAbove | kIsSurface | kUndecided;
 inline constexpr uint kMaterialFlags = kLectureSpecular | kPatternAmbient;

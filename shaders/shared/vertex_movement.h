@@ -3,20 +3,10 @@
 // space.
 #ifndef LUXO_SHARED_VERTEX_MOVEMENT_H
 #define LUXO_SHARED_VERTEX_MOVEMENT_H
+#include "shared/types.h"
 
 #ifdef __cplusplus
-#include <cstdint>
-
-#include "math/vec.h"
 namespace luxo::shared {
-using vec2 = Vec2f;
-using vec3 = Vec3f;
-using mat4 = Mat4f;
-using uint = std::uint32_t;
-#define LUXO_CONSTANT inline constexpr uint
-#else
-#extension GL_EXT_scalar_block_layout : require
-#define LUXO_CONSTANT const uint
 #endif
 
 LUXO_CONSTANT kSetMovement = 0;
@@ -48,7 +38,6 @@ struct MovementRange {
 };
 
 #ifdef __cplusplus
-#undef LUXO_CONSTANT
 static_assert(sizeof(VertexAtRest) == 32 && sizeof(MovementState) == 300 && sizeof(MovementRange) == 12);
 }  // namespace luxo::shared
 #endif
