@@ -141,16 +141,12 @@ class DeviceClothSimulation::Stepper {
   gpu::FrameRing frames_;
 };
 
-DeviceClothSimulation::DeviceClothSimulation(gpu::ContextDesc desc) : desc_(std::move(desc)) {}
-DeviceClothSimulation::DeviceClothSimulation(gpu::Context& context) : context_(&context) {}
+DeviceClothSimulation::DeviceClothSimulation(gpu::ContextDesc desc) : context_(std::move(desc)) {}
+DeviceClothSimulation::DeviceClothSimulation(gpu::Context& context) : context_(context) {}
 DeviceClothSimulation::~DeviceClothSimulation() = default;
 
 void DeviceClothSimulation::advance(const Cloth& cloth, ClothState& state, std::uint32_t steps) {
-  if (!context_) {
-    owned_ = std::make_unique<gpu::Context>(desc_);
-    context_ = owned_.get();
-  }
-  if (!stepper_) stepper_ = std::make_unique<Stepper>(*context_);
+  if (!stepper_) stepper_ = std::make_unique<Stepper>(context_.get());
   stepper_->advance(cloth, state, steps);
 }
 

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-#include "gpu/context.h"
+#include "gpu/context_on_demand.h"
 #include "surface/cloth_simulation.h"
 
 namespace luxo {
@@ -33,9 +33,7 @@ class DeviceClothSimulation : public ClothSimulation {
   /// lost.
   void advance(const Cloth& cloth, ClothState& state, std::uint32_t steps) override;
 
-  gpu::ContextDesc desc_;
-  std::unique_ptr<gpu::Context> owned_;
-  gpu::Context* context_ = nullptr;
+  gpu::ContextOnDemand context_;
   std::unique_ptr<Stepper> stepper_;
 };
 

@@ -283,16 +283,12 @@ class DeviceVertexMovement::Mover {
   gpu::FrameRing frames_;
 };
 
-DeviceVertexMovement::DeviceVertexMovement(gpu::ContextDesc desc) : desc_(std::move(desc)) {}
-DeviceVertexMovement::DeviceVertexMovement(gpu::Context& context) : context_(&context) {}
+DeviceVertexMovement::DeviceVertexMovement(gpu::ContextDesc desc) : context_(std::move(desc)) {}
+DeviceVertexMovement::DeviceVertexMovement(gpu::Context& context) : context_(context) {}
 DeviceVertexMovement::~DeviceVertexMovement() = default;
 
 std::vector<Vec4f> DeviceVertexMovement::run(const VerticesAtRest& vertices, const Material& material) {
-  if (!context_) {
-    owned_ = std::make_unique<gpu::Context>(desc_);
-    context_ = owned_.get();
-  }
-  if (!mover_) mover_ = std::make_unique<Mover>(*context_);
+  if (!mover_) mover_ = std::make_unique<Mover>(context_.get());
   return mover_->run(vertices, material);
 }
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "gpu/context.h"
+#include "gpu/context_on_demand.h"
 #include "scene/vertex_movement.h"
 
 namespace luxo {
@@ -31,9 +31,7 @@ class DeviceVertexMovement : public VertexMovement {
   /// Error(Scene) as VertexMovement::moved(), Error(Retry) when the device runs out of memory or is lost.
   std::vector<Vec4f> run(const VerticesAtRest& vertices, const Material& material) override;
 
-  gpu::ContextDesc desc_;
-  std::unique_ptr<gpu::Context> owned_;
-  gpu::Context* context_ = nullptr;
+  gpu::ContextOnDemand context_;
   std::unique_ptr<Mover> mover_;
 };
 

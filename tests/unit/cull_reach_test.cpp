@@ -12,9 +12,34 @@
 namespace luxo {
 namespace {
 
+/// Surfaces at random places, of which most that no light reaches are known to be such, and no other is.
+class RandomPlaces {
+ public:
+  /// Two functions: whether a light may reach a box that is placed so, and whether it does a point.
+  void hold(test::Random& random, const Rotation& tilt, const auto& mayReach, const auto& reaches) {
+    const Surface surface = random.surface();
+    const Transform place = compose(random.inCube(4), rotation(tilt.axis, tilt.angle), random.scale());
+    const bool reached = mayReach(place, surface.bounds({}));
+    const std::vector<Vec3> points = test::sample(surface, 20);
+    const bool anyLit =
+        std::ranges::any_of(points, [&](const Vec3& p) { return reaches(transformPoint(place, p)); });
+    ASSERT_TRUE(reached || !anyLit);
+    dark_ += !anyLit;
+    found_ += !reached;
+  }
+  void finish() const {
+    EXPECT_GT(dark_, 1000);
+    EXPECT_GT(found_, dark_ * 8 / 10);
+    testing::Test::RecordProperty("found_percent", 100 * found_ / dark_);
+  }
+
+ private:
+  int dark_ = 0, found_ = 0;
+};
+
 TEST(Reach, NoNodeWithALitPointIsOutOfReach) {
   test::Random random(31);
-  int darkNodes = 0, darkFound = 0;
+  RandomPlaces places;
   for (const auto& [f, h] : {std::pair(0.2, 1.8), {0.5, 0.5}, {1.0, 0.3}, {0.05, 2.0}}) {
     for (int i = 0; i < 1500; ++i) {
       const Rotation turn = random.rotation(), tilt = random.rotation();
@@ -22,20 +47,13 @@ TEST(Reach, NoNodeWithALitPointIsOutOfReach) {
           {f, h}, compose(random.inCube(1), rotation(turn.axis, turn.angle), Vec3(random.uniform(0.3, 2))),
           {});
       ASSERT_TRUE(rule);
-      const Surface surface = random.surface();
-      const Transform place = compose(random.inCube(4), rotation(tilt.axis, tilt.angle), random.scale());
-      const bool reached = canLight(*rule, place, surface.bounds({}), 0);
-      const std::vector<Vec3> points = test::sample(surface, 20);
-      const bool anyLit =
-          std::ranges::any_of(points, [&](const Vec3& p) { return lit(*rule, transformPoint(place, p)); });
-      ASSERT_TRUE(reached || !anyLit);
-      darkNodes += !anyLit;
-      darkFound += !reached;
+      ASSERT_NO_FATAL_FAILURE(places.hold(
+          random, tilt,
+          [&](const Transform& place, const Box& box) { return canLight(*rule, place, box, 0); },
+          [&](const Vec3& p) { return lit(*rule, p); }));
     }
   }
-  EXPECT_GT(darkNodes, 1000);
-  EXPECT_GT(darkFound, darkNodes * 8 / 10);
-  RecordProperty("found_percent", 100 * darkFound / darkNodes);
+  places.finish();
 }
 
 // Behind the focus, along the axis, but not behind the shade.
@@ -56,25 +74,18 @@ TEST(Reach, SlackWidensTheLight) {
 
 TEST(Reach, NoNodeWithAPointInASpotsConeIsOutOfReach) {
   test::Random random(32);
-  int darkNodes = 0, darkFound = 0;
+  RandomPlaces places;
   for (const double outer : {0.1, 0.5, 1.2, kPi / 2})
     for (int i = 0; i < 1500; ++i) {
       const SpotCone cone{.axis = random.direction(), .inner = 0.5 * outer, .outer = outer};
       const Vec3 at = random.inCube(3);
       const Rotation tilt = random.rotation();
-      const Surface surface = random.surface();
-      const Transform place = compose(random.inCube(4), rotation(tilt.axis, tilt.angle), random.scale());
-      const bool reached = canLight(cone, at, place, surface.bounds({}), 0);
-      const std::vector<Vec3> points = test::sample(surface, 20);
-      const bool anyLit = std::ranges::any_of(
-          points, [&](const Vec3& p) { return spotAttenuation(cone, transformPoint(place, p) - at) > 0; });
-      ASSERT_TRUE(reached || !anyLit);
-      darkNodes += !anyLit;
-      darkFound += !reached;
+      ASSERT_NO_FATAL_FAILURE(places.hold(
+          random, tilt,
+          [&](const Transform& place, const Box& box) { return canLight(cone, at, place, box, 0); },
+          [&](const Vec3& p) { return spotAttenuation(cone, p - at) > 0; }));
     }
-  EXPECT_GT(darkNodes, 1000);
-  EXPECT_GT(darkFound, darkNodes * 8 / 10);
-  RecordProperty("found_percent", 100 * darkFound / darkNodes);
+  places.finish();
   const SpotCone down{.axis = {0, -1, 0}, .inner = 0.1, .outer = kPi / 4};
   const Box aside{Vec3(2, -1, -0.1), Vec3(3, 0, 0.1)};  // half a root of 2 from the cone at (0, 0, 0)
   EXPECT_FALSE(canLight(down, Vec3(0), Transform{}, aside, 0));
