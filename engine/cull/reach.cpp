@@ -9,6 +9,11 @@ namespace luxo {
 
 namespace {
 
+/// Of the distance from the apex: nearer to the axis than that, rounding is much of what is aside.
+constexpr double kOnAxis = 1e-6;
+/// Of all lengths involved: some ten roundings.
+constexpr double kRounding = 1e-14;
+
 /// Corners of the box in the plane through an axis and the box's centre: seen from an apex on it, `along` the
 /// axis and `aside` toward the centre. `distance` is the true distance from the apex.
 struct Corner {
@@ -17,11 +22,19 @@ struct Corner {
 
 using Corners = std::array<Corner, 8>;
 
+/// Unit, across the axis: toward a point, or of one on the axis itself, as near as rounding tells, any.
+Vec3 across(const Vec3& axis, const Vec3& point) {
+  const auto without = [&](const Vec3& v) { return v - glm::dot(v, axis) * axis; };
+  Vec3 aside = without(point);
+  if (!(glm::length(aside) > kOnAxis * glm::length(point)))
+    aside = without(std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+  return unit(without(aside));  // twice is enough (B. Parlett, The Symmetric Eigenvalue Problem, 1980)
+}
+
 /// `axis`: unit.
 Corners cornersFrom(const Vec3& apex, const Vec3& axis, const Transform& worldFromObject, const Box& box) {
   const auto fromApex = [&](const Vec3& p) { return transformPoint(worldFromObject, p) - apex; };
-  const Vec3 center = fromApex(box.center());
-  const Vec3 toward = unit(center - glm::dot(center, axis) * axis);
+  const Vec3 toward = across(axis, fromApex(box.center()));
   Corners corners;
   for (int i = 0; i < 8; ++i) {
     const Vec3 q = fromApex(
@@ -36,6 +49,13 @@ Corners cornersFrom(const Vec3& apex, const Vec3& axis, const Transform& worldFr
 bool beyond(const Corners& corners, double a, double b, double c, double slack) {
   const double margin = c + slack * std::hypot(a, b);
   return std::ranges::all_of(corners, [&](const Corner& q) { return a * q.along + b * q.aside > margin; });
+}
+
+/// Metres that corners may be beside where they are.
+double roundingOf(const Corners& corners, const Vec3& apex) {
+  double farthest = 0;
+  for (const Corner& corner : corners) farthest = std::max(farthest, corner.distance);
+  return kRounding * (glm::length(apex) + farthest);
 }
 
 bool outsideCone(const Corners& corners, double cosRim, double slack) {
@@ -65,13 +85,14 @@ bool outsideShade(const Corners& corners, const ShadeRule& rule, double slack) {
 bool canLight(const ShadeRule& rule, const Transform& worldFromObject, const Box& boundsObject,
               double slack) {
   const Corners corners = cornersFrom(rule.focus, rule.axis, worldFromObject, boundsObject);
+  slack += roundingOf(corners, rule.focus);
   return !(outsideCone(corners, rule.cosRim, slack) && outsideShade(corners, rule, slack));
 }
 
 bool canLight(const SpotCone& cone, const Vec3& positionWorld, const Transform& worldFromObject,
               const Box& boundsObject, double slack) {
-  return !outsideCone(cornersFrom(positionWorld, cone.axis, worldFromObject, boundsObject),
-                      std::cos(cone.outer), slack);
+  const Corners corners = cornersFrom(positionWorld, cone.axis, worldFromObject, boundsObject);
+  return !outsideCone(corners, std::cos(cone.outer), slack + roundingOf(corners, positionWorld));
 }
 
 }  // namespace luxo

@@ -15,10 +15,15 @@ namespace {
 /// Surfaces at random places, of which most that no light reaches are known to be such, and no other is.
 class RandomPlaces {
  public:
-  /// Two functions: whether a light may reach a box that is placed so, and whether it does a point.
-  void hold(test::Random& random, const Rotation& tilt, const auto& mayReach, const auto& reaches) {
+  /// Two functions: whether a light may reach a box that is placed so, and whether it does a point. One in
+  /// four boxes has its middle on the axis, `onAxis` of how far from the light, as what a light is aimed at.
+  void hold(test::Random& random, const Rotation& tilt, const auto& onAxis, const auto& mayReach,
+            const auto& reaches) {
     const Surface surface = random.surface();
-    const Transform place = compose(random.inCube(4), rotation(tilt.axis, tilt.angle), random.scale());
+    Transform place = compose(random.inCube(4), rotation(tilt.axis, tilt.angle), random.scale());
+    if (++placed_ % 4 == 0)
+      place.translation +=
+          Vec3(onAxis(random.uniform(-3, 3))) - transformPoint(place, surface.bounds({}).center());
     const bool reached = mayReach(place, surface.bounds({}));
     const std::vector<Vec3> points = test::sample(surface, 20);
     const bool anyLit =
@@ -34,7 +39,7 @@ class RandomPlaces {
   }
 
  private:
-  int dark_ = 0, found_ = 0;
+  int placed_ = 0, dark_ = 0, found_ = 0;
 };
 
 TEST(Reach, NoNodeWithALitPointIsOutOfReach) {
@@ -48,7 +53,7 @@ TEST(Reach, NoNodeWithALitPointIsOutOfReach) {
           {});
       ASSERT_TRUE(rule);
       ASSERT_NO_FATAL_FAILURE(places.hold(
-          random, tilt,
+          random, tilt, [&](double far) { return rule->focus + far * rule->axis; },
           [&](const Transform& place, const Box& box) { return canLight(*rule, place, box, 0); },
           [&](const Vec3& p) { return lit(*rule, p); }));
     }
@@ -81,7 +86,7 @@ TEST(Reach, NoNodeWithAPointInASpotsConeIsOutOfReach) {
       const Vec3 at = random.inCube(3);
       const Rotation tilt = random.rotation();
       ASSERT_NO_FATAL_FAILURE(places.hold(
-          random, tilt,
+          random, tilt, [&](double far) { return at + far * cone.axis; },
           [&](const Transform& place, const Box& box) { return canLight(cone, at, place, box, 0); },
           [&](const Vec3& p) { return spotAttenuation(cone, p - at) > 0; }));
     }
