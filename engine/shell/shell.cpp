@@ -445,25 +445,6 @@ class Builder {
   std::vector<std::size_t> sources_;  // of the shell's triangles: triangles of the mesh, or walls
 };
 
-/// The mesh is dense where the formula bends: what a sampling of the whole surface did not notice is seen
-/// there.
-void dropFalseEquations(Shell& shell, const ShellFrame& frame) {
-  constexpr double kAgreement = 1e-9;
-  const auto isFalse = [&](const Equation& equation, const Vec3& point) {
-    const Vec3 unitPoint = point / equation.scale;
-    return !(std::abs(equation.at(unitPoint)) <=
-             kAgreement * (glm::length(equation.gradient(unitPoint)) + kAgreement));
-  };
-  const std::vector<Vec3>& points = frame.mesh().positions;
-  bool anyFalse = false;
-  for (std::uint32_t v = 0; v < points.size() && !anyFalse; ++v) {
-    const std::optional<Equation>& equation = shell.patchData[frame.patchOf(v)].equation;
-    anyFalse = equation && isFalse(*equation, points[v]);
-  }
-  if (anyFalse)
-    for (ShellPatch& patch : shell.patchData) patch.equation.reset();
-}
-
 }  // namespace
 
 std::optional<Shell> makeShell(const Surface& surface, std::span<const double> parameters,
@@ -503,7 +484,6 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
     frame = std::make_unique<ShellFrame>(surface, parameters, map, blocks, shell.patchData, look);
   }
   if (isInterrupted()) return std::nullopt;
-  dropFalseEquations(shell, *frame);
   Builder(surface, parameters, map, *frame, desc).build(shell);
   return shell;
 }

@@ -35,8 +35,8 @@ inline constexpr double kSearchedCells = 3;
 struct ShellPatch {
   Domain domain;
   double originOfU = 0;  ///< Patch::originOfU
-  /// The u (v) edges are one curve and the formula goes on beyond them, by a fifth of the domain at least, as
-  /// it does at the other end: a parameter outside the domain stands for one inside.
+  /// The u (v) edges are one curve and the formula has a period, the domain's width (formula/degree.h): a
+  /// parameter outside the domain stands for one inside.
   bool wrapsU = false, wrapsV = false;
   /// That edge is one point.
   bool collapsedUMin = false, collapsedUMax = false, collapsedVMin = false, collapsedVMax = false;

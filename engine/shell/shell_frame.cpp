@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "formula/degree.h"
 #include "tessellate/block_mesh.h"
 
 namespace luxo {
@@ -47,8 +48,22 @@ class PatchReader {
     });
   }
 
-  /// Whether the surface beyond each end of u (of v) is that at the other end, as far as a search may stray.
+  /// Whether the formula has a period (formula/degree.h) that is the width of u (of v), as near as its points
+  /// tell.
   [[nodiscard]] bool goesOn(std::uint32_t patch, bool alongU) const {
+    return isThereAgain(patch, alongU) && isPeriodic(patch, alongU);
+  }
+
+  [[nodiscard]] bool isPeriodic(std::uint32_t number, bool alongU) const {
+    const Patch& patch = surface_.patches()[number];
+    Graph graph;
+    const std::vector<Expr> position = expressionsOf(patch, parameters_, graph);
+    return luxo::isPeriodic(graph, position, alongU ? 0 : 1,
+                            (alongU ? patch.domain.u : patch.domain.v).width());
+  }
+
+  /// Beyond each end are the points at the other end.
+  [[nodiscard]] bool isThereAgain(std::uint32_t patch, bool alongU) const {
     const Domain& domain = surface_.patchDomain(patch);
     const Interval &along = alongU ? domain.u : domain.v, &across = alongU ? domain.v : domain.u;
     std::vector<double> beyond, inside, at;

@@ -416,14 +416,14 @@ Surface displaced(const Surface& surface, const Displacement& displacement, cons
   const bool alongU = reads(displacement.height, kVariableU), alongV = reads(displacement.height, kVariableV);
   SurfaceTraits traits{.name = surface.name(),
                        .orientation = surface.topology().orientation(),
-                       .revolution = surface.revolution() && !alongU,
-                       .displaced = alongU || alongV};
+                       .revolution = surface.revolution() && !alongU};
+  const bool varies = alongU || alongV;
   // A plane that is moved as a whole.
-  if (!traits.displaced) traits.flatNormal = surface.flatNormal();
+  if (!varies) traits.flatNormal = surface.flatNormal();
   DisplacedPatches patches(surface, displacement, ofSurface);
   patches.build();
   Surface moved(patches.patches(), still, traits);
-  if (traits.displaced) {
+  if (varies) {
     const double extent = glm::length(moved.framing(valuesAt(still, start)).extent());
     traits.borders = unprovenEdges(moved, EdgeComparison(surface, patches, displacement.height, ofSurface,
                                                          ofHeight, kSameHeight * extent));

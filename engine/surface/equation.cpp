@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "formula/degree.h"
 #include "math/sampling.h"
 #include "mesh/mesh_solid.h"
 #include "surface/surface.h"
@@ -174,6 +175,18 @@ struct Recognition {
     equation.outward = side < 0 ? -1 : 1;
     return true;
   }
+
+  /// Whether the formula is between those places what it is there: F of it then has a degree of 4 at most.
+  [[nodiscard]] bool hasLowDegree(const Equation& equation) const {
+    const double most = equation.form() == Equation::Form::Quadric ? 2 : 1;
+    const Patch& of = surface.patches()[patch];
+    Graph graph;
+    const std::vector<Expr> position = expressionsOf(of, parameters, graph);
+    const Vec2 width(of.domain.u.width(), of.domain.v.width());
+    return std::ranges::all_of(degreesOf(graph, position, width), [&](const Vec2& degree) {
+      return std::max(degree.x, degree.y) <= most * kRounding;
+    });
+  }
 };
 
 }  // namespace
@@ -218,14 +231,14 @@ double Equation::center() const {
 
 std::optional<Equation> equationOf(const Surface& surface, std::uint32_t patch,
                                    std::span<const double> parameters) {
-  if (surface.displaced()) return std::nullopt;
   const Recognition recognition{surface, patch, parameters};
   for (const auto form :
        {&Recognition::rectangle, &Recognition::disk, &Recognition::cone, &Recognition::ellipsoid,
         &Recognition::torus, &Recognition::paraboloid, &Recognition::oneSheet, &Recognition::saddle,
         &Recognition::lowerSheet, &Recognition::upperSheet}) {
     Equation equation = (recognition.*form)();
-    if (recognition.agrees(equation)) return equation;
+    if (recognition.agrees(equation))
+      return recognition.hasLowDegree(equation) ? std::optional(equation) : std::nullopt;
   }
   return std::nullopt;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/patch.h"
 
+#include <map>
+
 #include "formula/pieces.h"
 #include "formula/removable.h"
 
@@ -27,6 +29,14 @@ std::vector<double> GeneralForm::inputs(std::span<const double> constants,
   for (const Argument& argument : arguments)
     all.push_back(argument.parameter ? parameters[*argument.parameter] : argument.value);
   return all;
+}
+
+std::vector<Expr> expressionsOf(const Patch& patch, std::span<const double> parameters, Graph& graph) {
+  const PatchInputs inputs(patch, parameters);
+  std::map<std::uint32_t, Expr> known;
+  for (const double input : std::span<const double>(inputs))
+    known.emplace(static_cast<std::uint32_t>(2 + known.size()), input);
+  return patch.function->position.expressions(graph, known);
 }
 
 std::vector<Patch> cutAtKinks(Graph& graph, const ExprPoint& position, const Domain& domain) {

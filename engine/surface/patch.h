@@ -73,6 +73,11 @@ class PatchInputs {
   std::span<const double> values_;
 };
 
+/// The point of a patch as expressions of u and v alone: what else the formula reads has its value. Cost:
+/// linear.
+[[nodiscard]] std::vector<Expr> expressionsOf(const Patch& patch, std::span<const double> parameters,
+                                              Graph& graph);
+
 /// The patches of a formula on a rectangle: cut along the lines of constant u and of constant v on which it
 /// is kinked, so that each has a smooth piece of it (formula/pieces.h). One patch for a formula without
 /// kinks.

@@ -25,7 +25,9 @@ Surface scaled(const Surface& surface, const Vec3& scale, std::span<const double
     patch.function = function;
     patch.general.reset();
   }
-  SurfaceTraits traits{.name = surface.name(), .orientation = surface.topology().orientation()};
+  SurfaceTraits traits{.name = surface.name(),
+                       .orientation = surface.topology().orientation(),
+                       .borders = surface.statedBorders()};
   // Normals are scaled by the inverse.
   if (const auto normal = surface.flatNormal()) traits.flatNormal = unit(*normal / scale);
   return Surface(std::move(patches), {parameters.begin(), parameters.end()}, std::move(traits));

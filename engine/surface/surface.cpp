@@ -197,8 +197,8 @@ const Domain& Surface::domain() const { return description_->domain; }
 const Topology& Surface::topology() const { return description_->topology; }
 std::optional<Paraboloid> Surface::paraboloid() const { return description_->traits.paraboloid; }
 std::optional<Vec3> Surface::flatNormal() const { return description_->traits.flatNormal; }
+const std::vector<PatchEdge>& Surface::statedBorders() const { return description_->traits.borders; }
 bool Surface::revolution() const { return description_->traits.revolution; }
-bool Surface::displaced() const { return description_->traits.displaced; }
 
 namespace {
 

@@ -62,11 +62,8 @@ struct SurfaceTraits {
   double orientation =
       1;  ///< of the first patch of an open surface; closed ones are measured by their volume
   std::optional<Paraboloid> paraboloid;
-  std::optional<Vec3> flatNormal;  ///< unit normal of a surface that lies in one plane
-  bool revolution = false;         ///< u turns a profile once around the Y axis (see revolve())
-  /// A formula of u and v is added to it, which may be too narrow for points here and there to tell: it has
-  /// no equation (surface/equation.h).
-  bool displaced = false;
+  std::optional<Vec3> flatNormal;       ///< unit normal of a surface that lies in one plane
+  bool revolution = false;              ///< u turns a profile once around the Y axis (see revolve())
   std::vector<PatchEdge> borders = {};  ///< edges that are not known to be joined or one point
 };
 
@@ -124,7 +121,8 @@ class Surface {
   /// Unit, of what lies in one plane.
   [[nodiscard]] std::optional<Vec3> flatNormal() const;
   [[nodiscard]] bool revolution() const;
-  [[nodiscard]] bool displaced() const;
+  /// SurfaceTraits::borders.
+  [[nodiscard]] const std::vector<PatchEdge>& statedBorders() const;
 
   /// S, Su, Sv at every (u[i], v[i]) of a patch. Object space, metres. Exact derivatives, rounded. Where the
   /// formula has no value the numbers are not finite.

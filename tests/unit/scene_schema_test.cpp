@@ -24,7 +24,7 @@
 namespace luxo {
 namespace {
 
-JsonDocument read(std::string text) {
+JsonDocument readDocument(std::string text) {
   return JsonDocument(std::make_shared<const std::string>(std::move(text)));
 }
 
@@ -186,12 +186,12 @@ class SceneSchema : public testing::Test {
     return name.empty() ? root() : member(member(root(), "$defs"), name);
   }
   [[nodiscard]] std::string check(const std::string& text) const {
-    const JsonDocument scene = read(text);
+    const JsonDocument scene = readDocument(text);
     EXPECT_TRUE(scene.complete());
     return Validator(root()).check(scene.root(), root());
   }
 
-  JsonDocument document_ = read(test::sourceText("engine/scene/luxo-scene-1.schema.json"));
+  JsonDocument document_ = readDocument(test::sourceText("engine/scene/luxo-scene-1.schema.json"));
 };
 
 TEST_F(SceneSchema, HasTheKeysOfTheReader) {

@@ -67,7 +67,6 @@ TEST(Displaced, APlaneIsTheGraphOfItsDisplacement) {
   EXPECT_NEAR(shifted(disk(2), 0.5).position(0.3, 0.8).y, 0.5, 1e-15);
 }
 
-// Equations are recognized by some points, and a needle may be between them.
 TEST(Displaced, WhatVariesHasNoEquation) {
   const auto needle = [](auto u, auto v) {
     return 0.2 * exp(-1e6 * (pow(u - 0.513, 2) + pow(v - 0.377, 2)));

@@ -89,6 +89,33 @@ TEST(Equation, AKinkedBallHasNone) {
     EXPECT_FALSE(equationOf(dented, patch, {})) << patch;
 }
 
+// It is 1 / 300 of the sheet wide: no samplings would find all of its kind.
+TEST(Equation, ASmoothNeedleIsNone) {
+  const auto needle = [](auto u, auto v, double height) {
+    return height * exp(-1e6 * ((u - 0.513) * (u - 0.513) + (v - 0.377) * (v - 0.377)));
+  };
+  const auto sheet = [&](double height) {
+    return surface([=](auto u, auto v) { return point(2 * (u - 0.5), needle(u, v, height), -2 * (v - 0.5)); },
+                   {});
+  };
+  const auto tube = [&](double height) {
+    return surface(
+        [=](auto u, auto v) {
+          const Expr r = 0.7 + needle(u, v, height);
+          return point(r * cos(kTau * u), v, -(r * sin(kTau * u)));
+        },
+        {});
+  };
+  EXPECT_FALSE(equationOf(sheet(0.2), 0, {}));
+  EXPECT_TRUE(equationOf(sheet(0), 0, {}));
+  EXPECT_FALSE(equationOf(tube(0.2), 0, {}));
+  EXPECT_TRUE(equationOf(tube(0), 0, {}));
+  // Nor is a wave whose zeros the places may be.
+  EXPECT_FALSE(equationOf(
+      surface([](auto u, auto v) { return point(2 * (u - 0.5), 1e-13 * sin(60 * u), -2 * (v - 0.5)); }, {}),
+      0, {}));
+}
+
 TEST(Equation, AllOfAFormSharesItsCode) {
   SurfaceCodes codes;
   using enum Equation::Form;
