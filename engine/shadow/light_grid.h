@@ -27,7 +27,9 @@ struct LightGrid {
   };
   struct Entry {
     std::uint32_t cell = 0;  ///< index into CasterCells::cells
-    float nearest = 0;       ///< lower bound of its distance from the light along the face's axis
+    /// Lower bound of its distance from the light along the face's axis, less the margin; of parallel rays of
+    /// where it is along them, from the object's origin on.
+    float nearest = 0;
   };
 
   /// Of the cube: x, y, z from object space. Face 2 k (2 k + 1) looks along the positive (negative) k-th

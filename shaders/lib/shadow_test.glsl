@@ -48,7 +48,8 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
 #endif
   // What one cell leaves open another may settle.
   int result = kPassed;
-  float behind = ahead * (1.0 + 1e-5) + 1e-30;
+  // Of parallel light `ahead` has either sign, and what rounding leaves of it is within the grid's margin.
+  float behind = ahead + 1e-5 * abs(ahead) + 1e-30;
   for (; entry < end && result != kMet && evaluationsLeft >= 0; ++entry) {
     GridEntry listed = gridEntries[varyingFirst.x + entry];
     if (listed.nearest > behind) break;
