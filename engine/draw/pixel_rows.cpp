@@ -24,19 +24,29 @@ Vec4 clipRow(const View& view, const Transform& eyeFromObject, int row) {
 
 }  // namespace
 
-std::vector<Vec3> clipped(std::vector<Vec3> polygon, const PixelSize& size) {
+namespace {
+
+/// Of corners that begin with x, y and width.
+template <class Corner>
+std::vector<Corner> clippedPolygon(std::vector<Corner> polygon, const PixelSize& size) {
   const double right = 0.5 * size.width, top = 0.5 * size.height;
   for (const Vec3& side : {Vec3(1, 0, right), Vec3(-1, 0, right), Vec3(0, 1, top), Vec3(0, -1, top)}) {
-    std::vector<Vec3> part;  // where dot(side, p) >= 0
+    std::vector<Corner> part;  // where dot(side, p) >= 0
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-      const double ofA = glm::dot(side, a), ofB = glm::dot(side, b);
+      const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const double ofA = glm::dot(side, Vec3(a)), ofB = glm::dot(side, Vec3(b));
       if (ofA >= 0) part.push_back(a);
       if ((ofA >= 0) != (ofB >= 0)) part.push_back(a + ofA / (ofA - ofB) * (b - a));
     }
     polygon = std::move(part);
   }
   return polygon;
+}
+
+}  // namespace
+
+std::vector<Vec3> clipped(std::vector<Vec3> polygon, const PixelSize& size) {
+  return clippedPolygon(std::move(polygon), size);
 }
 
 PixelRows pixelRows(const View& view, const Transform& worldFromObject) {
@@ -62,28 +72,44 @@ std::optional<PlaneRows> planeRows(const View& view, const Transform& worldFromO
   return PlaneRows{byRow[0], byRow[1], byRow[2]};
 }
 
-// Of a solid cut by a pyramid the nearest point is on a face of the solid, unless the eye is inside.
-double nearestSeen(const View& view, const SnapshotNode& node) {
+// Of a solid cut by a pyramid the nearest and the farthest point are on faces of the solid, unless the eye is
+// inside.
+std::optional<DepthRange> depthsSeen(const View& view, const SnapshotNode& node) {
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   const Box& box = node.boundsObject;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
   bool holdsEye = true;
   for (int axis = 0; axis < 3; ++axis) {
     holdsEye = holdsEye && view.eye[axis] >= node.boundsWorld.min[axis] &&
                view.eye[axis] <= node.boundsWorld.max[axis];
     for (const double end : {box.min[axis], box.max[axis]}) {
-      std::vector<Vec3> face;  // right, down and depth
+      std::vector<Vec4> face;  // right, down, width and depth
       for (const auto& [s, t] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
         Vec4 corner(1);
         corner[axis] = end;
         corner[(axis + 1) % 3] = (s ? box.max : box.min)[(axis + 1) % 3];
         corner[(axis + 2) % 3] = (t ? box.max : box.min)[(axis + 2) % 3];
-        face.emplace_back(glm::dot(rows.x, corner), glm::dot(rows.y, corner), glm::dot(rows.depth, corner));
+        const double depth = glm::dot(rows.depth, corner);
+        face.emplace_back(glm::dot(rows.x, corner), glm::dot(rows.y, corner), view.perspective() ? depth : 1,
+                          depth);
       }
-      for (const Vec3& p : clipped(std::move(face), view.size)) nearest = std::min(nearest, p.z);
+      for (const Vec4& p : clippedPolygon(std::move(face), view.size)) {
+        nearest = std::min(nearest, p.w);
+        farthest = std::max(farthest, p.w);
+      }
     }
   }
-  return std::max(holdsEye ? 0 : nearest, view.near);
+  if (holdsEye) {
+    nearest = 0;
+    farthest = std::max(farthest, view.near);
+  }
+  if (!(nearest <= farthest) || !(farthest >= view.near)) return std::nullopt;
+  return DepthRange{std::max(nearest, view.near), farthest};
+}
+
+double nearestSeen(const View& view, const SnapshotNode& node) {
+  const auto seen = depthsSeen(view, node);
+  return seen ? seen->nearest : std::numeric_limits<double>::infinity();
 }
 
 PixelRect overlap(const PixelRect& a, const PixelRect& b) {

@@ -32,8 +32,15 @@ struct PlaneRows {
 /// Nothing where the plane is seen edge-on, or so nearly that double does not tell where pixels are on it.
 [[nodiscard]] std::optional<PlaneRows> planeRows(const View& view, const Transform& worldFromObject);
 
-/// The least depth of what the picture shows of the node's bounds, not below that of the near plane: they may
-/// reach past the eye outside of the picture. Cost: a microsecond.
+/// Metres along the view axis.
+struct DepthRange {
+  double nearest = 0, farthest = 0;
+};
+
+/// The depths of what the picture shows of the node's bounds, not below that of the near plane: they may
+/// reach past the eye outside of the picture. Nothing where it shows none of them. Cost: a microsecond.
+[[nodiscard]] std::optional<DepthRange> depthsSeen(const View& view, const SnapshotNode& node);
+/// The least of them, or infinity.
 [[nodiscard]] double nearestSeen(const View& view, const SnapshotNode& node);
 
 /// A pixel of the picture, from the top left.

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "scene/view.h"
 
@@ -74,6 +76,47 @@ TEST(PixelRows, WhatIsOutsideOfThePictureIsNotNear) {
       viewAt({.eye = Vec3(0, 1, 0), .lookAt = Vec3(0, 0.9, -1), .fovY = radians(40)}, {}, kRowsSize);
   const double slope = 0.1, angle = std::atan(slope) + radians(20), distance = 1 / std::sin(angle);
   EXPECT_NEAR(nearestSeen(view, floor), distance * std::cos(radians(20)), 1e-9);
+}
+
+// Of random boxes and views: no sampled point of a box that is in the picture is nearer or farther, and of
+// boxes none of which is, none.
+TEST(PixelRows, DepthsSeenAreThoseOfEveryPointInThePicture) {
+  std::mt19937 random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto somewhere = [&](double far) {
+    return far * Vec3(between(-1, 1), between(-1, 1), between(-1, 1));
+  };
+  int partly = 0;
+  for (int round = 0; round < 400; ++round) {
+    SnapshotNode node;
+    const Vec3 middle = somewhere(1), half = glm::abs(somewhere(round % 3 == 0 ? 3 : 0.7));
+    node.boundsObject = {middle - half, middle + half};
+    node.worldFromObject = tilted();
+    node.boundsWorld = transformBounds(node.worldFromObject, node.boundsObject);
+    const View view = viewAt({.eye = somewhere(4),
+                              .lookAt = somewhere(1),
+                              .near = 1e-3,
+                              .projection = round % 2 ? Projection::Orthographic : Projection::Perspective,
+                              .height = between(0.3, 4)},
+                             {}, kRowsSize, {Vec3(-9), Vec3(9)});
+    const auto seen = depthsSeen(view, node);
+    int inside = 0;
+    for (int k = 0; k < 500; ++k) {
+      const Vec3 p = middle + half * somewhere(1);
+      const Vec3 inEye = eyeFromWorldPoint(view, transformPoint(node.worldFromObject, p));
+      if (-inEye.z < view.near) continue;
+      const Vec2 pixel = pixelFromEye(view, inEye);
+      if (std::min(pixel.x, pixel.y) < 0 || pixel.x > kRowsSize.width || pixel.y > kRowsSize.height) continue;
+      ++inside;
+      ASSERT_TRUE(seen);
+      EXPECT_GE(-inEye.z, seen->nearest - 1e-9) << round;
+      EXPECT_LE(-inEye.z, seen->farthest + 1e-9) << round;
+    }
+    partly += inside > 0 && inside < 500;
+  }
+  EXPECT_GT(partly, 100);
 }
 
 }  // namespace
