@@ -183,7 +183,7 @@ shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const Sna
       .xLow = restOf(rows.x),
       .yLow = restOf(rows.y),
       .depthLow = restOf(rows.depth),
-      .clipDepth = view.perspective() ? Vec2f(view.near, rounding.near) : Vec2f(view.far / range, -1 / range),
+      .clipDepth = view.perspective() ? Vec2f(view.near, rounding.near) : Vec2f(view.near, -1 / range),
       .half_ = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
       .middle = Vec3f(middle),
       .middleLow = Vec3f(middle - Vec3(Vec3f(middle))),

@@ -51,7 +51,7 @@ real toleranceAt(real depth) {
 
 // Orthographic: linear; perspective: near / depth. Before the near plane above 1.
 real inDepthBuffer(real depth) {
-  return has(kPerspective) ? varyingClip.x / depth : varyingClip.x + varyingClip.y * depth;
+  return has(kPerspective) ? varyingClip.x / depth : 1.0 + varyingClip.y * (depth - varyingClip.x);
 }
 bool inDepthRange(real depth) {
   real z = inDepthBuffer(depth);

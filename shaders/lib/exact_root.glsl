@@ -292,7 +292,7 @@ real entryInDepthBuffer(real sense) {
 }
 real entryDepth() {
   real z = entryInDepthBuffer(-1.0);
-  return has(kPerspective) ? varyingClip.x / z : (z - varyingClip.x) / varyingClip.y;
+  return has(kPerspective) ? varyingClip.x / z : varyingClip.x + (z - 1.0) / varyingClip.y;
 }
 
 // Walks along the points of the surface to which the ray's are nearest, first against the ray, then along it, and ends

@@ -29,7 +29,7 @@ vec4 clipOfVertex(InstanceData instance, ExactInstance exact) {
   dvec2 middle = dvec2(row(exact.shellX, exact.shellXLow), row(exact.shellY, exact.shellYLow));
   double depth = row(exact.shellDepth, exact.shellDepthLow);
   bool perspective = view.viewer.w != 0.0;
-  double z = perspective ? double(exact.clipDepth.x) : exact.clipDepth.x + exact.clipDepth.y * depth;
+  double z = perspective ? double(exact.clipDepth.x) : 1.0 + exact.clipDepth.y * (depth - exact.clipDepth.x);
   return vec4(vec2(middle / dvec2(exact.half_.x, -exact.half_.y)) / draw.guard, z, perspective ? depth : 1.0);
 }
 

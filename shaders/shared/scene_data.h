@@ -196,8 +196,9 @@ struct ExactInstance {
   vec4 x, y;       // pixels right of and below the middle of the picture, times what `depth` gives (perspective)
   vec4 depth;      // metres along the view axis
   vec4 xLow, yLow, depthLow;  // the second floats of these
-  // Of the depth buffer: perspective x / depth, orthographic x + y * depth. Perspective: y / depth is the part of the
-  // tolerance that depends on the depth.
+  // Of the depth buffer: perspective x / depth, orthographic 1 + y * (depth - x), x being the near plane's depth: so floats
+  // tell sides of it as well as they tell depths. Perspective: y / depth is the part of the tolerance that depends on the
+  // depth.
   vec2 clipDepth;
   vec2 half_;      // half the picture's size, pixels
   vec3 middle, middleLow;  // a point of object space that relative positions are computed from
