@@ -73,12 +73,12 @@ class DrawLister {
         visible_(visible),
         options_(options),
         geometry_(geometry),
-        lightSets_(snapshot, options, shadingOrigin(snapshot), list_.lightSets),
+        list_{.origin = shadingOrigin(snapshot)},
+        lightSets_(snapshot, options, list_.origin, list_.lightSets),
         materials_(snapshot, visible, options, list_),
         shells_(snapshot, options, geometry, list_),
         casters_(snapshot, geometry, list_) {
-    list_.view = viewData(snapshot, visible);
-    list_.origin = shadingOrigin(snapshot);
+    list_.view = viewData(snapshot, visible, list_.origin);
   }
 
   DrawList list() && {

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "draw/pixel_rows.h"
+#include "math/frustum.h"
 #include "math/transform.h"
 #include "surface/spread.h"
 
@@ -21,6 +24,28 @@ std::uint32_t flagsOf(const SnapshotNode& node, const VisibleNode& visible) {
 bool seenFromAbove(const View& view, const Transform& worldFromObject) {
   const Vec3 toViewer = view.perspective() ? view.eye - worldFromObject.translation : -view.forward();
   return glm::dot(glm::cross(worldFromObject.linear[2], worldFromObject.linear[0]), toViewer) > 0;
+}
+
+/// Straight ahead of the eye, in the middle of what the picture shows, where that is far enough away.
+std::optional<Vec3> farMiddleSeen(const Snapshot& snapshot) {
+  const View& view = snapshot.view;
+  const double width = 2 * glm::length(view.halfExtent);
+  // The nearer end is wider than that already.
+  if (view.perspective() && kFarEye * width > 1) return std::nullopt;
+  const Frustum frustum = frustumOf(view);
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (const SnapshotNode& node : snapshot.nodes) {
+    if (!isFinite(node.boundsWorld)) return std::nullopt;
+    if (outside(frustum, sphereAround(node.boundsWorld))) continue;
+    const auto seen = depthsSeen(view, node);
+    if (!seen) continue;
+    nearest = std::min(nearest, seen->nearest);
+    farthest = std::max(farthest, seen->farthest);
+    const double size = std::hypot(farthest - nearest, view.perspective() ? width * farthest : width);
+    if (!(0.5 * (nearest + farthest) > kFarEye * size)) return std::nullopt;
+  }
+  if (!(nearest <= farthest)) return std::nullopt;
+  return view.eye + 0.5 * (nearest + farthest) * view.forward();
 }
 
 }  // namespace
@@ -49,10 +74,11 @@ Vec3 shadingOrigin(const Snapshot& snapshot) {
     if (isFinite(node.boundsWorld)) all.add(node.boundsWorld);
   const Vec3& eye = snapshot.view.eye;
   if (all.empty()) return eye;
-  return glm::distance(eye, all.center()) > kFarEye * glm::length(all.extent()) ? all.center() : eye;
+  if (glm::distance(eye, all.center()) > kFarEye * glm::length(all.extent())) return all.center();
+  return farMiddleSeen(snapshot).value_or(eye);
 }
 
-shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) {
+shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible, const Vec3& origin) {
   const View& view = snapshot.view;
   // The nearest and farthest depth any visible node can have: the scale of the depth view.
   double nearest = std::numeric_limits<double>::infinity(), farthest = view.near;
@@ -62,7 +88,7 @@ shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible) 
       nearest = std::min(nearest, v.nearestDepth);
       farthest = std::max(farthest, v.centerDepth + sphere.radius);
     }
-  const Vec3 origin = shadingOrigin(snapshot), fromEye = origin - view.eye;
+  const Vec3 fromEye = origin - view.eye;
   Mat4 eyeFromRelative(view.eyeFromWorld);
   eyeFromRelative[3] = Vec4(view.eyeFromWorld * fromEye, 1);
   const double depth = glm::dot(fromEye, view.forward());

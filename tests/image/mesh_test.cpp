@@ -79,6 +79,16 @@ TEST_F(MeshPicture, FromAsNearAsFloatsAllowThePointsAreTheRays) {
   EXPECT_LT(byRays, pixels / 2);
 }
 
+// A pixel is 2e-5 of how far away they are: of a distance from the eye floats leave a hundredth of it.
+TEST_F(MeshPicture, ThroughATelescopeThePointsAreTheRays) {
+  Scene scene = sceneOf(icosphere(2));
+  scene.add(Node{.translation = Vec3(0, -1, 0), .surface = rectangle(12, 12)});
+  for (const Vec3& from : {Vec3(67.5, 36.9, 69), Vec3(-120, 20, 11), Vec3(30, 900, 200)}) {
+    const Camera camera{.eye = from, .lookAt = Vec3(0.05, 0.1, -0.02), .fovY = 6e-4};
+    expectExact(takeSnapshot(scene, 0, {96, 72}, camera), 1500);
+  }
+}
+
 TEST_F(MeshPicture, MirroredTurnedAndFarFromTheOriginItIsTheSame) {
   std::mt19937 random(2);
   for (const Vec3& place : {Vec3(0), Vec3(5e5, -3e5, 2e5)}) {
