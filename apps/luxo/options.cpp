@@ -46,9 +46,7 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
   add("--fps", t.fps, "frames per second (24)", "N");
   add("--samples", t.samples, "samples per pixel, 1 to 256 (1)", "N");
   add("--tolerance", t.tolerance,
-      "how far meshes may be from their surfaces, in pixels (0.5); exact shading draws meshes only where "
-      "one sees through them",
-      "PX");
+      "how far meshes may be from their surfaces, in pixels (0.5); exact shading shows none", "PX");
   add("--shading", t.shading,
       "exact flat gouraud phong toon wireframe, or a view: normal uv depth id residual (exact)", "NAME");
   add("--composition", t.composition,

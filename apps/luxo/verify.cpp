@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ namespace luxo {
 namespace {
 
 struct VerifyOptions {
+  const CLI::App* verb = nullptr;
   std::unique_ptr<RenderOptions> scene;
   std::unique_ptr<RandomOptions> random;
   std::optional<std::string> pixels, sample, requireError, report;
@@ -110,6 +112,7 @@ MeasuredFrame drawn(const Snapshot& snapshot, const RenderSettings& settings, co
     Renderer renderer(context);
     DrawOptions draw = drawOptions(settings);
     draw.skips = render.skips;
+    draw.composition = render.composition;
     measured = measure(renderer, snapshot, draw);
   }
   requireNoMessage(*log);
@@ -184,8 +187,6 @@ int verifyStability(const VerifyOptions& options) {
   const RenderRequest request = requestOf(options).scene;
   if (!request.scene.empty())
     throw Error(ErrorKind::Usage, "--stability brings its own scenes", "leave the scene out");
-  if (request.samples)
-    throw Error(ErrorKind::Usage, "--samples is about one scene, or random ones", "leave it out");
   const auto log = std::make_shared<gpu::ValidationLog>();
   std::vector<std::string> cases = options.cases;
   std::erase(cases, "");  // CLI11's way to say that an option came without a value
@@ -201,17 +202,31 @@ int verifyStability(const VerifyOptions& options) {
   return passed ? exit_code::kDone : exit_code::kRequirement;
 }
 
+void requireOneScene(const VerifyOptions& options, std::initializer_list<const char*> names,
+                     const char* hint) {
+  for (const char* name : names)
+    if (options.verb->count(name) > 0)
+      throw Error(ErrorKind::Usage, fmt::format("{} is about one scene", name), hint);
+}
+
 int runVerify(const VerifyOptions& options) {
   rememberInterruptions();
-  if (options.report && (options.random->asked() || options.stability->count() > 0))
-    throw Error(ErrorKind::Usage, "--report is about one scene",
-                "what is found of many is printed, with --stability as JSON with --json");
-  const bool oneScene = !options.random->asked() && options.stability->count() == 0;
-  if (!oneScene && options.sample)
-    throw Error(ErrorKind::Usage, "--sample is about one scene", "of random scenes every sample is judged");
-  if (options.random->asked()) return options.random->run(requestOf(options).scene, options.heat);
+  if (options.random->asked()) {
+    requireOneScene(
+        options,
+        {"--sample", "--report", "--pixels", "--require-error", "--shading", "--tolerance", "--time",
+         "--camera", "--composition"},
+        "random ones have cameras and moments of their own, and are judged in exact shading, every pixel and "
+        "sample; what is found is printed");
+    return options.random->run(requestOf(options).scene, options.heat);
+  }
   options.random->requireUnused();
-  return options.stability->count() > 0 ? verifyStability(options) : verifyScene(options);
+  if (options.stability->count() == 0) return verifyScene(options);
+  requireOneScene(options,
+                  {"--sample", "--samples", "--report", "--pixels", "--require-error", "--output", "--size",
+                   "--time", "--tolerance", "--camera", "--param", "--composition", "--skip"},
+                  "--stability brings its own scenes, with all of that; --json prints what is found as JSON");
+  return verifyStability(options);
 }
 
 }  // namespace
@@ -220,9 +235,11 @@ void addVerify(CLI::App& app, Command& chosen) {
   CLI::App* verb = app.add_subcommand("verify", "how far a picture is from the truth, in every pixel");
   verb->group("Verbs");
   const auto options = std::make_shared<VerifyOptions>();
+  options->verb = verb;
   options->scene = std::make_unique<RenderOptions>(*verb, SceneArgument::Taken, RenderTarget::Window);
   // One sample of each pixel is drawn, by Vulkan.
-  for (const char* meaningless : {"--engine", "--fps"}) verb->remove_option(verb->get_option(meaningless));
+  for (const char* meaningless : {"--engine", "--fps", "--hidden-lines"})
+    verb->remove_option(verb->get_option(meaningless));
   verb->get_option("--samples")
       ->description(
           "samples per pixel that --sample is one of (the scene's own); of random scenes 1 or 4 (some 1, "

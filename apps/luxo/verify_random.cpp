@@ -87,9 +87,12 @@ int RandomOptions::run(const RenderRequest& render, const std::string& findings)
   request.options.samples = render.samples;
   if (!texts_->audit.empty()) request.audit = parseAudit(texts_->audit);
   std::optional<Scene> scene;
-  if (!render.scene.empty())
-    request.scene = &scene.emplace(
+  if (!render.scene.empty()) {
+    scene.emplace(
         openScene(render.scene, {.parameters = render.parameters, .allowOutside = render.allowOutside}));
+    moveByDevice(*scene, render.device);
+    request.scene = &*scene;
+  }
 
   const auto log = std::make_shared<gpu::ValidationLog>();
   random::RunTotals totals;

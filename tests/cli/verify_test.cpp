@@ -252,6 +252,11 @@ TEST_F(VerifyTest, Refusals) {
   refused({"--random", "1", "--sample", "0"}, 2, "--sample is about one scene");
   refused({"--stability", "--sample", "0"}, 2, "--sample is about one scene");
   refused({"--stability", "--samples", "4"}, 2, "--samples is about one scene");
+  for (const char* option : {"--shading", "--tolerance", "--time", "--camera", "--composition", "--pixels",
+                             "--require-error"})
+    refused({"--random", "1", option, "1"}, 2, std::string(option) + " is about one scene");
+  for (const char* option : {"--size", "--time", "--camera", "--param", "--skip", "--output"})
+    refused({"--stability", "ST-01", option, "1"}, 2, std::string(option) + " is about one scene");
   refused({"sphere", "--engine", "reference"}, 2, "unknown option '--engine'");
   refused({"sphere", "-o", "heat.jpg"}, 2, "'.jpg'");
   refused({"nosuch"}, 3, "nosuch");
