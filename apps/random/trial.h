@@ -29,9 +29,9 @@ struct Trial {
   double drawSeconds = 0, castSeconds = 0;          ///< of these: of the colours alone
   bool complete = true;  ///< false: it was stopped, and the counts are of what was judged until then
 
-  /// Whether the pictures cost more than luxo says (engine/shell/README.md, section 4): twice the processor
-  /// time of the reference, one second, and one for what devices compile. Measured: none of 4,145 random
-  /// scenes, the worst of them 1.6 times and two seconds.
+  /// Whether the pictures cost more than was measured (engine/shell/README.md, section 4): twice the processor
+  /// time of the reference, one second, and one for what devices compile: none of 4,145 random scenes, the
+  /// worst of them 1.6 times and two seconds.
   [[nodiscard]] bool costly() const { return drawSeconds > 2 * castSeconds + 2; }
 };
 

@@ -173,7 +173,8 @@ void addTexturesOf(const MaterialDesc& material, std::unordered_set<std::string_
 void forEachQuantity(const SceneFile& file, const Visit& visit) {
   const RenderDesc& render = file.render;
   visitAll(render.size, visit);
-  visitAll({{render.time, render.fps, render.samples, render.tolerance}}, visit);
+  visitAll({{render.time, render.fps, render.samples, render.tolerance, render.ambientOcclusion.radius}},
+           visit);
   visitAll(render.background, visit);
   visitAll(render.ambient, visit);
   for (const ParameterDesc& parameter : file.parameters) {

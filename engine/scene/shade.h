@@ -4,7 +4,7 @@
 // A paraboloid of focal length f and height h has its rim at distance h + f from the focus (focus and
 // directrix), so the rim is seen from the focus under cos = (h - f) / (h + f). A point X is lit iff it lies
 // inside the paraboloid or (X - focus) . axis >= cosRim |X - focus|; the shade itself is always lit (its
-// normals decide).
+// normals decide: it is convex, so none of it is between its wall and the focus).
 #pragma once
 
 #include <optional>
