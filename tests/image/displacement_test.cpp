@@ -61,8 +61,8 @@ constexpr std::array kSurfaces{"sphere",     "torus", "cylinder", "disk",      "
 
 TEST_F(Displacement, ExactPicturesAreTheTruth) {
   std::uint64_t seen = 0, lost = 0;
-  for (int round = 0; round < 22; ++round) {
-    const std::string surface = kSurfaces[static_cast<std::size_t>(round) % kSurfaces.size()];
+  for (int round = 0; round < 11; ++round) {
+    const std::string surface = kSurfaces[static_cast<std::size_t>(round)];
     const std::string height = displacement();
     SCOPED_TRACE(fmt::format("{}: {}", surface, height));
     const Verified found = verified(snapshotOf(surface, height));
@@ -75,7 +75,7 @@ TEST_F(Displacement, ExactPicturesAreTheTruth) {
     seen += found.verification.coverage.both;
     lost += found.statistics.error.unconvergedPx;
   }
-  EXPECT_GT(seen, 20'000U);
+  EXPECT_GT(seen, 10'000U);
   EXPECT_EQ(lost, 0U);
 }
 

@@ -175,7 +175,7 @@ TEST_F(Invariance, WhatIsHiddenIsHiddenFromAnywhere) {
                      .material = china});
     scene.add(Node{.surface = disk(5), .material = china});
     scene.add(Node{.translation = Vec3(-6, 8, 6), .light = Light{.intensity = 0.8}});
-    for (int i = 0; i < 24; ++i) {
+    for (int i = 0; i < 12; ++i) {
       const Vec3 at = Vec3(0, 1.2, 0) + 2.0 * somewhere(), from = glm::normalize(somewhere());
       const double distance = between(5, 20);
       const Camera camera{.eye = at + distance * from,
