@@ -7,6 +7,10 @@
 void findLayerShadows() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    if (isOutOfRounds(1)) {
+      doubtLayers();
+      return;
+    }
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerByRay) != 0) continue;
     LayerStart start = startOf(point, place, ray);

@@ -54,6 +54,10 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
     GridEntry listed = gridEntries[varyingFirst.x + entry];
     if (listed.nearest > behind) break;
     CasterCell cell = casterCells[varyingFirst.y + listed.cell];
+    if (isOutOfRounds(1 + roundsToHold(cell.patch_))) {
+      result = kOpen;
+      break;
+    }
     holdPatch(cell.patch_);
     int met = meetsCell(ray, cell);
     if (met != kPassed) result = met;
