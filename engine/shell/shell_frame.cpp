@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "formula/degree.h"
+#include "surface/period.h"
 #include "tessellate/block_mesh.h"
 
 namespace luxo {
@@ -48,18 +48,10 @@ class PatchReader {
     });
   }
 
-  /// Whether the formula has a period (formula/degree.h) that is the width of u (of v), as near as its points
+  /// Whether the formula has a period (surface/period.h) that is the width of u (of v), as near as its points
   /// tell.
   [[nodiscard]] bool goesOn(std::uint32_t patch, bool alongU) const {
-    return isThereAgain(patch, alongU) && isPeriodic(patch, alongU);
-  }
-
-  [[nodiscard]] bool isPeriodic(std::uint32_t number, bool alongU) const {
-    const Patch& patch = surface_.patches()[number];
-    Graph graph;
-    const std::vector<Expr> position = expressionsOf(patch, parameters_, graph);
-    return luxo::isPeriodic(graph, position, alongU ? 0 : 1,
-                            (alongU ? patch.domain.u : patch.domain.v).width());
+    return isThereAgain(patch, alongU) && hasPeriod(surface_.patches()[patch], parameters_, alongU);
   }
 
   /// Beyond each end are the points at the other end.
