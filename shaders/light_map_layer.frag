@@ -17,4 +17,5 @@ void main() {
     corner = ivec2(0);
     layerPoints[index].transmittance *= litByMap(place + point.depth * ray, fromOctahedral(point.normal));
   }
+  countEndedLoops();
 }

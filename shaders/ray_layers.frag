@@ -52,6 +52,7 @@ void setLights() {
 void main() {
   if (inGroup > 0) {
     setLights();
+    countEndedLoops();
     return;
   }
   uint head = 0;
@@ -70,4 +71,5 @@ void main() {
       addLayer(rayLayers[i], rayLayerDetails[i]);
     else
       addLayer(rayLayers[i]);
+  countEndedLoops();
 }

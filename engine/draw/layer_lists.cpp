@@ -33,8 +33,9 @@ void LayerLists::prepare(VkExtent2D extent, bool details) {
     heads_ = make(pixels * sizeof(std::uint32_t), gpu::MemoryUse::Device, "heads of layers");
     sums_ = make(pixels * 2 * sizeof(float), gpu::MemoryUse::Readback, "sums of layers");
     if (!count_) {
-      count_ = make(sizeof(std::uint32_t), gpu::MemoryUse::Device, "how many layers");
-      counts_ = make(kMaxLayerBands * sizeof(std::uint32_t), gpu::MemoryUse::Readback, "layers of each band");
+      count_ = make(sizeof(shared::LayerCount), gpu::MemoryUse::Device, "how many layers");
+      counts_ =
+          make(kMaxLayerBands * sizeof(shared::LayerCount), gpu::MemoryUse::Readback, "layers of each band");
     }
   }
   // Two points a pixel until more are asked for.
@@ -61,11 +62,11 @@ std::vector<gpu::Buffer*> LayerLists::buffers() {
 LayerLists::Found LayerLists::found() {
   Found found;
   for (std::uint32_t band = 0; band < bands_; ++band) {
-    std::uint32_t points = 0;
-    std::memcpy(&points, counts_.read().data() + sizeof points * band, sizeof points);
-    found.points += points;
-    found.fullest = std::max<std::uint64_t>(found.fullest, points);
-    found.missing += points > room_ ? points - room_ : 0;
+    shared::LayerCount count{};
+    std::memcpy(&count, counts_.read().data() + sizeof count * band, sizeof count);
+    found.points += count.points;
+    found.fullest = std::max<std::uint64_t>(found.fullest, count.points);
+    found.missing += count.points > room_ ? count.points - room_ : count.ended;
   }
   return found;
 }
@@ -136,7 +137,7 @@ void LayerLists::clear(VkCommandBuffer commands, std::uint32_t band) {
 void LayerLists::keepCount(VkCommandBuffer commands, std::uint32_t band) {
   using enum gpu::Use;
   gpu::use(commands, {{count_, TransferSource}, {counts_, TransferDestination}});
-  const VkBufferCopy one{.dstOffset = band * sizeof(std::uint32_t), .size = sizeof(std::uint32_t)};
+  const VkBufferCopy one{.dstOffset = band * sizeof(shared::LayerCount), .size = sizeof(shared::LayerCount)};
   vkCmdCopyBuffer(commands, count_, counts_, 1, &one);
   gpu::use(commands, {{counts_, HostRead}});
 }

@@ -34,8 +34,10 @@ class LayerLists {
 
   /// Of a recording that is complete.
   struct Found {
-    std::uint64_t points = 0, missing = 0;  ///< missing: for want of room
-    std::uint64_t fullest = 0;              ///< points of the band that has most
+    std::uint64_t points = 0;
+    std::uint64_t missing =
+        0;  ///< for want of room; with room, pixels in which a device ended a loop over them
+    std::uint64_t fullest = 0;  ///< points of the band that has most
   };
   [[nodiscard]] Found found();
   /// Whether there is, next time, more room than there was for that recording, which lacked it for what it

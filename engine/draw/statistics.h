@@ -67,8 +67,9 @@ struct FrameError {
   std::uint64_t unconvergedPx = 0, uncertifiedPx = 0;
   std::uint64_t resolvedByRaysPx = 0;  ///< pixels whose point, or miss, was found by a certified ray
   std::uint64_t shadowRaysPx = 0;      ///< of these, pixels whose shadows alone were left open
-  /// Points of what is seen through that found no room (kMaxLayerBytes): the picture lacks them. They count
-  /// as pixels that did not converge, too.
+  /// Points of what is seen through that found no room (kMaxLayerBytes), or pixels with more of them than the
+  /// device's loops go through (shaders/lib/rounds.glsl): the picture lacks them. They count as pixels that
+  /// did not converge, too.
   std::uint64_t layersMissing = 0;
   /// Pixels that were audited; those that were found wrong, in any attempt; those of the last attempt that
   /// the reference cannot decide.

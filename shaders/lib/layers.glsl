@@ -7,11 +7,12 @@
 #ifndef LUXO_LIB_LAYERS_GLSL
 #define LUXO_LIB_LAYERS_GLSL
 #include "lib/pixel_ray.glsl"
+#include "lib/rounds.glsl"
 #include "lib/scene.glsl"
 
 layout(scalar, set = kSetLayers, binding = kBindingLayerHeads) buffer LayerHeads { uint layerHeads[]; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerPoints) buffer LayerPoints { LayerPoint layerPoints[]; };
-layout(scalar, set = kSetLayers, binding = kBindingLayerCount) buffer LayerCount { uint layerCount; };
+layout(scalar, set = kSetLayers, binding = kBindingLayerCount) buffer LayerCounts { LayerCount layerCount; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerDoubts) buffer LayerDoubts { uint layerDoubts[]; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerDetails) buffer LayerDetails { LayerDetail layerDetails[]; };
 layout(set = kSetLayers, binding = kBindingLayerDepth) uniform sampler2D opaqueDepth;
@@ -35,11 +36,16 @@ float layerDepth(float buffered, vec3 place, vec3 ray) {
   return buffered > 0.0 ? (buffered * atPlace.y - atPlace.x) / (alongRay.x - buffered * alongRay.y) : 1e30;
 }
 
+// Whoever goes through the whole list says so at its end.
+void countEndedLoops() {
+  if (loopsWereEnded()) atomicAdd(layerCount.ended, 1);
+}
+
 // Whoever asks for the list is told how many points there are; where it has no room for them it is asked again. Gives the
 // point's index, 0 without room.
 uint addLayer(LayerPoint point) {
-  if (layerCount > 0x80000000u) return 0;  // before it wraps
-  uint index = atomicAdd(layerCount, 1) + 1;  // 0 ends a list
+  if (layerCount.points > 0x80000000u) return 0;  // before it wraps
+  uint index = atomicAdd(layerCount.points, 1) + 1;  // 0 ends a list
   if (index >= layerPoints.length()) return 0;
   point.next = atomicExchange(layerHeads[layerPixel()], index);
   layerPoints[index] = point;

@@ -91,4 +91,5 @@ void shadeLayers() {
     }
     layerPoints[index].through = throughLayer(material.blend, paint.a, paint.rgb);
   }
+  countEndedLoops();
 }

@@ -445,6 +445,11 @@ struct LayerPoint {
   uint placeNormal;  // and its normal there
 };
 
+// Of a band of rows: the points that there are, room for them or not; and fragments in which a device ended a loop over them.
+struct LayerCount {
+  uint points, ended;
+};
+
 // What maps and shaders of materials ask for beside a point of what is seen through: at its index.
 struct LayerDetail {
   vec4 footprint;  // how u and v move from the pixel to the next: to the right, below

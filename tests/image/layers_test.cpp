@@ -11,6 +11,7 @@
 #include "reference/caster.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
+#include "support/meshes.h"
 #include "support/verified_picture.h"
 
 namespace luxo::test {
@@ -97,6 +98,35 @@ TEST_F(LayersTest, NothingIsShownOfWhatIsInvisible) {
             << nameOf(shading) << ", output " << static_cast<int>(output);
         EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
       }
+  }
+}
+
+/// Llvmpipe ends loops, and tells nobody, after 65,535 rounds: some 3,000 points of a pixel are sorted in as
+/// many. What is not blended then is counted.
+TEST_F(LayersTest, WhatADevicesLoopsDoNotReachIsCounted) {
+  constexpr double kOpacity = 0.001;
+  for (const std::uint32_t count : {1000U, 6000U}) {
+    MeshArrays arrays;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (const Vec2& at : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+        arrays.positions.emplace_back(at.x, at.y, -1e-4 * i);
+      for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) arrays.indices.push_back(4 * i + corner);
+    }
+    Scene scene;
+    scene.set(RenderSettings{.background = Vec3(0), .ambient = Vec3(1)});
+    scene.add(
+        Node{.surface = triangleMesh(std::move(arrays), "stack"),
+             .material = scene.add(Material{
+                 .diffuse = Vec3(1), .specular = Vec3(0), .opacity = kOpacity, .twoSided = TwoSided::Yes})});
+    const Snapshot snapshot =
+        takeSnapshot(scene, 0, {8, 6}, Camera{.eye = Vec3(0, 0, 3), .lookAt = Vec3(0), .fovY = 0.3});
+    const Picture picture = renderer().render(snapshot, {.shading = Shading::Phong});
+    const FrameError& error = picture.statistics.error;
+    const double expected = 1 - std::pow(1 - kOpacity, count);
+    const bool isRight = near(colorAt(picture.image, 4, 3), Vec3(expected), 1e-4);
+    EXPECT_TRUE(count == 1000 ? isRight : isRight || error.layersMissing > 0) << count;
+    EXPECT_TRUE(!isRight || error.layersMissing == 0) << count;
+    EXPECT_EQ(error.unconvergedPx, error.layersMissing) << count;
   }
 }
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The points of a pixel that are seen through, nearest first, each once; or, in the given order of nodes, the last one first,
+// and of each its points, nearest first.
+#include "lib/layers.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/one_point.glsl"
+
+layout(constant_id = kConstantGivenOrder) const bool kGivenOrder = false;
+
+bool isLess(vec3 a, vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
+
+// A total order of what looks different, whatever the order of the nodes.
+bool isBefore(uint first, uint second) {
+  uint ofA = layerPoints[first].material & kLayerMaterial, ofB = layerPoints[second].material & kLayerMaterial;
+  if (kGivenOrder && ofA != ofB) return ofA > ofB;
+  float a = layerPoints[first].depth, b = layerPoints[second].depth;
+  if (a != b) return a < b;
+  vec3 lightA = layerPoints[first].light, lightB = layerPoints[second].light;
+  return lightA != lightB ? isLess(lightA, lightB) : isLess(layerPoints[first].through, layerPoints[second].through);
+}
+
+// Runs of 1, 2, 4, ... points are merged, in the list's own links.
+uint sorted(uint head) {
+  for (uint run = 1;; run *= 2) {
+    uint left = head, tail = 0, merges = 0;
+    head = 0;
+    while (left != 0) {
+      ++merges;
+      uint right = left, ofLeft = 0, ofRight = run;
+      for (; ofLeft < run && right != 0; ++ofLeft) right = layerPoints[right].next;
+      while (ofLeft > 0 || (ofRight > 0 && right != 0)) {
+        bool takesLeft = ofLeft > 0 && (ofRight == 0 || right == 0 || !isBefore(right, left));
+        uint taken = takesLeft ? left : right;
+        if (takesLeft) {
+          left = layerPoints[left].next;
+          --ofLeft;
+        } else {
+          right = layerPoints[right].next;
+          --ofRight;
+        }
+        if (tail != 0)
+          layerPoints[tail].next = taken;
+        else
+          head = taken;
+        tail = taken;
+      }
+      left = right;
+    }
+    if (tail != 0) layerPoints[tail].next = 0;
+    if (merges <= 1) return head;
+  }
+}
+
+// For the audit: of each pixel how many points there are, and the sum of their depths.
+layout(scalar, set = kSetLayers, binding = kBindingLayerSums) buffer LayerSums { vec2 layerSums[]; };
+
+LayerPoint lastLayer;
+vec2 sumsHere = vec2(0);
+float opaqueLayer;  // the depth of what is not seen through
+
+// Begins with the first of the list, 0 where there is none. To fill squares of four devices run fragments beside the picture,
+// too: there lists are others', which these sort meanwhile.
+uint firstLayer() {
+  if (any(greaterThanEqual(ivec2(gl_FragCoord.xy), textureSize(opaqueDepth, 0)))) return 0;
+  layerSums[layerPixel()] = vec2(0);
+  uint head = layerHeads[layerPixel()];
+  if (head == 0) return 0;
+  head = sorted(head);
+  layerHeads[layerPixel()] = head;
+  opaqueLayer = layerDepth(texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).x, pixelPlace(), pixelRay());
+  lastLayer.depth = -3e38;  // there is none
+  lastLayer.off = 0.0;
+  lastLayer.material = 0;
+  return head;
+}
+
+// Of one point after the other whether it is in front of what is not seen through, and not the last one once more.
+bool isAnother(LayerPoint point) {
+  if ((point.material & kLayerOfMesh) != 0 && point.depth >= opaqueLayer) return false;
+  // On a border between two cells both may have it, or one that is certain of it and the other, too.
+  uint either = point.material | lastLayer.material, other = (point.material ^ lastLayer.material) & ~kLayerAtBorder;
+  bool isBeside = point.depth - lastLayer.depth <= point.off + lastLayer.off && !(kGivenOrder && (other & kLayerMaterial) != 0),
+       isTwice = isBeside && other == 0 && (either & kLayerAtBorder) != 0;
+  // Which of two points is nearer than floats tell is left to rays, and how often a surface covers itself.
+  if (isBeside && !isTwice && (either & (kLayerOfMesh | kLayerByRay)) == 0) doubtLayers();
+  if (isTwice && !isOnePoint(point.parameters, fromOctahedral(point.normal), lastLayer.parameters, fromOctahedral(lastLayer.normal)))
+    doubtLayers();
+  lastLayer = point;
+  if (!isTwice) sumsHere += vec2(1, point.depth);
+  return !isTwice;
+}
+
+// After all of them.
+void endLayers() {
+  layerSums[layerPixel()] = sumsHere;
+  countEndedLoops();
+}
