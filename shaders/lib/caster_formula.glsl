@@ -21,6 +21,10 @@ void holdPatch(uint patch_) {
   for (uint k = 0; k < kHeld; ++k) heldParameters[k] = casterParameterFromBuffer(k);
 }
 
+// Short loops of a known length are none on a device.
+const uint kUnrolled = 16;
+int roundsToHold(uint patch_) { return patch_ == heldPatch || kHeld <= kUnrolled ? 0 : int(kHeld); }
+
 float casterParameterAt(uint k) { return k < kHeld ? heldParameters[k] : casterParameterFromBuffer(k); }
 
 // The formula: void surfaceAt(float u, float v, out vec3 S, out vec3 Su, out vec3 Sv).

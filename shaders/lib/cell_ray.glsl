@@ -20,6 +20,8 @@
 // (kOpen), as where the ray's other end, a light, may be on the surface. Rectangles smaller than `grain` are not cut: one that
 // is plain is a meeting, and where a ray grazes the surface as near as that, rays decide, too.
 
+#include "lib/rounds.glsl"
+
 const int kMet = 1, kPassed = 0, kOpen = 2;
 const int kCuts = 31;              // of a cell, each in half: a bit each
 #ifndef LUXO_EVALUATIONS
@@ -87,7 +89,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
   uint second = 0, ofU = 0;
   int cuts = 0;
   for (;;) {
-    if (--evaluationsLeft < 0) return kOpen;
+    if (--evaluationsLeft < 0 || isOutOfRounds(2)) return kOpen;  // two: with those of the way back
     vec3 S, Su, Sv;
     surfaceAt(rectangle.x, rectangle.y, S, Su, Sv);
     vec3 from = S - ray.from;

@@ -5,9 +5,15 @@
 #include "lib/layer_start.glsl"
 #include "lib/rounds.glsl"
 
+const int kRoundsOfCaster = kClosedKind == kClosedTorus ? 1 + kMostSteps : 1;
+
 void findLayerShadows() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    if (isOutOfRounds(1 + int(kClosedCasters) * kRoundsOfCaster)) {
+      doubtLayers();
+      return;
+    }
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerByRay) != 0) continue;
     bool isOpen;
@@ -17,5 +23,4 @@ void findLayerShadows() {
     if (isOpen) doubtLayers();
     if (shadows != 0) layerPoints[index].shadows |= shadows;
   }
-  if (loopsWereEnded()) doubtLayers();
 }

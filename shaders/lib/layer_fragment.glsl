@@ -12,7 +12,6 @@
 #include "lib/layers.glsl"
 #include "lib/meeting.glsl"
 #include "lib/octahedral.glsl"
-#include "lib/rounds.glsl"
 
 float metresOfDepth;     // along the ray, in a metre of depth
 float opaque, nearest_;  // metres along the ray: what is not seen through, and the near plane
@@ -98,5 +97,4 @@ void findLayers() {
     doubtLayers();
     return;
   }
-  if (loopsWereEnded()) doubtLayers();
 }

@@ -8,6 +8,10 @@
 void findPlaces() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    if (isOutOfRounds(1 + 2 * int(varyingNode.x))) {
+      doubtLayers();
+      return;
+    }
     LayerPoint point = layerPoints[index];
     if ((point.material & (kLayerMaterial | kLayerOfMesh)) != (varyingNode.y | kLayerOfMesh)) continue;
     SurfacePlace found = surfacePlace(point.parameters, place + point.depth * ray, fromOctahedral(point.normal));
@@ -19,5 +23,4 @@ void findPlaces() {
     layerPoints[index].placeNormal = packedOctahedral(octahedral(found.normal));
     layerPoints[index].material = point.material | kLayerPlaced;
   }
-  if (loopsWereEnded()) doubtLayers();
 }

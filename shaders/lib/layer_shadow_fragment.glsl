@@ -7,6 +7,10 @@
 void findLayerShadows() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    if (isOutOfRounds(1)) {
+      doubtLayers();
+      return;
+    }
     LayerPoint point = layerPoints[index];
     if ((point.material & kLayerByRay) != 0) continue;
     LayerStart start = startOf(point, place, ray);
@@ -15,5 +19,4 @@ void findLayerShadows() {
     if (result == kOpen) doubtLayers();
     if (result == kMet) layerPoints[index].shadows |= 1u << varyingCaster.y;
   }
-  if (loopsWereEnded()) doubtLayers();
 }

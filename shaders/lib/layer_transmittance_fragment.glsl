@@ -7,6 +7,10 @@
 void findLayerTransmittances() {
   vec3 place = pixelPlace(), ray = pixelRay();
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
+    if (isOutOfRounds(1)) {
+      doubtLayers();
+      return;
+    }
     LayerPoint point = layerPoints[index];
     // Of no light nothing more is left, whatever lets it through.
     if ((point.material & kLayerByRay) != 0 || point.transmittance == vec3(0)) continue;
@@ -17,5 +21,4 @@ void findLayerTransmittances() {
     if (isOpen) doubtLayers();
     layerPoints[index].transmittance = point.transmittance * transmittance;
   }
-  if (loopsWereEnded()) doubtLayers();
 }

@@ -7,7 +7,6 @@
 #ifndef LUXO_LIB_LAYERS_GLSL
 #define LUXO_LIB_LAYERS_GLSL
 #include "lib/pixel_ray.glsl"
-#include "lib/rounds.glsl"
 #include "lib/scene.glsl"
 
 layout(scalar, set = kSetLayers, binding = kBindingLayerHeads) buffer LayerHeads { uint layerHeads[]; };
@@ -36,7 +35,16 @@ float layerDepth(float buffered, vec3 place, vec3 ray) {
   return buffered > 0.0 ? (buffered * atPlace.y - atPlace.x) / (alongRay.x - buffered * alongRay.y) : 1e30;
 }
 
-// Whoever goes through the whole list says so at its end.
+// Whether the device has ended a loop so far, what it should have found being open (lib/rounds.glsl): once it has, each goes
+// round once, and one of two rounds tells. What its rounds hang on is in a buffer, so that no compiler takes it apart: by
+// gl_FragCoord one is.
+bool loopsWereEnded() {
+  uint rounds = 0;
+  while (rounds < 2 && layerCount.points < 0xffffffffu) ++rounds;
+  return rounds < 2;
+}
+
+// Whoever goes through the whole list of a pixel asks at its end.
 void countEndedLoops() {
   if (loopsWereEnded()) atomicAdd(layerCount.ended, 1);
 }

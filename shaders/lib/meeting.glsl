@@ -26,6 +26,7 @@ Meeting meetingNear(CellRay ray, CasterCell cell, vec2 parameters) {
     if (dot(f, f) <= 0.0625 * ray.rounding * ray.rounding || step + 1 == kSteps) break;
     parameters += vec2(-crossOf(f, b), crossOf(f, a)) / area;
   }
+  roundsLeft -= kSteps;
   float perArea = 1.0 / max(abs(area), 1e-37);
   meeting.t = dot(ray.along, S - ray.from);
   meeting.off = ray.rounding * (1.0 + (abs(dot(ray.along, Su)) * length(b) + abs(dot(ray.along, Sv)) * length(a)) * perArea);

@@ -5,7 +5,6 @@
 #include "lib/surface_place.glsl"
 #include "lib/doubted_pixel.glsl"
 #include "lib/material_of_texel.glsl"
-#include "lib/rounds.glsl"
 
 layout(set = kSetFound, binding = kBindingFound) uniform sampler2D foundTexels;
 layout(set = kSetFound, binding = kBindingFoundParameters) uniform sampler2D foundParameters;
@@ -19,7 +18,7 @@ void findPlace() {
   vec2 parameters = texelFetch(foundParameters, ivec2(gl_FragCoord.xy), 0).xy;
   shown.ofPixels[pixelNumber()] = ShownPoint(parameters, 1 + varyingNode.y);
   SurfacePlace found = surfacePlace(parameters, placeAtDepth(texel.x), fromOctahedral(texel.yz));
-  if (!found.exists || loopsWereEnded()) {
+  if (!found.exists) {
     doubtPixel();
     discard;
   }

@@ -10,7 +10,7 @@ void findShadow() {
   FoundPlace found = foundPlace();
   if (facesAway(found.drawn, found.drawnNormal)) discard;
   int result = shadowAt(found.position, found.normal, found.depth, found.material == varyingMaterial.x);
-  if (result == kOpen || loopsWereEnded()) doubtPixel();
+  if (result == kOpen) doubtPixel();
   if (result != kMet) discard;
   outShadows = 1u << varyingCaster.y;
 }

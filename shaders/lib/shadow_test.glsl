@@ -2,7 +2,6 @@
 // Whether a caster keeps its light from a point: by the cells that the light's grid lists in its direction, nearest to the
 // light first.
 #include "lib/caster.glsl"
-#include "lib/rounds.glsl"
 
 const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
 
@@ -55,6 +54,10 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
     GridEntry listed = gridEntries[varyingFirst.x + entry];
     if (listed.nearest > behind) break;
     CasterCell cell = casterCells[varyingFirst.y + listed.cell];
+    if (isOutOfRounds(1 + roundsToHold(cell.patch_))) {
+      result = kOpen;
+      break;
+    }
     holdPatch(cell.patch_);
     int met = meetsCell(ray, cell);
     if (met != kPassed) result = met;

@@ -10,7 +10,7 @@ void findTransmittance() {
   FoundPlace found = foundPlace();
   if (facesAway(found.drawn, found.drawnNormal)) discard;
   vec3 transmittance = transmittanceAt(found.position, found.normal, found.depth, found.material == varyingMaterial.x);
-  if (isOpen || loopsWereEnded()) doubtPixel();
+  if (isOpen) doubtPixel();
   if (transmittance == vec3(1)) discard;
   outTransmittance = vec4(transmittance, 1);
 }

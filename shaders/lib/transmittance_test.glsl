@@ -64,6 +64,7 @@ bool isLastPassage(Passage passage) {
   int place = passageCount++;
   for (; place > 0 && passages[place - 1].t > passage.t; --place) passages[place] = passages[place - 1];
   passages[place] = passage;
+  roundsLeft -= passageCount - place;
   return false;
 }
 
@@ -100,6 +101,7 @@ bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
 vec3 productOfPassages() {
   vec3 product = vec3(1);
   int last = -1;
+  roundsLeft -= passageCount;
   for (int i = 0; i < passageCount; ++i) {
     Passage passage = passages[i];
     bool isBeside = last >= 0 && passage.t - passages[last].t <= 4.0 * (passage.off + passages[last].off);
