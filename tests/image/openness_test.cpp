@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "reference/reference.h"
 #include "support/picture.h"
+#include "surface/library.h"
+#include "surface/teapot.h"
 
 namespace luxo::test {
 namespace {
@@ -184,6 +187,33 @@ TEST_F(OpennessTest, IsTheSameOfEverySampleAndInPhongShading) {
   // Of the mean: pixels on edges, and in the contact's shade, differ.
   EXPECT_LT(samples / (kOpennessSize.width * kOpennessSize.height), 5e-3);
   EXPECT_LT(shading / (kOpennessSize.width * kOpennessSize.height), 5e-3);
+}
+
+/// What the picture does not show occludes, too: a part of the error that no number of steps takes away.
+TEST_F(OpennessTest, OfBodiesIsNearThatOfTheReferencesRays) {
+  Scene scene = floored();
+  const MaterialId white =
+      scene.add(Material{.diffuse = Vec3(1), .specular = Vec3(0), .twoSided = TwoSided::Yes});
+  scene.add(
+      Node{.translation = Vec3(-0.9, 0, -0.3), .scale = Vec3(0.35), .surface = teapot(), .material = white});
+  scene.add(Node{.translation = Vec3(0.9, 0.5, 0), .surface = sphere(0.5), .material = white});
+  scene.add(Node{.translation = Vec3(0.1, 0.2, 0.9), .surface = torus(0.4, 0.2), .material = white});
+  const Image screen = openness(scene, 1);
+  const ReferencePicture rays = castPicture(takeSnapshot(scene, 0, kOpennessSize, camera_));
+  double squares = 0, darkest = 1;
+  int seen = 0;
+  for (int y = 0; y < kOpennessSize.height; ++y)
+    for (int x = 0; x < kOpennessSize.width; ++x) {
+      if (rays.number[static_cast<std::size_t>(y * kOpennessSize.width + x)] == 0) continue;
+      const double truth = rays.color.pixel(x, y)[0] / kAmbient;
+      const double off = colorAt(screen, x, y).x / kAmbient - truth;
+      squares += off * off;
+      darkest = std::min(darkest, truth);
+      ++seen;
+    }
+  EXPECT_GT(seen, 10000);
+  EXPECT_LT(darkest, 0.2);
+  EXPECT_LT(std::sqrt(squares / seen), 0.06);
 }
 
 TEST_F(OpennessTest, ByRaysIsTheReferences) {
