@@ -16,7 +16,7 @@ layout(scalar, set = kSetLayers, binding = kBindingRayLayerDetails) readonly buf
 layout(location = 0) flat in uvec4 inRange;
 layout(location = 1) flat in uint inGroup;
 
-ReachingLight lightOf(uint rayLayer) { return reachingLights[rayLayer * inRange.w + inGroup]; }
+ReachingLight lightOf(uint rayLayer) { return reachingLights[rayLayer * (inRange.w & ~kUndecidedLayers) + inGroup]; }
 
 void setLight(uint index, uint rayLayer) {
   ReachingLight light = lightOf(rayLayer);
@@ -55,6 +55,8 @@ void main() {
     countEndedLoops();
     return;
   }
+  if ((inRange.w & kUndecidedLayers) != 0)
+    atomicOr(layerDoubts[layerPixel() / kDoubtsPerWord], kLayersUndecidedHere << doubtShift());
   uint head = 0;
   for (uint index = layerHeads[layerPixel()]; index != 0;) {
     uint next = layerPoints[index].next;

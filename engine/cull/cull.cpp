@@ -237,8 +237,7 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
     if (material.invisible()) continue;  // as if it were not there
     const bool lines = material.shadingIn(options.shading) == Shading::Wireframe;
     const Bounds bounds = boundsInEyeSpace(view, node);
-    const bool transparent =
-        options.seesThrough && material.transparent() && !showsData(material.shadingIn(options.shading));
+    const bool transparent = material.seenThroughIn(options.shading, options.ofGeometry);
     ++counts.nodes;
     if (options.frustum && bounds.finite &&
         outside(lines ? outlined : filled, node.worldFromObject, node.boundsObject, bounds.slack)) {

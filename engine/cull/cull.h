@@ -20,9 +20,9 @@ struct CullOptions {
   /// Of materials that do not say otherwise. Lines reach a pixel beyond their surface and hide nothing behind
   /// it.
   Shading shading = Shading::Exact;
-  /// Materials are seen through; else the nearest surface counts, whatever it is. Nothing is ever seen of one
+  /// Materials are seen through in their holes alone (Material::seenThroughIn). Nothing is ever seen of one
   /// that is invisible().
-  bool seesThrough = true;
+  bool ofGeometry = false;
   bool frustum = true;   ///< skip nodes outside the picture
   bool small = true;     ///< skip nodes that cover no sample
   bool backface = true;  ///< skip what only turns its back to the viewer

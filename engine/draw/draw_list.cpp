@@ -152,7 +152,10 @@ class DrawLister {
   /// Points in any order: by the numbers of their materials, which follow the nodes', they may be blended in
   /// the given one.
   void listLayers() {
-    list_.layers.blend = {.form = Form::BlendLayers, .givenOrder = snapshot_.blendOrder == BlendOrder::Given};
+    const bool isColor = options_.output == Output::Color;
+    list_.layers.blend = {.output = options_.output,
+                          .form = Form::BlendLayers,
+                          .givenOrder = isColor && snapshot_.blendOrder == BlendOrder::Given};
     std::vector<VisibleNode> wires;
     for (const VisibleNode& v : visible_.transparent) {
       const SnapshotNode& node = snapshot_.nodes[v.node];
@@ -163,7 +166,7 @@ class DrawLister {
       else if (findsLayers(snapshot_, node, options_) && !node.surface.triangles())
         findLayers(v, node, material);
       else
-        listLayerMesh(v, node, material, shading == Shading::Exact ? Shading::Phong : shading);
+        listLayerMesh(v, node, material, !isColor || shading == Shading::Exact ? Shading::Phong : shading);
     }
     std::ranges::sort(list_.layers.found, {}, &FoundLayer::node);
     listTransparent(wires);
@@ -411,9 +414,8 @@ class DrawLister {
 }  // namespace
 
 bool seenThrough(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
-  const Material& material = snapshot.materials[node.material.index];
-  const Shading shading = material.shadingIn(options.shading);
-  return options.output == Output::Color && material.transparent() && !showsData(shading);
+  return snapshot.materials[node.material.index].seenThroughIn(options.shading,
+                                                               showsGeometry(options.output));
 }
 
 bool hasLayers(const Snapshot& snapshot, const DrawOptions& options) {

@@ -243,7 +243,7 @@ struct Geometry {
 /// Of a mesh that is seen until rays have found what it stands for: times the tolerance.
 inline constexpr double kStandInTolerance = 8;
 
-/// Whether a node is seen through: of what is not a picture nothing is, nor are lines.
+/// Whether a node is seen through: of geometry what has holes is.
 [[nodiscard]] bool seenThrough(const Snapshot& snapshot, const SnapshotNode& node,
                                const DrawOptions& options);
 /// Whether something is, lines apart.

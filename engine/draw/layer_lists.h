@@ -35,8 +35,8 @@ class LayerLists {
   /// Of a recording that is complete.
   struct Found {
     std::uint64_t points = 0;
-    std::uint64_t missing =
-        0;  ///< for want of room; with room, pixels in which a device ended a loop over them
+    /// Points without room; where there is room for all, pixels in which a device ended a loop over them.
+    std::uint64_t missing = 0;
     std::uint64_t fullest = 0;  ///< points of the band that has most
   };
   [[nodiscard]] Found found();

@@ -14,6 +14,8 @@
 namespace luxo {
 namespace {
 
+static_assert(shared::kLeastShown == kLeastShown);
+
 bool ambientFollowsPattern(const Material& material) {
   return Paint::of(material).valid() && !material.ambient;
 }
@@ -144,7 +146,12 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   list_.runsShaders =
       options.output == Output::Color &&
       std::ranges::any_of(materials, [](const Material& material) { return material.shader != nullptr; });
-  if (list_.deferred || hasLayers(snapshot, options)) groups_ = groupsOf(snapshot, lights);
+  if (list_.deferred || hasLayers(snapshot, options)) {
+    if (options.output == Output::Color)
+      groups_ = groupsOf(snapshot, lights);
+    else
+      groups_.resize(1);  // no light: of geometry no more is asked than how opaque it is
+  }
   if (groups_.size() > 1) requireNoShader(snapshot, groups_);
   list_.groups.resize(groups_.size());
   shades_.resize(groups_.size());
@@ -181,7 +188,9 @@ std::uint32_t MaterialList::numberOf(std::uint32_t index, std::uint32_t shadeOf,
     data.firstPatternParameter = firstPatternParameter(material, snapshot_.nodes[node], paint);
     if (paint.readsFootprint()) requireTexels(list_.textures);
   }
-  if (isDrawnAgain(material.shadingIn(options_.shading))) data.pattern = shared::kDrawnAgain;
+  if (options_.output == Output::Color && isDrawnAgain(material.shadingIn(options_.shading)))
+    data.pattern = shared::kDrawnAgain;
+  if (ofNode) data.blend |= snapshot_.nodes[node].number << shared::kIdShift;
   list_.materials.push_back(data);
   return entry->second;
 }
@@ -251,8 +260,9 @@ std::uint32_t MaterialList::shadeLater(const DrawState& shade, LightSets& lightS
   std::uint32_t shadeOf = 0;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     LightSets::Choice choice = lightSets.choose(groups_[i], node);
-    if (!isDrawnAgain(shade.shading))
-      shades[i].insert({.form = shade.form,
+    if (!isDrawnAgain(shade.shading) && options_.output != Output::Certificate)
+      shades[i].insert({.output = options_.output,
+                        .form = shade.form,
                         .plainLights = choice.plain,
                         .shadedLights = choice.shaded,
                         .spots = choice.spots,

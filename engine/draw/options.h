@@ -11,7 +11,14 @@ namespace luxo {
 /// What the pixels hold: the picture, or an auxiliary output (AOV) of the geometry.
 /// Certificate: how the point shown is known: 1 by a search that certified it, 2 by a ray cast in double that
 /// proves it to be the nearest, 3 neither, or by a ray that does not; 0 where nothing is shown.
+/// Outputs of the geometry are of the nearest point that is in no hole (kLeastShown), seen through or not;
+/// certificates are 3 where any layer that is seen through is not proven, and else of what is behind all.
 enum class Output { Color, Depth, Position, Normal, Uv, Id, Residual, Certificate };
+
+/// Whether what is behind others can be seen in their holes alone (Material::hasHoles).
+[[nodiscard]] constexpr bool showsGeometry(Output output) {
+  return output != Output::Color && output != Output::Certificate;
+}
 
 /// How many pixels of an exact picture are cast by the reference and compared (Audit::pixels).
 enum class AuditExtent { Usual, All, None };

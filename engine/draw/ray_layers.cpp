@@ -100,7 +100,8 @@ void LayerRays::append(const Seen& seen, PixelPlace pixel, RayPoints& points) co
                         .first = static_cast<std::uint32_t>(points.layerPoints.size()),
                         .count = static_cast<std::uint32_t>(seen.found.size()),
                         .ofMeshes = static_cast<std::uint32_t>(seen.ofMeshes.size()),
-                        .groups = static_cast<std::uint32_t>(draws_.groups.size())});
+                        .groups = static_cast<std::uint32_t>(draws_.groups.size()) |
+                                  (seen.certified ? 0 : shared::kUndecidedLayers)});
   const auto add = [&](const shared::LayerPoint& told, const LitPoint& point) {
     points.layerPoints.push_back(told);
     points.layerLights.insert(points.layerLights.end(), point.light.begin(), point.light.end());

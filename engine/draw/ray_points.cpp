@@ -127,7 +127,8 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
   receivers_.clear();
   all_.resize(snapshot.nodes.size());
   std::iota(all_.begin(), all_.end(), 0U);
-  caster_.emplace(snapshot, shapes_, reference::Cells::WhereRaysGo);
+  caster_.emplace(snapshot, shapes_, reference::Cells::WhereRaysGo, Shading::Exact,
+                  showsGeometry(options.output) ? std::optional(options.shading) : std::nullopt);
   layers_.clear();
   for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i) {
     const bool surface = findsSurface(snapshot, snapshot.nodes[i], options),

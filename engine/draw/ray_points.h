@@ -46,7 +46,7 @@ struct RayLayers {
   Vec2f place;                         ///< of the sample in the target, pixels
   std::uint32_t first = 0, count = 0;  ///< of RayPoints::layerPoints
   std::uint32_t ofMeshes = 0;          ///< of these, after them: points that are there, whose light rays tell
-  std::uint32_t groups = 0;            ///< of lights
+  std::uint32_t groups = 0;            ///< of lights; with shared::kUndecidedLayers
 };
 
 /// What rays have found in some pixels.

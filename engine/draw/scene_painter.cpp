@@ -16,7 +16,7 @@ CullOptions cullOptions(const DrawOptions& options) {
   return {.tolerancePx = options.tolerancePx,
           .samples = options.samples,
           .shading = options.shading,
-          .seesThrough = options.output == Output::Color,
+          .ofGeometry = showsGeometry(options.output),
           .frustum = options.skips.frustum,
           .small = options.skips.small,
           .backface = options.skips.backface,

@@ -23,11 +23,12 @@ std::size_t bytesOf(const gpu::GraphicsPipelineDesc& desc) {
   return kAlways + kPerByte * (desc.vertexShader.size_bytes() + desc.fragmentShader.size_bytes());
 }
 
-/// States that make the same pipeline become equal: an auxiliary output is the same under every shading, and
-/// only one tells whether triangles are the surface.
+/// States that make the same pipeline become equal: an auxiliary output is the same under every shading, only
+/// one tells whether triangles are the surface, and of what is seen through all ask how opaque it is.
 DrawState canonical(DrawState state) {
   if (state.output != Output::Certificate) state.isSurface = false;
   if (state.output != Output::Color) state.shading = Shading::Phong;
+  if (state.form == Form::ShadeLayers && state.output != Output::Color) state.output = Output::Depth;
   return state;
 }
 
@@ -179,7 +180,7 @@ void setSurfaceFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc
   if (state.surface) desc.depthClamp = true;
   if (state.byRays) desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   if (!state.surface && inspectionOf(state)) {
-    // Geometry is not seen through: the nearest surface counts, transparent or not.
+    // The nearest surface counts, transparent or not.
     desc.depthWrite = true;
     desc.blend = gpu::Blend::None;
   } else if (state.shading == Shading::Wireframe) {
@@ -242,22 +243,21 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
       desc.depthClamp = true;
       break;
     case BlendLayers:
-      desc.blend = gpu::Blend::Through;
+      desc.blend = inspectionOf(state) ? gpu::Blend::None : gpu::Blend::Through;
       break;
     default:  // lists of layers are buffers
       break;
   }
 }
 
-void requireFeatures(const gpu::Features& features, const DrawState& state,
-                     const gpu::GraphicsPipelineDesc& desc) {
+void requireFeatures(const gpu::Features& features, const gpu::GraphicsPipelineDesc& desc) {
   if (desc.polygonMode == VK_POLYGON_MODE_LINE && !features.fillModeNonSolid)
     throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
                 "choose another shading or another --device");
   if (desc.colorFormats == std::vector{kShadowsFormat} && !features.logicOp)
     throw Error(ErrorKind::Device, "this device cannot draw shadows (no logicOp)",
                 "choose another --device, or set the lights' shadows to \"none\"");
-  if (state.form == Form::BlendLayers && !features.dualSrcBlend)
+  if (desc.blend == gpu::Blend::Through && !features.dualSrcBlend)
     throw Error(ErrorKind::Device, "this device cannot draw what is seen through (no dualSrcBlend)",
                 "choose another --device");
 }
@@ -333,7 +333,7 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const
   setVertices(state, desc);
   setTargets(state, format, desc);
   setFragments(state, desc);
-  requireFeatures(context_->features(), state, desc);
+  requireFeatures(context_->features(), desc);
   return desc;
 }
 

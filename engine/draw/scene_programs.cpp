@@ -33,6 +33,7 @@
 #include "luxo/shaders/gouraud_pattern_vert.h"
 #include "luxo/shaders/gouraud_vert.h"
 #include "luxo/shaders/inspect_frag.h"
+#include "luxo/shaders/inspect_layers_frag.h"
 #include "luxo/shaders/inspect_vert.h"
 #include "luxo/shaders/light_depth_vert.h"
 #include "luxo/shaders/light_map_frag.h"
@@ -310,7 +311,7 @@ Shader ScenePrograms::fragmentOf(const DrawState& state) {
     case Openness:
       return luxo_openness_frag;
     case BlendLayers:
-      return luxo_blend_layers_frag;
+      return inspectionOf(state) ? Shader(luxo_inspect_layers_frag) : luxo_blend_layers_frag;
   }
   return {};
 }

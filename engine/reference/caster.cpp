@@ -43,7 +43,8 @@ double rootOff(const Ray& ray, const Hit& hit) {
 
 }  // namespace
 
-Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells, Shading shading)
+Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells, Shading shading,
+               std::optional<Shading> geometryIn)
     : snapshot_(snapshot), wholes_(wholeLights(snapshot)) {
   std::vector<ShapeCache::Request> requests;
   for (const SnapshotNode& node : snapshot.nodes) requests.emplace_back(node.surface, node.parameters);
@@ -53,14 +54,15 @@ Caster::Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells, Shading
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const SnapshotNode& node = snapshot.nodes[i];
     const Material& material = snapshot.materials[node.material.index];
-    bodies_.push_back({.shape = PlacedShape(shapes[i], node.worldFromObject),
-                       .normalFromObject = normalMatrix(node.worldFromObject.linear),
-                       .mirrored = mirrors(node.worldFromObject),
-                       .twoSided = material.twoSided == TwoSided::Yes ||
-                                   (material.twoSided == TwoSided::Auto && !node.surface.closed()),
-                       .facing = material.twoSided == TwoSided::No ? Facing::Front : Facing::Both,
-                       .transparent = material.transparent(),
-                       .drawing = material.shadingIn(shading) == Shading::Toon});
+    bodies_.push_back(
+        {.shape = PlacedShape(shapes[i], node.worldFromObject),
+         .normalFromObject = normalMatrix(node.worldFromObject.linear),
+         .mirrored = mirrors(node.worldFromObject),
+         .twoSided = material.twoSided == TwoSided::Yes ||
+                     (material.twoSided == TwoSided::Auto && !node.surface.closed()),
+         .facing = material.twoSided == TwoSided::No ? Facing::Front : Facing::Both,
+         .transparent = geometryIn ? material.seenThroughIn(*geometryIn, true) : material.transparent(),
+         .drawing = material.shadingIn(shading) == Shading::Toon});
     Body& body = bodies_.back();
     body.normalFromTexel = normalFromTexel(material, body.normalFromObject);
     if (material.drawsMaps())
@@ -305,6 +307,13 @@ Caster::Sight Caster::look(const Beam& beam, const Range& range, Invisible invis
   std::stable_sort(sight.hits.begin(), sight.hits.end(),
                    [this](const Hit& a, const Hit& b) { return isInFront(a, b); });
   return sight;
+}
+
+const Hit* Caster::firstShown(const Sight& sight) const {
+  const auto first = std::ranges::find_if(sight.hits, [this](const Hit& hit) {
+    return !materialOf(hit.node).hasHoles() || opacityOf(hit) >= kLeastShown;
+  });
+  return first == sight.hits.end() ? nullptr : &*first;
 }
 
 Caster::Sight Caster::lookFrom(const Hit& hit, const Vec3& direction, double travelled) const {

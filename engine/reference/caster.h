@@ -56,9 +56,10 @@ class Caster {
  public:
   /// `shading`: of materials that do not say otherwise. What it decides is which of them are drawings (toon).
   explicit Caster(const Snapshot& snapshot, Shading shading = Shading::Exact);
-  /// Only what the cache does not have yet is built. The cache may go.
+  /// Only what the cache does not have yet is built. The cache may go. With `geometryIn` rays go on behind
+  /// what has holes alone, as pictures of the geometry in that shading have it (Material::seenThroughIn).
   Caster(const Snapshot& snapshot, ShapeCache& cache, Cells cells = Cells::AtOnce,
-         Shading shading = Shading::Exact);
+         Shading shading = Shading::Exact, std::optional<Shading> geometryIn = std::nullopt);
 
   /// The ray of a picture's point: pixel coordinates, x to the right, y down.
   [[nodiscard]] Ray rayThrough(double x, double y) const;
@@ -76,6 +77,9 @@ class Caster {
   [[nodiscard]] Sight look(const Ray& ray, Invisible invisible) const {
     return look({ray}, rangeOf(ray), invisible);
   }
+
+  /// Of these the nearest that pictures of the geometry show: not in a hole. Null: there is none.
+  [[nodiscard]] const Hit* firstShown(const Sight& sight) const;
 
   /// The same from a hit on, its own point apart, as far as there is something. `travelled`: metres that the
   /// light has come along from there to the eye; a pixel's footprint grows with them as if all surfaces on

@@ -57,11 +57,11 @@ Place ComparedPixels::seenAt(std::uint32_t i) const {
           truth_.position[i], centerOf(i)};
 }
 
-bool ComparedPixels::seesLayerOf(std::uint32_t i, const Caster::Sight& sight, const Vec2& at) const {
-  if (sight.hits.empty()) return false;
-  const Hit& hit = sight.hits.front();
-  const std::uint32_t patch = snapshot_.nodes[hit.node].surface.patchAt(hit.u, hit.v);
-  return layers_.same(seenAt(i), {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.facet, at);
+bool ComparedPixels::seesLayerOf(std::uint32_t i, const Hit* first, const Vec2& at) const {
+  if (!first) return false;
+  const std::uint32_t patch = snapshot_.nodes[first->node].surface.patchAt(first->u, first->v);
+  return layers_.same(seenAt(i), {first->node, patch, {first->u, first->v}, first->position, at},
+                      first->facet, at);
 }
 
 }  // namespace luxo::reference

@@ -41,8 +41,8 @@ class ComparedPixels {
   [[nodiscard]] std::optional<Place> shownAt(std::uint32_t i, std::uint32_t node) const;
   /// The truth of a pixel that shows a surface.
   [[nodiscard]] Place seenAt(std::uint32_t i) const;
-  /// Whether a ray sees, first, the layer that the truth of a pixel is of.
-  [[nodiscard]] bool seesLayerOf(std::uint32_t i, const Caster::Sight& sight, const Vec2& at) const;
+  /// Whether what a ray sees first, if anything, is of the layer that the truth of a pixel is of.
+  [[nodiscard]] bool seesLayerOf(std::uint32_t i, const Hit* first, const Vec2& at) const;
 
   const Snapshot& snapshot_;
   const ReferencePicture& truth_;

@@ -318,7 +318,8 @@ class PictureJudge : ComparedPixels {
     return distanceTo(
         [&](const Vec2& at) {
           const Ray ray = caster.rayThrough(at.x, at.y);
-          return !seesLayerOf(i, caster.look(ray, Caster::Invisible::Told), at);
+          const Caster::Sight sight = caster.look(ray, Caster::Invisible::Told);
+          return !seesLayerOf(i, caster.firstShown(sight), at);
         },
         centerOf(i), 2 * kSilhouettePx);
   }
@@ -336,12 +337,13 @@ class PictureJudge : ComparedPixels {
     return distanceTo(
         [&](const Vec2& at) {
           const auto sight = caster.look(caster.rayThrough(at.x, at.y), Caster::Invisible::Told);
-          if (mismatch == Mismatch::Missing) return sight.hits.empty();
-          if (sight.hits.empty() || sight.hits.front().node != *node) return false;
+          const Hit* hit = caster.firstShown(sight);
+          if (mismatch == Mismatch::Missing) return !hit;
+          if (!hit || hit->node != *node) return false;
           if (!shown) return true;
-          const Hit& hit = sight.hits.front();
-          const std::uint32_t patch = snapshot_.nodes[hit.node].surface.patchAt(hit.u, hit.v);
-          return layers_.same(*shown, {hit.node, patch, {hit.u, hit.v}, hit.position, at}, hit.facet, at);
+          const std::uint32_t patch = snapshot_.nodes[hit->node].surface.patchAt(hit->u, hit->v);
+          return layers_.same(*shown, {hit->node, patch, {hit->u, hit->v}, hit->position, at}, hit->facet,
+                              at);
         },
         centerOf(i), options_.farthestPx);
   }

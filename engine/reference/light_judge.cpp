@@ -39,8 +39,9 @@ std::pair<std::optional<Hit>, Vec2> LightJudge::litPoint(std::uint32_t i, std::u
   const Ray ray = caster_.rayThrough(center.x, center.y);
   if (onTriangles(node) || snapshot_.nodes[node].surface.flatNormal()) {
     const Caster::Sight sight = caster_.look(ray);
-    if (!seesLayerOf(i, sight, center)) return {};
-    return {sight.hits.front(), center};
+    const Hit* first = caster_.firstShown(sight);
+    if (!seesLayerOf(i, first, center)) return {};
+    return {*first, center};
   }
   const auto shown = shownAt(i, node);
   if (!shown) return {};
@@ -237,10 +238,10 @@ void LightJudge::findBorders(std::uint32_t i, const Vec2& center, std::vector<Tu
       const double angle = kTau * (k + turn) / directions;
       const Vec2 at = center + radius * kSilhouettePx * Vec2(std::cos(angle), std::sin(angle));
       const auto sight = caster_.look(caster_.rayThrough(at.x, at.y));
-      const bool sameLayer = seesLayerOf(i, sight, at);
+      const Hit* first = caster_.firstShown(sight);
+      const bool sameLayer = seesLayerOf(i, first, at);
       for (Turned& one : lights) {
-        if (one.atBorder ||
-            (sameLayer && (!one.light || caster_.sees(*one.light, sight.hits.front()) == one.visible)))
+        if (one.atBorder || (sameLayer && (!one.light || caster_.sees(*one.light, *first) == one.visible)))
           continue;
         one.atBorder = true;
         --left;
@@ -254,9 +255,10 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
   const Vec2 center = centerOf(i);
   const Ray ray = caster_.rayThrough(center.x, center.y);
   const auto sight = caster_.look(ray);
-  if (!seesLayerOf(i, sight, center) || sight.hits.size() > 1)
+  const Hit* first = caster_.firstShown(sight);
+  if (!seesLayerOf(i, first, center) || sight.hits.size() > 1)
     return Unjudged;  // seen through: no closed form
-  const Hit& hit = sight.hits.front();
+  const Hit& hit = *first;
   bool certified = true;
   const Vec3 shown = valueAt(measured_.color, i), truth = valueAt(truth_.color, i);
   Vec3 least = truth, most = truth;

@@ -113,10 +113,10 @@ class Exposure {
     if (chosen_[i] == 0) return;
     const Vec2 at = Vec2(x, y) + 0.5 + caster_.snapshot().view.sampleOffsetPx;
     const Ray ray = caster_.rayThrough(at.x, at.y);
-    // What nothing is seen of at this point, but elsewhere, is geometry, too.
     const Caster::Sight sight = caster_.look(ray, Caster::Invisible::Told);
     bool certified = sight.certified;
-    if (!sight.hits.empty()) record(i, ray, sight.hits.front());
+    const reference::Hit* shown = caster_.firstShown(sight);
+    if (shown) record(i, ray, *shown);
 
     Vec3 mean = options_.samples == 1 ? caster_.color(ray, sight, certified) : Vec3(0), spread(0);
     for (int k = 0; options_.samples > 1 && k < options_.samples; ++k) {
@@ -138,7 +138,7 @@ class Exposure {
       sums.largest = std::max(sums.largest, std::sqrt(squared));
     }
     certified_[i] = certified ? 1 : 0;
-    ++(!certified ? sums.undecided : sight.hits.empty() ? sums.misses : sums.hits);
+    ++(!certified ? sums.undecided : shown ? sums.hits : sums.misses);
   }
 
   void record(std::size_t i, const Ray& ray, const reference::Hit& hit) {

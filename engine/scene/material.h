@@ -49,6 +49,11 @@ enum class NormalSpace {
 /// its sums are rounded. A step of 8 bits is sixteen times as much.
 inline constexpr double kCutoffSlack = 0x1p-12 + 1e-5;
 
+/// Where a formula or a map says less than that, nothing is seen in pictures of the geometry, as of opacity
+/// 0: that, a quarter of a code of 8 bits, is where opacities leave 0, to more than what floats round away of
+/// them.
+inline constexpr double kLeastShown = 0x1p-10;
+
 /// Colours are linear RGB factors.
 struct Material {
   std::string name = "material";
@@ -110,6 +115,18 @@ struct Material {
   }
   /// Whether something behind it may be seen.
   [[nodiscard]] bool transparent() const { return letsLightThrough() || (shader && shader->hasOpacity()); }
+  /// Whether nothing is seen of it at some points (kLeastShown). What a shader says, which the ground truth
+  /// cannot run, does not count.
+  [[nodiscard]] bool hasHoles() const {
+    return blend != Blend::Multiply && shading != Shading::Wireframe &&
+           (diffusePattern.hasOpacity() || mapOpacity);
+  }
+  /// Whether it is so in a picture of that shading; in one of its geometry nothing but its holes is.
+  [[nodiscard]] bool seenThroughIn(Shading picture, bool ofGeometry) const {
+    const Shading own = shadingIn(picture);
+    if (showsData(own)) return false;
+    return ofGeometry ? hasHoles() && own != Shading::Wireframe : transparent();
+  }
   /// Whether what is in its shadow may get some light: what is seen through, unless only a shader says so.
   /// Where the opacity is 1 everywhere mode Multiply lets through as little as Over.
   [[nodiscard]] bool letsLightThrough() const {

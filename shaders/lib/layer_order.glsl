@@ -9,14 +9,16 @@ layout(constant_id = kConstantGivenOrder) const bool kGivenOrder = false;
 
 bool isLess(vec3 a, vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
-// A total order of what looks different, whatever the order of the nodes.
+// A total order: of what looks different whatever the order of the nodes is.
 bool isBefore(uint first, uint second) {
   uint ofA = layerPoints[first].material & kLayerMaterial, ofB = layerPoints[second].material & kLayerMaterial;
   if (kGivenOrder && ofA != ofB) return ofA > ofB;
   float a = layerPoints[first].depth, b = layerPoints[second].depth;
   if (a != b) return a < b;
   vec3 lightA = layerPoints[first].light, lightB = layerPoints[second].light;
-  return lightA != lightB ? isLess(lightA, lightB) : isLess(layerPoints[first].through, layerPoints[second].through);
+  if (lightA != lightB) return isLess(lightA, lightB);
+  vec3 throughA = layerPoints[first].through, throughB = layerPoints[second].through;
+  return throughA != throughB ? isLess(throughA, throughB) : ofA < ofB;
 }
 
 // Runs of 1, 2, 4, ... points are merged, in the list's own links.
@@ -58,14 +60,14 @@ LayerPoint lastLayer;
 vec2 sumsHere = vec2(0);
 float opaqueLayer;  // the depth of what is not seen through
 
-// Begins with the first of the list, 0 where there is none. To fill squares of four devices run fragments beside the picture,
-// too: there lists are others', which these sort meanwhile.
+// To fill squares of four devices run fragments beside the picture, too: there lists are others', which these sort meanwhile.
+bool isInPicture() { return all(lessThan(ivec2(gl_FragCoord.xy), textureSize(opaqueDepth, 0))); }
+
+// Begins with the first of the list; 0: there is none. In the picture only.
 uint firstLayer() {
-  if (any(greaterThanEqual(ivec2(gl_FragCoord.xy), textureSize(opaqueDepth, 0)))) return 0;
   layerSums[layerPixel()] = vec2(0);
   uint head = layerHeads[layerPixel()];
-  if (head == 0) return 0;
-  head = sorted(head);
+  if (head != 0) head = sorted(head);
   layerHeads[layerPixel()] = head;
   opaqueLayer = layerDepth(texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).x, pixelPlace(), pixelRay());
   lastLayer.depth = -3e38;  // there is none

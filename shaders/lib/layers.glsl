@@ -20,10 +20,11 @@ layout(constant_id = kConstantLayerDetails) const bool kLayerDetails = false;
 
 uint layerPixel() { return uint(gl_FragCoord.y) * uint(textureSize(opaqueDepth, 0).x) + uint(gl_FragCoord.x); }
 
-void doubtLayers() {
-  uint pixel = layerPixel();
-  atomicOr(layerDoubts[pixel / kDoubtsPerWord], kLayersOpenHere << kDoubtBits * (pixel % kDoubtsPerWord));
-}
+uint doubtShift() { return kDoubtBits * (layerPixel() % kDoubtsPerWord); }
+
+void doubtLayers() { atomicOr(layerDoubts[layerPixel() / kDoubtsPerWord], kLayersOpenHere << doubtShift()); }
+
+const float kNothingOpaque = 1e30;  // a depth behind all others
 
 // The depth of a value of the depth buffer, metres beyond that of what positions are relative to: along the ray the value is a
 // quotient of linear functions of the depth (perspective: of a constant; orthographic: by one). No branch here is by what is
@@ -32,7 +33,7 @@ float layerDepth(float buffered, vec3 place, vec3 ray) {
   mat4 rows = transpose(view.clipFromRelative);
   vec2 atPlace = vec2(dot(rows[2], vec4(place, 1)), dot(rows[3], vec4(place, 1)));
   vec2 alongRay = vec2(dot(rows[2].xyz, ray), dot(rows[3].xyz, ray));
-  return buffered > 0.0 ? (buffered * atPlace.y - atPlace.x) / (alongRay.x - buffered * alongRay.y) : 1e30;
+  return buffered > 0.0 ? (buffered * atPlace.y - atPlace.x) / (alongRay.x - buffered * alongRay.y) : kNothingOpaque;
 }
 
 // Whether the device has ended a loop so far, what it should have found being open (lib/rounds.glsl): once it has, each goes
@@ -79,6 +80,7 @@ bool isBesideRays(uint material) { return (material & (kLayerOfMesh | kLayerOfSu
 
 // How much comes through from behind.
 vec3 throughLayer(uint blend, float opacity, vec3 diffuse) {
-  return blend == kBlendAdd ? vec3(1) : blend == kBlendOver ? vec3(1.0 - opacity) : (1.0 - opacity) * diffuse;
+  uint mode = blend & kBlendMode;
+  return mode == kBlendAdd ? vec3(1) : mode == kBlendOver ? vec3(1.0 - opacity) : (1.0 - opacity) * diffuse;
 }
 #endif

@@ -6,6 +6,7 @@
 #include "lib/layers.glsl"
 #include "lib/number.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/quantity.glsl"
 
 layout(constant_id = kConstantPattern) const uint kPattern = 0;
 layout(constant_id = kConstantManyMaterials) const bool kManyMaterials = false;
@@ -84,7 +85,9 @@ void shadeLayers() {
     vec4 paint = paintOf(found);
     vec3 before = kAddsLight ? point.light : vec3(0);
     // What a shader tells instead of a colour stays as it is, however little is seen of it.
-    layerPoints[index].light = before + (isColor(reflected_) ? paint.a * reflected_ : reflected_);
+    layerPoints[index].light = kQuantity != kLight    ? vec3(paint.a)
+                               : isColor(reflected_) ? before + paint.a * reflected_
+                                                     : before + reflected_;
     if (kManyGroups) {  // the next group has its own
       layerPoints[index].shadows = 0;
       layerPoints[index].transmittance = vec3(1);

@@ -25,7 +25,7 @@ float keptOf(float opacity, vec2 parameters) { return opacity; }
 
 vec4 paintOf(Found found) {
 #ifdef LUXO_SHADER
-  vec3 tint = material.blend == kBlendMultiply ? paintAt(found.parameters).rgb : material.diffuse;
+  vec3 tint = (material.blend & kBlendMode) == kBlendMultiply ? paintAt(found.parameters).rgb : material.diffuse;
   return vec4(tint, material.opacity * litOpacity);
 #else
   vec4 paint = paintAt(found.parameters);

@@ -75,10 +75,11 @@ LUXO_NUMBER kDepthRounding = 4.76837158203125e-7;
 
 // What is in doubt, some bits a pixel, row by row: a search has lost a surface there, or what it has found is not certified,
 // even if something else is seen in front of it: the point which that search should have found may be nearer; whether what is
-// seen is in shadow was not settled; or what is seen through.
+// seen is in shadow was not settled; or what is seen through. And of that, what no ray has proven either.
 LUXO_CONSTANT kPointOpenHere = 1;
 LUXO_CONSTANT kShadowOpenHere = 2;
 LUXO_CONSTANT kLayersOpenHere = 4;
+LUXO_CONSTANT kLayersUndecidedHere = 8;
 LUXO_CONSTANT kDoubtBits = 4;
 LUXO_CONSTANT kDoubtsPerWord = 8;
 
@@ -154,9 +155,12 @@ struct MaterialData {
   uint flags;
   uint firstPatternParameter;  // in the buffer of them all
   uint pattern;                // 1 + index among the picture's patterns; 0: none; or
-  uint blend;                  // below
+  uint blend;                  // below; and of what is seen through its node's number, from bit kIdShift on
   float leastOpaque;           // lib/cutoff.glsl
 };
+
+// Of opacities: luxo::kLeastShown (scene/material.h).
+LUXO_NUMBER kLeastShown = 0.0009765625;
 
 // A material whose meshes are drawn again to light the points that they have put down.
 LUXO_CONSTANT kDrawnAgain = 0xffffffffu;
@@ -165,6 +169,8 @@ LUXO_CONSTANT kDrawnAgain = 0xffffffffu;
 LUXO_CONSTANT kBlendOver = 0;
 LUXO_CONSTANT kBlendAdd = 1;
 LUXO_CONSTANT kBlendMultiply = 2;
+LUXO_CONSTANT kBlendMode = 3;  // the bits of these
+LUXO_CONSTANT kIdShift = 2;
 
 // The numbers of a texture (shaders/lib/texture.glsl), as draw/texture_list.cpp lists them.
 LUXO_CONSTANT kTextureLinear = 0;    // columns of the matrix that takes u and v to the image
@@ -438,7 +444,7 @@ struct LayerPoint {
   uint shadows;   // the lights, a bit each, that do not reach it
   vec2 normal;    // shaders/lib/octahedral.glsl
   vec2 parameters;
-  vec3 light;     // what it reflects, times its opacity
+  vec3 light;     // what it reflects, times its opacity; of pictures of geometry the opacity
   vec3 through;   // how much comes through from behind
   vec3 transmittance;  // how much of a light its casters let through, where that light is all there is
   vec3 place;     // of one that is kLayerPlaced: the surface's own point, relative,
@@ -449,6 +455,9 @@ struct LayerPoint {
 struct LayerCount {
   uint points, ended;
 };
+
+// Of a pixel's layers as rays have found them, beside the number of groups of lights: not all of them is proven.
+LUXO_CONSTANT kUndecidedLayers = 0x80000000u;
 
 // What maps and shaders of materials ask for beside a point of what is seen through: at its index.
 struct LayerDetail {
@@ -490,7 +499,7 @@ static_assert(kQuadricCenter < kEquationLowest && kTorusTube < kEquationLowest &
 static_assert(kEquationLowest + 3 == kEquationHighest && kEquationHighest + 3 == kEquationU && kEquationU + 3 == kEquationV &&
               kEquationV + 3 == kEquationScale);
 static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kFaultSeenThrough < 8);
-static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
+static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kLayersUndecidedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);

@@ -85,6 +85,35 @@ TEST_F(CutoutTest, ASheetOfFourTexelsCastsItsTwoSquares) {
     }
 }
 
+/// Nor are its holes geometry, in whatever shading.
+TEST_F(CutoutTest, WhatIsBehindItsHolesIsTheGeometryThere) {
+  for (const bool isMesh : {true, false})
+    for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Gouraud})
+      for (const TextureFilter filter : {TextureFilter::Nearest, TextureFilter::Trilinear}) {
+        SCOPED_TRACE(testing::Message() << isMesh << nameOf(shading) << static_cast<int>(filter));
+        const Scene scene = sheetOverPlate(cutOut(mapOf(fourTexels(), filter)), isMesh);
+        const Snapshot snapshot = takeSnapshot(scene, 0, {24, 24}, lookingDown(5, 3));
+        const ReferencePicture truth = castPicture(snapshot);
+        const auto shown = [&](Output output) {
+          return renderer().render(snapshot, {.shading = shading, .output = output}).image;
+        };
+        const Image ids = shown(Output::Id), depths = shown(Output::Depth);
+        int holes = 0;
+        for (int y = 0; y < 24; ++y)
+          for (int x = 0; x < 24; ++x) {
+            const auto i = static_cast<std::size_t>(24 * y + x);
+            ASSERT_EQ(ids.pixel(x, y)[0], static_cast<float>(truth.number[i])) << x << ", " << y;
+            ASSERT_NEAR(depths.pixel(x, y)[0], truth.depth[i], 1e-5) << x << ", " << y;
+            const Vec2 at((x + 0.5) / 8 - 1.5, 1.5 - (y + 0.5) / 8);
+            const bool isBelow = std::max(std::abs(at.x), std::abs(at.y)) < 1;
+            const bool mayBe = filter != TextureFilter::Nearest || !isBelow || !isOpaque(at.x, at.y, isMesh);
+            ASSERT_TRUE(truth.depth[i] <= 4.5 || mayBe) << x << ", " << y;
+            holes += isBelow && truth.depth[i] > 4.5;
+          }
+        EXPECT_GT(holes, 60);
+      }
+}
+
 /// A planar shadow has the holes of its caster, where the rays of the light go through them.
 TEST_F(CutoutTest, PlanarShadowsHaveHoles) {
   const Vec3 lamp(0.7, -0.4, 3);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ class LayersTest : public VerifiedPictureTest {
                      "glow": { "diffuse": [0.1, 0.5, 0.2], "opacity": 0.6, "blend": "add" },
                      "nothing": { "opacity": 0 }, "no glow": { "opacity": 0, "blend": "add" },
                      "nothing by formula": { "opacity": "0*u" },
+                     "tiles": { "diffuse": [0.8, 0.7, 0.3], "opacity": "if(mod(2u, 1) < 0.5, 0, if(mod(2v, 1) < 0.5, 0, 0.7))" },
+                     "coarse glass": { "diffuse": [0.2, 0.5, 0.8], "opacity": 0.5, "shading": "phong" },
                      "waves": { "diffuse": [0.8, "u", 0.2], "opacity": "0.5+0.5*sin(8*u)" },
                      "checks": { "diffuse": ["0.3+0.4*mod(floor(2u)+floor(2v),2)", 0.5, 0.4] } },
       "surfaces": { "floor": { "type": "rectangle", "size": [12, 12] }, "sheet": { "type": "rectangle", "size": [2, 2] },
@@ -99,6 +102,58 @@ TEST_F(LayersTest, NothingIsShownOfWhatIsInvisible) {
         EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
       }
   }
+}
+
+/// Numbers of the geometry are those of the nearest point that something is seen of.
+TEST_F(LayersTest, GeometryIsThatBehindHoles) {
+  const Snapshot snapshot = takeSnapshot(
+      sceneOf(node("torus", "tiles") + ", " + node("sheet", "tiles", R"(, "translate": [0, 0.6, 0.5])") +
+              ", " + node("ball", "tiles", R"(, "scale": [0.8, 0.8, 0.8], "translate": [0.5, 0, 0])") + ", " +
+              node("klein", "glass", R"(, "scale": [0.2, 0.2, 0.2], "translate": [-1.5, 0.5, 0])")),
+      0, kLayersSize);
+  const Verified found = verified(snapshot);  // of all outputs
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+  const ReferencePicture truth = castPicture(snapshot);
+  for (const Shading shading :
+       {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {
+    const Image ids =
+        renderer().render(snapshot, {.shading = shading, .output = Output::Id, .tolerancePx = 0.05}).image;
+    int different = 0;
+    std::array<int, 7> shown{};
+    for (int y = 0; y < kLayersSize.height; ++y)
+      for (int x = 0; x < kLayersSize.width; ++x) {
+        const auto id = static_cast<std::uint32_t>(ids.pixel(x, y)[0]);
+        ++shown.at(id);
+        different += id != truth.number[static_cast<std::size_t>(y * kLayersSize.width + x)];
+      }
+    // Outlines and edges of tiles, some 3,000 px long, move by up to 0.05 px, and u and v between vertices.
+    EXPECT_LE(different, shading == Shading::Exact ? 1 : 150) << nameOf(shading);
+    for (const std::size_t node : {2U, 3U, 4U, 5U, 6U})
+      EXPECT_GT(shown[node], 30) << nameOf(shading) << " " << node;
+  }
+}
+
+/// That of the worst point which is seen, and of what is behind where they are all certain.
+TEST_F(LayersTest, CertificatesAreOfTheWorstLayer) {
+  const auto seenIn = [&](const std::string& nodes) {
+    const Image image = draw(sceneOf(nodes), kLayersSize, {.output = Output::Certificate}).image;
+    std::array<int, 4> pixels{};
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) ++pixels.at(static_cast<std::size_t>(image.pixel(x, y)[0]));
+    return pixels;
+  };
+  const std::string ball = node("ball", "glass"), within = R"(, "scale": [0.9, 0.9, 0.9])";
+  const auto exact = seenIn(ball), mesh = seenIn(node("ball", "coarse glass")),
+             both = seenIn(ball + ", " + node("ball", "coarse glass", within)),
+             holes = seenIn(node("ball", "tiles") + ", " + node("ball", "coarse glass", within));
+  EXPECT_EQ(exact[3], 0);
+  EXPECT_GT(exact[0], 0) << "the background";
+  EXPECT_GT(exact[1], 10000);
+  EXPECT_GT(mesh[3], 3000);
+  // Nine tenths wide, within.
+  EXPECT_NEAR(both[3], 0.81 * mesh[3], 0.01 * mesh[3]);
+  EXPECT_EQ(holes[3], both[3]);
 }
 
 /// Llvmpipe ends loops, and tells nobody, after 65,535 rounds: some 3,000 points of a pixel are sorted in as

@@ -281,14 +281,14 @@ TEST(Cull, OpaqueFrontToBackTransparentAsGiven) {
   EXPECT_EQ(list.transparent.size(), 30u);
   EXPECT_TRUE(std::ranges::is_sorted(list.opaque, std::less{}, &VisibleNode::nearestDepth));
   EXPECT_TRUE(std::ranges::is_sorted(list.transparent, std::less{}, &VisibleNode::node));
-  // Of what is no picture the nearest surface counts, and a material that nothing is seen of is not drawn.
-  EXPECT_EQ(cull(snapshot, {.seesThrough = false}).opaque.size(), 60u);
+  // Of geometry the nearest surface counts, and a material that nothing is seen of is not drawn.
+  EXPECT_EQ(cull(snapshot, {.ofGeometry = true}).opaque.size(), 60u);
   Scene clear;
   clear.add(Node{.surface = sphere(0.3), .material = clear.add(Material{.opacity = 0})});
   const Snapshot nothing =
       takeSnapshot(clear, 0, kViewSize, Camera{.eye = Vec3(0, 0, 20), .fovY = radians(60)});
   EXPECT_EQ(cull(nothing).counts.drawn, 0u);
-  EXPECT_EQ(cull(nothing, {.seesThrough = false}).counts.drawn, 0u);
+  EXPECT_EQ(cull(nothing, {.ofGeometry = true}).counts.drawn, 0u);
   EXPECT_EQ(cull(nothing, {.shading = Shading::Normal}).counts.drawn, 0u);
 }
 

@@ -38,7 +38,10 @@ void Probe::look(const Scene& scene, const Snapshot& shown, const Vec2& cursor) 
   snapshot_ = shown;
   try {
     const ExplainedPixel why = explainPixel(shown, {pixel->x + 0.5, pixel->y + 0.5});
-    const auto seen = std::ranges::find(why.points, true, &PointOnRay::seen);
+    const auto seen = std::ranges::find_if(why.points, [&](const PointOnRay& point) {
+      const Material& material = shown.materials[shown.nodes[point.node].material.index];
+      return point.seen && !(material.hasHoles() && point.opacity < kLeastShown);
+    });
     if (seen == why.points.end()) return;
     const NodeId node = shown.nodes[seen->node].id;
     point_ = {scene[node].name.empty() ? scene.shownName(node) : scene[node].name, seen->parameters,
