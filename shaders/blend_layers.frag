@@ -9,7 +9,7 @@ layout(location = 0, index = 0) out vec4 outLight;
 layout(location = 0, index = 1) out vec4 outThrough;
 
 void main() {
-  if (!isInPicture()) discard;
+  if (!isInPicture()) return;
   uint head = firstLayer();
   if (head == 0) discard;
   vec3 light = vec3(0), through = vec3(1);

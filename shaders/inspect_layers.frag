@@ -28,7 +28,7 @@ float residualOf(LayerPoint point) {
 }
 
 void main() {
-  if (!isInPicture()) discard;
+  if (!isInPicture()) return;
   LayerPoint nearest;
   uint worst = 0;
   for (uint index = firstLayer(); index != 0; index = layerPoints[index].next) {

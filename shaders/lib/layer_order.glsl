@@ -9,7 +9,7 @@ layout(constant_id = kConstantGivenOrder) const bool kGivenOrder = false;
 
 bool isLess(vec3 a, vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
-// A total order: of what looks different whatever the order of the nodes is.
+// A total order. Of points that look different it does not depend on that of the nodes.
 bool isBefore(uint first, uint second) {
   uint ofA = layerPoints[first].material & kLayerMaterial, ofB = layerPoints[second].material & kLayerMaterial;
   if (kGivenOrder && ofA != ofB) return ofA > ofB;
@@ -61,6 +61,7 @@ vec2 sumsHere = vec2(0);
 float opaqueLayer;  // the depth of what is not seen through
 
 // To fill squares of four devices run fragments beside the picture, too: there lists are others', which these sort meanwhile.
+// They return: one that is discarded may go on.
 bool isInPicture() { return all(lessThan(ivec2(gl_FragCoord.xy), textureSize(opaqueDepth, 0))); }
 
 // Begins with the first of the list; 0: there is none. In the picture only.
