@@ -50,16 +50,23 @@ std::vector<Vec4f> restFrames(const Mesh& mesh) {
   return frames;
 }
 
-void uploadIndices(gpu::Context& context, DeviceMesh& mesh, const std::vector<std::uint32_t>& indices,
-                   std::size_t vertices) {
+std::vector<std::uint16_t> inWindows(const std::vector<std::uint32_t>& indices,
+                                     const std::vector<IndexWindow>& windows) {
+  std::vector<std::uint16_t> narrow;
+  narrow.reserve(indices.size());
+  for (const IndexWindow& window : windows)
+    while (narrow.size() < window.end)
+      narrow.push_back(static_cast<std::uint16_t>(indices[narrow.size()] - window.firstVertex));
+  return narrow;
+}
+
+void uploadIndices(gpu::Context& context, DeviceMesh& mesh, const std::vector<std::uint32_t>& indices) {
   mesh.indexCount = static_cast<std::uint32_t>(indices.size());
-  if (vertices <= 0xffff) {
-    const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
-    mesh.indices = upload(context, narrow, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "mesh indices");
-  } else {
-    mesh.indices = upload(context, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "mesh indices");
-    mesh.indexType = VK_INDEX_TYPE_UINT32;
-  }
+  mesh.windows = indexWindows(indices);
+  constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
+  mesh.indices = mesh.windows.empty()
+                     ? upload(context, indices, kUsage, "mesh indices")
+                     : upload(context, inWindows(indices, mesh.windows), kUsage, "mesh indices");
 }
 
 }  // namespace
@@ -73,7 +80,7 @@ const DeviceMesh& MeshStore::get(const std::shared_ptr<const Mesh>& mesh, bool w
     entry = {.source = mesh, .device = {}};
     device.vertices =
         upload(*context_, interleaved(*mesh), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "mesh vertices");
-    uploadIndices(*context_, device, mesh->indices, mesh->positions.size());
+    uploadIndices(*context_, device, mesh->indices);
   }
   if (withParameters && !device.parameters) {
     const std::vector<Vec2f> parameters(mesh->parameters.begin(), mesh->parameters.end());

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <vector>
 
+#include "draw/index_windows.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "shell/shell.h"
@@ -21,7 +23,9 @@ struct DeviceMesh {
   /// until a map of normals or a shader needs it.
   gpu::Buffer tangents;
   gpu::Buffer indices;
-  VkIndexType indexType = VK_INDEX_TYPE_UINT16;
+  /// 16 bits each, relative to the first vertex of their window; where there are no windows 32, relative to
+  /// 0.
+  std::vector<IndexWindow> windows;
   std::uint32_t indexCount = 0;
 };
 

@@ -210,17 +210,45 @@ void PassRecorder::draw(const DrawBatch& batch) {
   if (batch.shell)
     vkCmdBindIndexBuffer(commands_, bindings_.shellIndices, 0, VK_INDEX_TYPE_UINT32);
   else
-    vkCmdBindIndexBuffer(commands_, mesh.indices, 0, mesh.indexType);
+    bindIndices(mesh);
   const auto drawIndexed = [&](std::uint32_t first, std::uint32_t indices) {
-    vkCmdDrawIndexed(commands_, indices, batch.instanceCount, first, 0, batch.firstInstance);
-    count(batch.instanceCount, indices / 3, std::min<std::size_t>(batch.vertexCount(), indices));
+    const std::uint32_t draws =
+        drawWindows(mesh, {first, first + indices}, {batch.firstInstance, batch.instanceCount});
+    count(draws, batch.instanceCount, indices / 3, std::min<std::size_t>(batch.vertexCount(), indices));
   };
   if (batch.parts.empty()) drawIndexed(batch.firstIndex, batch.indexCount);
   for (const TriangleRange& part : batch.parts) drawIndexed(3 * part.first, 3 * part.count);
 }
 
-void PassRecorder::count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices) {
-  ++statistics_.count.drawCalls;
+void PassRecorder::bindIndices(const DeviceMesh& mesh) {
+  vkCmdBindIndexBuffer(commands_, mesh.indices, 0,
+                       mesh.windows.empty() ? VK_INDEX_TYPE_UINT32 : VK_INDEX_TYPE_UINT16);
+}
+
+std::uint32_t PassRecorder::drawWindows(const DeviceMesh& mesh, IndexRange range, InstanceRange instances) {
+  const auto drawRange = [&](std::uint32_t first, std::uint32_t end, std::uint32_t firstVertex) {
+    vkCmdDrawIndexed(commands_, end - first, instances.count, first, static_cast<std::int32_t>(firstVertex),
+                     instances.first);
+  };
+  if (mesh.windows.empty()) {
+    drawRange(range.first, range.end, 0);
+    return 1;
+  }
+  std::uint32_t draws = 0;
+  auto window = std::ranges::upper_bound(mesh.windows, range.first, {}, &IndexWindow::end);
+  for (std::uint32_t first = range.first; first < range.end; first = (window++)->end, ++draws)
+    drawRange(first, std::min(range.end, window->end), window->firstVertex);
+  return draws;
+}
+
+void PassRecorder::drawAll(const DeviceMesh& mesh, std::size_t vertices) {
+  bindIndices(mesh);
+  count(drawWindows(mesh, {0, mesh.indexCount}, {0, 1}), 1, mesh.indexCount / 3, vertices);
+}
+
+void PassRecorder::count(std::uint32_t draws, std::uint32_t instances, std::uint64_t triangles,
+                         std::uint64_t vertices) {
+  statistics_.count.drawCalls += draws;
   statistics_.count.instances += instances;
   statistics_.count.triangles += triangles * instances;
   statistics_.count.vertices += vertices * instances;
@@ -288,9 +316,7 @@ void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
   const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices};
   constexpr VkDeviceSize kOffsets[] = {0, 0};
   vkCmdBindVertexBuffers(commands_, 0, withParameters ? 2 : 1, streams, kOffsets);
-  vkCmdBindIndexBuffer(commands_, mesh.indices, 0, mesh.indexType);
-  vkCmdDrawIndexed(commands_, mesh.indexCount, 1, 0, 0, 0);
-  count(1, mesh.indexCount / 3, draw.mesh->positions.size());
+  drawAll(mesh, draw.mesh->positions.size());
   ++statistics_.count.shadowPasses;
 }
 
@@ -333,9 +359,7 @@ void PassRecorder::drawIntoMap(const gpu::GraphicsPipeline& pipeline, const Ligh
   constexpr VkDeviceSize kOffset = 0;
   const VkBuffer vertices = mesh.vertices;
   vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &kOffset);
-  vkCmdBindIndexBuffer(commands_, mesh.indices, 0, mesh.indexType);
-  vkCmdDrawIndexed(commands_, mesh.indexCount, 1, 0, 0, 0);
-  count(1, mesh.indexCount / 3, caster.mesh->positions.size());
+  drawAll(mesh, caster.mesh->positions.size());
   ++statistics_.count.shadowPasses;
 }
 
@@ -357,7 +381,7 @@ void PassRecorder::drawWhole(std::uint32_t instance) {
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
   vkCmdDraw(commands_, 3, 1, 0, instance);
-  count(1, 1, 3);
+  count(1, 1, 1, 3);
 }
 
 void PassRecorder::clearMisses(std::span<const PixelPlace> misses) {
@@ -399,7 +423,7 @@ void PassRecorder::drawRays(const RayPoints& points) {
     constexpr VkDeviceSize kOffset = 0;
     vkCmdBindVertexBuffers(commands_, 0, 1, &bindings_.rayVertices, &kOffset);
     vkCmdDraw(commands_, run.vertexCount, 1, run.firstVertex, instance++);
-    count(1, run.vertexCount / 3, run.vertexCount);
+    count(1, 1, run.vertexCount / 3, run.vertexCount);
   }
 }
 
@@ -433,7 +457,7 @@ void PassRecorder::drawTriangles(const DrawState& state, VkBuffer vertices, std:
   constexpr VkDeviceSize kOffset = 0;
   vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &kOffset);
   vkCmdDraw(commands_, vertexCount, 1, first, instance);
-  count(1, vertexCount / 3, vertexCount);
+  count(1, 1, vertexCount / 3, vertexCount);
 }
 
 }  // namespace luxo

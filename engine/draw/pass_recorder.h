@@ -29,6 +29,13 @@ class PassRecorder {
   void record(const Pass& pass);
 
  private:
+  struct IndexRange {
+    std::uint32_t first = 0, end = 0;
+  };
+  struct InstanceRange {
+    std::uint32_t first = 0, count = 0;
+  };
+
   [[nodiscard]] VkClearColorValue clearOf(Target target) const;
   void useTargets(const Pass& pass);
   void begin(const Pass& pass);
@@ -49,7 +56,12 @@ class PassRecorder {
   void compareWithMap(Form form, std::size_t group);
   void drawWhole(std::uint32_t instance);
   void clearMisses(std::span<const PixelPlace> misses);
-  void count(std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);
+  void bindIndices(const DeviceMesh& mesh);
+  /// Gives how many draws that took.
+  std::uint32_t drawWindows(const DeviceMesh& mesh, IndexRange range, InstanceRange instances);
+  void drawAll(const DeviceMesh& mesh, std::size_t vertices);
+  /// `triangles` and `vertices`: of one instance.
+  void count(std::uint32_t draws, std::uint32_t instances, std::uint64_t triangles, std::uint64_t vertices);
 
   gpu::Context& context_;
   ScenePipelines& pipelines_;

@@ -60,16 +60,6 @@ const Box& TriangleMesh::bounds() const { return data_->bounds; }
 const MeshEdges& TriangleMesh::edges() const { return data_->edges; }
 std::uint64_t TriangleMesh::dropped() const { return data_->dropped; }
 
-std::vector<std::uint16_t> TriangleMesh::localIndices() const {
-  std::vector<std::uint16_t> local;
-  local.reserve(indices().size());
-  for (const MeshCluster& cluster : clusters())
-    for (const std::uint32_t index :
-         indices().subspan(3 * std::size_t(cluster.firstTriangle), 3 * std::size_t(cluster.triangles)))
-      local.push_back(std::uint16_t(index - cluster.firstVertex));
-  return local;
-}
-
 namespace {
 
 [[noreturn]] void refuse(std::string_view name, const std::string& why) {

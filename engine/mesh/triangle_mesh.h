@@ -61,7 +61,8 @@ struct MeshOptions {
 struct MeshCluster {
   std::uint32_t firstTriangle = 0, triangles = 0;
   /// Every index of the cluster is in [firstVertex, firstVertex + 65535]: index - firstVertex has 16 bits.
-  /// Neighbouring clusters mostly share it, so one draw with this vertex offset holds many clusters.
+  /// Neighbouring clusters mostly share it, so one draw with this vertex offset holds many clusters
+  /// (draw/index_windows.h).
   std::uint32_t firstVertex = 0;
   std::uint32_t material = 0;
   Box bounds;  ///< holds the cluster
@@ -130,8 +131,6 @@ class TriangleMesh {
   [[nodiscard]] std::uint32_t triangleCount() const { return std::uint32_t(indices().size() / 3); }
   [[nodiscard]] std::span<const MeshCluster> clusters() const;  ///< they hold every triangle once, in order
   [[nodiscard]] std::span<const MeshGroup> groups() const;      ///< so do they
-  /// indices() as offsets from the firstVertex of their clusters: what a device draws from. Cost: one pass.
-  [[nodiscard]] std::vector<std::uint16_t> localIndices() const;
 
   [[nodiscard]] const Box& bounds() const;  ///< of the points, to the bit
   [[nodiscard]] const MeshEdges& edges() const;

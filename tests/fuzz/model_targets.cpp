@@ -14,7 +14,6 @@ namespace {
 void checkMesh(const TriangleMesh& mesh, std::size_t materials) {
   LUXO_REQUIRE(mesh.valid());
   LUXO_REQUIRE(mesh.triangleCount() > 0);
-  LUXO_REQUIRE_COMPARE(mesh.localIndices().size(), ==, mesh.indices().size());
   LUXO_REQUIRE_COMPARE(mesh.normals().size(), ==, mesh.positions().size());
   for (std::uint32_t i = 0; i < mesh.positions().size(); ++i) {
     LUXO_REQUIRE(mesh.bounds().contains(mesh.point(i)));

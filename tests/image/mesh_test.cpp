@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "draw/index_windows.h"
 #include "support/meshes.h"
 #include "support/verified_picture.h"
 #include "surface/library.h"
@@ -77,6 +78,23 @@ TEST_F(MeshPicture, FromAsNearAsFloatsAllowThePointsAreTheRays) {
       pixels += 160 * 120;
     }
   EXPECT_LT(byRays, pixels / 2);
+}
+
+// Its vertices are more than 16 bits number: it is drawn window by window (draw/index_windows.h).
+TEST_F(MeshPicture, OfMoreVerticesThan16BitsNumberIsTheTrianglesOwnPoint) {
+  const TriangleMesh ball = icosphere(7);
+  ASSERT_GT(ball.positions().size(), 2 * kWindowVertices);
+  const Scene scene = sceneOf(ball);
+  const Snapshot whole = takeSnapshot(scene, 0, {160, 120}, cameraFrom({1, 0.8, 1.5}));
+  expectExact(whole, 1500);
+  DrawOptions options{.shading = Shading::Phong, .skips = Skips::none()};
+  const FrameCounts all = renderer().render(whole, options).statistics.count;
+  EXPECT_EQ(all.drawCalls, 3U);
+  EXPECT_EQ(all.triangles, ball.triangleCount());
+  // Clusters in the picture are of all windows.
+  Camera near = cameraFrom({1, 0.8, 1.5});
+  near.fovY = radians(4.0);
+  expectExact(takeSnapshot(scene, 0, {160, 120}, near), 15000);
 }
 
 // A pixel is 2e-5 of how far away they are: of a distance from the eye floats leave a hundredth of it.
