@@ -48,7 +48,7 @@ const Snapshot& ScaleNormalization::of(const Snapshot& snapshot) {
     const Vec3 scale = powersOfTwo(node.worldFromObject.linear);
     const auto [entry, isNew] = known_.try_emplace({node.surface.identity(), {scale.x, scale.y, scale.z}});
     Known& known = entry->second;
-    if (isNew) known = {.from = node.surface, .scaled = scaled(node.surface, scale, node.parameters)};
+    if (isNew) known = {.from = node.surface, .scaled = scaled(node.surface, scale)};
     known.used = true;
     node.surface = known.scaled;
     node.evened = scale;

@@ -37,9 +37,8 @@ class CasterCache {
                                                          std::span<const double> parameters);
   /// What a light (object space, see makeLightGrid()) sees of these.
   [[nodiscard]] std::shared_ptr<const LightGrid> grid(const Surface& surface,
-                                                      std::span<const double> parameters,
-
-                                                      const Vec4& light, int size);
+                                                      std::span<const double> parameters, const Vec4& light,
+                                                      int size);
 
   /// casterEquation(). Valid until the next call.
   [[nodiscard]] const std::optional<CasterEquation>& equation(const Surface& surface,
@@ -51,7 +50,6 @@ class CasterCache {
  private:
   struct Key {
     Shape shape;
-
     Vec4 light{0};
     int size = 0;
 

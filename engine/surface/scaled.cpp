@@ -16,7 +16,7 @@ std::shared_ptr<const SurfaceFunction> scaled(const SurfaceFunction& function, c
 
 }  // namespace
 
-Surface scaled(const Surface& surface, const Vec3& scale, std::span<const double> parameters) {
+Surface scaled(const Surface& surface, const Vec3& scale) {
   std::map<const SurfaceFunction*, std::shared_ptr<const SurfaceFunction>> functions;
   std::vector<Patch> patches = surface.patches();
   for (Patch& patch : patches) {
@@ -30,7 +30,8 @@ Surface scaled(const Surface& surface, const Vec3& scale, std::span<const double
                        .borders = surface.statedBorders()};
   // Normals are scaled by the inverse.
   if (const auto normal = surface.flatNormal()) traits.flatNormal = unit(*normal / scale);
-  return Surface(std::move(patches), {parameters.begin(), parameters.end()}, std::move(traits));
+  const std::vector<double>& initial = surface.initialParameters();
+  return Surface(std::move(patches), {initial.begin(), initial.end()}, std::move(traits));
 }
 
 }  // namespace luxo

@@ -26,6 +26,7 @@ struct Surface::Description {
   SurfaceTraits traits;
   Topology topology;
   std::size_t parameterCount = 0;
+  std::vector<double> initial;
   std::optional<SurfaceTriangles> triangles;  ///< instead of patches
 
   // Proven bounds of a surface without parameters never change: they are found when first asked for.
@@ -135,6 +136,7 @@ Surface::Surface(std::vector<Patch> patches, std::vector<Animated<double>> param
   description->domain = hullOf(patches);
   description->patches = std::move(patches);
   description->parameterCount = parameters.size();
+  description->initial = std::move(initial);
   description->traits = std::move(traits);
   description_ = std::move(description);
   parameters_ = std::make_shared<const std::vector<Animated<double>>>(std::move(parameters));
@@ -195,6 +197,7 @@ const std::vector<Patch>& Surface::patches() const { return description_->patche
 const Domain& Surface::patchDomain(std::uint32_t patch) const { return patches()[patch].domain; }
 const Domain& Surface::domain() const { return description_->domain; }
 const Topology& Surface::topology() const { return description_->topology; }
+const std::vector<double>& Surface::initialParameters() const { return description_->initial; }
 std::optional<Paraboloid> Surface::paraboloid() const { return description_->traits.paraboloid; }
 std::optional<Vec3> Surface::flatNormal() const { return description_->traits.flatNormal; }
 const std::vector<PatchEdge>& Surface::statedBorders() const { return description_->traits.borders; }

@@ -115,6 +115,8 @@ class Surface {
   /// none.
   [[nodiscard]] const Domain& domain() const;
   [[nodiscard]] const Topology& topology() const;
+  /// Of patches: the parameters' values for which the topology was found.
+  [[nodiscard]] const std::vector<double>& initialParameters() const;
   [[nodiscard]] bool closed() const { return topology().closed; }
   [[nodiscard]] const std::vector<Animated<double>>& parameters() const { return *parameters_; }
   [[nodiscard]] std::optional<Paraboloid> paraboloid() const;

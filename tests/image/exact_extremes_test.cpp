@@ -244,5 +244,33 @@ TEST_F(ExactExtremes, ScalesThatUndoTheFormulas) {
   }
 }
 
+// Whether a surface is closed is found at time 0, whenever and at whatever scale it is first seen: a closed
+// one shows its outside alone, and one that opens later is dark within.
+TEST_F(ExactExtremes, ScalesThatUndoAFormulaThatOpensInTime) {
+  const Camera camera{.eye = Vec3(2.2, 2.6, 2.9), .fovY = radians(40)};
+  const auto shown = [&](const Vec3& undone, double time) {
+    Scene scene;
+    scene.set(plainSettings());
+    const auto formula = [undone](auto u, auto v, auto turn) {
+      const auto ring = 1 + 0.4 * cos(kTau * v);
+      return point(ring * cos(turn * u) / undone.x, 0.4 * sin(kTau * v) / undone.y,
+                   -(ring * sin(turn * u)) / undone.z);
+    };
+    const Animated<double> turn([](double t) { return kTau * (1 - 0.5 * t); });
+    scene.add(Node{.scale = undone, .surface = surface(formula, {}, {}, turn)});
+    scene.add(Node{.translation = Vec3(3, 5, 4), .light = Light{}});
+    Renderer fresh(context());
+    return fresh.render(takeSnapshot(scene, time, kExactExtremesSize, camera), {}).image;
+  };
+  for (const double time : {0.0, 0.7}) {
+    const Image round = shown(Vec3(1), time), uneven = shown(Vec3(1e-6, 1, 1), time);
+    int different = 0;
+    for (int y = 0; y < kExactExtremesSize.height; ++y)
+      for (int x = 0; x < kExactExtremesSize.width; ++x)
+        different += !near(colorAt(uneven, x, y), colorAt(round, x, y), 2e-4);
+    EXPECT_LE(different, 4) << "at " << time;  // on the outline
+  }
+}
+
 }  // namespace
 }  // namespace luxo::test
