@@ -220,11 +220,11 @@ TEST(SpotFile, SaysAsMuchAsItHasTo) {
 }
 
 TEST(SpotFile, MistakesAreToldWhereTheyAre) {
-  struct Mistake {
+  struct BadSpot {
     const char *light, *where, *message, *help;
   };
   for (const auto& [light, where, message, help] :
-       {Mistake{R"({ "spot": { "inner": "40deg", "outer": "30deg" } })", "2:60",
+       {BadSpot{R"({ "spot": { "inner": "40deg", "outer": "30deg" } })", "2:60",
                 "the inner angle is 40 degrees", "fades"},
         {R"({ "spot": { "inner": "30deg", "outer": "30deg" } })", "2:60",
          "the inner angle is 30 degrees, the outer one 30", ""},
