@@ -280,13 +280,13 @@ class PictureJudge : ComparedPixels {
     return layers_.same(seenAt(j), seenAt(i), truth_.facet[i], centerOf(i));
   }
 
-  /// Whether another light, layer or texel than the truth's may be what it shows.
+  /// Whether another light, layer, texel or side than the truth's may be what it shows.
   [[nodiscard]] bool hasDoubtfulLight(std::size_t k) const {
     const JudgedPixel& pixel = pixels_[k];
     if (pixel.mismatch != Mismatch::None || pixel.byShader || measured_.color.empty()) return false;
     const bool sees = pixel.position != kUnset;
     return ((pixel.color > kOtherLight || pixel.offPoint) && (hasLayers_ || (hasShadows_ && sees))) ||
-           (pixel.color > kOtherTexture && sees && showsTexture(chosen_[k]));
+           (pixel.color > kOtherTexture && sees && !isMesh(chosen_[k]));
   }
 
   /// What is wrong may be right beside an outline, or beside the border of a shadow.

@@ -16,6 +16,8 @@ using enum LightVerdict;
 /// Of a colour that is so much off.
 LightVerdict wrongBy(const Vec3& off) { return off.x + off.y + off.z < 0 ? TooDark : TooBright; }
 
+double largest(const Vec3& off) { return std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}); }
+
 }  // namespace
 
 LightJudge::LightJudge(const ComparedPixels& pixels, const Caster& caster, bool coarse)
@@ -115,7 +117,7 @@ LightVerdict LightJudge::ofMesh(std::uint32_t i) const {
                       .atBorder = isOnHorizon(wholes[k].light, *hit, hit->normal)});
     one.part = truly;
   }
-  return isTurned(i, off, std::move(lights), at) ? wrongBy(off) : Right;
+  return withoutBorders(i, off, std::move(lights), at).byTurned ? wrongBy(off) : Right;
 }
 
 /// What a light may be to blame for of which more, or less, is seen than may be.
@@ -291,33 +293,34 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
     if (!whole.number && off != Vec3(0))
       lights.push_back(estimate(caster_.shareOf(whole.light, hit, -ray.direction, Vec3(1)),
                                 caster_.seenPart(whole, hit), off));
+  const Unexplained left = withoutBorders(i, off, std::move(lights), center);
+  if (!left.byTurned && (!certified || largest(left.off) <= kOtherTexture || occluded_ || isMesh(i)))
+    return certified ? Right : Unjudged;
   // At a crease the colour is that of either side.
-  if (isTurned(i, off, std::move(lights), center))
-    return byColor(i, kSilhouettePx) == Right ? Right : wrongBy(off);
-  return certified ? Right : Unjudged;
+  const LightVerdict nearby = byColor(i, kSilhouettePx);
+  return nearby == Unjudged && left.byTurned ? wrongBy(off) : nearby;
 }
 
-/// Whether a colour that is so much off the truth, of a point which is at `center` on the screen, is nearer
-/// to that with one light's visibility turned round, and no border of that shadow, and no outline, is near.
-/// Of many lights that are as bright, the points of a soft shadow, several may explain a colour: those with
-/// a border nearby do so first.
-bool LightJudge::isTurned(std::uint32_t i, Vec3 off, std::vector<Turned> lights, const Vec2& center) const {
-  const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  const auto helps = [&](const Turned& one) { return size(one.leaves(off)) < size(off); };
+/// What the borders of shadows nearby leave of a colour that is so much off the truth, of a point which is at
+/// `center` on the screen. Of many lights that are as bright, the points of a soft shadow, several may
+/// explain a colour: those with a border nearby do so first.
+LightJudge::Unexplained LightJudge::withoutBorders(std::uint32_t i, Vec3 off, std::vector<Turned> lights,
+                                                   const Vec2& center) const {
+  const auto helps = [&](const Turned& one) { return largest(one.leaves(off)) < largest(off); };
   std::erase_if(lights, std::not_fn(helps));
-  if (!(size(off) > kOtherLight) || lights.empty()) return false;
+  if (!(largest(off) > kOtherLight) || lights.empty()) return {off, false};
   findBorders(i, center, lights);
   const auto others =
       std::partition(lights.begin(), lights.end(), [](const Turned& one) { return one.atBorder; });
   std::vector<Turned> bordering(lights.begin(), others);
   while (!bordering.empty()) {
     const auto best =
-        std::ranges::min_element(bordering, {}, [&](const Turned& one) { return size(one.leaves(off)); });
+        std::ranges::min_element(bordering, {}, [&](const Turned& one) { return largest(one.leaves(off)); });
     if (!helps(*best)) break;
     off = best->leaves(off);
     bordering.erase(best);
   }
-  return size(off) > kOtherLight && std::any_of(others, lights.end(), helps);
+  return {off, largest(off) > kOtherLight && std::any_of(others, lights.end(), helps)};
 }
 
 }  // namespace luxo::reference

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a pixel that shows the right point shows it in the right light: no shadow where there is none, none
-// missing, the right texel, all that is seen through.
+// missing, the right texel, all that is seen through; and in exact shading no colour that nothing nearby has.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace luxo::reference {
 
 /// Linear: smaller differences are not looked into for a light's shadow.
 inline constexpr double kOtherLight = 1e-4;
-/// Linear: devices filter with few bits.
+/// Linear: devices filter with few bits. Other colours of exact shading are looked into from there on, too.
 inline constexpr double kOtherTexture = 1.0 / 255;
 
 enum class LightVerdict {
@@ -59,8 +59,13 @@ class LightJudge : ComparedPixels {
   [[nodiscard]] std::pair<std::optional<Hit>, Vec2> litPoint(std::uint32_t i, std::uint32_t node) const;
   [[nodiscard]] Turned estimate(const Vec3& share, const Caster::SeenPart& part, const Vec3& off) const;
   [[nodiscard]] std::optional<double> reachOfColors(const Caster::Sight& sight) const;
-  [[nodiscard]] bool isTurned(std::uint32_t i, Vec3 off, std::vector<Turned> lights,
-                              const Vec2& center) const;
+  /// Of a colour.
+  struct Unexplained {
+    Vec3 off;
+    bool byTurned;  ///< a light's visibility, turned round, would explain some of it
+  };
+  [[nodiscard]] Unexplained withoutBorders(std::uint32_t i, Vec3 off, std::vector<Turned> lights,
+                                           const Vec2& center) const;
   void findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights) const;
   void findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights,
                    std::initializer_list<double> radii, int directions) const;

@@ -12,12 +12,12 @@
 // A pixel is wrong (WrongPixels) when it shows a surface where there is none, or none where there is one, or
 // another layer, or a point that is more than kPointPx and what float32 leaves of (u, v) off, or a light that
 // the truth has in shadow (or the other way round): each only away from outlines and borders of shadows by
-// more than kSilhouettePx. Of a mesh, whose points are off, lights are judged from the point that is shown,
-// by what each of them alone gives the picture (MeasuredPicture::alone). Where a map estimates how much is
-// seen of a light with a radius, a pixel is wrong whose light differs from the part that is seen in truth, of
-// the light's disc around its middle, by more than kSeenPartOff. Layers touch, and either may be
-// shown, whose points on the ray are as near to each other as the depth buffer's rounding, or the one to the
-// other's surface as kPointPx in space.
+// more than kSilhouettePx; or, in exact shading, a colour that nothing within that distance has. Of a mesh,
+// whose points are off, lights are judged from the point that is shown, by what each of them alone gives the
+// picture (MeasuredPicture::alone). Where a map estimates how much is seen of a light with a radius, a pixel
+// is wrong whose light differs from the part that is seen in truth, of the light's disc around its middle, by
+// more than kSeenPartOff. Layers touch, and either may be shown, whose points on the ray are as near to each
+// other as the depth buffer's rounding, or the one to the other's surface as kPointPx in space.
 #pragma once
 
 #include <cstdint>
@@ -116,8 +116,8 @@ inline constexpr double kCosineRounding = 0x1p-20;
 struct WrongPixels {
   std::uint64_t hitMiss = 0;  ///< a surface where there is none, or none where there is one
   std::uint64_t layer = 0;    ///< another node, or another part of the node
-  /// A light is seen that is in shadow, or the other way round; or, in exact shading, a texture's
-  /// colour is off by 1/255.
+  /// A light is seen that is in shadow, or the other way round; or, in exact shading, a colour is off by
+  /// 1/255.
   std::uint64_t light = 0;
   /// Of `light`: darker than the truth, as by a shadow too much, and brighter, as by one too few.
   std::uint64_t shadowExtra = 0, shadowMissing = 0;

@@ -197,6 +197,21 @@ TEST(Verify, ATexturesColourIsWrongBeyondACode) {
   EXPECT_EQ(wrongWith(1.5f / 255).light, 3U);
 }
 
+// With no shadow and no texture to blame: a side that is lit for the other, say.
+TEST_F(VerifySphere, AColourThatNothingNearbyHasIsWrongBeyondACode) {
+  for (const float more : {0.5f / 255, 1.5f / 255, -1.5f / 255}) {
+    measured.color = truth.color;
+    for (float& channel : measured.color.pixel(40, 30)) channel += more;
+    const WrongPixels wrong = judged().wrong;
+    const bool isWrong = std::abs(more) > 1.0f / 255;
+    EXPECT_EQ(wrong.total(), isWrong ? 1U : 0U) << more;
+    EXPECT_EQ(wrong.shadowMissing, more > 1.0f / 255 ? 1U : 0U);
+    EXPECT_EQ(wrong.shadowExtra, more < -1.0f / 255 ? 1U : 0U);
+    // Of meshes the truth knows no colour.
+    EXPECT_EQ(judged({.shading = Shading::Phong}).wrong.total(), 0U);
+  }
+}
+
 TEST_F(VerifySphere, ADroppedPixelIsMissingAsFarAsTheSilhouetteIs) {
   const int x = 40, y = 12;  // 17.5 px above the middle
   measured.id.samples()[indexOf(x, y)] = 0;
